@@ -1,0 +1,11 @@
+# Warnings and sanitizers of our own targets, linked PRIVATE; never a global flag.
+add_library(umbrameter_warnings INTERFACE)
+target_compile_options(umbrameter_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
+  -Wcast-align -Woverloaded-virtual -Wnull-dereference -Wimplicit-fallthrough
+  $<$<BOOL:${UMBRAMETER_WERROR}>:-Werror>)
+if(UMBRAMETER_SANITIZE)
+  target_compile_options(umbrameter_warnings INTERFACE -fsanitize=${UMBRAMETER_SANITIZE} -fno-omit-frame-pointer
+                                                       -fno-sanitize-recover=all)
+  target_link_options(umbrameter_warnings INTERFACE -fsanitize=${UMBRAMETER_SANITIZE})
+endif()

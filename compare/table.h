@@ -1,0 +1,22 @@
+// Plain rows with described columns: what sweeps produce and what reports print.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/parameters.h"
+
+namespace umbrameter {
+
+struct Column {
+  std::string name;     ///< as in the CSV header: "mae", "shadow.resolution"
+  std::string unit;     ///< "m", "texels", "1" for shares; never empty for a number
+  std::string meaning;  ///< one sentence
+};
+
+struct Table {
+  std::vector<Column> columns;
+  std::vector<std::vector<Value>> rows;  ///< each as long as columns
+};
+
+}  // namespace umbrameter

@@ -1,0 +1,15 @@
+// Ctrl-C and SIGTERM: a flag that long loops look at, so that nothing is left half-written.
+#pragma once
+
+namespace umbrameter {
+
+/// From now on SIGINT and SIGTERM set the flag; a second signal ends the process at once.
+void install_interrupt_handlers();
+
+/// Whether a signal has arrived.
+bool is_interrupted();
+
+/// Throws Error with ExitCode::interrupted or ExitCode::terminated when a signal has arrived.
+void throw_if_interrupted();
+
+}  // namespace umbrameter

@@ -1,0 +1,257 @@
+#include "core/parameters.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "core/error.h"
+
+namespace umbrameter {
+namespace {
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;
+
+std::string number_text(double number) {
+  char buffer[40];
+  const auto result = std::to_chars(buffer, buffer + sizeof buffer, number);
+  return {buffer, result.ptr};
+}
+
+template <class Number>
+std::optional<Number> parse_number(std::string_view text) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  Number number{};
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (result.ec != std::errc{} || result.ptr != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+std::optional<Size> parse_size(std::string_view text) {
+  const auto cross = text.find_first_of("xX");
+  if (cross == std::string_view::npos) return std::nullopt;
+  const auto width = parse_number<int>(text.substr(0, cross));
+  const auto height = parse_number<int>(text.substr(cross + 1));
+  if (!width || !height) return std::nullopt;
+  return Size{*width, *height};
+}
+
+std::string join_or(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
+    text += names[i];
+  }
+  return text;
+}
+
+[[noreturn]] void reject(const Parameter& parameter, const std::string& given) {
+  throw Error(ExitCode::usage, parameter.key, "'" + given + "' is not allowed", "expected " + parameter.limits());
+}
+
+bool fits(const FieldDescription& description, double number) {
+  if (!std::isfinite(number) || number < description.min || number > description.max) return false;
+  const auto integer = static_cast<std::int64_t>(number);
+  if (description.odd && integer % 2 == 0) return false;
+  return !description.power_of_two || (integer > 0 && (integer & (integer - 1)) == 0);
+}
+
+}  // namespace
+
+std::string to_string(const Value& value) {
+  return std::visit(
+      Overloaded{[](bool truth) { return std::string(truth ? "true" : "false"); },
+                 [](std::int64_t integer) { return std::to_string(integer); },
+                 [](double number) { return number_text(number); }, [](const std::string& text) { return text; }},
+      value);
+}
+
+Value Parameter::value() const {
+  return std::visit(
+      Overloaded{
+          [](const bool* truth) -> Value { return *truth; },
+          [](const int* integer) -> Value { return std::int64_t{*integer}; },
+          [](const double* number) -> Value { return *number; }, [](const std::string* text) -> Value { return *text; },
+          [](const Size* size) -> Value { return std::to_string(size->width) + "x" + std::to_string(size->height); },
+          [](const ChoiceRef& choice) -> Value { return choice.names.at(static_cast<std::size_t>(*choice.value)); }},
+      field);
+}
+
+void Parameter::set(const Value& value) const {
+  const auto number = [&]() -> std::optional<double> {
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
+    if (const auto* real = std::get_if<double>(&value)) return *real;
+    return std::nullopt;
+  };
+  const bool accepted =
+      std::visit(Overloaded{[&](bool* truth) {
+                              const auto* given = std::get_if<bool>(&value);
+                              if (given != nullptr) *truth = *given;
+                              return given != nullptr;
+                            },
+                            [&](int* integer) {
+                              const auto given = number();
+                              if (!given || *given != std::floor(*given) ||
+                                  std::abs(*given) > std::numeric_limits<int>::max() || !fits(description, *given)) {
+                                return false;
+                              }
+                              *integer = static_cast<int>(*given);
+                              return true;
+                            },
+                            [&](double* real) {
+                              const auto given = number();
+                              if (!given || !fits(description, *given)) return false;
+                              *real = *given;
+                              return true;
+                            },
+                            [&](std::string* text) {
+                              const auto* given = std::get_if<std::string>(&value);
+                              *text = given != nullptr ? *given : to_string(value);
+                              return true;
+                            },
+                            [&](Size* size) {
+                              const auto* given = std::get_if<std::string>(&value);
+                              const auto parsed = given != nullptr ? parse_size(*given) : std::nullopt;
+                              if (!parsed || !fits(description, parsed->width) || !fits(description, parsed->height))
+                                return false;
+                              *size = *parsed;
+                              return true;
+                            },
+                            [&](const ChoiceRef& choice) {
+                              const auto* given = std::get_if<std::string>(&value);
+                              if (given == nullptr) return false;
+                              const auto found = std::find(choice.names.begin(), choice.names.end(), *given);
+                              if (found == choice.names.end()) return false;
+                              *choice.value = static_cast<int>(found - choice.names.begin());
+                              return true;
+                            }},
+                 field);
+  if (!accepted) reject(*this, to_string(value));
+}
+
+void Parameter::set_text(std::string_view text) const {
+  const std::string given(text);
+  std::visit(Overloaded{[&](bool*) {
+                          if (given == "true" || given == "1" || given == "on") return set(true);
+                          if (given == "false" || given == "0" || given == "off") return set(false);
+                          reject(*this, given);
+                        },
+                        [&](int*) {
+                          const auto integer = parse_number<std::int64_t>(text);
+                          if (!integer) reject(*this, given);
+                          set(*integer);
+                        },
+                        [&](double*) {
+                          const auto real = parse_number<double>(text);
+                          if (!real) reject(*this, given);
+                          set(*real);
+                        },
+                        [&](const auto&) { set(given); }},
+             field);
+}
+
+std::string Parameter::limits() const {
+  const auto range = [&](std::string kind) {
+    const bool has_min = std::isfinite(description.min);
+    const bool has_max = std::isfinite(description.max);
+    if (description.odd) kind = "an odd integer";
+    if (has_min && has_max) kind += " from " + number_text(description.min) + " to " + number_text(description.max);
+    if (has_min && !has_max) kind += ", at least " + number_text(description.min);
+    if (!has_min && has_max) kind += ", at most " + number_text(description.max);
+    if (description.power_of_two) kind += ", a power of two";
+    return kind;
+  };
+  return std::visit(
+      Overloaded{[](bool*) { return std::string("true or false"); }, [&](int*) { return range("an integer"); },
+                 [&](double*) { return range("a number"); }, [](std::string*) { return std::string("text"); },
+                 [&](Size*) { return "WIDTHxHEIGHT, each " + range("an integer"); },
+                 [](const ChoiceRef& choice) { return join_or(choice.names); }},
+      field);
+}
+
+bool Parameter::is_number() const {
+  return std::holds_alternative<int*>(field) || std::holds_alternative<double*>(field);
+}
+
+const Parameter* find(const Parameters& parameters, std::string_view key) {
+  const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                  [&](const Parameter& parameter) { return parameter.key == key; });
+  return found == parameters.end() ? nullptr : &*found;
+}
+
+const Parameter& require(const Parameters& parameters, std::string_view key) {
+  if (const Parameter* parameter = find(parameters, key)) return *parameter;
+  std::string remedy = "'umbrameter parameters' lists all parameters";
+  const auto nearest = std::min_element(
+      parameters.begin(), parameters.end(),
+      [&](const Parameter& a, const Parameter& b) { return edit_distance(a.key, key) < edit_distance(b.key, key); });
+  if (nearest != parameters.end() && edit_distance(nearest->key, key) <= 4) {
+    remedy = "did you mean '" + nearest->key + "'?";
+  }
+  throw Error(ExitCode::usage, std::string(key), "no parameter has this name", remedy);
+}
+
+Parameters concatenate(std::vector<Parameters> groups) {
+  Parameters all;
+  for (Parameters& group : groups) {
+    all.insert(all.end(), std::make_move_iterator(group.begin()), std::make_move_iterator(group.end()));
+  }
+  return all;
+}
+
+std::string shader_defines(const Parameters& parameters) {
+  const auto macro = [](std::string_view key) {
+    std::string name;
+    for (const char c : key) {
+      name += std::isalnum(static_cast<unsigned char>(c)) != 0
+                  ? static_cast<char>(std::toupper(static_cast<unsigned char>(c)))
+                  : '_';
+    }
+    return name;
+  };
+  std::string text;
+  for (const Parameter& parameter : parameters) {
+    const std::string name = macro(parameter.key);
+    std::visit(
+        Overloaded{[&](const bool* truth) { text += "#define " + name + (*truth ? " 1\n" : " 0\n"); },
+                   [&](const int* integer) { text += "#define " + name + " " + std::to_string(*integer) + "\n"; },
+                   [&](const double* number) {
+                     std::string digits = number_text(*number);
+                     if (digits.find_first_of(".e") == std::string::npos) digits += ".0";
+                     text += "#define " + name + " " + digits + "\n";
+                   },
+                   [&](const ChoiceRef& choice) {
+                     text += "#define " + name + " " + std::to_string(*choice.value) + "\n";
+                     for (std::size_t i = 0; i < choice.names.size(); ++i) {
+                       text += "#define " + name + "_" + macro(choice.names[i]) + " " + std::to_string(i) + "\n";
+                     }
+                   },
+                   [](const auto&) {}},
+        parameter.field);
+  }
+  return text;
+}
+
+int edit_distance(std::string_view a, std::string_view b) {
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    int diagonal = row[0];
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const int substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,72 @@
+// The Embree side: primary hits, shadow rays and hemisphere ambient occlusion, answered for the same surfels that
+// the rasteriser draws. Embree itself stays in raytrace/*.cpp.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/gbuffer.h"
+#include "core/image.h"
+#include "core/parallel.h"
+#include "raytrace/parameters.h"
+#include "scenes/scene.h"
+#include "scenes/view.h"
+
+namespace umbrameter {
+
+/// Embree's version, "3.13.5".
+std::string embree_version();
+
+struct BuildStatistics {
+  std::uint64_t triangles = 0;  ///< over all instances
+  double seconds = 0.0;
+  std::uint64_t bytes = 0;  ///< as Embree's memory monitor counts
+};
+
+/// Acceleration structures of one scene, which must outlive it. Read-only once built; any thread may trace.
+class Tracer {
+ public:
+  /// Throws Error (no_backend) when Embree does not start, with its message.
+  explicit Tracer(const Scene& scene);
+  ~Tracer();
+  Tracer(Tracer&&) noexcept;
+  Tracer& operator=(Tracer&&) noexcept;
+
+  const Scene& scene() const;
+  const BuildStatistics& build_statistics() const;
+
+  struct State;
+  const State& state() const { return *state_; }
+
+ private:
+  std::unique_ptr<State> state_;
+};
+
+/// What a trace cost and how far its rays stepped off the surface.
+struct TraceStatistics {
+  std::uint64_t rays = 0;
+  double seconds = 0.0;
+  double largest_offset = 0.0;  ///< metres, along the geometric normal, over all surfels
+};
+
+/// Primary hits through the pixel centres of the view, without back faces of single-sided materials.
+GBuffer trace_gbuffer(const Tracer& tracer, const View& view, const Progress& progress = {});
+
+struct TracedVisibility {
+  Image<float> visibility;  ///< 1 lit, 0 blocked or turned away (geometric N·L ≤ 0), 1 on background
+  TraceStatistics statistics;
+};
+TracedVisibility trace_visibility(const Tracer& tracer, const GBuffer& gbuffer, const Light& light,
+                                  const Progress& progress = {});
+
+struct TracedAo {
+  Image<float> ao;              ///< accessibility, 1 open and on background
+  Image<float> standard_error;  ///< of each pixel's estimate; 0 on background
+  TraceStatistics statistics;
+};
+/// Hemisphere AO about the geometric normal, params.spp Owen-scrambled Sobol points in independent randomisations.
+TracedAo trace_ao(const Tracer& tracer, const GBuffer& gbuffer, const TruthParams& params, std::uint32_t seed,
+                  const Progress& progress = {});
+
+}  // namespace umbrameter

@@ -1,0 +1,29 @@
+// Rows and parameters as CSV, JSON and TOML.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "compare/table.h"
+#include "core/parameters.h"
+
+namespace umbrameter {
+
+/// RFC 4180, header first, numbers in the shortest form that reads back the same.
+std::string to_csv(const Table& table);
+
+/// The parameters as an experiment file: one table a group, each value with unit and meaning as a comment.
+/// `scene` is written as a top-level key.
+std::string to_toml(const std::string& scene, const Parameters& parameters,
+                    const std::vector<std::pair<std::string, std::string>>& axes);
+
+/// What an experiment file says.
+struct ExperimentFile {
+  std::string scene;                                      ///< empty when the file names none
+  std::vector<std::pair<std::string, Value>> values;      ///< full parameter name, value
+  std::vector<std::pair<std::string, std::string>> axes;  ///< [vary]: full parameter name, axis text
+};
+/// Throws Error (usage) with file and line when it is not TOML, Error (unreadable_input) when it cannot be read.
+ExperimentFile read_experiment(const std::filesystem::path& path);
+
+}  // namespace umbrameter

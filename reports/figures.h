@@ -1,0 +1,81 @@
+// Pictures of numbers and of images. Each is written to figures/<stem>.svg, .pdf and .png.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/table.h"
+#include "core/image.h"
+#include "core/math.h"
+
+namespace umbrameter {
+
+/// How numbers become colours. All maps are perceptually uniform, safe for colour-blind readers, and readable grey.
+enum class ColorMap : int {
+  visibility,  ///< sequential, dark is 0: shares and accessibility
+  error,       ///< diverging about 0: raster − truth, blue is too dark, red is too bright
+};
+
+/// One range for every picture of its kind, so that two runs can be compared.
+struct ColorScale {
+  ColorMap map = ColorMap::visibility;
+  double first = 0.0;
+  double last = 1.0;
+  std::string label;  ///< quantity and unit, beside the colour bar: "visibility [1]"
+};
+
+struct CategoryColor {
+  std::string name;
+  glm::u8vec3 color;
+};
+
+/// An image with title, frame and colour bar or category legend.
+struct ImageFigure {
+  std::string stem;
+  std::string title;
+  std::string caption;
+  /// One of: scalar values with a scale; category index per pixel (into categories); display colours (sRGB).
+  Image<float> values;
+  ColorScale scale;
+  Image<std::uint8_t> category;
+  std::vector<CategoryColor> categories;
+  Image<glm::u8vec3> color;
+};
+
+struct Axis {
+  std::string column;  ///< of the table
+  std::string label;   ///< quantity and unit: "constant bias [m]"
+  bool logarithmic = false;
+};
+
+/// Lines of y against x, one for each value of the series column, with a band where both bounds are given.
+struct PlotFigure {
+  std::string stem;
+  std::string title;
+  std::string caption;
+  Axis x;
+  Axis y;
+  std::optional<std::string> series;        ///< column that tells the lines apart
+  std::string series_label;                 ///< legend title with unit: "resolution [texels]"
+  std::optional<std::string> lower, upper;  ///< columns of the 95 % interval
+  Table data;
+};
+
+/// sRGB bytes of a scalar image. NaN is magenta; values outside the scale take its end colours.
+Image<glm::u8vec3> colorize(const Image<float>& values, const ColorScale& scale);
+
+/// Linear colours with exposure to sRGB bytes.
+Image<glm::u8vec3> tone_map(const Image<vec3>& linear, float exposure);
+
+void write_png(const std::filesystem::path& path, const Image<glm::u8vec3>& image);
+
+/// What write_figures() left out and why, one line each; empty when all were written.
+struct FigureOutcome {
+  std::vector<std::string> problems;
+};
+FigureOutcome write_figures(const std::filesystem::path& folder, const std::vector<ImageFigure>& images,
+                            const std::vector<PlotFigure>& plots);
+
+}  // namespace umbrameter

@@ -1,0 +1,20 @@
+// Files that are either whole or absent: written under a temporary name, flushed, renamed.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string_view>
+
+namespace umbrameter {
+
+/// Creates the folder and proves that a file can be written there. Throws Error (usage) naming it and why not.
+void prepare_output_folder(const std::filesystem::path& folder);
+
+/// Calls write(temporary path), then renames onto path. The temporary is removed when write throws.
+/// A failed write or rename is an Error (partial) naming path and the system's reason ("No space left on device").
+void write_whole(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
+
+/// write_whole() of a text or of bytes.
+void write_text(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace umbrameter

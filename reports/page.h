@@ -1,0 +1,41 @@
+// index.html: one self-contained file that shows the figures and tables of a run.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "compare/table.h"
+
+namespace umbrameter {
+
+/// A number that the reader should see first.
+struct Headline {
+  std::string label;  ///< "mean absolute error"
+  std::string value;  ///< "0.83 %", interval included where the reference is sampled
+  std::string note;   ///< "of 402,113 counted pixels"
+};
+
+struct ReportSection {
+  std::string title;
+  std::string text;  ///< plain paragraphs, separated by blank lines
+  std::vector<Headline> headlines;
+  std::vector<std::string> figures;   ///< stems in DIR/figures, shown in this order
+  std::vector<std::string> captions;  ///< one for each figure
+  std::vector<std::string> figure_titles;
+  std::vector<Table> tables;
+};
+
+struct Report {
+  std::string title;               ///< "courtyard: bias × resolution"
+  std::string subtitle;            ///< view, light, date-free facts
+  std::string command;             ///< what repeats this run
+  std::vector<std::string> notes;  ///< what was assumed
+  std::vector<ReportSection> sections;
+  Table settings;  ///< every parameter: name, value, unit, meaning
+};
+
+/// Writes DIR/index.html with the figures of DIR/figures inlined. No script, no outside reference.
+void write_page(const std::filesystem::path& folder, const Report& report);
+
+}  // namespace umbrameter

@@ -1,0 +1,17 @@
+// glTF 2.0 in and out. The only door to the glTF parser.
+#pragma once
+
+#include <filesystem>
+
+#include "scenes/scene.h"
+
+namespace umbrameter {
+
+/// Reads a .gltf or .glb file. Throws Error (unreadable_input) naming the file, the object and the way out.
+/// What was assumed or left out stands in Scene::notes.
+Scene load_gltf(const std::filesystem::path& path);
+
+/// Serialises as one binary glTF that load_gltf() reads back the same. Deterministic.
+std::vector<unsigned char> to_glb(const Scene& scene);
+
+}  // namespace umbrameter

@@ -1,0 +1,142 @@
+// The scene as both sides see it: meshes, instances, materials, cameras, lights. Plain data.
+// Right-handed, Y up, metres (glTF 2.0, section 3.4).
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/bounds.h"
+#include "core/image.h"
+#include "core/math.h"
+
+namespace umbrameter {
+
+enum class Wrap : int { repeat, mirrored_repeat, clamp_to_edge };
+
+/// 8-bit RGBA texels as stored in the file (sRGB colour, linear alpha); row 0 is v = 0.
+struct Texture {
+  std::string name;
+  Image<glm::u8vec4> texels;
+  Wrap wrap_u = Wrap::repeat;
+  Wrap wrap_v = Wrap::repeat;
+};
+
+enum class AlphaMode : int { opaque, mask, blend };
+
+struct Material {
+  std::string name;
+  vec4 base_color{1.0f};  ///< linear factor; w is alpha
+  std::optional<std::uint32_t> base_color_texture;
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  float alpha_cutoff = 0.5f;  ///< mask: a point exists where alpha ≥ cutoff
+  bool double_sided = false;  ///< false: the camera does not see back faces; shadows and AO do
+};
+
+/// One glTF primitive: indexed triangles of one material, in the mesh's own space.
+struct Mesh {
+  std::string name;
+  std::vector<vec3> positions;
+  std::vector<vec3> normals;     ///< one a vertex, unit; empty: use the triangle's
+  std::vector<vec2> texcoords;   ///< one a vertex, or empty
+  std::vector<uvec3> triangles;  ///< counter-clockwise seen from the front
+  std::uint32_t material = 0;
+};
+
+/// A mesh placed in the world. Shared meshes are stored once.
+struct Instance {
+  std::uint32_t mesh = 0;
+  std::uint32_t object = 0;  ///< index into Scene::objects
+  dmat4 world_from_mesh{1.0};
+};
+
+/// A glTF node that holds a mesh: what a user calls an object.
+struct Object {
+  std::string name;
+};
+
+struct PerspectiveProjection {
+  double vertical_fov = 0.8;  ///< radians
+  double near_plane = 0.01;   ///< metres
+  double far_plane = std::numeric_limits<double>::infinity();
+};
+struct OrthographicProjection {
+  double half_width = 1.0;   ///< metres; the image's own aspect ratio adjusts this one
+  double half_height = 1.0;  ///< metres
+  double near_plane = 0.0;
+  double far_plane = 100.0;
+};
+
+/// Looks along its own −Z, +Y up (glTF 2.0, section 3.10).
+struct Camera {
+  std::string name;
+  dmat4 world_from_camera{1.0};  ///< rigid: node scale removed
+  std::variant<PerspectiveProjection, OrthographicProjection> projection;
+};
+
+struct DirectionalLight {};
+struct PointLight {
+  double range = 0.0;  ///< metres; 0 is unlimited
+};
+struct SpotLight {
+  double range = 0.0;             ///< metres; 0 is unlimited
+  double inner_cone_angle = 0.0;  ///< radians from the axis
+  double outer_cone_angle = pi / 4;
+};
+
+/// KHR_lights_punctual: shines along its own −Z; its +Y fixes the roll of its shadow map.
+struct Light {
+  std::string name;             ///< empty when the file gives none
+  dmat4 world_from_light{1.0};  ///< rigid
+  vec3 color{1.0f};             ///< linear
+  double intensity = 1.0;       ///< directional: lux; point and spot: candela
+  std::variant<DirectionalLight, SpotLight, PointLight> shape;
+
+  dvec3 position() const { return dvec3(world_from_light[3]); }
+  /// Unit, the way that the light travels along its axis.
+  dvec3 axis() const { return -glm::normalize(dvec3(world_from_light[2])); }
+};
+
+struct Scene {
+  std::string name;
+  std::vector<Texture> textures;
+  std::vector<Material> materials;
+  std::vector<Mesh> meshes;
+  std::vector<Object> objects;
+  std::vector<Instance> instances;
+  std::vector<Camera> cameras;
+  std::vector<Light> lights;
+  std::vector<std::string> notes;  ///< what was assumed or dropped on loading, one line each
+};
+
+struct SceneCounts {
+  std::uint64_t triangles = 0;         ///< over all instances
+  std::uint64_t stored_triangles = 0;  ///< over all meshes
+  std::uint64_t vertices = 0;          ///< over all meshes
+};
+
+SceneCounts count(const Scene& scene);
+
+/// World bounds of all instances, from every vertex. Empty for a scene without triangles.
+Bounds bounds_of(const Scene& scene);
+
+/// The three world-space corners of a triangle, transformed in double precision.
+struct Triangle {
+  dvec3 a, b, c;
+};
+Triangle world_triangle(const Scene& scene, std::uint32_t instance, std::uint32_t triangle);
+
+/// True when the transform mirrors: front faces then turn clockwise.
+bool is_mirrored(const dmat4& transform);
+
+/// Bilinear base-colour alpha at a texture coordinate, factor included, 0 to 1 (glTF 2.0, section 3.9.4).
+/// The alpha test of both sides is: a point exists where this is ≥ Material::alpha_cutoff.
+float alpha_at(const Scene& scene, const Material& material, vec2 texcoord);
+
+/// Linear base colour and alpha at a texture coordinate, factor included; filtered after decoding sRGB.
+vec4 base_color_at(const Scene& scene, const Material& material, vec2 texcoord);
+
+}  // namespace umbrameter
