@@ -1,0 +1,151 @@
+#include "compare/ao.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "core/parallel.h"
+
+namespace umbrameter {
+namespace {
+
+// Two-sided 95 % quantile of the normal distribution. The sums run over so many independent pixels that the
+// central limit holds.
+constexpr double quantile_95 = 1.959963984540054;
+
+struct RowSums {
+  std::uint64_t pixels = 0;
+  double raster = 0.0;
+  double truth = 0.0;
+  double error = 0.0;
+  double absolute = 0.0;
+  double absolute_bias = 0.0;  // what noise of the truth may have added to the absolute error
+  double squared = 0.0;
+  double squared_variance = 0.0;
+  double variance = 0.0;
+  double standard_error = 0.0;
+  double max_error = 0.0;
+  int max_x = -1;
+};
+
+// E|e + sZ| − |e| for standard normal Z: mean of the folded normal distribution (Leone, Nelson and Nottingham 1961).
+double folded_excess(double e, double s) {
+  if (s <= 0.0) return 0.0;
+  const double r = std::abs(e) / s;
+  return s * (std::sqrt(2.0 / pi) * std::exp(-0.5 * r * r) - r * std::erfc(r / std::sqrt(2.0)));
+}
+
+RowSums sum_row(int y, const Image<float>& raster, const Image<float>& truth, const Image<float>& standard_error,
+                const GBuffer& gbuffer) {
+  RowSums sums;
+  for (int x = 0; x < raster.width; ++x) {
+    const std::size_t i = raster.index(x, y);
+    if (!gbuffer.is_surface(i)) continue;
+    const double error = static_cast<double>(raster[i]) - static_cast<double>(truth[i]);
+    const double s = standard_error[i];
+    const double variance = s * s;
+    ++sums.pixels;
+    sums.raster += raster[i];
+    sums.truth += truth[i];
+    sums.error += error;
+    sums.absolute += std::abs(error);
+    sums.absolute_bias += folded_excess(error, s);
+    sums.squared += error * error;
+    // Var((e + sZ)²) = 4e²s² + 2s⁴, with e² estimated without bias by the measured square less s².
+    sums.squared_variance += 4.0 * std::max(error * error - variance, 0.0) * variance + 2.0 * variance * variance;
+    sums.variance += variance;
+    sums.standard_error += s;
+    if (std::abs(error) > sums.max_error) {
+      sums.max_error = std::abs(error);
+      sums.max_x = x;
+    }
+  }
+  return sums;
+}
+
+}  // namespace
+
+AoStatistics analyze_ao(const Image<float>& raster, const Image<float>& truth, const Image<float>& standard_error,
+                        const GBuffer& gbuffer) {
+  assert(raster.size() == truth.size() && raster.size() == standard_error.size() &&
+         raster.size() == gbuffer.instance.size());
+  std::vector<RowSums> rows(static_cast<std::size_t>(raster.height));
+  parallel_for(rows.size(),
+               [&](std::size_t y) { rows[y] = sum_row(static_cast<int>(y), raster, truth, standard_error, gbuffer); });
+  RowSums total;
+  AoStatistics statistics;
+  for (std::size_t y = 0; y < rows.size(); ++y) {
+    const RowSums& row = rows[y];
+    total.pixels += row.pixels;
+    total.raster += row.raster;
+    total.truth += row.truth;
+    total.error += row.error;
+    total.absolute += row.absolute;
+    total.absolute_bias += row.absolute_bias;
+    total.squared += row.squared;
+    total.squared_variance += row.squared_variance;
+    total.variance += row.variance;
+    total.standard_error += row.standard_error;
+    if (row.max_error > statistics.max_error) {
+      statistics.max_error = row.max_error;
+      statistics.max_x = row.max_x;
+      statistics.max_y = static_cast<int>(y);
+    }
+  }
+  statistics.pixels = total.pixels;
+  if (total.pixels == 0) return statistics;
+  const double scale = 1.0 / static_cast<double>(total.pixels);
+  const double half_width = quantile_95 * std::sqrt(total.variance) * scale;
+  const auto around = [half_width](double value) { return Estimate{value, value - half_width, value + half_width}; };
+  statistics.mean_raster = total.raster * scale;
+  statistics.mean_truth = around(total.truth * scale);
+  statistics.mean_error = around(total.error * scale);
+  statistics.mae = around(total.absolute * scale);
+  statistics.mae.lower = std::max(statistics.mae.lower - total.absolute_bias * scale, 0.0);
+  const double mean_square = (total.squared - total.variance) * scale;
+  const double square_half_width = quantile_95 * std::sqrt(total.squared_variance) * scale;
+  const auto root = [](double square) { return std::sqrt(std::max(square, 0.0)); };
+  statistics.rmse = {root(mean_square), root(mean_square - square_half_width), root(mean_square + square_half_width)};
+  statistics.mean_standard_error = total.standard_error * scale;
+  return statistics;
+}
+
+std::vector<Column> ao_columns() {
+  return {
+      {"pixels", "px", "pixels that see a surface"},
+      {"mae", "1", "mean absolute error of accessibility"},
+      {"mae_lo", "1", "lower end of its 95 % interval"},
+      {"mae_hi", "1", "upper end of its 95 % interval"},
+      {"rmse", "1", "root mean square error, corrected for the variance of the reference"},
+      {"rmse_lo", "1", "lower end of its 95 % interval"},
+      {"rmse_hi", "1", "upper end of its 95 % interval"},
+      {"mean_error", "1", "mean of raster − truth"},
+      {"mean_error_lo", "1", "lower end of its 95 % interval"},
+      {"mean_error_hi", "1", "upper end of its 95 % interval"},
+      {"mean_raster", "1", "mean accessibility by the rasteriser"},
+      {"mean_truth", "1", "mean accessibility by the reference"},
+      {"mean_truth_lo", "1", "lower end of its 95 % interval"},
+      {"mean_truth_hi", "1", "upper end of its 95 % interval"},
+      {"max_error", "1", "largest absolute error, noise of the reference included"},
+  };
+}
+
+std::vector<Value> to_row(const AoStatistics& s) {
+  return {static_cast<std::int64_t>(s.pixels),
+          s.mae.value,
+          s.mae.lower,
+          s.mae.upper,
+          s.rmse.value,
+          s.rmse.lower,
+          s.rmse.upper,
+          s.mean_error.value,
+          s.mean_error.lower,
+          s.mean_error.upper,
+          s.mean_raster,
+          s.mean_truth.value,
+          s.mean_truth.lower,
+          s.mean_truth.upper,
+          s.max_error};
+}
+
+}  // namespace umbrameter

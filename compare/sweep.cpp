@@ -1,0 +1,208 @@
+#include "compare/sweep.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "core/error.h"
+#include "core/interrupt.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::size_t most_values = 1'000'000;
+constexpr std::size_t most_cells = 10'000'000;
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (;;) {
+    const std::size_t end = text.find(separator, begin);
+    parts.emplace_back(text.substr(begin, end - begin));
+    if (end == std::string_view::npos) return parts;
+    begin = end + 1;
+  }
+}
+
+[[noreturn]] void reject(std::string_view key, std::string_view text, const std::string& why) {
+  throw Error(ExitCode::usage, "--vary " + std::string(key) + "=" + std::string(text), why,
+              "write first:last:count, first:last:count:log or a list a,b,c");
+}
+
+double parse_real(std::string_view key, std::string_view text, const std::string& part) {
+  double number = 0.0;
+  const Parameter reader{std::string(key), {}, &number};
+  try {
+    reader.set_text(part);
+  } catch (const Error&) {
+    reject(key, text, "'" + part + "' is not a number");
+  }
+  return number;
+}
+
+// Both ends are met exactly.
+std::vector<double> spaced(double first, double last, std::size_t count, bool logarithmic) {
+  std::vector<double> values(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i == 0 || i + 1 == count) {
+      values[i] = i == 0 ? first : last;
+      continue;
+    }
+    const double t = static_cast<double>(i) / static_cast<double>(count - 1);
+    values[i] = logarithmic ? first * std::pow(last / first, t) : first + (last - first) * t;
+  }
+  return values;
+}
+
+std::vector<double> parse_range(std::string_view key, std::string_view text, const std::vector<std::string>& parts) {
+  if (parts.size() != 3 && !(parts.size() == 4 && parts[3] == "log")) reject(key, text, "not an axis");
+  const double first = parse_real(key, text, parts[0]);
+  const double last = parse_real(key, text, parts[1]);
+  const double count = parse_real(key, text, parts[2]);
+  if (count < 1.0 || count != std::floor(count) || count > static_cast<double>(most_values)) {
+    reject(key, text, "the count must be an integer from 1 to " + std::to_string(most_values));
+  }
+  if (count == 1.0 && first != last) reject(key, text, "one value cannot meet both ends");
+  const bool logarithmic = parts.size() == 4;
+  if (logarithmic && !(first * last > 0.0)) reject(key, text, "a log axis needs ends of one sign, not zero");
+  return spaced(first, last, static_cast<std::size_t>(count), logarithmic);
+}
+
+std::vector<SweepCell> make_cells(const std::vector<SweepAxis>& axes) {
+  std::vector<SweepCell> cells(count_cells(axes));
+  for (std::size_t index = 0; index < cells.size(); ++index) {
+    cells[index].index = index;
+    cells[index].values.resize(axes.size());
+    std::size_t rest = index;
+    for (std::size_t a = axes.size(); a-- > 0;) {
+      cells[index].values[a] = axes[a].values[rest % axes[a].values.size()];
+      rest /= axes[a].values.size();
+    }
+  }
+  return cells;
+}
+
+std::vector<std::vector<SweepCell>> make_groups(const std::vector<SweepAxis>& axes,
+                                                std::span<const std::string_view> inner_keys) {
+  std::map<std::string, std::size_t> group_of;
+  std::vector<std::vector<SweepCell>> groups;
+  for (SweepCell& cell : make_cells(axes)) {
+    std::string outer;
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+      if (std::find(inner_keys.begin(), inner_keys.end(), axes[a].key) != inner_keys.end()) continue;
+      outer += to_string(cell.values[a]) + "\n";
+    }
+    const auto [entry, is_new] = group_of.try_emplace(outer, groups.size());
+    if (is_new) groups.emplace_back();
+    groups[entry->second].push_back(std::move(cell));
+  }
+  return groups;
+}
+
+}  // namespace
+
+SweepAxis parse_axis(const Parameters& parameters, std::string_view key, std::string_view text) {
+  const Parameter& parameter = require(parameters, key);
+  SweepAxis axis{std::string(key), std::string(text), {}};
+  const Value before = parameter.value();
+  const auto accept = [&](const auto& set_value) {
+    set_value();
+    axis.values.push_back(parameter.value());
+  };
+  try {
+    if (text.find(':') != std::string_view::npos) {
+      if (!parameter.is_number()) reject(key, text, "only numbers have ranges");
+      const bool whole = std::holds_alternative<int*>(parameter.field);
+      for (const double value : parse_range(key, text, split(text, ':'))) {
+        accept([&] { parameter.set(whole ? std::round(value) : value); });
+      }
+    } else {
+      for (const std::string& part : split(text, ',')) accept([&] { parameter.set_text(part); });
+    }
+  } catch (...) {
+    parameter.set(before);
+    throw;
+  }
+  parameter.set(before);
+  std::set<Value> seen;
+  for (const Value& value : axis.values) {
+    if (!seen.insert(value).second) reject(key, text, "the value " + to_string(value) + " occurs twice");
+  }
+  return axis;
+}
+
+SweepAxis parse_axis(const Parameters& parameters, std::string_view assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string_view::npos) {
+    throw Error(ExitCode::usage, "--vary " + std::string(assignment), "no '='",
+                "write --vary parameter=first:last:count or parameter=a,b,c");
+  }
+  return parse_axis(parameters, assignment.substr(0, equals), assignment.substr(equals + 1));
+}
+
+std::size_t count_cells(const std::vector<SweepAxis>& axes) {
+  std::size_t cells = 1;
+  for (const SweepAxis& axis : axes) {
+    if (!axis.values.empty() && cells > most_cells / axis.values.size()) {
+      throw Error(ExitCode::usage, "sweep", "more than " + std::to_string(most_cells) + " cells",
+                  "make an axis shorter or split the sweep");
+    }
+    cells *= axis.values.size();
+  }
+  return cells;
+}
+
+Table run_sweep(const Parameters& parameters, const std::vector<SweepAxis>& axes,
+                std::span<const std::string_view> inner_keys, const std::vector<Column>& measured,
+                const EvaluateGroup& evaluate, const Progress& progress) {
+  Table table;
+  std::set<std::string> keys;
+  for (const SweepAxis& axis : axes) {
+    const Parameter& parameter = require(parameters, axis.key);
+    if (axis.values.empty()) throw Error(ExitCode::usage, "--vary " + axis.key, "the axis has no value");
+    if (!keys.insert(axis.key).second) throw Error(ExitCode::usage, "--vary " + axis.key, "the axis is given twice");
+    table.columns.push_back({axis.key, parameter.description.unit, parameter.description.meaning});
+  }
+  table.columns.insert(table.columns.end(), measured.begin(), measured.end());
+  const std::size_t cells = count_cells(axes);
+  table.rows.resize(cells);
+  std::size_t done = 0;
+  for (const std::vector<SweepCell>& group : make_groups(axes, inner_keys)) {
+    throw_if_interrupted();
+    const std::vector<std::vector<Value>> rows = evaluate(group);
+    assert(rows.size() == group.size());
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      assert(rows[i].size() == measured.size());
+      std::vector<Value>& row = table.rows[group[i].index];
+      row = group[i].values;
+      row.insert(row.end(), rows[i].begin(), rows[i].end());
+    }
+    done += group.size();
+    if (progress) progress(static_cast<double>(done) / static_cast<double>(cells));
+  }
+  return table;
+}
+
+std::size_t column_index(const Table& table, std::string_view name) {
+  const auto found = std::find_if(table.columns.begin(), table.columns.end(),
+                                  [&](const Column& column) { return column.name == name; });
+  if (found == table.columns.end()) throw std::out_of_range("no column " + std::string(name));
+  return static_cast<std::size_t>(found - table.columns.begin());
+}
+
+double to_number(const Value& value) {
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
+  return std::get<double>(value);
+}
+
+std::size_t least_row(const Table& table, std::string_view column) {
+  const std::size_t c = column_index(table, column);
+  const auto least = std::min_element(table.rows.begin(), table.rows.end(),
+                                      [c](const auto& a, const auto& b) { return to_number(a[c]) < to_number(b[c]); });
+  return static_cast<std::size_t>(least - table.rows.begin());
+}
+
+}  // namespace umbrameter

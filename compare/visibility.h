@@ -1,0 +1,77 @@
+// Shadow error: what differs between a raster and a traced visibility image, counted over the surfels that the
+// technique is answerable for, and taken apart by cause.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "compare/table.h"
+#include "core/gbuffer.h"
+#include "core/image.h"
+#include "scenes/light_frame.h"
+
+namespace umbrameter {
+
+/// The cause that a pixel's error is mostly due to; the numbers of the class layer.
+enum class PixelClass : std::uint8_t {
+  correct,
+  acne,
+  false_occlusion,
+  peter_panning,
+  light_leak,
+  not_counted,  ///< turned away, or outside the map, cone or range
+  background,
+};
+inline constexpr std::array<std::string_view, 7> pixel_class_names = {
+    "correct", "acne", "false occlusion", "peter-panning", "light leak", "not counted", "background"};
+
+/// All shares are of the counted pixels, 0 to 1. With a binary truth mae = acne + false_occlusion + peter_panning +
+/// leak.
+struct VisibilityStatistics {
+  std::uint64_t pixels = 0;  ///< counted: facing the light, inside its map, cone and range
+  double lit = 0.0;          ///< share that the truth calls lit
+  double blocked = 0.0;      ///< share that the truth calls blocked
+  double mae = 0.0;          ///< mean |raster − truth|
+  double rmse = 0.0;         ///< root of the mean of (raster − truth)²
+  double mean_error = 0.0;   ///< mean of raster − truth: below 0 too dark, above 0 too bright
+  double max_error = 0.0;    ///< largest |raster − truth|
+  int max_x = -1;            ///< where it stands first, row by row from the top, px; −1 without an error
+  int max_y = -1;
+  double acne = 0.0;
+  double false_occlusion = 0.0;
+  double peter_panning = 0.0;
+  double leak = 0.0;
+  double false_blocked = 0.0;  ///< truth lit, raster blocked: of a filtered pixel its blocked part
+  double false_lit = 0.0;      ///< truth blocked, raster lit: of a filtered pixel its lit part
+  double mean_texel = 0.0;     ///< mean side of a texel at the counted surfels, metres
+};
+
+/// How many pixels each counting class holds, indexed by Counting.
+using CountingTotals = std::array<std::uint64_t, 6>;
+inline constexpr std::array<std::string_view, 6> counting_names = {"counted",     "background",   "turned_away",
+                                                                   "outside_map", "outside_cone", "outside_range"};
+
+/// Which pixels statistics count for a light, and why not the others.
+struct CountedPixels {
+  Image<Counting> counting;
+  CountingTotals totals{};
+  double mean_texel = 0.0;  ///< metres, over the counted ones
+};
+CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const LightFrame& frame);
+
+/// Images of one size; truth is binary; classes as RasterVisibility::classes.
+VisibilityStatistics analyze_visibility(const Image<float>& raster, const Image<float>& truth,
+                                        const Image<vec4>& classes, const CountedPixels& counted);
+
+/// raster − truth.
+Image<float> signed_error(const Image<float>& raster, const Image<float>& truth);
+
+/// The class with the largest share of each pixel's wrong taps; ties go to the first in PixelClass's order.
+Image<PixelClass> classify(const Image<vec4>& classes, const CountedPixels& counted);
+
+/// The statistics as one row, in the order of visibility_columns(): the measured columns of sweep.csv.
+std::vector<Column> visibility_columns();
+std::vector<Value> to_row(const VisibilityStatistics& statistics);
+
+}  // namespace umbrameter
