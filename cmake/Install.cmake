@@ -1,0 +1,23 @@
+# The program, the libraries, their headers, and a package that find_package(umbrameter) finds.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(UMBRAMETER_MODULES core scenes raster raytrace compare reports)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/umbrameter)
+
+foreach(module IN LISTS UMBRAMETER_MODULES)
+  set_target_properties(umbrameter_${module} PROPERTIES EXPORT_NAME ${module})
+  install(TARGETS umbrameter_${module} EXPORT umbrameter ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${module} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/umbrameter
+          FILES_MATCHING PATTERN "*.h" PATTERN "shaders" EXCLUDE)
+endforeach()
+install(TARGETS umbrameter RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+
+# Dependencies.cmake goes along: the libraries are static, so who links them needs the same packages.
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/umbrameter-config.cmake.in
+                              ${PROJECT_BINARY_DIR}/umbrameter-config.cmake INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/umbrameter-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/umbrameter-config.cmake ${PROJECT_BINARY_DIR}/umbrameter-config-version.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/Dependencies.cmake DESTINATION ${package_folder})
+install(EXPORT umbrameter NAMESPACE umbrameter:: FILE umbrameter-targets.cmake DESTINATION ${package_folder})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

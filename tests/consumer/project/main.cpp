@@ -1,0 +1,32 @@
+// What a program of someone else does with the installed libraries: load, trace, analyse, write down.
+#include <iostream>
+
+#include "compare/visibility.h"
+#include "raytrace/tracer.h"
+#include "reports/data.h"
+#include "scenes/builtin.h"
+#include "scenes/view.h"
+
+using namespace umbrameter;
+
+int main() {
+  const Scene scene = load_scene("contact-box");
+  std::vector<std::string> notes;
+  View view;
+  view.width = 64;
+  view.height = 36;
+  view.camera = select_camera(scene, "", 64.0 / 36.0, notes);
+  const Light light = select_lights(scene, "", notes).front();
+
+  const Tracer tracer(scene);
+  const GBuffer gbuffer = trace_gbuffer(tracer, view);
+  const Image<float> truth = trace_visibility(tracer, gbuffer, light).visibility;
+
+  // Against itself a truth has no error, and the scene must hold both light and shadow.
+  const CountedPixels counted = count_pixels(gbuffer, light, fit_light(light, bounds_of(scene), 1024));
+  const Image<vec4> no_classes(truth.width, truth.height, vec4(0));
+  const VisibilityStatistics statistics = analyze_visibility(truth, truth, no_classes, counted);
+  const Table table{visibility_columns(), {to_row(statistics)}};
+  std::cout << to_csv(table);
+  return statistics.mae == 0.0 && statistics.lit > 0.0 && statistics.blocked > 0.0 ? 0 : 1;
+}
