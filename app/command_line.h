@@ -1,0 +1,35 @@
+// The command line as data. The only door to the command-line parser.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace umbrameter {
+
+struct CommandLine {
+  std::string command;  ///< "compare", "sweep", "trace", "raster", "scenes", "scene", "info" or "parameters"
+  std::string scene;    ///< file or name of a built-in scene; empty when not given
+  std::filesystem::path output;
+  std::filesystem::path experiment_file;
+  std::vector<std::pair<std::string, std::string>> settings;  ///< full parameter name, text, in order
+  std::vector<std::string> vary;                              ///< "name=axis"
+  std::string measure;                                        ///< "visibility", "ao", or empty to infer it
+  std::string gl_device;
+  int threads = 0;
+  bool quiet = false;
+  bool json = false;
+  bool markdown = false;
+};
+
+/// Help or version text to print; the program then ends well.
+struct Information {
+  std::string text;
+};
+
+/// Throws Error (usage) with one line for anything that is not understood.
+std::variant<CommandLine, Information> parse_command_line(int argc, const char* const* argv);
+
+}  // namespace umbrameter

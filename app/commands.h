@@ -1,0 +1,21 @@
+// The subcommands. Each returns the program's exit code and throws Error.
+#pragma once
+
+#include "app/command_line.h"
+#include "app/console.h"
+#include "app/experiment.h"
+#include "core/error.h"
+
+namespace umbrameter {
+
+/// Defaults, then the experiment file, then the flags; axes likewise.
+Experiment make_experiment(const CommandLine& line);
+
+ExitCode run_image_command(const CommandLine& line, const Console& console);  ///< compare, trace, raster
+ExitCode run_sweep_command(const CommandLine& line, const Console& console);
+ExitCode run_scenes(const Console& console);
+ExitCode run_scene(const CommandLine& line, const Console& console);
+ExitCode run_info(const CommandLine& line, const Console& console);
+ExitCode run_parameters(const CommandLine& line);
+
+}  // namespace umbrameter

@@ -1,0 +1,45 @@
+// What the program says: results on stdout, notes and progress on stderr.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "core/parallel.h"
+
+namespace umbrameter {
+
+struct Console {
+  bool quiet = false;  ///< no progress, no notes
+  bool json = false;   ///< stdout carries the JSON summary and nothing else
+};
+
+/// A line of the result, on stdout; nothing with --json.
+void say(const Console& console, const std::string& line);
+
+/// What was assumed or left out, on stderr as "note: …"; nothing with --quiet.
+void note(const Console& console, const std::string& line);
+
+/// Whether stderr may carry colours: a terminal, and NO_COLOR unset or empty (no-color.org).
+bool use_color();
+
+/// A bar with percentage and time left on stderr while it lives; silent where stderr is no terminal, and with --quiet.
+class ProgressBar {
+ public:
+  ProgressBar(const Console& console, std::string label);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  void show(double share);
+  /// show() as a callable that must not outlive the bar.
+  Progress callback();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::string label_;
+  bool visible_ = false;
+  Clock::time_point start_;
+  Clock::time_point shown_;
+};
+
+}  // namespace umbrameter

@@ -1,0 +1,58 @@
+#include "app/experiment.h"
+
+#include <limits>
+
+namespace umbrameter {
+
+Parameters describe(RunParams& params) {
+  return Description("run")
+      .field("seed", params.seed,
+             {"", "seed of every random number: equal seeds give equal bits", 0, std::numeric_limits<int>::max()})
+      .take();
+}
+
+Parameters describe(Experiment& experiment) {
+  return concatenate({describe(experiment.view), describe(experiment.shadow), describe(experiment.ao),
+                      describe(experiment.truth), describe(experiment.run)});
+}
+
+std::string key_of(const Parameters& parameters) {
+  std::string key;
+  for (const Parameter& parameter : parameters) key += parameter.key + "=" + to_string(parameter.value()) + "\n";
+  return key;
+}
+
+std::string parameter_reference() {
+  Experiment experiment;
+  std::string text =
+      "# Parameters\n\n"
+      "Made by `umbrameter parameters --markdown` from the descriptions in the code. Each name is the flag (`--` in\n"
+      "front), the key in an experiment file (`[group]`, then the part after the dot) and the column of a sweep.\n";
+  std::string group;
+  for (const Parameter& parameter : describe(experiment)) {
+    const std::string of = parameter.key.substr(0, parameter.key.find('.'));
+    if (of != group) {
+      group = of;
+      text += "\n## " + group + "\n\n| name | default | unit | allowed | meaning |\n| --- | --- | --- | --- | --- |\n";
+    }
+    const std::string value = to_string(parameter.value());
+    text += "| `" + parameter.key + "` | " + (value.empty() ? "" : "`" + value + "`") + " | " +
+            parameter.description.unit + " | " + parameter.limits() + " | " + parameter.description.meaning + " |\n";
+  }
+  return text;
+}
+
+Table settings_table(Experiment experiment) {
+  Table table{{{"parameter", "", "full name: flag, key and column"},
+               {"value", "", "as set for this run"},
+               {"unit", "", "of the value"},
+               {"meaning", "", "what it sets"}},
+              {}};
+  for (const Parameter& parameter : describe(experiment)) {
+    table.rows.push_back(
+        {parameter.key, to_string(parameter.value()), parameter.description.unit, parameter.description.meaning});
+  }
+  return table;
+}
+
+}  // namespace umbrameter

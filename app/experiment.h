@@ -1,0 +1,45 @@
+// Everything that decides what a run measures: the scene and every described parameter.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compare/table.h"
+#include "core/parameters.h"
+#include "raster/parameters.h"
+#include "raytrace/parameters.h"
+#include "scenes/view.h"
+
+namespace umbrameter {
+
+/// The run.* parameters.
+struct RunParams {
+  int seed = 1;
+};
+Parameters describe(RunParams& params);
+
+struct Experiment {
+  std::string scene;
+  ViewParams view;
+  ShadowParams shadow;
+  AoParams ao;
+  TruthParams truth;
+  RunParams run;
+  /// What a sweep varies: full parameter name, axis text.
+  std::vector<std::pair<std::string, std::string>> axes;
+};
+
+/// All parameters, bound to this experiment.
+Parameters describe(Experiment& experiment);
+
+/// The values of some parameters as one text: equal exactly when the values are equal.
+std::string key_of(const Parameters& parameters);
+
+/// The reference page of all parameters, Markdown.
+std::string parameter_reference();
+
+/// Every parameter with its value, unit and meaning.
+Table settings_table(Experiment experiment);
+
+}  // namespace umbrameter

@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/run_output.h"
+#include "core/parallel.h"
+#include "reports/data.h"
+#include "reports/output.h"
+#include "scenes/builtin.h"
+
+namespace umbrameter {
+namespace {
+
+Sides sides_of(const std::string& command) {
+  if (command == "trace") return {false, true};
+  if (command == "raster") return {true, false};
+  return {true, true};
+}
+
+}  // namespace
+
+Experiment make_experiment(const CommandLine& line) {
+  Experiment experiment;
+  const Parameters parameters = describe(experiment);
+  if (!line.experiment_file.empty()) {
+    const ExperimentFile file = read_experiment(line.experiment_file);
+    experiment.scene = file.scene;
+    experiment.axes = file.axes;
+    for (const auto& [key, value] : file.values) require(parameters, key).set(value);
+  }
+  for (const auto& [key, text] : line.settings) require(parameters, key).set_text(text);
+  if (!line.scene.empty()) experiment.scene = line.scene;
+  if (experiment.scene.empty()) {
+    throw Error(ExitCode::usage, "SCENE", "no scene is given",
+                "name a .gltf or .glb file or a built-in scene ('umbrameter scenes' lists them)");
+  }
+  // A side that works alone makes its own surfels.
+  if (line.command == "trace") experiment.view.surfels = SurfelSource::traced;
+  if (line.command == "raster") experiment.view.surfels = SurfelSource::raster;
+  return experiment;
+}
+
+ExitCode run_image_command(const CommandLine& line, const Console& console) {
+  const Experiment experiment = make_experiment(line);
+  prepare_output_folder(line.output);
+  const ThreadLimit threads(line.threads);
+  Workbench workbench(load_scene(experiment.scene), {line.gl_device, line.threads}, console);
+  const Sides sides = sides_of(line.command);
+  const std::vector<std::uint32_t> lights = workbench.lights(experiment.view.light);
+
+  Measurement measurement;
+  measurement.surfels = workbench.surfels(experiment.view);
+  for (const std::uint32_t light : lights) {
+    measurement.shadows.push_back(measure_shadow(workbench, experiment, light, sides));
+  }
+  measurement.ao = measure_ao(workbench, experiment, sides);
+
+  RunOutput output;
+  output.title = fmt::format("{}: {}", experiment.scene,
+                             line.command == "compare" ? "raster against truth"
+                             : line.command == "trace" ? "truth"
+                                                       : "raster");
+  output.subtitle = subtitle_of(workbench, measurement.surfels.view);
+  output.parts.push_back(present_picture(workbench, measurement));
+  for (const ShadowMeasurement& shadow : measurement.shadows) {
+    output.parts.push_back(present_shadow(workbench, shadow, experiment));
+  }
+  output.parts.push_back(present_ao(*measurement.ao, experiment));
+  output.summary = {line.command, experiment, &workbench, &measurement, nullptr, {}, {}, {}, {}};
+  if (sides.raster) output.summary.gl_renderer = workbench.context().renderer();
+  return write_run(line, console, std::move(output));
+}
+
+}  // namespace umbrameter

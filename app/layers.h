@@ -1,0 +1,18 @@
+// images.exr: which layer holds what.
+#pragma once
+
+#include "app/measure.h"
+#include "reports/exr.h"
+
+namespace umbrameter {
+
+/// The picture that goes with a measurement: raster's answers where there are any, the truth's otherwise.
+/// Linear, 1 is about white.
+Image<vec3> picture_of(const Workbench& workbench, const Measurement& measurement);
+
+/// Layer names: truth_visibility_<light>.Y, raster_visibility_<light>.Y, error_visibility_<light>.Y, class_<light>.Y
+/// (numbers of PixelClass), truth_ao.Y, truth_ao_standard_error.Y, raster_ao.Y, error_ao.Y, gbuffer_position.X/Y/Z
+/// (world, metres), gbuffer_normal.X/Y/Z (geometric, world), root R G B A and Z (metres along the camera's axis).
+LayeredImage layers_of(const Workbench& workbench, const Measurement& measurement);
+
+}  // namespace umbrameter

@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "app/commands.h"
+#include "core/interrupt.h"
+
+namespace umbrameter {
+namespace {
+
+ExitCode run(int argc, const char* const* argv) {
+  const std::variant<CommandLine, Information> parsed = parse_command_line(argc, argv);
+  if (const auto* information = std::get_if<Information>(&parsed)) {
+    fmt::print("{}", information->text);
+    return ExitCode::ok;
+  }
+  const CommandLine& line = std::get<CommandLine>(parsed);
+  const Console console{line.quiet, line.json};
+  if (line.command == "sweep") return run_sweep_command(line, console);
+  if (line.command == "scenes") return run_scenes(console);
+  if (line.command == "scene") return run_scene(line, console);
+  if (line.command == "info") return run_info(line, console);
+  if (line.command == "parameters") return run_parameters(line);
+  return run_image_command(line, console);
+}
+
+// stdout may be a full disk or a closed pipe; that is found out only when it is flushed.
+ExitCode finish_output(ExitCode code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  throw Error(ExitCode::partial, "stdout", "not everything could be written", "check where the output goes");
+}
+
+}  // namespace
+}  // namespace umbrameter
+
+int main(int argc, char** argv) {
+  using namespace umbrameter;
+  install_interrupt_handlers();
+  try {
+    return static_cast<int>(finish_output(run(argc, argv)));
+  } catch (const Error& error) {
+    fmt::print(stderr, "umbrameter: {}\n", error.what());
+    return static_cast<int>(error.code());
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "umbrameter: out of memory; use a smaller --size or a smaller scene\n");
+    return static_cast<int>(ExitCode::partial);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "umbrameter: unexpected failure: {}; please report this\n", error.what());
+    return static_cast<int>(ExitCode::partial);
+  }
+}

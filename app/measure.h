@@ -1,0 +1,43 @@
+// Both sides' answers for one configuration, and their difference.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/workbench.h"
+#include "compare/ao.h"
+#include "compare/visibility.h"
+
+namespace umbrameter {
+
+/// Which side's answers a command wants; the difference is there where both are.
+struct Sides {
+  bool raster = true;
+  bool truth = true;
+};
+
+struct ShadowMeasurement {
+  std::uint32_t light = 0;
+  LightFrame frame;
+  CountedPixels counted;
+  std::optional<RasterVisibility> raster;
+  std::optional<TracedVisibility> truth;
+  std::optional<VisibilityStatistics> statistics;
+};
+
+struct AoMeasurement {
+  std::optional<Image<float>> raster;
+  std::optional<TracedAo> truth;
+  std::optional<AoStatistics> statistics;
+};
+
+struct Measurement {
+  Surfels surfels;
+  std::vector<ShadowMeasurement> shadows;
+  std::optional<AoMeasurement> ao;
+};
+
+ShadowMeasurement measure_shadow(Workbench& workbench, const Experiment& experiment, std::uint32_t light, Sides sides);
+AoMeasurement measure_ao(Workbench& workbench, const Experiment& experiment, Sides sides);
+
+}  // namespace umbrameter

@@ -1,0 +1,219 @@
+#include "app/presentation.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/layers.h"
+
+namespace umbrameter {
+namespace {
+
+// One range for every picture of a kind, so that two runs can be compared.
+const ColorScale visibility_scale{ColorMap::visibility, 0.0, 1.0, "visibility [1]: 0 blocked, 1 lit"};
+const ColorScale visibility_error_scale{ColorMap::error, -1.0, 1.0, "raster − truth [1]: below 0 too dark"};
+const ColorScale ao_scale{ColorMap::visibility, 0.0, 1.0, "accessibility [1]: 1 open"};
+const ColorScale ao_error_scale{ColorMap::error, -0.5, 0.5, "raster − truth [1]: below 0 too dark"};
+
+// Okabe and Ito's palette for the causes, in an order whose lightness differs, on greys for what is not an error.
+const std::vector<glm::u8vec3> class_colors = {{236, 236, 236}, {213, 94, 0},    {240, 228, 66}, {0, 114, 178},
+                                               {86, 180, 233},  {176, 176, 176}, {255, 255, 255}};
+
+std::string value_text(Experiment experiment, std::string_view key) {
+  return to_string(require(describe(experiment), key).value());
+}
+
+ImageFigure scalar_figure(std::string stem, std::string title, std::string caption, const Image<float>& values,
+                          const ColorScale& scale) {
+  ImageFigure figure;
+  figure.stem = std::move(stem);
+  figure.title = std::move(title);
+  figure.caption = std::move(caption);
+  figure.values = values;
+  figure.scale = scale;
+  return figure;
+}
+
+ImageFigure class_figure(const std::string& layer, const ShadowMeasurement& shadow) {
+  ImageFigure figure;
+  figure.stem = "class_" + layer;
+  figure.title = "Causes: " + layer;
+  figure.caption = "The cause that most of each pixel's wrong taps share.";
+  const Image<PixelClass> classes = classify(shadow.raster->classes, shadow.counted);
+  figure.category = Image<std::uint8_t>(classes.width, classes.height);
+  for (std::size_t i = 0; i < classes.size(); ++i) figure.category[i] = static_cast<std::uint8_t>(classes[i]);
+  for (std::size_t i = 0; i < pixel_class_names.size(); ++i) {
+    figure.categories.push_back({std::string(pixel_class_names[i]), class_colors[i]});
+  }
+  return figure;
+}
+
+Table statistics_table(const std::vector<Column>& columns, const std::vector<Value>& row) {
+  Table table{{{"quantity", "", ""}, {"value", "", ""}, {"unit", "", ""}, {"meaning", "", ""}}, {}};
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const bool is_share = columns[i].unit == "1";
+    const std::string value = is_share                 ? fmt::format("{:.4f}", 100.0 * to_number(row[i]))
+                              : columns[i].unit == "m" ? fmt::format("{:.5g}", to_number(row[i]))
+                                                       : to_string(row[i]);
+    table.rows.push_back({columns[i].name, value, std::string(is_share ? "%" : columns[i].unit), columns[i].meaning});
+  }
+  return table;
+}
+
+std::string counted_text(const CountedPixels& counted) {
+  const auto total = [&](Counting c) { return counted.totals[static_cast<std::size_t>(c)]; };
+  return fmt::format(
+      "Counted are {} pixels that face the light, inside its map, cone and range. Not counted: {} turned away, {} "
+      "outside the map, {} outside the cone, {} out of range, {} background.",
+      total(Counting::counted), total(Counting::turned_away), total(Counting::outside_map),
+      total(Counting::outside_cone), total(Counting::outside_range), total(Counting::background));
+}
+
+}  // namespace
+
+std::string percent(double share) {
+  const double value = 100.0 * share;
+  if (value != 0.0 && std::abs(value) < 0.001) return fmt::format("{:.1e} %", value);
+  return fmt::format("{:.3f} %", value);
+}
+
+std::string percent(const Estimate& share) {
+  return fmt::format("{:.3f} % [{:.3f}, {:.3f}]", 100.0 * share.value, 100.0 * share.lower, 100.0 * share.upper);
+}
+
+std::string length(double metres) {
+  const double size = std::abs(metres);
+  if (size >= 1.0 || size == 0.0) return fmt::format("{:.3g} m", metres);
+  if (size >= 0.01) return fmt::format("{:.3g} cm", metres * 100.0);
+  return fmt::format("{:.3g} mm", metres * 1000.0);
+}
+
+void add_figure(Presentation& presentation, ImageFigure figure) {
+  presentation.section.figures.push_back(figure.stem);
+  presentation.section.figure_titles.push_back(figure.title);
+  presentation.section.captions.push_back(figure.caption);
+  presentation.images.push_back(std::move(figure));
+}
+
+void add_figure(Presentation& presentation, PlotFigure figure) {
+  presentation.section.figures.push_back(figure.stem);
+  presentation.section.figure_titles.push_back(figure.title);
+  presentation.section.captions.push_back(figure.caption);
+  presentation.plots.push_back(std::move(figure));
+}
+
+Presentation present_picture(const Workbench& workbench, const Measurement& measurement) {
+  Presentation presentation;
+  presentation.section.title = "The view";
+  ImageFigure figure;
+  figure.stem = "picture";
+  figure.title = "The view, shaded";
+  figure.caption = "Diffuse shading with the measured visibility and ambient occlusion; for orientation only.";
+  figure.color = tone_map(picture_of(workbench, measurement), 1.0f);
+  add_figure(presentation, std::move(figure));
+  return presentation;
+}
+
+Table bias_table(const ShadowMeasurement& shadow, const Experiment& experiment) {
+  Table table{{{"constant bias", "", ""}, {"value", "", ""}, {"unit", "", ""}}, {}};
+  const double bias = experiment.shadow.constant_bias;
+  const double texel = shadow.counted.mean_texel;
+  table.rows.push_back({std::string("along the light"), fmt::format("{:.6g}", bias), std::string("m")});
+  table.rows.push_back({std::string("at the mean texel of ") + length(texel),
+                        texel > 0.0 ? fmt::format("{:.4g}", bias / texel) : "—", std::string("texels")});
+  table.rows.push_back({std::string("of the map's depth range of ") + length(shadow.frame.far_depth),
+                        fmt::format("{:.6g}", bias / shadow.frame.far_depth), std::string("normalised depth")});
+  return table;
+}
+
+Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement& shadow, const Experiment& experiment) {
+  const std::string& layer = workbench.layer(shadow.light);
+  Presentation presentation;
+  ReportSection& section = presentation.section;
+  section.title = "Shadow of light " + layer;
+  section.text = counted_text(shadow.counted);
+  if (shadow.truth) {
+    add_figure(presentation, scalar_figure("truth_visibility_" + layer, "Truth: " + layer,
+                                           "Shadow rays against the exact geometry; turned-away surfels count as 0.",
+                                           shadow.truth->visibility, visibility_scale));
+    section.text += fmt::format(" Rays left the surfaces with an offset of at most {}.",
+                                length(shadow.truth->statistics.largest_offset));
+  }
+  if (shadow.raster) {
+    add_figure(presentation,
+               scalar_figure("raster_visibility_" + layer, "Shadow map: " + layer,
+                             fmt::format("{}² texels, {} filter, constant bias {}, slope bias {:g} texels.",
+                                         shadow.frame.resolution, value_text(experiment, "shadow.filter"),
+                                         length(experiment.shadow.constant_bias), experiment.shadow.slope_bias),
+                             shadow.raster->visibility, visibility_scale));
+  }
+  if (!shadow.statistics) {
+    const double pixels = static_cast<double>(shadow.counted.totals[0]);
+    presentation.lines.push_back(
+        fmt::format("{:<10} {:.0f} pixels counted, texel {}", layer, pixels, length(shadow.counted.mean_texel)));
+    return presentation;
+  }
+  const VisibilityStatistics& s = *shadow.statistics;
+  add_figure(presentation,
+             scalar_figure("error_visibility_" + layer, "Error: " + layer, "Blue is too dark, red is too bright.",
+                           signed_error(shadow.raster->visibility, shadow.truth->visibility), visibility_error_scale));
+  add_figure(presentation, class_figure(layer, shadow));
+  section.headlines = {
+      {"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", s.pixels)},
+      {"acne", percent(s.acne), "blocked by the surface's own depth"},
+      {"false occlusion", percent(s.false_occlusion), "blocked by a neighbour's shadow"},
+      {"peter-panning", percent(s.peter_panning), "the bias erased the blocker"},
+      {"light leak", percent(s.leak), "the map holds no blocker"},
+  };
+  section.tables = {statistics_table(visibility_columns(), to_row(s)), bias_table(shadow, experiment)};
+  if (s.max_x >= 0) {
+    section.text +=
+        fmt::format("\n\nThe largest error is {:.3g}, first at pixel ({}, {}).", s.max_error, s.max_x, s.max_y);
+  }
+  presentation.lines.push_back(
+      fmt::format("{:<10} error {}: acne {}, false occlusion {}, peter-panning {}, leak {}  (texel {}, bias {})", layer,
+                  percent(s.mae), percent(s.acne), percent(s.false_occlusion), percent(s.peter_panning),
+                  percent(s.leak), length(s.mean_texel), length(experiment.shadow.constant_bias)));
+  return presentation;
+}
+
+Presentation present_ao(const AoMeasurement& ao, const Experiment& experiment) {
+  Presentation presentation;
+  ReportSection& section = presentation.section;
+  section.title = "Ambient occlusion";
+  const std::string limit =
+      experiment.truth.ao_distance > 0.0 ? "up to " + length(experiment.truth.ao_distance) : "without a distance limit";
+  if (ao.truth) {
+    add_figure(presentation, scalar_figure("truth_ao", "Truth: ambient occlusion",
+                                           fmt::format("Hemisphere rays {}, {} a pixel, {} weight.", limit,
+                                                       experiment.truth.spp, value_text(experiment, "truth.ao-weight")),
+                                           ao.truth->ao, ao_scale));
+  }
+  if (ao.raster) {
+    add_figure(presentation, scalar_figure("raster_ao", "SSAO",
+                                           fmt::format("{} samples, radius {}, bias {}{}.", experiment.ao.samples,
+                                                       length(experiment.ao.radius), length(experiment.ao.bias),
+                                                       experiment.ao.blur == AoBlur::box
+                                                           ? fmt::format(", {0}×{0} box blur", experiment.ao.blur_size)
+                                                           : ""),
+                                           *ao.raster, ao_scale));
+  }
+  if (!ao.statistics) return presentation;
+  const AoStatistics& s = *ao.statistics;
+  add_figure(presentation, scalar_figure("error_ao", "Error: ambient occlusion", "Blue is too dark, red is too bright.",
+                                         signed_error(*ao.raster, ao.truth->ao), ao_error_scale));
+  section.text = fmt::format(
+      "Intervals are 95 % and come from the reference's sampling; its pixels have a mean standard error of {:.4f}.",
+      s.mean_standard_error);
+  section.headlines = {
+      {"mean absolute error", percent(s.mae), fmt::format("of {} pixels", s.pixels)},
+      {"RMS error", percent(s.rmse), "corrected for the reference's variance"},
+      {"mean error", percent(s.mean_error), "below 0: too dark"},
+  };
+  section.tables = {statistics_table(ao_columns(), to_row(s))};
+  presentation.lines.push_back(fmt::format("{:<10} error {}, mean {} (SSAO radius {}, truth {})", "AO", percent(s.mae),
+                                           percent(s.mean_error), length(experiment.ao.radius), limit));
+  return presentation;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,39 @@
+// How a measurement is shown: numbers as text, images as figures, sections of the page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/measure.h"
+#include "reports/figures.h"
+#include "reports/page.h"
+
+namespace umbrameter {
+
+/// "0.831 %".
+std::string percent(double share);
+/// "4.12 % [4.09, 4.15]": value and 95 % interval.
+std::string percent(const Estimate& share);
+/// Three significant digits in the unit that suits: "12.5 mm", "1.2 m".
+std::string length(double metres);
+
+/// Section, figures and text lines of one part of a run.
+struct Presentation {
+  ReportSection section;
+  std::vector<ImageFigure> images;
+  std::vector<PlotFigure> plots;
+  std::vector<std::string> lines;  ///< for the console
+};
+
+Presentation present_picture(const Workbench& workbench, const Measurement& measurement);
+Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement& shadow, const Experiment& experiment);
+Presentation present_ao(const AoMeasurement& ao, const Experiment& experiment);
+
+/// The constant bias in metres, in texels of the mean size, and as normalised depth.
+Table bias_table(const ShadowMeasurement& shadow, const Experiment& experiment);
+
+/// Adds a figure to a presentation's section and image list.
+void add_figure(Presentation& presentation, ImageFigure figure);
+void add_figure(Presentation& presentation, PlotFigure figure);
+
+}  // namespace umbrameter

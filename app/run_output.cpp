@@ -1,0 +1,77 @@
+#include "app/run_output.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "app/layers.h"
+#include "reports/data.h"
+#include "reports/output.h"
+
+namespace umbrameter {
+namespace {
+
+Report make_report(const RunOutput& output) {
+  Report report;
+  report.title = output.title;
+  report.subtitle = output.subtitle;
+  report.command = fmt::format("umbrameter {} -c experiment.toml -o OUT", output.summary.command);
+  report.notes = output.summary.workbench->notes();
+  for (const std::string& problem : output.summary.problems) report.notes.push_back(problem);
+  for (const Presentation& part : output.parts) report.sections.push_back(part.section);
+  report.settings = settings_table(output.summary.experiment);
+  return report;
+}
+
+void write_figures_of(const std::filesystem::path& folder, const Console& console, RunOutput& output) {
+  std::vector<ImageFigure> images;
+  std::vector<PlotFigure> plots;
+  for (Presentation& part : output.parts) {
+    std::move(part.images.begin(), part.images.end(), std::back_inserter(images));
+    std::move(part.plots.begin(), part.plots.end(), std::back_inserter(plots));
+  }
+  note(console, fmt::format("drawing {} figures", images.size() + plots.size()));
+  output.summary.problems = write_figures(folder / "figures", images, plots).problems;
+}
+
+}  // namespace
+
+std::string subtitle_of(const Workbench& workbench, const View& view) {
+  return fmt::format("{}×{} pixels, camera {}, {} triangles", view.width, view.height,
+                     view.camera.name.empty() ? "without a name" : view.camera.name,
+                     count(workbench.scene()).triangles);
+}
+
+ExitCode write_run(const CommandLine& line, const Console& console, RunOutput output) {
+  const std::filesystem::path& folder = line.output;
+  SummaryInput& summary = output.summary;
+  Experiment& experiment = summary.experiment;
+  write_text(folder / "experiment.toml", to_toml(experiment.scene, describe(experiment), experiment.axes));
+  summary.files.push_back("experiment.toml");
+  if (summary.measurement != nullptr) {
+    LayeredImage image = layers_of(*summary.workbench, *summary.measurement);
+    image.attributes["scene"] = experiment.scene;
+    image.attributes["version"] = UMBRAMETER_VERSION;
+    write_exr(folder / "images.exr", image);
+    summary.files.push_back("images.exr");
+  }
+  if (summary.sweep != nullptr) {
+    write_text(folder / "sweep.csv", to_csv(*summary.sweep));
+    summary.files.push_back("sweep.csv");
+  }
+  write_figures_of(folder, console, output);
+  summary.files.push_back("summary.json");
+  summary.files.push_back("index.html");
+  const std::string json = to_summary_json(summary);
+  write_text(folder / "summary.json", json);
+  write_page(folder, make_report(output));
+  for (const Presentation& part : output.parts) {
+    for (const std::string& text : part.lines) say(console, text);
+  }
+  say(console, fmt::format("report: {}", (folder / "index.html").string()));
+  if (console.json) fmt::print("{}", json);
+  for (const std::string& problem : summary.problems) fmt::print(stderr, "umbrameter: {}\n", problem);
+  return summary.problems.empty() ? ExitCode::ok : ExitCode::partial;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,29 @@
+// The files of a run, by the contract: experiment.toml, images.exr, sweep.csv, figures, summary.json, index.html.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/command_line.h"
+#include "app/console.h"
+#include "app/presentation.h"
+#include "app/summary.h"
+
+namespace umbrameter {
+
+/// Everything to write. summary.files and summary.problems are filled in on the way.
+struct RunOutput {
+  std::string title;
+  std::string subtitle;
+  std::vector<Presentation> parts;
+  SummaryInput summary;
+};
+
+/// Writes the files, the page last, and says the lines of each part and where the page is.
+/// ExitCode::partial, with a line on stderr for each, when a figure could not be made.
+ExitCode write_run(const CommandLine& line, const Console& console, RunOutput output);
+
+/// "1280×720, camera overview, 95,204 triangles".
+std::string subtitle_of(const Workbench& workbench, const View& view);
+
+}  // namespace umbrameter

@@ -1,0 +1,120 @@
+#include "app/summary.h"
+
+#include <nlohmann/json.hpp>
+
+#include "raytrace/tracer.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Value& value) {
+  return std::visit([](const auto& v) { return Json(v); }, value);
+}
+
+Json row_json(const std::vector<Column>& columns, const std::vector<Value>& row) {
+  Json object = Json::object();
+  for (std::size_t i = 0; i < columns.size(); ++i) object[columns[i].name] = to_json(row[i]);
+  return object;
+}
+
+const char* kind_name(MapKind kind) {
+  switch (kind) {
+    case MapKind::orthographic:
+      return "directional";
+    case MapKind::perspective:
+      return "spot";
+    case MapKind::cube:
+      return "point";
+  }
+  return "";
+}
+
+Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow, const Experiment& experiment) {
+  Json object;
+  object["light"] = workbench.layer(shadow.light);
+  object["index"] = shadow.light;
+  object["kind"] = kind_name(shadow.frame.kind);
+  const double texel = shadow.counted.mean_texel;
+  object["map"] = {
+      {"resolution_texels", shadow.frame.resolution}, {"mean_texel_m", texel}, {"far_depth_m", shadow.frame.far_depth}};
+  object["constant_bias"] = {{"m", experiment.shadow.constant_bias},
+                             {"texels", texel > 0.0 ? Json(experiment.shadow.constant_bias / texel) : Json(nullptr)},
+                             {"normalised_depth", experiment.shadow.constant_bias / shadow.frame.far_depth}};
+  Json counting = Json::object();
+  for (std::size_t i = 0; i < counting_names.size(); ++i) {
+    counting[std::string(counting_names[i])] = shadow.counted.totals[i];
+  }
+  object["pixels"] = counting;
+  if (shadow.truth) {
+    object["truth"] = {{"rays", shadow.truth->statistics.rays},
+                       {"largest_offset_m", shadow.truth->statistics.largest_offset}};
+  }
+  if (shadow.statistics) {
+    const VisibilityStatistics& s = *shadow.statistics;
+    object["statistics"] = row_json(visibility_columns(), to_row(s));
+    object["max_error_at_px"] = s.max_x < 0 ? Json(nullptr) : Json{s.max_x, s.max_y};
+    object["confusion"] = {{"truth_lit_raster_lit", s.lit - s.false_blocked},
+                           {"truth_lit_raster_blocked", s.false_blocked},
+                           {"truth_blocked_raster_lit", s.false_lit},
+                           {"truth_blocked_raster_blocked", s.blocked - s.false_lit}};
+  }
+  return object;
+}
+
+Json ao_json(const AoMeasurement& ao) {
+  Json object;
+  if (ao.truth) {
+    object["truth"] = {{"rays", ao.truth->statistics.rays}, {"largest_offset_m", ao.truth->statistics.largest_offset}};
+  }
+  if (ao.statistics) {
+    object["statistics"] = row_json(ao_columns(), to_row(*ao.statistics));
+    object["statistics"]["mean_standard_error"] = ao.statistics->mean_standard_error;
+    object["max_error_at_px"] =
+        ao.statistics->max_x < 0 ? Json(nullptr) : Json{ao.statistics->max_x, ao.statistics->max_y};
+  }
+  return object;
+}
+
+}  // namespace
+
+std::string to_summary_json(const SummaryInput& input) {
+  Json summary;
+  summary["program"] = {{"name", "umbrameter"}, {"version", UMBRAMETER_VERSION}};
+  summary["command"] = input.command;
+  const Scene& scene = input.workbench->scene();
+  summary["scene"] = {{"name", input.experiment.scene},
+                      {"triangles", count(scene).triangles},
+                      {"instances", scene.instances.size()},
+                      {"materials", scene.materials.size()}};
+  summary["embree"] = embree_version();
+  if (!input.gl_renderer.empty()) summary["opengl"] = input.gl_renderer;
+  summary["notes"] = input.workbench->notes();
+  Experiment experiment = input.experiment;
+  Json parameters = Json::object();
+  for (const Parameter& parameter : describe(experiment)) parameters[parameter.key] = to_json(parameter.value());
+  summary["parameters"] = parameters;
+  if (input.measurement != nullptr) {
+    summary["camera"] = input.measurement->surfels.view.camera.name;
+    summary["shadows"] = Json::array();
+    for (const ShadowMeasurement& shadow : input.measurement->shadows) {
+      summary["shadows"].push_back(shadow_json(*input.workbench, shadow, experiment));
+    }
+    if (input.measurement->ao) summary["ao"] = ao_json(*input.measurement->ao);
+  }
+  if (input.sweep != nullptr) {
+    Json axes = Json::object();
+    for (const auto& [key, text] : experiment.axes) axes[key] = text;
+    Json best = Json::array();
+    for (const std::size_t row : input.best_rows)
+      best.push_back(row_json(input.sweep->columns, input.sweep->rows[row]));
+    summary["sweep"] = {{"axes", axes}, {"cells", input.sweep->rows.size()}, {"least_mae", best}};
+  }
+  summary["files"] = input.files;
+  summary["problems"] = input.problems;
+  // Names come from files: bytes that are no UTF-8 are replaced, never thrown on.
+  return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace umbrameter

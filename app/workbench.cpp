@@ -1,0 +1,132 @@
+#include "app/workbench.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/error.h"
+
+namespace umbrameter {
+namespace {
+
+std::string surfel_key(const ViewParams& params) {
+  ViewParams copy = params;
+  copy.light.clear();
+  return key_of(describe(copy));
+}
+
+}  // namespace
+
+Workbench::Workbench(Scene scene, WorkbenchOptions options, const Console& console)
+    : scene_(std::move(scene)), options_(std::move(options)), console_(console), bounds_(bounds_of(scene_)) {
+  add_notes(scene_.notes);
+  if (bounds_.empty()) {
+    throw Error(ExitCode::unreadable_input, scene_.name, "the scene has no triangles",
+                "give a scene with meshes, or a built-in one ('umbrameter scenes')");
+  }
+  std::vector<std::string> assumed;
+  add_missing_light(scene_, assumed);
+  add_notes(assumed);
+  layers_ = layer_names(scene_.lights);
+}
+
+void Workbench::add_notes(const std::vector<std::string>& notes) {
+  for (const std::string& text : notes) {
+    if (std::find(notes_.begin(), notes_.end(), text) != notes_.end()) continue;
+    notes_.push_back(text);
+    note(console_, text);
+  }
+}
+
+std::vector<std::uint32_t> Workbench::lights(const std::string& name_or_index) const {
+  return select_lights(scene_, name_or_index);
+}
+
+const Tracer& Workbench::tracer() {
+  if (!tracer_) tracer_.emplace(scene_);
+  return *tracer_;
+}
+
+const gl::Context& Workbench::context() {
+  if (!context_) {
+    context_ = std::make_unique<gl::Context>(gl::Context::make({options_.gl_device, options_.threads}));
+  }
+  return *context_;
+}
+
+const UploadedScene& Workbench::uploaded() {
+  if (!uploaded_) uploaded_ = std::make_unique<UploadedScene>(upload(context(), scene_));
+  return *uploaded_;
+}
+
+const Surfels& Workbench::surfels(const ViewParams& params) {
+  return surfels_.get(surfel_key(params), [&] {
+    const double aspect = static_cast<double>(params.size.width) / params.size.height;
+    std::vector<std::string> assumed;
+    View view{params.size.width, params.size.height, select_camera(scene_, params.camera, aspect, assumed)};
+    add_notes(assumed);
+    GBuffer gbuffer;
+    if (params.surfels == SurfelSource::traced) {
+      ProgressBar bar(console_, "primary rays");
+      gbuffer = trace_gbuffer(tracer(), view, bar.callback());
+    } else {
+      gbuffer = read_back(context(), draw_gbuffer(context(), uploaded(), view));
+    }
+    return Surfels{std::move(view), std::move(gbuffer)};
+  });
+}
+
+const GpuGBuffer& Workbench::gpu_surfels(const ViewParams& params) {
+  const Surfels& both = surfels(params);
+  return gpu_surfels_.get(surfel_key(params), [&] { return upload(context(), both.gbuffer); });
+}
+
+std::string Workbench::light_key(const Experiment& experiment, std::uint32_t light) const {
+  return surfel_key(experiment.view) + "light " + std::to_string(light);
+}
+
+const LightFit& Workbench::fit(const Experiment& experiment, std::uint32_t light) {
+  const std::string key = light_key(experiment, light) + " " + std::to_string(experiment.shadow.resolution);
+  return fit_.get(key, [&] {
+    const LightFrame frame = fit_light(scene_.lights[light], bounds_, experiment.shadow.resolution);
+    return LightFit{frame, count_pixels(surfels(experiment.view).gbuffer, scene_.lights[light], frame)};
+  });
+}
+
+const TracedVisibility& Workbench::truth(const Experiment& experiment, std::uint32_t light) {
+  return truth_.get(light_key(experiment, light), [&] {
+    ProgressBar bar(console_, "shadow rays");
+    return trace_visibility(tracer(), surfels(experiment.view).gbuffer, scene_.lights[light], bar.callback());
+  });
+}
+
+const TracedAo& Workbench::ao_truth(const Experiment& experiment) {
+  TruthParams params = experiment.truth;
+  const std::string key = surfel_key(experiment.view) + key_of(describe(params)) + std::to_string(experiment.run.seed);
+  return ao_truth_.get(key, [&] {
+    ProgressBar bar(console_, "hemisphere rays");
+    return trace_ao(tracer(), surfels(experiment.view).gbuffer, params, static_cast<std::uint32_t>(experiment.run.seed),
+                    bar.callback());
+  });
+}
+
+RasterVisibility Workbench::draw(const Experiment& experiment, std::uint32_t light, bool with_truth) {
+  const GpuGBuffer& gpu = gpu_surfels(experiment.view);
+  const std::string map_key = std::to_string(light) + " " + std::to_string(experiment.shadow.resolution);
+  const ShadowMap& map = map_.get(map_key, [&] {
+    const LightFrame frame = fit_light(scene_.lights[light], bounds_, experiment.shadow.resolution);
+    return draw_shadow_map(context(), uploaded(), scene_.lights[light], frame, experiment.shadow);
+  });
+  const gl::Texture* gpu_truth = nullptr;
+  if (with_truth) {
+    gpu_truth = &gpu_truth_.get(light_key(experiment, light),
+                                [&] { return upload(context(), truth(experiment, light).visibility); });
+  }
+  return draw_visibility(context(), uploaded(), gpu, map, scene_.lights[light], experiment.shadow, gpu_truth);
+}
+
+Image<float> Workbench::draw_ao(const Experiment& experiment) {
+  return umbrameter::draw_ao(context(), gpu_surfels(experiment.view), surfels(experiment.view).view, experiment.ao,
+                             static_cast<std::uint32_t>(experiment.run.seed));
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,106 @@
+// One scene on both sides. Builds each thing at its first use and keeps the last, so that the cells of a sweep
+// share what they have in common.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/console.h"
+#include "app/experiment.h"
+#include "compare/visibility.h"
+#include "raster/rasterizer.h"
+#include "raytrace/tracer.h"
+#include "scenes/light_frame.h"
+#include "scenes/scene.h"
+
+namespace umbrameter {
+
+/// The last value made, and the key that it was made for.
+template <class T>
+class Memo {
+ public:
+  const T& get(const std::string& key, const std::function<T()>& make) {
+    if (!value_ || key != key_) {
+      value_.reset();
+      value_.emplace(make());
+      key_ = key;
+    }
+    return *value_;
+  }
+
+ private:
+  std::string key_;
+  std::optional<T> value_;
+};
+
+/// The surfels of a view, for both sides.
+struct Surfels {
+  View view;
+  GBuffer gbuffer;
+};
+
+/// One light's map laid over the scene, and the pixels that it answers for.
+struct LightFit {
+  LightFrame frame;
+  CountedPixels counted;
+};
+
+struct WorkbenchOptions {
+  std::string gl_device;
+  int threads = 0;
+};
+
+class Workbench {
+ public:
+  /// A scene without lights is given a sun, with a note.
+  Workbench(Scene scene, WorkbenchOptions options, const Console& console);
+
+  const Scene& scene() const { return scene_; }
+  const Bounds& bounds() const { return bounds_; }
+  const std::string& layer(std::uint32_t light) const { return layers_[light]; }
+  /// Indices of the lights that a name or index selects; all when empty.
+  std::vector<std::uint32_t> lights(const std::string& name_or_index) const;
+
+  const Tracer& tracer();
+  const gl::Context& context();
+  const UploadedScene& uploaded();
+
+  const Surfels& surfels(const ViewParams& params);
+  const GpuGBuffer& gpu_surfels(const ViewParams& params);
+  const LightFit& fit(const Experiment& experiment, std::uint32_t light);
+
+  const TracedVisibility& truth(const Experiment& experiment, std::uint32_t light);
+  const TracedAo& ao_truth(const Experiment& experiment);
+  /// With classes where with_truth.
+  RasterVisibility draw(const Experiment& experiment, std::uint32_t light, bool with_truth);
+  Image<float> draw_ao(const Experiment& experiment);
+
+  /// Every assumption made so far, once each.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  void add_notes(const std::vector<std::string>& notes);
+  std::string light_key(const Experiment& experiment, std::uint32_t light) const;
+
+  Scene scene_;
+  WorkbenchOptions options_;
+  Console console_;
+  Bounds bounds_;
+  std::vector<std::string> layers_;
+  std::vector<std::string> notes_;
+  std::optional<Tracer> tracer_;
+  // In this order: what lives on the GPU goes before its context does.
+  std::unique_ptr<gl::Context> context_;
+  std::unique_ptr<UploadedScene> uploaded_;
+  Memo<Surfels> surfels_;
+  Memo<GpuGBuffer> gpu_surfels_;
+  Memo<LightFit> fit_;
+  Memo<ShadowMap> map_;
+  Memo<TracedVisibility> truth_;
+  Memo<gl::Texture> gpu_truth_;
+  Memo<TracedAo> ao_truth_;
+};
+
+}  // namespace umbrameter
