@@ -219,22 +219,21 @@ std::string shader_defines(const Parameters& parameters) {
   std::string text;
   for (const Parameter& parameter : parameters) {
     const std::string name = macro(parameter.key);
-    std::visit(
-        Overloaded{[&](const bool* truth) { text += "#define " + name + (*truth ? " 1\n" : " 0\n"); },
-                   [&](const int* integer) { text += "#define " + name + " " + std::to_string(*integer) + "\n"; },
-                   [&](const double* number) {
-                     std::string digits = number_text(*number);
-                     if (digits.find_first_of(".e") == std::string::npos) digits += ".0";
-                     text += "#define " + name + " " + digits + "\n";
-                   },
-                   [&](const ChoiceRef& choice) {
-                     text += "#define " + name + " " + std::to_string(*choice.value) + "\n";
-                     for (std::size_t i = 0; i < choice.names.size(); ++i) {
-                       text += "#define " + name + "_" + macro(choice.names[i]) + " " + std::to_string(i) + "\n";
-                     }
-                   },
-                   [](const auto&) {}},
-        parameter.field);
+    std::visit(Overloaded{[&](bool* truth) { text += "#define " + name + (*truth ? " 1\n" : " 0\n"); },
+                          [&](int* integer) { text += "#define " + name + " " + std::to_string(*integer) + "\n"; },
+                          [&](double* number) {
+                            std::string digits = number_text(*number);
+                            if (digits.find_first_of(".e") == std::string::npos) digits += ".0";
+                            text += "#define " + name + " " + digits + "\n";
+                          },
+                          [&](const ChoiceRef& choice) {
+                            text += "#define " + name + " " + std::to_string(*choice.value) + "\n";
+                            for (std::size_t i = 0; i < choice.names.size(); ++i) {
+                              text += "#define " + name + "_" + macro(choice.names[i]) + " " + std::to_string(i) + "\n";
+                            }
+                          },
+                          [](const auto&) {}},
+               parameter.field);
   }
   return text;
 }

@@ -1,0 +1,84 @@
+#include "compare/ao.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "compare/sweep.h"
+#include "core/random.h"
+
+namespace umbrameter {
+namespace {
+
+GBuffer all_surface(int width, int height) {
+  GBuffer gbuffer(width, height);
+  for (auto& instance : gbuffer.instance.pixels) instance = 0;
+  return gbuffer;
+}
+
+// Box and Muller 1958.
+double gaussian(std::uint32_t pixel, std::uint32_t seed) {
+  const double u = (hash(pixel, seed, 0u) + 0.5) * 0x1p-32;
+  const double v = (hash(pixel, seed, 1u) + 0.5) * 0x1p-32;
+  return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * pi * v);
+}
+
+TEST(Ao, An_exact_reference_leaves_no_interval) {
+  const Image<float> truth(2, 1, 0.5f);
+  Image<float> raster(2, 1, 0.25f);
+  raster[1] = 1.0f;
+  const AoStatistics s = analyze_ao(raster, truth, Image<float>(2, 1, 0.0f), all_surface(2, 1));
+  EXPECT_EQ(s.pixels, 2u);
+  EXPECT_DOUBLE_EQ(s.mae.value, 0.375);
+  EXPECT_DOUBLE_EQ(s.mae.lower, 0.375);
+  EXPECT_DOUBLE_EQ(s.mae.upper, 0.375);
+  EXPECT_DOUBLE_EQ(s.mean_error.value, 0.125);
+  EXPECT_DOUBLE_EQ(s.rmse.value, std::sqrt((0.0625 + 0.25) / 2.0));
+  EXPECT_EQ(s.max_x, 1);
+}
+
+TEST(Ao, Background_does_not_count) {
+  GBuffer gbuffer = all_surface(2, 1);
+  gbuffer.instance[1] = no_id;
+  Image<float> raster(2, 1, 0.5f);
+  raster[1] = 0.0f;
+  const AoStatistics s = analyze_ao(raster, Image<float>(2, 1, 0.5f), Image<float>(2, 1, 0.0f), gbuffer);
+  EXPECT_EQ(s.pixels, 1u);
+  EXPECT_EQ(s.mae.value, 0.0);
+  const AoStatistics none = analyze_ao(raster, raster, raster, GBuffer(2, 1));
+  for (const Value& value : to_row(none)) EXPECT_EQ(to_number(value), 0.0);
+}
+
+TEST(Ao, The_noise_of_the_reference_is_not_reported_as_rms_error) {
+  // raster is exact, the truth has Gaussian noise of σ = 0.1: uncorrected RMSE would be 0.1.
+  Image<float> truth(400, 400);
+  for (std::uint32_t i = 0; i < truth.size(); ++i) truth[i] = static_cast<float>(0.5 + 0.1 * gaussian(i, 5));
+  const AoStatistics s =
+      analyze_ao(Image<float>(400, 400, 0.5f), truth, Image<float>(400, 400, 0.1f), all_surface(400, 400));
+  // The mean square has a standard deviation of √2 · 0.01 / 400 = 3.5e-5; five of them bound the RMSE by 0.0134.
+  EXPECT_LT(s.rmse.value, 0.0134);
+  EXPECT_EQ(s.rmse.lower, 0.0);
+  EXPECT_LT(s.mae.lower, 0.02) << "the noise alone makes a mean absolute error of 0.08; the bound must heed it";
+}
+
+TEST(Ao, The_interval_holds_the_true_mean_error_95_times_in_100) {
+  constexpr int trials = 400;
+  int held = 0;
+  for (std::uint32_t seed = 0; seed < trials; ++seed) {
+    Image<float> truth(20, 20);
+    for (std::uint32_t i = 0; i < truth.size(); ++i) truth[i] = static_cast<float>(0.6 + 0.05 * gaussian(i, seed));
+    const AoStatistics s =
+        analyze_ao(Image<float>(20, 20, 0.7f), truth, Image<float>(20, 20, 0.05f), all_surface(20, 20));
+    held += s.mean_error.lower <= 0.1 && 0.1 <= s.mean_error.upper ? 1 : 0;
+  }
+  // Binomial(400, 0.95): 380 ± 4 · 4.36.
+  EXPECT_NEAR(held, 380, 17.5);
+}
+
+TEST(Ao, Every_column_has_a_unit_and_a_value) {
+  EXPECT_EQ(ao_columns().size(), to_row(AoStatistics{}).size());
+  for (const Column& column : ao_columns()) EXPECT_FALSE(column.unit.empty()) << column.name;
+}
+
+}  // namespace
+}  // namespace umbrameter

@@ -1,0 +1,119 @@
+#include "compare/sweep.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/error.h"
+
+namespace umbrameter {
+namespace {
+
+struct Sample {
+  int resolution = 256;
+  double bias = 0.0;
+  std::string name = "a";
+};
+
+Parameters describe(Sample& s) {
+  return Description("s")
+      .field("resolution", s.resolution, {"texels", "a resolution", 1, 4096})
+      .field("bias", s.bias, {"m", "a bias", -1, 1})
+      .field("name", s.name, {"", "a name"})
+      .take();
+}
+
+std::vector<double> numbers(const SweepAxis& axis) {
+  std::vector<double> result;
+  for (const Value& value : axis.values) result.push_back(to_number(value));
+  return result;
+}
+
+TEST(Sweep, A_linear_axis_meets_both_ends) {
+  Sample sample;
+  EXPECT_EQ(numbers(parse_axis(describe(sample), "s.bias=0:1:5")), (std::vector<double>{0, 0.25, 0.5, 0.75, 1}));
+  EXPECT_EQ(numbers(parse_axis(describe(sample), "s.bias=0.3:0.3:1")), (std::vector<double>{0.3}));
+  EXPECT_EQ(sample.bias, 0.0) << "reading an axis leaves the parameter as it was";
+}
+
+TEST(Sweep, A_log_axis_has_a_constant_ratio_and_meets_both_ends) {
+  Sample sample;
+  const std::vector<double> values = numbers(parse_axis(describe(sample), "s.bias=0.001:1:4:log"));
+  ASSERT_EQ(values.size(), 4u);
+  EXPECT_EQ(values.front(), 0.001);
+  EXPECT_NEAR(values[1], 0.01, 1e-15);
+  EXPECT_NEAR(values[2], 0.1, 1e-14);
+  EXPECT_EQ(values.back(), 1.0);
+}
+
+TEST(Sweep, Lists_hold_numbers_or_names) {
+  Sample sample;
+  EXPECT_EQ(numbers(parse_axis(describe(sample), "s.resolution=256,512,1024")), (std::vector<double>{256, 512, 1024}));
+  EXPECT_EQ(parse_axis(describe(sample), "s.name=a,b").values, (std::vector<Value>{"a", "b"}));
+}
+
+TEST(Sweep, What_is_no_axis_is_a_usage_error_that_names_it) {
+  Sample sample;
+  const Parameters parameters = describe(sample);
+  for (const char* text :
+       {"s.bias", "s.bias=", "s.bias=0:1", "s.bias=0:1:0", "s.bias=0:1:2.5", "s.bias=0:1:1", "s.bias=0:1:9999999",
+        "s.bias=0:1:4:log", "s.bias=-1:1:4:log", "s.bias=0:1:4:cubic", "s.bias=a:b:c", "s.bias=0:2:3", "s.bias=nan,0",
+        "s.bias=0,0", "s.name=0:1:3", "s.resolution=1:3:9", "s.unknown=1,2", "s.bias=0:1:1e99"}) {
+    try {
+      parse_axis(parameters, text);
+      ADD_FAILURE() << text;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::usage) << text;
+      EXPECT_NE(std::string(error.what()).find("s."), std::string::npos) << error.what();
+    }
+  }
+}
+
+constexpr std::array<std::string_view, 1> bias_is_inner = {"s.bias"};
+
+TEST(Sweep, Rows_stand_in_grid_order_with_the_last_axis_fastest) {
+  Sample sample;
+  const Parameters parameters = describe(sample);
+  const std::vector<SweepAxis> axes = {parse_axis(parameters, "s.bias=0:1:3"),
+                                       parse_axis(parameters, "s.resolution=256,512")};
+  std::vector<std::size_t> group_sizes;
+  const Table table =
+      run_sweep(parameters, axes, bias_is_inner, {{"sum", "1", "sum"}}, [&](std::span<const SweepCell> group) {
+        group_sizes.push_back(group.size());
+        std::vector<std::vector<Value>> rows;
+        for (const SweepCell& cell : group) {
+          EXPECT_EQ(cell.values[1], group.front().values[1]) << "one group, one resolution";
+          rows.push_back({to_number(cell.values[0]) + to_number(cell.values[1])});
+        }
+        return rows;
+      });
+  EXPECT_EQ(group_sizes, (std::vector<std::size_t>{3, 3}));
+  ASSERT_EQ(table.rows.size(), 6u);
+  EXPECT_EQ(table.columns[0].name, "s.bias");
+  EXPECT_EQ(table.columns[0].unit, "m");
+  EXPECT_EQ(table.rows[0], (std::vector<Value>{0.0, std::int64_t{256}, 256.0}));
+  EXPECT_EQ(table.rows[1], (std::vector<Value>{0.0, std::int64_t{512}, 512.0}));
+  EXPECT_EQ(table.rows[5], (std::vector<Value>{1.0, std::int64_t{512}, 513.0}));
+  EXPECT_EQ(least_row(table, "sum"), 0u);
+  EXPECT_THROW(column_index(table, "nothing"), std::out_of_range);
+}
+
+TEST(Sweep, Empty_repeated_and_endless_grids_are_refused) {
+  Sample sample;
+  const Parameters parameters = describe(sample);
+  const auto run = [&](const std::vector<SweepAxis>& axes) {
+    run_sweep(parameters, axes, bias_is_inner, {},
+              [](std::span<const SweepCell> group) { return std::vector<std::vector<Value>>(group.size()); });
+  };
+  const SweepAxis bias = parse_axis(parameters, "s.bias=0:1:3");
+  EXPECT_THROW(run({bias, bias}), Error);
+  EXPECT_THROW(run({{"s.bias", "", {}}}), Error);
+  SweepAxis large{"s.bias", "", std::vector<Value>(100'000, 0.0)};
+  SweepAxis other{"s.resolution", "", std::vector<Value>(1'000, std::int64_t{1})};
+  EXPECT_THROW(run({large, other}), Error);
+}
+
+}  // namespace
+}  // namespace umbrameter

@@ -1,0 +1,143 @@
+#include "compare/visibility.h"
+
+#include <gtest/gtest.h>
+
+#include "compare/sweep.h"
+#include "core/parallel.h"
+#include "core/random.h"
+
+namespace umbrameter {
+namespace {
+
+// Four pixels: one of them not counted.
+struct FourPixels {
+  Image<float> raster{4, 1};
+  Image<float> truth{4, 1};
+  Image<vec4> classes{4, 1, vec4(0)};
+  CountedPixels counted{Image<Counting>(4, 1, Counting::counted), {}, 0.5};
+  FourPixels() {
+    truth.pixels = {1, 1, 0, 1};
+    raster.pixels = {1, 0.25f, 0.5f, 0};
+    classes.pixels = {vec4(0), vec4(0.5f, 0.25f, 0, 0), vec4(0, 0, 0.125f, 0.375f), vec4(1, 0, 0, 0)};
+    counted.counting.pixels[3] = Counting::turned_away;
+  }
+};
+
+TEST(Visibility, Shares_are_of_the_counted_pixels_only) {
+  const FourPixels four;
+  const VisibilityStatistics s = analyze_visibility(four.raster, four.truth, four.classes, four.counted);
+  EXPECT_EQ(s.pixels, 3u);
+  EXPECT_DOUBLE_EQ(s.lit, 2.0 / 3.0);
+  EXPECT_DOUBLE_EQ(s.blocked, 1.0 / 3.0);
+  EXPECT_DOUBLE_EQ(s.mae, (0.75 + 0.5) / 3.0);
+  EXPECT_DOUBLE_EQ(s.rmse, std::sqrt((0.75 * 0.75 + 0.25) / 3.0));
+  EXPECT_DOUBLE_EQ(s.mean_error, (-0.75 + 0.5) / 3.0);
+  EXPECT_DOUBLE_EQ(s.false_blocked, 0.75 / 3.0);
+  EXPECT_DOUBLE_EQ(s.false_lit, 0.5 / 3.0);
+  EXPECT_EQ(s.max_error, 0.75);
+  EXPECT_EQ(s.max_x, 1);
+  EXPECT_EQ(s.max_y, 0);
+}
+
+TEST(Visibility, The_causes_add_up_to_the_mean_absolute_error) {
+  const FourPixels four;
+  const VisibilityStatistics s = analyze_visibility(four.raster, four.truth, four.classes, four.counted);
+  EXPECT_DOUBLE_EQ(s.acne, 0.5 / 3.0);
+  EXPECT_DOUBLE_EQ(s.false_occlusion, 0.25 / 3.0);
+  EXPECT_DOUBLE_EQ(s.peter_panning, 0.125 / 3.0);
+  EXPECT_DOUBLE_EQ(s.leak, 0.375 / 3.0);
+  EXPECT_DOUBLE_EQ(s.acne + s.false_occlusion + s.peter_panning + s.leak, s.mae);
+}
+
+TEST(Visibility, Identical_images_differ_by_zero) {
+  FourPixels four;
+  four.raster = four.truth;
+  four.classes = Image<vec4>(4, 1, vec4(0));
+  const VisibilityStatistics s = analyze_visibility(four.raster, four.truth, four.classes, four.counted);
+  EXPECT_EQ(s.mae, 0.0);
+  EXPECT_EQ(s.rmse, 0.0);
+  EXPECT_EQ(s.max_x, -1);
+  EXPECT_EQ(signed_error(four.raster, four.truth), Image<float>(4, 1, 0.0f));
+}
+
+TEST(Visibility, Nothing_counted_gives_zeros_and_no_nan) {
+  FourPixels four;
+  four.counted.counting = Image<Counting>(4, 1, Counting::background);
+  const VisibilityStatistics s = analyze_visibility(four.raster, four.truth, four.classes, four.counted);
+  EXPECT_EQ(s.pixels, 0u);
+  for (const Value& value : to_row(s)) EXPECT_EQ(to_number(value), 0.0);
+}
+
+TEST(Visibility, A_pixel_takes_the_class_of_its_largest_share) {
+  const FourPixels four;
+  EXPECT_EQ(classify(four.classes, four.counted).pixels,
+            (std::vector<PixelClass>{PixelClass::correct, PixelClass::acne, PixelClass::light_leak,
+                                     PixelClass::not_counted}));
+}
+
+TEST(Visibility, Every_column_has_a_unit_and_a_value) {
+  const std::vector<Column> columns = visibility_columns();
+  EXPECT_EQ(columns.size(), to_row(VisibilityStatistics{}).size());
+  for (const Column& column : columns) {
+    EXPECT_FALSE(column.unit.empty()) << column.name;
+    EXPECT_FALSE(column.meaning.empty()) << column.name;
+  }
+}
+
+TEST(Visibility, Rows_stand_under_their_column) {
+  VisibilityStatistics s;
+  s.acne = 0.25;
+  s.leak = 0.125;
+  s.mean_texel = 0.5;
+  const Table table{visibility_columns(), {to_row(s)}};
+  EXPECT_EQ(to_number(table.rows[0][column_index(table, "acne")]), 0.25);
+  EXPECT_EQ(to_number(table.rows[0][column_index(table, "leak")]), 0.125);
+  EXPECT_EQ(to_number(table.rows[0][column_index(table, "mean_texel")]), 0.5);
+}
+
+TEST(Visibility, Sums_are_bit_identical_at_any_number_of_threads) {
+  Image<float> raster(101, 67);
+  const Image<float> truth(101, 67, 1.0f);
+  Image<vec4> classes(101, 67, vec4(0));
+  for (std::uint32_t i = 0; i < raster.size(); ++i) {
+    raster[i] = to_unit_float(hash(i));
+    classes[i].x = 1.0f - raster[i];
+  }
+  const CountedPixels counted{Image<Counting>(101, 67, Counting::counted), {}, 0.0};
+  std::vector<std::vector<Value>> rows;
+  for (const int threads : {1, 2, 7}) {
+    const ThreadLimit limit(threads);
+    rows.push_back(to_row(analyze_visibility(raster, truth, classes, counted)));
+  }
+  EXPECT_EQ(rows[0], rows[1]);
+  EXPECT_EQ(rows[0], rows[2]);
+}
+
+TEST(Visibility, Pixels_are_counted_by_facing_map_cone_and_range) {
+  // A spot 4 m above the origin that shines down with a cone of 45° and a range of 4.5 m.
+  Light light;
+  light.world_from_light = dmat4(dvec4(1, 0, 0, 0), dvec4(0, 0, -1, 0), dvec4(0, 1, 0, 0), dvec4(0, 4, 0, 1));
+  light.shape = SpotLight{4.5, 0.0, pi / 4};
+  Bounds bounds;
+  bounds.include(dvec3(-10, 0, -10));
+  bounds.include(dvec3(10, 4, 10));
+  GBuffer gbuffer(6, 1);
+  const vec3 positions[] = {{1, 0, 0}, {1, 0, 0}, {3.5f, 0, 3.5f}, {3.9f, 0, 0}, {8, 0, 0}};
+  for (std::size_t i = 0; i < 5; ++i) {
+    gbuffer.instance[i] = 0;
+    gbuffer.position[i] = positions[i];
+    gbuffer.geometric_normal[i] = i == 1 ? vec3(0, -1, 0) : vec3(0, 1, 0);
+  }
+  const CountedPixels counted = count_pixels(gbuffer, light, fit_light(light, bounds, 256));
+  EXPECT_EQ(counted.counting[0], Counting::counted);
+  EXPECT_EQ(counted.counting[1], Counting::turned_away);
+  EXPECT_EQ(counted.counting[2], Counting::outside_cone);   // inside the square map, 51° off the axis
+  EXPECT_EQ(counted.counting[3], Counting::outside_range);  // 44° off the axis, √(16 + 15.21) = 5.59 m away
+  EXPECT_EQ(counted.counting[4], Counting::outside_map);
+  EXPECT_EQ(counted.counting[5], Counting::background);
+  // One texel spans 2 · tan 45° · 4 m / 256 at the only counted surfel.
+  EXPECT_NEAR(counted.mean_texel, 8.0 / 256.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace umbrameter
