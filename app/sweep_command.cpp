@@ -252,9 +252,9 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   const bool varies_light = varies_group(axes, "view.light");
   if (measure == Measure::visibility && !varies_light && lights.size() > 1) {
     // A sweep is about one light; which one is part of the stored experiment.
-    experiment.view.light = workbench.layer(lights.front());
+    experiment.view.light = std::to_string(lights.front());
     note(console, fmt::format("the scene has {} lights; sweeping light '{}'; choose with --light", lights.size(),
-                              experiment.view.light));
+                              workbench.layer(lights.front())));
   }
 
   const Parameters parameters = describe(experiment);

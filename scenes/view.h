@@ -49,10 +49,12 @@ dvec3 to_viewer(const View& view, const dvec3& position);
 Camera select_camera(const Scene& scene, const std::string& name_or_index, double aspect,
                      std::vector<std::string>& notes);
 
-/// The lights that the name or index selects; all of them when empty; a sun, with a note, when the scene has none.
-/// A name may be the light's or, where that is empty, its index in Scene::lights.
+/// Gives a scene without a light a sun named "sun", with a note.
+void add_missing_light(Scene& scene, std::vector<std::string>& notes);
+
+/// Indices of the lights that the name or index selects; all of them when empty. An exact name wins over an index.
 /// Throws Error (usage) listing the lights when there is no such one.
-std::vector<Light> select_lights(const Scene& scene, const std::string& name_or_index, std::vector<std::string>& notes);
+std::vector<std::uint32_t> select_lights(const Scene& scene, const std::string& name_or_index);
 
 /// Layer names for the lights of a scene, one each and all different: the name with all but letters and digits
 /// made '_', or the index where there is none; a repeated name gets its index appended.

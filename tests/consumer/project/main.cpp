@@ -16,7 +16,7 @@ int main() {
   view.width = 64;
   view.height = 36;
   view.camera = select_camera(scene, "", 64.0 / 36.0, notes);
-  const Light light = select_lights(scene, "", notes).front();
+  const Light light = scene.lights[select_lights(scene, "").front()];
 
   const Tracer tracer(scene);
   const GBuffer gbuffer = trace_gbuffer(tracer, view);
