@@ -1,0 +1,135 @@
+#include "scenes/scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace umbrameter {
+namespace {
+
+// glTF 2.0, section 3.8.4.5.
+std::size_t wrapped(std::int64_t texel, int size, Wrap wrap) {
+  const std::int64_t n = size;
+  switch (wrap) {
+    case Wrap::clamp_to_edge:
+      return static_cast<std::size_t>(std::clamp<std::int64_t>(texel, 0, n - 1));
+    case Wrap::mirrored_repeat: {
+      const std::int64_t folded = ((texel % (2 * n)) + 2 * n) % (2 * n);
+      return static_cast<std::size_t>(folded < n ? folded : 2 * n - 1 - folded);
+    }
+    case Wrap::repeat:
+      break;
+  }
+  return static_cast<std::size_t>(((texel % n) + n) % n);
+}
+
+// The four texels about a texture coordinate and the weight of the second in each direction.
+struct Footprint {
+  std::array<std::size_t, 4> index{};
+  float right = 0.0f;
+  float down = 0.0f;
+};
+
+Footprint footprint(const Texture& texture, vec2 texcoord) {
+  // Beyond this the coordinate has no fractional texels left, and the integer conversion would overflow.
+  constexpr double limit = 1e9;
+  const auto continuous = [&](float coordinate, int size) {
+    const double texel = static_cast<double>(coordinate) * size - 0.5;
+    return std::isfinite(texel) ? std::clamp(texel, -limit, limit) : 0.0;
+  };
+  const int width = texture.texels.width;
+  const int height = texture.texels.height;
+  const double x = continuous(texcoord.x, width);
+  const double y = continuous(texcoord.y, height);
+  const auto left = static_cast<std::int64_t>(std::floor(x));
+  const auto top = static_cast<std::int64_t>(std::floor(y));
+  Footprint result;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto column = static_cast<std::int64_t>(i % 2);
+    const auto row = static_cast<std::int64_t>(i / 2);
+    result.index[i] = wrapped(top + row, height, texture.wrap_v) * static_cast<std::size_t>(width) +
+                      wrapped(left + column, width, texture.wrap_u);
+  }
+  result.right = static_cast<float>(x - std::floor(x));
+  result.down = static_cast<float>(y - std::floor(y));
+  return result;
+}
+
+template <class T>
+T bilinear(const std::array<T, 4>& values, float right, float down) {
+  const T upper = values[0] + (values[1] - values[0]) * right;
+  const T lower = values[2] + (values[3] - values[2]) * right;
+  return upper + (lower - upper) * down;
+}
+
+// IEC 61966-2-1.
+float linear_from_srgb(std::uint8_t byte) {
+  const float encoded = static_cast<float>(byte) / 255.0f;
+  return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
+}
+
+const Texture* texture_of(const Scene& scene, const Material& material) {
+  if (!material.base_color_texture) return nullptr;
+  const Texture& texture = scene.textures.at(*material.base_color_texture);
+  return texture.texels.empty() ? nullptr : &texture;
+}
+
+}  // namespace
+
+SceneCounts count(const Scene& scene) {
+  SceneCounts counts;
+  for (const Mesh& mesh : scene.meshes) {
+    counts.stored_triangles += mesh.triangles.size();
+    counts.vertices += mesh.positions.size();
+  }
+  for (const Instance& instance : scene.instances) counts.triangles += scene.meshes[instance.mesh].triangles.size();
+  return counts;
+}
+
+Bounds bounds_of(const Scene& scene) {
+  Bounds bounds;
+  for (const Instance& instance : scene.instances) {
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    if (mesh.triangles.empty()) continue;
+    for (const vec3& position : mesh.positions) {
+      bounds.include(dvec3(instance.world_from_mesh * dvec4(dvec3(position), 1.0)));
+    }
+  }
+  return bounds;
+}
+
+Triangle world_triangle(const Scene& scene, std::uint32_t instance, std::uint32_t triangle) {
+  const Instance& placed = scene.instances[instance];
+  const Mesh& mesh = scene.meshes[placed.mesh];
+  const uvec3 corners = mesh.triangles[triangle];
+  const auto world = [&](std::uint32_t corner) {
+    return dvec3(placed.world_from_mesh * dvec4(dvec3(mesh.positions[corner]), 1.0));
+  };
+  return {world(corners.x), world(corners.y), world(corners.z)};
+}
+
+bool is_mirrored(const dmat4& transform) { return glm::determinant(dmat3(transform)) < 0.0; }
+
+float alpha_at(const Scene& scene, const Material& material, vec2 texcoord) {
+  const Texture* texture = texture_of(scene, material);
+  if (texture == nullptr) return material.base_color.w;
+  const Footprint taps = footprint(*texture, texcoord);
+  std::array<float, 4> alpha{};
+  for (std::size_t i = 0; i < 4; ++i) alpha[i] = static_cast<float>(texture->texels[taps.index[i]].w) / 255.0f;
+  return material.base_color.w * bilinear(alpha, taps.right, taps.down);
+}
+
+vec4 base_color_at(const Scene& scene, const Material& material, vec2 texcoord) {
+  const Texture* texture = texture_of(scene, material);
+  if (texture == nullptr) return material.base_color;
+  const Footprint taps = footprint(*texture, texcoord);
+  std::array<vec4, 4> colors{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const glm::u8vec4& texel = texture->texels[taps.index[i]];
+    colors[i] = {linear_from_srgb(texel.x), linear_from_srgb(texel.y), linear_from_srgb(texel.z),
+                 static_cast<float>(texel.w) / 255.0f};
+  }
+  return material.base_color * bilinear(colors, taps.right, taps.down);
+}
+
+}  // namespace umbrameter
