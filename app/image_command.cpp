@@ -66,7 +66,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   }
   output.parts.push_back(present_ao(*measurement.ao, experiment));
   output.summary = {line.command, experiment, &workbench, &measurement, nullptr, {}, {}, {}, {}};
-  if (sides.raster) output.summary.gl_renderer = workbench.context().renderer();
+  if (sides.raster) output.summary.gl_renderer = workbench.context().device().renderer;
   return write_run(line, console, std::move(output));
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -38,6 +39,7 @@ ExitCode finish_output(ExitCode code) {
 int main(int argc, char** argv) {
   using namespace umbrameter;
   install_interrupt_handlers();
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size is then a failed write, which has its message
   try {
     return static_cast<int>(finish_output(run(argc, argv)));
   } catch (const Error& error) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/layers.h"
+#include "compare/sweep.h"
 
 namespace umbrameter {
 namespace {

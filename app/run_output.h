@@ -8,6 +8,7 @@
 #include "app/console.h"
 #include "app/presentation.h"
 #include "app/summary.h"
+#include "core/error.h"
 
 namespace umbrameter {
 

@@ -294,7 +294,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   }
   output.parts.back().section.title += ", at the cell of least error";
   output.parts.push_back(present_picture(workbench, measurement));
-  output.summary = {line.command, experiment, &workbench, &measurement, &table, rows, workbench.context().renderer(),
+  output.summary = {line.command, experiment, &workbench, &measurement, &table, rows, workbench.context().device().renderer,
                     {},           {}};
   return write_run(line, console, std::move(output));
 }

@@ -1,0 +1,150 @@
+// What goes wrong in daily use: each gives one line on stderr and its exit code, and leaves no file that looks whole.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "tests/app/run_program.h"
+
+namespace umbrameter {
+namespace {
+
+void expect_failure(const ProgramResult& result, int exit_code, const std::string& words) {
+  EXPECT_EQ(result.exit_code, exit_code) << result.err;
+  EXPECT_TRUE(is_one_line(result.err)) << result.err;
+  EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+  EXPECT_EQ(result.out, "");
+}
+
+ProgramResult trace(const std::string& scene, const std::string& output, const ProgramOptions& options = {}) {
+  return run_program({"trace", scene, "-o", output, "--size", "64x36", "--truth.spp", "4", "--quiet"}, options);
+}
+
+TEST(Failure, A_missing_file_is_unreadable_input) {
+  const TemporaryFolder folder;
+  expect_failure(trace(folder / "missing.glb", folder / "out"), 4, "missing.glb");
+}
+
+TEST(Failure, A_directory_as_scene_is_unreadable_input) {
+  const TemporaryFolder folder;
+  expect_failure(trace(folder.path().string(), folder / "out"), 4, folder.path().string());
+}
+
+TEST(Failure, A_truncated_glb_is_unreadable_input) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program({"scene", "corner", "-o", folder / "whole.glb"}).exit_code, 0);
+  const std::string whole = bytes_of(folder / "whole.glb");
+  for (const std::size_t size :
+       {std::size_t{0}, std::size_t{10}, std::size_t{40}, whole.size() / 2, whole.size() - 1}) {
+    std::ofstream(folder / "cut.glb", std::ios::binary) << whole.substr(0, size);
+    expect_failure(trace(folder / "cut.glb", folder / "out"), 4, "cut.glb");
+  }
+}
+
+TEST(Failure, A_scene_name_with_a_slip_is_told_the_right_one) {
+  const TemporaryFolder folder;
+  expect_failure(trace("courtyrad", folder / "out"), 4, "courtyard");
+}
+
+TEST(Failure, An_output_folder_that_cannot_be_made_is_a_usage_error) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "file") << "x";
+  expect_failure(trace("corner", folder / "file"), 2, "file");
+  expect_failure(trace("corner", folder / "file/out"), 2, "file/out");
+  expect_failure(trace("corner", "/proc/umbrameter"), 2, "/proc/umbrameter");
+}
+
+TEST(Failure, An_unknown_flag_is_a_usage_error_that_suggests_the_nearest) {
+  expect_failure(run_program({"trace", "corner", "-o", "out", "--truth.ssp", "4"}), 2, "--truth.spp");
+  expect_failure(run_program({"trace", "corner", "-o", "out", "--nonsense-of-all-kinds"}), 2,
+                 "--nonsense-of-all-kinds");
+}
+
+TEST(Failure, A_parameter_out_of_range_names_its_limits) {
+  expect_failure(run_program({"trace", "corner", "-o", "out", "--truth.spp", "0"}), 2, "from 1 to");
+  expect_failure(run_program({"trace", "corner", "-o", "out", "--truth.ao-weight", "round"}), 2, "cosine or uniform");
+  expect_failure(run_program({"trace", "corner", "-o", "out", "--size", "12"}), 2, "WIDTHxHEIGHT");
+  expect_failure(run_program({"sweep", "corner", "-o", "out", "--vary", "shadow.resolution=0,5"}), 2,
+                 "shadow.resolution");
+}
+
+TEST(Failure, Missing_or_wrong_words_are_usage_errors) {
+  expect_failure(run_program({}), 2, "umbrameter --help");
+  expect_failure(run_program({"compre"}), 2, "compare");
+  expect_failure(run_program({"trace", "corner"}), 2, "--output");
+  expect_failure(run_program({"trace", "-o", "out"}), 2, "no scene");
+  expect_failure(run_program({"sweep", "corner", "-o", "out"}), 2, "--vary");
+  expect_failure(run_program({"trace", "corner", "extra", "-o", "out"}), 2, "extra");
+}
+
+TEST(Failure, An_unknown_light_or_camera_lists_what_there_is) {
+  const TemporaryFolder folder;
+  expect_failure(run_program({"trace", "corner", "-o", folder / "out", "--light", "moon", "--quiet"}), 2, "sun");
+  expect_failure(run_program({"trace", "corner", "-o", folder / "out", "--camera", "99", "--quiet"}), 2, "99");
+}
+
+TEST(Failure, A_broken_experiment_file_names_file_and_line) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "bad.toml") << "scene = \"corner\"\n[truth\nspp = 4\n";
+  expect_failure(run_program({"trace", "-c", folder / "bad.toml", "-o", folder / "out"}), 2, "bad.toml");
+  std::ofstream(folder / "unknown.toml") << "scene = \"corner\"\n[truth]\nspq = 4\n";
+  expect_failure(run_program({"trace", "-c", folder / "unknown.toml", "-o", folder / "out"}), 2, "truth.spp");
+  expect_failure(run_program({"trace", "-c", folder / "missing.toml", "-o", folder / "out"}), 4, "missing.toml");
+}
+
+TEST(Failure, No_usable_driver_is_said_so) {
+  const TemporaryFolder folder;
+  // Two ways to take every driver away: a vendor list that does not exist, and a device that nobody has.
+  expect_failure(run_program({"raster", "corner", "-o", folder / "out", "--quiet", "--size", "64x36"},
+                             {{"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json"}, {}, 0, 0.0}),
+                 3, "OpenGL");
+  expect_failure(run_program({"raster", "corner", "-o", folder / "out", "--quiet", "--size", "64x36", "--gl-device",
+                              "no such device"}),
+                 3, "no such device");
+}
+
+TEST(Failure, A_full_disk_is_a_partial_result_and_leaves_nothing_half_written) {
+  const TemporaryFolder folder;
+  const std::string disk = folder / "disk";
+  std::filesystem::create_directory(disk);
+  // A mount namespace of its own; needs root or unprivileged user namespaces.
+  const std::string mount = "mount -t tmpfs -o size=32k none '" + disk + "'";
+  if (std::system(("unshare -rm sh -c \"" + mount + "\" 2>/dev/null").c_str()) != 0) {
+    GTEST_SKIP() << "no tmpfs can be mounted here";
+  }
+  const std::string listing = folder / "listing";
+  ProgramOptions options;
+  options.wrapper = {"unshare",
+                     "-rm",
+                     "sh",
+                     "-c",
+                     mount + " && { \"$@\"; code=$?; ls '" + disk + "/out' > '" + listing + "'; exit $code; }",
+                     "sh"};
+  const ProgramResult result = trace("corner", disk + "/out", options);
+  expect_failure(result, 5, "No space left on device");
+  EXPECT_EQ(bytes_of(listing).find("images.exr"), std::string::npos) << bytes_of(listing);
+}
+
+TEST(Failure, A_limit_on_file_size_is_no_crash) {
+  const TemporaryFolder folder;
+  ProgramOptions options;
+  options.wrapper = {"sh", "-c", "ulimit -f 16; exec \"$@\"", "sh"};
+  expect_failure(trace("corner", folder / "out", options), 5, "images.exr");
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/images.exr"));
+}
+
+TEST(Failure, Ctrl_c_stops_at_once_with_its_exit_code_and_leaves_nothing_half_written) {
+  for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
+    const TemporaryFolder folder;
+    ProgramOptions options;
+    options.signal = signal;
+    options.signal_after_seconds = 1.5;
+    const ProgramResult result = run_program(
+        {"trace", "corner", "-o", folder / "out", "--size", "1920x1080", "--truth.spp", "65536", "--quiet"}, options);
+    expect_failure(result, code, "stopped");
+    EXPECT_TRUE(std::filesystem::is_empty(folder / "out"));
+  }
+}
+
+}  // namespace
+}  // namespace umbrameter

@@ -1,0 +1,185 @@
+// Whole runs: what is written, that it repeats, and that it does not depend on threads.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "reports/exr.h"
+#include "tests/app/run_program.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::vector<std::string> small = {"--size", "96x54", "--truth.spp", "16", "--quiet"};
+
+std::vector<std::string> words(std::vector<std::string> first, const std::vector<std::string>& rest) {
+  first.insert(first.end(), rest.begin(), rest.end());
+  return first;
+}
+
+bool has_driver() { return run_program({"info"}).out.find("no usable device") == std::string::npos; }
+
+std::set<std::string> channel_names(const std::filesystem::path& exr) {
+  std::set<std::string> names;
+  for (const Channel& channel : read_exr(exr).channels) names.insert(channel.name);
+  return names;
+}
+
+class Run : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_driver()) GTEST_SKIP() << "no OpenGL driver";
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(Run, Compare_writes_every_file_and_layer_of_the_contract) {
+  const ProgramResult result =
+      run_program(words({"compare", "contact-box", "-o", folder_ / "out", "--light", "sun", "--json"}, small));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  const Json summary = Json::parse(result.out);
+  EXPECT_EQ(summary, Json::parse(bytes_of(folder_ / "out/summary.json")));
+  for (const char* file : {"experiment.toml", "summary.json", "index.html", "images.exr", "figures/truth_ao.png",
+                           "figures/error_visibility_sun.svg", "figures/class_sun.pdf"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder_ / (std::string("out/") + file))) << file;
+  }
+  const std::set<std::string> expected = {"R",
+                                          "G",
+                                          "B",
+                                          "A",
+                                          "Z",
+                                          "truth_visibility_sun.Y",
+                                          "raster_visibility_sun.Y",
+                                          "error_visibility_sun.Y",
+                                          "class_sun.Y",
+                                          "truth_ao.Y",
+                                          "truth_ao_standard_error.Y",
+                                          "raster_ao.Y",
+                                          "error_ao.Y",
+                                          "gbuffer_position.X",
+                                          "gbuffer_position.Y",
+                                          "gbuffer_position.Z",
+                                          "gbuffer_normal.X",
+                                          "gbuffer_normal.Y",
+                                          "gbuffer_normal.Z"};
+  EXPECT_EQ(channel_names(folder_ / "out/images.exr"), expected);
+  const Json& statistics = summary["shadows"][0]["statistics"];
+  const double sum = statistics["acne"].get<double>() + statistics["false_occlusion"].get<double>() +
+                     statistics["peter_panning"].get<double>() + statistics["leak"].get<double>();
+  EXPECT_NEAR(statistics["mae"].get<double>(), sum, 1e-6);
+}
+
+TEST_F(Run, The_error_layer_is_raster_less_truth_in_every_pixel) {
+  ASSERT_EQ(run_program(words({"compare", "contact-box", "-o", folder_ / "out", "--light", "sun"}, small)).exit_code,
+            0);
+  const LayeredImage image = read_exr(folder_ / "out/images.exr");
+  const auto layer = [&](const std::string& name) {
+    for (const Channel& channel : image.channels) {
+      if (channel.name == name) return channel.values;
+    }
+    return Image<float>();
+  };
+  const Image<float> raster = layer("raster_visibility_sun.Y");
+  const Image<float> truth = layer("truth_visibility_sun.Y");
+  const Image<float> error = layer("error_visibility_sun.Y");
+  ASSERT_EQ(error.size(), 96u * 54u);
+  for (std::size_t i = 0; i < error.size(); ++i) ASSERT_EQ(error[i], raster[i] - truth[i]);
+}
+
+TEST_F(Run, Equal_runs_give_equal_bytes_at_any_number_of_threads) {
+  const auto run = [&](const std::string& name, const std::string& threads) {
+    const ProgramResult result =
+        run_program(words({"compare", "courtyard", "-o", folder_ / name, "--threads", threads}, small));
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+  };
+  run("one", "1");
+  run("two", "2");
+  run("again", "2");
+  for (const char* file : {"images.exr", "summary.json", "experiment.toml"}) {
+    EXPECT_EQ(bytes_of(folder_ / (std::string("one/") + file)), bytes_of(folder_ / (std::string("two/") + file)))
+        << file;
+    EXPECT_EQ(bytes_of(folder_ / (std::string("two/") + file)), bytes_of(folder_ / (std::string("again/") + file)))
+        << file;
+  }
+}
+
+TEST_F(Run, A_stored_experiment_repeats_its_run) {
+  ASSERT_EQ(run_program(words({"sweep", "contact-box", "-o", folder_ / "first", "--light", "0", "--vary",
+                               "shadow.constant-bias=0:0.1:5", "--vary", "shadow.resolution=128,256"},
+                              small))
+                .exit_code,
+            0);
+  const ProgramResult again =
+      run_program({"sweep", "-c", folder_ / "first/experiment.toml", "-o", folder_ / "second", "--quiet"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  for (const char* file : {"sweep.csv", "experiment.toml", "images.exr"}) {
+    EXPECT_EQ(bytes_of(folder_ / (std::string("first/") + file)), bytes_of(folder_ / (std::string("second/") + file)))
+        << file;
+  }
+}
+
+TEST_F(Run, A_sweep_names_its_axes_in_full_and_has_a_row_for_each_cell) {
+  ASSERT_EQ(run_program(words({"sweep", "contact-box", "-o", folder_ / "out", "--light", "0", "--vary",
+                               "shadow.constant-bias=0:0.1:5", "--vary", "shadow.resolution=128,256"},
+                              small))
+                .exit_code,
+            0);
+  const std::string csv = bytes_of(folder_ / "out/sweep.csv");
+  EXPECT_EQ(csv.rfind("shadow.constant-bias,shadow.resolution,pixels,lit,blocked,mae,rmse,acne,false_occlusion,"
+                      "peter_panning,leak,",
+                      0),
+            0u)
+      << csv.substr(0, 200);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 5 * 2);
+}
+
+TEST_F(Run, A_sweep_cell_equals_a_run_of_its_own) {
+  ASSERT_EQ(run_program(words({"sweep", "contact-box", "-o", folder_ / "sweep", "--light", "0", "--vary",
+                               "shadow.constant-bias=0.01,0.05", "--vary", "shadow.resolution=128"},
+                              small))
+                .exit_code,
+            0);
+  ASSERT_EQ(run_program(words({"compare", "contact-box", "-o", folder_ / "one", "--light", "0",
+                               "--shadow.constant-bias", "0.05", "--shadow.resolution", "128"},
+                              small))
+                .exit_code,
+            0);
+  const Json summary = Json::parse(bytes_of(folder_ / "one/summary.json"));
+  const std::string csv = bytes_of(folder_ / "sweep/sweep.csv");
+  const std::string last = csv.substr(csv.rfind('\n', csv.size() - 2) + 1);
+  const Json& statistics = summary["shadows"][0]["statistics"];
+  std::string expected = "0.05,128," + statistics["pixels"].dump() + ",";
+  EXPECT_EQ(last.rfind(expected, 0), 0u) << last;
+  EXPECT_NE(last.find("," + statistics["mae"].dump() + ","), std::string::npos) << last << statistics;
+}
+
+TEST_F(Run, An_ao_sweep_states_its_interval) {
+  const ProgramResult result = run_program(words(
+      {"sweep", "corner", "-o", folder_ / "out", "--vary", "ao.radius=0.25,0.5", "--vary", "ao.samples=8,16"}, small));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(bytes_of(folder_ / "out/sweep.csv").rfind("ao.radius,ao.samples,pixels,mae,mae_lo,mae_hi,", 0), 0u);
+}
+
+TEST_F(Run, Trace_and_raster_write_the_layers_that_they_have) {
+  ASSERT_EQ(run_program(words({"trace", "corner", "-o", folder_ / "trace", "--light", "0"}, small)).exit_code, 0);
+  ASSERT_EQ(run_program(words({"raster", "corner", "-o", folder_ / "raster", "--light", "0"}, small)).exit_code, 0);
+  const std::set<std::string> traced = channel_names(folder_ / "trace/images.exr");
+  const std::set<std::string> drawn = channel_names(folder_ / "raster/images.exr");
+  EXPECT_TRUE(traced.contains("truth_ao.Y") && traced.contains("truth_ao_standard_error.Y"));
+  EXPECT_FALSE(traced.contains("raster_ao.Y"));
+  EXPECT_TRUE(drawn.contains("raster_ao.Y"));
+  EXPECT_FALSE(drawn.contains("truth_ao.Y"));
+}
+
+TEST(Trace, Needs_no_opengl) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program(words({"trace", "corner", "-o", folder / "out"}, small),
+                                           {{"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json"}, {}, 0, 0.0});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
+}  // namespace
+}  // namespace umbrameter

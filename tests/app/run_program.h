@@ -1,0 +1,48 @@
+// Starts the built program and keeps what it says.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace umbrameter {
+
+struct ProgramResult {
+  int exit_code = -1;  ///< 128 + signal number when a signal ended it
+  std::string out;
+  std::string err;
+};
+
+struct ProgramOptions {
+  std::vector<std::string> environment;  ///< "NAME=value", added to the test's own
+  /// Words put before the program's own: {"sh", "-c", "ulimit -f 16; exec \"$@\"", "sh"}.
+  std::vector<std::string> wrapper;
+  /// Signal sent this long after the start; 0 for none.
+  int signal = 0;
+  double signal_after_seconds = 0.0;
+};
+
+ProgramResult run_program(const std::vector<std::string>& arguments, const ProgramOptions& options = {});
+
+/// Whether text is exactly one line that ends with a line break.
+bool is_one_line(const std::string& text);
+
+/// A new empty folder that is removed with the object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// All bytes of a file.
+std::string bytes_of(const std::filesystem::path& path);
+
+}  // namespace umbrameter
