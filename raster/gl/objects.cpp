@@ -1,0 +1,121 @@
+#include "raster/gl/objects.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "raster/gl/api.h"
+
+namespace umbrameter::gl {
+namespace {
+
+struct FormatNames {
+  GLenum internal;
+  GLenum external;
+  GLenum type;
+  std::size_t bytes;
+};
+
+FormatNames names_of(Format format) {
+  switch (format) {
+    case Format::r32f:
+      return {GL_R32F, GL_RED, GL_FLOAT, 4};
+    case Format::rgba32f:
+      return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
+    case Format::r32ui:
+      return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4};
+    case Format::rg32ui:
+      return {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 8};
+    case Format::rgba8:
+      return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+    case Format::depth32f:
+      break;
+  }
+  return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 4};
+}
+
+void label_object(GLenum kind, unsigned name, const std::string& label) {
+  glObjectLabel(kind, name, -1, label.c_str());
+}
+
+}  // namespace
+
+void BufferTraits::destroy(unsigned name) { glDeleteBuffers(1, &name); }
+void TextureTraits::destroy(unsigned name) { glDeleteTextures(1, &name); }
+void FramebufferTraits::destroy(unsigned name) { glDeleteFramebuffers(1, &name); }
+void VertexArrayTraits::destroy(unsigned name) { glDeleteVertexArrays(1, &name); }
+void ShaderTraits::destroy(unsigned name) { glDeleteShader(name); }
+void ProgramTraits::destroy(unsigned name) { glDeleteProgram(name); }
+
+Buffer make_buffer(const std::string& label, std::span<const std::byte> bytes) {
+  constexpr std::size_t least = 16;
+  unsigned name = 0;
+  glCreateBuffers(1, &name);
+  Buffer buffer(name);
+  label_object(GL_BUFFER, name, label);
+  glNamedBufferStorage(name, static_cast<GLsizeiptr>(std::max(bytes.size(), least)),
+                       bytes.size() >= least ? bytes.data() : nullptr, GL_DYNAMIC_STORAGE_BIT);
+  if (bytes.size() < least && !bytes.empty()) {
+    glNamedBufferSubData(name, 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+  }
+  return buffer;
+}
+
+std::size_t texel_bytes(Format format) { return names_of(format).bytes; }
+
+Texture make_texture(const std::string& label, Format format, int width, int height, int layers) {
+  const FormatNames names = names_of(format);
+  unsigned name = 0;
+  glCreateTextures(layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &name);
+  Texture texture(name);
+  label_object(GL_TEXTURE, name, label);
+  if (layers > 0) {
+    glTextureStorage3D(name, 1, names.internal, width, height, layers);
+  } else {
+    glTextureStorage2D(name, 1, names.internal, width, height);
+  }
+  glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  return texture;
+}
+
+void write_texels(const Texture& texture, Format format, int width, int height, std::span<const std::byte> texels) {
+  const FormatNames names = names_of(format);
+  assert(texels.size() == names.bytes * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, names.external, names.type, texels.data());
+}
+
+void read_texels(const Texture& texture, Format format, std::span<std::byte> texels) {
+  const FormatNames names = names_of(format);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  // The size is a signed int: 2 GiB and more are read without the driver's own bounds check.
+  const auto bytes = static_cast<GLsizei>(std::min<std::size_t>(texels.size(), 0x7fffffff));
+  glGetTextureImage(texture.name(), 0, names.external, names.type, bytes, texels.data());
+}
+
+TextureSize size_of(const Texture& texture) {
+  TextureSize size;
+  glGetTextureLevelParameteriv(texture.name(), 0, GL_TEXTURE_WIDTH, &size.width);
+  glGetTextureLevelParameteriv(texture.name(), 0, GL_TEXTURE_HEIGHT, &size.height);
+  return size;
+}
+
+Framebuffer make_framebuffer(const std::string& label) {
+  unsigned name = 0;
+  glCreateFramebuffers(1, &name);
+  Framebuffer framebuffer(name);
+  label_object(GL_FRAMEBUFFER, name, label);
+  return framebuffer;
+}
+
+VertexArray make_vertex_array(const std::string& label) {
+  unsigned name = 0;
+  glCreateVertexArrays(1, &name);
+  VertexArray array(name);
+  label_object(GL_VERTEX_ARRAY, name, label);
+  return array;
+}
+
+}  // namespace umbrameter::gl

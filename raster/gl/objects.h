@@ -1,0 +1,100 @@
+// Move-only owners of OpenGL names, and how they are made. No state is cached here.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace umbrameter::gl {
+
+/// Owns one OpenGL name; 0 is empty and needs no context. What it owns is deleted in the current context.
+template <class Traits>
+class Object {
+ public:
+  Object() = default;
+  explicit Object(unsigned name) : name_(name) {}
+  ~Object() { reset(); }
+  Object(Object&& other) noexcept : name_(std::exchange(other.name_, 0u)) {}
+  Object& operator=(Object&& other) noexcept {
+    if (this != &other) {
+      reset();
+      name_ = std::exchange(other.name_, 0u);
+    }
+    return *this;
+  }
+
+  unsigned name() const { return name_; }
+  bool empty() const { return name_ == 0; }
+  void reset() {
+    if (name_ != 0) Traits::destroy(std::exchange(name_, 0u));
+  }
+
+ private:
+  unsigned name_ = 0;
+};
+
+struct BufferTraits {
+  static void destroy(unsigned name);
+};
+struct TextureTraits {
+  static void destroy(unsigned name);
+};
+struct FramebufferTraits {
+  static void destroy(unsigned name);
+};
+struct VertexArrayTraits {
+  static void destroy(unsigned name);
+};
+struct ShaderTraits {
+  static void destroy(unsigned name);
+};
+struct ProgramTraits {
+  static void destroy(unsigned name);
+};
+
+using Buffer = Object<BufferTraits>;
+using Texture = Object<TextureTraits>;
+using Framebuffer = Object<FramebufferTraits>;
+using VertexArray = Object<VertexArrayTraits>;
+using Shader = Object<ShaderTraits>;
+using Program = Object<ProgramTraits>;
+
+/// Immutable contents; zero bytes give a buffer of the least size, never an error.
+Buffer make_buffer(const std::string& label, std::span<const std::byte> bytes);
+
+template <class T>
+Buffer make_buffer(const std::string& label, std::span<const T> values) {
+  return make_buffer(label, std::as_bytes(values));
+}
+
+/// A uniform block of one value.
+template <class Block>
+Buffer make_block(const std::string& label, const Block& block) {
+  return make_buffer(label, std::as_bytes(std::span<const Block, 1>(&block, 1)));
+}
+
+enum class Format { r32f, rgba32f, r32ui, rg32ui, rgba8, depth32f };
+
+/// Bytes of one texel.
+std::size_t texel_bytes(Format format);
+
+/// One level, nearest filter, clamped to the edge; layers 0 is a plain 2D texture, else a 2D array.
+Texture make_texture(const std::string& label, Format format, int width, int height, int layers = 0);
+
+/// Replaces all texels of a plain 2D texture; rows from texture row 0 on, tightly packed.
+void write_texels(const Texture& texture, Format format, int width, int height, std::span<const std::byte> texels);
+
+/// All texels of all layers, rows from texture row 0 on, tightly packed; `texels` has the size of all of them.
+void read_texels(const Texture& texture, Format format, std::span<std::byte> texels);
+
+struct TextureSize {
+  int width = 0;
+  int height = 0;
+};
+TextureSize size_of(const Texture& texture);
+
+Framebuffer make_framebuffer(const std::string& label);
+VertexArray make_vertex_array(const std::string& label);
+
+}  // namespace umbrameter::gl

@@ -1,0 +1,31 @@
+// The light and its map as shaders see them. Internal to raster.
+#pragma once
+
+#include <string>
+
+#include "core/math.h"
+#include "raster/parameters.h"
+#include "scenes/light_frame.h"
+
+namespace umbrameter {
+
+/// As LightBlock in shaders/light.glsl, layout std140.
+struct LightBlock {
+  dmat4 light_from_world{1.0};
+  dvec4 light_in_world{0.0};
+  dvec4 face_basis[18] = {};
+  double half_extent = 1.0;
+  double far_depth = 1.0;
+  int resolution = 1;
+  float constant_bias = 0.0f;
+  float slope_bias = 0.0f;
+  int unused = 0;
+};
+static_assert(sizeof(LightBlock) == 768);
+
+LightBlock make_light_block(const Light& light, const LightFrame& frame, const ShadowParams& params);
+
+/// "#define MAP_KIND 0"
+std::string map_defines(const LightFrame& frame);
+
+}  // namespace umbrameter

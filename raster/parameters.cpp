@@ -1,0 +1,44 @@
+#include "raster/parameters.h"
+
+#include <array>
+#include <string_view>
+
+namespace umbrameter {
+namespace {
+
+constexpr std::array<std::string_view, 2> shadow_filter_names{"nearest", "box"};
+constexpr std::array<std::string_view, 2> ao_blur_names{"none", "box"};
+
+}  // namespace
+
+Parameters describe(ShadowParams& params) {
+  return Description("shadow")
+      .field("resolution", params.resolution,
+             {.unit = "texels", .meaning = "side of the shadow map, of each face for a cube", .min = 1, .max = 16384})
+      .field("constant-bias", params.constant_bias,
+             {.unit = "m", .meaning = "bias that every tap gets, along the light's axis or the point light's ray"})
+      .field("slope-bias", params.slope_bias,
+             {.unit = "texels", .meaning = "bias times texel size and tan of the angle between surface and light"})
+      .choice("filter", params.filter, shadow_filter_names,
+              {.unit = {}, .meaning = "how taps are weighed: one nearest tap, or a box of equal nearest taps"})
+      .field("filter-size", params.filter_size,
+             {.unit = "texels", .meaning = "taps along a side of the box filter", .min = 1, .max = 31, .odd = true})
+      .take();
+}
+
+Parameters describe(AoParams& params) {
+  return Description("ao")
+      .field("samples", params.samples, {.unit = "1", .meaning = "kernel points a pixel", .min = 1, .max = 1024})
+      .field("radius", params.radius, {.unit = "m", .meaning = "radius of the kernel's hemisphere", .min = 1e-6})
+      .field("bias", params.bias,
+             {.unit = "m", .meaning = "depth by which a surface must be in front of a kernel point to occlude it"})
+      .field("noise-size", params.noise_size,
+             {.unit = "px", .meaning = "side of the tile of random kernel rotations", .min = 1, .max = 64})
+      .field("range-check", params.range_check,
+             {.unit = {}, .meaning = "whether occluders fade out that are much farther from the point than the radius"})
+      .choice("blur", params.blur, ao_blur_names, {.unit = {}, .meaning = "filter over the result"})
+      .field("blur-size", params.blur_size, {.unit = "px", .meaning = "side of the blur's box", .min = 1, .max = 32})
+      .take();
+}
+
+}  // namespace umbrameter

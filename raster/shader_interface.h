@@ -1,0 +1,86 @@
+// Numbers that C++ and shaders share: binding points, uniform locations, enum values. Shaders get them as #defines,
+// so that each has one home. Internal to raster.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/gbuffer.h"
+#include "raster/parameters.h"
+#include "scenes/light_frame.h"
+
+namespace umbrameter {
+
+struct ShaderSlot {
+  std::string_view name;
+  unsigned value;
+};
+
+/// Names as the shaders write them; numbers are unique within their kind (uniform blocks, storage buffers, ...).
+inline constexpr ShaderSlot shader_slots[] = {
+    {"BLOCK_VIEW", 0},
+    {"BLOCK_LIGHT", 1},
+    {"BLOCK_AO", 2},
+    {"BUFFER_INSTANCES", 0},
+    {"BUFFER_POSITIONS", 1},
+    {"BUFFER_INDICES", 2},
+    {"BUFFER_NORMALS", 3},
+    {"BUFFER_KERNEL", 4},
+    {"BUFFER_ROTATIONS", 5},
+    {"ATTRIBUTE_POSITION", 0},
+    {"ATTRIBUTE_TEXCOORD", 1},
+    {"UNIFORM_FIRST_INSTANCE", 0},
+    {"UNIFORM_BASE_COLOR", 1},
+    {"UNIFORM_ALPHA_CUTOFF", 2},
+    {"UNIFORM_WRAP", 3},
+    {"UNIFORM_HAS_TEXTURE", 4},
+    {"UNIFORM_BLUR", 5},
+    {"TEXTURE_BASE_COLOR", 0},
+    {"TEXTURE_IDS", 1},
+    {"TEXTURE_POSITION_DEPTH", 2},
+    {"TEXTURE_GEOMETRIC_NORMAL", 3},
+    {"TEXTURE_SHADOW_DEPTH", 4},
+    {"TEXTURE_SHADOW_IDS", 5},
+    {"TEXTURE_TRUTH", 6},
+    {"TEXTURE_AO", 7},
+    {"IMAGE_POSITION_DEPTH", 0},
+    {"IMAGE_GEOMETRIC_NORMAL", 1},
+    {"IMAGE_SHADING_NORMAL", 2},
+    {"IMAGE_VISIBILITY", 3},
+    {"IMAGE_CLASSES", 4},
+    {"IMAGE_AO", 5},
+    {"GROUP_SIZE", 8},
+    {"FLAG_HAS_NORMALS", 1},
+    {"MAP_ORTHOGRAPHIC", static_cast<unsigned>(MapKind::orthographic)},
+    {"MAP_PERSPECTIVE", static_cast<unsigned>(MapKind::perspective)},
+    {"MAP_CUBE", static_cast<unsigned>(MapKind::cube)},
+};
+
+/// The number of a slot; a name that is not in the table does not compile.
+consteval unsigned slot(std::string_view name) {
+  for (const ShaderSlot& candidate : shader_slots) {
+    if (candidate.name == name) return candidate.value;
+  }
+  throw "no such slot";
+}
+
+/// All of them as #define lines, and NO_ID.
+inline std::string interface_defines() {
+  std::string text = "#define NO_ID " + std::to_string(no_id) + "u\n";
+  for (const ShaderSlot& entry : shader_slots) {
+    text += "#define " + std::string(entry.name) + " " + std::to_string(entry.value) + "\n";
+  }
+  return text;
+}
+
+inline std::string define(std::string_view name, unsigned value) {
+  return "#define " + std::string(name) + " " + std::to_string(value) + "\n";
+}
+
+/// Work groups that cover a side of that many pixels.
+constexpr unsigned group_count(int pixels) {
+  return (static_cast<unsigned>(pixels) + slot("GROUP_SIZE") - 1) / slot("GROUP_SIZE");
+}
+
+}  // namespace umbrameter

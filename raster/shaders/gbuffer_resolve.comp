@@ -1,0 +1,68 @@
+// Surfels from triangle ids: the ray through the pixel centre meets the triangle, in double precision, so that
+// positions are right to the last bit of a float and normals do not depend on how a driver interpolates.
+// Intersection: Moeller and Trumbore, Fast Minimum Storage Ray/Triangle Intersection, JGT 2(1), 1997.
+#include "scene.glsl"
+#include "view.glsl"
+layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
+layout(binding = TEXTURE_IDS) uniform usampler2D ids;
+layout(std430, binding = BUFFER_NORMALS) readonly buffer Normals { float normals[]; };
+layout(binding = IMAGE_POSITION_DEPTH, rgba32f) writeonly uniform image2D position_depth;
+layout(binding = IMAGE_GEOMETRIC_NORMAL, rgba32f) writeonly uniform image2D geometric_normal;
+layout(binding = IMAGE_SHADING_NORMAL, rgba32f) writeonly uniform image2D shading_normal;
+
+dvec3 mesh_normal(uint vertex) {
+  return dvec3(normals[3u * vertex], normals[3u * vertex + 1u], normals[3u * vertex + 2u]);
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, size))) return;
+  uvec2 id = texelFetch(ids, pixel, 0).rg;
+  vec4 surfel = vec4(0);
+  vec3 flat_normal = vec3(0);
+  vec3 smooth_normal = vec3(0);
+  if (id.x != NO_ID) {
+    dvec2 ndc = (dvec2(pixel) + 0.5lf) / dvec2(size) * 2.0lf - 1.0lf;
+    dvec3 origin = (ray_origin[0] + ndc.x * ray_origin[1] + ndc.y * ray_origin[2]).xyz;
+    dvec3 direction = (ray_direction[0] + ndc.x * ray_direction[1] + ndc.y * ray_direction[2]).xyz;
+
+    uvec3 v = vertices_of(id.x, id.y);
+    dvec3 a = world_from_mesh(id.x, dvec3(mesh_position(v.x))) - eye.xyz;
+    dvec3 b = world_from_mesh(id.x, dvec3(mesh_position(v.y))) - eye.xyz;
+    dvec3 c = world_from_mesh(id.x, dvec3(mesh_position(v.z))) - eye.xyz;
+    dvec3 p = cross(direction, c - a);
+    double determinant = dot(b - a, p);
+    dvec3 q = cross(origin - a, b - a);
+    dvec2 weight = abs(determinant) > 0.0lf ? dvec2(dot(origin - a, p), dot(direction, q)) / determinant
+                                            : dvec2(1.0lf / 3.0lf);
+    // Rasterisers snap vertices to a fraction of a pixel: the centre may lie a little outside of the true triangle.
+    weight = max(weight, 0.0lf);
+    weight /= max(1.0lf, weight.x + weight.y);
+
+    dvec3 relative = a + weight.x * (b - a) + weight.y * (c - a);
+    surfel = vec4(vec3(relative + eye.xyz), float(dot(relative, axis.xyz)));
+
+    dvec3 viewer = is_orthographic != 0 ? -axis.xyz : -relative;
+    dvec3 n = normalize(cross(b - a, c - a));
+    if (dot(n, viewer) < 0.0lf) n = -n;
+    flat_normal = vec3(n);
+    smooth_normal = flat_normal;
+    if ((instances[id.x].flags & FLAG_HAS_NORMALS) != 0u) {
+      dvec3 m = (1.0lf - weight.x - weight.y) * mesh_normal(v.x) + weight.x * mesh_normal(v.y) +
+                weight.y * mesh_normal(v.z);
+      // Normals transform with the cofactors of the matrix: its inverse transpose but for a factor.
+      dvec3 r0 = instances[id.x].rows[0].xyz;
+      dvec3 r1 = instances[id.x].rows[1].xyz;
+      dvec3 r2 = instances[id.x].rows[2].xyz;
+      dvec3 s = dvec3(dot(cross(r1, r2), m), dot(cross(r2, r0), m), dot(cross(r0, r1), m));
+      double s_length = length(s);
+      if (s_length > 0.0lf) {
+        s /= s_length;
+        smooth_normal = vec3(dot(s, n) < 0.0lf ? -s : s);
+      }
+    }
+  }
+  imageStore(position_depth, pixel, surfel);
+  imageStore(geometric_normal, pixel, vec4(flat_normal, 0));
+  imageStore(shading_normal, pixel, vec4(smooth_normal, 0));
+}

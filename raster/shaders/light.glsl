@@ -1,0 +1,11 @@
+// The light and its map, as raster/shadow_map.cpp fills it. Meanings: scenes/light_frame.h.
+layout(std140, binding = BLOCK_LIGHT) uniform LightBlock {
+  dmat4 light_from_world;
+  dvec4 light_in_world;  // directional: unit vector to the light, w = 0; else its position, w = 1
+  dvec4 face_basis[18];  // of cube face i, in light space: [3i] right, [3i + 1] up, [3i + 2] forward
+  double half_extent;
+  double far_depth;
+  int resolution;
+  float constant_bias;
+  float slope_bias;
+};

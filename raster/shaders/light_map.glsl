@@ -1,0 +1,125 @@
+// Where a world position falls on the light's map, and what the map's taps say of it.
+#include "light.glsl"
+layout(binding = TEXTURE_SHADOW_DEPTH) uniform sampler2DArray shadow_depth;
+layout(binding = TEXTURE_SHADOW_IDS) uniform usampler2DArray shadow_ids;
+
+// A stored depth of 1 means that the light meets nothing there: every surface is nearer than far_depth.
+const float empty_depth = 1.0;
+const float no_blocker = uintBitsToFloat(0xff800000u);  // minus infinity: lit at every bias
+
+struct Receiver {
+  dvec3 in_light;     // light space, metres
+  double depth;       // metres, as the map counts it
+  double axis_depth;  // metres along the axis of the map or face
+  ivec2 texel;        // that contains the projection
+  int face;
+  bool is_inside;
+};
+
+struct Tap {
+  ivec3 texel;         // x, y, face
+  bool has_blocker;
+  float critical_bias;  // metres: the tap says lit exactly when the bias is at least this
+};
+
+int face_of(dvec3 direction) {
+  dvec3 d = abs(direction);
+  if (d.x >= d.y && d.x >= d.z) return direction.x >= 0.0lf ? 0 : 1;
+  if (d.y >= d.z) return direction.y >= 0.0lf ? 2 : 3;
+  return direction.z >= 0.0lf ? 4 : 5;
+}
+
+dvec3 on_face(int face, dvec3 p) {
+  return dvec3(dot(face_basis[3 * face].xyz, p), dot(face_basis[3 * face + 1].xyz, p),
+               dot(face_basis[3 * face + 2].xyz, p));
+}
+
+Receiver project_to_map(dvec3 world) {
+  Receiver r;
+  dvec3 p = dvec3(light_from_world * dvec4(world, 1.0lf));
+  r.in_light = p;
+  r.face = 0;
+  dvec2 projected;
+#if MAP_KIND == MAP_ORTHOGRAPHIC
+  r.axis_depth = -p.z;
+  r.depth = r.axis_depth;
+  r.is_inside = true;
+  projected = p.xy / half_extent;
+#else
+#if MAP_KIND == MAP_CUBE
+  r.face = face_of(p);
+  dvec3 q = on_face(r.face, p);
+  r.axis_depth = q.z;
+  r.depth = length(p);
+#else
+  dvec3 q = dvec3(p.xy, -p.z);
+  r.axis_depth = q.z;
+  r.depth = r.axis_depth;
+#endif
+  r.is_inside = r.axis_depth > 0.0lf;
+  projected = r.is_inside ? q.xy / (q.z * half_extent) : dvec2(0.0lf);
+#endif
+  dvec2 texels = clamp((projected * 0.5lf + 0.5lf) * double(resolution), -2.0lf, double(resolution) + 2.0lf);
+  r.texel = ivec2(floor(texels));
+#if MAP_KIND == MAP_CUBE
+  r.texel = clamp(r.texel, ivec2(0), ivec2(resolution - 1));
+#endif
+  r.is_inside = r.is_inside && all(greaterThanEqual(r.texel, ivec2(0))) && all(lessThan(r.texel, ivec2(resolution)));
+  return r;
+}
+
+// Position of a texel's centre in map coordinates times half_extent: metres, or tangents.
+dvec2 texel_center(ivec2 texel) {
+  return ((dvec2(texel) + 0.5lf) / double(resolution) * 2.0lf - 1.0lf) * half_extent;
+}
+
+// The light's ray through the centre of a texel, light space; the direction is not unit.
+void texel_ray(ivec3 texel, out dvec3 origin, out dvec3 direction) {
+  dvec2 c = texel_center(texel.xy);
+#if MAP_KIND == MAP_ORTHOGRAPHIC
+  origin = dvec3(c, 0.0lf);
+  direction = dvec3(0.0lf, 0.0lf, -1.0lf);
+#elif MAP_KIND == MAP_PERSPECTIVE
+  origin = dvec3(0.0lf);
+  direction = dvec3(c, -1.0lf);
+#else
+  origin = dvec3(0.0lf);
+  direction = face_basis[3 * texel.z].xyz * c.x + face_basis[3 * texel.z + 1].xyz * c.y +
+              face_basis[3 * texel.z + 2].xyz;
+#endif
+}
+
+// The tap that many texels right and up of the receiver's own. Off a cube's face the direction is looked up anew.
+Tap fetch_tap(Receiver receiver, ivec2 offset) {
+  Tap tap;
+  tap.texel = ivec3(receiver.texel + offset, receiver.face);
+  bool is_on_map = all(greaterThanEqual(tap.texel.xy, ivec2(0))) && all(lessThan(tap.texel.xy, ivec2(resolution)));
+#if MAP_KIND == MAP_CUBE
+  if (!is_on_map) {
+    dvec3 origin;
+    dvec3 direction;
+    texel_ray(tap.texel, origin, direction);
+    int face = face_of(direction);
+    dvec3 q = on_face(face, direction);
+    ivec2 texel = ivec2(floor((q.xy / (q.z * half_extent) * 0.5lf + 0.5lf) * double(resolution)));
+    tap.texel = ivec3(clamp(texel, ivec2(0), ivec2(resolution - 1)), face);
+    is_on_map = true;
+  }
+#endif
+  float stored = receiver.is_inside && is_on_map ? texelFetch(shadow_depth, tap.texel, 0).r : empty_depth;
+  tap.has_blocker = stored < empty_depth;
+  tap.critical_bias = tap.has_blocker ? float(receiver.depth - double(stored) * far_depth) : no_blocker;
+  return tap;
+}
+
+// Side of a texel at the receiver, metres: texel_at() of scenes/light_frame.h.
+float texel_at(Receiver receiver) {
+  double side = 2.0lf * half_extent / double(resolution);
+#if MAP_KIND != MAP_ORTHOGRAPHIC
+  side *= receiver.axis_depth;
+#endif
+  return float(side);
+}
+
+// Every comparison of the toolkit, in one form: slope is texel size times tan of the angle to the light.
+bool is_lit(float critical_bias, float slope) { return constant_bias >= critical_bias - slope_bias * slope; }

@@ -1,0 +1,91 @@
+// Whether a tap's sample lies on the receiver's own surface: the two-plane rule, decided from triangles.
+//
+// Own: the same triangle; or the receiver is not behind the blocker's plane, seen from the light; or the sample is
+// not in front of the receiver's plane. All in light space and double precision, with normals turned to the light.
+//
+// Coplanar triangles must compare as "not behind" although their stored vertices are rounded. A vertex is known to
+// half a unit in the last place of a float: with world = M·p + t, each coordinate within 2^-24·(|M|·|p| + |t|)
+// (p and t are floats in the file). Call the length of that vector, at its largest vertex, e. A point of the plane
+// with barycentric coordinates l moves by at most e·sum|l_i| when the vertices move by e; a point on the other
+// triangle moves by at most that triangle's e. So a signed distance within e_point + e_plane·sum|l_i| of zero may be
+// zero. Double precision adds 2^-53 of the same magnitudes, which is left out.
+#include "scene.glsl"
+
+const double half_ulp = 5.9604644775390625e-8lf;  // 2^-24
+
+struct Facet {
+  dvec3 a;
+  dvec3 ab;
+  dvec3 ac;
+  dvec3 normal;        // unit, on the light's side
+  double vertex_error;  // e above, metres
+};
+
+dvec3 in_light(uint instance, dvec3 position) {
+  return dvec3(light_from_world * dvec4(world_from_mesh(instance, position), 1.0lf));
+}
+
+double vertex_error(uint instance, dvec3 position) {
+  dvec4 p = dvec4(abs(position), 1.0lf);
+  return half_ulp * length(dvec3(dot(abs(instances[instance].rows[0]), p), dot(abs(instances[instance].rows[1]), p),
+                                 dot(abs(instances[instance].rows[2]), p)));
+}
+
+Facet fetch_facet(uvec2 id) {
+  uvec3 v = vertices_of(id.x, id.y);
+  dvec3 a = dvec3(mesh_position(v.x));
+  dvec3 b = dvec3(mesh_position(v.y));
+  dvec3 c = dvec3(mesh_position(v.z));
+  Facet f;
+  f.a = in_light(id.x, a);
+  f.ab = in_light(id.x, b) - f.a;
+  f.ac = in_light(id.x, c) - f.a;
+  dvec3 n = cross(f.ab, f.ac);
+  double area = length(n);
+  f.normal = area > 0.0lf ? n / area : dvec3(0.0lf);
+#if MAP_KIND == MAP_ORTHOGRAPHIC
+  if (f.normal.z < 0.0lf) f.normal = -f.normal;
+#else
+  if (dot(f.normal, f.a) > 0.0lf) f.normal = -f.normal;
+#endif
+  f.vertex_error = max(vertex_error(id.x, a), max(vertex_error(id.x, b), vertex_error(id.x, c)));
+  return f;
+}
+
+double signed_distance(Facet f, dvec3 point) { return dot(f.normal, point - f.a); }
+
+double rounding_bound(Facet f, dvec3 point, double point_error) {
+  dvec3 n = cross(f.ab, f.ac);
+  double squared = dot(n, n);
+  if (!(squared > 0.0lf)) return point_error;
+  double v = dot(cross(point - f.a, f.ac), n) / squared;
+  double w = dot(cross(f.ab, point - f.a), n) / squared;
+  return point_error + f.vertex_error * (abs(1.0lf - v - w) + abs(v) + abs(w));
+}
+
+// Where the light's ray meets the triangle; the nearest point of the triangle's edge where rasterisation reached past
+// it. (Moeller and Trumbore 1997, as in gbuffer_resolve.comp.)
+dvec3 sample_on(Facet f, dvec3 origin, dvec3 direction) {
+  dvec3 p = cross(direction, f.ac);
+  double determinant = dot(f.ab, p);
+  dvec3 q = cross(origin - f.a, f.ab);
+  dvec2 weight = abs(determinant) > 0.0lf ? dvec2(dot(origin - f.a, p), dot(direction, q)) / determinant
+                                          : dvec2(1.0lf / 3.0lf);
+  weight = max(weight, 0.0lf);
+  weight /= max(1.0lf, weight.x + weight.y);
+  return f.a + weight.x * f.ab + weight.y * f.ac;
+}
+
+bool is_own(Receiver receiver, uvec2 receiver_id, ivec3 texel, uvec2 blocker_id) {
+  if (receiver_id == blocker_id) return true;
+  Facet own = fetch_facet(receiver_id);
+  Facet blocker = fetch_facet(blocker_id);
+  // The surfel is stored as floats; what counts is the point of its triangle that it stands for.
+  dvec3 r = receiver.in_light - own.normal * signed_distance(own, receiver.in_light);
+  if (signed_distance(blocker, r) >= -rounding_bound(blocker, r, own.vertex_error)) return true;
+  dvec3 origin;
+  dvec3 direction;
+  texel_ray(texel, origin, direction);
+  dvec3 s = sample_on(blocker, origin, direction);
+  return signed_distance(own, s) <= rounding_bound(own, s, blocker.vertex_error);
+}

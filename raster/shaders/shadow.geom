@@ -1,0 +1,71 @@
+// Lays a triangle on the faces of a perspective or cube map and hands its plane on, from which shadow.frag computes
+// the depth at the texel centre itself.
+#include "light.glsl"
+layout(triangles) in;
+#if MAP_KIND == MAP_CUBE
+layout(triangle_strip, max_vertices = 18) out;
+#else
+layout(triangle_strip, max_vertices = 3) out;
+#endif
+layout(location = 0) in uint vertex_instance[];
+layout(location = 1) in vec2 vertex_texcoord[];
+layout(location = 2) in vec3 vertex_in_light[];
+layout(location = 0) flat out uint instance;
+layout(location = 1) out vec2 surface_texcoord;
+layout(location = 2) flat out vec4 plane;       // light space: normal·p = w
+layout(location = 3) flat out vec2 depth_range;  // metres, of this triangle
+layout(location = 4) flat out int face;
+
+// Nearer than this share of far_depth nothing is drawn: a projection has no room for a surface at its centre.
+const float nearest_share = 1e-6;
+
+void main() {
+  vec3 a = vertex_in_light[0];
+  vec3 b = vertex_in_light[1];
+  vec3 c = vertex_in_light[2];
+  vec3 normal = cross(b - a, c - a);
+  float normal_length = length(normal);
+  if (!(normal_length > 0.0)) return;
+  normal /= normal_length;
+  float offset = dot(normal, a);
+#if MAP_KIND == MAP_CUBE
+  const int face_count = 6;
+  vec2 range = vec2(abs(offset), max(max(length(a), length(b)), length(c)));
+#else
+  const int face_count = 1;
+  vec2 range = vec2(min(min(-a.z, -b.z), -c.z), max(max(-a.z, -b.z), -c.z));
+#endif
+  float near = nearest_share * float(far_depth);
+  float tangent = float(half_extent);
+  for (int f = 0; f < face_count; ++f) {
+    vec4 clip[3];
+    for (int i = 0; i < 3; ++i) {
+      vec3 p = vertex_in_light[i];
+#if MAP_KIND == MAP_CUBE
+      p = vec3(dot(vec3(face_basis[3 * f].xyz), p), dot(vec3(face_basis[3 * f + 1].xyz), p),
+               -dot(vec3(face_basis[3 * f + 2].xyz), p));
+#endif
+      // Clip depth holds only the near plane, at w = near; the depth buffer gets what shadow.frag computes.
+      clip[i] = vec4(p.x / tangent, p.y / tangent, -p.z - near, -p.z);
+    }
+    bool outside = false;
+    for (int axis = 0; axis < 2; ++axis) {
+      vec3 s = vec3(clip[0][axis], clip[1][axis], clip[2][axis]);
+      vec3 w = vec3(clip[0].w, clip[1].w, clip[2].w);
+      outside = outside || all(greaterThan(s, w)) || all(lessThan(s, -w));
+    }
+    if (outside) continue;
+    for (int i = 0; i < 3; ++i) {
+      gl_Position = clip[i];
+      gl_Layer = f;
+      gl_PrimitiveID = gl_PrimitiveIDIn;
+      instance = vertex_instance[i];
+      surface_texcoord = vertex_texcoord[i];
+      plane = vec4(normal, offset);
+      depth_range = range;
+      face = f;
+      EmitVertex();
+    }
+    EndPrimitive();
+  }
+}

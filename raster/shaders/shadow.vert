@@ -1,0 +1,27 @@
+#include "scene.glsl"
+#include "light.glsl"
+layout(location = ATTRIBUTE_POSITION) in vec3 position;
+layout(location = ATTRIBUTE_TEXCOORD) in vec2 texcoord;
+layout(location = UNIFORM_FIRST_INSTANCE) uniform uint first_instance;
+#if MAP_KIND == MAP_ORTHOGRAPHIC
+layout(location = 0) flat out uint instance;
+layout(location = 1) out vec2 surface_texcoord;
+#else
+layout(location = 0) out uint vertex_instance;
+layout(location = 1) out vec2 vertex_texcoord;
+layout(location = 2) out vec3 vertex_in_light;
+#endif
+
+void main() {
+  uint id = first_instance + uint(gl_InstanceID);
+  dvec3 p = dvec3(light_from_world * dvec4(world_from_mesh(id, dvec3(position)), 1.0lf));
+#if MAP_KIND == MAP_ORTHOGRAPHIC
+  instance = id;
+  surface_texcoord = texcoord;
+  gl_Position = vec4(vec3(p.x / half_extent, p.y / half_extent, -p.z / far_depth), 1.0);
+#else
+  vertex_instance = id;
+  vertex_texcoord = texcoord;
+  vertex_in_light = vec3(p);
+#endif
+}

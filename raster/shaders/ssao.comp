@@ -1,0 +1,54 @@
+// Hemisphere SSAO (J. de Vries, Learn OpenGL, "SSAO"; after Mittring, Finding Next Gen: CryEngine 2, 2007), in
+// metres. Two departures: the hemisphere stands on the geometric normal, as the reference's does, and the background
+// occludes nothing.
+#include "view.glsl"
+layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
+layout(binding = TEXTURE_IDS) uniform usampler2D ids;
+layout(binding = TEXTURE_POSITION_DEPTH) uniform sampler2D position_depth;
+layout(binding = TEXTURE_GEOMETRIC_NORMAL) uniform sampler2D geometric_normal;
+layout(binding = IMAGE_AO, r32f) writeonly uniform image2D ao_image;
+layout(std430, binding = BUFFER_KERNEL) readonly buffer Kernel { vec4 kernel[]; };
+layout(std430, binding = BUFFER_ROTATIONS) readonly buffer Rotations { vec4 rotations[]; };
+layout(std140, binding = BLOCK_AO) uniform AoBlock {
+  int samples;
+  int noise_size;
+  float radius;
+  float bias;
+};
+
+// A unit vector across the normal, for the rare rotation vector that lies along it.
+vec3 any_tangent(vec3 n) {
+  return normalize(abs(n.x) > 0.5 ? cross(n, vec3(0, 1, 0)) : cross(n, vec3(1, 0, 0)));
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, size))) return;
+  float ao = 1.0;
+  if (texelFetch(ids, pixel, 0).r != NO_ID) {
+    vec3 position = vec3(view_from_world * dvec4(dvec3(texelFetch(position_depth, pixel, 0).xyz), 1.0lf));
+    vec3 normal = normalize(vec3(dmat3(view_from_world) * dvec3(texelFetch(geometric_normal, pixel, 0).xyz)));
+    // Tiled from the top left corner, whichever row comes first in memory.
+    ivec2 tile = ivec2(pixel.x, size.y - 1 - pixel.y) % noise_size;
+    vec3 rotation = rotations[tile.y * noise_size + tile.x].xyz;
+    vec3 across = rotation - normal * dot(rotation, normal);
+    vec3 tangent = dot(across, across) > 1e-12 ? normalize(across) : any_tangent(normal);
+    mat3 view_from_tangent = mat3(tangent, cross(normal, tangent), normal);
+    float occlusion = 0.0;
+    for (int i = 0; i < samples; ++i) {
+      vec3 point = position + radius * (view_from_tangent * kernel[i].xyz);
+      vec4 clip = clip_from_view * vec4(point, 1.0);
+      if (!(clip.w > 0.0)) continue;
+      ivec2 seen = clamp(ivec2(floor((clip.xy / clip.w * 0.5 + 0.5) * vec2(size))), ivec2(0), size - 1);
+      if (texelFetch(ids, seen, 0).r == NO_ID) continue;
+      float seen_z = -texelFetch(position_depth, seen, 0).w;
+      float weight = 1.0;
+#if AO_RANGE_CHECK
+      weight = smoothstep(0.0, 1.0, radius / max(abs(position.z - seen_z), 1e-20));
+#endif
+      if (seen_z >= point.z + bias) occlusion += weight;
+    }
+    ao = 1.0 - occlusion / float(samples);
+  }
+  imageStore(ao_image, pixel, vec4(ao));
+}
