@@ -162,9 +162,9 @@ struct Context::State {
     close_context(opened);
   }
 
-  static void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* message,
+  static void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* message,
                                     const void* user) {
-    if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
+    if (type != GL_DEBUG_TYPE_ERROR) return;
     auto& errors = static_cast<State*>(const_cast<void*>(user))->errors;
     errors += (errors.empty() ? "" : ", ");
     errors += length < 0 ? std::string(message) : std::string(message, static_cast<std::size_t>(length));

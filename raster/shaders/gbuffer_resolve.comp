@@ -47,7 +47,7 @@ void main() {
     if (dot(n, viewer) < 0.0lf) n = -n;
     flat_normal = vec3(n);
     smooth_normal = flat_normal;
-    if ((instances[id.x].flags & FLAG_HAS_NORMALS) != 0u) {
+    if ((instances[id.x].flags & uint(FLAG_HAS_NORMALS)) != 0u) {
       dvec3 m = (1.0lf - weight.x - weight.y) * mesh_normal(v.x) + weight.x * mesh_normal(v.y) +
                 weight.y * mesh_normal(v.z);
       // Normals transform with the cofactors of the matrix: its inverse transpose but for a factor.

@@ -43,14 +43,14 @@ TEST(GlDevices, A_device_is_found_by_index_and_by_part_of_its_name) {
   const std::vector<GlDevice> devices = list_gl_devices();
   if (devices.empty()) GTEST_SKIP() << "no driver";
   const GlDevice& last = devices.back();
-  EXPECT_EQ(gl::Context::make({.device = std::to_string(last.index)}).device().index, last.index);
-  EXPECT_EQ(gl::Context::make({.device = last.renderer.substr(0, 5)}).device().renderer, last.renderer);
+  EXPECT_EQ(gl::Context::make({.device = std::to_string(last.index), .threads = 0}).device().index, last.index);
+  EXPECT_EQ(gl::Context::make({.device = last.renderer.substr(0, 5), .threads = 0}).device().renderer, last.renderer);
 }
 
 TEST(GlDevices, An_unknown_device_is_one_line_with_its_exit_code_and_a_way_out) {
   for (const char* name : {"no such device", "77", "99999999999999999999"}) {
     try {
-      gl::Context::make({.device = name});
+      gl::Context::make({.device = name, .threads = 0});
       FAIL() << name;
     } catch (const Error& error) {
       const std::string message = error.what();

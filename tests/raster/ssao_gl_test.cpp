@@ -1,1 +1,128 @@
+#include <algorithm>
+#include <cmath>
+
 #include "test_scenes.h"
+
+namespace umbrameter {
+namespace {
+
+using namespace testing_scenes;
+
+class SsaoGl : public GlTest {
+ protected:
+  Image<float> ao(const Scene& scene, const View& view, const AoParams& params, std::uint32_t seed = 1) const {
+    return draw_ao(context(), draw_gbuffer(context(), upload(context(), scene), view), view, params, seed);
+  }
+};
+
+TEST(SsaoKernel, Points_fill_the_upper_unit_hemisphere_and_thin_out_from_the_centre) {
+  const std::vector<vec4> kernel = ao_kernel(1024, 7);
+  ASSERT_EQ(kernel.size(), 1024u);
+  double mean_z = 0.0;
+  for (const vec4& point : kernel) {
+    EXPECT_GE(point.z, 0.0f);
+    EXPECT_LE(glm::length(vec3(point)), 1.0f);
+    mean_z += static_cast<double>(point.z) / std::max(1e-9, static_cast<double>(glm::length(vec3(point)))) / 1024;
+  }
+  EXPECT_NEAR(mean_z, 0.5, 0.03);  // uniform directions: the mean of z over a hemisphere is 1/2
+  EXPECT_EQ(kernel, ao_kernel(1024, 7));
+  EXPECT_NE(kernel, ao_kernel(1024, 8));
+}
+
+TEST_F(SsaoGl, An_open_plane_is_open) {
+  Scene scene;
+  add_mesh(scene, ground(500));
+  AoParams params;
+  for (const View& view :
+       {perspective_view(160, 90, {0, 4, 3}, {0, 0, 0}), orthographic_view(160, 90, {0, 8, 6}, {0, 0, 0}, 3.0)}) {
+    const Image<float> image = ao(scene, view, params);
+    EXPECT_GT(mean(image), 0.995);
+    EXPECT_LE(*std::max_element(image.pixels.begin(), image.pixels.end()), 1.0f);
+  }
+}
+
+TEST_F(SsaoGl, Background_is_open_before_and_after_the_blur) {
+  Scene scene;
+  add_mesh(scene, box({-1, -1, -1}, {1, 1, 1}));
+  const View view = perspective_view(64, 64, {2, 3, 4}, {0, 0, 0});
+  const GBuffer gbuffer = read_back(context(), draw_gbuffer(context(), upload(context(), scene), view));
+  for (const AoBlur blur : {AoBlur::none, AoBlur::box}) {
+    AoParams params;
+    params.bias = -1.0;  // everything occludes itself
+    params.blur = blur;
+    const Image<float> image = ao(scene, view, params);
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      if (gbuffer.is_surface(i)) continue;
+      ASSERT_EQ(image[i], 1.0f);
+    }
+    EXPECT_LT(*std::min_element(image.pixels.begin(), image.pixels.end()), 0.5f);
+  }
+}
+
+TEST_F(SsaoGl, A_corner_is_darker_than_the_open_floor_in_both_projections) {
+  Scene scene;
+  add_mesh(scene, quad({-10, 0, 10}, {10, 0, 10}, {10, 0, -1}, {-10, 0, -1}));
+  add_mesh(scene, quad({-10, 0, -1}, {10, 0, -1}, {10, 10, -1}, {-10, 10, -1}));
+  AoParams params;
+  params.samples = 256;
+  params.radius = 1.0;
+  for (const View& view :
+       {perspective_view(128, 128, {0, 4, 5}, {0, 0, 0}), orthographic_view(128, 128, {0, 8, 8}, {0, 0, 0}, 3.0)}) {
+    const GBuffer gbuffer = read_back(context(), draw_gbuffer(context(), upload(context(), scene), view));
+    const Image<float> image = ao(scene, view, params);
+    double near_sum = 0, near_count = 0, far_sum = 0, far_count = 0;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      if (gbuffer.instance[i] != 0) continue;
+      const float distance = gbuffer.position[i].z + 1.0f;
+      if (distance < 0.2f) near_sum += static_cast<double>(image[i]), ++near_count;
+      if (distance > 1.5f) far_sum += static_cast<double>(image[i]), ++far_count;
+    }
+    ASSERT_GT(near_count, 50);
+    ASSERT_GT(far_count, 50);
+    EXPECT_LT(near_sum / near_count, 0.9);
+    EXPECT_GT(near_sum / near_count, 0.4) << "two planes leave half of the hemisphere open";
+    EXPECT_GT(far_sum / far_count, 0.99);
+  }
+}
+
+TEST_F(SsaoGl, Without_the_range_check_a_near_object_darkens_the_far_wall_behind_it) {
+  Scene scene;
+  add_mesh(scene, quad({-50, -50, -20}, {50, -50, -20}, {50, 50, -20}, {-50, 50, -20}));
+  add_mesh(scene, box({-1, -1, -1}, {1, 1, 1}));
+  const View view = perspective_view(96, 96, {0, 0, 6}, {0, 0, 0});
+  AoParams params;
+  params.radius = 3.0;
+  params.range_check = false;
+  const double unchecked = mean(ao(scene, view, params));
+  params.range_check = true;
+  const double checked = mean(ao(scene, view, params));
+  EXPECT_GT(checked, unchecked + 0.003);
+}
+
+TEST_F(SsaoGl, The_box_blur_is_the_mean_of_its_pixels) {
+  Scene scene;
+  add_mesh(scene, quad({-10, 0, 10}, {10, 0, 10}, {10, 0, -1}, {-10, 0, -1}));
+  add_mesh(scene, quad({-10, -1, -1}, {10, -1, -1}, {10, 10, -1}, {-10, 10, -1}));
+  const View view = orthographic_view(64, 48, {0, 6, 8}, {0, 1, 0}, 1.5);
+  AoParams params;
+  params.samples = 8;
+  params.blur = AoBlur::none;
+  const Image<float> raw = ao(scene, view, params);
+  params.blur = AoBlur::box;
+  for (const int side : {1, 4, 5}) {
+    params.blur_size = side;
+    const Image<float> blurred = ao(scene, view, params);
+    for (int y = 8; y < 40; ++y) {
+      for (int x = 8; x < 56; ++x) {
+        double sum = 0.0;
+        for (int j = 0; j < side; ++j) {
+          for (int i = 0; i < side; ++i) sum += static_cast<double>(raw.at(x + i - side / 2, y + j - side / 2));
+        }
+        ASSERT_NEAR(static_cast<double>(blurred.at(x, y)), sum / (side * side), 1e-6) << side << " " << x << " " << y;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace umbrameter
