@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "core/error.h"
+#include "scenes/gltf_document.h"
+
+namespace umbrameter::gltf {
+namespace {
+
+constexpr std::uint32_t glb_magic = 0x46546C67;     // "glTF"
+constexpr std::uint32_t json_chunk = 0x4E4F534A;    // "JSON"
+constexpr std::uint32_t binary_chunk = 0x004E4942;  // "BIN"
+
+Bytes read_file(const std::filesystem::path& path, const std::string& object) {
+  namespace fs = std::filesystem;
+  std::error_code status;
+  const fs::file_status kind = fs::status(path, status);
+  if (!fs::exists(kind)) fail(path, object, "there is no such file", "check the path");
+  if (fs::is_directory(kind)) fail(path, object, "it is a folder", "give the .gltf or .glb file in it");
+  if (!fs::is_regular_file(kind)) fail(path, object, "it is not a regular file", "copy it to a file first");
+  std::ifstream file(path, std::ios::binary);
+  const std::uintmax_t size = file ? fs::file_size(path, status) : 0;
+  if (!file || status) fail(path, object, "it cannot be opened", "check its permissions");
+  Bytes bytes(static_cast<std::size_t>(size));
+  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (file.gcount() != static_cast<std::streamsize>(bytes.size())) {
+    fail(path, object, "it cannot be read to its end", "check the disk and the permissions");
+  }
+  return bytes;
+}
+
+std::uint32_t little_endian(const Bytes& bytes, std::size_t offset) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 4; i-- > 0;) value = (value << 8u) | bytes[offset + i];
+  return value;
+}
+
+// glTF 2.0, section 4.4: a header of 12 bytes, then chunks of length, type and data.
+Container split_glb(const std::filesystem::path& path, const Bytes& bytes) {
+  const std::string remedy = "copy or export the file again";
+  const auto cut = [&](const std::string& where) {
+    fail(path, where, "the binary glTF is truncated or damaged at " + std::to_string(bytes.size()) + " bytes", remedy);
+  };
+  if (bytes.size() < 20) cut("header");
+  if (const std::uint32_t version = little_endian(bytes, 4); version != 2) {
+    fail(path, "header", "version " + std::to_string(version) + " of binary glTF", "convert the file to glTF 2.0");
+  }
+  const std::uint64_t length = little_endian(bytes, 8);
+  if (length > bytes.size()) cut("header");
+  Container container;
+  std::uint64_t offset = 12;
+  for (int chunk = 0; offset < length; ++chunk) {
+    const std::string object = "chunk " + std::to_string(chunk);
+    if (length - offset < 8) cut(object);
+    const std::uint64_t size = little_endian(bytes, offset);
+    const std::uint32_t type = little_endian(bytes, offset + 4);
+    offset += 8;
+    if (size > length - offset) cut(object);
+    const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(offset);
+    const auto last = first + static_cast<std::ptrdiff_t>(size);
+    if ((chunk == 0) != (type == json_chunk)) fail(path, object, "the JSON chunk is not the first one", remedy);
+    if (type == json_chunk) container.json.assign(first, last);
+    if (type == binary_chunk && !container.binary) container.binary.emplace(first, last);
+    offset += size;
+  }
+  return container;
+}
+
+Bytes decode_base64(std::string_view text, const std::filesystem::path& path, const std::string& object) {
+  constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  while (!text.empty() && text.back() == '=') text.remove_suffix(1);
+  Bytes bytes;
+  bytes.reserve(text.size() / 4 * 3 + 3);
+  std::uint32_t bits = 0;
+  int held = 0;
+  for (const char c : text) {
+    const std::size_t digit = alphabet.find(c);
+    if (digit == std::string_view::npos) fail(path, object, "its data URI is not base64");
+    bits = (bits << 6u) | static_cast<std::uint32_t>(digit);
+    held += 6;
+    if (held < 8) continue;
+    held -= 8;
+    bytes.push_back(static_cast<unsigned char>((bits >> static_cast<unsigned>(held)) & 0xffu));
+  }
+  return bytes;
+}
+
+std::string percent_decoded(std::string_view uri) {
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const auto digit = [&](std::size_t at) { return std::isxdigit(static_cast<unsigned char>(uri[at])) != 0; };
+    if (uri[i] == '%' && i + 2 < uri.size() && digit(i + 1) && digit(i + 2)) {
+      text += static_cast<char>(std::stoi(std::string(uri.substr(i + 1, 2)), nullptr, 16));
+      i += 2;
+    } else {
+      text += uri[i];
+    }
+  }
+  return text;
+}
+
+bool has_scheme(const std::string& uri) {
+  const std::size_t colon = uri.find(':');
+  return colon != std::string::npos && uri.find('/') > colon;
+}
+
+}  // namespace
+
+void fail(const std::filesystem::path& path, const std::string& object, const std::string& why,
+          const std::string& remedy) {
+  throw Error(ExitCode::unreadable_input, path.string() + (object.empty() ? "" : ": " + object), why, remedy);
+}
+
+Container read_container(const std::filesystem::path& path) {
+  const Bytes bytes = read_file(path, "");
+  if (bytes.empty()) fail(path, "", "the file is empty", "copy or export the file again");
+  if (bytes.size() >= 4 && little_endian(bytes, 0) == glb_magic) return split_glb(path, bytes);
+  return {std::string(bytes.begin(), bytes.end()), std::nullopt};
+}
+
+Bytes read_uri(const std::filesystem::path& scene_path, const std::string& object, const std::string& uri) {
+  if (uri.starts_with("data:")) {
+    const std::string_view marker = ";base64,";
+    const std::size_t comma = uri.find(',');
+    const std::size_t start = uri.find(marker);
+    if (start == std::string::npos || start + marker.size() - 1 != comma) {
+      fail(scene_path, object, "its data URI is not base64");
+    }
+    return decode_base64(std::string_view(uri).substr(comma + 1), scene_path, object);
+  }
+  const std::string remedy = "keep the file beside the scene and refer to it by a relative path";
+  const std::string decoded = percent_decoded(uri);
+  const std::filesystem::path relative(decoded);
+  const bool climbs = std::any_of(relative.begin(), relative.end(), [](const auto& part) { return part == ".."; });
+  if (decoded.empty() || decoded.find('\0') != std::string::npos || has_scheme(decoded) || relative.is_absolute() ||
+      decoded.front() == '\\' || climbs) {
+    fail(scene_path, object, "its reference '" + uri + "' leaves the folder of the scene", remedy);
+  }
+  const std::filesystem::path target = scene_path.parent_path() / relative;
+  std::error_code status;
+  if (!std::filesystem::is_regular_file(target, status)) {
+    fail(scene_path, object, "there is no file '" + target.string() + "'", "put the file beside the scene");
+  }
+  return read_file(target, "");
+}
+
+}  // namespace umbrameter::gltf

@@ -1,0 +1,60 @@
+#include "scenes/gltf_document.h"
+
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_NO_STDIO
+#define STBI_FAILURE_USERMSG
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#include <stb_image.h>
+#include <stb_image_write.h>
+
+#include <cstring>
+#include <limits>
+
+namespace umbrameter::gltf {
+
+Image<glm::u8vec4> decode_image(std::span<const unsigned char> bytes, const std::filesystem::path& path,
+                                const std::string& object) {
+  constexpr int max_side = 32768;
+  constexpr std::int64_t max_texels = std::int64_t{1} << 28;
+  const std::string remedy = "store the image as PNG or JPEG";
+  if (bytes.empty() || bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+    fail(path, object, "it holds " + std::to_string(bytes.size()) + " bytes", remedy);
+  }
+  const int size = static_cast<int>(bytes.size());
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  if (stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) == 0) {
+    fail(path, object, "it is neither PNG nor JPEG", remedy);
+  }
+  if (width < 1 || height < 1 || width > max_side || height > max_side || std::int64_t{width} * height > max_texels) {
+    fail(path, object, "it is " + std::to_string(width) + "x" + std::to_string(height) + " texels large",
+         "make the image smaller");
+  }
+  const std::unique_ptr<unsigned char, void (*)(void*)> texels(
+      stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), &stbi_image_free);
+  if (texels == nullptr) {
+    fail(path, object, std::string("it cannot be decoded (") + stbi_failure_reason() + ")", remedy);
+  }
+  Image<glm::u8vec4> image(width, height);
+  std::memcpy(image.pixels.data(), texels.get(), image.size() * sizeof(glm::u8vec4));
+  return image;
+}
+
+Bytes encode_png(const Image<glm::u8vec4>& image) {
+  Bytes bytes;
+  const auto append = [](void* target, void* data, int size) {
+    const auto* first = static_cast<const unsigned char*>(data);
+    auto& out = *static_cast<Bytes*>(target);
+    out.insert(out.end(), first, first + size);
+  };
+  stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.pixels.data(), image.width * 4);
+  return bytes;
+}
+
+}  // namespace umbrameter::gltf
