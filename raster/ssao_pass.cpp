@@ -31,15 +31,19 @@ std::string ao_defines(AoParams params) {
   return shader_defines({*find(all, "ao.range-check")});
 }
 
+void dispatch(const gl::Program& program, int width, int height) {
+  glUseProgram(program.name());
+  glDispatchCompute(group_count(width), group_count(height), 1);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+}
+
 void blur_axis(const gl::Context& context, const gl::Texture& source, const gl::Texture& target, int width, int height,
                int step_x, int step_y, int taps, bool is_last) {
   const gl::Program& program = context.program({{"box_blur.comp"}, interface_defines()});
   glBindTextureUnit(slot("TEXTURE_AO"), source.name());
   glBindImageTexture(slot("IMAGE_AO"), target.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
   glProgramUniform4i(program.name(), slot("UNIFORM_BLUR"), step_x, step_y, taps, is_last ? 1 : 0);
-  glUseProgram(program.name());
-  glDispatchCompute(group_count(width), group_count(height), 1);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  dispatch(program, width, height);
 }
 
 }  // namespace
@@ -70,7 +74,8 @@ std::vector<vec4> ao_rotations(int noise_size, std::uint32_t seed) {
 Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,
                      std::uint32_t seed) {
   const gl::Program& program = context.program({{"ssao.comp"}, interface_defines() + ao_defines(params)});
-  const std::vector<vec4> kernel_points = ao_kernel(params.samples, seed);
+  std::vector<vec4> kernel_points = ao_kernel(params.samples, seed);
+  kernel_points.resize(slot("MAX_SAMPLES"));
   const std::vector<vec4> rotation_vectors = ao_rotations(params.noise_size, seed);
   const gl::Buffer kernel = gl::make_buffer("ao kernel", std::span<const vec4>(kernel_points));
   const gl::Buffer rotations = gl::make_buffer("ao rotations", std::span<const vec4>(rotation_vectors));
@@ -78,18 +83,20 @@ Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, cons
   const gl::Buffer ao_block = gl::make_block(
       "ao",
       AoBlock{params.samples, params.noise_size, static_cast<float>(params.radius), static_cast<float>(params.bias)});
+  const gl::Texture depth = gl::make_texture("ao linear depth", gl::Format::r32f, gbuffer.width, gbuffer.height);
   const gl::Texture raw = gl::make_texture("ao", gl::Format::r32f, gbuffer.width, gbuffer.height);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot("BUFFER_KERNEL"), kernel.name());
+  glBindBufferBase(GL_UNIFORM_BUFFER, slot("BLOCK_KERNEL"), kernel.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot("BUFFER_ROTATIONS"), rotations.name());
   glBindBufferBase(GL_UNIFORM_BUFFER, slot("BLOCK_VIEW"), view_block.name());
   glBindBufferBase(GL_UNIFORM_BUFFER, slot("BLOCK_AO"), ao_block.name());
   glBindTextureUnit(slot("TEXTURE_IDS"), gbuffer.ids.name());
   glBindTextureUnit(slot("TEXTURE_POSITION_DEPTH"), gbuffer.position_depth.name());
   glBindTextureUnit(slot("TEXTURE_GEOMETRIC_NORMAL"), gbuffer.geometric_normal.name());
+  glBindImageTexture(slot("IMAGE_DEPTH"), depth.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
+  dispatch(context.program({{"linear_depth.comp"}, interface_defines()}), gbuffer.width, gbuffer.height);
+  glBindTextureUnit(slot("TEXTURE_DEPTH"), depth.name());
   glBindImageTexture(slot("IMAGE_AO"), raw.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
-  glUseProgram(program.name());
-  glDispatchCompute(group_count(gbuffer.width), group_count(gbuffer.height), 1);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  dispatch(program, gbuffer.width, gbuffer.height);
 
   if (params.blur == AoBlur::box && params.blur_size > 1) {
     // A box is the product of its axes.

@@ -5,7 +5,7 @@
 #include "view.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
 layout(binding = TEXTURE_IDS) uniform usampler2D ids;
-layout(std430, binding = BUFFER_NORMALS) readonly buffer Normals { float normals[]; };
+layout(std430, binding = BUFFER_NORMALS) restrict readonly buffer Normals { float normals[]; };
 layout(binding = IMAGE_POSITION_DEPTH, rgba32f) writeonly uniform image2D position_depth;
 layout(binding = IMAGE_GEOMETRIC_NORMAL, rgba32f) writeonly uniform image2D geometric_normal;
 layout(binding = IMAGE_SHADING_NORMAL, rgba32f) writeonly uniform image2D shading_normal;
@@ -27,23 +27,29 @@ void main() {
     dvec3 direction = (ray_direction[0] + ndc.x * ray_direction[1] + ndc.y * ray_direction[2]).xyz;
 
     uvec3 v = vertices_of(id.x, id.y);
-    dvec3 a = world_from_mesh(id.x, dvec3(mesh_position(v.x))) - eye.xyz;
-    dvec3 b = world_from_mesh(id.x, dvec3(mesh_position(v.y))) - eye.xyz;
-    dvec3 c = world_from_mesh(id.x, dvec3(mesh_position(v.z))) - eye.xyz;
-    dvec3 p = cross(direction, c - a);
-    double determinant = dot(b - a, p);
-    dvec3 q = cross(origin - a, b - a);
+    vec3 mesh_a = mesh_position(v.x);
+    dvec4 r0 = instances[id.x].rows[0];
+    dvec4 r1 = instances[id.x].rows[1];
+    dvec4 r2 = instances[id.x].rows[2];
+    dmat3 linear = transpose(dmat3(r0.xyz, r1.xyz, r2.xyz));
+    // Relative to the eye; edges are taken in mesh space, where floats subtract exactly in double precision.
+    dvec3 a = linear * dvec3(mesh_a) + (dvec3(r0.w, r1.w, r2.w) - eye.xyz);
+    dvec3 ab = linear * (dvec3(mesh_position(v.y)) - dvec3(mesh_a));
+    dvec3 ac = linear * (dvec3(mesh_position(v.z)) - dvec3(mesh_a));
+    dvec3 p = cross(direction, ac);
+    double determinant = dot(ab, p);
+    dvec3 q = cross(origin - a, ab);
     dvec2 weight = abs(determinant) > 0.0lf ? dvec2(dot(origin - a, p), dot(direction, q)) / determinant
                                             : dvec2(1.0lf / 3.0lf);
     // Rasterisers snap vertices to a fraction of a pixel: the centre may lie a little outside of the true triangle.
     weight = max(weight, 0.0lf);
     weight /= max(1.0lf, weight.x + weight.y);
 
-    dvec3 relative = a + weight.x * (b - a) + weight.y * (c - a);
+    dvec3 relative = a + weight.x * ab + weight.y * ac;
     surfel = vec4(vec3(relative + eye.xyz), float(dot(relative, axis.xyz)));
 
     dvec3 viewer = is_orthographic != 0 ? -axis.xyz : -relative;
-    dvec3 n = normalize(cross(b - a, c - a));
+    dvec3 n = normalize(cross(ab, ac));
     if (dot(n, viewer) < 0.0lf) n = -n;
     flat_normal = vec3(n);
     smooth_normal = flat_normal;
@@ -51,10 +57,7 @@ void main() {
       dvec3 m = (1.0lf - weight.x - weight.y) * mesh_normal(v.x) + weight.x * mesh_normal(v.y) +
                 weight.y * mesh_normal(v.z);
       // Normals transform with the cofactors of the matrix: its inverse transpose but for a factor.
-      dvec3 r0 = instances[id.x].rows[0].xyz;
-      dvec3 r1 = instances[id.x].rows[1].xyz;
-      dvec3 r2 = instances[id.x].rows[2].xyz;
-      dvec3 s = dvec3(dot(cross(r1, r2), m), dot(cross(r2, r0), m), dot(cross(r0, r1), m));
+      dvec3 s = dvec3(dot(cross(r1.xyz, r2.xyz), m), dot(cross(r2.xyz, r0.xyz), m), dot(cross(r0.xyz, r1.xyz), m));
       double s_length = length(s);
       if (s_length > 0.0lf) {
         s /= s_length;

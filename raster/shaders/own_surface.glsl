@@ -5,7 +5,7 @@
 //
 // Coplanar triangles must compare as "not behind" although their stored vertices are rounded. A vertex is known to
 // half a unit in the last place of a float: with world = M·p + t, each coordinate within 2^-24·(|M|·|p| + |t|)
-// (p and t are floats in the file). Call the length of that vector, at its largest vertex, e. A point of the plane
+// (p and t are floats in the file). Call the length of that vector, with the largest |p| of the triangle, e. A point of the plane
 // with barycentric coordinates l moves by at most e·sum|l_i| when the vertices move by e; a point on the other
 // triangle moves by at most that triangle's e. So a signed distance within e_point + e_plane·sum|l_i| of zero may be
 // zero. Double precision adds 2^-53 of the same magnitudes, which is left out.
@@ -21,25 +21,20 @@ struct Facet {
   double vertex_error;  // e above, metres
 };
 
-dvec3 in_light(uint instance, dvec3 position) {
-  return dvec3(light_from_world * dvec4(world_from_mesh(instance, position), 1.0lf));
-}
-
-double vertex_error(uint instance, dvec3 position) {
-  dvec4 p = dvec4(abs(position), 1.0lf);
-  return half_ulp * length(dvec3(dot(abs(instances[instance].rows[0]), p), dot(abs(instances[instance].rows[1]), p),
-                                 dot(abs(instances[instance].rows[2]), p)));
-}
-
 Facet fetch_facet(uvec2 id) {
   uvec3 v = vertices_of(id.x, id.y);
-  dvec3 a = dvec3(mesh_position(v.x));
-  dvec3 b = dvec3(mesh_position(v.y));
-  dvec3 c = dvec3(mesh_position(v.z));
+  vec3 a = mesh_position(v.x);
+  vec3 b = mesh_position(v.y);
+  vec3 c = mesh_position(v.z);
+  dvec4 x = instances[id.x].rows[0];
+  dvec4 y = instances[id.x].rows[1];
+  dvec4 z = instances[id.x].rows[2];
+  // Edges are taken in mesh space: floats subtract exactly in double precision, and directions need no translation.
+  dmat3 light_from_mesh = dmat3(light_from_world) * transpose(dmat3(x.xyz, y.xyz, z.xyz));
   Facet f;
-  f.a = in_light(id.x, a);
-  f.ab = in_light(id.x, b) - f.a;
-  f.ac = in_light(id.x, c) - f.a;
+  f.a = light_from_mesh * dvec3(a) + dvec3(light_from_world * dvec4(x.w, y.w, z.w, 1.0lf));
+  f.ab = light_from_mesh * (dvec3(b) - dvec3(a));
+  f.ac = light_from_mesh * (dvec3(c) - dvec3(a));
   dvec3 n = cross(f.ab, f.ac);
   double area = length(n);
   f.normal = area > 0.0lf ? n / area : dvec3(0.0lf);
@@ -48,7 +43,8 @@ Facet fetch_facet(uvec2 id) {
 #else
   if (dot(f.normal, f.a) > 0.0lf) f.normal = -f.normal;
 #endif
-  f.vertex_error = max(vertex_error(id.x, a), max(vertex_error(id.x, b), vertex_error(id.x, c)));
+  dvec4 largest = dvec4(max(abs(a), max(abs(b), abs(c))), 1.0lf);
+  f.vertex_error = half_ulp * length(dvec3(dot(abs(x), largest), dot(abs(y), largest), dot(abs(z), largest)));
   return f;
 }
 
@@ -76,9 +72,8 @@ dvec3 sample_on(Facet f, dvec3 origin, dvec3 direction) {
   return f.a + weight.x * f.ab + weight.y * f.ac;
 }
 
-bool is_own(Receiver receiver, uvec2 receiver_id, ivec3 texel, uvec2 blocker_id) {
+bool is_own(Receiver receiver, uvec2 receiver_id, Facet own, ivec3 texel, uvec2 blocker_id) {
   if (receiver_id == blocker_id) return true;
-  Facet own = fetch_facet(receiver_id);
   Facet blocker = fetch_facet(blocker_id);
   // The surfel is stored as floats; what counts is the point of its triangle that it stands for.
   dvec3 r = receiver.in_light - own.normal * signed_distance(own, receiver.in_light);

@@ -7,9 +7,9 @@ struct InstanceData {
   uint flags;
   uint unused;
 };
-layout(std430, binding = BUFFER_INSTANCES) readonly buffer Instances { InstanceData instances[]; };
-layout(std430, binding = BUFFER_POSITIONS) readonly buffer Positions { float positions[]; };
-layout(std430, binding = BUFFER_INDICES) readonly buffer Indices { uint indices[]; };
+layout(std430, binding = BUFFER_INSTANCES) restrict readonly buffer Instances { InstanceData instances[]; };
+layout(std430, binding = BUFFER_POSITIONS) restrict readonly buffer Positions { float positions[]; };
+layout(std430, binding = BUFFER_INDICES) restrict readonly buffer Indices { uint indices[]; };
 
 dvec3 world_from_mesh(uint instance, dvec3 position) {
   dvec4 p = dvec4(position, 1.0lf);

@@ -5,9 +5,10 @@
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
 layout(binding = TEXTURE_IDS) uniform usampler2D ids;
 layout(binding = TEXTURE_POSITION_DEPTH) uniform sampler2D position_depth;
+layout(binding = TEXTURE_DEPTH) uniform sampler2D linear_depth;
 layout(binding = TEXTURE_GEOMETRIC_NORMAL) uniform sampler2D geometric_normal;
 layout(binding = IMAGE_AO, r32f) writeonly uniform image2D ao_image;
-layout(std430, binding = BUFFER_KERNEL) readonly buffer Kernel { vec4 kernel[]; };
+layout(std140, binding = BLOCK_KERNEL) uniform Kernel { vec4 kernel[MAX_SAMPLES]; };
 layout(std430, binding = BUFFER_ROTATIONS) readonly buffer Rotations { vec4 rotations[]; };
 layout(std140, binding = BLOCK_AO) uniform AoBlock {
   int samples;
@@ -40,13 +41,13 @@ void main() {
       vec4 clip = clip_from_view * vec4(point, 1.0);
       if (!(clip.w > 0.0)) continue;
       ivec2 seen = clamp(ivec2(floor((clip.xy / clip.w * 0.5 + 0.5) * vec2(size))), ivec2(0), size - 1);
-      if (texelFetch(ids, seen, 0).r == NO_ID) continue;
-      float seen_z = -texelFetch(position_depth, seen, 0).w;
-      float weight = 1.0;
+      float seen_z = -texelFetch(linear_depth, seen, 0).r;
+      if (!(seen_z >= point.z + bias)) continue;
 #if AO_RANGE_CHECK
-      weight = smoothstep(0.0, 1.0, radius / max(abs(position.z - seen_z), 1e-20));
+      occlusion += smoothstep(0.0, 1.0, radius / max(abs(position.z - seen_z), 1e-20));
+#else
+      occlusion += 1.0;
 #endif
-      if (seen_z >= point.z + bias) occlusion += weight;
     }
     ao = 1.0 - occlusion / float(samples);
   }

@@ -58,8 +58,9 @@ TEST(ShaderText, Log_lines_without_a_known_file_stay_as_they_are) {
 }
 
 TEST(EmbeddedShaders, Every_program_finds_all_that_it_includes) {
-  for (const char* file : {"gbuffer.vert", "gbuffer.frag", "gbuffer_resolve.comp", "shadow.vert", "shadow.geom",
-                           "shadow.frag", "visibility.comp", "ssao.comp", "box_blur.comp"}) {
+  for (const char* file :
+       {"gbuffer.vert", "gbuffer.frag", "gbuffer_resolve.comp", "classify.comp", "linear_depth.comp", "shadow.vert",
+        "shadow.geom", "shadow.frag", "visibility.comp", "ssao.comp", "box_blur.comp"}) {
     const gl::ShaderText shader = gl::resolve_includes(file, "");
     EXPECT_EQ(shader.text.find("#include"), std::string::npos) << file;
     EXPECT_NE(shader.text.find("void main()"), std::string::npos) << file;
