@@ -22,7 +22,8 @@ struct GlDevice {
 };
 
 /// All devices on which an OpenGL 4.5 core context can be made. Empty, never an error, where there is none.
-/// Makes and destroys a context on each: call it while no Context of this thread is in use.
+/// Makes and destroys a context on each: call it while no Context of this thread is in use, and after
+/// Context::make() where ContextOptions::threads counts.
 std::vector<GlDevice> list_gl_devices();
 
 namespace gl {

@@ -5,7 +5,9 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
+#include "core/error.h"
 #include "test_scenes.h"
 
 namespace umbrameter {
@@ -54,18 +56,29 @@ std::uint64_t render_everything(const gl::Context& context) {
   return digest(hash, draw_ao(context, surfels, view, {}, 3).pixels);
 }
 
-class DeterminismGl : public GlTest {};
+// The number of threads is fixed when the driver starts, so that each number needs a process of its own, whose first
+// call makes the context.
+constexpr const char* threads_variable = "UMBRAMETER_TEST_THREADS";
 
-TEST_F(DeterminismGl, Two_runs_give_the_same_bits) {
-  EXPECT_EQ(render_everything(context()), render_everything(context()));
+TEST(DeterminismGl, Two_runs_give_the_same_bits) {
+  const char* threads = std::getenv(threads_variable);
+  std::optional<gl::Context> made;
+  try {
+    made = gl::Context::make({.device = {}, .threads = threads != nullptr ? std::atoi(threads) : 0});
+  } catch (const Error&) {
+    GTEST_SKIP() << "no driver";
+  }
+  const gl::Context& context = *made;
+  const std::uint64_t first = render_everything(context);
+  EXPECT_EQ(render_everything(context), first);
+  std::printf("digest %016llx\n", static_cast<unsigned long long>(first));
 }
 
-// The number of threads is fixed when the driver starts, so each number needs a process of its own: this program,
-// run again for the test below.
+// What the test above prints, run again with that many threads.
 std::string digest_with_threads(int threads) {
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
-  const std::string command = "UMBRAMETER_TEST_THREADS=" + std::to_string(threads) + " '" + program +
-                              "' --gtest_also_run_disabled_tests --gtest_filter=RenderedDigest.* 2>/dev/null";
+  const std::string command = std::string(threads_variable) + "=" + std::to_string(threads) + " '" + program +
+                              "' --gtest_filter=DeterminismGl.Two_runs_give_the_same_bits 2>/dev/null";
   const auto close = [](FILE* file) { pclose(file); };
   const std::unique_ptr<FILE, decltype(close)> pipe(popen(command.c_str(), "r"), close);
   std::string output;
@@ -77,16 +90,11 @@ std::string digest_with_threads(int threads) {
   return at == std::string::npos ? output : output.substr(at, output.find('\n', at) - at);
 }
 
-TEST_F(DeterminismGl, One_and_two_threads_give_the_same_bits) {
+TEST(DeterminismGl, One_and_two_threads_give_the_same_bits) {
   const std::string one = digest_with_threads(1);
+  if (one.find("no driver") != std::string::npos) GTEST_SKIP() << "no driver";
   EXPECT_EQ(one.substr(0, 7), "digest ") << one;
   EXPECT_EQ(one, digest_with_threads(2));
-}
-
-TEST(RenderedDigest, DISABLED_Is_printed_for_the_number_of_threads_in_the_environment) {
-  const char* threads = std::getenv("UMBRAMETER_TEST_THREADS");
-  const gl::Context context = gl::Context::make({.device = {}, .threads = threads != nullptr ? std::atoi(threads) : 0});
-  std::printf("digest %016llx\n", static_cast<unsigned long long>(render_everything(context)));
 }
 
 }  // namespace
