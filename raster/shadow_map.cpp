@@ -110,7 +110,7 @@ dvec3 cube_direction(const LightFrame& frame, int face, int x, int y) {
   const double step = 2.0 * frame.half_extent / frame.resolution;
   const double u = (x + 0.5) * step - frame.half_extent;
   const double v = frame.half_extent - (y + 0.5) * step;
-  const dvec4* basis = block.face_basis + 3 * face;
+  const dvec4* basis = &block.face_basis[3 * static_cast<std::size_t>(face)];
   return glm::normalize(dvec3(u * basis[0] + v * basis[1] + basis[2]));
 }
 

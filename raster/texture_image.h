@@ -34,12 +34,8 @@ std::vector<Image<T>> read_layers(const gl::Texture& texture, gl::Format format,
     Image<T>& image = images.emplace_back();
     image.width = size.width;
     image.height = size.height;
-    if (layers == 1) {
-      image.pixels = std::move(all);
-    } else {
-      const auto first = all.begin() + static_cast<std::ptrdiff_t>(layer * count);
-      image.pixels.assign(first, first + static_cast<std::ptrdiff_t>(count));
-    }
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(layer * count);
+    image.pixels.assign(first, first + static_cast<std::ptrdiff_t>(count));
     flip_rows(std::span<T>(image.pixels), image.width, image.height);
   }
   return images;
@@ -47,7 +43,11 @@ std::vector<Image<T>> read_layers(const gl::Texture& texture, gl::Format format,
 
 template <class T>
 Image<T> read_image(const gl::Texture& texture, gl::Format format) {
-  return std::move(read_layers<T>(texture, format, 1).front());
+  const gl::TextureSize size = gl::size_of(texture);
+  Image<T> image(size.width, size.height);
+  gl::read_texels(texture, format, std::as_writable_bytes(std::span<T>(image.pixels)));
+  flip_rows(std::span<T>(image.pixels), image.width, image.height);
+  return image;
 }
 
 template <class T>

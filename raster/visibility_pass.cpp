@@ -72,6 +72,7 @@ RasterVisibility draw_visibility(const gl::Context& context, const UploadedScene
 
   RasterVisibility result;
   result.visibility = read_image<float>(visibility, gl::Format::r32f);
+  result.classes = Image<vec4>(gbuffer.width, gbuffer.height, vec4(0));
   if (has_truth) {
     result.classes = draw_classes(context.program({{"classify.comp"}, defines}), gbuffer, wrong_pixels);
   }

@@ -15,7 +15,7 @@ namespace umbrameter {
 struct RasterVisibility {
   Image<float> visibility;  ///< 1 lit, 0 blocked; 0 where turned away, 1 on background; lit off the map
   /// Share of wrong taps by cause, in x acne, y false occlusion, z peter-panning, w light leak; 0 on background and
-  /// where turned away. Their sum is |visibility − truth| where the truth is binary. Empty without a truth.
+  /// where turned away, and everywhere without a truth. Their sum is |visibility − truth| where the truth is binary.
   Image<vec4> classes;
 };
 

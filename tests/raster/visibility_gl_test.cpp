@@ -1,4 +1,5 @@
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "test_scenes.h"
@@ -159,6 +160,49 @@ TEST_F(VisibilityGl, Visibility_never_falls_as_the_bias_grows) {
       }
       EXPECT_GT(grown, 0.3);
     }
+  }
+}
+
+// The bias at which a surfel flips, to a relative 1e-6.
+double flip_bias(const std::function<bool(double)>& is_lit, double blocked, double lit) {
+  EXPECT_FALSE(is_lit(blocked));
+  EXPECT_TRUE(is_lit(lit));
+  while (lit - blocked > 1e-6 * lit) {
+    const double middle = 0.5 * (blocked + lit);
+    (is_lit(middle) ? lit : blocked) = middle;
+  }
+  return lit;
+}
+
+TEST_F(VisibilityGl, Constant_and_slope_scaled_bias_flip_a_tap_at_its_critical_bias_for_every_kind_of_light) {
+  // A slab two metres above the floor: its critical bias is the receiver's depth less the slab's.
+  Scene scene;
+  add_mesh(scene, ground(30));
+  add_mesh(scene, quad({-20, 2, 20}, {20, 2, 20}, {20, 2, -20}, {-20, 2, -20}));
+  const UploadedScene uploaded = upload(context(), scene);
+  const dvec3 position(0.7, 0, -0.4);
+  GBuffer one = surfels_on_ground(1, 1, 0, 1, 0, 1);
+  one.position[0] = vec3(position);
+  const GpuGBuffer surfel = upload(context(), one);
+  for (const Light& light :
+       {directional_light({1.5, 4, 1}), spot_light({3, 6, 2}, {0, 0, 0}, 0.7), point_light({3, 6, 2.5})}) {
+    const LightFrame frame = fit_light(light, bounds_of(scene), 1024);
+    const ShadowMap map = draw_shadow_map(context(), uploaded, light, frame, {});
+    const auto is_lit = [&](double constant, double slope) {
+      ShadowParams params;
+      params.constant_bias = constant;
+      params.slope_bias = slope;
+      return draw_visibility(context(), uploaded, surfel, map, light, params, nullptr).visibility[0] == 1.0f;
+    };
+    const dvec3 l = to_light(light, position);
+    const double tangent = std::sqrt(1.0 - l.y * l.y) / l.y;
+    const double texel = texel_at(frame, position);
+    const double beta = flip_bias([&](double bias) { return is_lit(bias, 0.0); }, 0.0, 50.0);
+    // The ray meets the slab 2 / l.y before the floor; the sample is up to half a texel's diagonal aside.
+    const double along = 2.0 / l.y * (frame.kind == MapKind::perspective ? glm::dot(-light.axis(), l) : 1.0);
+    EXPECT_NEAR(beta, along, texel * (1.0 + tangent));
+    const double factor = flip_bias([&](double slope) { return is_lit(0.0, slope); }, 0.0, 1e5);
+    EXPECT_NEAR(factor * texel * tangent, beta, 1e-5 * beta) << "one texel of slope is texel_at times tan";
   }
 }
 
