@@ -1,0 +1,72 @@
+// The only file that knows which Embree it is: 3.13 takes a context, 4 an arguments struct.
+// For raytrace/*.cpp alone.
+#pragma once
+
+#if UMBRAMETER_EMBREE_MAJOR >= 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+namespace umbrameter::embree {
+
+#if UMBRAMETER_EMBREE_MAJOR >= 4
+using Context = RTCRayQueryContext;
+#else
+using Context = RTCIntersectContext;
+#endif
+
+/// A query whose filter sees every hit. Embree hands the filter a pointer to `context`, the first member, so that a
+/// standard-layout struct that begins with a Query can be recovered from it.
+struct Query {
+  Context context;
+  RTCFilterFunctionN filter = nullptr;
+  bool coherent = false;  ///< neighbouring rays take similar ways
+};
+
+inline void prepare(Query& query, RTCFilterFunctionN filter, bool coherent) {
+#if UMBRAMETER_EMBREE_MAJOR >= 4
+  rtcInitRayQueryContext(&query.context);
+#else
+  rtcInitIntersectContext(&query.context);
+  query.context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  query.context.filter = filter;
+#endif
+  query.filter = filter;
+  query.coherent = coherent;
+}
+
+#if UMBRAMETER_EMBREE_MAJOR >= 4
+template <class Arguments>
+void fill(Arguments& arguments, Query& query) {
+  const int coherence = query.coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+  arguments.flags = static_cast<RTCRayQueryFlags>(coherence | RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER);
+  arguments.context = &query.context;
+  arguments.filter = query.filter;
+}
+#endif
+
+inline void intersect1(RTCScene scene, RTCRayHit& ray, Query& query) {
+#if UMBRAMETER_EMBREE_MAJOR >= 4
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  fill(arguments, query);
+  rtcIntersect1(scene, &ray, &arguments);
+#else
+  rtcIntersect1(scene, &query.context, &ray);
+#endif
+}
+
+/// valid[i] is −1 for lanes in use and 0 else; a blocked lane's tfar becomes −∞.
+inline void occluded16(const int* valid, RTCScene scene, RTCRay16& rays, Query& query) {
+#if UMBRAMETER_EMBREE_MAJOR >= 4
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  fill(arguments, query);
+  rtcOccluded16(valid, scene, &rays, &arguments);
+#else
+  rtcOccluded16(valid, scene, &query.context, &rays);
+#endif
+}
+
+}  // namespace umbrameter::embree

@@ -1,0 +1,71 @@
+// Sixteen occlusion rays traced together. For raytrace/*.cpp alone.
+#pragma once
+
+#include "raytrace/tracer_state.h"
+
+namespace umbrameter {
+
+struct ShadowRay {
+  vec3 origin{0};
+  vec3 direction{0};  ///< unit
+  float reach = 0;    ///< metres; hits beyond do not block
+};
+
+class Packet {
+ public:
+  static constexpr int width = 16;
+
+  Packet(const Tracer::State& state, bool coherent) : state_(&state) {
+    prepare(query_, state, false, coherent);
+    for (int lane = 0; lane < width; ++lane) {
+      rays_.tnear[lane] = 0.0f;
+      rays_.time[lane] = 0.0f;
+      rays_.mask[lane] = 0xffffffffu;
+      rays_.id[lane] = static_cast<unsigned>(lane);
+      rays_.flags[lane] = 0;
+      valid_[lane] = 0;
+    }
+  }
+
+  int size() const { return size_; }
+  bool is_full() const { return size_ == width; }
+  void clear() {
+    size_ = 0;
+    for (int& valid : valid_) valid = 0;
+  }
+
+  /// Takes the next lane; own is the triangle that the ray leaves and never hits.
+  void add(const ShadowRay& ray, std::uint32_t own_instance, std::uint32_t own_triangle) {
+    query_.own_instance[size_] = own_instance;
+    query_.own_triangle[size_] = own_triangle;
+    aim(size_, ray);
+    ++size_;
+  }
+
+  /// Gives a lane in use another ray from the same triangle.
+  void aim(int lane, const ShadowRay& ray) {
+    rays_.org_x[lane] = ray.origin.x;
+    rays_.org_y[lane] = ray.origin.y;
+    rays_.org_z[lane] = ray.origin.z;
+    rays_.dir_x[lane] = ray.direction.x;
+    rays_.dir_y[lane] = ray.direction.y;
+    rays_.dir_z[lane] = ray.direction.z;
+    rays_.tfar[lane] = ray.reach;
+    valid_[lane] = -1;
+  }
+
+  void trace() {
+    if (size_ > 0) embree::occluded16(valid_, state_->top.get(), rays_, query_.query);
+  }
+  /// After trace(). Embree marks a blocked ray by tfar = −∞.
+  bool is_blocked(int lane) const { return rays_.tfar[lane] < 0.0f; }
+
+ private:
+  const Tracer::State* state_;
+  RayQuery query_;
+  RTCRay16 rays_;
+  alignas(64) int valid_[width];
+  int size_ = 0;
+};
+
+}  // namespace umbrameter

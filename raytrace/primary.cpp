@@ -1,0 +1,124 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "raytrace/tracer_state.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr int tile_size = 32;
+
+struct Hit {
+  std::uint32_t instance = no_id;
+  std::uint32_t triangle = no_id;
+};
+
+// Metres from the near plane to the far plane along a ray.
+double reach(const View& view, const dvec3& direction) {
+  const auto [near_plane, far_plane] =
+      std::visit([](const auto& projection) { return std::pair(projection.near_plane, projection.far_plane); },
+                 view.camera.projection);
+  if (std::isinf(far_plane)) return far_plane;
+  const dvec3 axis = -glm::normalize(dvec3(view.camera.world_from_camera[2]));
+  return (far_plane - near_plane) / glm::dot(axis, direction);
+}
+
+Hit first_hit(const Tracer::State& state, const Ray& ray, double reach) {
+  RayQuery query;
+  prepare(query, state, true, true);
+  query.primary_direction = ray.direction;
+  const vec3 origin(ray.origin);
+  const vec3 direction(ray.direction);
+  RTCRayHit hit;
+  hit.ray.org_x = origin.x;
+  hit.ray.org_y = origin.y;
+  hit.ray.org_z = origin.z;
+  hit.ray.dir_x = direction.x;
+  hit.ray.dir_y = direction.y;
+  hit.ray.dir_z = direction.z;
+  hit.ray.tnear = 0.0f;
+  hit.ray.tfar = static_cast<float>(std::min(reach, static_cast<double>(std::numeric_limits<float>::max())));
+  hit.ray.time = 0.0f;
+  hit.ray.mask = 0xffffffffu;
+  hit.ray.id = 0;
+  hit.ray.flags = 0;
+  hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  embree::intersect1(state.top.get(), hit, query.query);
+  if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  return {hit.hit.instID[0] != RTC_INVALID_GEOMETRY_ID ? hit.hit.instID[0] : hit.hit.geomID, hit.hit.primID};
+}
+
+// Where the ray meets the triangle, as weights of its second and third corner, in double precision; clamped to the
+// triangle, since Embree's own test rounds. (Moeller and Trumbore, JGT 2(1), 1997.)
+dvec2 weights_at(const Triangle& t, const Ray& ray) {
+  const dvec3 ab = t.b - t.a;
+  const dvec3 ac = t.c - t.a;
+  const dvec3 p = glm::cross(ray.direction, ac);
+  const double determinant = glm::dot(ab, p);
+  if (determinant == 0.0) return dvec2(1.0 / 3.0);
+  const dvec3 offset = ray.origin - t.a;
+  const dvec3 q = glm::cross(offset, ab);
+  const dvec2 weight = glm::max(dvec2(glm::dot(offset, p), glm::dot(ray.direction, q)) / determinant, dvec2(0.0));
+  return weight / std::max(1.0, weight.x + weight.y);
+}
+
+template <class Attribute>
+auto interpolate(const std::vector<Attribute>& values, const uvec3& vertices, const dvec2& weight) {
+  using Exact = glm::vec<Attribute::length(), double>;
+  return (1.0 - weight.x - weight.y) * Exact(values[vertices.x]) + weight.x * Exact(values[vertices.y]) +
+         weight.y * Exact(values[vertices.z]);
+}
+
+void write_surfel(GBuffer& gbuffer, std::size_t i, const Scene& scene, const View& view, const Ray& ray,
+                  const Hit& hit) {
+  const Instance& placed = scene.instances[hit.instance];
+  const Mesh& mesh = scene.meshes[placed.mesh];
+  const uvec3 vertices = mesh.triangles[hit.triangle];
+  const Triangle triangle = world_triangle(scene, hit.instance, hit.triangle);
+  const dvec2 weight = weights_at(triangle, ray);
+  const dvec3 position = triangle.a + weight.x * (triangle.b - triangle.a) + weight.y * (triangle.c - triangle.a);
+  const dvec3 viewer = to_viewer(view, position);
+  dvec3 normal = glm::normalize(glm::cross(triangle.b - triangle.a, triangle.c - triangle.a));
+  if (glm::dot(normal, viewer) < 0.0) normal = -normal;
+  dvec3 smooth = normal;
+  if (!mesh.normals.empty()) {
+    // Normals transform by the inverse transpose.
+    const dvec3 turned =
+        glm::transpose(glm::inverse(dmat3(placed.world_from_mesh))) * interpolate(mesh.normals, vertices, weight);
+    const double length = glm::length(turned);
+    if (length > 0.0) smooth = turned / length;
+    if (glm::dot(smooth, normal) < 0.0) smooth = -smooth;
+  }
+  gbuffer.instance[i] = hit.instance;
+  gbuffer.triangle[i] = hit.triangle;
+  gbuffer.position[i] = vec3(position);
+  gbuffer.geometric_normal[i] = vec3(normal);
+  gbuffer.shading_normal[i] = vec3(smooth);
+  const vec2 texcoord = mesh.texcoords.empty() ? vec2(0) : vec2(interpolate(mesh.texcoords, vertices, weight));
+  gbuffer.albedo[i] = vec3(base_color_at(scene, scene.materials[mesh.material], texcoord));
+  gbuffer.depth[i] = static_cast<float>(-(view_from_world(view) * dvec4(position, 1.0)).z);
+}
+
+}  // namespace
+
+GBuffer trace_gbuffer(const Tracer& tracer, const View& view, const Progress& progress) {
+  GBuffer gbuffer(view.width, view.height);
+  parallel_tiles(
+      view.width, view.height, tile_size,
+      [&](const Tile& tile) {
+        for (int y = tile.y_begin; y < tile.y_end; ++y) {
+          for (int x = tile.x_begin; x < tile.x_end; ++x) {
+            const Ray ray = pixel_ray(view, x, y);
+            const Hit hit = first_hit(tracer.state(), ray, reach(view, ray.direction));
+            if (hit.instance == no_id) continue;
+            write_surfel(gbuffer, gbuffer.instance.index(x, y), tracer.scene(), view, ray, hit);
+          }
+        }
+      },
+      progress);
+  return gbuffer;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,100 @@
+#include "raytrace/surfel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "raytrace/tracer_state.h"
+
+namespace umbrameter {
+namespace {
+
+// Half a unit in the last place of a float: the relative error of one rounding (Higham, Accuracy and Stability of
+// Numerical Algorithms, 2002, theorem 2.2).
+constexpr double u = 0x1p-24;
+
+dvec3 absolute(const dvec3& v) { return glm::abs(v); }
+dmat3 absolute(const dmat3& m) { return {glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2])}; }
+
+// Largest distance by which a vertex of the triangle may stand off its ideal place: file coordinates p and the
+// translation t are floats that were rounded once, |M|·|p| + |t| to first order; storing the world position as a
+// float rounds once more.
+double vertex_error(const Scene& scene, std::uint32_t instance, std::uint32_t triangle) {
+  const Instance& placed = scene.instances[instance];
+  const Mesh& mesh = scene.meshes[placed.mesh];
+  const dmat3 linear = absolute(dmat3(placed.world_from_mesh));
+  const dvec3 translation = absolute(dvec3(placed.world_from_mesh[3]));
+  double error = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    const dvec3 p = absolute(dvec3(mesh.positions[mesh.triangles[triangle][c]]));
+    error = std::max(error, glm::length(linear * p + translation));
+  }
+  return 2.0 * u * error;
+}
+
+// Embree takes a ray into the space of a shared mesh with a float matrix: the matrix, its inverse's four terms a row
+// and the products round, six roundings in all, seen from the world through the matrix itself.
+double transform_error(const Instance& placed, const dvec3& position) {
+  const dmat3 linear(placed.world_from_mesh);
+  const dmat3 inverse = absolute(glm::inverse(linear));
+  const dvec3 local = inverse * (absolute(position) + absolute(dvec3(placed.world_from_mesh[3])));
+  return 6.0 * u * glm::length(absolute(linear) * local);
+}
+
+}  // namespace
+
+dvec3 nearest_point(const Triangle& triangle, const dvec3& position) {
+  const auto& [a, b, c] = triangle;
+  const dvec3 ab = b - a;
+  const dvec3 ac = c - a;
+  const dvec3 ap = position - a;
+  const double d1 = glm::dot(ab, ap);
+  const double d2 = glm::dot(ac, ap);
+  if (d1 <= 0.0 && d2 <= 0.0) return a;
+  const dvec3 bp = position - b;
+  const double d3 = glm::dot(ab, bp);
+  const double d4 = glm::dot(ac, bp);
+  if (d3 >= 0.0 && d4 <= d3) return b;
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + ab * (d1 / (d1 - d3));
+  const dvec3 cp = position - c;
+  const double d5 = glm::dot(ab, cp);
+  const double d6 = glm::dot(ac, cp);
+  if (d6 >= 0.0 && d5 <= d6) return c;
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + ac * (d2 / (d2 - d6));
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0.0 && d4 >= d3 && d5 >= d6) return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
+  const double scale = 1.0 / (va + vb + vc);
+  return a + ab * (vb * scale) + ac * (vc * scale);
+}
+
+// The ray's own triangle is left out by its id; the step is for its neighbours in the same plane, which must not be
+// hit although they, the ray and the test are rounded. Along the normal these errors add up:
+//   vertices of the neighbour and of the own triangle            2 · vertex_error
+//   the origin, rounded to floats                                u · |p|
+//   the origin, taken into a shared mesh's space                 transform_error
+//   Embree's distance to the neighbour's plane, (v − o)·N / |N|: differences, a dot product of three terms and the
+//   normal's own rounding, at most eight roundings of lengths up to an edge       8u · longest edge
+// (Waechter and Binder, A Fast and Robust Method for Avoiding Self-Intersection, Ray Tracing Gems, 2019, chapter 6,
+// measure the same sources; Pharr, Jakob and Humphreys, Physically Based Rendering, 4th ed., 6.8, bound them this way.)
+RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel) {
+  const Scene& scene = tracer.scene();
+  const std::uint32_t instance = gbuffer.instance[pixel];
+  const std::uint32_t id = gbuffer.triangle[pixel];
+  const Triangle triangle = world_triangle(scene, instance, id);
+  RayOrigin origin;
+  origin.surface = nearest_point(triangle, dvec3(gbuffer.position[pixel]));
+  const dvec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
+  const double area = glm::length(normal);
+  const dvec3 seen(gbuffer.geometric_normal[pixel]);
+  origin.normal = area > 0.0 ? normal / area : seen;
+  if (glm::dot(origin.normal, seen) < 0.0) origin.normal = -origin.normal;
+
+  const InstanceInfo& info = tracer.state().instances[instance];
+  origin.offset =
+      2.0 * vertex_error(scene, instance, id) + u * glm::length(origin.surface) + 8.0 * u * info.longest_edge;
+  if (info.is_shared) origin.offset += transform_error(scene.instances[instance], origin.surface);
+  return origin;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,23 @@
+// From a G-buffer pixel to the point that its rays leave from. For raytrace/*.cpp alone.
+#pragma once
+
+#include "core/gbuffer.h"
+#include "raytrace/tracer.h"
+
+namespace umbrameter {
+
+/// The exact surface point of a pixel and the step off it.
+struct RayOrigin {
+  dvec3 surface;      ///< the surfel projected onto its own triangle, world
+  dvec3 normal;       ///< unit, of the triangle, on the side of the surfel's geometric normal
+  double offset = 0;  ///< metres along the normal
+  dvec3 point() const { return surface + offset * normal; }
+};
+
+/// The point of a triangle that is nearest to a position (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
+dvec3 nearest_point(const Triangle& triangle, const dvec3& position);
+
+/// The least step along the normal after which rounding cannot put a ray behind the surface that it leaves.
+RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel);
+
+}  // namespace umbrameter

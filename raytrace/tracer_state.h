@@ -1,0 +1,55 @@
+// What a Tracer holds, for raytrace/*.cpp alone.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+#include "raytrace/embree.h"
+#include "raytrace/tracer.h"
+
+namespace umbrameter {
+
+struct DeviceDeleter {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct SceneDeleter {
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using DevicePtr = std::unique_ptr<std::remove_pointer_t<RTCDevice>, DeviceDeleter>;
+using ScenePtr = std::unique_ptr<std::remove_pointer_t<RTCScene>, SceneDeleter>;
+
+struct InstanceInfo {
+  bool is_shared = false;  ///< its mesh has an acceleration structure of its own; else it is stored in world space
+  bool is_masked = false;
+  bool culls_back = false;    ///< primary rays pass through its back faces
+  double longest_edge = 0.0;  ///< of its triangles, world, metres
+};
+
+struct Tracer::State {
+  explicit State(const Scene& traced) : scene(traced) {}
+  const Scene& scene;
+  std::atomic<std::int64_t> bytes{0};
+  // In this order: scenes go before their device, the device before the counter that it reports to.
+  DevicePtr device;
+  std::vector<ScenePtr> mesh_scenes;  ///< by mesh; empty where the mesh is stored in world space
+  ScenePtr top;                       ///< geometry id or instance id = index in Scene::instances
+  std::vector<InstanceInfo> instances;
+  BuildStatistics statistics;
+};
+
+/// A packet of rays and what its filter needs to know of them; ray.id is the lane.
+struct RayQuery {
+  embree::Query query;  // first: see embree.h
+  const Tracer::State* state = nullptr;
+  std::uint32_t own_instance[16];
+  std::uint32_t own_triangle[16];
+  bool is_primary = false;
+  dvec3 primary_direction{0.0};
+};
+
+/// Lets a hit count unless it is the ray's own triangle, a masked-out point, or a culled back face of a primary ray.
+void prepare(RayQuery& query, const Tracer::State& state, bool is_primary, bool coherent);
+
+}  // namespace umbrameter
