@@ -19,8 +19,9 @@
 namespace umbrameter {
 namespace {
 
-constexpr const char* remedy =
+constexpr const char* install_remedy =
     "install a driver (Debian: libegl-mesa0 and libgl1-mesa-dri) or see 'umbrameter info' for the devices";
+constexpr const char* choose_remedy = "choose a device that 'umbrameter info' lists, or leave --gl-device out";
 
 struct Candidate {
   EGLDisplay display = EGL_NO_DISPLAY;
@@ -194,7 +195,7 @@ Context Context::make(const ContextOptions& options) {
     throw Error(ExitCode::no_backend, "OpenGL",
                 "no EGL device" + wanted + " gives an OpenGL 4.5 core context (" +
                     (why_not.empty() ? "EGL offers no device" : why_not) + ")",
-                remedy);
+                options.device.empty() || why_not.empty() ? install_remedy : choose_remedy);
   }
   auto state = std::make_unique<State>();
   state->opened = *opened;

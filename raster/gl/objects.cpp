@@ -21,8 +21,6 @@ FormatNames names_of(Format format) {
       return {GL_R32F, GL_RED, GL_FLOAT, 4};
     case Format::rgba32f:
       return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
-    case Format::r32ui:
-      return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4};
     case Format::rg32ui:
       return {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 8};
     case Format::rgba8:

@@ -74,7 +74,7 @@ Buffer make_block(const std::string& label, const Block& block) {
   return make_buffer(label, std::as_bytes(std::span<const Block, 1>(&block, 1)));
 }
 
-enum class Format { r32f, rgba32f, r32ui, rg32ui, rgba8, depth32f };
+enum class Format { r32f, rgba32f, rg32ui, rgba8, depth32f };
 
 /// Bytes of one texel.
 std::size_t texel_bytes(Format format);
