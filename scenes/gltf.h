@@ -11,7 +11,9 @@ namespace umbrameter {
 /// What was assumed or left out stands in Scene::notes.
 Scene load_gltf(const std::filesystem::path& path);
 
-/// Serialises as one binary glTF that load_gltf() reads back the same. Deterministic.
+/// Serialises as one binary glTF that load_gltf() reads back the same, bit for bit, notes aside. Deterministic.
+/// Not kept: objects without instances, textures that no material uses, the alpha cutoff of materials without a mask;
+/// an object whose instances stand at different places becomes one object a place.
 std::vector<unsigned char> to_glb(const Scene& scene);
 
 }  // namespace umbrameter

@@ -9,10 +9,6 @@
 #include "scenes/gltf_document.h"
 
 #define TINYGLTF_IMPLEMENTATION
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#define TINYGLTF_NO_EXTERNAL_IMAGE
-#define TINYGLTF_NO_FS
 #include <tiny_gltf.h>
 
 namespace umbrameter::gltf {
