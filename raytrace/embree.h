@@ -12,8 +12,10 @@ namespace umbrameter::embree {
 
 #if UMBRAMETER_EMBREE_MAJOR >= 4
 using Context = RTCRayQueryContext;
+inline constexpr RTCSceneFlags query_filter_flag = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
 #else
 using Context = RTCIntersectContext;
+inline constexpr RTCSceneFlags query_filter_flag = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
 #endif
 
 /// A query whose filter sees every hit. Embree hands the filter a pointer to `context`, the first member, so that a

@@ -63,7 +63,7 @@ void attach_instance(RTCDevice device, RTCScene target, unsigned id, RTCScene me
 ScenePtr new_scene(RTCDevice device) {
   ScenePtr scene(rtcNewScene(device));
   // Robust: rays that pass through a shared edge hit one of the two triangles.
-  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneFlags(scene.get(), static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | embree::query_filter_flag));
   rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_MEDIUM);
   return scene;
 }
