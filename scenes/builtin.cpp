@@ -1,0 +1,58 @@
+#include "scenes/builtin.h"
+
+#include <array>
+#include <filesystem>
+#include <system_error>
+
+#include "core/error.h"
+#include "core/parameters.h"
+#include "scenes/builtin/scenes.h"
+#include "scenes/gltf.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::array<BuiltinScene, 5> scenes{{
+    {"courtyard", "an arcaded court at midday: fine casters on large receivers, everything at once",
+     builtin::make_courtyard},
+    {"tilted-plane", "one plane under suns at known angles: acne whose share is known from mathematics",
+     builtin::make_tilted_plane},
+    {"contact-box", "nine boxes 0 to 20 cm above the ground: shadows that bias detaches", builtin::make_contact_box},
+    {"thin-leaf", "sheets 1 cm and 1 mm thick, lying and standing: casters that bias erases", builtin::make_thin_leaf},
+    {"corner", "three thick walls at right angles: light leaking along inner edges, AO of 1/4", builtin::make_corner},
+}};
+
+bool looks_like_a_path(const std::string& text) {
+  return text.find('/') != std::string::npos || std::filesystem::path(text).has_extension();
+}
+
+[[noreturn]] void fail_unknown(const std::string& text) {
+  std::string names;
+  std::string_view nearest = scenes.front().name;
+  for (const BuiltinScene& scene : scenes) {
+    names.append(names.empty() ? "" : ", ").append(scene.name);
+    if (edit_distance(text, scene.name) < edit_distance(text, nearest)) nearest = scene.name;
+  }
+  // A wider guess would be none.
+  const bool is_near = edit_distance(text, nearest) <= 3;
+  throw Error(ExitCode::unreadable_input, "scene '" + text + "'", "neither a file nor a built-in scene",
+              (is_near ? "did you mean '" + std::string(nearest) + "'? " : std::string()) +
+                  "give a .gltf or .glb file, or one of: " + names);
+}
+
+}  // namespace
+
+std::span<const BuiltinScene> builtin_scenes() { return scenes; }
+
+Scene load_scene(const std::string& name_or_path) {
+  for (const BuiltinScene& scene : scenes) {
+    if (scene.name == name_or_path) return scene.make();
+  }
+  std::error_code ignored;
+  if (name_or_path.empty() || (!looks_like_a_path(name_or_path) && !std::filesystem::exists(name_or_path, ignored))) {
+    fail_unknown(name_or_path);
+  }
+  return load_gltf(name_or_path);
+}
+
+}  // namespace umbrameter

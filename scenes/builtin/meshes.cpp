@@ -1,0 +1,88 @@
+#include <algorithm>
+#include <cmath>
+
+#include "scenes/builtin/shapes.h"
+
+namespace umbrameter::builtin {
+namespace {
+
+// Twice the area times the unit normal.
+dvec3 face_vector(const std::vector<dvec3>& points, const uvec3& face) {
+  return glm::cross(points[face.y] - points[face.x], points[face.z] - points[face.x]);
+}
+
+}  // namespace
+
+Mesh to_mesh(const std::string& name, const Shape& shape, std::uint32_t material, double crease,
+             const std::function<vec2(const dvec3&)>& texcoord) {
+  Mesh mesh;
+  mesh.name = name;
+  mesh.material = material;
+  std::vector<std::vector<std::uint32_t>> faces_at(shape.points.size());
+  std::vector<dvec3> vectors;
+  for (const uvec3& face : shape.faces) {
+    const auto index = static_cast<std::uint32_t>(vectors.size());
+    vectors.push_back(face_vector(shape.points, face));
+    for (int corner = 0; corner < 3; ++corner) faces_at[face[corner]].push_back(index);
+  }
+  const double limit = std::cos(crease * pi / 180.0);
+  std::vector<std::vector<std::uint32_t>> vertices_at(shape.points.size());
+  for (std::uint32_t index = 0; index < shape.faces.size(); ++index) {
+    uvec3 triangle;
+    for (int corner = 0; corner < 3; ++corner) {
+      const std::uint32_t point = shape.faces[index][corner];
+      dvec3 sum(0.0);
+      for (const std::uint32_t other : faces_at[point]) {
+        const double bend = glm::dot(glm::normalize(vectors[index]), glm::normalize(vectors[other]));
+        if (bend >= limit) sum += vectors[other];
+      }
+      const vec3 normal = glm::normalize(vec3(glm::normalize(sum)));
+      auto& candidates = vertices_at[point];
+      const auto same = std::find_if(candidates.begin(), candidates.end(), [&](std::uint32_t vertex) {
+        return glm::dot(mesh.normals[vertex], normal) > 0.999999f;
+      });
+      if (same != candidates.end()) {
+        triangle[corner] = *same;
+        continue;
+      }
+      triangle[corner] = static_cast<std::uint32_t>(mesh.positions.size());
+      candidates.push_back(triangle[corner]);
+      mesh.positions.emplace_back(shape.points[point]);
+      mesh.normals.push_back(normal);
+      if (texcoord) mesh.texcoords.push_back(texcoord(shape.points[point]));
+    }
+    mesh.triangles.push_back(triangle);
+  }
+  return mesh;
+}
+
+void add_card(Sheet& sheet, const dvec3& center, const dvec3& right, const dvec3& up, vec2 repeat) {
+  const auto first = static_cast<std::uint32_t>(sheet.points.size());
+  for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
+    sheet.points.push_back(center + x * right + y * up);
+    // v grows downwards in a picture whose row 0 is v = 0.
+    sheet.texcoords.emplace_back(repeat.x * static_cast<float>(x + 1.0) / 2.0f,
+                                 repeat.y * static_cast<float>(1.0 - y) / 2.0f);
+  }
+  sheet.faces.push_back({first, first + 1, first + 2});
+  sheet.faces.push_back({first, first + 2, first + 3});
+}
+
+Mesh to_mesh(const std::string& name, const Sheet& sheet, std::uint32_t material) {
+  Mesh mesh;
+  mesh.name = name;
+  mesh.material = material;
+  mesh.triangles = sheet.faces;
+  mesh.texcoords = sheet.texcoords;
+  std::vector<dvec3> sums(sheet.points.size(), dvec3(0.0));
+  for (const uvec3& face : sheet.faces) {
+    for (int corner = 0; corner < 3; ++corner) sums[face[corner]] += face_vector(sheet.points, face);
+  }
+  for (std::size_t i = 0; i < sheet.points.size(); ++i) {
+    mesh.positions.emplace_back(sheet.points[i]);
+    mesh.normals.push_back(glm::normalize(vec3(glm::normalize(sums[i]))));
+  }
+  return mesh;
+}
+
+}  // namespace umbrameter::builtin

@@ -1,0 +1,14 @@
+// One function per built-in scene. Internal to scenes/builtin*.
+#pragma once
+
+#include "scenes/scene.h"
+
+namespace umbrameter::builtin {
+
+Scene make_courtyard();
+Scene make_tilted_plane();
+Scene make_contact_box();
+Scene make_thin_leaf();
+Scene make_corner();
+
+}  // namespace umbrameter::builtin
