@@ -39,9 +39,9 @@ Scene make_contact_box() {
   add_camera(scene, "front-row", looking(dvec3(0.9, 0.55, 3.5), dvec3(0.15, 0.3, 0.6)), 38.0);
   add_camera(scene, "back-row", looking(dvec3(-4.0, 1.15, 1.2), dvec3(-1.3, 0.2, -0.9)), 45.0);
   // 45° high; along the diagonal, so that shadows leave from two sides of each box.
-  add_sun(scene, "sun", dvec3(0.0), dvec3(-0.8, 1.0, 0.6), 8.0, 10.0);
-  add_sun(scene, "sun-across", dvec3(0.0), dvec3(-1.0, 1.0, 0.0), 8.0, 10.0);
-  add_sun(scene, "sun-low", dvec3(0.0), dvec3(-2.4, 1.0, 1.8), 8.0, 10.0);
+  add_sun(scene, "sun", dvec3(0.0), dvec3(-0.8, 1.0, 0.6), 8.0, 3.0);
+  add_sun(scene, "sun-across", dvec3(0.0), dvec3(-1.0, 1.0, 0.0), 8.0, 3.0);
+  add_sun(scene, "sun-low", dvec3(0.0), dvec3(-2.4, 1.0, 1.8), 8.0, 3.0);
   return scene;
 }
 

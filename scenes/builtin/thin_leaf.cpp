@@ -39,12 +39,12 @@ Scene make_thin_leaf() {
   add_camera(scene, "behind", looking(dvec3(-3.0, 1.0, -3.6), dvec3(-1.1, 0.15, -1.2)), 40.0);
   add_camera(scene, "low", looking(dvec3(-3.4, 0.45, 2.6), dvec3(-1.3, 0.12, 0.6)), 40.0);
   // 40° high, square to the standing sheets.
-  add_sun(scene, "sun", dvec3(0.0), dvec3(0.0, std::sin(degrees(40)), std::cos(degrees(40))), 8.0, 10.0);
-  add_sun(scene, "sun-slanting", dvec3(0.0), dvec3(-0.7, 0.9, 0.55), 8.0, 10.0);
+  add_sun(scene, "sun", dvec3(0.0), dvec3(0.0, std::sin(degrees(40)), std::cos(degrees(40))), 8.0, 3.0);
+  add_sun(scene, "sun-slanting", dvec3(0.0), dvec3(-0.7, 0.9, 0.55), 8.0, 3.0);
   Light lamp;
   lamp.name = "lamp";
   lamp.world_from_light = looking(dvec3(-0.3, 1.9, 1.0), dvec3(-0.3, 0, 0.9));
-  lamp.intensity = 20.0;
+  lamp.intensity = 8.0;
   lamp.shape = PointLight{};
   scene.lights.push_back(lamp);
   return scene;

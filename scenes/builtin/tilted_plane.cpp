@@ -29,7 +29,7 @@ void add_tilted_sun(Scene& scene, const std::string& name, double tilt, double a
   const dvec3 slope{-std::cos(angle), std::sin(angle), 0.0};
   const dvec3 across{0.0, 0.0, 1.0};
   const dvec3 up = std::cos(degrees(azimuth)) * slope + std::sin(degrees(azimuth)) * across;
-  add_sun(scene, name, dvec3(0.0), to_light, 20.0, 10.0, up);
+  add_sun(scene, name, dvec3(0.0), to_light, 20.0, 3.0, up);
 }
 
 }  // namespace
@@ -53,13 +53,14 @@ Scene make_tilted_plane() {
     const char* name;
     double tilt, azimuth;
   };
-  for (const Tilt& sun : std::array<Tilt, 7>{{{"sun-60", 60, 0},
-                                              {"sun-60-azimuth-45", 60, 45},
-                                              {"sun-60-azimuth-20", 60, 20},
-                                              {"sun-0", 0, 0},
-                                              {"sun-30", 30, 0},
-                                              {"sun-75", 75, 0},
-                                              {"sun-85", 85, 0}}}) {
+  constexpr std::array<Tilt, 7> suns{{{"sun-60", 60, 0},
+                                      {"sun-30", 30, 0},
+                                      {"sun-75", 75, 0},
+                                      {"sun-60-azimuth-45", 60, 45},
+                                      {"sun-60-azimuth-20", 60, 20},
+                                      {"sun-0", 0, 0},
+                                      {"sun-85", 85, 0}}};
+  for (const Tilt& sun : suns) {
     add_tilted_sun(scene, sun.name, sun.tilt, sun.azimuth);
   }
   return scene;
