@@ -90,6 +90,7 @@ Layout lay_out(const Parameters& parameters, const std::vector<SweepAxis>& axes)
     return axes[a].values.size() > axes[b].values.size();
   });
   Layout layout;
+  if (order.empty()) return layout;
   layout.x = order[0];
   if (order.size() > 1) layout.series = order[1];
   if (order.size() > 2) layout.rest.assign(order.begin() + 2, order.end());
@@ -294,8 +295,8 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   }
   output.parts.back().section.title += ", at the cell of least error";
   output.parts.push_back(present_picture(workbench, measurement));
-  output.summary = {line.command, experiment, &workbench, &measurement, &table, rows, workbench.context().device().renderer,
-                    {},           {}};
+  output.summary = {
+      line.command, experiment, &workbench, &measurement, &table, rows, workbench.context().device().renderer, {}, {}};
   return write_run(line, console, std::move(output));
 }
 

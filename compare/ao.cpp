@@ -13,6 +13,10 @@ namespace {
 // central limit holds.
 constexpr double quantile_95 = 1.959963984540054;
 
+// Noise may have moved a measured error away from zero: its excess is taken as if the error were this many standard
+// errors smaller, which bounds it for all but 2.5 % of the pixels.
+constexpr double noise_reach = quantile_95;
+
 struct RowSums {
   std::uint64_t pixels = 0;
   double raster = 0.0;
@@ -49,7 +53,7 @@ RowSums sum_row(int y, const Image<float>& raster, const Image<float>& truth, co
     sums.truth += truth[i];
     sums.error += error;
     sums.absolute += std::abs(error);
-    sums.absolute_bias += folded_excess(error, s);
+    sums.absolute_bias += folded_excess(std::max(std::abs(error) - noise_reach * s, 0.0), s);
     sums.squared += error * error;
     // Var((e + sZ)²) = 4e²s² + 2s⁴, with e² estimated without bias by the measured square less s².
     sums.squared_variance += 4.0 * std::max(error * error - variance, 0.0) * variance + 2.0 * variance * variance;

@@ -39,8 +39,8 @@ struct Size {
 
 /// What is written down about a field, once.
 struct FieldDescription {
-  std::string unit;     ///< "m", "texels", "px", "1"; empty where there is none
-  std::string meaning;  ///< one sentence, no full stop
+  std::string unit{};     ///< "m", "texels", "px", "1"; empty where there is none
+  std::string meaning{};  ///< one sentence, no full stop
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   bool power_of_two = false;

@@ -7,7 +7,7 @@ namespace umbrameter {
 
 struct ShadowRay {
   vec3 origin{0};
-  vec3 direction{0};  ///< unit
+  vec3 direction{0, 0, 1};  ///< unit
   float reach = 0;    ///< metres; hits beyond do not block
 };
 
@@ -18,6 +18,7 @@ class Packet {
   Packet(const Tracer::State& state, bool coherent) : state_(&state) {
     prepare(query_, state, false, coherent);
     for (int lane = 0; lane < width; ++lane) {
+      aim(lane, {});
       rays_.tnear[lane] = 0.0f;
       rays_.time[lane] = 0.0f;
       rays_.mask[lane] = 0xffffffffu;

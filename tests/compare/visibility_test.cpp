@@ -62,7 +62,7 @@ TEST(Visibility, Identical_images_differ_by_zero) {
 
 TEST(Visibility, Nothing_counted_gives_zeros_and_no_nan) {
   FourPixels four;
-  four.counted.counting = Image<Counting>(4, 1, Counting::background);
+  four.counted = {Image<Counting>(4, 1, Counting::background), {}, 0.0};
   const VisibilityStatistics s = analyze_visibility(four.raster, four.truth, four.classes, four.counted);
   EXPECT_EQ(s.pixels, 0u);
   for (const Value& value : to_row(s)) EXPECT_EQ(to_number(value), 0.0);

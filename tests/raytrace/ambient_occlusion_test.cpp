@@ -33,7 +33,8 @@ struct Expected {
 };
 using Occlusion = std::function<Expected(const vec3&)>;
 
-// Means over the points, for both weights.
+// Means over the points, for both weights. Noise: a randomisation of 2048 points of a cut-off integrand is off by
+// about 2048^(−3/4) ≈ 0.0033 at most; at least 256 of them average to 2·10⁻⁴.
 void expect_means(const Floor& floor, const std::vector<vec3>& points, double distance, const Occlusion& occlusion) {
   const Tracer tracer(floor.scene);
   Expected sum{0, 0};
@@ -43,14 +44,15 @@ void expect_means(const Floor& floor, const std::vector<vec3>& points, double di
     sum.uniform += o.uniform;
   }
   const auto mean = [&](AoWeight weight) {
-    const TracedAo traced = trace_ao(tracer, floor.surfels(points), {4096, weight, distance}, 1);
+    const TracedAo traced = trace_ao(tracer, floor.surfels(points), {16384, weight, distance}, 1);
     double total = 0.0;
     for (const float ao : traced.ao.pixels) total += ao;
     return total / static_cast<double>(points.size());
   };
   const double n = static_cast<double>(points.size());
   EXPECT_NEAR(mean(AoWeight::cosine), 1.0 - sum.cosine / n, tolerance);
-  if (!std::isnan(sum.uniform)) EXPECT_NEAR(mean(AoWeight::uniform), 1.0 - sum.uniform / n, tolerance);
+  if (std::isnan(sum.uniform)) return;
+  EXPECT_NEAR(mean(AoWeight::uniform), 1.0 - sum.uniform / n, tolerance);
 }
 
 std::vector<vec3> around(vec3 center, float spread, int count) {
@@ -102,8 +104,8 @@ TEST(AmbientOcclusion, An_open_plane_is_open_and_a_closed_room_is_closed) {
 TEST(AmbientOcclusion, An_infinitely_long_wall) {
   // AO cos .853553, uni .750000 at d = 1; .621268, .577979 at d = 0.25.
   const Floor floor = wall(1.0f);
-  expect_means(floor, std::vector<vec3>(16, {1, 0, 0}), 0.0, [](vec3) { return Expected{1 - .853553, 1 - .75}; });
-  expect_means(floor, std::vector<vec3>(16, {.25f, 0, 0}), 0.0, [](vec3) {
+  expect_means(floor, std::vector<vec3>(32, {1, 0, 0}), 0.0, [](vec3) { return Expected{1 - .853553, 1 - .75}; });
+  expect_means(floor, std::vector<vec3>(32, {.25f, 0, 0}), 0.0, [](vec3) {
     return Expected{1 - .621268, 1 - .577979};
   });
   expect_means(floor, around({2, 0, 1}, 1.8f, 64), 0.0, [](vec3 p) {
@@ -116,7 +118,7 @@ TEST(AmbientOcclusion, A_wall_with_a_distance_limit) {
   const auto segment = [](double c) { return std::acos(c) - c * std::sqrt(1.0 - c * c); };
   // AO cos .868736, uni .793870 at h = 1, d = 1, D = 2.
   const Floor floor = wall(1.0f);
-  expect_means(floor, std::vector<vec3>(16, {1, 0, 0}), 2.0, [](vec3) { return Expected{1 - .868736, 1 - .793870}; });
+  expect_means(floor, std::vector<vec3>(32, {1, 0, 0}), 2.0, [](vec3) { return Expected{1 - .868736, 1 - .793870}; });
   EXPECT_NEAR(wall_by_quadrature(1.0, 1.0, 2.0).cosine, 1 - .868736, 1e-6);
   EXPECT_NEAR(wall_by_quadrature(1.0, 1.0, 2.0).uniform, 1 - .793870, 1e-5);
   expect_means(floor, around({1.5f, 0, 0}, 1.3f, 64), 2.0, [](vec3 p) { return wall_by_quadrature(1.0, p.x, 2.0); });
@@ -130,7 +132,7 @@ TEST(AmbientOcclusion, A_sphere_wholly_above_the_horizon) {
   // O_cos = cos θ (R/L)², O_uni = 1 − √(1 − (R/L)²): AO .555556, .745356 for R = 1 at 1.5 overhead.
   Floor floor;
   shapes::add_mesh(floor.scene, shapes::sphere({0, 1.5f, 0}, 1.0f, 200, 400));
-  expect_means(floor, std::vector<vec3>(16, {0, 0, 0}), 0.0, [](vec3) { return Expected{1 - .555556, 1 - .745356}; });
+  expect_means(floor, std::vector<vec3>(32, {0, 0, 0}), 0.0, [](vec3) { return Expected{1 - .555556, 1 - .745356}; });
   expect_means(floor, around({2, 0, 1}, 1.5f, 64), 0.0, [](vec3 p) {
     const double squared = 2.25 + glm::dot(dvec3(p), dvec3(p));
     return Expected{1.5 / std::sqrt(squared) / squared, 1.0 - std::sqrt(1.0 - 1.0 / squared)};
@@ -138,12 +140,14 @@ TEST(AmbientOcclusion, A_sphere_wholly_above_the_horizon) {
 }
 
 TEST(AmbientOcclusion, A_sphere_overhead_with_a_distance_limit) {
-  // c = max(√(h² − R²)/h, (h² + D² − R²)/(2hD)); O_cos = 1 − c², O_uni = 1 − c.
+  // c = (h² + D² − R²)/(2hD) from the law of cosines; O_cos = 1 − c², O_uni = 1 − c.
   Floor floor;
   shapes::add_mesh(floor.scene, shapes::sphere({0, 1.5f, 0}, 1.0f, 200, 400));
-  for (const double limit : {0.55, 0.7, 0.9, 1.2}) {
-    const double c = std::max(std::sqrt(1.25) / 1.5, (2.25 + limit * limit - 1.0) / (3.0 * limit));
-    expect_means(floor, std::vector<vec3>(16, {0, 0, 0}), limit, [&](vec3) { return Expected{1 - c * c, 1 - c}; });
+  // Beyond the tangents' length √(h² − R²) = 1.118 the limit cuts nothing off.
+  const double tangent = std::sqrt(1.25);
+  for (const double limit : {0.55, 0.7, 0.9, 1.1, 1.2, 2.0}) {
+    const double c = limit < tangent ? (2.25 + limit * limit - 1.0) / (3.0 * limit) : tangent / 1.5;
+    expect_means(floor, std::vector<vec3>(32, {0, 0, 0}), limit, [&](vec3) { return Expected{1 - c * c, 1 - c}; });
   }
 }
 
@@ -151,7 +155,7 @@ TEST(AmbientOcclusion, A_sphere_resting_on_the_floor) {
   // O_cos = R³/(s² + R²)^{3/2}: AO .910557, .894427 (uni) for R = 1 at s = 2. The sphere stands 10⁻⁴ above the floor.
   Floor floor;
   shapes::add_mesh(floor.scene, shapes::sphere({0, 1.0001f, 0}, 1.0f, 200, 400));
-  expect_means(floor, std::vector<vec3>(16, {2, 0, 0}), 0.0, [](vec3) { return Expected{1 - .910557, 1 - .894427}; });
+  expect_means(floor, std::vector<vec3>(32, {2, 0, 0}), 0.0, [](vec3) { return Expected{1 - .910557, 1 - .894427}; });
   expect_means(floor, around({2.2f, 0, 0}, 1.5f, 64), 0.0, [](vec3 p) {
     const double squared = glm::dot(dvec3(p), dvec3(p)) + 1.0;
     return Expected{std::pow(squared, -1.5), std::nan("")};
@@ -162,7 +166,7 @@ TEST(AmbientOcclusion, A_parallel_disk) {
   // O_cos = ½(1 − (s² + h² − r²)/√((s² + h² + r²)² − 4r²s²)): AO .5, uni .707107 for r = 1 at height 1.
   Floor floor;
   shapes::add_mesh(floor.scene, shapes::disk({0, 1, 0}, 1.0f, 720));
-  expect_means(floor, std::vector<vec3>(16, {0, 0, 0}), 0.0, [](vec3) { return Expected{.5, 1 - .707107}; });
+  expect_means(floor, std::vector<vec3>(32, {0, 0, 0}), 0.0, [](vec3) { return Expected{.5, 1 - .707107}; });
   expect_means(floor, around({1, 0, 0}, 1.0f, 64), 0.0, [](vec3 p) {
     const double s2 = glm::dot(dvec3(p), dvec3(p));
     const double root = std::sqrt((s2 + 2.0) * (s2 + 2.0) - 4.0 * s2);
@@ -184,16 +188,16 @@ TEST(AmbientOcclusion, Planes_that_meet_at_right_angles_and_grooves) {
   // Two planes 1/2, three 1/4. At 1 mm from the edge of planes of 20 m the rest is 10⁻³/20 of each.
   Floor two;
   shapes::add_mesh(two.scene, shapes::quad({0, 0, -20}, {0, 20, 0}, {0, 0, 40}));
-  expect_means(two, std::vector<vec3>(16, {0.001f, 0, 0}), 0.0, [](vec3) { return Expected{.5, .5}; });
+  expect_means(two, std::vector<vec3>(32, {0.001f, 0, 0}), 0.0, [](vec3) { return Expected{.5, .5}; });
   shapes::add_mesh(two.scene, shapes::quad({-20, 0, 0}, {0, 20, 0}, {40, 0, 0}));
-  expect_means(two, std::vector<vec3>(16, {0.001f, 0, 0.001f}), 0.0, [](vec3) { return Expected{.75, .75}; });
+  expect_means(two, std::vector<vec3>(32, {0.001f, 0, 0.001f}), 0.0, [](vec3) { return Expected{.75, .75}; });
   // V groove of opening Φ: AO_cos = sin²(Φ/2).
   for (const double opening : {pi / 3.0, 2.0 * pi / 3.0}) {
     Floor groove;
     const vec3 up = 20.0f * vec3(dvec3(std::cos(opening), std::sin(opening), 0));
     shapes::add_mesh(groove.scene, shapes::quad({0, 0, -20}, up, {0, 0, 40}));
     const double closed = 1.0 - std::pow(std::sin(opening / 2.0), 2);
-    expect_means(groove, std::vector<vec3>(16, {0.001f, 0, 0}), 0.0, [&](vec3) {
+    expect_means(groove, std::vector<vec3>(32, {0.001f, 0, 0}), 0.0, [&](vec3) {
       return Expected{closed, std::nan("")};
     });
   }
@@ -221,7 +225,7 @@ TEST(AmbientOcclusion, A_box_by_its_polygons) {
     return Expected{lambert(face, dvec3(p), {0, 1, 0}), std::nan("")};
   };
   EXPECT_NEAR(occlusion({0, 0, 0}).cosine, 1 - .809864, 1e-6);  // AO .809864 from the origin
-  expect_means(floor, std::vector<vec3>(16, {0, 0, 0}), 0.0, occlusion);
+  expect_means(floor, std::vector<vec3>(32, {0, 0, 0}), 0.0, occlusion);
   expect_means(floor, around({0.8f, 0, 0.1f}, 1.4f, 64), 0.0, occlusion);
 }
 

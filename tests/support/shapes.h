@@ -13,7 +13,11 @@ namespace umbrameter::shapes {
 inline Scene empty_scene() {
   Scene scene;
   scene.name = "test";
-  scene.materials.push_back({.name = "grey", .base_color = vec4(0.5f, 0.5f, 0.5f, 1.0f), .double_sided = true});
+  Material grey;
+  grey.name = "grey";
+  grey.base_color = vec4(0.5f, 0.5f, 0.5f, 1.0f);
+  grey.double_sided = true;
+  scene.materials.push_back(grey);
   return scene;
 }
 
