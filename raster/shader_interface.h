@@ -70,6 +70,9 @@ consteval unsigned slot(std::string_view name) {
   throw "no such slot";
 }
 
+/// slot() of a uniform, whose locations OpenGL counts in signed numbers.
+consteval int location(std::string_view name) { return static_cast<int>(slot(name)); }
+
 /// All of them as #define lines, and NO_ID.
 inline std::string interface_defines() {
   std::string text = "#define NO_ID " + std::to_string(no_id) + "u\n";

@@ -42,7 +42,7 @@ void blur_axis(const gl::Context& context, const gl::Texture& source, const gl::
   const gl::Program& program = context.program({{"box_blur.comp"}, interface_defines()});
   glBindTextureUnit(slot("TEXTURE_AO"), source.name());
   glBindImageTexture(slot("IMAGE_AO"), target.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
-  glProgramUniform4i(program.name(), slot("UNIFORM_BLUR"), step_x, step_y, taps, is_last ? 1 : 0);
+  glProgramUniform4i(program.name(), location("UNIFORM_BLUR"), step_x, step_y, taps, is_last ? 1 : 0);
   dispatch(program, width, height);
 }
 

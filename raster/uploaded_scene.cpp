@@ -118,12 +118,12 @@ gl::Texture upload_texture(const gl::Context& context, const Texture& texture) {
 void set_material(const UploadedScene& scene, const Material& material, const gl::Program& program) {
   const bool has_texture = material.base_color_texture && !scene.textures[*material.base_color_texture].empty();
   const unsigned name = program.name();
-  glProgramUniform4f(name, slot("UNIFORM_BASE_COLOR"), material.base_color.x, material.base_color.y,
+  glProgramUniform4f(name, location("UNIFORM_BASE_COLOR"), material.base_color.x, material.base_color.y,
                      material.base_color.z, material.base_color.w);
-  glProgramUniform1i(name, slot("UNIFORM_HAS_TEXTURE"), has_texture ? 1 : 0);
+  glProgramUniform1i(name, location("UNIFORM_HAS_TEXTURE"), has_texture ? 1 : 0);
   if (has_texture) {
     const Texture& modes = scene.texture_modes[*material.base_color_texture];
-    glProgramUniform2i(name, slot("UNIFORM_WRAP"), static_cast<int>(modes.wrap_u), static_cast<int>(modes.wrap_v));
+    glProgramUniform2i(name, location("UNIFORM_WRAP"), static_cast<int>(modes.wrap_u), static_cast<int>(modes.wrap_v));
     glBindTextureUnit(slot("TEXTURE_BASE_COLOR"), scene.textures[*material.base_color_texture].name());
   }
 }
@@ -183,8 +183,8 @@ void draw_scene(const UploadedScene& scene, DrawnFor use, const gl::Program& opa
       glFrontFace(draw.is_mirrored ? GL_CW : GL_CCW);
       // Setting a uniform that a program lacks is an error on some drivers.
       if (is_masked || use == DrawnFor::camera) set_material(scene, material, program);
-      glProgramUniform1ui(program.name(), slot("UNIFORM_FIRST_INSTANCE"), draw.first_instance);
-      if (is_masked) glProgramUniform1f(program.name(), slot("UNIFORM_ALPHA_CUTOFF"), material.alpha_cutoff);
+      glProgramUniform1ui(program.name(), location("UNIFORM_FIRST_INSTANCE"), draw.first_instance);
+      if (is_masked) glProgramUniform1f(program.name(), location("UNIFORM_ALPHA_CUTOFF"), material.alpha_cutoff);
       glDrawElementsInstancedBaseVertex(
           GL_TRIANGLES, static_cast<GLsizei>(draw.index_count), GL_UNSIGNED_INT,
           reinterpret_cast<const void*>(std::uintptr_t{draw.first_index} * sizeof(std::uint32_t)),
