@@ -22,10 +22,6 @@ constexpr std::array<BuiltinScene, 5> scenes{{
     {"corner", "three thick walls at right angles: light leaking along inner edges, AO of 1/4", builtin::make_corner},
 }};
 
-bool looks_like_a_path(const std::string& text) {
-  return text.find('/') != std::string::npos || std::filesystem::path(text).has_extension();
-}
-
 [[noreturn]] void fail_unknown(const std::string& text) {
   std::string names;
   std::string_view nearest = scenes.front().name;
@@ -35,7 +31,8 @@ bool looks_like_a_path(const std::string& text) {
   }
   // A wider guess would be none.
   const bool is_near = edit_distance(text, nearest) <= 3;
-  throw Error(ExitCode::unreadable_input, "scene '" + text + "'", "neither a file nor a built-in scene",
+  throw Error(ExitCode::unreadable_input, "scene '" + text + "'",
+              "there is no such file, and no built-in scene of that name",
               (is_near ? "did you mean '" + std::string(nearest) + "'? " : std::string()) +
                   "give a .gltf or .glb file, or one of: " + names);
 }
@@ -48,8 +45,9 @@ Scene load_scene(const std::string& name_or_path) {
   for (const BuiltinScene& scene : scenes) {
     if (scene.name == name_or_path) return scene.make();
   }
-  std::error_code ignored;
-  if (name_or_path.empty() || (!looks_like_a_path(name_or_path) && !std::filesystem::exists(name_or_path, ignored))) {
+  // What cannot be looked up, such as a folder without permission, is the reader's to explain.
+  std::error_code unknown;
+  if (name_or_path.empty() || (!std::filesystem::exists(name_or_path, unknown) && !unknown)) {
     fail_unknown(name_or_path);
   }
   return load_gltf(name_or_path);

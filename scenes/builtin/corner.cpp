@@ -32,7 +32,7 @@ Scene make_corner() {
 
   add_camera(scene, "overview", looking(dvec3(6.4, 3.6, 6.6), dvec3(1.6, 1.05, 1.5)), 36.0);
   add_camera(scene, "close", looking(dvec3(3.3, 1.3, 3.6), dvec3(0.9, 0.5, 0.9)), 40.0);
-  add_sun(scene, "sun", dvec3(2, 1.5, 2), dvec3(0.75, 0.9, 0.4), 8.0, 3.0);
+  add_sun(scene, "sun", dvec3(2, 1.5, 2), dvec3(1.0, 0.85, 0.25), 8.0, 3.0);
   Light lamp;
   lamp.name = "lamp";
   lamp.world_from_light = looking(dvec3(2.0, 2.3, 2.2), dvec3(0.0));
