@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "reports/figure_parts.h"
+#include "reports/markup.h"
+#include "reports/png.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr int least_width = 480;  // smaller images are shown with whole-numbered enlargement
+constexpr int bar_ticks = 5;
+constexpr double character_width = 0.6;  // of the font size: mean of DejaVu Sans, rounded up
+
+// Lengths follow the width of the image, so that a figure scaled to a column has letters of the same size.
+struct Layout {
+  int width = 0;   // of the image as shown, px
+  int height = 0;  // of the image as shown, px
+  int unit = 0;    // font size of labels, px
+  int margin() const { return unit; }
+  int image_top() const { return unit * 11 / 4; }
+  int below() const { return image_top() + height + unit; }
+};
+
+std::string number_text(double value, double range) {
+  if (std::abs(value) < 1e-9 * range) return "0";
+  std::string text = fmt::format("{:.4g}", value);
+  if (text.front() == '-') text.replace(0, 1, "−");
+  return text;
+}
+
+Image<glm::u8vec3> enlarge(const Image<glm::u8vec3>& image, int factor) {
+  if (factor == 1) return image;
+  Image<glm::u8vec3> result(image.width * factor, image.height * factor);
+  for (int y = 0; y < result.height; ++y) {
+    for (int x = 0; x < result.width; ++x) result.at(x, y) = image.at(x / factor, y / factor);
+  }
+  return result;
+}
+
+Image<glm::u8vec3> category_colors(const ImageFigure& figure) {
+  Image<glm::u8vec3> colors(figure.category.width, figure.category.height);
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    if (figure.category[i] >= figure.categories.size()) {
+      throw Error(ExitCode::partial, "figure " + figure.stem,
+                  fmt::format("category {} has no name and colour", figure.category[i]));
+    }
+    colors[i] = figure.categories[figure.category[i]].color;
+  }
+  return colors;
+}
+
+Image<glm::u8vec3> colors_of(const ImageFigure& figure) {
+  if (!figure.values.empty()) return colorize(figure.values, figure.scale);
+  if (!figure.category.empty()) return category_colors(figure);
+  if (!figure.color.empty()) return figure.color;
+  throw Error(ExitCode::partial, "figure " + figure.stem, "it has no image or one without pixels");
+}
+
+std::string png_element(const Image<glm::u8vec3>& image, int x, int y, int width, int height) {
+  return fmt::format(
+      "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" "
+      "xlink:href=\"{}\"/>\n",
+      x, y, width, height, data_uri("image/png", to_png(image)));
+}
+
+std::string frame(int x, int y, int width, int height) {
+  return fmt::format(
+      "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#777777\" stroke-width=\"1\"/>\n",
+      x - 0.5, y - 0.5, width + 1, height + 1);
+}
+
+std::string text_element(double x, double y, int size, const char* anchor, std::string_view text,
+                         const char* more = "") {
+  return fmt::format("<text x=\"{:g}\" y=\"{:g}\" font-size=\"{}\" text-anchor=\"{}\"{}>{}</text>\n", x, y, size,
+                     anchor, more, escape_markup(text));
+}
+
+std::string swatch(int x, int y, int size, const glm::u8vec3& color) {
+  return fmt::format(
+      "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#{:02x}{:02x}{:02x}\" stroke=\"#777777\"/>\n", x + 0.5,
+      y + 0.5, size - 1, size - 1, color.x, color.y, color.z);
+}
+
+// Returns the height used.
+int add_color_bar(std::string& svg, const Layout& layout, const ImageFigure& figure) {
+  const int x = layout.margin();
+  const int y = layout.below();
+  const int height = std::max(8, layout.unit * 3 / 4);
+  const ColorScale& scale = figure.scale;
+  Image<float> ramp(std::min(layout.width, 1024), 1);
+  const double range = scale.last - scale.first;
+  for (int i = 0; i < ramp.width; ++i) {
+    ramp.at(i, 0) = static_cast<float>(scale.first + range * i / std::max(1, ramp.width - 1));
+  }
+  svg += png_element(colorize(ramp, scale), x, y, layout.width, height);
+  svg += frame(x, y, layout.width, height);
+  const int tick_end = y + height + layout.unit / 4;
+  for (int i = 0; i < bar_ticks; ++i) {
+    const double share = static_cast<double>(i) / (bar_ticks - 1);
+    const double tick = x + std::round(share * layout.width) + (i == 0 ? -0.5 : 0.5);
+    svg += fmt::format("<path d=\"M{:g},{}V{}\" stroke=\"#777777\"/>\n", tick, y + height, tick_end);
+    const char* anchor = i == 0 ? "start" : i + 1 == bar_ticks ? "end" : "middle";
+    svg += text_element(tick, tick_end + layout.unit, layout.unit, anchor,
+                        number_text(scale.first + share * range, std::abs(range)));
+  }
+  const int label = tick_end + layout.unit * 5 / 2;
+  const bool has_gaps =
+      std::any_of(figure.values.pixels.begin(), figure.values.pixels.end(), [](float v) { return std::isnan(v); });
+  svg += text_element(x + 0.5 * layout.width, label, layout.unit, "middle", scale.label);
+  if (has_gaps) {
+    svg += swatch(x, label - layout.unit * 4 / 5, layout.unit, {255, 0, 255});
+    svg += text_element(x + layout.unit * 1.4, label, layout.unit, "start", "no value");
+  }
+  return label + layout.unit / 2 - layout.below();
+}
+
+// Swatches with names, from left to right, in as many lines as it takes. Returns the height used.
+int add_categories(std::string& svg, const Layout& layout, const std::vector<CategoryColor>& categories) {
+  int x = layout.margin();
+  int y = layout.below();
+  for (const CategoryColor& category : categories) {
+    const double letters = static_cast<double>(count_characters(category.name)) * character_width;
+    const int width = static_cast<int>(layout.unit * (1.4 + letters));
+    if (x > layout.margin() && x + width > layout.margin() + layout.width) {
+      x = layout.margin();
+      y += layout.unit * 7 / 4;
+    }
+    svg += swatch(x, y, layout.unit, category.color);
+    svg += text_element(x + 1.4 * layout.unit, y + 0.85 * layout.unit, layout.unit, "start", category.name);
+    x += width + layout.unit;
+  }
+  return y + layout.unit + layout.unit / 2 - layout.below();
+}
+
+}  // namespace
+
+std::string to_svg(const ImageFigure& figure) {
+  const Image<glm::u8vec3> original = colors_of(figure);
+  const Image<glm::u8vec3> image = enlarge(original, std::max(1, (least_width + original.width - 1) / original.width));
+  const Layout layout{image.width, image.height, std::max(13, image.width / 42)};
+  std::string body;
+  // A title that is wider than the picture is set smaller, down to half the size.
+  const double title_width = static_cast<double>(count_characters(figure.title)) * character_width * 1.1;
+  const int title_size = std::max(
+      layout.unit / 2, static_cast<int>(std::min(layout.unit * 1.2, image.width / std::max(1.0, title_width))));
+  body += text_element(layout.margin(), layout.unit * 1.9, title_size, "start", figure.title, " font-weight=\"bold\"");
+  body += png_element(image, layout.margin(), layout.image_top(), image.width, image.height);
+  body += frame(layout.margin(), layout.image_top(), image.width, image.height);
+  int height = layout.image_top() + image.height + layout.margin();
+  if (!figure.values.empty()) height = layout.below() + add_color_bar(body, layout, figure);
+  if (figure.values.empty() && !figure.category.empty()) {
+    height = layout.below() + add_categories(body, layout, figure.categories);
+  }
+  const int width = image.width + 2 * layout.margin();
+  return fmt::format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" version=\"1.1\" "
+             "width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" font-family=\"DejaVu Sans, sans-serif\" "
+             "fill=\"#1a1a1a\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
+             width, height) +
+         body + "</svg>\n";
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,273 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <set>
+
+#include "core/error.h"
+#include "reports/figure_parts.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int plot_width = 440;
+constexpr int plot_height = 280;
+constexpr std::size_t most_points_with_markers = 12;
+constexpr std::size_t line_length = 72;  // characters of a subtitle line
+
+// Okabe and Ito, Color universal design, 2008; without yellow, which is too light for a line on white, black last.
+constexpr std::array<const char*, 7> distinct_colors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                        "#56b4e9", "#e69f00", "#000000"};
+// Dark blue over teal to ochre: lightness rises evenly, from CIE L* 20 to 74, so that grey print keeps the order.
+constexpr std::array<dvec3, 5> ordered_colors = {dvec3{46, 28, 96}, dvec3{45, 74, 139}, dvec3{31, 122, 140},
+                                                 dvec3{70, 165, 110}, dvec3{202, 176, 46}};
+const std::array<std::vector<int>, 6> dashes = {std::vector<int>{1, 0}, std::vector<int>{8, 3},
+                                                std::vector<int>{2, 2}, std::vector<int>{9, 3, 2, 3},
+                                                std::vector<int>{4, 2}, std::vector<int>{12, 3, 2, 3, 2, 3}};
+
+std::string ordered_color(std::size_t i, std::size_t count) {
+  const double t = count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.0;
+  const double place = t * (ordered_colors.size() - 1);
+  const std::size_t below = std::min(static_cast<std::size_t>(place), ordered_colors.size() - 2);
+  const dvec3 color = glm::mix(ordered_colors[below], ordered_colors[below + 1], place - static_cast<double>(below));
+  return fmt::format("#{:02x}{:02x}{:02x}", std::lround(color.x), std::lround(color.y), std::lround(color.z));
+}
+
+std::optional<double> number(const Value& value) {
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
+  if (const auto* real = std::get_if<double>(&value)) return *real;
+  return std::nullopt;
+}
+
+std::size_t column_of(const PlotFigure& figure, const std::string& name) {
+  const std::vector<Column>& columns = figure.data.columns;
+  const auto found =
+      std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
+  if (found == columns.end()) {
+    throw Error(ExitCode::partial, "figure " + figure.stem, "its table has no column '" + name + "'");
+  }
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
+bool is_numeric(const Table& table, std::size_t column) {
+  return std::all_of(table.rows.begin(), table.rows.end(),
+                     [&](const std::vector<Value>& row) { return number(row[column]).has_value(); });
+}
+
+// The different values of a column as text: numbers by size, all else in the order of the rows.
+std::vector<std::string> different_values(const Table& table, std::size_t column) {
+  std::vector<Value> values;
+  for (const std::vector<Value>& row : table.rows) {
+    if (std::find(values.begin(), values.end(), row[column]) == values.end()) values.push_back(row[column]);
+  }
+  if (is_numeric(table, column)) {
+    std::sort(values.begin(), values.end(), [](const Value& a, const Value& b) { return *number(a) < *number(b); });
+  }
+  std::vector<std::string> texts;
+  for (const Value& value : values) texts.push_back(to_string(value));
+  return texts;
+}
+
+// The rows under the short names x, y, s, lo, hi, without points that the axes cannot show.
+struct Points {
+  Json rows = Json::array();
+  std::size_t dropped = 0;
+  std::size_t longest_line = 0;
+};
+
+Points collect_points(const PlotFigure& figure, bool has_numeric_x) {
+  const std::size_t x = column_of(figure, figure.x.column);
+  const std::size_t y = column_of(figure, figure.y.column);
+  const bool has_series = figure.series.has_value();
+  const std::size_t series = has_series ? column_of(figure, *figure.series) : 0;
+  const bool has_band = figure.lower && figure.upper;
+  const std::size_t lower = has_band ? column_of(figure, *figure.lower) : 0;
+  const std::size_t upper = has_band ? column_of(figure, *figure.upper) : 0;
+  const auto fits = [](const std::optional<double>& value, const Axis& axis) {
+    return value && std::isfinite(*value) && (!axis.logarithmic || *value > 0.0);
+  };
+  Points points;
+  std::map<std::string, std::size_t> lengths;
+  for (const std::vector<Value>& row : figure.data.rows) {
+    const std::optional<double> y_value = number(row[y]);
+    if ((has_numeric_x && !fits(number(row[x]), figure.x)) || !fits(y_value, figure.y)) {
+      ++points.dropped;
+      continue;
+    }
+    Json point;
+    if (has_numeric_x) {
+      point["x"] = *number(row[x]);
+    } else {
+      point["x"] = to_string(row[x]);
+    }
+    point["y"] = *y_value;
+    const std::string line = has_series ? to_string(row[series]) : "";
+    if (has_series) point["s"] = line;
+    if (has_band && fits(number(row[lower]), figure.y) && fits(number(row[upper]), figure.y)) {
+      point["lo"] = *number(row[lower]);
+      point["hi"] = *number(row[upper]);
+    }
+    points.longest_line = std::max(points.longest_line, ++lengths[line]);
+    points.rows.push_back(std::move(point));
+  }
+  return points;
+}
+
+std::vector<std::string> wrap(const std::string& text) {
+  std::vector<std::string> lines;
+  std::string line;
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find_first_of(" \n", begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    if (!line.empty() && line.size() + 1 + word.size() > line_length) lines.push_back(std::exchange(line, ""));
+    line += (line.empty() || word.empty() ? "" : " ") + word;
+    begin = end + 1;
+  }
+  if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, bool is_x) {
+  Json result;
+  result["field"] = field;
+  result["type"] = is_numeric_axis ? "quantitative" : "nominal";
+  result["axis"]["title"] = axis.label;
+  if (!is_numeric_axis) {
+    result["sort"] = nullptr;
+    result["axis"]["labelAngle"] = 0;
+    return result;
+  }
+  if (axis.logarithmic) {
+    result["scale"] = {{"type", "log"}};
+    result["axis"]["tickCount"] = 5;
+  } else {
+    result["scale"] = {{"zero", !is_x}, {"nice", !is_x}};
+    result["axis"]["tickCount"] = 6;
+  }
+  return result;
+}
+
+// Colour and dash tell lines apart, each alone enough.
+void add_series(Json& encoding, const PlotFigure& figure) {
+  const std::size_t column = column_of(figure, *figure.series);
+  const std::vector<std::string> domain = different_values(figure.data, column);
+  const bool is_ordered = is_numeric(figure.data, column);
+  Json colors = Json::array();
+  Json patterns = Json::array();
+  for (std::size_t i = 0; i < domain.size(); ++i) {
+    colors.push_back(is_ordered ? ordered_color(i, domain.size()) : distinct_colors[i % distinct_colors.size()]);
+    patterns.push_back(dashes[i % dashes.size()]);
+  }
+  const Json legend = {{"title", figure.series_label.empty() ? *figure.series : figure.series_label}};
+  const auto channel = [&](const Json& range) {
+    return Json{{"field", "s"},
+                {"type", "nominal"},
+                {"scale", {{"domain", domain}, {"range", range}}},
+                {"sort", nullptr},
+                {"legend", legend}};
+  };
+  encoding["color"] = channel(colors);
+  encoding["strokeDash"] = channel(patterns);
+}
+
+Json look() {
+  const char* font = "DejaVu Sans";
+  const char* ink = "#1a1a1a";
+  return {{"font", font},
+          {"background", "white"},
+          {"padding", 8},
+          {"view", {{"stroke", nullptr}}},
+          {"title",
+           {{"anchor", "start"},
+            {"frame", "group"},
+            {"fontSize", 16},
+            {"fontWeight", "bold"},
+            {"color", ink},
+            {"subtitleFontSize", 12},
+            {"subtitleColor", "#444444"},
+            {"subtitlePadding", 4},
+            {"subtitleLineHeight", 15},
+            {"offset", 12}}},
+          {"axis",
+           {{"labelFontSize", 13},
+            {"titleFontSize", 14},
+            {"titleFontWeight", "normal"},
+            {"titleColor", ink},
+            {"labelColor", ink},
+            {"titlePadding", 8},
+            {"gridColor", "#e7e7e7"},
+            {"domainColor", "#666666"},
+            {"tickColor", "#666666"},
+            {"labelOverlap", true}}},
+          {"legend",
+           {{"orient", "bottom"},
+            {"direction", "horizontal"},
+            {"columns", 4},
+            {"labelFontSize", 13},
+            {"titleFontSize", 13},
+            {"titleFontWeight", "normal"},
+            {"titleColor", ink},
+            {"labelColor", ink},
+            {"symbolType", "stroke"},
+            {"symbolSize", 700},
+            {"symbolStrokeWidth", 2.2},
+            {"columnPadding", 16},
+            {"titleLimit", 0},
+            {"labelLimit", 240},
+            {"offset", 8}}}};
+}
+
+}  // namespace
+
+std::string to_plot_specification(const PlotFigure& figure) {
+  const bool has_numeric_x = is_numeric(figure.data, column_of(figure, figure.x.column));
+  Points points = collect_points(figure, has_numeric_x);
+  Json spec;
+  spec["$schema"] = "https://vega.github.io/schema/vega-lite/v6.json";
+  spec["description"] = figure.title;
+  spec["width"] = plot_width;
+  spec["height"] = plot_height;
+  spec["title"]["text"] = figure.title;
+  std::vector<std::string> subtitle = wrap(figure.caption);
+  if (points.dropped > 0) {
+    const bool has_log = figure.x.logarithmic || figure.y.logarithmic;
+    subtitle.push_back(
+        fmt::format("Not shown: {} of {} points {}.", points.dropped, figure.data.rows.size(),
+                    has_log ? "that are 0, negative or no number (logarithmic axis)" : "that are no number"));
+  }
+  if (points.rows.empty()) subtitle.emplace_back("There is no point to show.");
+  if (!subtitle.empty()) spec["title"]["subtitle"] = subtitle;
+
+  Json& encoding = spec["encoding"];
+  encoding["x"] = axis_of("x", figure.x, has_numeric_x, true);
+  if (figure.series) add_series(encoding, figure);
+
+  const bool has_markers = !has_numeric_x || points.longest_line <= most_points_with_markers;
+  Json line = {{"mark", {{"type", "line"}, {"strokeWidth", 2.2}}}, {"encoding", Json::object()}};
+  line["encoding"]["y"] = axis_of("y", figure.y, true, false);
+  if (has_markers) line["mark"]["point"] = {{"filled", true}, {"size", 45}};
+  Json layers = Json::array();
+  if (figure.lower && figure.upper) {
+    Json band = {{"mark", {{"type", "area"}, {"opacity", 0.2}, {"line", false}}}};
+    band["transform"] = {{{"filter", "isValid(datum.lo) && isValid(datum.hi)"}}};
+    band["encoding"]["y"] = line["encoding"]["y"];
+    band["encoding"]["y"]["field"] = "lo";
+    band["encoding"]["y2"] = {{"field", "hi"}};
+    // Areas have no dashes, and a legend entry of their own would stand beside the line's.
+    band["encoding"]["strokeDash"] = nullptr;
+    layers.push_back(std::move(band));
+  }
+  layers.push_back(std::move(line));
+  spec["layer"] = std::move(layers);
+  spec["data"]["values"] = std::move(points.rows);
+  spec["config"] = look();
+  return spec.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,14 @@
+// PNG as bytes: 8-bit sRGB, nothing in them that changes between runs.
+#pragma once
+
+#include <string>
+
+#include "core/image.h"
+#include "core/math.h"
+
+namespace umbrameter {
+
+/// The bytes of a PNG file with an sRGB chunk. Throws Error (partial) when the image has no pixels.
+std::string to_png(const Image<glm::u8vec3>& image);
+
+}  // namespace umbrameter
