@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace umbrameter::builtin {
 namespace {
@@ -106,6 +107,29 @@ Shape chamfered_box(const dvec3& low, const dvec3& high, double chamfer) {
   std::array<dvec3, 8> corners;
   for (int i = 0; i < 8; ++i) corners[static_cast<std::size_t>(i)] = bounds.corner(i);
   return chamfered(corners, chamfer);
+}
+
+Shape bevelled_slab(const dvec3& low, const dvec3& high, double bevel) {
+  const dvec3 inward{bevel, 0.0, bevel};
+  const dvec3 shoulder{high.x, high.y - bevel, high.z};
+  Shape shape;
+  for (const auto& [least, greatest] :
+       {std::pair{low, dvec3(shoulder.x, low.y, shoulder.z)}, std::pair{dvec3(low.x, shoulder.y, low.z), shoulder},
+        std::pair{dvec3(low.x, high.y, low.z) + inward, high - inward}}) {
+    add_point(shape, least);
+    add_point(shape, {greatest.x, least.y, least.z});
+    add_point(shape, greatest);
+    add_point(shape, {least.x, least.y, greatest.z});
+  }
+  for (std::uint32_t ring : {0u, 4u}) {
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const std::uint32_t next = (i + 1) % 4;
+      add_quad(shape, ring + i, ring + 4 + i, ring + 4 + next, ring + next);
+    }
+  }
+  add_quad(shape, 0, 1, 2, 3);
+  add_quad(shape, 8, 11, 10, 9);
+  return turned_outwards(std::move(shape));
 }
 
 Shape carved(std::span<const Bounds> solids, std::span<const Bounds> holes) {

@@ -31,6 +31,8 @@ Shape box(const dvec3& low, const dvec3& high);
 /// A box-like solid of eight corners (bit 0 of the index is x, bit 1 y, bit 2 z) with every edge cut off.
 Shape chamfered(const std::array<dvec3, 8>& corners, double chamfer);
 Shape chamfered_box(const dvec3& low, const dvec3& high, double chamfer);
+/// A box whose top has its edges cut off: for slabs that show nothing else.
+Shape bevelled_slab(const dvec3& low, const dvec3& high, double bevel);
 
 /// One solid of several boxes less several others, on a common grid: no face lies inside or on another.
 Shape carved(std::span<const Bounds> solids, std::span<const Bounds> holes = {});
