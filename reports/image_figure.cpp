@@ -11,19 +11,32 @@
 namespace umbrameter {
 namespace {
 
-constexpr int least_width = 480;  // smaller images are shown with whole-numbered enlargement
+constexpr int least_width = 480;   // smaller images are shown with whole-numbered enlargement
+constexpr int most_height = 1600;  // of an enlarged image
 constexpr int bar_ticks = 5;
-constexpr double character_width = 0.6;  // of the font size: mean of DejaVu Sans, rounded up
 
 // Lengths follow the width of the image, so that a figure scaled to a column has letters of the same size.
 struct Layout {
-  int width = 0;   // of the image as shown, px
+  int width = 0;   // of the image as shown or least_width, px
   int height = 0;  // of the image as shown, px
   int unit = 0;    // font size of labels, px
   int margin() const { return unit; }
   int image_top() const { return unit * 11 / 4; }
   int below() const { return image_top() + height + unit; }
 };
+
+// In DejaVu Sans, as a multiple of the font size: near enough to choose sizes and line breaks.
+double text_width(std::string_view text) {
+  double width = 0.0;
+  for (const char c : text) {
+    const bool is_continuation = (static_cast<unsigned char>(c) & 0xC0u) == 0x80;
+    if (is_continuation) continue;
+    width += std::string_view("fijlrt .,:;|!'()[]-").find(c) != std::string_view::npos ? 0.36
+             : std::string_view("mwMW@%").find(c) != std::string_view::npos            ? 0.95
+                                                                                       : 0.63;
+  }
+  return width;
+}
 
 std::string number_text(double value, double range) {
   if (std::abs(value) < 1e-9 * range) return "0";
@@ -118,35 +131,35 @@ int add_color_bar(std::string& svg, const Layout& layout, const ImageFigure& fig
   return label + layout.unit / 2 - layout.below();
 }
 
-// Swatches with names, from left to right, in as many lines as it takes. Returns the height used.
+// Swatches with names in columns, as many as fit. Returns the height used.
 int add_categories(std::string& svg, const Layout& layout, const std::vector<CategoryColor>& categories) {
-  int x = layout.margin();
-  int y = layout.below();
-  for (const CategoryColor& category : categories) {
-    const double letters = static_cast<double>(count_characters(category.name)) * character_width;
-    const int width = static_cast<int>(layout.unit * (1.4 + letters));
-    if (x > layout.margin() && x + width > layout.margin() + layout.width) {
-      x = layout.margin();
-      y += layout.unit * 7 / 4;
-    }
-    svg += swatch(x, y, layout.unit, category.color);
-    svg += text_element(x + 1.4 * layout.unit, y + 0.85 * layout.unit, layout.unit, "start", category.name);
-    x += width + layout.unit;
+  double widest = 0.0;
+  for (const CategoryColor& category : categories) widest = std::max(widest, text_width(category.name));
+  const int column = static_cast<int>(layout.unit * (2.4 + widest));
+  const int columns = std::max(1, (layout.width + layout.unit) / column);
+  const int line = layout.unit * 7 / 4;
+  for (std::size_t i = 0; i < categories.size(); ++i) {
+    const int x = layout.margin() + static_cast<int>(i) % columns * column;
+    const int y = layout.below() + static_cast<int>(i) / columns * line;
+    svg += swatch(x, y, layout.unit, categories[i].color);
+    svg += text_element(x + 1.4 * layout.unit, y + 0.85 * layout.unit, layout.unit, "start", categories[i].name);
   }
-  return y + layout.unit + layout.unit / 2 - layout.below();
+  const int lines = (static_cast<int>(categories.size()) + columns - 1) / columns;
+  return lines * line;
 }
 
 }  // namespace
 
 std::string to_svg(const ImageFigure& figure) {
   const Image<glm::u8vec3> original = colors_of(figure);
-  const Image<glm::u8vec3> image = enlarge(original, std::max(1, (least_width + original.width - 1) / original.width));
-  const Layout layout{image.width, image.height, std::max(13, image.width / 42)};
+  const int enlargement = std::min((least_width + original.width - 1) / original.width, most_height / original.height);
+  const Image<glm::u8vec3> image = enlarge(original, std::max(1, enlargement));
+  const int shown_width = std::max(image.width, least_width);
+  const Layout layout{shown_width, image.height, std::max(13, shown_width / 42)};
   std::string body;
-  // A title that is wider than the picture is set smaller, down to half the size.
-  const double title_width = static_cast<double>(count_characters(figure.title)) * character_width * 1.1;
-  const int title_size = std::max(
-      layout.unit / 2, static_cast<int>(std::min(layout.unit * 1.2, image.width / std::max(1.0, title_width))));
+  // A title that is wider than the picture is set smaller, down to half the size; the factor is for bold letters.
+  const double fitting_size = layout.width / std::max(1.0, 1.1 * text_width(figure.title));
+  const int title_size = static_cast<int>(std::clamp(fitting_size, layout.unit * 0.5, layout.unit * 1.2));
   body += text_element(layout.margin(), layout.unit * 1.9, title_size, "start", figure.title, " font-weight=\"bold\"");
   body += png_element(image, layout.margin(), layout.image_top(), image.width, image.height);
   body += frame(layout.margin(), layout.image_top(), image.width, image.height);
@@ -155,7 +168,7 @@ std::string to_svg(const ImageFigure& figure) {
   if (figure.values.empty() && !figure.category.empty()) {
     height = layout.below() + add_categories(body, layout, figure.categories);
   }
-  const int width = image.width + 2 * layout.margin();
+  const int width = layout.width + 2 * layout.margin();
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" version=\"1.1\" "
              "width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" font-family=\"DejaVu Sans, sans-serif\" "

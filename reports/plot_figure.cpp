@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <numeric>
-#include <set>
+#include <utility>
 
 #include "core/error.h"
 #include "reports/figure_parts.h"
+#include "reports/markup.h"
 
 namespace umbrameter {
 namespace {
@@ -26,9 +27,9 @@ constexpr std::array<const char*, 7> distinct_colors = {"#0072b2", "#d55e00", "#
 // Dark blue over teal to ochre: lightness rises evenly, from CIE L* 20 to 74, so that grey print keeps the order.
 constexpr std::array<dvec3, 5> ordered_colors = {dvec3{46, 28, 96}, dvec3{45, 74, 139}, dvec3{31, 122, 140},
                                                  dvec3{70, 165, 110}, dvec3{202, 176, 46}};
-const std::array<std::vector<int>, 6> dashes = {std::vector<int>{1, 0}, std::vector<int>{8, 3},
-                                                std::vector<int>{2, 2}, std::vector<int>{9, 3, 2, 3},
-                                                std::vector<int>{4, 2}, std::vector<int>{12, 3, 2, 3, 2, 3}};
+const std::array<std::vector<int>, 6> dashes = {std::vector<int>{1, 0},  std::vector<int>{8, 3},
+                                                std::vector<int>{2, 2},  std::vector<int>{9, 3, 2, 3},
+                                                std::vector<int>{16, 4}, std::vector<int>{5, 2, 1, 2}};
 
 std::string ordered_color(std::size_t i, std::size_t count) {
   const double t = count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.0;
@@ -133,7 +134,7 @@ std::vector<std::string> wrap(const std::string& text) {
   return lines;
 }
 
-Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, bool is_x) {
+Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Json& rows) {
   Json result;
   result["field"] = field;
   result["type"] = is_numeric_axis ? "quantitative" : "nominal";
@@ -143,14 +144,29 @@ Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, bool is_
     result["axis"]["labelAngle"] = 0;
     return result;
   }
+  const bool is_x = std::string_view(field) == "x";
+  result["axis"]["tickCount"] = axis.logarithmic ? 5 : 6;
+  result["scale"] = {{"nice", !is_x}};
   if (axis.logarithmic) {
-    result["scale"] = {{"type", "log"}};
-    result["axis"]["tickCount"] = 5;
+    result["scale"]["type"] = "log";
   } else {
-    result["scale"] = {{"zero", !is_x}, {"nice", !is_x}};
-    result["axis"]["tickCount"] = 6;
+    result["scale"]["zero"] = !is_x;
+  }
+  const auto differs = [&](const Json& row) { return row.at(field) != rows.front().at(field); };
+  if (rows.empty()) {
+    result["scale"]["domain"] = axis.logarithmic ? Json{1, 10} : Json{0, 1};
+  } else if (is_x && std::none_of(rows.begin(), rows.end(), differs)) {
+    result["axis"]["values"] = {rows.front().at(field)};
+    result["axis"]["format"] = "~g";
   }
   return result;
+}
+
+// As many legend entries side by side as fit below the plot.
+int legend_columns(const std::vector<std::string>& names) {
+  std::size_t longest = 1;
+  for (const std::string& name : names) longest = std::max(longest, count_characters(name));
+  return std::max(1, plot_width / static_cast<int>(50 + 8 * longest));
 }
 
 // Colour and dash tell lines apart, each alone enough.
@@ -164,7 +180,8 @@ void add_series(Json& encoding, const PlotFigure& figure) {
     colors.push_back(is_ordered ? ordered_color(i, domain.size()) : distinct_colors[i % distinct_colors.size()]);
     patterns.push_back(dashes[i % dashes.size()]);
   }
-  const Json legend = {{"title", figure.series_label.empty() ? *figure.series : figure.series_label}};
+  const Json legend = {{"title", figure.series_label.empty() ? *figure.series : figure.series_label},
+                       {"columns", legend_columns(domain)}};
   const auto channel = [&](const Json& range) {
     return Json{{"field", "s"},
                 {"type", "nominal"},
@@ -183,6 +200,7 @@ Json look() {
           {"background", "white"},
           {"padding", 8},
           {"view", {{"stroke", nullptr}}},
+          {"mark", {{"color", distinct_colors.front()}}},
           {"title",
            {{"anchor", "start"},
             {"frame", "group"},
@@ -208,14 +226,13 @@ Json look() {
           {"legend",
            {{"orient", "bottom"},
             {"direction", "horizontal"},
-            {"columns", 4},
             {"labelFontSize", 13},
             {"titleFontSize", 13},
             {"titleFontWeight", "normal"},
             {"titleColor", ink},
             {"labelColor", ink},
             {"symbolType", "stroke"},
-            {"symbolSize", 700},
+            {"symbolSize", 600},
             {"symbolStrokeWidth", 2.2},
             {"columnPadding", 16},
             {"titleLimit", 0},
@@ -245,16 +262,16 @@ std::string to_plot_specification(const PlotFigure& figure) {
   if (!subtitle.empty()) spec["title"]["subtitle"] = subtitle;
 
   Json& encoding = spec["encoding"];
-  encoding["x"] = axis_of("x", figure.x, has_numeric_x, true);
+  encoding["x"] = axis_of("x", figure.x, has_numeric_x, points.rows);
   if (figure.series) add_series(encoding, figure);
 
   const bool has_markers = !has_numeric_x || points.longest_line <= most_points_with_markers;
   Json line = {{"mark", {{"type", "line"}, {"strokeWidth", 2.2}}}, {"encoding", Json::object()}};
-  line["encoding"]["y"] = axis_of("y", figure.y, true, false);
+  line["encoding"]["y"] = axis_of("y", figure.y, true, points.rows);
   if (has_markers) line["mark"]["point"] = {{"filled", true}, {"size", 45}};
   Json layers = Json::array();
   if (figure.lower && figure.upper) {
-    Json band = {{"mark", {{"type", "area"}, {"opacity", 0.2}, {"line", false}}}};
+    Json band = {{"mark", {{"type", "area"}, {"fillOpacity", 0.2}}}};
     band["transform"] = {{{"filter", "isValid(datum.lo) && isValid(datum.hi)"}}};
     band["encoding"]["y"] = line["encoding"]["y"];
     band["encoding"]["y"]["field"] = "lo";
