@@ -103,9 +103,9 @@ void add_plants(Scene& scene, const Palette& palette) {
   const std::uint32_t vase = add_mesh(scene, to_mesh("urn", urn(), palette.pale_stone, 40.0));
   const std::uint32_t bed = add_mesh(scene, to_mesh("soil", soil(0.222), palette.soil, 40.0));
   const std::uint32_t bush =
-      add_mesh(scene, to_mesh("bush", leaf_cloud(5, 200, dvec3(0.34, 0.30, 0.34), 0.16), palette.leaf));
+      add_mesh(scene, to_mesh("bush", leaf_cloud(5, 240, dvec3(0.29, 0.27, 0.29), 0.16), palette.leaf));
   const std::uint32_t blooms =
-      add_mesh(scene, to_mesh("blooms", leaf_cloud(6, 60, dvec3(0.37, 0.33, 0.37), 0.08), palette.flower));
+      add_mesh(scene, to_mesh("blooms", leaf_cloud(6, 60, dvec3(0.36, 0.33, 0.36), 0.09), palette.flower));
   const std::uint32_t fronds = add_mesh(scene, to_mesh("fern", fern(7, 26, 0.75), palette.spray));
   const std::uint32_t blades = add_mesh(scene, to_mesh("agave", agave(8, 20, 0.62), palette.agave, 50.0));
 

@@ -92,7 +92,7 @@ Sheet leaf_cloud(std::uint32_t seed, int leaves, const dvec3& radii, double leaf
   for (int i = 0; i < leaves; ++i) {
     const std::uint32_t index = hash(seed, i);
     const dvec3 out = random_direction(index, 0);
-    const double depth = std::cbrt(chance(index, 7, 0.25, 1.0));
+    const double depth = std::cbrt(chance(index, 7, 0.04, 1.0));
     const dvec3 direction = glm::normalize(out + 0.8 * random_direction(index, 1) + dvec3(0, 0.1, 0));
     const dvec3 side = glm::normalize(glm::cross(direction, random_direction(index, 2)));
     add_leaf(sheet, depth * out * radii, direction, side, leaf_length * chance(index, 8, 0.75, 1.25));
