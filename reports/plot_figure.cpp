@@ -29,7 +29,7 @@ constexpr std::array<dvec3, 5> ordered_colors = {dvec3{46, 28, 96}, dvec3{45, 74
                                                  dvec3{70, 165, 110}, dvec3{202, 176, 46}};
 const std::array<std::vector<int>, 6> dashes = {std::vector<int>{1, 0},  std::vector<int>{8, 3},
                                                 std::vector<int>{2, 2},  std::vector<int>{9, 3, 2, 3},
-                                                std::vector<int>{16, 4}, std::vector<int>{5, 2, 1, 2}};
+                                                std::vector<int>{4, 4}, std::vector<int>{10, 3, 1, 3, 1, 3}};
 
 std::string ordered_color(std::size_t i, std::size_t count) {
   const double t = count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.0;

@@ -45,9 +45,13 @@ function write_all(text) {
   for (let done = 0; done < bytes.length;) done += writeSync(1, bytes, done);
 }
 
+// XML 1.0 has no place for these characters, not even escaped.
+const not_in_xml = /[\u0000-\u001f\u007f\ufffe\uffff]/g;
+const clean = (key, value) => (typeof value === 'string' ? value.replace(not_in_xml, ' ') : value);
+
 async function main() {
   const results = [];
-  for (const spec of JSON.parse(readFileSync(0, 'utf8'))) {
+  for (const spec of JSON.parse(readFileSync(0, 'utf8'), clean)) {
     try {
       results.push({svg: await draw(spec)});
     } catch (error) {

@@ -1,0 +1,281 @@
+#include "reports/figures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "core/error.h"
+#include "reports/figure_parts.h"
+#include "tests/reports/temporary_folder.h"
+
+namespace umbrameter {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+ImageFigure ramp_figure(int width = 64, int height = 36) {
+  ImageFigure figure;
+  figure.stem = "ramp";
+  figure.title = "Truth: sun";
+  figure.scale = {ColorMap::visibility, 0.0, 1.0, "visibility [1]"};
+  figure.values = Image<float>(width, height);
+  for (std::size_t i = 0; i < figure.values.size(); ++i) {
+    figure.values[i] = static_cast<float>(i) / static_cast<float>(figure.values.size());
+  }
+  return figure;
+}
+
+// Two lines of `count` points, given with the larger resolution first.
+PlotFigure curve_figure(int count = 20) {
+  PlotFigure figure;
+  figure.stem = "curve";
+  figure.title = "Mean absolute error";
+  figure.x = {"bias", "constant bias [m]", false};
+  figure.y = {"mae", "mean absolute error [%]", false};
+  figure.series = "resolution";
+  figure.series_label = "resolution [texels]";
+  figure.data.columns = {{"bias", "m", ""}, {"mae", "1", ""}, {"resolution", "texels", ""}};
+  for (const int resolution : {1024, 256}) {
+    for (int i = 0; i < count; ++i) {
+      figure.data.rows.push_back({0.01 * i, 5.0 + 100.0 * i / resolution, std::int64_t{resolution}});
+    }
+  }
+  return figure;
+}
+
+// Sets a variable of the environment while it lives.
+class Variable {
+ public:
+  Variable(const char* name, const std::string& value) : name_(name) {
+    if (const char* before = std::getenv(name)) before_ = before;
+    setenv(name, value.c_str(), 1);
+  }
+  ~Variable() {
+    if (before_) {
+      setenv(name_, before_->c_str(), 1);
+    } else {
+      unsetenv(name_);
+    }
+  }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> before_;
+};
+
+TEST(Figures, Each_is_written_as_svg_pdf_and_png) {
+  const TemporaryFolder folder;
+  const FigureOutcome outcome = write_figures(folder / "figures", {ramp_figure()}, {curve_figure()});
+  EXPECT_TRUE(outcome.problems.empty()) << outcome.problems.front();
+  EXPECT_EQ(count_files(folder / "figures"), 6u);
+  for (const std::string stem : {"ramp", "curve"}) {
+    EXPECT_TRUE(contains(text_of(folder / ("figures/" + stem + ".svg")), "</svg>")) << stem;
+    EXPECT_EQ(text_of(folder / ("figures/" + stem + ".pdf")).substr(0, 5), "%PDF-") << stem;
+    EXPECT_EQ(text_of(folder / ("figures/" + stem + ".png")).substr(0, 4), "\x89PNG") << stem;
+  }
+}
+
+TEST(Figures, Two_runs_write_the_same_bytes) {
+  const TemporaryFolder folder;
+  for (const char* run : {"first", "second"}) write_figures(folder / run, {ramp_figure()}, {curve_figure()});
+  for (const std::string name : {"ramp.svg", "ramp.pdf", "ramp.png", "curve.svg", "curve.pdf", "curve.png"}) {
+    EXPECT_TRUE(text_of(folder / ("first/" + name)) == text_of(folder / ("second/" + name))) << name;
+  }
+}
+
+TEST(Figures, A_machine_without_the_tools_gets_the_svg_of_images_and_is_told_what_to_install) {
+  const TemporaryFolder folder;
+  const Variable path("PATH", folder.path().string());
+  const FigureOutcome outcome = write_figures(folder / "figures", {ramp_figure()}, {curve_figure()});
+  ASSERT_EQ(outcome.problems.size(), 2u);
+  EXPECT_TRUE(contains(outcome.problems[0], "install nodejs")) << outcome.problems[0];
+  EXPECT_TRUE(contains(outcome.problems[1], "install librsvg2-bin")) << outcome.problems[1];
+  EXPECT_TRUE(fs::exists(folder / "figures/ramp.svg"));
+  EXPECT_EQ(count_files(folder / "figures"), 1u);
+}
+
+TEST(Figures, A_missing_plot_drawer_is_named) {
+  const TemporaryFolder folder;
+  const Variable data("UMBRAMETER_DATA", (folder / "nowhere").string());
+  const FigureOutcome outcome = write_figures(folder / "figures", {}, {curve_figure()});
+  ASSERT_EQ(outcome.problems.size(), 1u);
+  EXPECT_TRUE(contains(outcome.problems[0], (folder / "nowhere/figures.cjs").string())) << outcome.problems[0];
+}
+
+TEST(Figures, A_broken_plot_drawer_is_a_problem_and_no_crash) {
+  const TemporaryFolder folder;
+  const Variable data("UMBRAMETER_DATA", folder.path().string());
+  for (const std::string script : {"process.exit(3)", "console.log('[]')", "console.log('nonsense')", "throw 1"}) {
+    put_text(folder / "figures.cjs", script);
+    const FigureOutcome outcome = write_figures(folder / "figures", {}, {curve_figure()});
+    ASSERT_EQ(outcome.problems.size(), 1u) << script;
+    EXPECT_TRUE(contains(outcome.problems[0], "1 plots not drawn")) << outcome.problems[0];
+  }
+}
+
+TEST(Figures, Hostile_texts_stay_texts) {
+  const TemporaryFolder folder;
+  const std::string hostile = "</text><script>alert(1)</script> & \"quotes\" \x01 \xff\xfe end";
+  ImageFigure image = ramp_figure();
+  image.title = hostile;
+  image.scale.label = hostile;
+  PlotFigure plot = curve_figure();
+  plot.title = plot.caption = plot.x.label = plot.y.label = plot.series_label = hostile;
+  for (std::vector<Value>& row : plot.data.rows) row[2] = hostile;
+  const FigureOutcome outcome = write_figures(folder / "figures", {image}, {plot});
+  EXPECT_TRUE(outcome.problems.empty()) << outcome.problems.front();
+  EXPECT_EQ(count_files(folder / "figures"), 6u);
+  for (const char* name : {"ramp.svg", "curve.svg"}) {
+    const std::string svg = text_of(folder / "figures" / name);
+    EXPECT_FALSE(contains(svg, "<script")) << name;
+    EXPECT_TRUE(contains(svg, "&lt;script")) << name;
+  }
+}
+
+TEST(Figures, What_cannot_be_drawn_is_a_problem_and_the_rest_is_drawn) {
+  const TemporaryFolder folder;
+  ImageFigure empty;
+  empty.stem = "empty";
+  ImageFigure unknown_category;
+  unknown_category.stem = "unknown";
+  unknown_category.category = Image<std::uint8_t>(4, 4, 9);
+  unknown_category.categories = {{"only", {1, 2, 3}}};
+  PlotFigure no_column = curve_figure();
+  no_column.stem = "no_column";
+  no_column.y.column = "missing";
+  const FigureOutcome outcome =
+      write_figures(folder / "figures", {empty, unknown_category, ramp_figure()}, {no_column, curve_figure()});
+  ASSERT_EQ(outcome.problems.size(), 3u);
+  EXPECT_TRUE(contains(outcome.problems[0], "empty")) << outcome.problems[0];
+  EXPECT_TRUE(contains(outcome.problems[1], "category 9")) << outcome.problems[1];
+  EXPECT_TRUE(contains(outcome.problems[2], "'missing'")) << outcome.problems[2];
+  EXPECT_EQ(count_files(folder / "figures"), 6u);
+}
+
+TEST(Figures, A_stem_cannot_leave_the_folder) {
+  const TemporaryFolder folder;
+  for (const char* stem : {"../outside", "/outside", "", ".hidden", "a/b"}) {
+    ImageFigure figure = ramp_figure(4, 4);
+    figure.stem = stem;
+    EXPECT_EQ(write_figures(folder / "figures", {figure}, {}).problems.size(), 1u) << stem;
+  }
+  EXPECT_EQ(count_files(folder.path()), 1u);
+  EXPECT_EQ(count_files(folder / "figures"), 0u);
+}
+
+TEST(Figures, A_folder_that_cannot_be_made_is_an_error_that_names_it) {
+  const TemporaryFolder folder;
+  put_text(folder / "file", "x");
+  try {
+    write_figures(folder / "file/figures", {ramp_figure()}, {});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::partial);
+    EXPECT_TRUE(contains(error.what(), (folder / "file/figures").string())) << error.what();
+  }
+}
+
+TEST(Figures, Images_of_extreme_shape_are_drawn) {
+  const TemporaryFolder folder;
+  std::vector<ImageFigure> figures;
+  for (const auto& [width, height] : {std::pair{1, 1}, std::pair{1, 3000}, std::pair{5000, 1}}) {
+    figures.push_back(ramp_figure(width, height));
+    figures.back().stem = "shape" + std::to_string(width) + "x" + std::to_string(height);
+  }
+  EXPECT_TRUE(write_figures(folder / "figures", figures, {}).problems.empty());
+  EXPECT_EQ(count_files(folder / "figures"), 9u);
+}
+
+TEST(ImageFigure, A_large_image_keeps_its_pixels_and_a_small_one_is_enlarged_by_a_whole_number) {
+  EXPECT_TRUE(contains(to_svg(ramp_figure(1280, 720)), "width=\"1280\" height=\"720\" preserveAspectRatio"));
+  // 8 · 64 = 512 is the first multiple of 64 from 480 on; 8 · 36 = 288.
+  EXPECT_TRUE(contains(to_svg(ramp_figure(64, 36)), "width=\"512\" height=\"288\" preserveAspectRatio"));
+}
+
+TEST(ImageFigure, The_colour_bar_names_the_ends_of_the_scale_not_of_the_image) {
+  ImageFigure figure = ramp_figure();
+  figure.scale = {ColorMap::error, -0.5, 0.5, "raster − truth [1]"};
+  const std::string svg = to_svg(figure);
+  for (const char* text : {">−0.5<", ">−0.25<", ">0<", ">0.25<", ">0.5<", ">raster − truth [1]<"}) {
+    EXPECT_TRUE(contains(svg, text)) << text;
+  }
+}
+
+TEST(ImageFigure, Gaps_are_explained_where_there_are_any) {
+  ImageFigure figure = ramp_figure();
+  EXPECT_FALSE(contains(to_svg(figure), "no value"));
+  figure.values[7] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_TRUE(contains(to_svg(figure), "no value"));
+}
+
+TEST(ImageFigure, Every_category_has_its_swatch) {
+  ImageFigure figure;
+  figure.stem = "classes";
+  figure.category = Image<std::uint8_t>(8, 8, 1);
+  figure.categories = {{"correct", {236, 236, 236}}, {"acne", {213, 94, 0}}};
+  const std::string svg = to_svg(figure);
+  EXPECT_TRUE(contains(svg, "fill=\"#ececec\"")) << "236 is 0xec";
+  EXPECT_TRUE(contains(svg, "fill=\"#d55e00\"")) << "213, 94, 0 in hexadecimal";
+  EXPECT_TRUE(contains(svg, ">correct<"));
+  EXPECT_TRUE(contains(svg, ">acne<"));
+}
+
+TEST(PlotFigure, Lines_are_ordered_by_number_not_by_text_or_row) {
+  EXPECT_TRUE(contains(to_plot_specification(curve_figure()), "\"domain\":[\"256\",\"1024\"]"));
+}
+
+TEST(PlotFigure, Few_points_have_markers_and_many_have_none) {
+  EXPECT_TRUE(contains(to_plot_specification(curve_figure(12)), "\"point\""));
+  EXPECT_FALSE(contains(to_plot_specification(curve_figure(13)), "\"point\""));
+}
+
+TEST(PlotFigure, A_logarithmic_axis_says_how_many_points_it_cannot_show) {
+  PlotFigure figure = curve_figure(3);
+  EXPECT_FALSE(contains(to_plot_specification(figure), "Not shown"));
+  figure.x.logarithmic = true;  // the first bias of both lines is 0
+  EXPECT_TRUE(contains(to_plot_specification(figure), "Not shown: 2 of 6 points"));
+}
+
+TEST(PlotFigure, Values_that_are_no_number_are_left_out_and_counted) {
+  PlotFigure figure = curve_figure(3);
+  figure.data.rows[1][1] = std::numeric_limits<double>::quiet_NaN();
+  figure.data.rows[2][1] = std::numeric_limits<double>::infinity();
+  const std::string specification = to_plot_specification(figure);
+  EXPECT_TRUE(contains(specification, "Not shown: 2 of 6 points")) << specification;
+}
+
+TEST(PlotFigure, A_band_needs_both_bounds) {
+  PlotFigure figure = curve_figure(3);
+  figure.lower = "mae";
+  EXPECT_FALSE(contains(to_plot_specification(figure), "\"area\""));
+  figure.upper = "mae";
+  EXPECT_TRUE(contains(to_plot_specification(figure), "\"area\""));
+}
+
+TEST(PlotFigure, No_rows_one_row_and_a_choice_as_abscissa_are_drawn) {
+  const TemporaryFolder folder;
+  PlotFigure none = curve_figure(0);
+  none.stem = "none";
+  PlotFigure empty_logarithmic = none;
+  empty_logarithmic.stem = "empty_logarithmic";
+  empty_logarithmic.x.logarithmic = empty_logarithmic.y.logarithmic = true;
+  PlotFigure one = curve_figure(1);
+  one.stem = "one";
+  PlotFigure choice = curve_figure(2);
+  choice.stem = "choice";
+  choice.series.reset();
+  for (std::vector<Value>& row : choice.data.rows) row[0] = std::string("box");
+  const FigureOutcome outcome = write_figures(folder / "figures", {}, {none, empty_logarithmic, one, choice});
+  EXPECT_TRUE(outcome.problems.empty()) << outcome.problems.front();
+  EXPECT_TRUE(contains(text_of(folder / "figures/none.svg"), "There is no point to show"));
+  EXPECT_TRUE(contains(text_of(folder / "figures/choice.svg"), ">box<"));
+}
+
+}  // namespace
+}  // namespace umbrameter
