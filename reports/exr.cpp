@@ -9,6 +9,7 @@
 #include <OpenEXR/ImfStdIO.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -66,7 +67,13 @@ void check(const std::filesystem::path& path, const LayeredImage& image) {
   if (image.channels.empty()) refuse("the image has no channels");
   const Image<float>& first = image.channels.front().values;
   if (first.empty()) refuse("the image has no pixels");
+  std::set<std::string> names;
   for (const Channel& channel : image.channels) {
+    // Viewers take what stands before the last dot as the layer, some split at every dot.
+    if (channel.name.empty() || std::count(channel.name.begin(), channel.name.end(), '.') > 1) {
+      refuse("'" + channel.name + "' is no name of a channel: it wants one dot at most");
+    }
+    if (!names.insert(channel.name).second) refuse("two channels have the name '" + channel.name + "'");
     if (channel.values.width != first.width || channel.values.height != first.height) {
       refuse("channel '" + channel.name + "' differs in size from '" + image.channels.front().name + "'");
     }

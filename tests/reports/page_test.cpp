@@ -1,0 +1,246 @@
+#include "reports/page.h"
+
+#include <gtest/gtest.h>
+#include <stdio.h>
+
+#include <memory>
+#include <regex>
+#include <set>
+
+#include "core/error.h"
+#include "reports/figures.h"
+#include "reports/markup.h"
+#include "reports/page_figure.h"
+#include "reports/page_table.h"
+#include "tests/reports/temporary_folder.h"
+
+namespace umbrameter {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string hostile =
+    "<script>alert(1)</script> \"'&\xFF </title></style> <img src=http://example.org/x onerror=x>";
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+std::string page_of(const TemporaryFolder& folder, const Report& report) {
+  write_page(folder.path(), report);
+  return text_of(folder / "index.html");
+}
+
+Report sample(const std::string& text) {
+  Report report;
+  report.title = text;
+  report.subtitle = text;
+  report.command = text;
+  report.notes = {text};
+  report.settings = {{{text, text, text}}, {{text}}};
+  ReportSection section;
+  section.title = text;
+  section.text = text + "\n\n" + text;
+  section.headlines = {{text, text, text}, {text, "4.1 % [4.0, 4.2]", ""}};
+  section.figures = {"drawn", "absent", "../secret", text};
+  section.captions = {text, text};
+  section.figure_titles = {text};
+  section.tables = {{{{text, text, text}, {"mae", "1", ""}}, {{text, 0.125}}}};
+  report.sections = {section, section};
+  return report;
+}
+
+void put_drawing(const TemporaryFolder& folder, const std::string& name) {
+  fs::create_directories(folder / "figures");
+  put_text(folder / "figures" / (name + ".svg"),
+           "<?xml version=\"1.0\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"4\" height=\"2\" "
+           "viewBox=\"0 0 4 2\"><defs><clipPath id=\"c\"><rect width=\"4\" height=\"2\"/></clipPath></defs>"
+           "<g clip-path=\"url(#c)\"><text>an id=\"c\" here</text></g></svg>\n");
+}
+
+// The first element that is not closed where it should be, or nothing.
+std::string unbalanced(const std::string& page) {
+  static const std::set<std::string> without_end = {"meta", "img", "br", "link", "!doctype"};
+  static const std::regex tag("<(/?)([A-Za-z!][A-Za-z0-9]*)((?:[^<>\"]|\"[^\"]*\")*)>");
+  std::vector<std::string> open;
+  for (std::sregex_iterator m(page.begin(), page.end(), tag), end; m != end; ++m) {
+    std::string name = (*m)[2];
+    for (char& c : name) c = static_cast<char>(tolower(c));
+    const std::string rest = (*m)[3];
+    if (without_end.count(name) > 0 || (!rest.empty() && rest.back() == '/')) continue;
+    if ((*m)[1].length() == 0) {
+      open.push_back(name);
+    } else if (open.empty() || open.back() != name) {
+      return "</" + name + "> in " + (open.empty() ? "nothing" : open.back());
+    } else {
+      open.pop_back();
+    }
+  }
+  return open.empty() ? "" : open.back();
+}
+
+TEST(Page, Its_elements_are_closed_in_order_whatever_the_names_are) {
+  const TemporaryFolder folder;
+  put_drawing(folder, "drawn");
+  EXPECT_EQ(unbalanced("<p><b></p>"), "</p> in b");
+  EXPECT_EQ(unbalanced(page_of(folder, sample("plain"))), "");
+  EXPECT_EQ(unbalanced(page_of(folder, sample(hostile))), "");
+  EXPECT_EQ(unbalanced(page_of(folder, Report())), "");
+}
+
+TEST(Page, Hostile_names_stay_text) {
+  const TemporaryFolder folder;
+  put_drawing(folder, "drawn");
+  const std::string page = page_of(folder, sample(hostile));
+  EXPECT_EQ(count(page, "<script"), 0u);
+  EXPECT_EQ(count(page, "<img src=http"), 0u);
+  EXPECT_EQ(count(page, "</title>"), 1u);
+  EXPECT_EQ(count(page, "</style>"), 1u);
+  EXPECT_EQ(count(page, "\xFF"), 0u);
+  EXPECT_GT(count(page, "&lt;script&gt;alert(1)&lt;/script&gt;"), 10u);
+}
+
+TEST(Page, It_loads_nothing) {
+  const TemporaryFolder folder;
+  put_drawing(folder, "drawn");
+  write_png(folder / "figures/absent.png", Image<glm::u8vec3>(2, 2));
+  const std::string page = page_of(folder, sample("plain"));
+  const std::regex reference("(?:src|href|action|data|poster)=\"([^\"]*)\"|url\\(([^)]*)\\)|@import");
+  std::size_t references = 0;
+  for (std::sregex_iterator m(page.begin(), page.end(), reference), end; m != end; ++m) {
+    const std::string target = (*m)[1].matched ? (*m)[1].str() : (*m)[2].str();
+    EXPECT_TRUE(target.rfind("data:image/png;base64,", 0) == 0 || target.rfind("#", 0) == 0 ||
+                target.rfind("figures/", 0) == 0)
+        << m->str();
+    ++references;
+  }
+  EXPECT_GT(references, 5u);
+  EXPECT_EQ(count(page, "<script"), 0u);
+  EXPECT_EQ(count(page, "<link"), 0u);
+  EXPECT_EQ(count(page, " style=\""), 0u);  // the policy would block it
+  EXPECT_EQ(std::regex_search(page, std::regex("<[a-z]+ [^>]*\\bon[a-z]+=")), false);
+}
+
+TEST(Page, Its_policy_forbids_all_but_its_own_style_and_inlined_pictures) {
+  const TemporaryFolder folder;
+  const std::string page = page_of(folder, sample("plain"));
+  const std::size_t begin = page.find("<style>") + 7;
+  put_text(folder / "style", page.substr(begin, page.find("</style>") - begin));
+  const std::unique_ptr<FILE, int (*)(FILE*)> tool(popen(("sha256sum < " + (folder / "style").string()).c_str(), "r"),
+                                                   pclose);
+  char digits[65] = {};
+  if (tool == nullptr || fread(digits, 1, 64, tool.get()) != 64) GTEST_SKIP() << "sha256sum is missing";
+  std::string bytes;
+  for (int i = 0; i < 64; i += 2) bytes += static_cast<char>(std::stoi(std::string(digits + i, 2), nullptr, 16));
+  EXPECT_TRUE(contains(page, "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-" +
+                                 to_base64(bytes) + "'; img-src data:; base-uri 'none'; form-action 'none'\""));
+}
+
+TEST(Page, Ids_are_used_once_even_when_a_figure_is_shown_twice) {
+  const TemporaryFolder folder;
+  put_drawing(folder, "drawn");
+  const std::string page = page_of(folder, sample("plain"));
+  std::set<std::string> ids;
+  const std::regex id(" id=\"([^\"]*)\"");
+  const std::string without_texts = std::regex_replace(page, std::regex("<text>[^<]*</text>"), "");
+  for (std::sregex_iterator m(without_texts.begin(), without_texts.end(), id), end; m != end; ++m) {
+    EXPECT_TRUE(ids.insert((*m)[1]).second) << m->str();
+  }
+  EXPECT_TRUE(contains(page, "<clipPath id=\"s1f1-c\">"));
+  EXPECT_TRUE(contains(page, "url(#s1f1-c)"));
+  EXPECT_TRUE(contains(page, "url(#s2f1-c)"));
+  EXPECT_EQ(count(page, "<text>an id=\"c\" here</text>"), 2u);
+  for (const std::string& target : {std::string("section-1"), std::string("section-2"), std::string("settings")}) {
+    EXPECT_TRUE(contains(page, "href=\"#" + target + "\"") && ids.count(target) == 1) << target;
+  }
+}
+
+TEST(Page, A_drawing_with_a_script_is_not_taken_in) {
+  EXPECT_EQ(inline_svg("<svg><script>x</script></svg>", "a-"), "");
+  EXPECT_EQ(inline_svg("no drawing", "a-"), "");
+  EXPECT_EQ(inline_svg("</svg><svg", "a-"), "");
+  EXPECT_EQ(inline_svg("<?xml?><svg id=\"i\"><use href=\"#i\"/></svg>", "a-"),
+            "<svg id=\"a-i\"><use href=\"#a-i\"/></svg>");
+}
+
+TEST(Page, A_figure_is_drawn_or_shown_as_pixels_or_said_to_be_missing) {
+  const TemporaryFolder folder;
+  put_drawing(folder, "drawn");
+  write_png(folder / "figures/pixels.png", Image<glm::u8vec3>(2, 2));
+  put_text(folder / "secret.svg", "<svg>secret</svg>");
+  const std::string drawn = figure_markup(folder.path(), {"drawn", "Title", "Caption."}, "a-");
+  EXPECT_TRUE(contains(drawn, "role=\"img\" aria-label=\"Title. Caption.\"")) << drawn;
+  EXPECT_TRUE(contains(drawn, "href=\"figures/drawn.svg\""));
+  EXPECT_FALSE(contains(drawn, "href=\"figures/drawn.pdf\""));
+  EXPECT_TRUE(contains(figure_markup(folder.path(), {"pixels", "T", "C"}, "a-"),
+                       "<img alt=\"T. C\" src=\"data:image/png;base64,iVBORw0KGgo"));
+  for (const std::string& stem : {std::string("absent"), std::string("../secret"), std::string("../figures/drawn"),
+                                  std::string(), std::string("."), std::string("dr\0awn", 6)}) {
+    const std::string missing = figure_markup(folder.path(), {stem, "Title", ""}, "a-");
+    EXPECT_TRUE(contains(missing, "could not be drawn")) << stem;
+    EXPECT_FALSE(contains(missing, "<svg")) << stem;
+    EXPECT_TRUE(contains(missing, "Title")) << stem;
+  }
+}
+
+TEST(Page, Files_of_the_run_are_linked_when_they_are_there) {
+  const TemporaryFolder folder;
+  for (const char* name : {"images.exr", "sweep.csv", "experiment.toml", "summary.json"}) {
+    EXPECT_FALSE(contains(page_of(folder, sample("plain")), std::string("href=\"") + name));
+    put_text(folder / name, "x");
+    EXPECT_TRUE(contains(page_of(folder, sample("plain")), std::string("href=\"") + name + "\""));
+  }
+}
+
+TEST(Page, Equal_reports_are_equal_pages) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(page_of(folder, sample("plain")), page_of(folder, sample("plain")));
+}
+
+TEST(Page, Headings_descend_one_level_at_a_time) {
+  const TemporaryFolder folder;
+  const std::string page = page_of(folder, sample("plain"));
+  EXPECT_EQ(count(page, "<h1>"), 1u);
+  EXPECT_EQ(count(page, "<h2 id=\"section-"), 2u);
+  EXPECT_EQ(count(page, "<h3"), 0u);
+  EXPECT_TRUE(contains(page, "<html lang=\"en\">"));
+  EXPECT_EQ(count(page, "<main>"), 1u);
+}
+
+TEST(Page, A_place_that_cannot_be_written_is_an_error) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(write_page(folder / "none", sample("plain")), Error);
+}
+
+TEST(PageTable, It_has_a_caption_headers_and_a_row_of_units) {
+  const Table table{{{"filter", "", "how"}, {"bias", "m", "along the light"}, {"mae", "1", ""}},
+                    {{std::string("box"), 0.1 + 0.2, std::int64_t{5}}}};
+  const std::string markup = table_markup(table, "Table 1");
+  EXPECT_TRUE(contains(markup, "<caption>Table 1</caption>"));
+  EXPECT_TRUE(contains(markup, "<th scope=\"col\" title=\"how\">filter</th>")) << markup;
+  EXPECT_TRUE(contains(markup, "<th scope=\"col\" class=\"number\" title=\"along the light\">bias</th>")) << markup;
+  EXPECT_TRUE(contains(markup, "<td class=\"unit number\">m</td>"));
+  EXPECT_TRUE(contains(markup, "<th scope=\"row\">box</th><td class=\"number\">0.3</td><td class=\"number\">5</td>"));
+}
+
+TEST(PageTable, Tables_without_rows_columns_or_cells_are_no_trouble) {
+  EXPECT_EQ(table_markup({}, "none"), "");
+  EXPECT_TRUE(contains(table_markup({{{"a", "", ""}, {"b", "", ""}}, {}}, "none"), "colspan=\"2\">no rows<"));
+  EXPECT_TRUE(contains(table_markup({{{"a", "", ""}, {"b", "", ""}}, {{}}}, "short"),
+                       "<tr><th scope=\"row\"></th><td></td></tr>"));
+}
+
+TEST(PageTable, A_long_table_says_how_much_of_it_is_shown) {
+  Table table{{{"a", "1", ""}}, {}};
+  table.rows.assign(501, {Value(1.0)});
+  const std::string markup = table_markup(table, "long");
+  EXPECT_TRUE(contains(markup, "the first 500 of 501 rows"));
+  EXPECT_EQ(count(markup, "<td class=\"number\">1</td>"), 500u);
+}
+
+}  // namespace
+}  // namespace umbrameter
