@@ -1,4 +1,5 @@
 // Files that are either whole or absent: written under a temporary name, flushed, renamed.
+// Under a limit on file sizes the system sends SIGXFSZ, which ends a program that does not ignore it.
 #pragma once
 
 #include <filesystem>
