@@ -45,7 +45,8 @@ dvec3 sequential(double t) {
   return from_polar(0.12 + 0.86 * t, tint, 265.0 - 170.0 * t);
 }
 
-// Hues 262° and 30° are told apart with every kind of colour blindness. Lightness falls evenly and alike from the middle.
+// Hues 262° and 30° are told apart with every kind of colour blindness. Lightness falls evenly and alike from the
+// middle.
 dvec3 diverging(double t) {
   const double x = 2.0 * t - 1.0;
   return x < 0.0 ? from_polar(0.97 + 0.49 * x, -0.18 * x, 262.0) : from_polar(0.97 - 0.49 * x, 0.18 * x, 30.0);
