@@ -24,11 +24,13 @@ constexpr std::size_t line_length = 72;  // characters of a subtitle line
 // Okabe and Ito, Color universal design, 2008; without yellow, which is too light for a line on white, black last.
 constexpr std::array<const char*, 7> distinct_colors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                         "#56b4e9", "#e69f00", "#000000"};
-// Dark blue over teal to ochre: lightness rises evenly, from CIE L* 20 to 74, so that grey print keeps the order.
+// Dark blue over teal to ochre: lightness rises by near-even steps, CIE L* 17 to 72, so that grey print keeps the order.
 constexpr std::array<dvec3, 5> ordered_colors = {dvec3{46, 28, 96}, dvec3{45, 74, 139}, dvec3{31, 122, 140},
                                                  dvec3{70, 165, 110}, dvec3{202, 176, 46}};
-const std::array<std::vector<int>, 6> dashes = {std::vector<int>{1, 0},  std::vector<int>{8, 3},
-                                                std::vector<int>{2, 2},  std::vector<int>{9, 3, 2, 3},
+constexpr std::array<const char*, 7> shapes = {"circle",        "square",        "triangle-up", "diamond",
+                                               "triangle-down", "triangle-left", "cross"};
+const std::array<std::vector<int>, 6> dashes = {std::vector<int>{1, 0}, std::vector<int>{8, 3},
+                                                std::vector<int>{2, 2}, std::vector<int>{9, 3, 2, 3},
                                                 std::vector<int>{4, 4}, std::vector<int>{10, 3, 1, 3, 1, 3}};
 
 std::string ordered_color(std::size_t i, std::size_t count) {
@@ -169,19 +171,30 @@ int legend_columns(const std::vector<std::string>& names) {
   return std::max(1, plot_width / static_cast<int>(50 + 8 * longest));
 }
 
-// Colour and dash tell lines apart, each alone enough.
-void add_series(Json& encoding, const PlotFigure& figure) {
+// How the values of the series column are told apart.
+struct Series {
+  Json color;
+  Json dash;
+  Json shape;
+};
+
+// Colour and dash tell lines apart, and colour and shape the markers, each alone enough. Markers that stand on lines
+// leave the legend to these.
+Series make_series(const PlotFigure& figure, bool has_lines) {
   const std::size_t column = column_of(figure, *figure.series);
   const std::vector<std::string> domain = different_values(figure.data, column);
   const bool is_ordered = is_numeric(figure.data, column);
   Json colors = Json::array();
   Json patterns = Json::array();
+  Json markers = Json::array();
   for (std::size_t i = 0; i < domain.size(); ++i) {
     colors.push_back(is_ordered ? ordered_color(i, domain.size()) : distinct_colors[i % distinct_colors.size()]);
     patterns.push_back(dashes[i % dashes.size()]);
+    markers.push_back(shapes[i % shapes.size()]);
   }
-  const Json legend = {{"title", figure.series_label.empty() ? *figure.series : figure.series_label},
-                       {"columns", legend_columns(domain)}};
+  Json legend = {{"title", figure.series_label.empty() ? *figure.series : figure.series_label},
+                 {"columns", legend_columns(domain)}};
+  if (!has_lines) legend["symbolSize"] = 110;
   const auto channel = [&](const Json& range) {
     return Json{{"field", "s"},
                 {"type", "nominal"},
@@ -189,8 +202,61 @@ void add_series(Json& encoding, const PlotFigure& figure) {
                 {"sort", nullptr},
                 {"legend", legend}};
   };
-  encoding["color"] = channel(colors);
-  encoding["strokeDash"] = channel(patterns);
+  Series series{channel(colors), channel(patterns), channel(markers)};
+  if (has_lines) {
+    // Under its own field name: Vega-Lite joins the legends of one field.
+    series.shape["field"] = "m";
+    series.shape["legend"] = nullptr;
+  }
+  return series;
+}
+
+// The layers from back to front: zero line, intervals, lines, markers. Categories on the x axis get no lines, since
+// there is nothing between them, and their series stand side by side.
+Json make_layers(const PlotFigure& figure, const Points& points, bool has_numeric_x) {
+  const bool has_markers = !has_numeric_x || points.longest_line <= most_points_with_markers;
+  const bool has_band = has_numeric_x && points.longest_line > 1;
+  std::optional<Series> series;
+  if (figure.series) series = make_series(figure, has_numeric_x);
+  const Json y = axis_of("y", figure.y, true, points.rows);
+  const auto layer = [&](Json mark) {
+    Json result = {{"mark", std::move(mark)}, {"encoding", {{"y", y}}}};
+    if (series) result["encoding"]["color"] = series->color;
+    if (series && !has_numeric_x) result["encoding"]["xOffset"] = {{"field", "s"}, {"sort", nullptr}};
+    return result;
+  };
+
+  Json layers = Json::array();
+  const auto is_negative = [](const Json& row) { return row.at("y").get<double>() < 0.0; };
+  if (std::any_of(points.rows.begin(), points.rows.end(), is_negative)) {
+    Json zero = y;
+    zero.erase("field");
+    zero["datum"] = 0;
+    zero["axis"]["grid"] = true;
+    layers.push_back({{"mark", {{"type", "rule"}, {"color", "#888888"}}}, {"encoding", {{"x", nullptr}, {"y", zero}}}});
+  }
+  if (figure.lower && figure.upper) {
+    Json interval = layer(has_band ? Json{{"type", "area"}, {"fillOpacity", 0.2}}
+                                   : Json{{"type", "rule"}, {"strokeWidth", 6}, {"strokeOpacity", 0.3}});
+    interval["transform"] = {{{"filter", "isValid(datum.lo) && isValid(datum.hi)"}}};
+    interval["encoding"]["y"]["field"] = "lo";
+    interval["encoding"]["y2"] = {{"field", "hi"}};
+    layers.push_back(std::move(interval));
+  }
+  if (has_numeric_x) {
+    Json line = layer({{"type", "line"}, {"strokeWidth", 2.2}});
+    if (series) line["encoding"]["strokeDash"] = series->dash;
+    layers.push_back(std::move(line));
+  }
+  if (has_markers) {
+    Json marker = layer({{"type", "point"}, {"filled", true}, {"size", has_numeric_x ? 55 : 80}, {"opacity", 1}});
+    if (series) {
+      marker["transform"] = {{{"calculate", "datum.s"}, {"as", "m"}}};
+      marker["encoding"]["shape"] = series->shape;
+    }
+    layers.push_back(std::move(marker));
+  }
+  return layers;
 }
 
 Json look() {
@@ -222,6 +288,7 @@ Json look() {
             {"gridColor", "#e7e7e7"},
             {"domainColor", "#666666"},
             {"tickColor", "#666666"},
+            {"labelFlush", false},
             {"labelOverlap", true}}},
           {"legend",
            {{"orient", "bottom"},
@@ -261,27 +328,8 @@ std::string to_plot_specification(const PlotFigure& figure) {
   if (points.rows.empty()) subtitle.emplace_back("There is no point to show.");
   if (!subtitle.empty()) spec["title"]["subtitle"] = subtitle;
 
-  Json& encoding = spec["encoding"];
-  encoding["x"] = axis_of("x", figure.x, has_numeric_x, points.rows);
-  if (figure.series) add_series(encoding, figure);
-
-  const bool has_markers = !has_numeric_x || points.longest_line <= most_points_with_markers;
-  Json line = {{"mark", {{"type", "line"}, {"strokeWidth", 2.2}}}, {"encoding", Json::object()}};
-  line["encoding"]["y"] = axis_of("y", figure.y, true, points.rows);
-  if (has_markers) line["mark"]["point"] = {{"filled", true}, {"size", 45}};
-  Json layers = Json::array();
-  if (figure.lower && figure.upper) {
-    Json band = {{"mark", {{"type", "area"}, {"fillOpacity", 0.2}}}};
-    band["transform"] = {{{"filter", "isValid(datum.lo) && isValid(datum.hi)"}}};
-    band["encoding"]["y"] = line["encoding"]["y"];
-    band["encoding"]["y"]["field"] = "lo";
-    band["encoding"]["y2"] = {{"field", "hi"}};
-    // Areas have no dashes, and a legend entry of their own would stand beside the line's.
-    band["encoding"]["strokeDash"] = nullptr;
-    layers.push_back(std::move(band));
-  }
-  layers.push_back(std::move(line));
-  spec["layer"] = std::move(layers);
+  spec["encoding"]["x"] = axis_of("x", figure.x, has_numeric_x, points.rows);
+  spec["layer"] = make_layers(figure, points, has_numeric_x);
   spec["data"]["values"] = std::move(points.rows);
   spec["config"] = look();
   return spec.dump(-1, ' ', false, Json::error_handler_t::replace);

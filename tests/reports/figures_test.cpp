@@ -277,5 +277,25 @@ TEST(PlotFigure, No_rows_one_row_and_a_choice_as_abscissa_are_drawn) {
   EXPECT_TRUE(contains(text_of(folder / "figures/choice.svg"), ">box<"));
 }
 
+TEST(PlotFigure, Few_points_get_markers_and_many_do_not) {
+  EXPECT_TRUE(contains(to_plot_specification(curve_figure(12)), "\"type\":\"point\""));
+  EXPECT_FALSE(contains(to_plot_specification(curve_figure(13)), "\"type\":\"point\""));
+}
+
+TEST(PlotFigure, Choices_are_not_joined_by_lines) {
+  PlotFigure figure = curve_figure(3);
+  for (std::vector<Value>& row : figure.data.rows)
+    row[0] = std::string(std::get<double>(row[0]) > 0.0 ? "box" : "tent");
+  EXPECT_TRUE(contains(to_plot_specification(curve_figure(3)), "\"type\":\"line\""));
+  EXPECT_FALSE(contains(to_plot_specification(figure), "\"type\":\"line\""));
+}
+
+TEST(PlotFigure, Zero_is_marked_when_values_lie_below_it) {
+  PlotFigure figure = curve_figure(3);
+  EXPECT_FALSE(contains(to_plot_specification(figure), "\"datum\":0"));
+  figure.data.rows[0][1] = -1.0;
+  EXPECT_TRUE(contains(to_plot_specification(figure), "\"datum\":0"));
+}
+
 }  // namespace
 }  // namespace umbrameter
