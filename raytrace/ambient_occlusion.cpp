@@ -100,7 +100,7 @@ class BlockTracer {
         params_(params),
         seed_(seed),
         split_(split(params.spp)),
-        packet_(tracer.state(), true),
+        packet_(tracer.state()),
         lanes_(Packet::width) {}
 
   void trace(int x_begin, int y_begin, int x_end, int y_end, TracedAo& result) {

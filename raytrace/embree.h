@@ -23,7 +23,9 @@ inline constexpr RTCSceneFlags query_filter_flag = RTC_SCENE_FLAG_CONTEXT_FILTER
 struct Query {
   Context context;
   RTCFilterFunctionN filter = nullptr;
-  bool coherent = false;  ///< neighbouring rays take similar ways
+  /// Neighbouring rays take similar ways. Embree 3.13.5 was seen to loop for ever in coherent packets of shadow rays:
+  /// no caller asks for it.
+  bool coherent = false;
 };
 
 inline void prepare(Query& query, RTCFilterFunctionN filter, bool coherent) {

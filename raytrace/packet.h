@@ -8,17 +8,18 @@ namespace umbrameter {
 struct ShadowRay {
   vec3 origin{0};
   vec3 direction{0, 0, 1};  ///< unit
-  float reach = 0;    ///< metres; hits beyond do not block
+  float reach = 0;          ///< metres; hits beyond do not block
 };
 
 class Packet {
  public:
   static constexpr int width = 16;
 
-  Packet(const Tracer::State& state, bool coherent) : state_(&state) {
-    prepare(query_, state, false, coherent);
+  // No coherence hint: with it Embree 3.13.5 can loop for ever in packets that meet instances.
+  explicit Packet(const Tracer::State& state) : state_(&state) {
+    prepare(query_, state, false, false);
     for (int lane = 0; lane < width; ++lane) {
-      aim(lane, {});
+      aim(lane, {});  // idle lanes too: no garbage is traced along
       rays_.tnear[lane] = 0.0f;
       rays_.time[lane] = 0.0f;
       rays_.mask[lane] = 0xffffffffu;

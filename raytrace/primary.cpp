@@ -26,7 +26,7 @@ double reach(const View& view, const dvec3& direction) {
 
 Hit first_hit(const Tracer::State& state, const Ray& ray, double reach) {
   RayQuery query;
-  prepare(query, state, true, true);
+  prepare(query, state, true, false);
   query.primary_direction = ray.direction;
   const vec3 origin(ray.origin);
   const vec3 direction(ray.direction);
@@ -80,7 +80,8 @@ void write_surfel(GBuffer& gbuffer, std::size_t i, const Scene& scene, const Vie
   const dvec2 weight = weights_at(triangle, ray);
   const dvec3 position = triangle.a + weight.x * (triangle.b - triangle.a) + weight.y * (triangle.c - triangle.a);
   const dvec3 viewer = to_viewer(view, position);
-  dvec3 normal = glm::normalize(glm::cross(triangle.b - triangle.a, triangle.c - triangle.a));
+  const dvec3 across = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
+  dvec3 normal = glm::length(across) > 0.0 ? glm::normalize(across) : viewer;
   if (glm::dot(normal, viewer) < 0.0) normal = -normal;
   dvec3 smooth = normal;
   if (!mesh.normals.empty()) {

@@ -24,6 +24,7 @@ ShadowRay towards(const Light& light, const RayOrigin& origin) {
   }
   const dvec3 way = light.position() - dvec3(ray.origin);
   const double distance = glm::length(way);
+  if (!(distance > 0.0)) return ray;  // the light is at the surfel: nothing lies between
   ray.direction = vec3(way / distance);
   ray.reach = static_cast<float>(distance * (1.0 - 0x1p-22));
   return ray;
@@ -40,7 +41,7 @@ TracedVisibility trace_visibility(const Tracer& tracer, const GBuffer& gbuffer, 
       gbuffer.width, gbuffer.height, tile_size,
       [&](const Tile& tile) {
         TraceStatistics statistics;
-        Packet packet(tracer.state(), true);
+        Packet packet(tracer.state());
         std::size_t pixels[Packet::width];
         const auto flush = [&] {
           packet.trace();

@@ -31,13 +31,52 @@ double vertex_error(const Scene& scene, std::uint32_t instance, std::uint32_t tr
   return 2.0 * u * error;
 }
 
-// Embree takes a ray into the space of a shared mesh with a float matrix: the matrix, its inverse's four terms a row
-// and the products round, six roundings in all, seen from the world through the matrix itself.
+// Embree takes a ray into the space of a shared mesh with a float matrix that it inverts itself. Cofactors are two
+// products and a difference, the determinant three products of them, then a division: with B the cofactors' terms by
+// magnitude over |det|, and D the determinant's over |det|, an entry of the inverse is off by at most γ(10)·D·B. The
+// point's transform and the translation's add four roundings, so that 14 in all, seen from the world through |M|,
+// bound the origin; the rounded matrix itself moves the mesh by u·(|M|·|x| + |t|), which vertex_error counts.
 double transform_error(const Instance& placed, const dvec3& position) {
-  const dmat3 linear(placed.world_from_mesh);
-  const dmat3 inverse = absolute(glm::inverse(linear));
-  const dvec3 local = inverse * (absolute(position) + absolute(dvec3(placed.world_from_mesh[3])));
-  return 6.0 * u * glm::length(absolute(linear) * local);
+  const dmat3 linear = absolute(dmat3(placed.world_from_mesh));
+  dmat3 cofactors(0.0);
+  for (int column = 0; column < 3; ++column) {
+    const dvec3& v = linear[(column + 1) % 3];
+    const dvec3& w = linear[(column + 2) % 3];
+    cofactors[column] = {v.y * w.z + v.z * w.y, v.z * w.x + v.x * w.z, v.x * w.y + v.y * w.x};
+  }
+  const double determinant = std::abs(glm::determinant(dmat3(placed.world_from_mesh)));
+  if (!(determinant > 0.0)) return 0.0;  // flat: no ray meets it
+  const double spread = glm::dot(linear[0], cofactors[0]) / determinant;
+  const dvec3 way = absolute(position) + absolute(dvec3(placed.world_from_mesh[3]));
+  const dvec3 local = glm::transpose(cofactors) * way / determinant;
+  return 14.0 * u * spread * glm::length(linear * local);
+}
+
+// Moves a point that stands on an edge of its triangle inwards, until it is `inset` away from each edge, or a third of
+// the way to the opposite corner where the triangle is thin: at a crease the rounded origin must not fall behind the
+// neighbour that rises there.
+dvec3 inset_from_edges(const Triangle& t, const dvec3& normal, dvec3 point, double inset) {
+  // Each push may bring the point nearer to another edge: it ends when three in a row have nothing to do. In a corner
+  // of angle α two pushes leave cos² α of what was missing.
+  constexpr int most_pushes = 120;
+  const dvec3 corners[] = {t.a, t.b, t.c};
+  bool moved = false;
+  int idle = 0;
+  for (int i = 0; i < most_pushes && idle < 3; ++i) {
+    const dvec3& start = corners[i % 3];
+    const dvec3 edge = corners[(i + 1) % 3] - start;
+    const double length = glm::length(edge);
+    if (!(length > 0.0)) return point;
+    const dvec3 inwards = glm::cross(normal, edge) / length;
+    const double height = glm::dot(corners[(i + 2) % 3] - start, inwards);
+    const double missing = std::min(inset, height / 3.0) - glm::dot(point - start, inwards);
+    ++idle;
+    if (missing <= 1e-3 * inset) continue;
+    idle = 0;
+    point += missing * inwards;
+    moved = true;
+  }
+  return moved ? nearest_point(t, point) : point;
 }
 
 }  // namespace
@@ -83,17 +122,19 @@ RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t p
   const std::uint32_t id = gbuffer.triangle[pixel];
   const Triangle triangle = world_triangle(scene, instance, id);
   RayOrigin origin;
-  origin.surface = nearest_point(triangle, dvec3(gbuffer.position[pixel]));
+  const dvec3 nearest = nearest_point(triangle, dvec3(gbuffer.position[pixel]));
   const dvec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
   const double area = glm::length(normal);
   const dvec3 seen(gbuffer.geometric_normal[pixel]);
-  origin.normal = area > 0.0 ? normal / area : seen;
-  if (glm::dot(origin.normal, seen) < 0.0) origin.normal = -origin.normal;
+  const dvec3 unit = area > 0.0 ? normal / area : seen;
+  origin.normal = glm::dot(unit, seen) < 0.0 ? -unit : unit;
 
   const InstanceInfo& info = tracer.state().instances[instance];
-  origin.offset =
-      2.0 * vertex_error(scene, instance, id) + u * glm::length(origin.surface) + 8.0 * u * info.longest_edge;
-  if (info.is_shared) origin.offset += transform_error(scene.instances[instance], origin.surface);
+  origin.offset = 2.0 * vertex_error(scene, instance, id) + u * glm::length(nearest) + 8.0 * u * info.longest_edge;
+  if (info.is_shared) origin.offset += transform_error(scene.instances[instance], nearest);
+  // Room for an origin that stands `offset` high and is off by as much, under neighbours that rise at 28 degrees or
+  // more: 4 ≥ cot(28° / 2).
+  origin.surface = area > 0.0 ? inset_from_edges(triangle, unit, nearest, 4.0 * origin.offset) : nearest;
   return origin;
 }
 

@@ -8,7 +8,7 @@ namespace umbrameter {
 
 /// The exact surface point of a pixel and the step off it.
 struct RayOrigin {
-  dvec3 surface;      ///< the surfel projected onto its own triangle, world
+  dvec3 surface;      ///< the surfel projected onto its own triangle, a few offsets in from its edges, world
   dvec3 normal;       ///< unit, of the triangle, on the side of the surfel's geometric normal
   double offset = 0;  ///< metres along the normal
   dvec3 point() const { return surface + offset * normal; }

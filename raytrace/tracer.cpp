@@ -147,7 +147,10 @@ Tracer::Tracer(const Scene& scene) : state_(std::make_unique<State>(scene)) {
   State& state = *state_;
   // Embree builds on TBB, whose threads are limited by ThreadLimit.
   state.device.reset(rtcNewDevice(nullptr));
-  if (state.device == nullptr) check(nullptr, "start");
+  if (state.device == nullptr) {
+    check(nullptr, "start");
+    throw Error(ExitCode::no_backend, "Embree, start", "no device", "check that Embree fits this processor");
+  }
   rtcSetDeviceMemoryMonitorFunction(state.device.get(), on_memory, &state.bytes);
 
   std::vector<int> uses(scene.meshes.size(), 0);
