@@ -97,9 +97,12 @@ Layout lay_out(const Parameters& parameters, const std::vector<SweepAxis>& axes)
   return layout;
 }
 
+// "shadow.constant-bias" in metres is "constant bias [m]".
 std::string label_of(const Parameters& parameters, const std::string& key) {
   const std::string& unit = require(parameters, key).description.unit;
-  return key + (unit.empty() ? "" : " [" + unit + "]");
+  std::string label = key.substr(key.find('.') + 1);
+  std::replace(label.begin(), label.end(), '-', ' ');
+  return label + (unit.empty() ? "" : " [" + unit + "]");
 }
 
 // The rows of each combination of the remaining axes, under its text ("shadow.filter = box").
@@ -136,17 +139,18 @@ struct Curve {
   const char* title;
   const char* label;
   bool has_interval;
+  bool logarithmic;
 };
 constexpr Curve visibility_curves[] = {
-    {"mae", "Mean absolute error of visibility", "mean absolute error [% of counted pixels]", false},
-    {"acne", "Acne", "acne [% of counted pixels]", false},
-    {"peter_panning", "Peter-panning", "peter-panning [% of counted pixels]", false},
-    {"false_occlusion", "False occlusion", "false occlusion [% of counted pixels]", false},
-    {"leak", "Light leak", "light leak [% of counted pixels]", false}};
+    {"mae", "Mean absolute error of visibility", "mean absolute error [% of counted pixels]", false, true},
+    {"acne", "Acne", "acne [% of counted pixels]", false, false},
+    {"peter_panning", "Peter-panning", "peter-panning [% of counted pixels]", false, false},
+    {"false_occlusion", "False occlusion", "false occlusion [% of counted pixels]", false, false},
+    {"leak", "Light leak", "light leak [% of counted pixels]", false, false}};
 constexpr Curve ao_curves[] = {
-    {"mae", "Mean absolute error of accessibility", "mean absolute error [%], 95 % interval", true},
-    {"rmse", "RMS error of accessibility", "RMS error [%], 95 % interval", true},
-    {"mean_error", "Mean error of accessibility", "raster − truth [%], 95 % interval", true}};
+    {"mae", "Mean absolute error of accessibility", "mean absolute error [%], 95 % interval", true, false},
+    {"rmse", "RMS error of accessibility", "RMS error [%], 95 % interval", true, false},
+    {"mean_error", "Mean error of accessibility", "raster − truth [%], 95 % interval", true, false}};
 
 // The columns that a plot reads, shares as per cent.
 Table plot_data(const Table& table, const std::vector<std::size_t>& rows, const std::vector<std::string>& names,
@@ -181,7 +185,7 @@ std::vector<PlotFigure> make_plots(const Parameters& parameters, const std::vect
       plot.title = curve.title;
       plot.caption = text.empty() ? "" : "At " + text + ".";
       plot.x = {x, label_of(parameters, x), is_geometric(axes[layout.x])};
-      plot.y = {curve.column, curve.label, false};
+      plot.y = {curve.column, curve.label, curve.logarithmic};
       std::vector<std::string> names = {x, curve.column};
       if (layout.series) {
         plot.series = axes[*layout.series].key;

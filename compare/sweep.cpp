@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
@@ -43,6 +44,14 @@ double parse_real(std::string_view key, std::string_view text, const std::string
   return number;
 }
 
+// The nearest number of 15 significant digits: what was meant where steps of 0.1 are no sums of powers of two.
+double rounded(double value) {
+  char digits[40];
+  const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 15).ptr;
+  std::from_chars(digits, end, value);
+  return value;
+}
+
 // Both ends are met exactly.
 std::vector<double> spaced(double first, double last, std::size_t count, bool logarithmic) {
   std::vector<double> values(count);
@@ -52,7 +61,7 @@ std::vector<double> spaced(double first, double last, std::size_t count, bool lo
       continue;
     }
     const double t = static_cast<double>(i) / static_cast<double>(count - 1);
-    values[i] = logarithmic ? first * std::pow(last / first, t) : first + (last - first) * t;
+    values[i] = rounded(logarithmic ? first * std::pow(last / first, t) : first + (last - first) * t);
   }
   return values;
 }

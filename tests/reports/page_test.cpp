@@ -1,8 +1,8 @@
 #include "reports/page.h"
 
 #include <gtest/gtest.h>
-#include <stdio.h>
 
+#include <cstdio>
 #include <memory>
 #include <regex>
 #include <set>
