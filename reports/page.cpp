@@ -101,28 +101,35 @@ std::string headlines_markup(const std::vector<Headline>& headlines) {
   return "<dl class=\"headlines\">\n" + tiles + "</dl>\n";
 }
 
-std::string figures_markup(const fs::path& folder, const ReportSection& section, std::size_t number) {
+// What has been numbered so far, from the top of the page.
+struct Numbers {
+  std::size_t sections = 0;
+  std::size_t figures = 0;
+  std::size_t tables = 0;
+};
+
+std::string figures_markup(const fs::path& folder, const ReportSection& section, Numbers& numbers) {
   if (section.figures.empty()) return {};
   const auto text_at = [](const std::vector<std::string>& texts, std::size_t i) {
     return i < texts.size() ? texts[i] : std::string();
   };
   std::string result = fmt::format("<div class=\"figures{}\">\n", section.figures.size() == 1 ? " single" : "");
   for (std::size_t f = 0; f < section.figures.size(); ++f) {
-    const PageFigure figure{section.figures[f], text_at(section.figure_titles, f), text_at(section.captions, f)};
-    result += figure_markup(folder, figure, fmt::format("s{}f{}-", number, f + 1));
+    const PageFigure figure{section.figures[f], text_at(section.figure_titles, f), text_at(section.captions, f),
+                            ++numbers.figures};
+    result += figure_markup(folder, figure, fmt::format("f{}-", numbers.figures));
   }
   return result + "</div>\n";
 }
 
-std::string section_markup(const fs::path& folder, const ReportSection& section, std::size_t number,
-                           std::size_t& tables) {
+std::string section_markup(const fs::path& folder, const ReportSection& section, Numbers& numbers) {
+  ++numbers.sections;
   std::string result = fmt::format("<section aria-labelledby=\"section-{0}\">\n<h2 id=\"section-{0}\">{1}</h2>\n",
-                                   number, escape_markup(section.title));
-  result += headlines_markup(section.headlines) + paragraphs(section.text) + figures_markup(folder, section, number);
+                                   numbers.sections, escape_markup(section.title));
+  result += headlines_markup(section.headlines) + paragraphs(section.text) + figures_markup(folder, section, numbers);
   for (const Table& table : section.tables) {
     if (table.columns.empty()) continue;
-    ++tables;
-    result += table_markup(table, fmt::format("Table {}. {}", tables, section.title));
+    result += table_markup(table, fmt::format("Table {}. {}", ++numbers.tables, section.title));
   }
   return result + "</section>\n";
 }
@@ -140,10 +147,8 @@ void write_page(const fs::path& folder, const Report& report) {
   page += "<body>\n<div class=\"page\">\n<header>\n<h1>" + escape_markup(report.title) + "</h1>\n";
   if (!report.subtitle.empty()) page += "<p class=\"subtitle\">" + escape_markup(report.subtitle) + "</p>\n";
   page += file_list(folder) + contents_markup(report) + "</header>\n<main>\n" + notes_markup(report.notes);
-  std::size_t tables = 0;
-  for (std::size_t s = 0; s < report.sections.size(); ++s) {
-    page += section_markup(folder, report.sections[s], s + 1, tables);
-  }
+  Numbers numbers;
+  for (const ReportSection& section : report.sections) page += section_markup(folder, section, numbers);
   page += settings_markup(report);
   if (!report.command.empty()) {
     page += "<section aria-labelledby=\"repeat\">\n<h2 id=\"repeat\">Repeat this run</h2>\n<pre><code>" +

@@ -106,13 +106,14 @@ std::string figure_markup(const fs::path& folder, const PageFigure& figure, std:
         picture_markup(base, title.empty() || caption.empty() ? title + caption : title + ". " + caption, id_prefix);
     links = file_links(base, figure.stem);
   }
+  std::string text = caption.empty() ? title : caption;
   if (picture.empty()) {
     picture =
         "<div class=\"picture\"><p class=\"missing\">This figure could not be drawn; the notes say why.</p></div>\n";
+    if (!title.empty() && !caption.empty()) text = title + ". " + caption;
   }
-  const std::string space = title.empty() || caption.empty() ? "" : " ";
-  return fmt::format("<figure>\n{}<figcaption>{}{}{}\n{}</figcaption>\n</figure>\n", picture,
-                     title.empty() ? "" : "<strong>" + title + ".</strong>", space, caption, links);
+  return fmt::format("<figure>\n{}<figcaption><strong>Figure {}.</strong> {}\n{}</figcaption>\n</figure>\n", picture,
+                     figure.number, text, links);
 }
 
 }  // namespace umbrameter

@@ -12,9 +12,10 @@ namespace umbrameter {
 std::string inline_svg(std::string_view document, std::string_view id_prefix);
 
 struct PageFigure {
-  std::string stem;  ///< of the files in DIR/figures
-  std::string title;
+  std::string stem;   ///< of the files in DIR/figures
+  std::string title;  ///< the picture shows it already: repeated for readers who cannot see the picture
   std::string caption;
+  std::size_t number = 0;  ///< "Figure 3"
 };
 
 /// A <figure> with the picture, its caption and links to its files. `folder` is DIR; a figure that is not there, or

@@ -150,9 +150,9 @@ TEST(Page, Ids_are_used_once_even_when_a_figure_is_shown_twice) {
   for (std::sregex_iterator m(without_texts.begin(), without_texts.end(), id), end; m != end; ++m) {
     EXPECT_TRUE(ids.insert((*m)[1]).second) << m->str();
   }
-  EXPECT_TRUE(contains(page, "<clipPath id=\"s1f1-c\">"));
-  EXPECT_TRUE(contains(page, "url(#s1f1-c)"));
-  EXPECT_TRUE(contains(page, "url(#s2f1-c)"));
+  EXPECT_TRUE(contains(page, "<clipPath id=\"f1-c\">"));
+  EXPECT_TRUE(contains(page, "url(#f1-c)"));
+  EXPECT_TRUE(contains(page, "url(#f5-c)"));
   EXPECT_EQ(count(page, "<text>an id=\"c\" here</text>"), 2u);
   for (const std::string& target : {std::string("section-1"), std::string("section-2"), std::string("settings")}) {
     EXPECT_TRUE(contains(page, "href=\"#" + target + "\"") && ids.count(target) == 1) << target;
@@ -172,15 +172,16 @@ TEST(Page, A_figure_is_drawn_or_shown_as_pixels_or_said_to_be_missing) {
   put_drawing(folder, "drawn");
   write_png(folder / "figures/pixels.png", Image<glm::u8vec3>(2, 2));
   put_text(folder / "secret.svg", "<svg>secret</svg>");
-  const std::string drawn = figure_markup(folder.path(), {"drawn", "Title", "Caption."}, "a-");
+  const std::string drawn = figure_markup(folder.path(), {"drawn", "Title", "Caption.", 7}, "a-");
   EXPECT_TRUE(contains(drawn, "role=\"img\" aria-label=\"Title. Caption.\"")) << drawn;
+  EXPECT_TRUE(contains(drawn, "<strong>Figure 7.</strong> Caption.\n")) << drawn;
   EXPECT_TRUE(contains(drawn, "href=\"figures/drawn.svg\""));
   EXPECT_FALSE(contains(drawn, "href=\"figures/drawn.pdf\""));
-  EXPECT_TRUE(contains(figure_markup(folder.path(), {"pixels", "T", "C"}, "a-"),
+  EXPECT_TRUE(contains(figure_markup(folder.path(), {"pixels", "T", "C", 1}, "a-"),
                        "<img alt=\"T. C\" src=\"data:image/png;base64,iVBORw0KGgo"));
   for (const std::string& stem : {std::string("absent"), std::string("../secret"), std::string("../figures/drawn"),
                                   std::string(), std::string("."), std::string("dr\0awn", 6)}) {
-    const std::string missing = figure_markup(folder.path(), {stem, "Title", ""}, "a-");
+    const std::string missing = figure_markup(folder.path(), {stem, "Title", "", 1}, "a-");
     EXPECT_TRUE(contains(missing, "could not be drawn")) << stem;
     EXPECT_FALSE(contains(missing, "<svg")) << stem;
     EXPECT_TRUE(contains(missing, "Title")) << stem;
