@@ -1,8 +1,11 @@
 // Whole runs: what is written, that it repeats, and that it does not depend on threads.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "reports/exr.h"
 #include "tests/app/run_program.h"
@@ -151,9 +154,71 @@ TEST_F(Run, A_sweep_cell_equals_a_run_of_its_own) {
   const std::string csv = bytes_of(folder_ / "sweep/sweep.csv");
   const std::string last = csv.substr(csv.rfind('\n', csv.size() - 2) + 1);
   const Json& statistics = summary["shadows"][0]["statistics"];
-  std::string expected = "0.05,128," + statistics["pixels"].dump() + ",";
-  EXPECT_EQ(last.rfind(expected, 0), 0u) << last;
-  EXPECT_NE(last.find("," + statistics["mae"].dump() + ","), std::string::npos) << last << statistics;
+  std::string expected = "0.05,128,";
+  expected += statistics["pixels"].dump();
+  EXPECT_EQ(last.rfind(expected + ",", 0), 0u) << last;
+  std::string mae = ",";
+  mae += statistics["mae"].dump();
+  EXPECT_NE(last.find(mae + ","), std::string::npos) << last << statistics;
+}
+
+// The columns of a sweep's rows, by name.
+std::vector<std::map<std::string, double>> rows_of(const std::string& csv) {
+  std::vector<std::map<std::string, double>> rows;
+  std::istringstream lines(csv);
+  std::string line;
+  std::vector<std::string> names;
+  while (std::getline(lines, line)) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    std::istringstream cells(line);
+    std::string cell;
+    std::map<std::string, double> row;
+    for (std::size_t i = 0; std::getline(cells, cell, ','); ++i) {
+      if (rows.empty() && row.empty() && names.size() <= i) {
+        names.push_back(cell);
+      } else {
+        row[names.at(i)] = std::stod(cell);
+      }
+    }
+    if (!row.empty()) rows.push_back(row);
+  }
+  return rows;
+}
+
+TEST_F(Run, Acne_on_the_tilted_plane_follows_its_formula) {
+  // Share of an unbounded lit plane, one nearest tap; p ≥ q the larger and smaller of |cos ψ|, |sin ψ| and
+  // s = b/(t tan θ): s ≤ (p−q)/2: ½ − s/p; up to (p+q)/2: ((p+q)/2 − s)²/(2pq); above: 0.
+  struct Sun {
+    const char* light;
+    double theta;
+    double psi;
+  };
+  constexpr double degree = 3.14159265358979323846 / 180.0;
+  for (const Sun& sun : {Sun{"sun-30", 30 * degree, 0}, Sun{"sun-60", 60 * degree, 0}, Sun{"sun-75", 75 * degree, 0},
+                         Sun{"sun-60-azimuth-45", 60 * degree, 45 * degree}}) {
+    const ProgramResult result =
+        run_program({"sweep", "tilted-plane", "-o", folder_ / "out", "--light", sun.light, "--size", "640x360",
+                     "--quiet", "--vary", "shadow.constant-bias=0:0.12:7", "--vary", "shadow.resolution=256,400,1024"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const double p = std::max(std::cos(sun.psi), std::sin(sun.psi));
+    const double q = std::min(std::cos(sun.psi), std::sin(sun.psi));
+    const auto rows = rows_of(bytes_of(folder_ / "out/sweep.csv"));
+    ASSERT_EQ(rows.size(), 21u);
+    for (const auto& row : rows) {
+      const double s = row.at("shadow.constant-bias") / (row.at("mean_texel") * std::tan(sun.theta));
+      double share = 0.0;
+      if (s <= (p - q) / 2) {
+        share = 0.5 - s / p;
+      } else if (s <= (p + q) / 2) {
+        share = std::pow((p + q) / 2 - s, 2) / (2 * p * q);
+      }
+      // 230,400 pixels: the standard error of as many independent samples is at most 0.00104.
+      EXPECT_NEAR(row.at("acne"), share, 0.00104)
+          << sun.light << ", bias " << row.at("shadow.constant-bias") << ", resolution " << row.at("shadow.resolution");
+      EXPECT_EQ(row.at("pixels"), 640.0 * 360.0);
+      EXPECT_NEAR(row.at("mae"), row.at("acne"), 1e-12) << "acne is the only error of a plane";
+    }
+  }
 }
 
 TEST_F(Run, An_ao_sweep_states_its_interval) {
