@@ -68,7 +68,7 @@ void add_parameters(CLI::App& command, CommandLine& line) {
     }
     std::string meaning = parameter.description.meaning;
     if (!parameter.description.unit.empty()) meaning += " [" + parameter.description.unit + "]";
-    meaning += "; " + parameter.limits();
+    if (!std::holds_alternative<std::string*>(parameter.field)) meaning += "; " + parameter.limits();
     const std::string value = to_string(parameter.value());
     if (!value.empty()) meaning += " (default " + value + ")";
     command
@@ -177,7 +177,7 @@ std::variant<CommandLine, Information> parse_command_line(int argc, const char* 
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     const auto chosen = app.get_subcommands();
-    return Information{chosen.empty() ? app.help() : chosen.front()->help()};
+    return Information{chosen.empty() ? app.help() : chosen.front()->help("umbrameter")};
   } catch (const CLI::CallForVersion& version) {
     return Information{std::string(version.what()) + "\n"};
   } catch (const CLI::ExtrasError&) {

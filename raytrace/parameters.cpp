@@ -1,7 +1,6 @@
 #include "raytrace/parameters.h"
 
 #include <array>
-#include <limits>
 
 namespace umbrameter {
 
@@ -10,8 +9,7 @@ Parameters describe(TruthParams& params) {
   return Description("truth")
       .field("spp", params.spp, {"rays", "hemisphere rays for each pixel", 1, 65536})
       .choice("ao-weight", params.ao_weight, weights, {"", "how directions count: by their cosine, or evenly"})
-      .field("ao-distance", params.ao_distance,
-             {"m", "hits farther than this do not occlude; 0 for no limit", 0.0, std::numeric_limits<double>::max()})
+      .field("ao-distance", params.ao_distance, {"m", "hits farther than this do not occlude; 0 for no limit", 0.0})
       .take();
 }
 
