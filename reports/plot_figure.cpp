@@ -24,7 +24,8 @@ constexpr std::size_t line_length = 72;  // characters of a subtitle line
 // Okabe and Ito, Color universal design, 2008; without yellow, which is too light for a line on white, black last.
 constexpr std::array<const char*, 7> distinct_colors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                         "#56b4e9", "#e69f00", "#000000"};
-// Dark blue over teal to ochre: lightness rises by near-even steps, CIE L* 17 to 72, so that grey print keeps the order.
+// Dark blue over teal to ochre: lightness rises by near-even steps, CIE L* 17 to 72, so that grey print keeps the
+// order.
 constexpr std::array<dvec3, 5> ordered_colors = {dvec3{46, 28, 96}, dvec3{45, 74, 139}, dvec3{31, 122, 140},
                                                  dvec3{70, 165, 110}, dvec3{202, 176, 46}};
 constexpr std::array<const char*, 7> shapes = {"circle",        "square",        "triangle-up", "diamond",
