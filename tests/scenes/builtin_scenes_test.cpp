@@ -124,7 +124,7 @@ TEST(TiltedPlane, Has_suns_at_the_angles_in_their_names) {
   for (std::size_t i = 0; i < tilts.size(); ++i) {
     const Tilt& tilt = tilts[i];
     EXPECT_EQ(scene.lights.at(i).name, tilt.name);
-    const Light& light = light_named(scene, tilt.name);
+    const Light light = light_named(scene, tilt.name);
     const dvec3 normal(0, 1, 0);
     EXPECT_NEAR(glm::dot(-light.axis(), normal), std::cos(tilt.theta * pi / 180.0), 1e-12) << tilt.name;
     // The plane's depth grows along the part of the normal across the light; its angle to the map's axes is ψ.
