@@ -133,7 +133,7 @@ std::string nearest_command(const CLI::App& app, const std::string& given) {
   const std::vector<std::string> extras = app.remaining(true);
   const std::string given = extras.empty() ? "" : extras.front().substr(0, extras.front().find('='));
   const std::string help = "'umbrameter" + (command == &app ? "" : " " + command->get_name()) + " --help' lists ";
-  if (given.rfind("-", 0) == 0) {
+  if (given.starts_with('-')) {
     const std::string nearest = nearest_flag(*command, given);
     throw Error(ExitCode::usage, given, "there is no such flag",
                 nearest.empty() ? help + "the flags" : "did you mean '" + nearest + "'?");

@@ -224,8 +224,11 @@ void Context::check(const char* pass) const {
     if (state_->errors.empty()) state_->errors = "error code " + std::to_string(error);
   }
   if (state_->errors.empty()) return;
-  throw Error(ExitCode::no_backend, std::string("OpenGL pass '") + pass + "' on " + device().renderer,
-              std::exchange(state_->errors, {}), "choose another device with --gl-device");
+  // What follows the first error is mostly its consequence.
+  const std::string first = state_->errors.substr(0, state_->errors.find(", "));
+  state_->errors.clear();
+  throw Error(ExitCode::no_backend, std::string("OpenGL pass '") + pass + "' on " + device().renderer, first,
+              "use a smaller size or choose another device with --gl-device");
 }
 
 const Program& Context::program(const ProgramSource& source) const {

@@ -35,7 +35,7 @@ TEST(CommandLine, Built_in_scenes_are_listed_with_the_default_first) {
 TEST(CommandLine, The_reference_page_is_what_the_program_describes) {
   const ProgramResult result = run_program({"parameters", "--markdown"});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_EQ(result.out, bytes_of(std::string(UMBRAMETER_DOCS) + "/parameters.md"))
+  EXPECT_EQ(result.out, text_of(std::string(UMBRAMETER_DOCS) + "/parameters.md"))
       << "run: umbrameter parameters --markdown > docs/parameters.md";
 }
 
@@ -45,8 +45,8 @@ TEST(CommandLine, A_written_scene_is_byte_identical_each_time_and_loads_back) {
     const ProgramResult result = run_program({"scene", "thin-leaf", "-o", folder / file});
     EXPECT_EQ(result.exit_code, 0) << result.err;
   }
-  EXPECT_EQ(bytes_of(folder / "a.glb"), bytes_of(folder / "b.glb"));
-  EXPECT_EQ(bytes_of(folder / "a.glb").substr(0, 4), "glTF");
+  EXPECT_EQ(text_of(folder / "a.glb"), text_of(folder / "b.glb"));
+  EXPECT_EQ(text_of(folder / "a.glb").substr(0, 4), "glTF");
   const ProgramResult info = run_program({"info", folder / "a.glb"});
   EXPECT_EQ(info.exit_code, 0) << info.err;
   EXPECT_NE(info.out.find("triangles"), std::string::npos);

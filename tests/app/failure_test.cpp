@@ -33,7 +33,7 @@ TEST(Failure, A_directory_as_scene_is_unreadable_input) {
 TEST(Failure, A_truncated_glb_is_unreadable_input) {
   const TemporaryFolder folder;
   ASSERT_EQ(run_program({"scene", "corner", "-o", folder / "whole.glb"}).exit_code, 0);
-  const std::string whole = bytes_of(folder / "whole.glb");
+  const std::string whole = text_of(folder / "whole.glb");
   for (const std::size_t size :
        {std::size_t{0}, std::size_t{10}, std::size_t{40}, whole.size() / 2, whole.size() - 1}) {
     std::ofstream(folder / "cut.glb", std::ios::binary) << whole.substr(0, size);
@@ -122,7 +122,7 @@ TEST(Failure, A_full_disk_is_a_partial_result_and_leaves_nothing_half_written) {
                      "sh"};
   const ProgramResult result = trace("corner", disk + "/out", options);
   expect_failure(result, 5, "No space left on device");
-  EXPECT_EQ(bytes_of(listing).find("images.exr"), std::string::npos) << bytes_of(listing);
+  EXPECT_EQ(text_of(listing).find("images.exr"), std::string::npos) << text_of(listing);
 }
 
 TEST(Failure, A_limit_on_file_size_is_no_crash) {

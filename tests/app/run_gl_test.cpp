@@ -44,7 +44,7 @@ TEST_F(Run, Compare_writes_every_file_and_layer_of_the_contract) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.err, "");
   const Json summary = Json::parse(result.out);
-  EXPECT_EQ(summary, Json::parse(bytes_of(folder_ / "out/summary.json")));
+  EXPECT_EQ(summary, Json::parse(text_of(folder_ / "out/summary.json")));
   for (const char* file : {"experiment.toml", "summary.json", "index.html", "images.exr", "figures/truth_ao.png",
                            "figures/error_visibility_sun.svg", "figures/class_sun.pdf"}) {
     EXPECT_TRUE(std::filesystem::exists(folder_ / (std::string("out/") + file))) << file;
@@ -102,9 +102,8 @@ TEST_F(Run, Equal_runs_give_equal_bytes_at_any_number_of_threads) {
   run("two", "2");
   run("again", "2");
   for (const char* file : {"images.exr", "summary.json", "experiment.toml"}) {
-    EXPECT_EQ(bytes_of(folder_ / (std::string("one/") + file)), bytes_of(folder_ / (std::string("two/") + file)))
-        << file;
-    EXPECT_EQ(bytes_of(folder_ / (std::string("two/") + file)), bytes_of(folder_ / (std::string("again/") + file)))
+    EXPECT_EQ(text_of(folder_ / (std::string("one/") + file)), text_of(folder_ / (std::string("two/") + file))) << file;
+    EXPECT_EQ(text_of(folder_ / (std::string("two/") + file)), text_of(folder_ / (std::string("again/") + file)))
         << file;
   }
 }
@@ -119,7 +118,7 @@ TEST_F(Run, A_stored_experiment_repeats_its_run) {
       run_program({"sweep", "-c", folder_ / "first/experiment.toml", "-o", folder_ / "second", "--quiet"});
   ASSERT_EQ(again.exit_code, 0) << again.err;
   for (const char* file : {"sweep.csv", "experiment.toml", "images.exr"}) {
-    EXPECT_EQ(bytes_of(folder_ / (std::string("first/") + file)), bytes_of(folder_ / (std::string("second/") + file)))
+    EXPECT_EQ(text_of(folder_ / (std::string("first/") + file)), text_of(folder_ / (std::string("second/") + file)))
         << file;
   }
 }
@@ -130,7 +129,7 @@ TEST_F(Run, A_sweep_names_its_axes_in_full_and_has_a_row_for_each_cell) {
                               small))
                 .exit_code,
             0);
-  const std::string csv = bytes_of(folder_ / "out/sweep.csv");
+  const std::string csv = text_of(folder_ / "out/sweep.csv");
   EXPECT_EQ(csv.rfind("shadow.constant-bias,shadow.resolution,pixels,lit,blocked,mae,rmse,acne,false_occlusion,"
                       "peter_panning,leak,",
                       0),
@@ -150,8 +149,8 @@ TEST_F(Run, A_sweep_cell_equals_a_run_of_its_own) {
                               small))
                 .exit_code,
             0);
-  const Json summary = Json::parse(bytes_of(folder_ / "one/summary.json"));
-  const std::string csv = bytes_of(folder_ / "sweep/sweep.csv");
+  const Json summary = Json::parse(text_of(folder_ / "one/summary.json"));
+  const std::string csv = text_of(folder_ / "sweep/sweep.csv");
   const std::string last = csv.substr(csv.rfind('\n', csv.size() - 2) + 1);
   const Json& statistics = summary["shadows"][0]["statistics"];
   std::string expected = "0.05,128,";
@@ -202,7 +201,7 @@ TEST_F(Run, Acne_on_the_tilted_plane_follows_its_formula) {
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const double p = std::max(std::cos(sun.psi), std::sin(sun.psi));
     const double q = std::min(std::cos(sun.psi), std::sin(sun.psi));
-    const auto rows = rows_of(bytes_of(folder_ / "out/sweep.csv"));
+    const auto rows = rows_of(text_of(folder_ / "out/sweep.csv"));
     ASSERT_EQ(rows.size(), 21u);
     for (const auto& row : rows) {
       const double s = row.at("shadow.constant-bias") / (row.at("mean_texel") * std::tan(sun.theta));
@@ -225,7 +224,7 @@ TEST_F(Run, An_ao_sweep_states_its_interval) {
   const ProgramResult result = run_program(words(
       {"sweep", "corner", "-o", folder_ / "out", "--vary", "ao.radius=0.25,0.5", "--vary", "ao.samples=8,16"}, small));
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(bytes_of(folder_ / "out/sweep.csv").rfind("ao.radius,ao.samples,pixels,mae,mae_lo,mae_hi,", 0), 0u);
+  EXPECT_EQ(text_of(folder_ / "out/sweep.csv").rfind("ao.radius,ao.samples,pixels,mae,mae_lo,mae_hi,", 0), 0u);
 }
 
 TEST_F(Run, Trace_and_raster_write_the_layers_that_they_have) {

@@ -33,7 +33,7 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const Progr
   for (const std::string& word : options.wrapper) command += quoted(word) + " ";
   command += quoted(UMBRAMETER_PROGRAM);
   for (const std::string& argument : arguments) command += " " + quoted(argument);
-  command += " >" + quoted(folder / "out") + " 2>" + quoted(folder / "err") + " </dev/null";
+  command += " >" + quoted((folder / "out").string()) + " 2>" + quoted((folder / "err").string()) + " </dev/null";
 
   const char* words[] = {"sh", "-c", command.c_str(), nullptr};
   pid_t child = 0;
@@ -48,29 +48,11 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const Progr
   waitpid(child, &status, 0);
   ProgramResult result;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  result.out = bytes_of(folder.path() / "out");
-  result.err = bytes_of(folder.path() / "err");
+  result.out = text_of(folder.path() / "out");
+  result.err = text_of(folder.path() / "err");
   return result;
 }
 
 bool is_one_line(const std::string& text) { return !text.empty() && text.find('\n') == text.size() - 1; }
-
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "umbrameter-test-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 }  // namespace umbrameter

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/temporary_folder.h"
+
 namespace umbrameter {
 
 struct ProgramResult {
@@ -27,22 +29,5 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const Progr
 
 /// Whether text is exactly one line that ends with a line break.
 bool is_one_line(const std::string& text);
-
-/// A new empty folder that is removed with the object.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
-
-/// All bytes of a file.
-std::string bytes_of(const std::filesystem::path& path);
 
 }  // namespace umbrameter

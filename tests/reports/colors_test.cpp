@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "reports/figures.h"
-#include "tests/reports/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace umbrameter {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/error.h"
-#include "tests/reports/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace umbrameter {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "core/error.h"
 #include "core/random.h"
-#include "tests/reports/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace umbrameter {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "reports/figure_parts.h"
-#include "tests/reports/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace umbrameter {
 namespace {

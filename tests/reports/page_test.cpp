@@ -12,7 +12,7 @@
 #include "reports/markup.h"
 #include "reports/page_figure.h"
 #include "reports/page_table.h"
-#include "tests/reports/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace umbrameter {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
-#include "tests/reports/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace umbrameter {
 namespace {
