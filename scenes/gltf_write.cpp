@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <set>
 
 #include "core/error.h"
@@ -129,7 +131,10 @@ struct Placed {
   std::vector<std::uint32_t> meshes;
 };
 
-bool same_bits(const dmat4& a, const dmat4& b) { return std::memcmp(&a, &b, sizeof(dmat4)) == 0; }
+bool same_bits(const dmat4& a, const dmat4& b) {
+  using Bits = std::array<std::uint64_t, 16>;
+  return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
+}
 
 std::vector<Placed> placed_objects(const Scene& scene) {
   std::vector<std::vector<const Instance*>> of_object(scene.objects.size());

@@ -32,7 +32,7 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const Progr
   for (const std::string& setting : options.environment) command += quoted(setting) + " ";
   for (const std::string& word : options.wrapper) command += quoted(word) + " ";
   command += quoted(UMBRAMETER_PROGRAM);
-  for (const std::string& argument : arguments) command += " " + quoted(argument);
+  for (const std::string& argument : arguments) command.append(1, ' ').append(quoted(argument));
   command += " >" + quoted((folder / "out").string()) + " 2>" + quoted((folder / "err").string()) + " </dev/null";
 
   const char* words[] = {"sh", "-c", command.c_str(), nullptr};
