@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "app/commands.h"
 #include "app/run_output.h"
 #include "core/parallel.h"
@@ -33,6 +35,10 @@ Experiment make_experiment(const CommandLine& line) {
     throw Error(ExitCode::usage, "SCENE", "no scene is given",
                 "name a .gltf or .glb file or a built-in scene ('umbrameter scenes' lists them)");
   }
+  // A stored experiment must find its file from any folder.
+  if (std::filesystem::is_regular_file(experiment.scene)) {
+    experiment.scene = std::filesystem::absolute(experiment.scene).lexically_normal().string();
+  }
   // A side that works alone makes its own surfels.
   if (line.command == "trace") experiment.view.surfels = SurfelSource::traced;
   if (line.command == "raster") experiment.view.surfels = SurfelSource::raster;
@@ -55,7 +61,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   measurement.ao = measure_ao(workbench, experiment, sides);
 
   RunOutput output;
-  output.title = fmt::format("{}: {}", experiment.scene,
+  output.title = fmt::format("{}: {}", scene_title(experiment),
                              line.command == "compare" ? "raster against truth"
                              : line.command == "trace" ? "truth"
                                                        : "raster");

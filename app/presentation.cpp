@@ -35,10 +35,10 @@ ImageFigure scalar_figure(std::string stem, std::string title, std::string capti
   return figure;
 }
 
-ImageFigure class_figure(const std::string& layer, const ShadowMeasurement& shadow) {
+ImageFigure class_figure(const std::string& layer, const std::string& title, const ShadowMeasurement& shadow) {
   ImageFigure figure;
   figure.stem = "class_" + layer;
-  figure.title = "Causes: " + layer;
+  figure.title = "Causes: " + title;
   figure.caption = "The cause that most of each pixel's wrong taps share.";
   const Image<PixelClass> classes = classify(shadow.raster->classes, shadow.counted);
   figure.category = Image<std::uint8_t>(classes.width, classes.height);
@@ -129,12 +129,13 @@ Table bias_table(const ShadowMeasurement& shadow, const Experiment& experiment) 
 
 Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement& shadow, const Experiment& experiment) {
   const std::string& layer = workbench.layer(shadow.light);
+  const std::string title = workbench.title(shadow.light);
   Presentation presentation;
   ReportSection& section = presentation.section;
-  section.title = "Shadow of light " + layer;
+  section.title = "Shadow of " + title;
   section.text = counted_text(shadow.counted);
   if (shadow.truth) {
-    add_figure(presentation, scalar_figure("truth_visibility_" + layer, "Truth: " + layer,
+    add_figure(presentation, scalar_figure("truth_visibility_" + layer, "Truth: " + title,
                                            "Shadow rays against the exact geometry; turned-away surfels count as 0.",
                                            shadow.truth->visibility, visibility_scale));
     section.text += fmt::format(" Rays left the surfaces with an offset of at most {}.",
@@ -142,7 +143,7 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
   }
   if (shadow.raster) {
     add_figure(presentation,
-               scalar_figure("raster_visibility_" + layer, "Shadow map: " + layer,
+               scalar_figure("raster_visibility_" + layer, "Shadow map: " + title,
                              fmt::format("{}² texels, {} filter, constant bias {}, slope bias {:g} texels.",
                                          shadow.frame.resolution, value_text(experiment, "shadow.filter"),
                                          length(experiment.shadow.constant_bias), experiment.shadow.slope_bias),
@@ -151,14 +152,14 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
   if (!shadow.statistics) {
     const double pixels = static_cast<double>(shadow.counted.totals[0]);
     presentation.lines.push_back(
-        fmt::format("{:<10} {:.0f} pixels counted, texel {}", layer, pixels, length(shadow.counted.mean_texel)));
+        fmt::format("{:<10} {:.0f} pixels counted, texel {}", title, pixels, length(shadow.counted.mean_texel)));
     return presentation;
   }
   const VisibilityStatistics& s = *shadow.statistics;
   add_figure(presentation,
-             scalar_figure("error_visibility_" + layer, "Error: " + layer, "Blue is too dark, red is too bright.",
+             scalar_figure("error_visibility_" + layer, "Error: " + title, "Blue is too dark, red is too bright.",
                            signed_error(shadow.raster->visibility, shadow.truth->visibility), visibility_error_scale));
-  add_figure(presentation, class_figure(layer, shadow));
+  add_figure(presentation, class_figure(layer, title, shadow));
   section.headlines = {
       {"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", s.pixels)},
       {"acne", percent(s.acne), "blocked by the surface's own depth"},
@@ -172,7 +173,7 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
         fmt::format("\n\nThe largest error is {:.3g}, first at pixel ({}, {}).", s.max_error, s.max_x, s.max_y);
   }
   presentation.lines.push_back(
-      fmt::format("{:<10} error {}: acne {}, false occlusion {}, peter-panning {}, leak {}  (texel {}, bias {})", layer,
+      fmt::format("{:<10} error {}: acne {}, false occlusion {}, peter-panning {}, leak {}  (texel {}, bias {})", title,
                   percent(s.mae), percent(s.acne), percent(s.false_occlusion), percent(s.peter_panning),
                   percent(s.leak), length(s.mean_texel), length(experiment.shadow.constant_bias)));
   return presentation;

@@ -36,6 +36,10 @@ void write_figures_of(const std::filesystem::path& folder, const Console& consol
 
 }  // namespace
 
+std::string scene_title(const Experiment& experiment) {
+  return std::filesystem::path(experiment.scene).filename().string();
+}
+
 std::string subtitle_of(const Workbench& workbench, const View& view) {
   return fmt::format("{}×{} pixels, camera {}, {} triangles", view.width, view.height,
                      view.camera.name.empty() ? "without a name" : view.camera.name,
@@ -50,7 +54,7 @@ ExitCode write_run(const CommandLine& line, const Console& console, RunOutput ou
   summary.files.push_back("experiment.toml");
   if (summary.measurement != nullptr) {
     LayeredImage image = layers_of(*summary.workbench, *summary.measurement);
-    image.attributes["scene"] = experiment.scene;
+    image.attributes["scene"] = scene_title(experiment);
     image.attributes["version"] = UMBRAMETER_VERSION;
     write_exr(folder / "images.exr", image);
     summary.files.push_back("images.exr");

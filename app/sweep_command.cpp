@@ -259,7 +259,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
     // A sweep is about one light; which one is part of the stored experiment.
     experiment.view.light = std::to_string(lights.front());
     note(console, fmt::format("the scene has {} lights; sweeping light '{}'; choose with --light", lights.size(),
-                              workbench.layer(lights.front())));
+                              workbench.title(lights.front())));
   }
 
   const Parameters parameters = describe(experiment);
@@ -286,7 +286,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   Measurement measurement;
   measurement.surfels = workbench.surfels(best.view);
   RunOutput output;
-  output.title = fmt::format("{}: sweep", experiment.scene);
+  output.title = fmt::format("{}: sweep", scene_title(experiment));
   output.subtitle = subtitle_of(workbench, measurement.surfels.view);
   const std::vector<std::size_t> rows = best_rows(table, lay_out(parameters, axes));
   output.parts.push_back(present_sweep(parameters, axes, table, measure, rows));

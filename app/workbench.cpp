@@ -37,6 +37,11 @@ void Workbench::add_notes(const std::vector<std::string>& notes) {
   }
 }
 
+std::string Workbench::title(std::uint32_t light) const {
+  const std::string& name = scene_.lights[light].name;
+  return name.empty() ? "light " + std::to_string(light) : name;
+}
+
 std::vector<std::uint32_t> Workbench::lights(const std::string& name_or_index) const {
   return select_lights(scene_, name_or_index);
 }

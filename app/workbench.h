@@ -60,6 +60,8 @@ class Workbench {
   const Scene& scene() const { return scene_; }
   const Bounds& bounds() const { return bounds_; }
   const std::string& layer(std::uint32_t light) const { return layers_[light]; }
+  /// For people: the light's name, or "light 2" where it has none.
+  std::string title(std::uint32_t light) const;
   /// Indices of the lights that a name or index selects; all when empty.
   std::vector<std::uint32_t> lights(const std::string& name_or_index) const;
 

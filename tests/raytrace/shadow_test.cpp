@@ -108,6 +108,34 @@ TEST(Shadow, Agrees_with_the_second_implementation_on_a_real_model) {
   expect_agreement(load_gltf(std::filesystem::path(folder) / "temple.glb"));
 }
 
+TEST(Shadow, Agrees_where_instances_are_stretched_turned_and_mirrored) {
+  Scene scene = shapes::empty_scene();
+  scene.name = "instances";
+  shapes::add_mesh(scene, shapes::quad({-20, 0, 20}, {40, 0, 0}, {0, 0, -40}));
+  const std::uint32_t first = shapes::add_mesh(scene, shapes::sphere(vec3(0, 1, 0), 1.0f, 24, 32));
+  for (int i = 0; i < 8; ++i) {
+    const double angle = 0.7 * i;
+    dmat4 transform(1.0);
+    transform[0] = dvec4(std::cos(angle), 0.3 * std::sin(angle), std::sin(angle), 0) * (i % 2 == 0 ? 0.6 : -1.4);
+    transform[1] = dvec4(0.1 * i, 0.5 + 0.3 * i, 0, 0);
+    transform[2] = dvec4(-std::sin(angle), 0, std::cos(angle), 0) * 0.4;
+    transform[3] = dvec4(2.0 * i - 8.0, 0.2, 1.5 * (i % 3) - 2.0, 1);
+    scene.instances.push_back({scene.instances[first].mesh, 0, transform});
+  }
+  Camera camera;
+  camera.name = "front";
+  camera.world_from_camera[3] = dvec4(0, 2.5, 14, 1);
+  scene.cameras.push_back(camera);
+  scene.lights.push_back(shapes::directional({0.6, 1, 0.5}));
+  scene.lights.push_back(shapes::directional({1, 0.05, 0.3}));  // grazing: three degrees
+  Light lamp;
+  lamp.name = "lamp";
+  lamp.shape = PointLight{};
+  lamp.world_from_light[3] = dvec4(1, 5, 3, 1);
+  scene.lights.push_back(lamp);
+  expect_agreement(scene);
+}
+
 struct Ground {
   Scene scene = shapes::empty_scene();
   std::uint32_t ground = 0;
