@@ -23,28 +23,25 @@ inline constexpr RTCSceneFlags query_filter_flag = RTC_SCENE_FLAG_CONTEXT_FILTER
 struct Query {
   Context context;
   RTCFilterFunctionN filter = nullptr;
-  /// Neighbouring rays take similar ways. Embree 3.13.5 was seen to loop for ever in coherent packets of shadow rays:
-  /// no caller asks for it.
-  bool coherent = false;
 };
 
-inline void prepare(Query& query, RTCFilterFunctionN filter, bool coherent) {
+// No hint for coherent rays: with it Embree 3.13.5 may loop for ever (docs/decisions/no-coherence-hint.md).
+inline void prepare(Query& query, RTCFilterFunctionN filter) {
 #if UMBRAMETER_EMBREE_MAJOR >= 4
   rtcInitRayQueryContext(&query.context);
 #else
   rtcInitIntersectContext(&query.context);
-  query.context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  query.context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
   query.context.filter = filter;
 #endif
   query.filter = filter;
-  query.coherent = coherent;
 }
 
 #if UMBRAMETER_EMBREE_MAJOR >= 4
 template <class Arguments>
 void fill(Arguments& arguments, Query& query) {
-  const int coherence = query.coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
-  arguments.flags = static_cast<RTCRayQueryFlags>(coherence | RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER);
+  arguments.flags =
+      static_cast<RTCRayQueryFlags>(RTC_RAY_QUERY_FLAG_INCOHERENT | RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER);
   arguments.context = &query.context;
   arguments.filter = query.filter;
 }

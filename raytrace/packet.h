@@ -15,9 +15,8 @@ class Packet {
  public:
   static constexpr int width = 16;
 
-  // No coherence hint: with it Embree 3.13.5 can loop for ever in packets that meet instances.
   explicit Packet(const Tracer::State& state) : state_(&state) {
-    prepare(query_, state, false, false);
+    prepare(query_, state, false);
     for (int lane = 0; lane < width; ++lane) {
       aim(lane, {});  // idle lanes too: no garbage is traced along
       rays_.tnear[lane] = 0.0f;

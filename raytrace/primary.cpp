@@ -26,7 +26,7 @@ double reach(const View& view, const dvec3& direction) {
 
 Hit first_hit(const Tracer::State& state, const Ray& ray, double reach) {
   RayQuery query;
-  prepare(query, state, true, false);
+  prepare(query, state, true);
   query.primary_direction = ray.direction;
   const vec3 origin(ray.origin);
   const vec3 direction(ray.direction);

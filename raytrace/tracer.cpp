@@ -133,9 +133,9 @@ void filter(const RTCFilterFunctionNArguments* arguments) {
 
 }  // namespace
 
-void prepare(RayQuery& query, const Tracer::State& state, bool is_primary, bool coherent) {
+void prepare(RayQuery& query, const Tracer::State& state, bool is_primary) {
   static_assert(std::is_standard_layout_v<RayQuery>, "the filter recovers it from a pointer to its first member");
-  embree::prepare(query.query, filter, coherent);
+  embree::prepare(query.query, filter);
   query.state = &state;
   query.is_primary = is_primary;
 }

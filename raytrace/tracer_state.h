@@ -50,6 +50,6 @@ struct RayQuery {
 };
 
 /// Lets a hit count unless it is the ray's own triangle, a masked-out point, or a culled back face of a primary ray.
-void prepare(RayQuery& query, const Tracer::State& state, bool is_primary, bool coherent);
+void prepare(RayQuery& query, const Tracer::State& state, bool is_primary);
 
 }  // namespace umbrameter
