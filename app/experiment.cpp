@@ -1,5 +1,6 @@
 #include "app/experiment.h"
 
+#include <filesystem>
 #include <limits>
 
 namespace umbrameter {
@@ -14,6 +15,10 @@ Parameters describe(RunParams& params) {
 Parameters describe(Experiment& experiment) {
   return concatenate({describe(experiment.view), describe(experiment.shadow), describe(experiment.ao),
                       describe(experiment.truth), describe(experiment.run)});
+}
+
+std::string scene_title(const Experiment& experiment) {
+  return std::filesystem::path(experiment.scene).filename().string();
 }
 
 std::string key_of(const Parameters& parameters) {

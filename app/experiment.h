@@ -30,6 +30,9 @@ struct Experiment {
   std::vector<std::pair<std::string, std::string>> axes;
 };
 
+/// The built-in scene's name, or the file's name without its folder.
+std::string scene_title(const Experiment& experiment);
+
 /// All parameters, bound to this experiment.
 Parameters describe(Experiment& experiment);
 

@@ -36,10 +36,6 @@ void write_figures_of(const std::filesystem::path& folder, const Console& consol
 
 }  // namespace
 
-std::string scene_title(const Experiment& experiment) {
-  return std::filesystem::path(experiment.scene).filename().string();
-}
-
 std::string subtitle_of(const Workbench& workbench, const View& view) {
   return fmt::format("{}×{} pixels, camera {}, {} triangles", view.width, view.height,
                      view.camera.name.empty() ? "without a name" : view.camera.name,

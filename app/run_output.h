@@ -24,9 +24,6 @@ struct RunOutput {
 /// ExitCode::partial, with a line on stderr for each, when a figure could not be made.
 ExitCode write_run(const CommandLine& line, const Console& console, RunOutput output);
 
-/// The built-in scene's name, or the file's name without its folder.
-std::string scene_title(const Experiment& experiment);
-
 /// "1280×720, camera overview, 95,204 triangles".
 std::string subtitle_of(const Workbench& workbench, const View& view);
 

@@ -84,7 +84,7 @@ std::string to_summary_json(const SummaryInput& input) {
   summary["program"] = {{"name", "umbrameter"}, {"version", UMBRAMETER_VERSION}};
   summary["command"] = input.command;
   const Scene& scene = input.workbench->scene();
-  summary["scene"] = {{"name", input.experiment.scene},
+  summary["scene"] = {{"name", scene_title(input.experiment)},
                       {"triangles", count(scene).triangles},
                       {"instances", scene.instances.size()},
                       {"materials", scene.materials.size()}};

@@ -118,8 +118,8 @@ RasterVisibility Workbench::draw(const Experiment& experiment, std::uint32_t lig
   const GpuGBuffer& gpu = gpu_surfels(experiment.view);
   const std::string map_key = std::to_string(light) + " " + std::to_string(experiment.shadow.resolution);
   const ShadowMap& map = map_.get(map_key, [&] {
-    const LightFrame frame = fit_light(scene_.lights[light], bounds_, experiment.shadow.resolution);
-    return draw_shadow_map(context(), uploaded(), scene_.lights[light], frame, experiment.shadow);
+    return draw_shadow_map(context(), uploaded(), scene_.lights[light], fit(experiment, light).frame,
+                           experiment.shadow);
   });
   const gl::Texture* gpu_truth = nullptr;
   if (with_truth) {
