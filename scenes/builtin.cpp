@@ -12,14 +12,22 @@
 namespace umbrameter {
 namespace {
 
+template <Scene (*Make)()>
+Scene one_size(std::uint64_t /*triangles*/) {
+  return Make();
+}
+
 constexpr std::array<BuiltinScene, 5> scenes{{
     {"courtyard", "an arcaded court at midday: fine casters on large receivers, everything at once",
-     builtin::make_courtyard},
+     one_size<builtin::make_courtyard>},
     {"tilted-plane", "one plane under suns at known angles: acne whose share is known from mathematics",
-     builtin::make_tilted_plane},
-    {"contact-box", "nine boxes 0 to 20 cm above the ground: shadows that bias detaches", builtin::make_contact_box},
-    {"thin-leaf", "sheets 1 cm and 1 mm thick, lying and standing: casters that bias erases", builtin::make_thin_leaf},
-    {"corner", "three thick walls at right angles: light leaking along inner edges, AO of 1/4", builtin::make_corner},
+     one_size<builtin::make_tilted_plane>},
+    {"contact-box", "nine boxes 0 to 20 cm above the ground: shadows that bias detaches",
+     one_size<builtin::make_contact_box>},
+    {"thin-leaf", "sheets 1 cm and 1 mm thick, lying and standing: casters that bias erases",
+     one_size<builtin::make_thin_leaf>},
+    {"corner", "three thick walls at right angles: light leaking along inner edges, AO of 1/4",
+     one_size<builtin::make_corner>},
 }};
 
 [[noreturn]] void fail_unknown(const std::string& text) {
@@ -41,16 +49,16 @@ constexpr std::array<BuiltinScene, 5> scenes{{
 
 std::span<const BuiltinScene> builtin_scenes() { return scenes; }
 
-Scene load_scene(const std::string& name_or_path) {
+Scene load_scene(const std::string& name_or_path, const std::string& part) {
   for (const BuiltinScene& scene : scenes) {
-    if (scene.name == name_or_path) return scene.make();
+    if (scene.name == name_or_path) return make(scene);
   }
   // What cannot be looked up, such as a folder without permission, is the reader's to explain.
   std::error_code unknown;
   if (name_or_path.empty() || (!std::filesystem::exists(name_or_path, unknown) && !unknown)) {
     fail_unknown(name_or_path);
   }
-  return load_gltf(name_or_path);
+  return load_gltf(name_or_path, part);
 }
 
 }  // namespace umbrameter

@@ -1,6 +1,7 @@
 // Scenes made by code, for trying the tool and for tests.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -11,14 +12,18 @@ namespace umbrameter {
 struct BuiltinScene {
   std::string_view name;
   std::string_view purpose;  ///< one line: what it is there to show
-  Scene (*make)();
+  Scene (*make)(std::uint64_t triangles);
+  std::uint64_t triangles = 0;  ///< about how many it has when none are asked for; 0: it has one size
 };
+
+/// The scene in its own size.
+inline Scene make(const BuiltinScene& scene) { return scene.make(scene.triangles); }
 
 /// All of them; the first is the default.
 std::span<const BuiltinScene> builtin_scenes();
 
-/// The built-in scene of that name, or the glTF file at that path.
-/// Throws Error (unreadable_input) that lists the built-in names when it is neither.
-Scene load_scene(const std::string& name_or_path);
+/// The built-in scene of that name, or the glTF file at that path; `part` selects one of several scenes in a file, by
+/// name or index. Throws Error (unreadable_input) that lists the built-in names when it is neither.
+Scene load_scene(const std::string& name_or_path, const std::string& part = {});
 
 }  // namespace umbrameter

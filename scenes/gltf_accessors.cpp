@@ -35,14 +35,14 @@ std::span<const unsigned char> buffer_bytes(BufferStore& store, int index, const
     }
     held = read_uri(document.path, object, *source.uri);
   }
-  const Bytes& bytes = is_chunk ? *document.binary : *held;
+  const std::span<const unsigned char> bytes = is_chunk ? *document.binary : std::span<const unsigned char>(*held);
   if (bytes.size() < source.byte_length) {
     fail(document.path, object,
          "it holds " + std::to_string(bytes.size()) + " bytes of the " + std::to_string(source.byte_length) +
              " that byteLength promises",
          "copy or export the file again");
   }
-  return std::span(bytes).first(static_cast<std::size_t>(source.byte_length));
+  return bytes.first(static_cast<std::size_t>(source.byte_length));
 }
 
 std::span<const unsigned char> part(std::span<const unsigned char> bytes, std::uint64_t offset, std::uint64_t length,

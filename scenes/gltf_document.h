@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/image.h"
@@ -25,12 +26,14 @@ using Bytes = std::vector<unsigned char>;
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& object, const std::string& why,
                        const std::string& remedy = "export it again, or find the fault with the glTF validator");
 
-/// The two parts of a file: JSON text, and the binary chunk that only a .glb has.
+Bytes read_file(const std::filesystem::path& path, const std::string& object);
+
+/// The two parts of a file, in its bytes: JSON text, and the binary chunk that only a .glb has.
 struct Container {
-  std::string json;
-  std::optional<Bytes> binary;
+  std::string_view json;
+  std::optional<std::span<const unsigned char>> binary;
 };
-Container read_container(const std::filesystem::path& path);
+Container split_container(std::span<const unsigned char> file, const std::filesystem::path& path);
 
 /// The bytes behind a data URI, or behind a relative path that stays within the folder of the scene's file.
 Bytes read_uri(const std::filesystem::path& scene_path, const std::string& object, const std::string& uri);
@@ -52,10 +55,10 @@ struct Document {
   std::shared_ptr<tinygltf::Model> model;
   std::vector<BufferSource> buffers;
   std::vector<ImageSource> images;
-  std::optional<Bytes> binary;
-  bool is_animated = false;  ///< has animations or skins, which are left out
+  std::optional<std::span<const unsigned char>> binary;  ///< in the file's bytes, which must outlive this
+  bool is_animated = false;                              ///< has animations or skins, which are left out
 };
-Document parse_document(const std::filesystem::path& path, Container container);
+Document parse_document(const std::filesystem::path& path, const Container& container);
 
 /// Bytes of buffers and buffer views, read or decompressed when first asked for.
 struct BufferStore {

@@ -14,32 +14,18 @@ constexpr std::uint32_t glb_magic = 0x46546C67;     // "glTF"
 constexpr std::uint32_t json_chunk = 0x4E4F534A;    // "JSON"
 constexpr std::uint32_t binary_chunk = 0x004E4942;  // "BIN"
 
-Bytes read_file(const std::filesystem::path& path, const std::string& object) {
-  namespace fs = std::filesystem;
-  std::error_code status;
-  const fs::file_status kind = fs::status(path, status);
-  if (!fs::exists(kind)) fail(path, object, "there is no such file", "check the path");
-  if (fs::is_directory(kind)) fail(path, object, "it is a folder", "give the .gltf or .glb file in it");
-  if (!fs::is_regular_file(kind)) fail(path, object, "it is not a regular file", "copy it to a file first");
-  std::ifstream file(path, std::ios::binary);
-  const std::uintmax_t size = file ? fs::file_size(path, status) : 0;
-  if (!file || status) fail(path, object, "it cannot be opened", "check its permissions");
-  Bytes bytes(static_cast<std::size_t>(size));
-  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (file.gcount() != static_cast<std::streamsize>(bytes.size())) {
-    fail(path, object, "it cannot be read to its end", "check the disk and the permissions");
-  }
-  return bytes;
-}
-
-std::uint32_t little_endian(const Bytes& bytes, std::size_t offset) {
+std::uint32_t little_endian(std::span<const unsigned char> bytes, std::size_t offset) {
   std::uint32_t value = 0;
   for (std::size_t i = 4; i-- > 0;) value = (value << 8u) | bytes[offset + i];
   return value;
 }
 
+std::string_view text_of(std::span<const unsigned char> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
 // glTF 2.0, section 4.4: a header of 12 bytes, then chunks of length, type and data.
-Container split_glb(const std::filesystem::path& path, const Bytes& bytes) {
+Container split_glb(const std::filesystem::path& path, std::span<const unsigned char> bytes) {
   const std::string remedy = "copy or export the file again";
   const auto cut = [&](const std::string& where) {
     fail(path, where, "the binary glTF is truncated or damaged at " + std::to_string(bytes.size()) + " bytes", remedy);
@@ -59,11 +45,10 @@ Container split_glb(const std::filesystem::path& path, const Bytes& bytes) {
     const std::uint32_t type = little_endian(bytes, offset + 4);
     offset += 8;
     if (size > length - offset) cut(object);
-    const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(offset);
-    const auto last = first + static_cast<std::ptrdiff_t>(size);
+    const auto data = bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
     if ((chunk == 0) != (type == json_chunk)) fail(path, object, "the JSON chunk is not the first one", remedy);
-    if (type == json_chunk) container.json.assign(first, last);
-    if (type == binary_chunk && !container.binary) container.binary.emplace(first, last);
+    if (type == json_chunk) container.json = text_of(data);
+    if (type == binary_chunk && !container.binary) container.binary = data;
     offset += size;
   }
   return container;
@@ -114,11 +99,28 @@ void fail(const std::filesystem::path& path, const std::string& object, const st
   throw Error(ExitCode::unreadable_input, path.string() + (object.empty() ? "" : ": " + object), why, remedy);
 }
 
-Container read_container(const std::filesystem::path& path) {
-  const Bytes bytes = read_file(path, "");
-  if (bytes.empty()) fail(path, "", "the file is empty", "copy or export the file again");
-  if (bytes.size() >= 4 && little_endian(bytes, 0) == glb_magic) return split_glb(path, bytes);
-  return {std::string(bytes.begin(), bytes.end()), std::nullopt};
+Bytes read_file(const std::filesystem::path& path, const std::string& object) {
+  namespace fs = std::filesystem;
+  std::error_code status;
+  const fs::file_status kind = fs::status(path, status);
+  if (!fs::exists(kind)) fail(path, object, "there is no such file", "check the path");
+  if (fs::is_directory(kind)) fail(path, object, "it is a folder", "give the .gltf or .glb file in it");
+  if (!fs::is_regular_file(kind)) fail(path, object, "it is not a regular file", "copy it to a file first");
+  std::ifstream file(path, std::ios::binary);
+  const std::uintmax_t size = file ? fs::file_size(path, status) : 0;
+  if (!file || status) fail(path, object, "it cannot be opened", "check its permissions");
+  Bytes bytes(static_cast<std::size_t>(size));
+  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (file.gcount() != static_cast<std::streamsize>(bytes.size())) {
+    fail(path, object, "it cannot be read to its end", "check the disk and the permissions");
+  }
+  return bytes;
+}
+
+Container split_container(std::span<const unsigned char> file, const std::filesystem::path& path) {
+  if (file.empty()) fail(path, "", "the file is empty", "copy or export the file again");
+  if (file.size() >= 4 && little_endian(file, 0) == glb_magic) return split_glb(path, file);
+  return {text_of(file), std::nullopt};
 }
 
 Bytes read_uri(const std::filesystem::path& scene_path, const std::string& object, const std::string& uri) {

@@ -69,7 +69,7 @@ void check(json& value, const std::string& key, const std::filesystem::path& pat
   }
 }
 
-json parse_text(const std::filesystem::path& path, const std::string& text) {
+json parse_text(const std::filesystem::path& path, std::string_view text) {
   try {
     return json::parse(text);
   } catch (const json::exception& error) {
@@ -119,7 +119,7 @@ BufferSource buffer_source(const json& item, const std::filesystem::path& path, 
 
 }  // namespace
 
-Document parse_document(const std::filesystem::path& path, Container container) {
+Document parse_document(const std::filesystem::path& path, const Container& container) {
   json root = parse_text(path, container.json);
   if (!root.is_object()) fail(path, "", "its JSON is not an object", "give a .gltf or .glb file");
   const json* asset = member(root, "asset");
@@ -130,8 +130,7 @@ Document parse_document(const std::filesystem::path& path, Container container) 
   }
   Document document;
   document.path = path;
-  document.binary = std::move(container.binary);
-  std::string().swap(container.json);
+  document.binary = container.binary;
   document.is_animated = root.contains("animations") || root.contains("skins");
   root.erase("animations");
   root.erase("skins");

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
+#include "core/error.h"
 #include "scenes/gltf.h"
 #include "scenes/gltf_geometry.h"
 
@@ -211,16 +213,35 @@ struct NodeReader {
   }
 };
 
-std::vector<int> root_nodes(const Document& document, std::string& scene_name) {
+// An exact name wins over an index, as with cameras and lights.
+std::size_t chosen_scene(const Document& document, const std::string& part) {
+  const std::vector<tinygltf::Scene>& scenes = document.model->scenes;
+  std::vector<std::size_t> named;
+  std::string listed;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    if (scenes[i].name == part) named.push_back(i);
+    if (i < 24) listed += (i == 0 ? "" : ", ") + label("", static_cast<int>(i), scenes[i].name).substr(1);
+  }
+  if (named.size() == 1) return named.front();
+  std::size_t index = 0;
+  const auto [end, status] = std::from_chars(part.data(), part.data() + part.size(), index);
+  if (status == std::errc() && end == part.data() + part.size() && index < scenes.size()) return index;
+  throw Error(ExitCode::usage, "--scene " + part,
+              named.empty() ? "the file has no such scene" : std::to_string(named.size()) + " scenes have this name",
+              listed.empty() ? "leave --scene away" : "it has " + listed + ": give an index or a unique name");
+}
+
+std::vector<int> root_nodes(const Document& document, const std::string& part, std::string& scene_name) {
   const tinygltf::Model& model = *document.model;
-  const int chosen = model.defaultScene == -1 ? 0 : model.defaultScene;
-  if (!model.scenes.empty()) {
-    if (chosen < 0 || static_cast<std::size_t>(chosen) >= model.scenes.size()) {
+  if (!model.scenes.empty() || !part.empty()) {
+    const int preset = model.defaultScene == -1 ? 0 : model.defaultScene;
+    const std::size_t chosen = part.empty() ? static_cast<std::size_t>(preset) : chosen_scene(document, part);
+    if (chosen >= model.scenes.size()) {
       fail(document.path, "scene",
-           "it is " + std::to_string(chosen) + ", but the file has " + std::to_string(model.scenes.size()) + " scenes");
+           "it is " + std::to_string(preset) + ", but the file has " + std::to_string(model.scenes.size()) + " scenes");
     }
-    scene_name = model.scenes[static_cast<std::size_t>(chosen)].name;
-    return model.scenes[static_cast<std::size_t>(chosen)].nodes;
+    scene_name = model.scenes[chosen].name;
+    return model.scenes[chosen].nodes;
   }
   std::vector<char> is_child(model.nodes.size(), 0);
   for (const tinygltf::Node& node : model.nodes) {
@@ -237,14 +258,14 @@ std::vector<int> root_nodes(const Document& document, std::string& scene_name) {
 }
 
 // Depth first, parents before children, in file order; without recursion, so that no chain of nodes is too long.
-void read_nodes(const Document& document, const gltf::Geometry& geometry, Scene& scene) {
+void read_nodes(const Document& document, const gltf::Geometry& geometry, const std::string& part, Scene& scene) {
   const tinygltf::Model& model = *document.model;
   std::vector<char> visited(model.nodes.size(), 0);
   std::vector<Placement> open;
   const auto push = [&](const std::vector<int>& nodes, const std::optional<dmat4>& parent) {
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) open.push_back({*node, parent});
   };
-  push(root_nodes(document, scene.name), std::nullopt);
+  push(root_nodes(document, part, scene.name), std::nullopt);
   NodeReader reader{document, geometry, scene};
   while (!open.empty()) {
     const Placement placed = open.back();
@@ -269,14 +290,19 @@ void read_nodes(const Document& document, const gltf::Geometry& geometry, Scene&
 
 }  // namespace
 
-Scene load_gltf(const std::filesystem::path& path) {
-  const Document document = gltf::parse_document(path, gltf::read_container(path));
+Scene load_gltf(const std::filesystem::path& path, const std::string& part) {
+  const gltf::Bytes bytes = gltf::read_file(path, "");
+  return read_gltf(bytes, path, part);
+}
+
+Scene read_gltf(std::span<const unsigned char> bytes, const std::filesystem::path& path, const std::string& part) {
+  const Document document = gltf::parse_document(path, gltf::split_container(bytes, path));
   Scene scene;
   check_extensions(document, scene.notes);
   gltf::BufferStore store = gltf::make_buffer_store(document);
   gltf::read_materials(store, scene);
   const gltf::Geometry geometry = gltf::read_geometry(store, scene);
-  read_nodes(document, geometry, scene);
+  read_nodes(document, geometry, part, scene);
   if (scene.name.empty()) scene.name = path.stem().string();
   if (document.is_animated) scene.notes.emplace_back("animations and skins have no effect: the rest pose is used");
   return scene;

@@ -95,7 +95,7 @@ void expect_agreement(const Scene& scene) {
 class BuiltinShadow : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(BuiltinShadow, Agrees_with_the_second_implementation_in_every_pixel_off_the_edges) {
-  Scene scene = builtin_scenes()[GetParam()].make();
+  Scene scene = make(builtin_scenes()[GetParam()]);
   scene.name = builtin_scenes()[GetParam()].name;
   expect_agreement(scene);
 }
