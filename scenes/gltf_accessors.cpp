@@ -1,98 +1,14 @@
+// Typed reads of accessors.
 #include <tiny_gltf.h>
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "scenes/gltf_document.h"
 
 namespace umbrameter::gltf {
 namespace {
-
-constexpr const char* meshopt_name = "EXT_meshopt_compression";
-
-template <class T>
-const T& element(const std::vector<T>& items, int index, const char* kind, const Document& document,
-                 const std::string& user) {
-  if (index < 0 || static_cast<std::size_t>(index) >= items.size()) {
-    fail(document.path, user,
-         "it refers to " + std::string(kind) + " " + std::to_string(index) + ", but the file has " +
-             std::to_string(items.size()));
-  }
-  return items[static_cast<std::size_t>(index)];
-}
-
-std::span<const unsigned char> buffer_bytes(BufferStore& store, int index, const std::string& user) {
-  const Document& document = *store.document;
-  const BufferSource& source = element(document.buffers, index, "buffer", document, user);
-  const std::string object = "buffer " + std::to_string(index);
-  auto& held = store.buffers[static_cast<std::size_t>(index)];
-  const bool is_chunk = index == 0 && !source.uri && document.binary;
-  if (!is_chunk && !held) {
-    if (!source.uri) {
-      fail(document.path, object,
-           source.is_fallback ? "it is a fallback without bytes, but " + user + " reads it uncompressed"
-                              : "it has neither a uri nor a binary chunk");
-    }
-    held = read_uri(document.path, object, *source.uri);
-  }
-  const std::span<const unsigned char> bytes = is_chunk ? *document.binary : std::span<const unsigned char>(*held);
-  if (bytes.size() < source.byte_length) {
-    fail(document.path, object,
-         "it holds " + std::to_string(bytes.size()) + " bytes of the " + std::to_string(source.byte_length) +
-             " that byteLength promises",
-         "copy or export the file again");
-  }
-  return bytes.first(static_cast<std::size_t>(source.byte_length));
-}
-
-std::span<const unsigned char> part(std::span<const unsigned char> bytes, std::uint64_t offset, std::uint64_t length,
-                                    const Document& document, const std::string& object) {
-  if (offset > bytes.size() || length > bytes.size() - offset) {
-    fail(document.path, object,
-         "bytes " + std::to_string(offset) + " to " + std::to_string(offset + length) + " lie beyond its buffer of " +
-             std::to_string(bytes.size()));
-  }
-  return bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
-}
-
-std::uint64_t unsigned_member(const tinygltf::Value& extension, const char* key, std::optional<std::uint64_t> absent,
-                              const Document& document, const std::string& object) {
-  if (!extension.Has(key) && absent) return *absent;
-  const int value = extension.Has(key) && extension.Get(key).IsInt() ? extension.Get(key).GetNumberAsInt() : -1;
-  if (value < 0) fail(document.path, object, std::string(meshopt_name) + " has no usable " + key);
-  return static_cast<std::uint64_t>(value);
-}
-
-std::string text_member(const tinygltf::Value& extension, const char* key) {
-  return extension.Has(key) && extension.Get(key).IsString() ? extension.Get(key).Get<std::string>() : "";
-}
-
-Bytes decode_view(BufferStore& store, const tinygltf::BufferView& view, const tinygltf::Value& extension,
-                  const std::string& object) {
-  const Document& document = *store.document;
-  const auto member = [&](const char* key, std::optional<std::uint64_t> absent = std::nullopt) {
-    return unsigned_member(extension, key, absent, document, object);
-  };
-  const MeshoptView shape{member("count"), member("byteStride"), text_member(extension, "mode"),
-                          text_member(extension, "filter")};
-  if (shape.count * shape.stride != view.byteLength) {
-    fail(document.path, object,
-         "its byteLength " + std::to_string(view.byteLength) +
-             " is not count * byteStride = " + std::to_string(shape.count * shape.stride));
-  }
-  const auto source = buffer_bytes(store, static_cast<int>(member("buffer")), object);
-  return decode_meshopt(shape, part(source, member("byteOffset", 0), member("byteLength"), document, object),
-                        document.path, object);
-}
-
-struct Elements {
-  std::span<const unsigned char> bytes;
-  std::size_t stride = 0;
-  std::size_t count = 0;
-  std::size_t components = 0;
-  int component_type = 0;
-  bool normalized = false;
-};
 
 std::size_t component_size(int type) {
   switch (type) {
@@ -110,35 +26,63 @@ std::size_t component_size(int type) {
   }
 }
 
-Elements elements_of(BufferStore& store, int index, std::size_t components, const std::string& user) {
-  const Document& document = *store.document;
-  const tinygltf::Accessor& accessor = element(document.model->accessors, index, "accessor", document, user);
-  const std::string object = "accessor " + std::to_string(index) + " of " + user;
-  const auto reject = [&](const std::string& why) { fail(document.path, object, why); };
-  if (accessor.sparse.isSparse || accessor.bufferView < 0) {
-    fail(document.path, object, "it is sparse or has no bufferView", "store it as a plain accessor");
+/// Elements in the file's bytes. Without bytes all are zero.
+struct Elements {
+  std::span<const unsigned char> bytes;
+  std::size_t stride = 0;
+  std::size_t count = 0;
+  std::size_t components = 0;
+  int component_type = 0;
+  bool normalized = false;
+};
+
+/// One accessor, looked up and checked.
+struct Opened {
+  const tinygltf::Accessor& accessor;
+  std::string object;  ///< its name in messages
+  Elements elements;
+};
+
+// `count` elements from `offset` of a view, which lie `stride` bytes apart, or as close as they can where it is 0.
+Elements in_view(BufferStore& store, int view, std::uint64_t offset, std::size_t stride, Elements shape,
+                 const std::string& object) {
+  const std::size_t tight = component_size(shape.component_type) * shape.components;
+  shape.stride = stride == 0 ? tight : stride;
+  if (shape.stride < tight) fail(store.document.path, object, "its byteStride is less than one element");
+  if (shape.count == 0) return shape;
+  const std::uint64_t needed = std::uint64_t{shape.count - 1} * shape.stride + tight;
+  shape.bytes = part(view_bytes(store, view, object), offset, needed, store.document.path,
+                     object + ", bufferView " + std::to_string(view));
+  return shape;
+}
+
+Opened open(BufferStore& store, int number, std::size_t components, const std::string& user) {
+  const Document& document = store.document;
+  const auto& accessors = document.model->accessors;
+  const std::size_t index = checked_index(number, accessors.size(), "accessor", document.path, user);
+  Opened opened{accessors[index], label("accessor", index, accessors[index].name) + " of " + user, {}};
+  const tinygltf::Accessor& accessor = opened.accessor;
+  const auto reject = [&](const std::string& why) { fail(document.path, opened.object, why); };
+  if (component_size(accessor.componentType) == 0) {
+    reject("component type " + std::to_string(accessor.componentType) + " does not exist in glTF 2.0");
   }
-  Elements result;
-  result.components = components;
-  result.component_type = accessor.componentType;
-  result.normalized = accessor.normalized;
-  const std::size_t size = component_size(accessor.componentType);
-  if (size == 0) reject("component type " + std::to_string(accessor.componentType) + " does not exist in glTF 2.0");
   const int found = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
   if (found != static_cast<int>(components)) {
     reject("it has " + std::to_string(found) + " components where " + std::to_string(components) + " are wanted");
   }
   if (accessor.count == 0) reject("it holds no elements");
-  const auto view = view_bytes(store, accessor.bufferView, object);
-  const std::size_t tight = size * components;
-  const std::size_t declared = document.model->bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride;
-  result.stride = declared == 0 ? tight : declared;
-  result.count = accessor.count;
-  if (result.stride < tight) reject("its byteStride is less than one element");
-  const std::uint64_t needed = std::uint64_t{result.count - 1} * result.stride + tight;
-  result.bytes =
-      part(view, accessor.byteOffset, needed, document, object + ", bufferView " + std::to_string(accessor.bufferView));
-  return result;
+  opened.elements.count = accessor.count;
+  opened.elements.components = components;
+  opened.elements.component_type = accessor.componentType;
+  opened.elements.normalized = accessor.normalized;
+  if (accessor.bufferView >= 0 && accessor.bufferView != document.no_view) {
+    const auto& views = document.model->bufferViews;
+    const std::size_t view =
+        checked_index(accessor.bufferView, views.size(), "bufferView", document.path, opened.object);
+    opened.elements = in_view(store, accessor.bufferView, accessor.byteOffset, views[view].byteStride, opened.elements,
+                              opened.object);
+  }
+  return opened;
 }
 
 template <class T>
@@ -173,63 +117,103 @@ float to_float(const unsigned char* bytes, int type, bool normalized) {
   }
 }
 
+std::uint32_t to_index(const unsigned char* bytes, int type) {
+  switch (type) {
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return *bytes;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return load<std::uint16_t>(bytes);
+    default:
+      return load<std::uint32_t>(bytes);
+  }
+}
+
+void require_unsigned(int type, const Document& document, const std::string& object) {
+  if (type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+      type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
+    return;
+  }
+  fail(document.path, object, "indices must be unsigned integers");
+}
+
+// Both kinds of values: each element is written by `write(element number, its bytes)`.
+template <class Write>
+void put_sparse(BufferStore& store, const Opened& opened, const Write& write) {
+  const auto& sparse = opened.accessor.sparse;
+  if (!sparse.isSparse) return;
+  const Document& document = store.document;
+  const std::string where = opened.object + ", sparse";
+  if (sparse.count < 0 || static_cast<std::size_t>(sparse.count) > opened.elements.count) {
+    fail(document.path, where, "its count of " + std::to_string(sparse.count) + " is more than the accessor holds");
+  }
+  require_unsigned(sparse.indices.componentType, document, where + " indices");
+  Elements shape;
+  shape.count = static_cast<std::size_t>(sparse.count);
+  shape.components = 1;
+  shape.component_type = sparse.indices.componentType;
+  const Elements indices = in_view(store, sparse.indices.bufferView,
+                                   static_cast<std::uint64_t>(std::max(0, static_cast<int>(sparse.indices.byteOffset))),
+                                   0, shape, where + " indices");
+  shape.components = opened.elements.components;
+  shape.component_type = opened.elements.component_type;
+  const Elements values = in_view(store, sparse.values.bufferView,
+                                  static_cast<std::uint64_t>(std::max(0, static_cast<int>(sparse.values.byteOffset))),
+                                  0, shape, where + " values");
+  for (std::size_t i = 0; i < indices.count; ++i) {
+    const std::uint32_t target = to_index(&indices.bytes[i * indices.stride], indices.component_type);
+    if (target >= opened.elements.count) {
+      fail(document.path, where + " indices",
+           "number " + std::to_string(i) + " names element " + std::to_string(target) + " of " +
+               std::to_string(opened.elements.count));
+    }
+    write(target, &values.bytes[i * values.stride]);
+  }
+}
+
 }  // namespace
 
-BufferStore make_buffer_store(const Document& document) {
-  BufferStore store;
-  store.document = &document;
-  store.buffers.resize(document.buffers.size());
-  store.decoded_views.resize(document.model->bufferViews.size());
-  return store;
-}
-
-std::span<const unsigned char> view_bytes(BufferStore& store, int buffer_view, const std::string& user) {
-  const Document& document = *store.document;
-  const auto& view = element(document.model->bufferViews, buffer_view, "bufferView", document, user);
-  const std::string object = "bufferView " + std::to_string(buffer_view);
-  const auto extension = view.extensions.find(meshopt_name);
-  if (extension == view.extensions.end()) {
-    return part(buffer_bytes(store, view.buffer, object), view.byteOffset, view.byteLength, document, object);
-  }
-  auto& decoded = store.decoded_views[static_cast<std::size_t>(buffer_view)];
-  if (!decoded) decoded = decode_view(store, view, extension->second, object);
-  return *decoded;
-}
-
-std::vector<float> read_floats(BufferStore& store, int accessor, std::size_t components, const std::string& user) {
-  const Elements source = elements_of(store, accessor, components, user);
+template <class Element>
+std::vector<Element> read_elements(BufferStore& store, int accessor, const std::string& user) {
+  constexpr std::size_t components = sizeof(Element) / sizeof(float);
+  const Opened opened = open(store, accessor, components, user);
+  const Elements& source = opened.elements;
+  claim(store.allowance, std::uint64_t{source.count} * sizeof(Element), store.document.path, opened.object);
+  std::vector<Element> values(source.count, Element(0.0f));
+  auto* floats = reinterpret_cast<float*>(values.data());
   const std::size_t size = component_size(source.component_type);
-  std::vector<float> values;
-  values.reserve(source.count * components);
-  for (std::size_t i = 0; i < source.count; ++i) {
+  const auto put = [&](std::size_t i, const unsigned char* bytes) {
     for (std::size_t c = 0; c < components; ++c) {
-      values.push_back(to_float(&source.bytes[i * source.stride + c * size], source.component_type, source.normalized));
+      floats[i * components + c] = to_float(bytes + c * size, source.component_type, source.normalized);
     }
+  };
+  const bool is_same = source.component_type == TINYGLTF_COMPONENT_TYPE_FLOAT && source.stride == sizeof(Element);
+  if (is_same && !source.bytes.empty()) {
+    std::memcpy(floats, source.bytes.data(), source.bytes.size());
+  } else if (!source.bytes.empty()) {
+    for (std::size_t i = 0; i < source.count; ++i) put(i, &source.bytes[i * source.stride]);
   }
+  put_sparse(store, opened, put);
   return values;
 }
 
+template std::vector<vec2> read_elements(BufferStore&, int, const std::string&);
+template std::vector<vec3> read_elements(BufferStore&, int, const std::string&);
+template std::vector<vec4> read_elements(BufferStore&, int, const std::string&);
+template std::vector<mat4> read_elements(BufferStore&, int, const std::string&);
+
 std::vector<std::uint32_t> read_indices(BufferStore& store, int accessor, const std::string& user) {
-  const Elements source = elements_of(store, accessor, 1, user);
-  std::vector<std::uint32_t> values;
-  values.reserve(source.count);
-  for (std::size_t i = 0; i < source.count; ++i) {
-    const unsigned char* bytes = &source.bytes[i * source.stride];
-    switch (source.component_type) {
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-        values.push_back(*bytes);
-        break;
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-        values.push_back(load<std::uint16_t>(bytes));
-        break;
-      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-        values.push_back(load<std::uint32_t>(bytes));
-        break;
-      default:
-        fail(store.document->path, "accessor " + std::to_string(accessor) + " of " + user,
-             "indices must be unsigned integers");
-    }
+  const Opened opened = open(store, accessor, 1, user);
+  const Elements& source = opened.elements;
+  require_unsigned(source.component_type, store.document, opened.object);
+  claim(store.allowance, std::uint64_t{source.count} * sizeof(std::uint32_t), store.document.path, opened.object);
+  std::vector<std::uint32_t> values(source.count, 0u);
+  const auto put = [&](std::size_t i, const unsigned char* bytes) {
+    values[i] = to_index(bytes, source.component_type);
+  };
+  if (!source.bytes.empty()) {
+    for (std::size_t i = 0; i < source.count; ++i) put(i, &source.bytes[i * source.stride]);
   }
+  put_sparse(store, opened, put);
   return values;
 }
 

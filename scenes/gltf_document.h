@@ -26,6 +26,23 @@ using Bytes = std::vector<unsigned char>;
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& object, const std::string& why,
                        const std::string& remedy = "export it again, or find the fault with the glTF validator");
 
+/// "mesh 3 'roof'", for messages; long names are cut.
+std::string label(std::string_view kind, std::size_t index, const std::string& name);
+
+/// Fails unless an index into `size` things of a kind is one: "it refers to mesh 7, but the file has 3".
+std::size_t checked_index(int index, std::size_t size, std::string_view kind, const std::filesystem::path& path,
+                          const std::string& user);
+
+/// What reading may take in memory. A few bytes of JSON, of compressed data or of an image can ask for gigabytes, so
+/// what they ask for is claimed before it is allocated: at most 256 MiB and 64 times the bytes that were read.
+struct Allowance {
+  static constexpr std::uint64_t base = std::uint64_t{256} << 20;
+  static constexpr std::uint64_t multiple = 64;
+  std::uint64_t input = 0;    ///< bytes of the file and of the files that it refers to
+  std::uint64_t claimed = 0;  ///< bytes
+};
+void claim(Allowance& allowance, std::uint64_t bytes, const std::filesystem::path& path, const std::string& object);
+
 Bytes read_file(const std::filesystem::path& path, const std::string& object);
 
 /// The two parts of a file, in its bytes: JSON text, and the binary chunk that only a .glb has.
@@ -34,6 +51,9 @@ struct Container {
   std::optional<std::span<const unsigned char>> binary;
 };
 Container split_container(std::span<const unsigned char> file, const std::filesystem::path& path);
+
+/// The two parts as one .glb. Throws Error (partial) beyond the 4 GiB that its header can say.
+Bytes join_container(std::string json, const Bytes& binary);
 
 /// The bytes behind a data URI, or behind a relative path that stays within the folder of the scene's file.
 Bytes read_uri(const std::filesystem::path& scene_path, const std::string& object, const std::string& uri);
@@ -56,36 +76,44 @@ struct Document {
   std::vector<BufferSource> buffers;
   std::vector<ImageSource> images;
   std::optional<std::span<const unsigned char>> binary;  ///< in the file's bytes, which must outlive this
-  bool is_animated = false;                              ///< has animations or skins, which are left out
+  int no_view = 0;                                       ///< Accessor::bufferView of one that has none
+  bool is_animated = false;
 };
-Document parse_document(const std::filesystem::path& path, const Container& container);
+Document parse_document(const std::filesystem::path& path, const Container& container, Allowance& allowance);
 
 /// Bytes of buffers and buffer views, read or decompressed when first asked for.
 struct BufferStore {
-  const Document* document = nullptr;
+  const Document& document;
+  Allowance& allowance;
   std::vector<std::optional<Bytes>> buffers;
   std::vector<std::optional<Bytes>> decoded_views;
 };
-BufferStore make_buffer_store(const Document& document);
+BufferStore make_buffer_store(const Document& document, Allowance& allowance);
 std::span<const unsigned char> view_bytes(BufferStore& store, int buffer_view, const std::string& user);
 
-/// Decodes one EXT_meshopt_compression buffer view. `object` names it in errors.
+/// `length` bytes from `offset`; fails, naming the object, where they lie beyond the end.
+std::span<const unsigned char> part(std::span<const unsigned char> bytes, std::uint64_t offset, std::uint64_t length,
+                                    const std::filesystem::path& path, const std::string& object);
+
+/// Decodes one EXT_meshopt_compression buffer view, whose size it claims. `object` names it in errors.
 struct MeshoptView {
   std::uint64_t count = 0;
   std::uint64_t stride = 0;
   std::string mode;
   std::string filter;
 };
-Bytes decode_meshopt(const MeshoptView& view, std::span<const unsigned char> encoded, const std::filesystem::path& path,
-                     const std::string& object);
+Bytes decode_meshopt(const MeshoptView& view, std::span<const unsigned char> encoded, Allowance& allowance,
+                     const std::filesystem::path& path, const std::string& object);
 
-/// All elements of an accessor, normalised integers mapped to [0, 1] or [-1, 1]. `components` is what is asked for.
-std::vector<float> read_floats(BufferStore& store, int accessor, std::size_t components, const std::string& user);
+/// All elements of an accessor as glm vectors (float, vec2 to vec4) or mat4: sparse values put in, normalised integers
+/// mapped to [0, 1] or [-1, 1] (glTF 2.0, sections 3.6.2.2 and 3.6.2.3). An accessor without bytes is zero.
+template <class Element>
+std::vector<Element> read_elements(BufferStore& store, int accessor, const std::string& user);
 std::vector<std::uint32_t> read_indices(BufferStore& store, int accessor, const std::string& user);
 
-/// PNG or JPEG to RGBA8.
-Image<glm::u8vec4> decode_image(std::span<const unsigned char> bytes, const std::filesystem::path& path,
-                                const std::string& object);
+/// PNG or JPEG to RGBA8. Claims the texels before it unpacks them.
+Image<glm::u8vec4> decode_image(std::span<const unsigned char> bytes, Allowance& allowance,
+                                const std::filesystem::path& path, const std::string& object);
 Bytes encode_png(const Image<glm::u8vec4>& image);
 
 }  // namespace umbrameter::gltf

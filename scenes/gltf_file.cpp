@@ -54,6 +54,11 @@ Container split_glb(const std::filesystem::path& path, std::span<const unsigned 
   return container;
 }
 
+void append(Bytes& bytes, std::size_t value) {
+  for (unsigned shift = 0; shift < 32; shift += 8)
+    bytes.push_back(static_cast<unsigned char>((value >> shift) & 0xffu));
+}
+
 Bytes decode_base64(std::string_view text, const std::filesystem::path& path, const std::string& object) {
   constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   while (!text.empty() && text.back() == '=') text.remove_suffix(1);
@@ -87,6 +92,14 @@ std::string percent_decoded(std::string_view uri) {
   return text;
 }
 
+bool is_inside(const std::filesystem::path& target, const std::filesystem::path& folder) {
+  std::error_code status;
+  const std::filesystem::path inner = std::filesystem::canonical(target, status);
+  const std::filesystem::path outer = status ? inner : std::filesystem::canonical(folder, status);
+  if (status) return false;
+  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+}
+
 bool has_scheme(const std::string& uri) {
   const std::size_t colon = uri.find(':');
   return colon != std::string::npos && uri.find('/') > colon;
@@ -97,6 +110,35 @@ bool has_scheme(const std::string& uri) {
 void fail(const std::filesystem::path& path, const std::string& object, const std::string& why,
           const std::string& remedy) {
   throw Error(ExitCode::unreadable_input, path.string() + (object.empty() ? "" : ": " + object), why, remedy);
+}
+
+std::string label(std::string_view kind, std::size_t index, const std::string& name) {
+  constexpr std::size_t longest = 60;
+  std::string text(kind);
+  text.append(" ").append(std::to_string(index));
+  if (!name.empty()) text.append(" '").append(name.substr(0, longest)).append(name.size() > longest ? "...'" : "'");
+  return text;
+}
+
+std::size_t checked_index(int index, std::size_t size, std::string_view kind, const std::filesystem::path& path,
+                          const std::string& user) {
+  if (index >= 0 && static_cast<std::size_t>(index) < size) return static_cast<std::size_t>(index);
+  fail(
+      path, user,
+      "it refers to " + std::string(kind) + " " + std::to_string(index) + ", but the file has " + std::to_string(size));
+}
+
+void claim(Allowance& allowance, std::uint64_t bytes, const std::filesystem::path& path, const std::string& object) {
+  const std::uint64_t limit = Allowance::base + Allowance::multiple * allowance.input;
+  if (bytes > limit - allowance.claimed) {
+    fail(path, object,
+         "it would unpack to " + std::to_string(bytes >> 20) + " MiB, beyond the limit of " +
+             std::to_string(limit >> 20) + " MiB for all of a file of this size (" +
+             std::to_string(Allowance::base >> 20) + " MiB and " + std::to_string(Allowance::multiple) +
+             " times its bytes)",
+         "store it less compressed, or split the scene");
+  }
+  allowance.claimed += bytes;
 }
 
 Bytes read_file(const std::filesystem::path& path, const std::string& object) {
@@ -123,6 +165,25 @@ Container split_container(std::span<const unsigned char> file, const std::filesy
   return {text_of(file), std::nullopt};
 }
 
+Bytes join_container(std::string json, const Bytes& binary) {
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const std::size_t size = 12 + 8 + json.size() + (binary.empty() ? 0 : 8 + binary.size());
+  if (size > 0xffffffffu) {
+    throw Error(ExitCode::partial, "binary glTF", "the scene needs more than 4 GiB", "write a smaller scene");
+  }
+  Bytes bytes;
+  bytes.reserve(size);
+  for (const std::size_t word : {std::size_t{glb_magic}, std::size_t{2}, size, json.size(), std::size_t{json_chunk}}) {
+    append(bytes, word);
+  }
+  bytes.insert(bytes.end(), json.begin(), json.end());
+  if (binary.empty()) return bytes;
+  append(bytes, binary.size());
+  append(bytes, binary_chunk);
+  bytes.insert(bytes.end(), binary.begin(), binary.end());
+  return bytes;
+}
+
 Bytes read_uri(const std::filesystem::path& scene_path, const std::string& object, const std::string& uri) {
   if (uri.starts_with("data:")) {
     const std::string_view marker = ";base64,";
@@ -139,12 +200,16 @@ Bytes read_uri(const std::filesystem::path& scene_path, const std::string& objec
   const bool climbs = std::any_of(relative.begin(), relative.end(), [](const auto& part) { return part == ".."; });
   if (decoded.empty() || decoded.find('\0') != std::string::npos || has_scheme(decoded) || relative.is_absolute() ||
       decoded.front() == '\\' || climbs) {
-    fail(scene_path, object, "its reference '" + uri + "' leaves the folder of the scene", remedy);
+    fail(scene_path, object, "its reference '" + uri.substr(0, 200) + "' leaves the folder of the scene", remedy);
   }
-  const std::filesystem::path target = scene_path.parent_path() / relative;
   std::error_code status;
+  const std::filesystem::path folder = scene_path.parent_path().empty() ? "." : scene_path.parent_path();
+  const std::filesystem::path target = folder / relative;
   if (!std::filesystem::is_regular_file(target, status)) {
     fail(scene_path, object, "there is no file '" + target.string() + "'", "put the file beside the scene");
+  }
+  if (!is_inside(target, folder)) {
+    fail(scene_path, object, "'" + uri + "' is a link that leads out of the folder of the scene", remedy);
   }
   return read_file(target, "");
 }

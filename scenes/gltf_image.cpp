@@ -17,8 +17,8 @@
 
 namespace umbrameter::gltf {
 
-Image<glm::u8vec4> decode_image(std::span<const unsigned char> bytes, const std::filesystem::path& path,
-                                const std::string& object) {
+Image<glm::u8vec4> decode_image(std::span<const unsigned char> bytes, Allowance& allowance,
+                                const std::filesystem::path& path, const std::string& object) {
   constexpr int max_side = 32768;
   constexpr std::int64_t max_texels = std::int64_t{1} << 28;
   const std::string remedy = "store the image as PNG or JPEG";
@@ -36,6 +36,9 @@ Image<glm::u8vec4> decode_image(std::span<const unsigned char> bytes, const std:
     fail(path, object, "it is " + std::to_string(width) + "x" + std::to_string(height) + " texels large",
          "make the image smaller");
   }
+  // The decoder's own copy, and ours.
+  claim(allowance, 2 * sizeof(glm::u8vec4) * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height),
+        path, object + " of " + std::to_string(width) + "x" + std::to_string(height) + " texels");
   const std::unique_ptr<unsigned char, void (*)(void*)> texels(
       stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), &stbi_image_free);
   if (texels == nullptr) {

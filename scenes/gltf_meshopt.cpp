@@ -48,9 +48,10 @@ void apply_filter(const MeshoptView& view, Bytes& bytes, const std::filesystem::
 
 }  // namespace
 
-Bytes decode_meshopt(const MeshoptView& view, std::span<const unsigned char> encoded, const std::filesystem::path& path,
-                     const std::string& object) {
+Bytes decode_meshopt(const MeshoptView& view, std::span<const unsigned char> encoded, Allowance& allowance,
+                     const std::filesystem::path& path, const std::string& object) {
   check_shape(view, encoded.size(), path, object);
+  claim(allowance, view.count * view.stride, path, object);
   const std::size_t size = static_cast<std::size_t>(view.count * view.stride);
   Bytes bytes(size);
   int status = 0;

@@ -4,9 +4,9 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <set>
 
-#include "core/error.h"
 #include "scenes/gltf.h"
 #include "scenes/gltf_document.h"
 #include "scenes/gltf_json.h"
@@ -27,6 +27,8 @@ constexpr std::size_t type_float = 5126;
 constexpr std::size_t target_vertices = 34962;
 constexpr std::size_t target_indices = 34963;
 constexpr std::size_t filter_linear = 9729;
+constexpr std::string_view lights_name = "KHR_lights_punctual";
+constexpr std::string_view specular_name = "KHR_materials_specular";
 
 void add_name(Members& members, const std::string& name) {
   if (!name.empty()) members.emplace_back("name", to_json(std::string_view(name)));
@@ -77,17 +79,20 @@ struct Writer {
   }
 
   std::size_t add_indices(const Mesh& mesh) {
-    std::vector<std::uint32_t> corners;
-    for (const uvec3& t : mesh.triangles) corners.insert(corners.end(), {t.x, t.y, t.z});
+    const std::size_t corners = 3 * mesh.triangles.size();
     // The largest value of a type would restart a strip.
     if (mesh.positions.size() >= 0xffff) {
-      return add_accessor(corners, corners.size(), type_uint, "SCALAR", target_indices);
+      return add_accessor(mesh.triangles, corners, type_uint, "SCALAR", target_indices);
     }
-    const std::vector<std::uint16_t> narrow(corners.begin(), corners.end());
-    return add_accessor(narrow, corners.size(), type_ushort, "SCALAR", target_indices);
+    std::vector<std::uint16_t> narrow;
+    narrow.reserve(corners);
+    for (const uvec3& t : mesh.triangles) {
+      for (int c = 0; c < 3; ++c) narrow.push_back(static_cast<std::uint16_t>(t[c]));
+    }
+    return add_accessor(narrow, corners, type_ushort, "SCALAR", target_indices);
   }
 
-  void add_mesh(const Mesh& mesh) {
+  MeshAccessors add_mesh(const Mesh& mesh) {
     assert(!mesh.positions.empty() && !mesh.triangles.empty());
     vec3 least = mesh.positions.front();
     vec3 greatest = least;
@@ -108,7 +113,7 @@ struct Writer {
       stored.attributes.emplace_back("TEXCOORD_0", to_json(texcoords));
     }
     stored.indices = add_indices(mesh);
-    meshes.push_back(std::move(stored));
+    return stored;
   }
 
   Json primitive(std::uint32_t index, const std::string& mesh_name) const {
@@ -131,22 +136,20 @@ struct Placed {
   std::vector<std::uint32_t> meshes;
 };
 
-bool same_bits(const dmat4& a, const dmat4& b) {
-  using Bits = std::array<std::uint64_t, 16>;
-  return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
-}
+using Bits = std::array<std::uint64_t, 16>;
+
+bool same_bits(const dmat4& a, const dmat4& b) { return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b); }
 
 std::vector<Placed> placed_objects(const Scene& scene) {
   std::vector<std::vector<const Instance*>> of_object(scene.objects.size());
   for (const Instance& instance : scene.instances) of_object[instance.object].push_back(&instance);
   std::vector<Placed> placed;
   for (std::uint32_t number = 0; number < of_object.size(); ++number) {
-    const std::size_t first = placed.size();
+    std::map<Bits, std::size_t> places;
     for (const Instance* instance : of_object[number]) {
-      auto node = std::find_if(placed.begin() + static_cast<std::ptrdiff_t>(first), placed.end(),
-                               [&](const Placed& p) { return same_bits(p.transform, instance->world_from_mesh); });
-      if (node == placed.end()) node = placed.insert(node, Placed{number, instance->world_from_mesh, {}});
-      node->meshes.push_back(instance->mesh);
+      const auto [place, is_new] = places.try_emplace(std::bit_cast<Bits>(instance->world_from_mesh), placed.size());
+      if (is_new) placed.push_back({number, instance->world_from_mesh, {}});
+      placed[place->second].meshes.push_back(instance->mesh);
     }
   }
   return placed;
@@ -211,10 +214,14 @@ std::size_t wrap_code(Wrap wrap) {
   return 10497;
 }
 
+bool has_specular(const Material& material) {
+  return material.specular != 1.0f || material.specular_color != vec3(1.0f);
+}
+
 Json material(const Material& source) {
   Members surface{{"baseColorFactor", numbers(source.base_color)},
-                  {"metallicFactor", to_json(0.0)},
-                  {"roughnessFactor", to_json(1.0)}};
+                  {"metallicFactor", to_json(static_cast<double>(source.metallic))},
+                  {"roughnessFactor", to_json(static_cast<double>(source.roughness))}};
   if (source.base_color_texture) {
     surface.emplace_back("baseColorTexture", object({{"index", to_json(std::size_t{*source.base_color_texture})}}));
   }
@@ -229,6 +236,11 @@ Json material(const Material& source) {
     members.emplace_back("alphaCutoff", to_json(static_cast<double>(source.alpha_cutoff)));
   }
   if (source.double_sided) members.emplace_back("doubleSided", "true");
+  if (has_specular(source)) {
+    const Json specular = object({{"specularFactor", to_json(static_cast<double>(source.specular))},
+                                  {"specularColorFactor", numbers(source.specular_color)}});
+    members.emplace_back("extensions", object({{specular_name, specular}}));
+  }
   return object(members);
 }
 
@@ -276,35 +288,11 @@ void add_array(Members& members, std::string_view key, const std::vector<Json>& 
   if (!items.empty()) members.emplace_back(key, array(items));
 }
 
-void append(gltf::Bytes& bytes, std::size_t value) {
-  for (unsigned shift = 0; shift < 32; shift += 8)
-    bytes.push_back(static_cast<unsigned char>((value >> shift) & 0xffu));
-}
-
-gltf::Bytes packed(Json json, const gltf::Bytes& binary) {
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  const std::size_t size = 12 + 8 + json.size() + (binary.empty() ? 0 : 8 + binary.size());
-  if (size > 0xffffffffu) {
-    throw Error(ExitCode::partial, "binary glTF", "the scene needs more than 4 GiB", "write a smaller scene");
-  }
-  gltf::Bytes bytes;
-  bytes.reserve(size);
-  for (const std::size_t word : {std::size_t{0x46546C67}, std::size_t{2}, size, json.size(), std::size_t{0x4E4F534A}}) {
-    append(bytes, word);
-  }
-  bytes.insert(bytes.end(), json.begin(), json.end());
-  if (binary.empty()) return bytes;
-  append(bytes, binary.size());
-  append(bytes, 0x004E4942);
-  bytes.insert(bytes.end(), binary.begin(), binary.end());
-  return bytes;
-}
-
 }  // namespace
 
 std::vector<unsigned char> to_glb(const Scene& scene) {
   Writer writer{scene, {}, {}, {}, {}};
-  for (const Mesh& mesh : scene.meshes) writer.add_mesh(mesh);
+  for (const Mesh& mesh : scene.meshes) writer.meshes.push_back(writer.add_mesh(mesh));
 
   const std::vector<Placed> placed = placed_objects(scene);
   const Groups groups = mesh_groups(scene, placed);
@@ -319,10 +307,12 @@ std::vector<unsigned char> to_glb(const Scene& scene) {
     meshes.push_back(object(members));
   }
 
+  std::map<std::vector<std::uint32_t>, std::size_t> numbers_of_groups;
+  for (std::size_t i = 0; i < groups.size(); ++i) numbers_of_groups.emplace(groups[i], i);
   std::vector<Json> nodes;
   for (const Placed& place : placed) {
-    const auto group = static_cast<std::size_t>(std::find(groups.begin(), groups.end(), place.meshes) - groups.begin());
-    nodes.push_back(node(scene.objects[place.object].name, place.transform, "mesh", to_json(group)));
+    nodes.push_back(
+        node(scene.objects[place.object].name, place.transform, "mesh", to_json(numbers_of_groups.at(place.meshes))));
   }
   std::vector<Json> cameras;
   for (const Camera& source : scene.cameras) {
@@ -331,7 +321,7 @@ std::vector<unsigned char> to_glb(const Scene& scene) {
   }
   std::vector<Json> lights;
   for (const Light& source : scene.lights) {
-    const Json reference = object({{"KHR_lights_punctual", object({{"light", to_json(lights.size())}})}});
+    const Json reference = object({{lights_name, object({{"light", to_json(lights.size())}})}});
     nodes.push_back(node(source.name, source.world_from_light, "extensions", reference));
     lights.push_back(light(source));
   }
@@ -362,9 +352,14 @@ std::vector<unsigned char> to_glb(const Scene& scene) {
   Members root{{"asset", object({{"version", "\"2.0\""}, {"generator", "\"umbrameter\""}})},
                {"scene", to_json(std::size_t{0})},
                {"scenes", array({object(stage)})}};
+  std::vector<Json> extensions;
+  if (!lights.empty()) extensions.push_back(to_json(lights_name));
+  if (std::any_of(scene.materials.begin(), scene.materials.end(), has_specular)) {
+    extensions.push_back(to_json(specular_name));
+  }
+  add_array(root, "extensionsUsed", extensions);
   if (!lights.empty()) {
-    root.emplace_back("extensionsUsed", array({"\"KHR_lights_punctual\""}));
-    root.emplace_back("extensions", object({{"KHR_lights_punctual", object({{"lights", array(lights)}})}}));
+    root.emplace_back("extensions", object({{lights_name, object({{"lights", array(lights)}})}}));
   }
   add_array(root, "nodes", nodes);
   add_array(root, "meshes", meshes);
@@ -377,7 +372,7 @@ std::vector<unsigned char> to_glb(const Scene& scene) {
   add_array(root, "bufferViews", writer.views);
   if (!writer.binary.empty())
     root.emplace_back("buffers", array({object({{"byteLength", to_json(writer.binary.size())}})}));
-  return packed(object(root), writer.binary);
+  return gltf::join_container(object(root), writer.binary);
 }
 
 }  // namespace umbrameter

@@ -27,6 +27,9 @@ struct Texture {
 
 enum class AlphaMode : int { opaque, mask, blend };
 
+/// Reflectance at normal incidence of a dielectric of index 1.5 (glTF 2.0, appendix B.2.2).
+inline constexpr float dielectric_f0 = 0.04f;
+
 struct Material {
   std::string name;
   vec4 base_color{1.0f};  ///< linear factor; w is alpha
@@ -34,6 +37,10 @@ struct Material {
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;  ///< mask: a point exists where alpha ≥ cutoff
   bool double_sided = false;  ///< false: the camera does not see back faces; shadows and AO do
+  float metallic = 0.0f;      ///< 0 to 1
+  float roughness = 1.0f;     ///< perceptual, 0 to 1
+  float specular = 1.0f;      ///< KHR_materials_specular: strength of the dielectric reflection
+  vec3 specular_color{1.0f};  ///< the same: linear tint of it; times dielectric_f0 this is F0
 };
 
 /// One glTF primitive: indexed triangles of one material, in the mesh's own space.

@@ -43,6 +43,10 @@ void expect_same(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.materials[i].alpha_mode, b.materials[i].alpha_mode);
     EXPECT_EQ(a.materials[i].alpha_cutoff, b.materials[i].alpha_cutoff);
     EXPECT_EQ(a.materials[i].double_sided, b.materials[i].double_sided);
+    EXPECT_EQ(a.materials[i].metallic, b.materials[i].metallic);
+    EXPECT_EQ(a.materials[i].roughness, b.materials[i].roughness);
+    EXPECT_EQ(a.materials[i].specular, b.materials[i].specular);
+    EXPECT_EQ(a.materials[i].specular_color, b.materials[i].specular_color);
   }
   ASSERT_EQ(a.meshes.size(), b.meshes.size());
   for (std::size_t i = 0; i < a.meshes.size(); ++i) {
@@ -114,7 +118,8 @@ Scene everything() {
   }
   scene.textures[1] = {"", Image<glm::u8vec4>(1, 1, {1, 2, 3, 4}), Wrap::repeat, Wrap::repeat};
   scene.materials.resize(3);
-  scene.materials[0] = {"leaf", {0.1f, 0.2f, 1.0f / 3, 1}, 1, AlphaMode::mask, 0.3f, true};
+  scene.materials[0] = {"leaf",      {0.1f, 0.2f, 1.0f / 3, 1}, 1, AlphaMode::mask, 0.3f, true, 0.25f, 0.7f, 0.9f,
+                        {1, 1.5f, 0}};
   scene.materials[1].alpha_mode = AlphaMode::blend;
   scene.materials[1].base_color_texture = 0;
   scene.materials[2].name = "plain";
