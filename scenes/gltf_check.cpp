@@ -16,41 +16,31 @@ using Path = std::filesystem::path;
 constexpr int max_depth = 64;
 constexpr std::uint64_t max_values = std::uint64_t{1} << 25;
 
-/// Counts without storing: what is refused never was in memory.
-struct Counter : nlohmann::json_sax<json> {
-  std::uint64_t values = 0;
-  int depth = 0;
-  std::string error;
-
-  bool count() {
-    if (++values > max_values) error = "it holds more than " + std::to_string(max_values) + " values";
-    return error.empty();
-  }
-  bool open() {
-    if (++depth > max_depth) error = "it is nested more than " + std::to_string(max_depth) + " levels deep";
-    return error.empty() && count();
-  }
-  bool close() {
-    --depth;
-    return true;
-  }
-  bool null() override { return count(); }
-  bool boolean(bool) override { return count(); }
-  bool number_integer(number_integer_t) override { return count(); }
-  bool number_unsigned(number_unsigned_t) override { return count(); }
-  bool number_float(number_float_t, const string_t&) override { return count(); }
-  bool string(string_t&) override { return count(); }
-  bool binary(binary_t&) override { return count(); }
-  bool key(string_t&) override { return true; }
-  bool start_object(std::size_t) override { return open(); }
-  bool end_object() override { return close(); }
-  bool start_array(std::size_t) override { return open(); }
-  bool end_array() override { return close(); }
-  bool parse_error(std::size_t, const std::string&, const json::exception& fault) override {
-    error = "it is neither binary glTF nor JSON (" + std::string(fault.what()).substr(0, 200) + ")";
-    return false;
-  }
+/// What a parser would have to hold, found without one: what is refused never was in memory.
+struct TextSize {
+  std::uint64_t values = 1;  ///< at most
+  int depth = 0;             ///< of lists and objects
 };
+
+TextSize measure(std::string_view text) {
+  TextSize size;
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string) {
+      if (c == '\\') ++i;
+      in_string = c != '"';
+      continue;
+    }
+    in_string = c == '"';
+    if (c == '[' || c == '{') size.depth = std::max(size.depth, ++depth);
+    if (c == ']' || c == '}') --depth;
+    // Each value but the first follows one of these, or a key that does.
+    if (c == ',' || c == '[' || c == '{') ++size.values;
+  }
+  return size;
+}
 
 /// A place in the text, spelled out only when it is complained about.
 struct Place {
@@ -280,16 +270,31 @@ bool is_supported(std::string_view extension) {
 }
 
 json parse_text(std::string_view text, Allowance& allowance, const Path& path) {
-  Counter counter;
-  json::sax_parse(text.begin(), text.end(), &counter);
-  if (!counter.error.empty()) fail(path, "", counter.error, "give a .gltf or .glb file that is whole");
-  // A value with its share of the list or map that holds it.
-  claim(allowance, counter.values * 48, path, "JSON text");
-  return json::parse(text.begin(), text.end());
+  const TextSize size = measure(text);
+  const std::string remedy = "give a .gltf or .glb file that is whole";
+  if (size.depth > max_depth) {
+    fail(path, "JSON text", "it is nested more than " + std::to_string(max_depth) + " levels deep", remedy);
+  }
+  if (size.values > max_values) {
+    fail(path, "JSON text", "it holds more than " + std::to_string(max_values) + " values", remedy);
+  }
+  // A value with its share of the list or object that holds it.
+  claim(allowance, size.values * 48, path, "JSON text");
+  try {
+    return json::parse(text.begin(), text.end());
+  } catch (const json::exception& error) {
+    fail(path, "", "it is neither binary glTF nor JSON (" + std::string(error.what()).substr(0, 200) + ")", remedy);
+  }
 }
 
 void check_document(json& root, const Path& path) {
   if (!root.is_object()) fail(path, "", "its JSON is not an object", "give a .gltf or .glb file");
+  static constexpr auto unused = [](const std::string& key) {
+    return kind_of(key, {}) == Kind::any && key != "extensionsUsed" && key != "extensionsRequired";
+  };
+  for (auto member = root.begin(); member != root.end();) {
+    member = unused(member.key()) && member.key() != "animations" ? root.erase(member) : std::next(member);
+  }
   Checker{path}.walk(root, {}, {});
 }
 
