@@ -19,7 +19,7 @@ Scene one_size(std::uint64_t /*triangles*/) {
   return Make();
 }
 
-constexpr std::array<BuiltinScene, 6> scenes{{
+constexpr std::array<BuiltinScene, 7> scenes{{
     {"courtyard", "an arcaded court at midday: fine casters on large receivers, everything at once",
      one_size<builtin::make_courtyard>},
     {"tilted-plane", "one plane under suns at known angles: acne whose share is known from mathematics",
@@ -30,6 +30,9 @@ constexpr std::array<BuiltinScene, 6> scenes{{
      one_size<builtin::make_thin_leaf>},
     {"corner", "three thick walls at right angles: light leaking along inner edges, AO of 1/4",
      one_size<builtin::make_corner>},
+    {"city",
+     "streets of houses that share nothing: thin parts at every distance, and as many triangles as are asked for",
+     builtin::make_city, 300'000, 10'000, 20'000'000},
     {"forest", "trees, ferns and rocks by instances: light through leaves, and as many triangles as are asked for",
      builtin::make_forest, 2'000'000, 100'000, 100'000'000},
 }};

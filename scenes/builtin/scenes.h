@@ -14,6 +14,7 @@ Scene make_thin_leaf();
 Scene make_corner();
 
 /// About `triangles` triangles, over all instances.
+Scene make_city(std::uint64_t triangles);
 Scene make_forest(std::uint64_t triangles);
 
 }  // namespace umbrameter::builtin
