@@ -1,7 +1,9 @@
 #include "scenes/builtin.h"
 
 #include <array>
+#include <charconv>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 #include "core/error.h"
@@ -17,7 +19,7 @@ Scene one_size(std::uint64_t /*triangles*/) {
   return Make();
 }
 
-constexpr std::array<BuiltinScene, 5> scenes{{
+constexpr std::array<BuiltinScene, 7> scenes{{
     {"courtyard", "an arcaded court at midday: fine casters on large receivers, everything at once",
      one_size<builtin::make_courtyard>},
     {"tilted-plane", "one plane under suns at known angles: acne whose share is known from mathematics",
@@ -28,7 +30,48 @@ constexpr std::array<BuiltinScene, 5> scenes{{
      one_size<builtin::make_thin_leaf>},
     {"corner", "three thick walls at right angles: light leaking along inner edges, AO of 1/4",
      one_size<builtin::make_corner>},
+    {"city",
+     "streets of houses that share nothing: thin parts at every distance, and as many triangles as are asked for",
+     builtin::make_city, 300'000, 10'000, 20'000'000},
+    {"forest", "trees, ferns and rocks by instances: light through leaves, and as many triangles as are asked for",
+     builtin::make_forest, 2'000'000, 100'000, 100'000'000},
 }};
+
+// 20M, 5e6, 300k or 123456.
+std::optional<std::uint64_t> parsed_size(std::string_view text) {
+  double scale = 1.0;
+  if (!text.empty() && (text.back() == 'k' || text.back() == 'M')) {
+    scale = text.back() == 'k' ? 1e3 : 1e6;
+    text.remove_suffix(1);
+  }
+  double number = 0.0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  // Beyond this the conversion would overflow; no scene goes near it.
+  if (!(number > 0.0) || number * scale > 1e15) return std::nullopt;
+  return static_cast<std::uint64_t>(number * scale + 0.5);
+}
+
+Scene make_sized(const BuiltinScene& scene, const std::string& text, const std::string& size) {
+  const std::string name(scene.name);
+  if (scene.triangles == 0) {
+    throw Error(ExitCode::usage, "scene '" + text + "'", "'" + name + "' has one size",
+                "leave ':" + size + "' away, or give a scene with a size, such as forest:" + size);
+  }
+  const std::string range =
+      "'" + name + "' can have " + std::to_string(scene.fewest) + " to " + std::to_string(scene.most) + " triangles";
+  const std::optional<std::uint64_t> triangles = parsed_size(size);
+  if (!triangles) {
+    throw Error(ExitCode::usage, "scene '" + text + "'", "'" + size + "' is not a number of triangles",
+                "write it as " + name + ":1M, " + name + ":1e6 or " + name + ":300k; " + range);
+  }
+  if (*triangles < scene.fewest || *triangles > scene.most) {
+    throw Error(ExitCode::usage, "scene '" + text + "'",
+                std::to_string(*triangles) + " triangles are too " + (*triangles < scene.fewest ? "few" : "many"),
+                range);
+  }
+  return scene.make(*triangles);
+}
 
 [[noreturn]] void fail_unknown(const std::string& text) {
   std::string names;
@@ -52,6 +95,8 @@ std::span<const BuiltinScene> builtin_scenes() { return scenes; }
 Scene load_scene(const std::string& name_or_path, const std::string& part) {
   for (const BuiltinScene& scene : scenes) {
     if (scene.name == name_or_path) return make(scene);
+    const std::string prefix = std::string(scene.name) + ":";
+    if (name_or_path.starts_with(prefix)) return make_sized(scene, name_or_path, name_or_path.substr(prefix.size()));
   }
   // What cannot be looked up, such as a folder without permission, is the reader's to explain.
   std::error_code unknown;

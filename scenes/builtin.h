@@ -14,6 +14,8 @@ struct BuiltinScene {
   std::string_view purpose;  ///< one line: what it is there to show
   Scene (*make)(std::uint64_t triangles);
   std::uint64_t triangles = 0;  ///< about how many it has when none are asked for; 0: it has one size
+  std::uint64_t fewest = 0;     ///< that may be asked for
+  std::uint64_t most = 0;
 };
 
 /// The scene in its own size.
@@ -23,7 +25,9 @@ inline Scene make(const BuiltinScene& scene) { return scene.make(scene.triangles
 std::span<const BuiltinScene> builtin_scenes();
 
 /// The built-in scene of that name, or the glTF file at that path; `part` selects one of several scenes in a file, by
-/// name or index. Throws Error (unreadable_input) that lists the built-in names when it is neither.
+/// name or index. A colon and a number behind a built-in name ask for about that many triangles, as in forest:20M,
+/// forest:300k and city:5e6. Throws Error (unreadable_input) that lists the built-in names when it is neither, and
+/// Error (usage) when the scene cannot have that many.
 Scene load_scene(const std::string& name_or_path, const std::string& part = {});
 
 }  // namespace umbrameter

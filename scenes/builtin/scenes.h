@@ -1,6 +1,8 @@
 // One function per built-in scene. Internal to scenes/builtin*.
 #pragma once
 
+#include <cstdint>
+
 #include "scenes/scene.h"
 
 namespace umbrameter::builtin {
@@ -10,5 +12,9 @@ Scene make_tilted_plane();
 Scene make_contact_box();
 Scene make_thin_leaf();
 Scene make_corner();
+
+/// About `triangles` triangles, over all instances.
+Scene make_city(std::uint64_t triangles);
+Scene make_forest(std::uint64_t triangles);
 
 }  // namespace umbrameter::builtin

@@ -95,9 +95,8 @@ void expect_agreement(const Scene& scene) {
 class BuiltinShadow : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(BuiltinShadow, Agrees_with_the_second_implementation_in_every_pixel_off_the_edges) {
-  Scene scene = make(builtin_scenes()[GetParam()]);
-  scene.name = builtin_scenes()[GetParam()].name;
-  expect_agreement(scene);
+  const BuiltinScene& tested = builtin_scenes()[GetParam()];
+  expect_agreement(tested.triangles == 0 ? make(tested) : tested.make(tested.fewest));
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, BuiltinShadow, testing::Range(std::size_t{0}, builtin_scenes().size()));
