@@ -45,13 +45,21 @@ constexpr std::array<BuiltinScene, 5> scenes{{
                   "give a .gltf or .glb file, or one of: " + names);
 }
 
+void refuse_part(const std::string& name, const std::string& part) {
+  if (part.empty()) return;
+  throw Error(ExitCode::usage, "--scene " + part, "'" + name + "' is built in and is one scene",
+              "leave --scene away; it selects one of several scenes in a glTF file");
+}
+
 }  // namespace
 
 std::span<const BuiltinScene> builtin_scenes() { return scenes; }
 
 Scene load_scene(const std::string& name_or_path, const std::string& part) {
   for (const BuiltinScene& scene : scenes) {
-    if (scene.name == name_or_path) return make(scene);
+    if (scene.name != name_or_path) continue;
+    refuse_part(name_or_path, part);
+    return make(scene);
   }
   // What cannot be looked up, such as a folder without permission, is the reader's to explain.
   std::error_code unknown;

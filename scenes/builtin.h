@@ -23,7 +23,8 @@ inline Scene make(const BuiltinScene& scene) { return scene.make(scene.triangles
 std::span<const BuiltinScene> builtin_scenes();
 
 /// The built-in scene of that name, or the glTF file at that path; `part` selects one of several scenes in a file, by
-/// name or index. Throws Error (unreadable_input) that lists the built-in names when it is neither.
+/// name or index. Throws Error (unreadable_input) that lists the built-in names when it is neither, and Error (usage)
+/// when a part of a built-in scene is asked for.
 Scene load_scene(const std::string& name_or_path, const std::string& part = {});
 
 }  // namespace umbrameter
