@@ -15,7 +15,7 @@ namespace {
 constexpr int samples_a_side = 3;
 constexpr int ao_rays = 16;  // a sample: 144 a pixel
 constexpr double ao_reach = 0.25;
-constexpr double mean_luminance = 0.25;
+constexpr double mean_luminance = 0.3;
 constexpr double white_share = 0.02;
 constexpr std::uint32_t seed = 1;
 // Shares of the work, for the progress bar.
@@ -77,6 +77,40 @@ Image<vec3> averaged(const Image<vec3>& fine) {
   return coarse;
 }
 
+// Whether there is more to see than one thing that fills the picture.
+bool shows_something(const GBuffer& gbuffer) {
+  const std::uint32_t first = gbuffer.instance[0];
+  return std::any_of(gbuffer.instance.pixels.begin(), gbuffer.instance.pixels.end(),
+                     [&](std::uint32_t instance) { return instance != first; });
+}
+
+// Parallel cameras are for measuring. A scene whose cameras look at one plane is shown from the one that would be
+// fitted to it.
+GBuffer surfels_of(Scene& scene, const Tracer& tracer, Size size, const Progress& progress) {
+  const Size fine{samples_a_side * size.width, samples_a_side * size.height};
+  for (const Camera& camera : scene.cameras) {
+    if (!std::holds_alternative<PerspectiveProjection>(camera.projection)) continue;
+    GBuffer gbuffer = trace_gbuffer(tracer, {fine.width, fine.height, camera}, progress);
+    if (shows_something(gbuffer)) return gbuffer;
+  }
+  scene.cameras.clear();
+  std::vector<std::string> assumed;
+  const double aspect = static_cast<double>(size.width) / size.height;
+  return trace_gbuffer(tracer, {fine.width, fine.height, select_camera(scene, {}, aspect, assumed)}, progress);
+}
+
+// One sun and all lamps: further suns are there to be chosen instead of the first.
+std::vector<const Light*> lights_of(const Scene& scene) {
+  std::vector<const Light*> lights;
+  bool has_sun = false;
+  for (const Light& light : scene.lights) {
+    const bool is_sun = std::holds_alternative<DirectionalLight>(light.shape);
+    if (!is_sun || !has_sun) lights.push_back(&light);
+    has_sun = has_sun || is_sun;
+  }
+  return lights;
+}
+
 Progress part_of(const Progress& whole, double from, double to) {
   if (!whole) return {};
   return [&whole, from, to](double share) { whole(from + (to - from) * share); };
@@ -89,17 +123,16 @@ Image<glm::u8vec3> draw_tile(Scene scene, Size size, const Progress& progress) {
   add_missing_light(scene, assumed);
   if (bounds_of(scene).empty()) throw Error(ExitCode::unreadable_input, scene.name, "the scene has no triangles");
   const Tracer tracer(scene);
-  const double aspect = static_cast<double>(size.width) / size.height;
-  const View view{samples_a_side * size.width, samples_a_side * size.height, select_camera(scene, {}, aspect, assumed)};
-  const GBuffer gbuffer = trace_gbuffer(tracer, view, part_of(progress, 0.0, hits_share));
+  const GBuffer gbuffer = surfels_of(scene, tracer, size, part_of(progress, 0.0, hits_share));
+  const std::vector<const Light*> lights = lights_of(scene);
   std::vector<TracedVisibility> shadows;
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const double step = shadows_share / static_cast<double>(scene.lights.size());
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const double step = shadows_share / static_cast<double>(lights.size());
     const double from = hits_share + step * static_cast<double>(i);
-    shadows.push_back(trace_visibility(tracer, gbuffer, scene.lights[i], part_of(progress, from, from + step)));
+    shadows.push_back(trace_visibility(tracer, gbuffer, *lights[i], part_of(progress, from, from + step)));
   }
   std::vector<LitBy> lit;
-  for (std::size_t i = 0; i < shadows.size(); ++i) lit.push_back({&scene.lights[i], &shadows[i].visibility});
+  for (std::size_t i = 0; i < lights.size(); ++i) lit.push_back({lights[i], &shadows[i].visibility});
   TruthParams occlusion;
   occlusion.spp = ao_rays;
   occlusion.ao_distance = ao_reach * median_depth(gbuffer);

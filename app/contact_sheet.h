@@ -19,11 +19,11 @@ struct SheetTile {
   Image<glm::u8vec3> picture;
 };
 
-/// The scene from its first camera: traced shadows of all its lights and traced ambient occlusion on diffuse surfaces
-/// (scenes/shading.h), nine samples a pixel, averaged before tone mapping. The occlusion reaches a quarter of the
-/// median distance to what is seen. Exposure follows one rule for all: the mean luminance of the surfaces becomes
-/// 0.25, or less where more than 2 % of them would be white. Where nothing is seen the sheet is light grey.
-/// Throws Error (unreadable_input) for a scene without triangles.
+/// The scene from the first of its perspective cameras that sees more than one plane: traced shadows of its first sun
+/// and of all its lamps, and traced ambient occlusion, on diffuse surfaces (scenes/shading.h); nine samples a pixel,
+/// averaged before tone mapping. The occlusion reaches a quarter of the median distance to what is seen. One rule of
+/// exposure for all: the mean luminance of the surfaces becomes 0.3, or less where more than 2 % of them would be
+/// white. Where nothing is seen the tile is light grey. Throws Error (unreadable_input) for a scene without triangles.
 Image<glm::u8vec3> draw_tile(Scene scene, Size size, const Progress& progress = {});
 
 /// An SVG document: the tiles in reading order on white, in as many columns as bring the sheet nearest to the shape of

@@ -9,7 +9,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::size_t most_listed = 24;
+constexpr std::size_t most_listed = 12;
 constexpr std::size_t longest_name = 28;
 constexpr std::size_t label_width = 11;
 constexpr std::size_t line_width = 100;
@@ -52,7 +52,7 @@ class Lines {
   std::vector<std::string> lines_;
 };
 
-std::string metres(double value) { return std::isinf(value) ? "infinite" : fmt::format("{:.6g} m", value); }
+std::string metres(double value) { return std::isinf(value) ? "infinity" : fmt::format("{:.6g} m", value); }
 
 std::string vector_of(const dvec3& v) { return vector_text(v.x, v.y, v.z); }
 
