@@ -45,8 +45,11 @@ constexpr CommandDescription image_commands[] = {
      "Example: umbrameter raster courtyard -o out --shadow.filter box --shadow.filter-size 5"},
 };
 
-constexpr std::pair<const char*, const char*> short_names[] = {
-    {"view.size", "--size"}, {"view.camera", "--camera"}, {"view.light", "--light"}, {"run.seed", "--seed"}};
+constexpr std::pair<const char*, const char*> short_names[] = {{"view.size", "--size"},
+                                                               {"view.scene", "--scene"},
+                                                               {"view.camera", "--camera"},
+                                                               {"view.light", "--light"},
+                                                               {"run.seed", "--seed"}};
 
 constexpr std::pair<const char*, const char*> group_titles[] = {{"view", "View"},
                                                                 {"shadow", "Shadow technique"},
@@ -54,9 +57,11 @@ constexpr std::pair<const char*, const char*> group_titles[] = {{"view", "View"}
                                                                 {"truth", "Reference"},
                                                                 {"run", "Run"}};
 
-void add_parameters(CLI::App& command, CommandLine& line) {
+// All parameters, or the one of that name.
+void add_parameters(CLI::App& command, CommandLine& line, std::string_view only = {}) {
   Experiment defaults;
   for (const Parameter& parameter : describe(defaults)) {
+    if (!only.empty() && parameter.key != only) continue;
     std::string names = "--" + parameter.key;
     for (const auto& [key, name] : short_names) {
       if (parameter.key == key) names += std::string(",") + name;
@@ -86,6 +91,11 @@ void add_output_flags(CLI::App& command, CommandLine& line) {
   command.add_flag("--json", line.json, "Print the summary as JSON on stdout, and nothing else there");
 }
 
+void add_threads(CLI::App& command, CommandLine& line) {
+  command.add_option("--threads", line.threads, "Threads; 0 uses all cores. Results do not depend on it")
+      ->check(CLI::Range(0, 4096));
+}
+
 void add_image_command(CLI::App& app, CommandLine& line, const CommandDescription& description) {
   CLI::App& command = *app.add_subcommand(description.name, description.summary);
   command.footer(description.example);
@@ -100,8 +110,7 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   if (std::string(description.name) != "trace") {
     command.add_option("--gl-device", line.gl_device, "OpenGL device: index, part of its name, or 'software'");
   }
-  command.add_option("--threads", line.threads, "Threads; 0 uses all cores. Results do not depend on it")
-      ->check(CLI::Range(0, 4096));
+  add_threads(command, line);
   add_output_flags(command, line);
   add_parameters(command, line);
 }
@@ -154,19 +163,28 @@ std::variant<CommandLine, Information> parse_command_line(int argc, const char* 
   app.require_subcommand(1);
   for (const CommandDescription& description : image_commands) add_image_command(app, line, description);
 
-  CLI::App& scenes = *app.add_subcommand("scenes", "List the built-in scenes");
-  scenes.footer("Example: umbrameter scenes");
+  CLI::App& scenes = *app.add_subcommand("scenes", "List the built-in scenes, or draw them on a contact sheet");
+  scenes.footer("Example: umbrameter scenes --sheet scenes.pdf");
+  scenes.add_option("NAMES", line.names, "Only these scenes");
+  scenes.add_option("--sheet", line.sheet, "Draw a picture of each onto one sheet: .png, .svg or .pdf");
+  scenes.add_option("--size", line.tile_size, "Size of each picture on the sheet, WxH pixels (default 480x300)");
+  scenes.add_flag("--markdown", line.markdown, "As a Markdown page");
+  add_threads(scenes, line);
   add_output_flags(scenes, line);
 
   CLI::App& scene = *app.add_subcommand("scene", "Write a built-in scene as a .glb file");
   scene.footer("Example: umbrameter scene courtyard -o courtyard.glb");
-  scene.add_option("NAME", line.scene, "Name of the built-in scene")->required();
+  scene.add_option("NAME", line.scene, "Name of the built-in scene, name:NUMBER for one of another size")->required();
   scene.add_option("-o,--output", line.output, "File to write, .glb")->required();
+  add_parameters(scene, line, "view.scene");
   add_output_flags(scene, line);
 
   CLI::App& info = *app.add_subcommand("info", "Versions, OpenGL devices and, with a scene, what is in it");
   info.footer("Example: umbrameter info courtyard");
   info.add_option("SCENE", line.scene, "A .gltf or .glb file, or the name of a built-in scene");
+  add_parameters(info, line, "view.scene");
+  info.add_flag("--measure-memory", line.measure_memory,
+                "Build the ray tracer's structure however large, to tell what it takes");
   add_output_flags(info, line);
 
   CLI::App& parameters = *app.add_subcommand("parameters", "List every parameter with default, unit and limits");

@@ -22,6 +22,10 @@ struct CommandLine {
   bool quiet = false;
   bool json = false;
   bool markdown = false;
+  std::vector<std::string> names;  ///< of built-in scenes to list or draw; empty for all
+  std::filesystem::path sheet;     ///< contact sheet to draw; empty for none
+  std::string tile_size;           ///< of each picture on it, "WxH"; empty for the usual one
+  bool measure_memory = false;
 };
 
 /// Help or version text to print; the program then ends well.

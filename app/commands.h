@@ -11,9 +11,12 @@ namespace umbrameter {
 /// Defaults, then the experiment file, then the flags; axes likewise.
 Experiment make_experiment(const CommandLine& line);
 
+/// What --scene says; empty where it is not given.
+std::string chosen_part(const CommandLine& line);
+
 ExitCode run_image_command(const CommandLine& line, const Console& console);  ///< compare, trace, raster
 ExitCode run_sweep_command(const CommandLine& line, const Console& console);
-ExitCode run_scenes(const Console& console);
+ExitCode run_scenes(const CommandLine& line, const Console& console);
 ExitCode run_scene(const CommandLine& line, const Console& console);
 ExitCode run_info(const CommandLine& line, const Console& console);
 ExitCode run_parameters(const CommandLine& line);

@@ -18,7 +18,8 @@ Parameters describe(Experiment& experiment) {
 }
 
 std::string scene_title(const Experiment& experiment) {
-  return std::filesystem::path(experiment.scene).filename().string();
+  const std::string name = std::filesystem::path(experiment.scene).filename().string();
+  return experiment.view.scene.empty() ? name : name + ", scene " + experiment.view.scene;
 }
 
 std::string key_of(const Parameters& parameters) {

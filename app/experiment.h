@@ -30,7 +30,7 @@ struct Experiment {
   std::vector<std::pair<std::string, std::string>> axes;
 };
 
-/// The built-in scene's name, or the file's name without its folder.
+/// The built-in scene's name, or the file's name without its folder, with the scene chosen in it.
 std::string scene_title(const Experiment& experiment);
 
 /// All parameters, bound to this experiment.

@@ -49,7 +49,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   const Experiment experiment = make_experiment(line);
   prepare_output_folder(line.output);
   const ThreadLimit threads(line.threads);
-  Workbench workbench(load_scene(experiment.scene), {line.gl_device, line.threads}, console);
+  Workbench workbench(load_scene(experiment.scene, experiment.view.scene), {line.gl_device, line.threads}, console);
   const Sides sides = sides_of(line.command);
   const std::vector<std::uint32_t> lights = workbench.lights(experiment.view.light);
 

@@ -20,7 +20,7 @@ ExitCode run(int argc, const char* const* argv) {
   const CommandLine& line = std::get<CommandLine>(parsed);
   const Console console{line.quiet, line.json};
   if (line.command == "sweep") return run_sweep_command(line, console);
-  if (line.command == "scenes") return run_scenes(console);
+  if (line.command == "scenes") return run_scenes(line, console);
   if (line.command == "scene") return run_scene(line, console);
   if (line.command == "info") return run_info(line, console);
   if (line.command == "parameters") return run_parameters(line);

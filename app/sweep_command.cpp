@@ -52,6 +52,10 @@ std::vector<SweepAxis> make_axes(const CommandLine& line, Experiment& experiment
     throw Error(ExitCode::usage, "sweep", "nothing to vary",
                 "add an axis, such as --vary shadow.constant-bias=0:0.2:65");
   }
+  if (varies_group(axes, "view.scene")) {
+    throw Error(ExitCode::usage, "--vary view.scene", "a sweep is about one scene",
+                "run it once for each, with --scene");
+  }
   experiment.axes.clear();
   for (const SweepAxis& axis : axes) experiment.axes.emplace_back(axis.key, axis.text);
   return axes;
@@ -252,7 +256,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   const std::size_t cells = count_cells(axes);
   prepare_output_folder(line.output);
   const ThreadLimit threads(line.threads);
-  Workbench workbench(load_scene(experiment.scene), {line.gl_device, line.threads}, console);
+  Workbench workbench(load_scene(experiment.scene, experiment.view.scene), {line.gl_device, line.threads}, console);
   const std::vector<std::uint32_t> lights = workbench.lights(experiment.view.light);
   const bool varies_light = varies_group(axes, "view.light");
   if (measure == Measure::visibility && !varies_light && lights.size() > 1) {

@@ -161,6 +161,15 @@ UploadedScene upload(const gl::Context& context, const Scene& scene) {
   return uploaded;
 }
 
+SceneBytes bytes_when_uploaded(const Scene& scene) {
+  const SceneCounts counts = count(scene);
+  SceneBytes bytes = bytes_in_memory(scene);
+  // Every mesh gets normals and texture coordinates, zeros where it has none.
+  bytes.vertices = counts.vertices * (2 * sizeof(vec3) + sizeof(vec2));
+  bytes.instances = scene.instances.size() * sizeof(InstanceData);
+  return bytes;
+}
+
 void bind_triangles(const UploadedScene& scene) {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot("BUFFER_INSTANCES"), scene.instances.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot("BUFFER_POSITIONS"), scene.positions.name());

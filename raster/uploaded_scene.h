@@ -7,6 +7,7 @@
 
 #include "raster/gl/context.h"
 #include "raster/gl/objects.h"
+#include "scenes/memory.h"
 #include "scenes/scene.h"
 
 namespace umbrameter {
@@ -38,6 +39,9 @@ struct UploadedScene {
 
 /// Throws Error (no_backend) when a buffer or texture is larger than the device allows.
 UploadedScene upload(const gl::Context& context, const Scene& scene);
+
+/// Bytes of the buffers and textures that upload() makes of the scene; what a driver adds is not in it.
+SceneBytes bytes_when_uploaded(const Scene& scene);
 
 /// camera: back faces of single-sided materials are left out, and all programs read base_color.glsl;
 /// shadow: every face, and only the masked program reads it.

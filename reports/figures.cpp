@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "reports/data_folder.h"
+#include "reports/drawing.h"
 #include "reports/figure_parts.h"
 #include "reports/output.h"
 #include "reports/process.h"
@@ -41,11 +42,6 @@ void draw_images(const std::vector<ImageFigure>& images, std::vector<Drawing>& d
   }
 }
 
-std::string missing_program(const std::string& problem, const char* program, const char* package) {
-  const std::string start = fmt::format("cannot run {}:", program);
-  return problem.rfind(start, 0) == 0 ? problem + "; install " + package : problem;
-}
-
 // All plots in one run of Node: its start takes longer than a plot.
 void draw_plots(const std::vector<PlotFigure>& plots, std::vector<Drawing>& drawings, FigureOutcome& outcome) {
   std::string specifications;
@@ -71,7 +67,7 @@ void draw_plots(const std::vector<PlotFigure>& plots, std::vector<Drawing>& draw
   const FilterResult result = run_filters({{{"node", script.string()}, {}, specifications + "]"}}, 1).front();
   if (!result.problem.empty()) {
     outcome.problems.push_back(
-        fmt::format("{} plots not drawn: {}", stems.size(), missing_program(result.problem, "node", "nodejs")));
+        fmt::format("{} plots not drawn: {}", stems.size(), with_package(result.problem, "node", "nodejs")));
     return;
   }
   const nlohmann::json answers = nlohmann::json::parse(result.output, nullptr, false);
@@ -94,9 +90,7 @@ void convert(const fs::path& folder, const std::vector<Drawing>& drawings, Figur
   for (const Drawing& drawing : drawings) {
     for (const char* format : {"pdf", "png"}) {
       const char* zoom = std::string_view(format) == "png" ? drawing.png_zoom : "1";
-      // SOURCE_DATE_EPOCH: the PDF's date, so that equal figures are equal files.
-      filters.push_back(
-          {{"rsvg-convert", "--unlimited", "--format", format, "--zoom", zoom}, {"SOURCE_DATE_EPOCH=0"}, drawing.svg});
+      filters.push_back(conversion(drawing.svg, format, zoom));
       files.push_back(folder / (drawing.stem + "." + format));
     }
   }
@@ -106,7 +100,7 @@ void convert(const fs::path& folder, const std::vector<Drawing>& drawings, Figur
       write_text(files[i], results[i].output);
       continue;
     }
-    const std::string problem = missing_program(results[i].problem, "rsvg-convert", "librsvg2-bin");
+    const std::string problem = with_package(results[i].problem, "rsvg-convert", "librsvg2-bin");
     if (problem != results[i].problem) {
       outcome.problems.push_back(fmt::format("{} PDF and PNG figures not made: {}", files.size(), problem));
       return;

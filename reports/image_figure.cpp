@@ -25,19 +25,6 @@ struct Layout {
   int below() const { return image_top() + height + unit; }
 };
 
-// In DejaVu Sans, as a multiple of the font size: near enough to choose sizes and line breaks.
-double text_width(std::string_view text) {
-  double width = 0.0;
-  for (const char c : text) {
-    const bool is_continuation = (static_cast<unsigned char>(c) & 0xC0u) == 0x80;
-    if (is_continuation) continue;
-    width += std::string_view("fijlrt .,:;|!'()[]-").find(c) != std::string_view::npos ? 0.36
-             : std::string_view("mwMW@%").find(c) != std::string_view::npos            ? 0.95
-                                                                                       : 0.63;
-  }
-  return width;
-}
-
 std::string number_text(double value, double range) {
   if (std::abs(value) < 1e-9 * range) return "0";
   std::string text = fmt::format("{:.4g}", value);

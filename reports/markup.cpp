@@ -27,7 +27,7 @@ std::size_t sequence_length(std::string_view text) {
 
 }  // namespace
 
-std::string escape_markup(std::string_view text) {
+std::string plain_text(std::string_view text) {
   std::string result;
   while (!text.empty()) {
     const std::size_t length = sequence_length(text);
@@ -36,7 +36,17 @@ std::string escape_markup(std::string_view text) {
       text.remove_prefix(1);
       continue;
     }
-    const char c = text.front();
+    const bool is_control =
+        byte_at(text, 0) < 0x20 || text.front() == '\x7f' || (byte_at(text, 0) == 0xC2 && byte_at(text, 1) < 0xA0);
+    result += is_control ? std::string_view(" ") : text.substr(0, length);
+    text.remove_prefix(length);
+  }
+  return result;
+}
+
+std::string escape_markup(std::string_view text) {
+  std::string result;
+  for (const char c : plain_text(text)) {
     if (c == '&') {
       result += "&amp;";
     } else if (c == '<') {
@@ -47,12 +57,9 @@ std::string escape_markup(std::string_view text) {
       result += "&quot;";
     } else if (c == '\'') {
       result += "&#39;";
-    } else if (byte_at(text, 0) < 0x20 || c == '\x7f') {
-      result += ' ';
     } else {
-      result += text.substr(0, length);
+      result += c;
     }
-    text.remove_prefix(length);
   }
   return result;
 }
@@ -77,6 +84,18 @@ std::string data_uri(std::string_view media_type, std::string_view bytes) {
 std::size_t count_characters(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80; }));
+}
+
+double text_width(std::string_view text) {
+  double width = 0.0;
+  for (const char c : text) {
+    const bool is_continuation = (static_cast<unsigned char>(c) & 0xC0u) == 0x80;
+    if (is_continuation) continue;
+    width += std::string_view("fijlrt .,:;|!'()[]-").find(c) != std::string_view::npos ? 0.36
+             : std::string_view("mwMW@%").find(c) != std::string_view::npos            ? 0.95
+                                                                                       : 0.63;
+  }
+  return width;
 }
 
 }  // namespace umbrameter

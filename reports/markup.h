@@ -1,4 +1,4 @@
-// Text that goes into SVG and HTML.
+// Text that goes into SVG, HTML and terminals.
 #pragma once
 
 #include <string>
@@ -6,8 +6,12 @@
 
 namespace umbrameter {
 
-/// Text as it may stand between tags or in quotes: & < > " ' become entities, control characters blanks, and bytes
-/// that are not UTF-8 the replacement character.
+/// Text without control characters (each becomes a blank) and without bytes that are no UTF-8 (each becomes the
+/// replacement character): it can neither break a document nor steer a terminal.
+std::string plain_text(std::string_view text);
+
+/// Text as it may stand between tags or in quotes: plain_text() in which & < > " '
+/// become entities.
 std::string escape_markup(std::string_view text);
 
 /// RFC 4648, section 4.
@@ -18,5 +22,8 @@ std::string data_uri(std::string_view media_type, std::string_view bytes);
 
 /// Number of characters (code points) of a UTF-8 text.
 std::size_t count_characters(std::string_view text);
+
+/// Width in DejaVu Sans as a multiple of the font size: near enough to choose sizes and line breaks, seldom too small.
+double text_width(std::string_view text);
 
 }  // namespace umbrameter

@@ -88,15 +88,23 @@ Scene make_sized(const BuiltinScene& scene, const std::string& text, const std::
                   "give a .gltf or .glb file, or one of: " + names);
 }
 
+void refuse_part(const std::string& name, const std::string& part) {
+  if (part.empty()) return;
+  throw Error(ExitCode::usage, "--scene " + part, "'" + name + "' is built in and is one scene",
+              "leave --scene away; it selects one of several scenes in a glTF file");
+}
+
 }  // namespace
 
 std::span<const BuiltinScene> builtin_scenes() { return scenes; }
 
 Scene load_scene(const std::string& name_or_path, const std::string& part) {
   for (const BuiltinScene& scene : scenes) {
-    if (scene.name == name_or_path) return make(scene);
     const std::string prefix = std::string(scene.name) + ":";
-    if (name_or_path.starts_with(prefix)) return make_sized(scene, name_or_path, name_or_path.substr(prefix.size()));
+    const bool is_sized = name_or_path.starts_with(prefix);
+    if (scene.name != name_or_path && !is_sized) continue;
+    refuse_part(name_or_path, part);
+    return is_sized ? make_sized(scene, name_or_path, name_or_path.substr(prefix.size())) : make(scene);
   }
   // What cannot be looked up, such as a folder without permission, is the reader's to explain.
   std::error_code unknown;

@@ -27,7 +27,7 @@ std::span<const BuiltinScene> builtin_scenes();
 /// The built-in scene of that name, or the glTF file at that path; `part` selects one of several scenes in a file, by
 /// name or index. A colon and a number behind a built-in name ask for about that many triangles, as in forest:20M,
 /// forest:300k and city:5e6. Throws Error (unreadable_input) that lists the built-in names when it is neither, and
-/// Error (usage) when the scene cannot have that many.
+/// Error (usage) when the scene cannot have that many or a part of a built-in scene is asked for.
 Scene load_scene(const std::string& name_or_path, const std::string& part = {});
 
 }  // namespace umbrameter

@@ -120,6 +120,8 @@ std::size_t select(const std::vector<Named>& items, const std::string& wanted, c
 Parameters describe(ViewParams& params) {
   return Description("view")
       .field("size", params.size, {"px", "width and height of the images", 1, 16384})
+      .field("scene", params.scene,
+             {"", "one of several scenes in a file, by name or index; empty: the file's default"})
       .field("camera", params.camera, {"", "camera by name or index; empty: the first of the scene"})
       .field("light", params.light, {"", "light by name or index; empty: all, or the first where one is swept"})
       .choice("surfels", params.surfels, surfel_source_names,

@@ -13,6 +13,7 @@ enum class SurfelSource : int { raster, traced };
 /// The view.* parameters.
 struct ViewParams {
   Size size;
+  std::string scene;   ///< which of several scenes in a file, by name or index; empty: the file's default
   std::string camera;  ///< name or index; empty is the first of the scene
   std::string light;   ///< name or index; empty: every light, or the first where one is swept
   SurfelSource surfels = SurfelSource::raster;

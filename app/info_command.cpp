@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/scene_report.h"
+#include "app/text_layout.h"
+#include "raster/gl/context.h"
+#include "raytrace/tracer.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json devices_json() {
+  Json devices = Json::array();
+  for (const GlDevice& device : list_gl_devices()) {
+    devices.push_back({{"index", device.index},
+                       {"name", device.name},
+                       {"renderer", device.renderer},
+                       {"version", device.version},
+                       {"software", device.software}});
+  }
+  return devices;
+}
+
+void say_devices(const Console& console, const Json& devices) {
+  say(console, fmt::format("{:<10} {}", "umbrameter", UMBRAMETER_VERSION));
+  say(console, fmt::format("{:<10} {}", "Embree", embree_version()));
+  for (const Json& device : devices) {
+    say(console,
+        fmt::format("{:<10} {}: {}, {}{}", "OpenGL", device["index"].get<int>(), device["renderer"].get<std::string>(),
+                    device["version"].get<std::string>(), device["software"].get<bool>() ? " (software)" : ""));
+  }
+  if (devices.empty()) {
+    say(console,
+        fmt::format("{:<10} no usable device; install a driver (Debian: libegl-mesa0 libgl1-mesa-dri)", "OpenGL"));
+  }
+}
+
+}  // namespace
+
+ExitCode run_info(const CommandLine& line, const Console& console) {
+  Json json;
+  json["version"] = UMBRAMETER_VERSION;
+  json["embree"] = embree_version();
+  const std::string part = chosen_part(line);
+  if (!line.scene.empty()) {
+    const SceneReport report = make_scene_report(line.scene, part, {line.measure_memory});
+    json["scene"] = to_json(report);
+    for (const std::string& text : to_lines(report)) say(console, text);
+  } else {
+    if (!part.empty()) {
+      throw Error(ExitCode::usage, "--scene " + part, "no file is given",
+                  "name the .gltf or .glb file that the scene is in");
+    }
+    json["gl_devices"] = devices_json();
+    say_devices(console, json["gl_devices"]);
+  }
+  // Names come from files: bytes that are no UTF-8 are replaced, never thrown on.
+  if (console.json) fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+  return ExitCode::ok;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,186 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "app/scene_report.h"
+#include "app/text_layout.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::size_t most_listed = 12;
+constexpr std::size_t longest_name = 28;
+constexpr std::size_t label_width = 11;
+constexpr std::size_t line_width = 100;
+
+using Cells = std::vector<std::vector<std::string>>;
+
+class Lines {
+ public:
+  /// Label in its column, text wrapped beside it.
+  void add(std::string_view label, const std::string& text) {
+    for (const std::string& line : wrapped(text, line_width - label_width)) put(label, line);
+  }
+  /// A numbered row for each of the first items, then how many are left.
+  template <class T>
+  void add_list(std::string_view label, const std::vector<T>& items, std::vector<std::string> (*row)(const T&)) {
+    Cells rows;
+    for (std::size_t i = 0; i < std::min(items.size(), most_listed); ++i) {
+      std::vector<std::string>& cells = rows.emplace_back();
+      cells.push_back(fmt::format("{:>2}", i));
+      cells.push_back(items[i].name.empty() ? "(no name)" : shortened(items[i].name, longest_name));
+      for (std::string& cell : row(items[i])) cells.push_back(std::move(cell));
+    }
+    if (items.empty()) put(label, "none");
+    for (const std::string& line : aligned(rows)) put(label, line);
+    if (items.size() > most_listed) {
+      put(label, fmt::format("… and {} more (--json lists all)", grouped(items.size() - most_listed)));
+    }
+  }
+  void add_rows(std::string_view label, const Cells& rows) {
+    for (const std::string& line : aligned(rows)) put(label, line);
+  }
+  std::vector<std::string> take() { return std::move(lines_); }
+
+ private:
+  // A label stands once, before its first line.
+  void put(std::string_view& label, const std::string& text) {
+    lines_.push_back(fmt::format("{:<{}}{}", label, label_width, text));
+    label = {};
+  }
+  std::vector<std::string> lines_;
+};
+
+std::string metres(double value) { return std::isinf(value) ? "infinity" : fmt::format("{:.6g} m", value); }
+
+std::string vector_of(const dvec3& v) { return vector_text(v.x, v.y, v.z); }
+
+// Four digits are enough of a unit vector.
+std::string direction_of(const dvec3& v) {
+  const dvec3 rounded = glm::round(v * 1e4) / 1e4;
+  return vector_of(rounded);
+}
+
+std::string degrees_of(double radians) { return fmt::format("{:.4g}°", radians * 180.0 / pi); }
+
+std::vector<std::string> camera_row(const Camera& camera) {
+  const std::string place = "at " + vector_of(dvec3(camera.world_from_camera[3])) + " m";
+  if (const auto* lens = std::get_if<PerspectiveProjection>(&camera.projection)) {
+    return {degrees_of(lens->vertical_fov) + " high", place,
+            "sees " + metres(lens->near_plane) + " to " + metres(lens->far_plane)};
+  }
+  const auto& parallel = std::get<OrthographicProjection>(camera.projection);
+  return {fmt::format("orthographic, {:.4g} m high", 2.0 * parallel.half_height), place,
+          "sees " + metres(parallel.near_plane) + " to " + metres(parallel.far_plane)};
+}
+
+std::string range_text(double range) { return range > 0.0 ? ", range " + metres(range) : ""; }
+
+std::vector<std::string> light_row(const Light& light) {
+  const std::string kind = kind_of(light);
+  if (std::holds_alternative<DirectionalLight>(light.shape)) {
+    return {kind, fmt::format("{:.6g} lx", light.intensity), "shines along " + direction_of(light.axis())};
+  }
+  std::string where = "at " + vector_of(light.position()) + " m";
+  if (const auto* spot = std::get_if<SpotLight>(&light.shape)) {
+    where += fmt::format(", cone {} to {}", degrees_of(spot->inner_cone_angle), degrees_of(spot->outer_cone_angle));
+    where += range_text(spot->range);
+  } else {
+    where += range_text(std::get<PointLight>(light.shape).range);
+  }
+  return {kind, fmt::format("{:.6g} cd", light.intensity), where};
+}
+
+std::vector<std::string> material_row(const Material& material) {
+  std::string alpha = "opaque";
+  if (material.alpha_mode == AlphaMode::blend) alpha = "blend";
+  if (material.alpha_mode == AlphaMode::mask) alpha = fmt::format("mask, alpha >= {:.4g}", material.alpha_cutoff);
+  const std::string texture =
+      material.base_color_texture ? fmt::format("texture {}", *material.base_color_texture) : "no texture";
+  return {alpha, texture, material.double_sided ? "double-sided" : ""};
+}
+
+std::vector<std::string> texture_row(const Texture& texture) {
+  if (texture.texels.empty()) return {"no texels"};
+  return {fmt::format("{}×{}", texture.texels.width, texture.texels.height),
+          bytes_text(texture.texels.size() * sizeof(glm::u8vec4))};
+}
+
+std::vector<std::string> bytes_row(const std::string& of, const SceneBytes& bytes) {
+  return {of, bytes_text(bytes.total()),
+          "computed: vertices " + bytes_text(bytes.vertices) + ", indices " + bytes_text(bytes.indices) +
+              ", instances " + bytes_text(bytes.instances) + ", textures " + bytes_text(bytes.textures)};
+}
+
+std::string long_unit(std::string_view unit) {
+  if (unit == "mm") return "millimetres";
+  if (unit == "cm") return "centimetres";
+  if (unit == "in") return "inches";
+  if (unit == "ft") return "feet";
+  return "kilometres";
+}
+
+void add_units(Lines& lines, const UnitGuess& guess) {
+  if (guess.verdict == SizeVerdict::credible) {
+    lines.add("units", "metres, as glTF has it; the size is credible");
+    return;
+  }
+  std::string text = fmt::format("{} in metres: {}. ",
+                                 guess.verdict == SizeVerdict::implausible ? "implausible" : "doubtful", guess.reason);
+  if (guess.candidates.empty()) {
+    lines.add("units", text + "No usual unit makes it credible.");
+    return;
+  }
+  const UnitCandidate& likely = guess.candidates.front();
+  text += fmt::format("Likely {}: the longest side is then {}", long_unit(likely.unit), metres(likely.longest_side));
+  for (std::size_t i = 1; i < guess.candidates.size(); ++i) {
+    const UnitCandidate& other = guess.candidates[i];
+    text += fmt::format("{} {} if in {}", i == 1 ? "; or" : ",", metres(other.longest_side), long_unit(other.unit));
+  }
+  lines.add("units", text + ".");
+  const double factor = likely.metres < 1.0 ? 1.0 / likely.metres : likely.metres;
+  lines.add("", fmt::format("If so, every length given in metres, such as shadow.constant-bias or ao.radius, is {:.6g} "
+                            "times too {}: scale the file by {:.6g}, or give lengths in {} (0.02 m is {:.6g}).",
+                            factor, likely.metres < 1.0 ? "small" : "large", likely.metres, long_unit(likely.unit),
+                            0.02 / likely.metres));
+}
+
+void add_memory(Lines& lines, const SceneReport& report) {
+  Cells rows{bytes_row("scene", report.memory), bytes_row("GPU", report.gpu)};
+  rows.push_back(report.tracer_bytes
+                     ? std::vector<std::string>{"tracer", bytes_text(*report.tracer_bytes), "measured: Embree's count"}
+                     : std::vector<std::string>{"tracer", "—", "not built; --measure-memory builds it"});
+  rows.push_back({"loading", bytes_text(report.peak_resident),
+                  fmt::format("measured: the most that the process held; {:.3g} s", report.load_seconds)});
+  lines.add_rows("memory", rows);
+}
+
+}  // namespace
+
+std::vector<std::string> to_lines(const SceneReport& report) {
+  const Scene& scene = report.scene;
+  Lines lines;
+  lines.add("scene", shortened(report.source, 400) + (report.part.empty() ? "" : ", scene " + report.part));
+  lines.add("triangles", fmt::format("{} in all, {} stored; {} vertices", grouped(report.counts.triangles),
+                                     grouped(report.counts.stored_triangles), grouped(report.counts.vertices)));
+  lines.add("parts",
+            fmt::format("{} objects, {} instances of {} meshes, {} materials, {} textures",
+                        grouped(scene.objects.size()), grouped(scene.instances.size()), grouped(scene.meshes.size()),
+                        grouped(scene.materials.size()), grouped(scene.textures.size())));
+  if (!report.bounds.empty()) {
+    const dvec3 extent = report.bounds.extent();
+    lines.add("bounds", vector_of(report.bounds.min) + " to " + vector_of(report.bounds.max) + " m");
+    lines.add("extent", fmt::format("{:.6g} × {:.6g} × {:.6g} m (X × Y × Z)", extent.x, extent.y, extent.z));
+    add_units(lines, report.units);
+  }
+  lines.add_list("cameras", scene.cameras, camera_row);
+  lines.add_list("lights", scene.lights, light_row);
+  lines.add_list("materials", scene.materials, material_row);
+  lines.add_list("textures", scene.textures, texture_row);
+  add_memory(lines, report);
+  for (const std::string& text : scene.notes) lines.add("note", shortened(text, 1000));
+  return lines.take();
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,178 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/contact_sheet.h"
+#include "app/scene_report.h"
+#include "app/text_layout.h"
+#include "core/interrupt.h"
+#include "core/parallel.h"
+#include "reports/drawing.h"
+#include "scenes/builtin.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t name_width = 15;
+constexpr std::size_t line_width = 96;
+constexpr Size default_tile{480, 300};
+
+// A built-in scene, and what only making it tells.
+struct Listed {
+  const BuiltinScene* description = nullptr;
+  std::uint64_t triangles = 0;
+  std::vector<std::string> cameras;
+  std::vector<std::string> lights;
+};
+
+Listed list(const BuiltinScene& description) {
+  const Scene scene = make(description);
+  Listed listed{&description, count(scene).triangles, {}, {}};
+  for (const Camera& camera : scene.cameras) listed.cameras.push_back(camera.name);
+  for (const Light& light : scene.lights) listed.lights.push_back(light.name);
+  return listed;
+}
+
+std::vector<const BuiltinScene*> chosen(const std::vector<std::string>& names) {
+  std::vector<const BuiltinScene*> all;
+  for (const BuiltinScene& scene : builtin_scenes()) {
+    if (names.empty()) all.push_back(&scene);
+  }
+  for (const std::string& name : names) {
+    const BuiltinScene* found = nullptr;
+    for (const BuiltinScene& scene : builtin_scenes()) {
+      if (scene.name == name) found = &scene;
+    }
+    if (found == nullptr) {
+      throw Error(ExitCode::usage, "scene '" + name + "'", "there is no built-in scene of that name",
+                  "'umbrameter scenes' lists them");
+    }
+    all.push_back(found);
+  }
+  return all;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text.append(text.empty() ? "" : ", ").append(name);
+  return text;
+}
+
+std::string counted(const char* noun, const std::vector<std::string>& names) {
+  return fmt::format("{}{} {}", noun, names.size() == 1 ? "" : "s", joined(names));
+}
+
+std::string size_text(const Listed& scene) {
+  const std::string triangles = grouped(scene.triangles) + " triangles";
+  if (scene.description->triangles == 0) return triangles;
+  return fmt::format("{}; {}:NUMBER for another size", triangles, scene.description->name);
+}
+
+void say_scene(const Console& console, const Listed& scene) {
+  const std::string facts =
+      fmt::format("{}; {}; {}", size_text(scene), counted("camera", scene.cameras), counted("light", scene.lights));
+  std::string label(scene.description->name);
+  for (const std::string& paragraph : {std::string(scene.description->purpose), facts}) {
+    for (const std::string& text : wrapped(paragraph, line_width - name_width)) {
+      say(console, fmt::format("{:<{}}{}", label, name_width, text));
+      label.clear();
+    }
+  }
+}
+
+Json to_json(const Listed& scene) {
+  return {{"name", scene.description->name}, {"purpose", scene.description->purpose},
+          {"triangles", scene.triangles},    {"has_size", scene.description->triangles != 0},
+          {"cameras", scene.cameras},        {"lights", scene.lights}};
+}
+
+std::string to_markdown(const std::vector<Listed>& scenes) {
+  std::string text =
+      "# Built-in scenes\n\n"
+      "Made by `umbrameter scenes --markdown`; the picture by `umbrameter scenes --sheet docs/images/scenes.png`. "
+      "Each\n"
+      "name is a SCENE for every command; `umbrameter scene NAME -o FILE.glb` writes it as glTF.\n\n"
+      "![All built-in scenes, each from its first camera](images/scenes.png)\n\n"
+      "Traced shadows and traced ambient occlusion on diffuse surfaces; one exposure rule for all.\n\n"
+      "| scene | what it is there to show | triangles | cameras | lights |\n| --- | --- | --- | --- | --- |\n";
+  bool any_sized = false;
+  for (const Listed& scene : scenes) {
+    const bool is_sized = scene.description->triangles != 0;
+    any_sized = any_sized || is_sized;
+    text += fmt::format("| `{}` | {} | {}{} | {} | {} |\n", scene.description->name, scene.description->purpose,
+                        grouped(scene.triangles), is_sized ? " \\*" : "", joined(scene.cameras), joined(scene.lights));
+  }
+  if (any_sized) {
+    text +=
+        "\n\\* Unless another size is asked for: `forest:20M` is the forest with about 20 million triangles, and\n"
+        "likewise for every scene with the mark.\n";
+  }
+  return text;
+}
+
+Size tile_size(const std::string& given) {
+  Size size = default_tile;
+  if (!given.empty()) {
+    const Parameters parameters =
+        Description("sheet").field("size", size, {"px", "width and height of a picture", 8, 4096}).take();
+    require(parameters, "sheet.size").set_text(given);
+  }
+  return size;
+}
+
+void write_sheet(const CommandLine& line, const Console& console, const std::vector<const BuiltinScene*>& scenes) {
+  require_drawing_name(line.sheet);
+  const Size size = tile_size(line.tile_size);
+  const ThreadLimit threads(line.threads);
+  std::vector<SheetTile> tiles;
+  {
+    ProgressBar bar(console, "drawing scenes");
+    for (const BuiltinScene* description : scenes) {
+      throw_if_interrupted();
+      const auto done = static_cast<double>(tiles.size());
+      const auto all = static_cast<double>(scenes.size());
+      Scene scene = make(*description);
+      const std::string facts = grouped(count(scene).triangles) + " triangles";
+      const Progress progress = [&](double share) { bar.show((done + share) / all); };
+      tiles.push_back({std::string(description->name), facts, std::string(description->purpose),
+                       draw_tile(std::move(scene), size, progress)});
+    }
+  }
+  write_drawing(line.sheet, draw_sheet("The built-in scenes of Umbrameter", tiles));
+  say(console, fmt::format("{}: {} scenes", line.sheet.string(), tiles.size()));
+}
+
+}  // namespace
+
+ExitCode run_scenes(const CommandLine& line, const Console& console) {
+  const std::vector<const BuiltinScene*> scenes = chosen(line.names);
+  if (!line.sheet.empty()) {
+    write_sheet(line, console, scenes);
+    if (console.json) {
+      fmt::print("{}\n", Json{{"file", line.sheet.string()}, {"scenes", scenes.size()}}.dump(2));
+    }
+    return ExitCode::ok;
+  }
+  if (!line.tile_size.empty()) {
+    throw Error(ExitCode::usage, "--size", "it is about the contact sheet", "add --sheet FILE, or leave it away");
+  }
+  std::vector<Listed> all;
+  Json json = Json::array();
+  for (const BuiltinScene* scene : scenes) {
+    throw_if_interrupted();
+    all.push_back(list(*scene));
+    json.push_back(to_json(all.back()));
+    if (!line.markdown) say_scene(console, all.back());
+  }
+  if (console.json) {
+    fmt::print("{}\n", json.dump(2));
+  } else if (line.markdown) {
+    fmt::print("{}", to_markdown(all));
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace umbrameter

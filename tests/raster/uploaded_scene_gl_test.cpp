@@ -1,0 +1,33 @@
+#include "raster/uploaded_scene.h"
+
+#include "raster/gl/api.h"
+#include "tests/raster/test_scenes.h"
+
+namespace umbrameter::testing_scenes {
+namespace {
+
+std::uint64_t size_of(const gl::Buffer& buffer) {
+  GLint64 bytes = 0;
+  glGetNamedBufferParameteri64v(buffer.name(), GL_BUFFER_SIZE, &bytes);
+  return static_cast<std::uint64_t>(bytes);
+}
+
+using UploadedSceneGl = GlTest;
+
+TEST_F(UploadedSceneGl, The_bytes_that_are_told_are_those_of_the_buffers) {
+  Scene scene;
+  add_mesh(scene, box(vec3(-1), vec3(1)));
+  Mesh smooth = quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
+  smooth.normals.assign(smooth.positions.size(), vec3(0, 0, 1));
+  const std::uint32_t placed = add_mesh(scene, smooth);
+  scene.instances.push_back(scene.instances[placed]);
+  const UploadedScene uploaded = upload(context(), scene);
+  const SceneBytes told = bytes_when_uploaded(scene);
+  EXPECT_EQ(told.vertices, size_of(uploaded.positions) + size_of(uploaded.normals) + size_of(uploaded.texcoords));
+  EXPECT_EQ(told.indices, size_of(uploaded.indices));
+  EXPECT_EQ(told.instances, size_of(uploaded.instances));
+  EXPECT_EQ(told.textures, 0u);
+}
+
+}  // namespace
+}  // namespace umbrameter::testing_scenes
