@@ -1,6 +1,5 @@
-#include "raster/uploaded_scene.h"
-
 #include "raster/gl/api.h"
+#include "raster/uploaded_scene.h"
 #include "tests/raster/test_scenes.h"
 
 namespace umbrameter::testing_scenes {
