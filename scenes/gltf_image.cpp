@@ -30,7 +30,7 @@ Image<glm::u8vec4> decode_image(std::span<const unsigned char> bytes, Allowance&
   int height = 0;
   int channels = 0;
   if (stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) == 0) {
-    fail(path, object, "it is neither PNG nor JPEG", remedy);
+    fail(path, object, std::string("it cannot be read as PNG or JPEG (") + stbi_failure_reason() + ")", remedy);
   }
   if (width < 1 || height < 1 || width > max_side || height > max_side || std::int64_t{width} * height > max_texels) {
     fail(path, object, "it is " + std::to_string(width) + "x" + std::to_string(height) + " texels large",

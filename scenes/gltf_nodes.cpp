@@ -149,6 +149,7 @@ std::vector<Placed> place_nodes(const Document& document, const std::string& par
 struct NodeReader {
   GeometryReader& geometry;
   const std::vector<Placed>& placed;
+  std::vector<std::optional<std::size_t>> place_of_node;  ///< indices into placed
   std::uint64_t flattened = 0;
   bool has_skins = false;
 
@@ -209,12 +210,11 @@ struct NodeReader {
     std::vector<dmat4> matrices;
     for (std::size_t i = 0; i < skin.joints.size(); ++i) {
       const std::size_t joint = checked_index(skin.joints[i], model().nodes.size(), "node", document().path, name);
-      const auto found = std::lower_bound(by_node.begin(), by_node.end(), joint,
-                                          [&](std::size_t at, std::size_t wanted) { return placed[at].node < wanted; });
-      if (found == by_node.end() || placed[*found].node != joint) {
+      if (!place_of_node[joint]) {
         fail(document().path, name, "its joint, " + label("node", joint, "") + ", is not part of the scene");
       }
-      matrices.push_back(bind.empty() ? placed[*found].world : placed[*found].world * dmat4(bind[i]));
+      const dmat4& world = placed[*place_of_node[joint]].world;
+      matrices.push_back(bind.empty() ? world : world * dmat4(bind[i]));
       if (!is_finite(matrices.back())) fail(document().path, name, "joint " + std::to_string(i) + " is not finite");
     }
     return matrices;
@@ -270,8 +270,6 @@ struct NodeReader {
     scene.lights.push_back(
         read_light(light, at.world, document(), label("light", index, light.name) + " at " + object, scene.notes));
   }
-
-  std::vector<std::size_t> by_node;  ///< indices into placed, sorted by node
 };
 
 }  // namespace
@@ -280,10 +278,9 @@ void read_nodes(GeometryReader& geometry, const std::string& part) {
   const Document& document = geometry.store.document;
   const tinygltf::Model& model = *document.model;
   const std::vector<Placed> placed = place_nodes(document, part, geometry.scene.name);
-  NodeReader reader{geometry, placed, 0, false, {}};
-  for (std::size_t i = 0; i < placed.size(); ++i) reader.by_node.push_back(i);
-  std::sort(reader.by_node.begin(), reader.by_node.end(),
-            [&](std::size_t a, std::size_t b) { return placed[a].node < placed[b].node; });
+  NodeReader reader{geometry, placed, {}};
+  reader.place_of_node.resize(model.nodes.size());
+  for (std::size_t i = 0; i < placed.size(); ++i) reader.place_of_node[placed[i].node] = i;
   // Meshes in the order of the file, whatever the order of the nodes; also those that no node of the file shows.
   std::set<int> shown;
   for (const tinygltf::Node& node : model.nodes) shown.insert(node.mesh);

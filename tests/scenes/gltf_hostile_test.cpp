@@ -267,7 +267,7 @@ TEST(GltfImages, Broken_images_are_named) {
   const std::string more =
       R"("materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],"textures":[{"source":0}],"images":[)";
   expect_unreadable(with_nodes(R"("nodes":[{"mesh":0}])", more + R"({"name":"bark","bufferView":0}])"),
-                    {"image 0 'bark'", "PNG nor JPEG"});
+                    {"image 0 'bark'", "PNG or JPEG"});
   expect_unreadable(with_nodes(R"("nodes":[{"mesh":0}])", more + R"({"bufferView":9}])"), {"image 0", "bufferView 9"});
   expect_unreadable(with_nodes(R"("nodes":[{"mesh":0}])", more + R"({}])"), {"image 0", "neither a uri"});
 }
