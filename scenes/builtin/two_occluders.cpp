@@ -9,7 +9,10 @@ namespace umbrameter::builtin {
 namespace {
 
 // A high roof over low plates. The roof's front edge casts its shadow along z = edge_shadow on the floor, and each
-// plate stands where that edge halves the plate's own shadow: there a filter sees roof, plate and floor at once.
+// plate stands where that edge halves the plate's own shadow. There a filter sees half roof, a metres along the light
+// above the floor, and half plate, b metres above it, and Chebyshev's bound lets (a − b)²/(2(a² + b²)) of the light
+// through to a floor that gets none (Donnelly and Lauritzen, Variance Shadow Maps, 2006, section 4): 46 % under the
+// lowest plate, 9 % under the highest.
 constexpr double roof_underside = 3.2;
 constexpr double roof_thickness = 0.22;
 constexpr double roof_half_length = 3.9;

@@ -259,6 +259,27 @@ TEST(TwoOccluders, Have_the_edge_of_the_roofs_shadow_across_the_middle_of_each_p
   EXPECT_GE(bounds_of_object(scene, "roof").min.y, 2.0 * 1.6);
 }
 
+// Chebyshev's bound of a floor point whose filter sees half roof, a metres away, and half plate, b metres away: the
+// mean lies (a + b)/2 before the floor, the variance is ((a − b)/2)², so that the bound is (a − b)²/(2(a² + b²)). Along
+// this light a = 3.2·√(1 + 0.65² + 0.35²) and b = (gap + 0.04)·√(1 + 0.65² + 0.35²).
+TEST(TwoOccluders, Bleed_by_the_less_the_higher_the_plate) {
+  const Scene scene = load_scene("two-occluders");
+  const ReferenceCaster caster(scene);
+  const dvec3 to_sun = -light_named(scene, "sun").axis();
+  for (const auto& [gap, expected] : {std::pair{10, 0.4563}, {20, 0.4254}, {40, 0.3651}, {80, 0.2544}, {160, 0.0941}}) {
+    const Bounds bounds = bounds_of_object(scene, "plate " + std::to_string(gap) + " cm");
+    const dvec3 under(bounds.center().x + 0.15, bounds.min.y, bounds.center().z);
+    const dvec3 middle = under - to_sun * (under.y / to_sun.y);
+    const auto distance = [&](double z) {
+      const auto hit = caster.nearest(middle + dvec3(0, 0, z) + 100.0 * to_sun, -to_sun, 0.0, far_away, false);
+      return 100.0 - hit.value().t;
+    };
+    const double a = distance(-1e-4);
+    const double b = distance(1e-4);
+    EXPECT_NEAR((a - b) * (a - b) / (2.0 * (a * a + b * b)), expected, 2e-4) << gap;
+  }
+}
+
 class RoomRays : public testing::Test {
  protected:
   Scene scene = load_scene("room");
