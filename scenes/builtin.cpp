@@ -19,7 +19,7 @@ Scene one_size(std::uint64_t /*triangles*/) {
   return Make();
 }
 
-constexpr std::array<BuiltinScene, 7> scenes{{
+constexpr std::array<BuiltinScene, 13> scenes{{
     {"courtyard", "an arcaded court at midday: fine casters on large receivers, everything at once",
      one_size<builtin::make_courtyard>},
     {"tilted-plane", "one plane under suns at known angles: acne whose share is known from mathematics",
@@ -30,6 +30,18 @@ constexpr std::array<BuiltinScene, 7> scenes{{
      one_size<builtin::make_thin_leaf>},
     {"corner", "three thick walls at right angles: light leaking along inner edges, AO of 1/4",
      one_size<builtin::make_corner>},
+    {"trench", "slots 2 to 20 cm wide, one to four times as deep: shadows and AO where little light enters",
+     one_size<builtin::make_trench>},
+    {"spheres", "balls of 2 mm to 1 m radius, and of 80 to 5120 facets: acne on curved receivers, jagged terminators",
+     one_size<builtin::make_spheres>},
+    {"ramp", "slopes of 0 to 85 degrees under a sun at the zenith: the bias that each slope needs",
+     one_size<builtin::make_ramp>},
+    {"long-posts", "rows of thin posts over 160 m under a low sun: perspective aliasing near the camera",
+     one_size<builtin::make_long_posts>},
+    {"two-occluders", "low plates at several heights under the edge of a high roof: light bleeding of moment filters",
+     one_size<builtin::make_two_occluders>},
+    {"room", "a closed interior with one window and two lamps: walls that light must not leak through, fine casters",
+     one_size<builtin::make_room>},
     {"city",
      "streets of houses that share nothing: thin parts at every distance, and as many triangles as are asked for",
      builtin::make_city, 300'000, 10'000, 20'000'000},

@@ -81,4 +81,22 @@ void add_sun(Scene& scene, const std::string& name, const dvec3& center, const d
   scene.lights.push_back(sun);
 }
 
+namespace {
+
+void add_warm_light(Scene& scene, Light light) {
+  light.color = vec3(1.0f, 0.86f, 0.66f);
+  scene.lights.push_back(std::move(light));
+}
+
+}  // namespace
+
+void add_lamp(Scene& scene, const std::string& name, const dvec3& at, double candela) {
+  add_warm_light(scene, {name, moved(at), vec3(1.0f), candela, PointLight{}});
+}
+
+void add_spot(Scene& scene, const std::string& name, const dmat4& world_from_light, double inner, double outer,
+              double candela) {
+  add_warm_light(scene, {name, world_from_light, vec3(1.0f), candela, SpotLight{0.0, degrees(inner), degrees(outer)}});
+}
+
 }  // namespace umbrameter::builtin

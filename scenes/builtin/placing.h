@@ -38,5 +38,10 @@ void add_camera(Scene& scene, const std::string& name, const dmat4& world_from_c
 /// `to_light` need not be unit. Stands `distance` metres from `center`; `up` fixes the roll of its map.
 void add_sun(Scene& scene, const std::string& name, const dvec3& center, const dvec3& to_light, double distance,
              double lux, const dvec3& up = dvec3(0, 1, 0));
+/// A point light of warm white.
+void add_lamp(Scene& scene, const std::string& name, const dvec3& at, double candela);
+/// A spot light of warm white; the half angles of its cone are in degrees.
+void add_spot(Scene& scene, const std::string& name, const dmat4& world_from_light, double inner, double outer,
+              double candela);
 
 }  // namespace umbrameter::builtin

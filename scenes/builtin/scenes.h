@@ -12,6 +12,12 @@ Scene make_tilted_plane();
 Scene make_contact_box();
 Scene make_thin_leaf();
 Scene make_corner();
+Scene make_trench();
+Scene make_spheres();
+Scene make_ramp();
+Scene make_long_posts();
+Scene make_two_occluders();
+Scene make_room();
 
 /// About `triangles` triangles, over all instances.
 Scene make_city(std::uint64_t triangles);
