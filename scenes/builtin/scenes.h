@@ -12,6 +12,8 @@ Scene make_tilted_plane();
 Scene make_contact_box();
 Scene make_thin_leaf();
 Scene make_corner();
+Scene make_fence();
+Scene make_foliage();
 
 /// About `triangles` triangles, over all instances.
 Scene make_city(std::uint64_t triangles);
