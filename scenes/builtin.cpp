@@ -19,7 +19,7 @@ Scene one_size(std::uint64_t /*triangles*/) {
   return Make();
 }
 
-constexpr std::array<BuiltinScene, 13> scenes{{
+constexpr std::array<BuiltinScene, 15> scenes{{
     {"courtyard", "an arcaded court at midday: fine casters on large receivers, everything at once",
      one_size<builtin::make_courtyard>},
     {"tilted-plane", "one plane under suns at known angles: acne whose share is known from mathematics",
@@ -42,6 +42,9 @@ constexpr std::array<BuiltinScene, 13> scenes{{
      one_size<builtin::make_two_occluders>},
     {"room", "a closed interior with one window and two lamps: walls that light must not leak through, fine casters",
      one_size<builtin::make_room>},
+    {"fence", "a fence cut out by an alpha mask beside its twin of geometry: both must answer alike",
+     one_size<builtin::make_fence>},
+    {"foliage", "alpha-masked leaves before a plain wall: dappled shadows", one_size<builtin::make_foliage>},
     {"city",
      "streets of houses that share nothing: thin parts at every distance, and as many triangles as are asked for",
      builtin::make_city, 300'000, 10'000, 20'000'000},

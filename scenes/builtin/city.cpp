@@ -51,13 +51,14 @@ Paints all_paints(Scene& scene) {
   add(paint, "red paint", {0.45f, 0.07f, 0.05f});
   add(paint, "blue paint", {0.08f, 0.17f, 0.31f});
   add(paint, "mustard paint", {0.55f, 0.36f, 0.06f});
+  add(paving, "flagstones", {0.43f, 0.415f, 0.385f});
   paints.of[foliage].push_back(add_sheet_material(scene, "street tree leaf", {0.20f, 0.33f, 0.085f}));
   return paints;
 }
 
 void place_block(Scene& scene, Block&& block, const Paints& paints, const std::string& name, std::uint32_t seed) {
-  constexpr std::array<const char*, fabrics> names{"wall",  "trim",   "glass", "iron",
-                                                   "roofs", "timber", "paint", "foliage"};
+  constexpr std::array<const char*, fabrics> names{"wall",   "trim",  "glass",  "iron",   "roofs",
+                                                   "timber", "paint", "paving", "foliage"};
   for (std::size_t i = 0; i < fabrics; ++i) {
     Mesh& mesh = block.meshes[i];
     if (mesh.triangles.empty()) continue;
@@ -88,6 +89,8 @@ std::vector<Quarter> quarters_within(int rings) {
       quarter.lot.z0 = z - pitch_z + 0.5 * street, quarter.lot.z1 = z - 0.5 * street;
       quarter.distance =
           std::hypot(0.5 * (quarter.lot.x0 + quarter.lot.x1), 0.55 * (0.5 * (quarter.lot.z0 + quarter.lot.z1) + 45.0));
+      // The front that the avenue leads up to comes before what lies beside it.
+      if (j == 2 && i == -1) quarter.distance *= 0.5;
       quarter.seed = hash(167, i, j);
       quarters.push_back(quarter);
     }
@@ -118,7 +121,8 @@ std::vector<House> houses_of(const Quarter& quarter) {
       house.lot.z0 = faces_back ? q.z0 + pavement + back : q.z1 - pavement - depth;
       const double far = glm::smoothstep(70.0, 150.0, -0.5 * (q.z0 + q.z1)) + 0.35 * chance(house.seed, 3);
       const double draw = chance(house.seed, 4);
-      if (draw < 0.1 + 0.45 * far && far > 0.3) {
+      const bool ends_avenue = std::abs(0.5 * (house.lot.x0 + house.lot.x1) + 3.0) < 8.5 && q.x0 < 0.0 && q.x1 > 0.0;
+      if ((draw < 0.1 + 0.45 * far && far > 0.3) || ends_avenue) {
         house.style = Style::tower;
         house.floors = static_cast<int>(chance(house.seed, 5, 11.0, 17.0) + 13.0 * far * chance(house.seed, 6));
       } else if (draw < 0.6) {
@@ -236,7 +240,7 @@ Scene make_city(std::uint64_t triangles) {
   place_once(scene, to_mesh("streets", box(bounds.min, bounds.max), asphalt));
 
   add_camera(scene, "avenue", looking(dvec3(4.2, 9.0, 21.0), dvec3(-2.0, 12.5, -60.0)), 52.0);
-  add_camera(scene, "pavement", looking(dvec3(-9.6, 1.75, -6.4), dvec3(-7.2, 4.6, -40.0)), 58.0);
+  add_camera(scene, "pavement", looking(dvec3(-10.9, 1.75, -10.4), dvec3(-7.4, 4.2, -40.0)), 58.0);
   add_camera(scene, "roofs", looking(dvec3(74.0, 66.0, 66.0), dvec3(0.0, 6.0, -58.0)), 44.0);
   const double elevation = degrees(38.0);
   const dvec3 to_sun{0.75 * std::cos(elevation), std::sin(elevation), 0.66 * std::cos(elevation)};

@@ -10,7 +10,7 @@
 namespace umbrameter::builtin {
 
 /// What a building is made of; one mesh each.
-enum Fabric : std::size_t { wall, trim, glass, iron, roofing, timber, paint, foliage, fabrics };
+enum Fabric : std::size_t { wall, trim, glass, iron, roofing, timber, paint, paving, foliage, fabrics };
 
 /// The solids of one building or block, in world space.
 struct Block {

@@ -186,7 +186,9 @@ void add_shop(Block& b, const Face& face, const Opening& o, int detail, std::uin
   }
 }
 
+// What does not face a street is plainer.
 void add_front(Block& b, const Face& face, const Storeys& s, const House& house, int detail, bool is_street) {
+  if (!is_street) detail = std::max(0, detail - 1);
   const int bays = std::max(2, static_cast<int>(std::lround(face.width / (house.style == Style::tower ? 2.5 : 2.9))));
   const double corner = 0.55;
   const double pitch = (face.width - 2.0 * corner + s.pier) / bays;
@@ -257,7 +259,7 @@ void add_body(Block& b, const Lot& lot, const Storeys& s, const House& house, in
   add_front(b, back, s, house, detail, lot.faces_back);
   for (const auto& [face, is_open] : {std::pair{left, lot.open_left}, {right, lot.open_right}}) {
     if (is_open) {
-      add_front(b, face, s, house, detail, house.style == Style::palace);
+      add_front(b, face, s, house, detail, house.style != Style::tenement);
     } else {
       add_box(b.meshes[wall], face, {0.2, s.foot(), -recess - 0.1}, {depth - 0.2, top, 0.0});
     }

@@ -75,7 +75,7 @@ void add_tree(Block& block, const dvec3& foot, std::uint32_t seed, int detail) {
 
 Block pave(const Lot& lot, std::uint32_t seed, int detail) {
   Block block;
-  add_shape(block.meshes[trim], bevelled_slab({lot.x0, -0.5, lot.z0}, {lot.x1, kerb, lot.z1}, 0.04), dvec3(0));
+  add_shape(block.meshes[paving], bevelled_slab({lot.x0, -0.5, lot.z0}, {lot.x1, kerb, lot.z1}, 0.04), dvec3(0));
   // Zebra crossings over the street in the south.
   for (const double x : {lot.x0 - 3.0, lot.x1 - 1.0}) {
     for (int i = 0; i < 6 && detail >= 1; ++i) {

@@ -18,6 +18,8 @@ Scene make_ramp();
 Scene make_long_posts();
 Scene make_two_occluders();
 Scene make_room();
+Scene make_fence();
+Scene make_foliage();
 
 /// About `triangles` triangles, over all instances.
 Scene make_city(std::uint64_t triangles);

@@ -209,6 +209,134 @@ TEST(Corner, Has_slabs_at_least_20_cm_thick_and_every_kind_of_light) {
   EXPECT_TRUE(std::holds_alternative<SpotLight>(light_named(scene, "spot").shape));
 }
 
+TEST(Fence, Has_a_mask_and_a_geometric_twin_of_one_size_and_every_kind_of_light) {
+  const auto bounds = bounds_of_objects(load_scene("fence"));
+  const Bounds& mask = bounds.at("fence mask");
+  const Bounds& geometry = bounds.at("fence geometry");
+  // 320 × 192 texels of 1/128 m; the heads of the pickets stay 5 texels below the upper edge.
+  EXPECT_NEAR(mask.extent().x, 2.5, 1e-6);
+  EXPECT_NEAR(mask.extent().y, 1.5, 1e-6);
+  EXPECT_NEAR(geometry.extent().x, 2.5, 1e-6);
+  EXPECT_NEAR(geometry.extent().y, 187.0 / 128.0, 1e-6);
+  EXPECT_EQ(mask.min.y, geometry.min.y);
+  const Scene scene = load_scene("fence");
+  EXPECT_TRUE(std::holds_alternative<DirectionalLight>(light_named(scene, "sun").shape));
+  EXPECT_TRUE(std::holds_alternative<SpotLight>(light_named(scene, "spot").shape));
+  EXPECT_TRUE(std::holds_alternative<PointLight>(light_named(scene, "lantern").shape));
+}
+
+TEST(Fence, Has_as_much_area_of_bars_as_its_mask_has_opaque_texels) {
+  const Scene scene = load_scene("fence");
+  std::size_t opaque = 0;
+  for (const glm::u8vec4& texel : scene.textures.at(0).texels.pixels) {
+    ASSERT_TRUE(texel.w == 0 || texel.w == 255);
+    if (texel.w == 255) ++opaque;
+  }
+  double area = 0.0;
+  for (const Mesh& mesh : scene.meshes) {
+    if (mesh.name != "fence geometry") continue;
+    for (const uvec3& t : mesh.triangles) {
+      const dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
+      area += 0.5 * glm::length(glm::cross(b - a, c - a));
+    }
+  }
+  EXPECT_NEAR(area, static_cast<double>(opaque) / (128.0 * 128.0), 1e-9);
+}
+
+TEST(Foliage, Casts_through_masked_leaves_on_a_plain_wall) {
+  const Scene scene = load_scene("foliage");
+  std::uint64_t cards = 0;
+  for (const Instance& instance : scene.instances) {
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    if (scene.materials[mesh.material].alpha_mode == AlphaMode::mask) cards += mesh.triangles.size() / 2;
+  }
+  EXPECT_GE(cards, 1000u);
+  EXPECT_EQ(bounds_of_objects(scene).at("wall").max.z, 0.0);
+}
+
+struct Sized {
+  const char* text;
+  double triangles;
+};
+
+TEST(SizedScenes, Have_the_asked_number_of_triangles_within_a_tenth) {
+  constexpr std::array<Sized, 12> asked{{{"forest:1e5", 1e5},
+                                         {"forest:137k", 137e3},
+                                         {"forest:300k", 3e5},
+                                         {"forest:2M", 2e6},
+                                         {"forest:2e7", 2e7},
+                                         {"forest:100000000", 1e8},
+                                         {"city:1e4", 1e4},
+                                         {"city:12345", 12345},
+                                         {"city:70k", 7e4},
+                                         {"city:.3M", 3e5},
+                                         {"city:2.5e6", 2.5e6},
+                                         {"city:5M", 5e6}}};
+  for (const Sized& size : asked) {
+    const SceneCounts counts = count(load_scene(size.text));
+    EXPECT_NEAR(static_cast<double>(counts.triangles) / size.triangles, 1.0, 0.1) << size.text;
+  }
+}
+
+TEST(SizedScenes, Have_their_own_size_when_none_is_asked_for) {
+  for (const BuiltinScene& scene : builtin_scenes()) {
+    if (scene.triangles == 0) continue;
+    EXPECT_LE(scene.fewest, scene.triangles) << scene.name;
+    EXPECT_GE(scene.most, scene.triangles) << scene.name;
+    const double have = static_cast<double>(count(load_scene(std::string(scene.name))).triangles);
+    EXPECT_NEAR(have / static_cast<double>(scene.triangles), 1.0, 0.1) << scene.name;
+  }
+}
+
+TEST(SizedScenes, The_forest_shares_its_meshes_and_shows_neighbours_of_one_mesh_together) {
+  const Scene scene = load_scene("forest:20M");
+  EXPECT_LT(count(scene).stored_triangles, 300000u);
+  EXPECT_LT(scene.instances.size(), 200000u);
+  std::size_t runs = 1;
+  for (std::size_t i = 1; i < scene.instances.size(); ++i) {
+    if (scene.instances[i].mesh != scene.instances[i - 1].mesh) ++runs;
+  }
+  EXPECT_EQ(runs, scene.meshes.size());
+}
+
+TEST(SizedScenes, The_city_shares_nothing) {
+  for (const char* text : {"city:50k", "city:1M"}) {
+    const SceneCounts counts = count(load_scene(text));
+    EXPECT_EQ(counts.stored_triangles, counts.triangles) << text;
+  }
+}
+
+std::string usage_failure_of(const std::string& name) {
+  try {
+    load_scene(name);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::usage) << error.what();
+    EXPECT_FALSE(contains(error.what(), "\n")) << error.what();
+    return error.what();
+  }
+  ADD_FAILURE() << "'" << name << "' was loaded";
+  return {};
+}
+
+TEST(SizedScenes, Sizes_that_are_no_number_are_errors_that_say_how_to_write_one) {
+  for (const char* size :
+       {"", "big", "-1e6", "0", "nan", "inf", "1e6x", "1MM", "20 M", "0x10000", "+1e6", "1e400", "k"}) {
+    const std::string text = usage_failure_of(std::string("forest:") + size);
+    EXPECT_TRUE(contains(text, "forest:300k")) << text;
+  }
+}
+
+TEST(SizedScenes, Sizes_beyond_the_limits_are_errors_that_give_them) {
+  EXPECT_TRUE(contains(usage_failure_of("forest:99999"), "100000 to 100000000"));
+  EXPECT_TRUE(contains(usage_failure_of("forest:101M"), "100000 to 100000000"));
+  EXPECT_TRUE(contains(usage_failure_of("city:9k"), "10000 to 20000000"));
+  EXPECT_TRUE(contains(usage_failure_of("city:1e9"), "10000 to 20000000"));
+}
+
+TEST(SizedScenes, A_size_for_a_scene_of_one_size_is_an_error) {
+  EXPECT_TRUE(contains(usage_failure_of("courtyard:1M"), "one size"));
+}
+
 TEST(LoadScene, A_misspelt_name_lists_the_scenes_and_suggests_the_nearest) {
   const std::string text = failure_of("courtyrad");
   EXPECT_TRUE(contains(text, "'courtyrad'")) << text;

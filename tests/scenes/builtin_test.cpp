@@ -241,8 +241,8 @@ TEST_P(EveryBuiltinScene, Comes_back_from_a_file_as_it_was) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryBuiltinScene,
                          testing::Values("courtyard", "tilted-plane", "contact-box", "thin-leaf", "corner", "trench",
-                                         "spheres", "ramp", "long-posts", "two-occluders", "room", "city:30k",
-                                         "forest:100k"),
+                                         "spheres", "ramp", "long-posts", "two-occluders", "room", "fence", "foliage",
+                                         "city:30k", "forest:100k"),
                          [](const auto& tested) {
                            std::string name = tested.param;
                            for (char& c : name) {
@@ -258,9 +258,9 @@ TEST(BuiltinScenes, Are_listed_with_the_courtyard_first) {
     EXPECT_FALSE(scene.purpose.empty());
     EXPECT_FALSE(contains(std::string(scene.purpose), "\n"));
   }
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"courtyard", "tilted-plane", "contact-box", "thin-leaf", "corner", "trench",
-                                      "spheres", "ramp", "long-posts", "two-occluders", "room", "city", "forest"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"courtyard", "tilted-plane", "contact-box", "thin-leaf", "corner",
+                                             "trench", "spheres", "ramp", "long-posts", "two-occluders", "room",
+                                             "fence", "foliage", "city", "forest"}));
 }
 
 }  // namespace
