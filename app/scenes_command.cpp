@@ -73,7 +73,8 @@ std::string counted(const char* noun, const std::vector<std::string>& names) {
 std::string size_text(const Listed& scene) {
   const std::string triangles = grouped(scene.triangles) + " triangles";
   if (scene.description->triangles == 0) return triangles;
-  return fmt::format("{}; {}:NUMBER for another size", triangles, scene.description->name);
+  return fmt::format("{}; {}:NUMBER for {} to {}", triangles, scene.description->name,
+                     grouped(scene.description->fewest), grouped(scene.description->most));
 }
 
 void say_scene(const Console& console, const Listed& scene) {
@@ -88,9 +89,14 @@ void say_scene(const Console& console, const Listed& scene) {
   }
 }
 
+// The numbers of triangles that may be asked for; null for a scene of one size.
+Json sizes_json(const BuiltinScene& description) {
+  return description.triangles == 0 ? Json(nullptr) : Json{description.fewest, description.most};
+}
+
 Json to_json(const Listed& scene) {
   return {{"name", scene.name},           {"purpose", scene.description->purpose},
-          {"triangles", scene.triangles}, {"has_size", scene.description->triangles != 0},
+          {"triangles", scene.triangles}, {"sizes", sizes_json(*scene.description)},
           {"cameras", scene.cameras},     {"lights", scene.lights}};
 }
 
@@ -100,22 +106,27 @@ std::string to_markdown(const std::vector<Listed>& scenes) {
       "Made by `umbrameter scenes --markdown`; the picture by `umbrameter scenes --sheet docs/images/scenes.png`. "
       "Each\n"
       "name is a SCENE for every command; `umbrameter scene NAME -o FILE.glb` writes it as glTF.\n\n"
-      "![All built-in scenes, each from its first camera](images/scenes.png)\n\n"
-      "Traced shadows and traced ambient occlusion on diffuse surfaces; one exposure rule for all.\n\n"
+      "![All built-in scenes](images/scenes.png)\n\n"
+      "Each is seen from its first perspective camera, with traced shadows of its first sun and all its lamps and "
+      "with\n"
+      "traced ambient occlusion, on diffuse surfaces. One rule of exposure for all: the surfaces' mean luminance is "
+      "0.3,\n"
+      "or less where more than 2 % of them would be white.\n\n"
       "| scene | what it is there to show | triangles | cameras | lights |\n| --- | --- | --- | --- | --- |\n";
-  bool any_sized = false;
+  std::string sizes;
   for (const Listed& scene : scenes) {
-    const bool is_sized = scene.description->triangles != 0;
-    any_sized = any_sized || is_sized;
-    text += fmt::format("| `{}` | {} | {}{} | {} | {} |\n", scene.description->name, scene.description->purpose,
-                        grouped(scene.triangles), is_sized ? " \\*" : "", joined(scene.cameras), joined(scene.lights));
+    const BuiltinScene& description = *scene.description;
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", scene.name, description.purpose, grouped(scene.triangles),
+                        joined(scene.cameras), joined(scene.lights));
+    if (description.triangles == 0) continue;
+    sizes += fmt::format("- `{}:NUMBER` has about that many triangles, from {} to {}.\n", description.name,
+                         grouped(description.fewest), grouped(description.most));
   }
-  if (any_sized) {
-    text +=
-        "\n\\* Unless another size is asked for: `forest:20M` is the forest with about 20 million triangles, and\n"
-        "likewise for every scene with the mark.\n";
-  }
-  return text;
+  if (sizes.empty()) return text;
+  return text +
+         "\nSome come in other sizes than the usual one of the table; NUMBER is written like `20M`, `300k` or "
+         "`5e6`:\n\n" +
+         sizes;
 }
 
 Size tile_size(const std::string& given) {

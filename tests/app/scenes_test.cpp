@@ -38,9 +38,24 @@ TEST(Scenes, The_json_says_the_same) {
   const Json scene = Json::parse(result.out)[0];
   EXPECT_EQ(scene["name"], "contact-box");
   EXPECT_EQ(scene["triangles"], 120);
-  EXPECT_EQ(scene["has_size"], false);
+  EXPECT_TRUE(scene["sizes"].is_null());
   EXPECT_EQ(scene["cameras"][0], "overview");
   EXPECT_EQ(scene["lights"][0], "sun");
+}
+
+TEST(Scenes, A_scene_with_a_size_says_which_and_takes_it) {
+  const ProgramResult usual = run_program({"scenes", "city"});
+  EXPECT_NE(usual.out.find("city:NUMBER for "), std::string::npos) << usual.out;
+  const ProgramResult result = run_program({"scenes", "city:50k", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json scene = Json::parse(result.out)[0];
+  EXPECT_EQ(scene["name"], "city:50k");
+  EXPECT_NEAR(scene["triangles"].get<double>(), 50e3, 0.2 * 50e3);
+  EXPECT_LE(scene["sizes"][0].get<double>(), 50e3);
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program({"scene", "city:50k", "-o", folder / "city.glb"}).exit_code, 0);
+  const Json written = Json::parse(run_program({"info", folder / "city.glb", "--json"}).out);
+  EXPECT_EQ(written["scene"]["triangles"], scene["triangles"]);
 }
 
 TEST(Scenes, The_page_is_what_the_program_lists) {
