@@ -4,9 +4,9 @@
 
 #include "app/commands.h"
 #include "app/scene_report.h"
-#include "app/text_layout.h"
 #include "raster/gl/context.h"
 #include "raytrace/tracer.h"
+#include "reports/text_layout.h"
 
 namespace umbrameter {
 namespace {

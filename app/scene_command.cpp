@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/text_layout.h"
 #include "reports/output.h"
+#include "reports/text_layout.h"
 #include "scenes/builtin.h"
 #include "scenes/gltf.h"
 

@@ -75,6 +75,10 @@ Json material_json(const Material& material) {
   json["double_sided"] = material.double_sided;
   json["base_color"] = {material.base_color.x, material.base_color.y, material.base_color.z, material.base_color.w};
   json["base_color_texture"] = material.base_color_texture ? Json(*material.base_color_texture) : Json(nullptr);
+  json["metallic"] = material.metallic;
+  json["roughness"] = material.roughness;
+  json["specular"] = material.specular;
+  json["specular_color"] = {material.specular_color.x, material.specular_color.y, material.specular_color.z};
   return json;
 }
 

@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "app/scene_report.h"
-#include "app/text_layout.h"
+#include "reports/text_layout.h"
 
 namespace umbrameter {
 namespace {
@@ -51,6 +51,10 @@ class Lines {
   }
   std::vector<std::string> lines_;
 };
+
+std::string counted(std::size_t number, const char* noun, const char* plural = "s") {
+  return grouped(number) + " " + noun + (number == 1 ? "" : plural);
+}
 
 std::string metres(double value) { return std::isinf(value) ? "infinity" : fmt::format("{:.6g} m", value); }
 
@@ -108,9 +112,12 @@ std::vector<std::string> texture_row(const Texture& texture) {
 }
 
 std::vector<std::string> bytes_row(const std::string& of, const SceneBytes& bytes) {
-  return {of, bytes_text(bytes.total()),
-          "computed: vertices " + bytes_text(bytes.vertices) + ", indices " + bytes_text(bytes.indices) +
-              ", instances " + bytes_text(bytes.instances) + ", textures " + bytes_text(bytes.textures)};
+  return {of,
+          bytes_text(bytes.total()),
+          bytes_text(bytes.vertices),
+          bytes_text(bytes.indices),
+          bytes_text(bytes.instances),
+          bytes_text(bytes.textures)};
 }
 
 std::string long_unit(std::string_view unit) {
@@ -147,13 +154,14 @@ void add_units(Lines& lines, const UnitGuess& guess) {
 }
 
 void add_memory(Lines& lines, const SceneReport& report) {
-  Cells rows{bytes_row("scene", report.memory), bytes_row("GPU", report.gpu)};
-  rows.push_back(report.tracer_bytes
-                     ? std::vector<std::string>{"tracer", bytes_text(*report.tracer_bytes), "measured: Embree's count"}
-                     : std::vector<std::string>{"tracer", "—", "not built; --measure-memory builds it"});
-  rows.push_back({"loading", bytes_text(report.peak_resident),
-                  fmt::format("measured: the most that the process held; {:.3g} s", report.load_seconds)});
-  lines.add_rows("memory", rows);
+  lines.add_rows("memory", {{"computed", "total", "vertices", "indices", "instances", "textures"},
+                            bytes_row("scene", report.memory),
+                            bytes_row("GPU", report.gpu)});
+  const std::string tracer = report.tracer_bytes ? bytes_text(*report.tracer_bytes) : "—";
+  lines.add_rows("", {{"measured", "total"},
+                      {"tracer", tracer, report.tracer_bytes ? "Embree's count" : "not built; --measure-memory does"},
+                      {"loading", bytes_text(report.peak_resident),
+                       fmt::format("the most that the process held; {:.3g} s", report.load_seconds)}});
 }
 
 }  // namespace
@@ -164,10 +172,10 @@ std::vector<std::string> to_lines(const SceneReport& report) {
   lines.add("scene", shortened(report.source, 400) + (report.part.empty() ? "" : ", scene " + report.part));
   lines.add("triangles", fmt::format("{} in all, {} stored; {} vertices", grouped(report.counts.triangles),
                                      grouped(report.counts.stored_triangles), grouped(report.counts.vertices)));
-  lines.add("parts",
-            fmt::format("{} objects, {} instances of {} meshes, {} materials, {} textures",
-                        grouped(scene.objects.size()), grouped(scene.instances.size()), grouped(scene.meshes.size()),
-                        grouped(scene.materials.size()), grouped(scene.textures.size())));
+  lines.add("parts", counted(scene.objects.size(), "object") + ", " + counted(scene.instances.size(), "instance") +
+                         " of " + counted(scene.meshes.size(), "mesh", "es") + ", " +
+                         counted(scene.materials.size(), "material") + ", " +
+                         counted(scene.textures.size(), "texture"));
   if (!report.bounds.empty()) {
     const dvec3 extent = report.bounds.extent();
     lines.add("bounds", vector_of(report.bounds.min) + " to " + vector_of(report.bounds.max) + " m");

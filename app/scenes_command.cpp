@@ -5,10 +5,11 @@
 #include "app/commands.h"
 #include "app/contact_sheet.h"
 #include "app/scene_report.h"
-#include "app/text_layout.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
 #include "reports/drawing.h"
+#include "reports/output.h"
+#include "reports/text_layout.h"
 #include "scenes/builtin.h"
 
 namespace umbrameter {
@@ -20,38 +21,42 @@ constexpr std::size_t name_width = 15;
 constexpr std::size_t line_width = 96;
 constexpr Size default_tile{480, 300};
 
-// A built-in scene, and what only making it tells.
+// A built-in scene, in its own size or in the one that its name asks for.
+struct Chosen {
+  const BuiltinScene* description = nullptr;
+  std::string name;
+};
+
+// What only making the scene tells.
 struct Listed {
   const BuiltinScene* description = nullptr;
+  std::string name;
   std::uint64_t triangles = 0;
   std::vector<std::string> cameras;
   std::vector<std::string> lights;
 };
 
-Listed list(const BuiltinScene& description) {
-  const Scene scene = make(description);
-  Listed listed{&description, count(scene).triangles, {}, {}};
+Listed list(const Chosen& chosen) {
+  const Scene scene = load_scene(chosen.name);
+  Listed listed{chosen.description, chosen.name, count(scene).triangles, {}, {}};
   for (const Camera& camera : scene.cameras) listed.cameras.push_back(camera.name);
   for (const Light& light : scene.lights) listed.lights.push_back(light.name);
   return listed;
 }
 
-std::vector<const BuiltinScene*> chosen(const std::vector<std::string>& names) {
-  std::vector<const BuiltinScene*> all;
+Chosen find_scene(const std::string& name) {
   for (const BuiltinScene& scene : builtin_scenes()) {
-    if (names.empty()) all.push_back(&scene);
+    if (scene.name == std::string_view(name).substr(0, name.find(':'))) return {&scene, name};
   }
-  for (const std::string& name : names) {
-    const BuiltinScene* found = nullptr;
-    for (const BuiltinScene& scene : builtin_scenes()) {
-      if (scene.name == name) found = &scene;
-    }
-    if (found == nullptr) {
-      throw Error(ExitCode::usage, "scene '" + name + "'", "there is no built-in scene of that name",
-                  "'umbrameter scenes' lists them");
-    }
-    all.push_back(found);
-  }
+  throw Error(ExitCode::usage, "scene '" + name + "'", "there is no built-in scene of that name",
+              "'umbrameter scenes' lists them");
+}
+
+std::vector<Chosen> choose(const std::vector<std::string>& names) {
+  std::vector<Chosen> all;
+  for (const std::string& name : names) all.push_back(find_scene(name));
+  if (!names.empty()) return all;
+  for (const BuiltinScene& scene : builtin_scenes()) all.push_back({&scene, std::string(scene.name)});
   return all;
 }
 
@@ -68,13 +73,14 @@ std::string counted(const char* noun, const std::vector<std::string>& names) {
 std::string size_text(const Listed& scene) {
   const std::string triangles = grouped(scene.triangles) + " triangles";
   if (scene.description->triangles == 0) return triangles;
-  return fmt::format("{}; {}:NUMBER for another size", triangles, scene.description->name);
+  return fmt::format("{}; {}:NUMBER for {} to {}", triangles, scene.description->name,
+                     grouped(scene.description->fewest), grouped(scene.description->most));
 }
 
 void say_scene(const Console& console, const Listed& scene) {
   const std::string facts =
       fmt::format("{}; {}; {}", size_text(scene), counted("camera", scene.cameras), counted("light", scene.lights));
-  std::string label(scene.description->name);
+  std::string label = scene.name;
   for (const std::string& paragraph : {std::string(scene.description->purpose), facts}) {
     for (const std::string& text : wrapped(paragraph, line_width - name_width)) {
       say(console, fmt::format("{:<{}}{}", label, name_width, text));
@@ -83,10 +89,15 @@ void say_scene(const Console& console, const Listed& scene) {
   }
 }
 
+// The numbers of triangles that may be asked for; null for a scene of one size.
+Json sizes_json(const BuiltinScene& description) {
+  return description.triangles == 0 ? Json(nullptr) : Json{description.fewest, description.most};
+}
+
 Json to_json(const Listed& scene) {
-  return {{"name", scene.description->name}, {"purpose", scene.description->purpose},
-          {"triangles", scene.triangles},    {"has_size", scene.description->triangles != 0},
-          {"cameras", scene.cameras},        {"lights", scene.lights}};
+  return {{"name", scene.name},           {"purpose", scene.description->purpose},
+          {"triangles", scene.triangles}, {"sizes", sizes_json(*scene.description)},
+          {"cameras", scene.cameras},     {"lights", scene.lights}};
 }
 
 std::string to_markdown(const std::vector<Listed>& scenes) {
@@ -95,22 +106,27 @@ std::string to_markdown(const std::vector<Listed>& scenes) {
       "Made by `umbrameter scenes --markdown`; the picture by `umbrameter scenes --sheet docs/images/scenes.png`. "
       "Each\n"
       "name is a SCENE for every command; `umbrameter scene NAME -o FILE.glb` writes it as glTF.\n\n"
-      "![All built-in scenes, each from its first camera](images/scenes.png)\n\n"
-      "Traced shadows and traced ambient occlusion on diffuse surfaces; one exposure rule for all.\n\n"
+      "![All built-in scenes](images/scenes.png)\n\n"
+      "Each is seen from its first perspective camera, with traced shadows of its first sun and all its lamps and "
+      "with\n"
+      "traced ambient occlusion, on diffuse surfaces. One rule of exposure for all: the surfaces' mean luminance is "
+      "0.3,\n"
+      "or less where more than 2 % of them would be white.\n\n"
       "| scene | what it is there to show | triangles | cameras | lights |\n| --- | --- | --- | --- | --- |\n";
-  bool any_sized = false;
+  std::string sizes;
   for (const Listed& scene : scenes) {
-    const bool is_sized = scene.description->triangles != 0;
-    any_sized = any_sized || is_sized;
-    text += fmt::format("| `{}` | {} | {}{} | {} | {} |\n", scene.description->name, scene.description->purpose,
-                        grouped(scene.triangles), is_sized ? " \\*" : "", joined(scene.cameras), joined(scene.lights));
+    const BuiltinScene& description = *scene.description;
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", scene.name, description.purpose, grouped(scene.triangles),
+                        joined(scene.cameras), joined(scene.lights));
+    if (description.triangles == 0) continue;
+    sizes += fmt::format("- `{}:NUMBER` has about that many triangles, from {} to {}.\n", description.name,
+                         grouped(description.fewest), grouped(description.most));
   }
-  if (any_sized) {
-    text +=
-        "\n\\* Unless another size is asked for: `forest:20M` is the forest with about 20 million triangles, and\n"
-        "likewise for every scene with the mark.\n";
-  }
-  return text;
+  if (sizes.empty()) return text;
+  return text +
+         "\nSome come in other sizes than the usual one of the table; NUMBER is written like `20M`, `300k` or "
+         "`5e6`:\n\n" +
+         sizes;
 }
 
 Size tile_size(const std::string& given) {
@@ -123,22 +139,24 @@ Size tile_size(const std::string& given) {
   return size;
 }
 
-void write_sheet(const CommandLine& line, const Console& console, const std::vector<const BuiltinScene*>& scenes) {
+void write_sheet(const CommandLine& line, const Console& console, const std::vector<Chosen>& scenes) {
   require_drawing_name(line.sheet);
+  // Told now, not after minutes of drawing.
+  prepare_output_folder(line.sheet.has_parent_path() ? line.sheet.parent_path() : ".");
   const Size size = tile_size(line.tile_size);
   const ThreadLimit threads(line.threads);
   std::vector<SheetTile> tiles;
   {
     ProgressBar bar(console, "drawing scenes");
-    for (const BuiltinScene* description : scenes) {
+    for (const Chosen& chosen : scenes) {
       throw_if_interrupted();
       const auto done = static_cast<double>(tiles.size());
       const auto all = static_cast<double>(scenes.size());
-      Scene scene = make(*description);
+      Scene scene = load_scene(chosen.name);
       const std::string facts = grouped(count(scene).triangles) + " triangles";
       const Progress progress = [&](double share) { bar.show((done + share) / all); };
-      tiles.push_back({std::string(description->name), facts, std::string(description->purpose),
-                       draw_tile(std::move(scene), size, progress)});
+      tiles.push_back(
+          {chosen.name, facts, std::string(chosen.description->purpose), draw_tile(std::move(scene), size, progress)});
     }
   }
   write_drawing(line.sheet, draw_sheet("The built-in scenes of Umbrameter", tiles));
@@ -148,7 +166,7 @@ void write_sheet(const CommandLine& line, const Console& console, const std::vec
 }  // namespace
 
 ExitCode run_scenes(const CommandLine& line, const Console& console) {
-  const std::vector<const BuiltinScene*> scenes = chosen(line.names);
+  const std::vector<Chosen> scenes = choose(line.names);
   if (!line.sheet.empty()) {
     write_sheet(line, console, scenes);
     if (console.json) {
@@ -161,9 +179,9 @@ ExitCode run_scenes(const CommandLine& line, const Console& console) {
   }
   std::vector<Listed> all;
   Json json = Json::array();
-  for (const BuiltinScene* scene : scenes) {
+  for (const Chosen& scene : scenes) {
     throw_if_interrupted();
-    all.push_back(list(*scene));
+    all.push_back(list(scene));
     json.push_back(to_json(all.back()));
     if (!line.markdown) say_scene(console, all.back());
   }

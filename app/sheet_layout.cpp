@@ -15,11 +15,10 @@ constexpr double a4_shape = 297.0 / 210.0;  // height by width
 // Lengths in pixels of the pictures.
 struct Grid {
   int columns = 1;
-  int rows = 1;
   double tile_width = 0.0;
   double tile_height = 0.0;
-  double letter = 0.0;  // font size of the purpose
-  int text_lines = 1;   // of the longest purpose
+  double letter = 0.0;          // font size of the purpose
+  std::vector<int> text_lines;  // of the longest purpose in each row
 
   // In three columns or more a letter is 1/22 of a picture's width: 7 points on A4.
   static double letter_of(double tile_width, int columns) {
@@ -29,10 +28,15 @@ struct Grid {
   double gap() const { return 1.6 * letter; }
   double header() const { return 3.2 * letter; }
   double line() const { return 1.35 * letter; }
-  double caption() const { return 2.0 * letter + line() * text_lines; }
-  double row_height() const { return tile_height + caption() + 1.4 * letter; }
+  // From the top of a row of pictures to the top of the next.
+  double row_height(std::size_t row) const { return tile_height + 3.4 * letter + line() * text_lines[row]; }
+  double row_top(std::size_t row) const {
+    double top = margin() + header();
+    for (std::size_t above = 0; above < row; ++above) top += row_height(above);
+    return top;
+  }
   double width() const { return 2 * margin() + columns * tile_width + (columns - 1) * gap(); }
-  double height() const { return 2 * margin() + header() + rows * row_height() - 1.4 * letter; }
+  double height() const { return row_top(text_lines.size()) - 1.4 * letter + margin(); }
 };
 
 std::vector<std::string> broken(const std::string& text, double widest) {
@@ -55,13 +59,13 @@ std::vector<std::string> broken(const std::string& text, double widest) {
 Grid grid_of(const std::vector<SheetTile>& tiles, int columns) {
   Grid grid;
   grid.columns = columns;
-  grid.rows = (static_cast<int>(tiles.size()) + columns - 1) / columns;
   grid.tile_width = tiles.front().picture.width;
   grid.tile_height = tiles.front().picture.height;
   grid.letter = Grid::letter_of(grid.tile_width, columns);
-  for (const SheetTile& tile : tiles) {
-    grid.text_lines =
-        std::max(grid.text_lines, static_cast<int>(broken(tile.purpose, grid.tile_width / grid.letter).size()));
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    if (i % static_cast<std::size_t>(columns) == 0) grid.text_lines.push_back(1);
+    const auto lines = static_cast<int>(broken(tiles[i].purpose, grid.tile_width / grid.letter).size());
+    grid.text_lines.back() = std::max(grid.text_lines.back(), lines);
   }
   return grid;
 }
@@ -108,11 +112,11 @@ std::string draw_sheet(const std::string& title, const std::vector<SheetTile>& t
       width, height);
   svg += text(grid.margin(), grid.margin() + 1.4 * grid.letter, 1.7 * grid.letter, title, " font-weight=\"bold\"");
   for (std::size_t i = 0; i < tiles.size(); ++i) {
-    const int column = static_cast<int>(i) % grid.columns;
-    const int row = static_cast<int>(i) / grid.columns;
+    const std::size_t columns = static_cast<std::size_t>(grid.columns);
+    const auto column = static_cast<double>(i % columns);
     // Whole pixels, so that a picture is not resampled.
     svg += tile_markup(tiles[i], grid, std::round(grid.margin() + column * (grid.tile_width + grid.gap())),
-                       std::round(grid.margin() + grid.header() + row * grid.row_height()));
+                       std::round(grid.row_top(i / columns)));
   }
   return svg + "</svg>\n";
 }

@@ -1,4 +1,4 @@
-#include "app/text_layout.h"
+#include "reports/text_layout.h"
 
 #include <fmt/format.h>
 
