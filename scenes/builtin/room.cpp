@@ -45,7 +45,7 @@ void add_shell(Scene& scene, const RoomPalette& palette) {
 }
 
 void add_floor(Scene& scene, const RoomPalette& palette) {
-  // Boards of four lengths' break with open joints, on the shell's floor.
+  // Boards with open joints on the shell's floor; each row starts elsewhere.
   constexpr double width = 0.175;
   constexpr double length = 1.3;
   const int rows = static_cast<int>(room_depth / width);
