@@ -127,7 +127,7 @@ Scene make_spheres() {
   const dvec3 hollow(1.75, bowl_radius + 0.03, -1.35);
   place_once(scene, to_mesh("bowl", bowl(), ivory, 40.0), moved(hollow));
 
-  add_camera(scene, "overview", looking(dvec3(1.75, 1.0, 2.9), dvec3(-0.25, 0.55, -0.6)), 44.0);
+  add_camera(scene, "overview", looking(dvec3(1.75, 1.02, 3.0), dvec3(-0.12, 0.6, -0.6)), 45.0);
   add_camera(scene, "small", looking(at + dvec3(0.075, 0.075, 0.17), at + dvec3(-0.045, 0.024, -0.01)), 34.0);
   add_camera(scene, "facets", looking(dvec3(0.1, 0.85, 2.95), dvec3(-0.7, 0.19, 1.06)), 32.0);
   add_camera(scene, "bowl", looking(hollow + dvec3(0.45, 0.85, 1.25), hollow + dvec3(-0.06, -0.1, 0)), 34.0);
