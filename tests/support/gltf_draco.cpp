@@ -1,0 +1,86 @@
+// Files with KHR_draco_mesh_compression, encoded here.
+#include <draco/compression/encode.h>
+#include <draco/mesh/triangle_soup_mesh_builder.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "tests/support/gltf_constructs.h"
+
+namespace umbrameter::test {
+namespace {
+
+constexpr int position_bits = 14;
+
+struct Encoded {
+  Bytes bytes;
+  std::size_t points = 0;
+  int position = 0;  ///< ids of the attributes
+  int normal = -1;
+};
+
+Encoded encode(int method, bool has_normals) {
+  const Solid split = split_solid();
+  const std::vector<float> positions = floats(split.corners);
+  const std::vector<float> normals = floats(flat_normals(split));
+  draco::TriangleSoupMeshBuilder soup;
+  soup.Start(static_cast<int>(split.triangles.size()));
+  Encoded result;
+  result.position = soup.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+  if (has_normals) result.normal = soup.AddAttribute(draco::GeometryAttribute::NORMAL, 3, draco::DT_FLOAT32);
+  for (std::uint32_t face = 0; face < split.triangles.size(); ++face) {
+    const auto set = [&](int attribute, const std::vector<float>& values) {
+      const float* first = &values[std::size_t{9} * face];
+      soup.SetAttributeValuesForFace(attribute, draco::FaceIndex(face), first, first + 3, first + 6);
+    };
+    set(result.position, positions);
+    if (has_normals) set(result.normal, normals);
+  }
+  const std::unique_ptr<draco::Mesh> mesh = soup.Finalize();
+  draco::Encoder encoder;
+  encoder.SetEncodingMethod(method);
+  encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, position_bits);
+  encoder.SetAttributeQuantization(draco::GeometryAttribute::NORMAL, 12);
+  encoder.SetTrackEncodedProperties(true);
+  draco::EncoderBuffer buffer;
+  if (!encoder.EncodeMeshToBuffer(*mesh, &buffer).ok()) throw std::runtime_error("Draco could not encode the solid");
+  result.bytes.assign(buffer.data(), buffer.data() + buffer.size());
+  result.points = encoder.num_encoded_points();
+  result.position = static_cast<int>(mesh->attribute(result.position)->unique_id());
+  if (has_normals) result.normal = static_cast<int>(mesh->attribute(result.normal)->unique_id());
+  return result;
+}
+
+Construct compressed(const std::string& name, int method, bool has_normals) {
+  GltfBuilder builder;
+  use(builder, "KHR_draco_mesh_compression", true);
+  const Encoded encoded = encode(method, has_normals);
+  const int view = add_view(builder, encoded.bytes);
+  std::string attributes = "\"POSITION\":" + std::to_string(add_accessor(builder, -1, "f32", "VEC3", encoded.points));
+  std::string ids = "\"POSITION\":" + std::to_string(encoded.position);
+  if (has_normals) {
+    attributes += ",\"NORMAL\":" + std::to_string(add_accessor(builder, -1, "f32", "VEC3", encoded.points));
+    ids += ",\"NORMAL\":" + std::to_string(encoded.normal);
+  }
+  const int indices = add_accessor(builder, -1, "u16", "SCALAR", 18);
+  add_mesh(builder, attributes, indices,
+           R"(,"extensions":{"KHR_draco_mesh_compression":{"bufferView":)" + std::to_string(view) +
+               R"(,"attributes":{)" + ids + "}}}");
+  Construct construct = finished(name, builder, placed(solid()));
+  // One step of the quantisation over the longest side of the bounds.
+  construct.tolerance = 3.5 / ((1 << position_bits) - 1);
+  construct.in_order = false;
+  construct.flat_normals = has_normals;
+  return construct;
+}
+
+}  // namespace
+
+std::vector<Construct> draco_constructs() {
+  return {compressed("Draco with edgebreaker", draco::MESH_EDGEBREAKER_ENCODING, false),
+          compressed("Draco with edgebreaker and normals", draco::MESH_EDGEBREAKER_ENCODING, true),
+          compressed("Draco in sequence", draco::MESH_SEQUENTIAL_ENCODING, false),
+          compressed("Draco in sequence with normals", draco::MESH_SEQUENTIAL_ENCODING, true)};
+}
+
+}  // namespace umbrameter::test
