@@ -74,7 +74,7 @@ std::string text_of(double value) {
 std::string list_of(const std::vector<double>& values) {
   std::vector<std::string> texts;
   for (const double value : values) texts.push_back(text_of(value));
-  return "[" + join(texts) + "]";
+  return std::string("[").append(join(texts)).append("]");
 }
 
 std::string list_of(const dmat4& matrix) {
