@@ -39,6 +39,26 @@ dmat4 frame_towards(const dvec3& towards_viewer, const dvec3& origin) {
 
 // From in front (+Z, glTF 2.0, section 3.4), a little aside and above; the nearest position along that direction
 // from which each box corner stands within the image.
+// Where the axis must pass so that what is seen reaches equally far to both sides of it: with `across` and `towards`
+// the places of points across the image and towards the camera, max + min of (across − shift) / (distance − towards) is
+// 0. It falls with the shift, so it is bisected.
+double balanced_shift(const std::array<double, 8>& across, const std::array<double, 8>& towards, double distance) {
+  double low = *std::min_element(across.begin(), across.end());
+  double high = *std::max_element(across.begin(), across.end());
+  for (int step = 0; step < 60; ++step) {
+    const double shift = 0.5 * (low + high);
+    double most = -std::numeric_limits<double>::infinity();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < across.size(); ++i) {
+      const double seen = (across[i] - shift) / (distance - towards[i]);
+      most = std::max(most, seen);
+      least = std::min(least, seen);
+    }
+    (most + least > 0.0 ? low : high) = shift;
+  }
+  return 0.5 * (low + high);
+}
+
 Camera fitted_camera(const Bounds& bounds, double aspect) {
   constexpr double azimuth = 30.0 * degree;
   constexpr double elevation = 25.0 * degree;
@@ -56,17 +76,18 @@ Camera fitted_camera(const Bounds& bounds, double aspect) {
   const double infinite = std::numeric_limits<double>::infinity();
   dvec2 upper(-infinite);
   dvec2 lower(-infinite);
-  double nearest = -infinite;
-  for (int i = 0; i < 8; ++i) {
-    const dvec3 offset = bounds.empty() ? dvec3(0) : bounds.corner(i) - center;
+  std::array<std::array<double, 8>, 3> corners{};
+  for (std::size_t i = 0; i < 8; ++i) {
+    const dvec3 offset = bounds.empty() ? dvec3(0) : bounds.corner(static_cast<int>(i)) - center;
     const dvec3 local = glm::transpose(dmat3(axes)) * offset;
     upper = glm::max(upper, dvec2(local) + tangent * local.z);
     lower = glm::max(lower, -dvec2(local) + tangent * local.z);
-    nearest = std::max(nearest, local.z);
+    for (int c = 0; c < 3; ++c) corners[static_cast<std::size_t>(c)][i] = local[c];
   }
-  const dvec2 shift = 0.5 * (upper - lower);
+  const double nearest = *std::max_element(corners[2].begin(), corners[2].end());
   const dvec2 needed = (upper + lower) / (2.0 * tangent);
   const double distance = std::max({needed.x, needed.y, nearest + 0.1 * radius});
+  const dvec2 shift{balanced_shift(corners[0], corners[2], distance), balanced_shift(corners[1], corners[2], distance)};
   camera.world_from_camera =
       frame_towards(direction, center + distance * direction + dvec3(axes[0]) * shift.x + dvec3(axes[1]) * shift.y);
   lens.near_plane = 0.5 * (distance - nearest);

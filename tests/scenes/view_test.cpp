@@ -169,6 +169,23 @@ TEST(FittedCamera, The_whole_of_the_bounds_stands_in_the_image_and_fills_it) {
   }
 }
 
+TEST(FittedCamera, What_is_seen_stands_in_the_middle_of_the_image) {
+  for (const dvec3& extent : {dvec3(1, 1, 1), dvec3(100, 1, 2), dvec3(0.01, 8, 0.01), dvec3(50, 0, 50)}) {
+    const Scene scene = scene_of_size(extent, {1000, -20, 30});
+    std::vector<std::string> notes;
+    const View view{1600, 900, select_camera(scene, "", 16.0 / 9.0, notes)};
+    dvec2 most(-1.0);
+    dvec2 least(1.0);
+    for (int i = 0; i < 8; ++i) {
+      const dvec4 clip = clip_from_view(view) * view_from_world(view) * dvec4(bounds_of(scene).corner(i), 1);
+      most = glm::max(most, dvec2(clip) / clip.w);
+      least = glm::min(least, dvec2(clip) / clip.w);
+    }
+    EXPECT_NEAR(most.x, -least.x, 1e-6);
+    EXPECT_NEAR(most.y, -least.y, 1e-6);
+  }
+}
+
 TEST(FittedCamera, It_looks_from_thirty_degrees_beside_the_front_and_twenty_five_above) {
   std::vector<std::string> notes;
   const Camera camera = select_camera(scene_of_size({2, 2, 2}, {0, 0, 0}), "", 1.5, notes);
