@@ -45,11 +45,10 @@ constexpr std::array<BuiltinScene, 15> scenes{{
     {"fence", "a fence cut out by an alpha mask beside its twin of geometry: both must answer alike",
      one_size<builtin::make_fence>},
     {"foliage", "alpha-masked leaves before a plain wall: dappled shadows", one_size<builtin::make_foliage>},
-    {"city",
-     "streets of houses that share nothing: thin parts at every distance, and as many triangles as are asked for",
-     builtin::make_city, 300'000, 10'000, 20'000'000},
-    {"forest", "trees, ferns and rocks by instances: light through leaves, and as many triangles as are asked for",
-     builtin::make_forest, 2'000'000, 100'000, 100'000'000},
+    {"city", "streets of houses that share nothing: thin parts at every distance", builtin::make_city, 300'000, 10'000,
+     20'000'000},
+    {"forest", "trees, ferns and rocks by instances: light that falls through leaves", builtin::make_forest, 2'000'000,
+     100'000, 100'000'000},
 }};
 
 // 20M, 5e6, 300k or 123456.
@@ -89,14 +88,15 @@ Scene make_sized(const BuiltinScene& scene, const std::string& text, const std::
 }
 
 [[noreturn]] void fail_unknown(const std::string& text) {
+  const std::string name = text.substr(0, text.find(':'));
   std::string names;
   std::string_view nearest = scenes.front().name;
   for (const BuiltinScene& scene : scenes) {
     names.append(names.empty() ? "" : ", ").append(scene.name);
-    if (edit_distance(text, scene.name) < edit_distance(text, nearest)) nearest = scene.name;
+    if (edit_distance(name, scene.name) < edit_distance(name, nearest)) nearest = scene.name;
   }
   // A wider guess would be none.
-  const bool is_near = edit_distance(text, nearest) <= 3;
+  const bool is_near = edit_distance(name, nearest) <= 3;
   throw Error(ExitCode::unreadable_input, "scene '" + text + "'",
               "there is no such file, and no built-in scene of that name",
               (is_near ? "did you mean '" + std::string(nearest) + "'? " : std::string()) +

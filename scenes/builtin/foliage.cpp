@@ -117,11 +117,15 @@ Scene make_foliage() {
   const double elevation = degrees(47.0);
   const dvec3 to_sun{0.62 * std::cos(elevation), std::sin(elevation), 0.78 * std::cos(elevation)};
   add_sun(scene, "sun", dvec3(0, 0, 1.5), to_sun, 15.0, 3.0);
+  const std::array<dvec2, 7> bollard{dvec2(0, -0.05), {0.06, -0.05}, {0.05, 0.3}, {0.05, 0.42},
+                                     {0.07, 0.44},    {0.06, 0.47},  {0, 0.47}};
+  const dvec3 foot{1.35, 0.0, 3.35};
+  place_once(scene, to_mesh("bollard", lathe(bollard, 16), coping, 40.0), moved(foot));
   Light lamp;
   lamp.name = "garden lamp";
-  lamp.world_from_light = looking(dvec3(-1.9, 1.2, 3.4), dvec3(-1.9, 1.2, 2.0));
+  lamp.world_from_light = looking(foot + dvec3(0, 0.62, 0), foot + dvec3(0, 0.62, -1));
   lamp.color = {1.0f, 0.76f, 0.46f};
-  lamp.intensity = 6.0;
+  lamp.intensity = 1.7;
   lamp.shape = PointLight{12.0};
   scene.lights.push_back(lamp);
   return scene;

@@ -137,7 +137,8 @@ Kind tree_at(double x, double z, std::uint32_t index) {
 
 Kind undergrowth_at(double x, double z, double open, std::uint32_t index) {
   const double draw = chance(index, 3);
-  if (open < 0.8 && draw > 0.4) return draw < 0.8 ? tall_grass : foxgloves;
+  // Ferns line the open ground.
+  if (open < 1.8 && draw > 0.25) return draw < 0.7 ? fern : draw < 0.9 ? tall_grass : foxgloves;
   const double damp = noise(149, x / 6.0, z / 6.0);
   if (draw < 0.07) return hazel;
   if (draw < 0.12) return holly;
@@ -174,7 +175,7 @@ std::vector<Site> sites_within(double half) {
     const double room = kind == old_oak ? 2.2 : kind == young_spruce || kind == young_birch ? 0.7 : 1.1;
     if (beyond_open_ground(x, z) > room) sites.push_back({x, z, kind});
   });
-  for_each_cell(half, 1.55, 157, [&](double x, double z, std::uint32_t index) {
+  for_each_cell(half, 1.4, 157, [&](double x, double z, std::uint32_t index) {
     const double open = beyond_open_ground(x, z);
     const Kind kind = undergrowth_at(x, z, open, index);
     if (open > 0.0) sites.push_back({x, z, kind});
@@ -202,9 +203,13 @@ std::vector<Stand> composition(const Ground& ground) {
   const auto at = [&](Kind kind, double x, double z, double turn, double size) {
     return Stand{kind, moved({x, ground.height(x, z), z}) * turned(turn) * scaled(dvec3(size))};
   };
-  return {at(old_oak, -7.6, -8.2, 40.0, 1.05), at(fallen_trunk, 4.6, -0.8, 24.0, 1.0),
-          at(mossy_rock, 6.4, 1.4, 70.0, 1.1), at(grey_rock, 5.2, 2.3, 10.0, 0.9),
-          at(grey_rock, -4.9, 3.2, 130.0, 0.8)};
+  return {
+      at(old_oak, -7.6, -8.2, 40.0, 1.05), at(fallen_trunk, 4.6, -0.8, 24.0, 1.0), at(mossy_rock, 6.4, 1.4, 70.0, 1.1),
+      at(grey_rock, 5.2, 2.3, 10.0, 0.9),  at(grey_rock, -3.4, 5.4, 130.0, 0.8),   at(fern, -5.9, 1.3, 0.0, 1.1),
+      at(fern, -4.6, 0.5, 50.0, 0.9),      at(fern, -6.9, 0.9, 120.0, 1.2),        at(fern, -4.2, 2.2, 80.0, 0.8),
+      at(fern, -3.4, 3.2, 200.0, 1.0),     at(fern, -5.3, 2.3, 160.0, 0.7),        at(fern, 3.6, 8.6, 30.0, 1.1),
+      at(fern, 4.6, 8.0, 90.0, 1.2),       at(fern, -2.3, 8.9, 70.0, 1.2),         at(fern, -3.4, 8.2, 10.0, 1.0),
+      at(tall_grass, 3.0, 9.2, 0.0, 1.0),  at(tall_grass, -1.6, 9.5, 0.0, 1.0)};
 }
 
 constexpr dvec3 first_eye{1.3, 2.2, 12.2};
@@ -228,7 +233,7 @@ void add_lantern(Scene& scene, const Ground& ground) {
   const std::uint32_t iron = add_material(scene, "iron", {0.035f, 0.038f, 0.038f});
   const std::uint32_t candle = add_material(scene, "candle", {0.80f, 0.74f, 0.60f});
   place_once(scene, to_mesh("lantern post", lantern_post(), wood), moved(foot));
-  const dvec3 hook = foot + dvec3(0.66, 1.56, 0.0);
+  const dvec3 hook = foot + dvec3(0.66, 1.18, 0.0);
   place_once(scene, to_mesh("lantern", lantern_frame(), iron), moved(hook));
   place_once(scene, to_mesh("candle", lantern_light(), candle), moved(hook));
   Light lantern;
@@ -245,7 +250,8 @@ void add_lantern(Scene& scene, const Ground& ground) {
 Scene make_forest(std::uint64_t triangles) {
   Scene scene;
   scene.name = "forest";
-  const std::uint32_t soil = add_textured_material(scene, "forest ground", forest_ground(), false);
+  const std::uint32_t floor = add_textured_material(scene, "forest ground", forest_ground(), false);
+  const std::uint32_t soil = add_material(scene, "soil", {0.13f, 0.085f, 0.055f});
   const std::vector<Species> species = all_species(scene);
 
   // Three hundred triangles a square metre, give or take the clearings; the last stand decides where the ground ends.
@@ -270,7 +276,8 @@ Scene make_forest(std::uint64_t triangles) {
   std::vector<Stand> stands = composition(ground);
   for (std::uint32_t i = 0; i < kept.size(); ++i) stands.push_back({kept[i].kind, pose(ground, kept[i], hash(163, i))});
 
-  place_once(scene, ground_mesh(ground, soil));
+  place_once(scene, ground_mesh(ground, floor));
+  place_once(scene, ground_sides(ground, soil));
   std::stable_sort(stands.begin(), stands.end(), [](const Stand& a, const Stand& b) { return a.species < b.species; });
   for (auto first = stands.begin(); first != stands.end();) {
     const auto last = std::find_if(first, stands.end(), [&](const Stand& s) { return s.species != first->species; });
@@ -289,8 +296,8 @@ Scene make_forest(std::uint64_t triangles) {
   add_camera(scene, "above", looking(dvec3(1.3 * far, 1.15 * far + 14.0, 1.8 * far), dvec3(0.0, 3.0, 0.08 * far)),
              42.0);
 
-  const double elevation = degrees(44.0);
-  const dvec3 to_sun{-0.86 * std::cos(elevation), std::sin(elevation), 0.51 * std::cos(elevation)};
+  const double elevation = degrees(48.0);
+  const dvec3 to_sun{-0.72 * std::cos(elevation), std::sin(elevation), 0.69 * std::cos(elevation)};
   add_sun(scene, "sun", dvec3(0.0), to_sun, 60.0, 3.0);
   add_lantern(scene, ground);
   return scene;

@@ -62,7 +62,10 @@ struct Ground {
   /// Height of the surface as it is drawn, facets included.
   double height(double x, double z) const;
 };
+/// Of both meshes.
 std::uint64_t triangles_of(const Ground& ground);
 Mesh ground_mesh(const Ground& ground, std::uint32_t material);
+/// Bare soil, where the square is cut off.
+Mesh ground_sides(const Ground& ground, std::uint32_t material);
 
 }  // namespace umbrameter::builtin

@@ -30,6 +30,8 @@ double relief(double x, double z) {
          2.5 * std::sin(outside / 47.0) * smooth_step(40.0, 120.0, outside);
 }
 
+constexpr double floor_depth = -3.0;
+
 }  // namespace
 
 double noise(std::uint32_t seed, double x, double z) {
@@ -94,11 +96,26 @@ double Ground::height(double x, double z) const {
 
 std::uint64_t triangles_of(const Ground& ground) {
   const auto n = static_cast<std::uint64_t>(ground.cells);
-  return 2 * n * n + 8 * n + 4 * n;  // above, four sides, a fan below
+  return 2 * n * n + 12 * n + 4 * (8 * n + 4);  // above, four sides and a fan below; the bands about it
+}
+
+Mesh ground_sides(const Ground& ground, std::uint32_t material) {
+  Shape shape;
+  for (int side = 0; side < 4; ++side) {
+    const dmat4 turn = turned(90.0 * side);
+    std::vector<dvec2> lower, upper;
+    for (int i = 0; i <= ground.cells; ++i) {
+      const double along = ground.half * (2.0 * i / ground.cells - 1.0);
+      const dvec3 at(turn * dvec4(along, 0.0, ground.half, 1.0));
+      lower.emplace_back(along, floor_depth - 0.1);
+      upper.emplace_back(along, relief(at.x, at.z) - 0.04);
+    }
+    append(shape, band(lower, upper, 0.12), turn * moved({0.0, 0.0, ground.half - 0.02}));
+  }
+  return to_mesh("soil", shape, material, 50.0);
 }
 
 Mesh ground_mesh(const Ground& ground, std::uint32_t material) {
-  constexpr double floor_depth = -3.0;
   Shape shape;
   const auto n = static_cast<std::uint32_t>(ground.cells);
   const double step = 2.0 * ground.half / ground.cells;

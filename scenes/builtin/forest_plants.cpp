@@ -109,13 +109,13 @@ Shape fallen_log(double length, double radius) {
                                   dvec3(0.5 * length, radius, -0.08)};
   const std::array<double, 5> radii{1.0 * radius, 0.97 * radius, 0.9 * radius, 0.84 * radius, 0.76 * radius};
   append(shape, tube(path, radii, 16));
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < 3; ++i) {
     const auto index = static_cast<std::uint32_t>(i);
-    const double along = length * (-0.35 + 0.17 * i);
-    const double angle = chance(91, index, 0.2, 2.9);
+    const double along = length * (-0.3 + 0.27 * i);
+    const double angle = chance(91, index, 0.5, 2.6);
     const dvec3 out{0.25, std::sin(angle), std::cos(angle)};
     const dvec3 foot{along, 0.9 * radius, 0.0};
-    const std::array<dvec3, 2> stub{foot, foot + radius * chance(92, index, 1.3, 2.6) * out};
+    const std::array<dvec3, 2> stub{foot, foot + radius * chance(92, index, 1.2, 1.9) * out};
     const std::array<double, 2> thin{0.22 * radius, 0.1 * radius};
     append(shape, tube(stub, thin, 7));
   }
@@ -123,9 +123,9 @@ Shape fallen_log(double length, double radius) {
 }
 
 Shape lantern_post() {
-  Shape shape = chamfered_box({-0.06, -0.4, -0.06}, {0.06, 2.3, 0.06}, 0.015);
-  append(shape, chamfered_box({-0.045, 2.1, -0.045}, {0.75, 2.19, 0.045}, 0.012));
-  const std::array<dvec3, 2> brace{dvec3(0.03, 1.65, 0.0), dvec3(0.5, 2.12, 0.0)};
+  Shape shape = chamfered_box({-0.06, -0.4, -0.06}, {0.06, 2.95, 0.06}, 0.015);
+  append(shape, chamfered_box({-0.045, 2.74, -0.045}, {0.75, 2.83, 0.045}, 0.012));
+  const std::array<dvec3, 2> brace{dvec3(0.03, 2.25, 0.0), dvec3(0.5, 2.76, 0.0)};
   const std::array<double, 2> radii{0.025, 0.025};
   append(shape, tube(brace, radii, 6));
   return shape;

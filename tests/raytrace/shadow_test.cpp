@@ -86,7 +86,8 @@ void expect_agreement(const Scene& scene) {
       const Agreement a = compare_with_caster(scene, {192, 108, camera}, light);
       EXPECT_EQ(a.different, 0) << scene.name << ", camera " << camera.name << ", light " << light.name << ": of "
                                 << a.compared;
-      EXPECT_LE(a.fine, a.compared / 10000) << scene.name << ", camera " << camera.name << ", light " << light.name;
+      // One, where most pixels border on the shadow of some leaf and few are left to compare.
+      EXPECT_LE(a.fine, 1 + a.compared / 10000) << scene.name << ", camera " << camera.name << ", light " << light.name;
       EXPECT_GT(a.compared, 192 * 108 / 10) << scene.name << ", camera " << camera.name << ", light " << light.name;
     }
   }

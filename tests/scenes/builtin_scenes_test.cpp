@@ -344,6 +344,7 @@ TEST(LoadScene, A_misspelt_name_lists_the_scenes_and_suggests_the_nearest) {
   for (const BuiltinScene& scene : builtin_scenes()) EXPECT_TRUE(contains(text, scene.name)) << text;
   EXPECT_FALSE(contains(text, "\n")) << text;
   EXPECT_TRUE(contains(failure_of("contactbox"), "did you mean 'contact-box'?"));
+  EXPECT_TRUE(contains(failure_of("forrest:20M"), "did you mean 'forest'?"));
 }
 
 TEST(LoadScene, A_name_far_from_all_others_gets_no_guess) {
