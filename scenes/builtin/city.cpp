@@ -241,7 +241,7 @@ Scene make_city(std::uint64_t triangles) {
 
   add_camera(scene, "avenue", looking(dvec3(4.2, 9.0, 21.0), dvec3(-2.0, 12.5, -60.0)), 52.0);
   add_camera(scene, "pavement", looking(dvec3(-10.9, 1.75, -10.4), dvec3(-7.4, 4.2, -40.0)), 58.0);
-  add_camera(scene, "roofs", looking(dvec3(74.0, 66.0, 66.0), dvec3(0.0, 6.0, -58.0)), 44.0);
+  add_camera(scene, "roofs", looking(dvec3(80.0, 76.0, 78.0), dvec3(2.0, 15.0, -58.0)), 46.0);
   const double elevation = degrees(38.0);
   const dvec3 to_sun{0.75 * std::cos(elevation), std::sin(elevation), 0.66 * std::cos(elevation)};
   add_sun(scene, "sun", dvec3(0, 0, -50), to_sun, 300.0, 3.0);
