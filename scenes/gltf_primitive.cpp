@@ -130,7 +130,15 @@ struct PrimitiveSource {
   }
 
   std::vector<uvec3> triangles(std::size_t vertices) {
-    if (draco) return std::move(draco->triangles);
+    if (draco) {
+      for (const uvec3& t : draco->triangles) {
+        if (t.x < vertices && t.y < vertices && t.z < vertices) continue;
+        fail(document().path, object,
+             "its Draco data names a vertex beyond the " + std::to_string(vertices) + " that it has",
+             "copy or export the file again");
+      }
+      return std::move(draco->triangles);
+    }
     const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
     std::vector<std::uint32_t> corners;
     if (primitive.indices < 0) {

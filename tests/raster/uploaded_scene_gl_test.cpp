@@ -23,8 +23,8 @@ TEST_F(UploadedSceneGl, The_bytes_that_are_told_are_those_of_the_buffers) {
   const UploadedScene uploaded = upload(context(), scene);
   const SceneBytes told = bytes_when_uploaded(scene);
   EXPECT_EQ(told.vertices, size_of(uploaded.positions) + size_of(uploaded.normals) + size_of(uploaded.texcoords));
-  EXPECT_EQ(told.indices, size_of(uploaded.indices));
-  EXPECT_EQ(told.instances, size_of(uploaded.instances));
+  EXPECT_EQ(told.indices, size_of(uploaded.triangles));
+  EXPECT_EQ(told.instances, size_of(uploaded.instances) + size_of(uploaded.drawn_instances));
   EXPECT_EQ(told.textures, 0u);
 }
 
