@@ -6,7 +6,8 @@ target_compile_options(umbrameter_warnings INTERFACE
   $<$<BOOL:${UMBRAMETER_WERROR}>:-Werror>)
 if(UMBRAMETER_SANITIZE)
   # GCC's flow analysis is thrown off by the instrumentation: it suspects <regex> of uninitialised reads.
-  target_compile_options(umbrameter_warnings INTERFACE -fsanitize=${UMBRAMETER_SANITIZE} -fno-omit-frame-pointer
-                                                       -fno-sanitize-recover=all -Wno-maybe-uninitialized)
+  target_compile_options(umbrameter_warnings INTERFACE
+    -fsanitize=${UMBRAMETER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(umbrameter_warnings INTERFACE -fsanitize=${UMBRAMETER_SANITIZE})
 endif()

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "core/error.h"
-#include "scenes/gltf.h"
 #include "tests/support/temporary_folder.h"
 
 namespace umbrameter::test {
@@ -17,14 +16,6 @@ namespace {
 
 std::string spelled(const dvec3& v) { return "(" + text_of(v.x) + " " + text_of(v.y) + " " + text_of(v.z) + ")"; }
 std::string spelled(const Triangle& t) { return spelled(t.a) + spelled(t.b) + spelled(t.c); }
-
-Scene load(const Construct& construct, const TemporaryFolder& folder) {
-  for (const auto& [name, bytes] : construct.side_files) {
-    std::filesystem::create_directories((folder / name).parent_path());
-    folder.write(name, bytes);
-  }
-  return load_gltf(folder.write(construct.file_name, construct.file), construct.part);
-}
 
 /// A triangle of the scene, its corners counter-clockwise seen from its front.
 struct Facet {
@@ -181,7 +172,7 @@ TEST_P(GltfConstruct, is_read_as_the_specification_says) {
   const TemporaryFolder folder;
   if (!construct.refused.empty()) {
     try {
-      load(construct, folder);
+      load(construct, folder.path());
       FAIL() << "it was read";
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ExitCode::unreadable_input);
@@ -191,7 +182,7 @@ TEST_P(GltfConstruct, is_read_as_the_specification_says) {
     }
     return;
   }
-  const Scene scene = load(construct, folder);
+  const Scene scene = load(construct, folder.path());
   const std::vector<Facet> facets = facets_of(scene);
   expect_triangles(construct, facets);
   expect_notes(scene, construct.notes);

@@ -2,8 +2,26 @@
 
 #include <charconv>
 #include <cmath>
+#include <fstream>
+
+#include "scenes/gltf.h"
 
 namespace umbrameter::test {
+namespace {
+
+void write(const std::filesystem::path& path, const Bytes& bytes) {
+  std::filesystem::create_directories(path.parent_path());
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
+}  // namespace
+
+Scene load(const Construct& construct, const std::filesystem::path& folder) {
+  for (const auto& [name, bytes] : construct.side_files) write(folder / name, bytes);
+  write(folder / construct.file_name, construct.file);
+  return load_gltf(folder / construct.file_name, construct.part);
+}
 
 std::vector<Construct> all_constructs() {
   std::vector<Construct> all;

@@ -2,6 +2,7 @@
 // specification says (glTF 2.0 and the extensions' texts), known from how the file was made.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -45,6 +46,9 @@ struct Construct {
 };
 
 std::vector<Construct> all_constructs();
+
+/// Writes the file and those beside it into a folder, and loads it from there.
+Scene load(const Construct& construct, const std::filesystem::path& folder);
 
 // One function a family, for all_constructs().
 std::vector<Construct> topology_constructs();

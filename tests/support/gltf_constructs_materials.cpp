@@ -193,7 +193,7 @@ Construct specular_glossiness_mask() {
   const Sheet sheet;
   add_texture(builder, mask_png(), "png");
   add(builder, "materials",
-      R"({"alphaMode":"MASK","alphaCutoff":0.6,"doubleSided":true,"extensions":{"KHR_materials_pbrSpecularGlossiness":)"
+      R"({"alphaMode":"MASK","alphaCutoff":0.4,"doubleSided":true,"extensions":{"KHR_materials_pbrSpecularGlossiness":)"
       R"({"diffuseTexture":{"index":0},"diffuseFactor":[0.5,1,1,0.7],"specularFactor":[0.2,0.1,0.05]}}})");
   add_sheet(builder, sheet, texcoord(0, add_values(builder, "VEC2", floats_of(sheet.texcoords()))));
   Construct construct = finished("a mask in a diffuse texture", builder, placed(sheet.solid()));

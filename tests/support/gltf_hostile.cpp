@@ -1,0 +1,109 @@
+#include "tests/support/gltf_hostile.h"
+
+#include <limits>
+
+#include "tests/support/gltf_constructs.h"
+
+namespace umbrameter::test {
+namespace {
+
+std::string text_of_solid() {
+  GltfBuilder builder;
+  add_solid(builder);
+  return to_json(builder, data_uri("application/octet-stream", builder.binary));
+}
+
+HostileFile text(const std::string& name, const std::string& json) { return {name, {json.begin(), json.end()}}; }
+
+/// The solid with some of its text replaced, once.
+HostileFile changed(const std::string& name, const std::string& from, const std::string& to) {
+  std::string json = text_of_solid();
+  const std::size_t at = json.find(from);
+  if (at != std::string::npos) json.replace(at, from.size(), to);
+  return text(name, json);
+}
+
+/// The solid under these nodes.
+HostileFile noded(const std::string& name, const std::vector<std::string>& nodes, const std::string& more = "") {
+  GltfBuilder builder;
+  add_solid(builder);
+  for (const std::string& node : nodes) add(builder, "nodes", node);
+  builder.more = more;
+  return {name, to_binary_gltf(builder)};
+}
+
+/// The solid with a texture of these bytes.
+HostileFile textured(const std::string& name, const Bytes& image) {
+  GltfBuilder builder;
+  add(builder, "images", R"({"bufferView":)" + std::to_string(add_view(builder, image)) + "}");
+  add(builder, "textures", R"({"source":0})");
+  add(builder, "materials", R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})");
+  add_solid(builder, ",\"material\":0");
+  add(builder, "nodes", R"({"mesh":0})");
+  return {name, to_binary_gltf(builder)};
+}
+
+HostileFile positioned(const std::string& name, float value) {
+  GltfBuilder builder;
+  const int positions = add_values<float>(builder, "VEC3", {0, 0, 0, 1, 0, 0, 0, value, 0});
+  add_mesh(builder, "\"POSITION\":" + std::to_string(positions));
+  add(builder, "nodes", R"({"mesh":0})");
+  return {name, to_binary_gltf(builder)};
+}
+
+HostileFile lying_length(std::size_t offset, unsigned char value) {
+  GltfBuilder builder;
+  add_solid(builder);
+  Bytes bytes = to_binary_gltf(builder);
+  bytes[offset] = value;
+  return {"a GLB that lies at byte " + std::to_string(offset), bytes};
+}
+
+Bytes huge_png() {
+  Bytes image = png(1, 1, {1, 2, 3, 4});
+  image[16] = 0x7f;  // the upper byte of its width
+  image[20] = 0x7f;  // and of its height
+  return image;
+}
+
+}  // namespace
+
+std::vector<HostileFile> hostile_files() {
+  const Bytes whole = png(2, 2, Bytes(16, 200));
+  return {
+      text("nothing but a bracket", "{"),
+      text("another version", R"({"asset":{"version":"1.0"}})"),
+      text("nested lists", R"({"asset":{"version":"2.0"},"x":)" + std::string(200, '[') + std::string(200, ']') + "}"),
+      changed("an index beyond the vertices", "\"count\":18", "\"count\":1800000000"),
+      changed("an offset beyond the buffer", "\"byteOffset\":96", "\"byteOffset\":4294967295"),
+      changed("a stride of nothing", "\"byteLength\":96", "\"byteLength\":96,\"byteStride\":1"),
+      changed("another type", "VEC3", "MAT4"),
+      changed("another component type", "5126", "5130"),
+      changed("an absent accessor", "\"POSITION\":0", "\"POSITION\":77"),
+      changed("a buffer that is not base64", "base64,", "base64,%%%"),
+      changed("a file elsewhere", "data:", "file:"),
+      noded("a cycle", {R"({"children":[1]})", R"({"children":[0],"mesh":0})"}),
+      noded("a node twice", {R"({"children":[1,1]})", R"({"mesh":0})"}),
+      noded("a scale beyond all numbers",
+            {R"({"scale":[1e300,1,1],"children":[1]})", R"({"mesh":0,"scale":[1e300,1,1]})"}),
+      noded("no rotation", {R"({"mesh":0,"rotation":[0,0,0,0]})"}),
+      noded("a flat node", {R"({"mesh":0,"scale":[1,0,1]})"}),
+      noded("a scene that is not there", {R"({"mesh":0})"}, R"(,"scene":9)"),
+      noded("a camera without an angle", {R"({"camera":0})"},
+            R"(,"cameras":[{"type":"perspective","perspective":{"yfov":0,"znear":0}}])"),
+      noded("a light of no kind", {R"({"extensions":{"KHR_lights_punctual":{"light":0}}})"},
+            R"(,"extensions":{"KHR_lights_punctual":{"lights":[{"type":"laser"}]}})"),
+      noded("a skin without joints", {R"({"mesh":0,"skin":0})"}, R"(,"skins":[{"joints":[]}])"),
+      positioned("a position that is no number", std::numeric_limits<float>::quiet_NaN()),
+      positioned("a position that is infinite", std::numeric_limits<float>::infinity()),
+      positioned("a triangle without area", 0.0f),
+      lying_length(8, 0xff),
+      lying_length(12, 0x01),
+      lying_length(4, 0x07),
+      textured("an image of gigabytes", huge_png()),
+      textured("half an image", {whole.begin(), whole.begin() + 40}),
+      textured("an image that is none", {'G', 'I', 'F', '8', '9', 'a'}),
+  };
+}
+
+}  // namespace umbrameter::test
