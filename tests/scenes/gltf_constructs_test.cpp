@@ -14,7 +14,7 @@
 namespace umbrameter::test {
 namespace {
 
-std::string spelled(const dvec3& v) { return "(" + text_of(v.x) + " " + text_of(v.y) + " " + text_of(v.z) + ")"; }
+std::string spelled(const dvec3& v) { return list_of({v.x, v.y, v.z}); }
 std::string spelled(const Triangle& t) { return spelled(t.a) + spelled(t.b) + spelled(t.c); }
 
 /// A triangle of the scene, its corners counter-clockwise seen from its front.
