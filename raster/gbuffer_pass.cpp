@@ -64,7 +64,6 @@ void draw_ids(const gl::Context& context, const UploadedScene& scene, const GpuG
 void resolve(const gl::Context& context, const UploadedScene& scene, const GpuGBuffer& gbuffer) {
   const gl::Program& program = context.program({{"gbuffer_resolve.comp"}, interface_defines()});
   bind_triangles(scene);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot("BUFFER_NORMALS"), scene.normals.name());
   glBindTextureUnit(slot("TEXTURE_IDS"), gbuffer.ids.name());
   const auto bind_image = [](unsigned unit, const gl::Texture& texture) {
     glBindImageTexture(unit, texture.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);

@@ -1,12 +1,15 @@
 #include "raster/uploaded_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstdint>
 #include <span>
 #include <string>
 
 #include "core/error.h"
+#include "core/gbuffer.h"
+#include "core/interrupt.h"
 #include "raster/gl/api.h"
 #include "raster/shader_interface.h"
 
@@ -16,88 +19,144 @@ namespace {
 // As InstanceData in shaders/scene.glsl, layout std430.
 struct InstanceData {
   dvec4 rows[3];
-  std::uint32_t first_index = 0;
+  std::uint32_t first_triangle = 0;
   std::uint32_t first_vertex = 0;
-  std::uint32_t flags = 0;
+  std::uint32_t first_normal = no_id;
   std::uint32_t unused[5] = {};
 };
 static_assert(sizeof(InstanceData) == 128);
 
+// Where a mesh stands in the buffers.
 struct MeshRange {
-  std::uint32_t first_index = 0;
-  std::uint32_t first_vertex = 0;
+  std::size_t first_triangle = 0;
+  std::size_t first_vertex = 0;
+  std::size_t first_normal = 0;
+  bool has_texcoords = false;  // then they start at first_vertex, too
 };
 
-struct MergedMeshes {
-  std::vector<vec3> positions;
-  std::vector<vec3> normals;
-  std::vector<vec2> texcoords;
-  std::vector<uvec3> triangles;
-  std::vector<MeshRange> ranges;
+struct Layout {
+  std::vector<MeshRange> meshes;
+  std::size_t triangles = 0;
+  std::size_t vertices = 0;
+  std::size_t normals = 0;
+  std::size_t texcoords = 0;
 };
+
+bool needs_texcoords(const Scene& scene, const Mesh& mesh) {
+  return !mesh.texcoords.empty() && scene.materials.at(mesh.material).base_color_texture.has_value();
+}
+
+Layout lay_out(const Scene& scene) {
+  Layout layout;
+  layout.meshes.resize(scene.meshes.size());
+  // Meshes with texture coordinates come first, so that one number finds both in buffers of different lengths.
+  for (const bool has_texcoords : {true, false}) {
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+      const Mesh& mesh = scene.meshes[m];
+      assert(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size());
+      if (needs_texcoords(scene, mesh) != has_texcoords) continue;
+      layout.meshes[m] = {layout.triangles, layout.vertices, layout.normals, has_texcoords};
+      layout.triangles += mesh.triangles.size();
+      layout.vertices += mesh.positions.size();
+      layout.normals += mesh.normals.size();
+    }
+    if (has_texcoords) layout.texcoords = layout.vertices;
+  }
+  return layout;
+}
+
+void require_room(const gl::Context& context, const std::string& what, std::size_t count, std::size_t most,
+                  const char* unit) {
+  if (count <= most) return;
+  throw Error(ExitCode::no_backend, "scene's " + what,
+              std::to_string(count) + " " + unit + " do not fit the " + std::to_string(most) +
+                  " that a buffer may have on " + context.device().renderer,
+              "use a GPU with --gl-device or a smaller scene");
+}
+
+void allocate(const gl::Context& context, const Layout& layout, UploadedScene& uploaded) {
+  const std::size_t most = context.max_buffer_texels();
+  require_room(context, "positions", layout.vertices, most, "vertices");
+  require_room(context, "triangles", layout.triangles, most, "triangles");
+  uploaded.positions = gl::make_empty_buffer("scene positions", layout.vertices * sizeof(vec3));
+  uploaded.normals = gl::make_empty_buffer("scene normals", layout.normals * sizeof(vec3));
+  uploaded.texcoords = gl::make_empty_buffer("scene texture coordinates", layout.texcoords * sizeof(vec2));
+  uploaded.triangles = gl::make_empty_buffer("scene triangles", layout.triangles * sizeof(uvec3));
+  context.check("memory for the scene");
+  uploaded.position_texels = gl::make_buffer_texture("scene positions", gl::Format::rgb32f, uploaded.positions);
+  uploaded.normal_texels = gl::make_buffer_texture("scene normals", gl::Format::rgb32f, uploaded.normals);
+  uploaded.triangle_texels = gl::make_buffer_texture("scene triangles", gl::Format::rgb32ui, uploaded.triangles);
+}
 
 template <class T>
-void append(std::vector<T>& all, const std::vector<T>& some, std::size_t count) {
-  assert(some.empty() || some.size() == count);
-  all.insert(all.end(), some.begin(), some.end());
-  if (some.empty()) all.resize(all.size() + count, T(0));
+void write(const gl::Buffer& buffer, std::size_t first, const std::vector<T>& values) {
+  gl::write_buffer(buffer, first * sizeof(T), std::as_bytes(std::span<const T>(values)));
 }
 
-MergedMeshes merge(const Scene& scene) {
-  MergedMeshes merged;
-  for (const Mesh& mesh : scene.meshes) {
-    merged.ranges.push_back(
-        {static_cast<std::uint32_t>(3 * merged.triangles.size()), static_cast<std::uint32_t>(merged.positions.size())});
-    append(merged.positions, mesh.positions, mesh.positions.size());
-    append(merged.normals, mesh.normals, mesh.positions.size());
-    append(merged.texcoords, mesh.texcoords, mesh.positions.size());
-    append(merged.triangles, mesh.triangles, mesh.triangles.size());
+void write_meshes(const Scene& scene, const Layout& layout, const UploadedScene& uploaded) {
+  for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+    throw_if_interrupted();
+    const Mesh& mesh = scene.meshes[m];
+    const MeshRange& range = layout.meshes[m];
+    write(uploaded.positions, range.first_vertex, mesh.positions);
+    write(uploaded.normals, range.first_normal, mesh.normals);
+    write(uploaded.triangles, range.first_triangle, mesh.triangles);
+    if (!range.has_texcoords) continue;
+    assert(mesh.texcoords.size() == mesh.positions.size());
+    write(uploaded.texcoords, range.first_vertex, mesh.texcoords);
   }
-  return merged;
 }
 
-std::vector<InstanceData> instance_data(const Scene& scene, const MergedMeshes& merged) {
+gl::Buffer upload_instances(const gl::Context& context, const Scene& scene, const Layout& layout) {
+  require_room(context, "instances", scene.instances.size(), context.max_storage_bytes() / sizeof(InstanceData),
+               "instances");
   std::vector<InstanceData> all;
   all.reserve(scene.instances.size());
   for (const Instance& instance : scene.instances) {
     InstanceData& data = all.emplace_back();
     for (int row = 0; row < 3; ++row) data.rows[row] = glm::transpose(instance.world_from_mesh)[row];
-    const MeshRange& range = merged.ranges.at(instance.mesh);
-    data.first_index = range.first_index;
-    data.first_vertex = range.first_vertex;
-    data.flags = scene.meshes[instance.mesh].normals.empty() ? 0 : slot("FLAG_HAS_NORMALS");
+    const MeshRange& range = layout.meshes.at(instance.mesh);
+    data.first_triangle = static_cast<std::uint32_t>(range.first_triangle);
+    data.first_vertex = static_cast<std::uint32_t>(range.first_vertex);
+    if (!scene.meshes[instance.mesh].normals.empty()) {
+      data.first_normal = static_cast<std::uint32_t>(range.first_normal);
+    }
   }
-  return all;
+  return gl::make_buffer("scene instances", std::span<const InstanceData>(all));
 }
 
-std::vector<SceneDraw> list_draws(const Scene& scene, const MergedMeshes& merged) {
-  std::vector<SceneDraw> draws;
-  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+// Draws in the order in which their first instances come, and the instances of each in the scene's order.
+void list_draws(const Scene& scene, const Layout& layout, UploadedScene& uploaded) {
+  std::vector<std::array<std::uint32_t, 2>> draw_of(scene.meshes.size(), {no_id, no_id});
+  std::vector<std::uint32_t> draws(scene.instances.size());
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     const bool is_mirrored_here = is_mirrored(instance.world_from_mesh);
-    if (i > 0 && scene.instances[i - 1].mesh == instance.mesh && draws.back().is_mirrored == is_mirrored_here) {
-      ++draws.back().instance_count;
-      continue;
+    std::uint32_t& draw = draw_of[instance.mesh][is_mirrored_here ? 1 : 0];
+    if (draw == no_id) {
+      draw = static_cast<std::uint32_t>(uploaded.draws.size());
+      const Mesh& mesh = scene.meshes[instance.mesh];
+      const MeshRange& range = layout.meshes[instance.mesh];
+      uploaded.draws.push_back({mesh.material, static_cast<std::uint32_t>(range.first_triangle),
+                                static_cast<std::uint32_t>(mesh.triangles.size()),
+                                static_cast<std::uint32_t>(range.first_vertex), 0, 0, is_mirrored_here,
+                                range.has_texcoords});
     }
-    const Mesh& mesh = scene.meshes[instance.mesh];
-    const MeshRange& range = merged.ranges[instance.mesh];
-    draws.push_back({mesh.material, range.first_index, static_cast<std::uint32_t>(3 * mesh.triangles.size()),
-                     range.first_vertex, i, 1, is_mirrored_here});
+    draws[i] = draw;
+    ++uploaded.draws[draw].instance_count;
   }
-  return draws;
-}
-
-template <class T>
-gl::Buffer upload_buffer(const gl::Context& context, const char* label, const std::vector<T>& values) {
-  const std::size_t bytes = values.size() * sizeof(T);
-  if (bytes > context.max_storage_bytes()) {
-    throw Error(ExitCode::no_backend, std::string("scene's ") + label,
-                std::to_string(bytes >> 20) + " MiB do not fit the " +
-                    std::to_string(context.max_storage_bytes() >> 20) + " MiB that a buffer may have on " +
-                    context.device().renderer,
-                "use a GPU with --gl-device or a smaller scene");
+  std::uint32_t first = 0;
+  for (SceneDraw& draw : uploaded.draws) {
+    draw.first_instance = first;
+    first += draw.instance_count;
+    draw.instance_count = 0;
   }
-  return gl::make_buffer(std::string("scene ") + label, std::span<const T>(values));
+  std::vector<std::uint32_t> order(scene.instances.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) {
+    SceneDraw& draw = uploaded.draws[draws[i]];
+    order[draw.first_instance + draw.instance_count++] = i;
+  }
+  uploaded.drawn_instances = gl::make_buffer("scene drawn instances", std::span<const std::uint32_t>(order));
 }
 
 gl::Texture upload_texture(const gl::Context& context, const Texture& texture) {
@@ -115,91 +174,50 @@ gl::Texture upload_texture(const gl::Context& context, const Texture& texture) {
   return uploaded;
 }
 
-void set_material(const UploadedScene& scene, const Material& material, const gl::Program& program) {
-  const bool has_texture = material.base_color_texture && !scene.textures[*material.base_color_texture].empty();
-  const unsigned name = program.name();
-  glProgramUniform4f(name, location("UNIFORM_BASE_COLOR"), material.base_color.x, material.base_color.y,
-                     material.base_color.z, material.base_color.w);
-  glProgramUniform1i(name, location("UNIFORM_HAS_TEXTURE"), has_texture ? 1 : 0);
-  if (has_texture) {
-    const Texture& modes = scene.texture_modes[*material.base_color_texture];
-    glProgramUniform2i(name, location("UNIFORM_WRAP"), static_cast<int>(modes.wrap_u), static_cast<int>(modes.wrap_v));
-    glBindTextureUnit(slot("TEXTURE_BASE_COLOR"), scene.textures[*material.base_color_texture].name());
-  }
+gl::VertexArray describe_vertices(const UploadedScene& uploaded) {
+  gl::VertexArray vertices = gl::make_vertex_array("scene vertices");
+  const unsigned array = vertices.name();
+  const auto bind = [array](unsigned location, const gl::Buffer& buffer, std::size_t stride) {
+    glVertexArrayVertexBuffer(array, location, buffer.name(), 0, static_cast<GLsizei>(stride));
+    glVertexArrayAttribBinding(array, location, location);
+    glEnableVertexArrayAttrib(array, location);
+  };
+  bind(slot("ATTRIBUTE_POSITION"), uploaded.positions, sizeof(vec3));
+  glVertexArrayAttribFormat(array, slot("ATTRIBUTE_POSITION"), 3, GL_FLOAT, GL_FALSE, 0);
+  bind(slot("ATTRIBUTE_TEXCOORD"), uploaded.texcoords, sizeof(vec2));
+  glVertexArrayAttribFormat(array, slot("ATTRIBUTE_TEXCOORD"), 2, GL_FLOAT, GL_FALSE, 0);
+  bind(slot("ATTRIBUTE_INSTANCE"), uploaded.drawn_instances, sizeof(std::uint32_t));
+  glVertexArrayAttribIFormat(array, slot("ATTRIBUTE_INSTANCE"), 1, GL_UNSIGNED_INT, 0);
+  glVertexArrayBindingDivisor(array, slot("ATTRIBUTE_INSTANCE"), 1);
+  glVertexArrayElementBuffer(array, uploaded.triangles.name());
+  return vertices;
 }
 
 }  // namespace
 
 UploadedScene upload(const gl::Context& context, const Scene& scene) {
-  const MergedMeshes merged = merge(scene);
+  const Layout layout = lay_out(scene);
   UploadedScene uploaded;
-  uploaded.positions = upload_buffer(context, "positions", merged.positions);
-  uploaded.normals = upload_buffer(context, "normals", merged.normals);
-  uploaded.texcoords = upload_buffer(context, "texture coordinates", merged.texcoords);
-  uploaded.indices = upload_buffer(context, "indices", merged.triangles);
-  uploaded.instances = upload_buffer(context, "instances", instance_data(scene, merged));
-  uploaded.draws = list_draws(scene, merged);
+  allocate(context, layout, uploaded);
+  write_meshes(scene, layout, uploaded);
+  uploaded.instances = upload_instances(context, scene, layout);
+  list_draws(scene, layout, uploaded);
+  uploaded.vertex_array = describe_vertices(uploaded);
   uploaded.materials = scene.materials;
   for (const Texture& texture : scene.textures) {
     uploaded.textures.push_back(upload_texture(context, texture));
     uploaded.texture_modes.push_back({texture.name, {}, texture.wrap_u, texture.wrap_v});
   }
-
-  uploaded.vertex_array = gl::make_vertex_array("scene vertices");
-  const unsigned array = uploaded.vertex_array.name();
-  const auto attribute = [array](unsigned location, const gl::Buffer& buffer, int components) {
-    const auto stride = static_cast<int>(static_cast<std::size_t>(components) * sizeof(float));
-    glVertexArrayVertexBuffer(array, location, buffer.name(), 0, stride);
-    glVertexArrayAttribFormat(array, location, components, GL_FLOAT, GL_FALSE, 0);
-    glVertexArrayAttribBinding(array, location, location);
-    glEnableVertexArrayAttrib(array, location);
-  };
-  attribute(slot("ATTRIBUTE_POSITION"), uploaded.positions, 3);
-  attribute(slot("ATTRIBUTE_TEXCOORD"), uploaded.texcoords, 2);
-  glVertexArrayElementBuffer(array, uploaded.indices.name());
   context.check("upload of the scene");
   return uploaded;
 }
 
 SceneBytes bytes_when_uploaded(const Scene& scene) {
-  const SceneCounts counts = count(scene);
+  const Layout layout = lay_out(scene);
   SceneBytes bytes = bytes_in_memory(scene);
-  // Every mesh gets normals and texture coordinates, zeros where it has none.
-  bytes.vertices = counts.vertices * (2 * sizeof(vec3) + sizeof(vec2));
-  bytes.instances = scene.instances.size() * sizeof(InstanceData);
+  bytes.vertices = (layout.vertices + layout.normals) * sizeof(vec3) + layout.texcoords * sizeof(vec2);
+  bytes.instances = scene.instances.size() * (sizeof(InstanceData) + sizeof(std::uint32_t));
   return bytes;
-}
-
-void bind_triangles(const UploadedScene& scene) {
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot("BUFFER_INSTANCES"), scene.instances.name());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot("BUFFER_POSITIONS"), scene.positions.name());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot("BUFFER_INDICES"), scene.indices.name());
-}
-
-void draw_scene(const UploadedScene& scene, DrawnFor use, const gl::Program& opaque, const gl::Program& masked) {
-  bind_triangles(scene);
-  glBindVertexArray(scene.vertex_array.name());
-  glCullFace(GL_BACK);
-  // Opaque first: what is masked then meets a filled depth buffer.
-  for (const bool is_masked : {false, true}) {
-    const gl::Program& program = is_masked ? masked : opaque;
-    glUseProgram(program.name());
-    for (const SceneDraw& draw : scene.draws) {
-      const Material& material = scene.materials.at(draw.material);
-      if ((material.alpha_mode == AlphaMode::mask) != is_masked) continue;
-      const bool culls = use == DrawnFor::camera && !material.double_sided;
-      (culls ? glEnable : glDisable)(GL_CULL_FACE);
-      glFrontFace(draw.is_mirrored ? GL_CW : GL_CCW);
-      // Setting a uniform that a program lacks is an error on some drivers.
-      if (is_masked || use == DrawnFor::camera) set_material(scene, material, program);
-      glProgramUniform1ui(program.name(), location("UNIFORM_FIRST_INSTANCE"), draw.first_instance);
-      if (is_masked) glProgramUniform1f(program.name(), location("UNIFORM_ALPHA_CUTOFF"), material.alpha_cutoff);
-      glDrawElementsInstancedBaseVertex(
-          GL_TRIANGLES, static_cast<GLsizei>(draw.index_count), GL_UNSIGNED_INT,
-          reinterpret_cast<const void*>(std::uintptr_t{draw.first_index} * sizeof(std::uint32_t)),
-          static_cast<GLsizei>(draw.instance_count), static_cast<GLint>(draw.first_vertex));
-    }
-  }
 }
 
 }  // namespace umbrameter

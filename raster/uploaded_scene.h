@@ -12,24 +12,29 @@
 
 namespace umbrameter {
 
-/// Neighbouring instances of one mesh, drawn together.
+/// All instances of one mesh that turn its front faces the same way, drawn together.
 struct SceneDraw {
   std::uint32_t material = 0;
-  std::uint32_t first_index = 0;   ///< in the merged index buffer
-  std::uint32_t index_count = 0;   ///< three a triangle
-  std::uint32_t first_vertex = 0;  ///< added to each index
-  std::uint32_t first_instance = 0;
+  std::uint32_t first_triangle = 0;  ///< in the buffer of triangles
+  std::uint32_t triangle_count = 0;
+  std::uint32_t first_vertex = 0;    ///< added to each index
+  std::uint32_t first_instance = 0;  ///< in UploadedScene::drawn_instances
   std::uint32_t instance_count = 0;
   bool is_mirrored = false;
+  bool has_texcoords = false;
 };
 
 /// Copies what it needs: the Scene may go. Belongs to the context that it was uploaded to.
 struct UploadedScene {
-  gl::Buffer positions;  ///< three floats a vertex, mesh space
-  gl::Buffer normals;    ///< three floats a vertex, zero where the mesh has none
-  gl::Buffer texcoords;  ///< two floats a vertex, zero where the mesh has none
-  gl::Buffer indices;    ///< three unsigned a triangle, counted from the mesh's first vertex
-  gl::Buffer instances;  ///< raster/shaders/scene.glsl, InstanceData
+  gl::Buffer positions;        ///< three floats a vertex, mesh space
+  gl::Buffer normals;          ///< three floats a vertex, of the meshes that have them
+  gl::Buffer texcoords;        ///< two floats a vertex, of the meshes whose texture needs them: the first vertices
+  gl::Buffer triangles;        ///< three unsigned a triangle, counted from the mesh's first vertex
+  gl::Buffer instances;        ///< raster/shaders/scene.glsl, InstanceData
+  gl::Buffer drawn_instances;  ///< indices into Scene::instances, in the order in which they are drawn
+  gl::Texture position_texels;
+  gl::Texture normal_texels;
+  gl::Texture triangle_texels;
   gl::VertexArray vertex_array;
   std::vector<gl::Texture> textures;  ///< as in Scene::textures
   std::vector<Material> materials;
@@ -38,6 +43,7 @@ struct UploadedScene {
 };
 
 /// Throws Error (no_backend) when a buffer or texture is larger than the device allows.
+/// Throws Error when the user interrupts; draw_scene() too.
 UploadedScene upload(const gl::Context& context, const Scene& scene);
 
 /// Bytes of the buffers and textures that upload() makes of the scene; what a driver adds is not in it.
@@ -51,7 +57,7 @@ enum class DrawnFor : int { camera, shadow };
 /// with the other. Both are made of shaders that include scene.glsl.
 void draw_scene(const UploadedScene& scene, DrawnFor use, const gl::Program& opaque, const gl::Program& masked);
 
-/// Binds the buffers that scene.glsl reads.
+/// Binds the buffers and textures that scene.glsl reads, and the normals.
 void bind_triangles(const UploadedScene& scene);
 
 }  // namespace umbrameter

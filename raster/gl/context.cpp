@@ -157,6 +157,7 @@ struct Context::State {
   std::map<std::string, Program> programs;
   int max_texture_size = 0;
   std::size_t max_storage_bytes = 0;
+  std::size_t max_buffer_texels = 0;
 
   ~State() {
     programs.clear();
@@ -206,12 +207,16 @@ Context Context::make(const ContextOptions& options) {
   GLint64 storage = 0;
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &storage);
   state->max_storage_bytes = static_cast<std::size_t>(storage);
+  GLint64 texels = 0;
+  glGetInteger64v(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+  state->max_buffer_texels = static_cast<std::size_t>(texels);
   return Context(std::move(state));
 }
 
 const GlDevice& Context::device() const { return state_->opened.device; }
 int Context::max_texture_size() const { return state_->max_texture_size; }
 std::size_t Context::max_storage_bytes() const { return state_->max_storage_bytes; }
+std::size_t Context::max_buffer_texels() const { return state_->max_buffer_texels; }
 
 std::size_t Context::memory_limit_bytes() const {
   if (!device().software) return std::numeric_limits<std::size_t>::max();

@@ -46,6 +46,7 @@ class Context {
   const GlDevice& device() const;
   int max_texture_size() const;            ///< texels along a side
   std::size_t max_storage_bytes() const;   ///< of one shader storage buffer
+  std::size_t max_buffer_texels() const;   ///< of one buffer texture
   std::size_t memory_limit_bytes() const;  ///< what one set of textures may take: the machine's memory in software
 
   /// Throws Error (no_backend) with the driver's messages when any command since the last check failed.

@@ -19,10 +19,14 @@ FormatNames names_of(Format format) {
   switch (format) {
     case Format::r32f:
       return {GL_R32F, GL_RED, GL_FLOAT, 4};
+    case Format::rgb32f:
+      return {GL_RGB32F, GL_RGB, GL_FLOAT, 12};
     case Format::rgba32f:
       return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
     case Format::rg32ui:
       return {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 8};
+    case Format::rgb32ui:
+      return {GL_RGB32UI, GL_RGB_INTEGER, GL_UNSIGNED_INT, 12};
     case Format::rgba8:
       return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
     case Format::depth32f:
@@ -44,18 +48,35 @@ void VertexArrayTraits::destroy(unsigned name) { glDeleteVertexArrays(1, &name);
 void ShaderTraits::destroy(unsigned name) { glDeleteShader(name); }
 void ProgramTraits::destroy(unsigned name) { glDeleteProgram(name); }
 
-Buffer make_buffer(const std::string& label, std::span<const std::byte> bytes) {
+Buffer make_empty_buffer(const std::string& label, std::size_t bytes) {
   constexpr std::size_t least = 16;
   unsigned name = 0;
   glCreateBuffers(1, &name);
   Buffer buffer(name);
   label_object(GL_BUFFER, name, label);
-  glNamedBufferStorage(name, static_cast<GLsizeiptr>(std::max(bytes.size(), least)),
-                       bytes.size() >= least ? bytes.data() : nullptr, GL_DYNAMIC_STORAGE_BIT);
-  if (bytes.size() < least && !bytes.empty()) {
-    glNamedBufferSubData(name, 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());
-  }
+  glNamedBufferStorage(name, static_cast<GLsizeiptr>(std::max(bytes, least)), nullptr, GL_DYNAMIC_STORAGE_BIT);
   return buffer;
+}
+
+void write_buffer(const Buffer& buffer, std::size_t first_byte, std::span<const std::byte> bytes) {
+  if (bytes.empty()) return;
+  glNamedBufferSubData(buffer.name(), static_cast<GLintptr>(first_byte), static_cast<GLsizeiptr>(bytes.size()),
+                       bytes.data());
+}
+
+Buffer make_buffer(const std::string& label, std::span<const std::byte> bytes) {
+  Buffer buffer = make_empty_buffer(label, bytes.size());
+  write_buffer(buffer, 0, bytes);
+  return buffer;
+}
+
+Texture make_buffer_texture(const std::string& label, Format format, const Buffer& buffer) {
+  unsigned name = 0;
+  glCreateTextures(GL_TEXTURE_BUFFER, 1, &name);
+  Texture texture(name);
+  label_object(GL_TEXTURE, name, label);
+  glTextureBuffer(name, names_of(format).internal, buffer.name());
+  return texture;
 }
 
 std::size_t texel_bytes(Format format) { return names_of(format).bytes; }

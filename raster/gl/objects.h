@@ -68,16 +68,26 @@ Buffer make_buffer(const std::string& label, std::span<const T> values) {
   return make_buffer(label, std::as_bytes(values));
 }
 
+/// Room that write_buffer() fills; its contents are undefined until then.
+Buffer make_empty_buffer(const std::string& label, std::size_t bytes);
+
+/// Replaces a part of a buffer, which must have room for it.
+void write_buffer(const Buffer& buffer, std::size_t first_byte, std::span<const std::byte> bytes);
+
 /// A uniform block of one value.
 template <class Block>
 Buffer make_block(const std::string& label, const Block& block) {
   return make_buffer(label, std::as_bytes(std::span<const Block, 1>(&block, 1)));
 }
 
-enum class Format { r32f, rgba32f, rg32ui, rgba8, depth32f };
+enum class Format { r32f, rgb32f, rgba32f, rg32ui, rgb32ui, rgba8, depth32f };
 
 /// Bytes of one texel.
 std::size_t texel_bytes(Format format);
+
+/// A buffer as texels for samplerBuffer and usamplerBuffer: r32f, rgb32f, rgba32f, rg32ui and rgb32ui. It keeps the
+/// buffer's memory alive.
+Texture make_buffer_texture(const std::string& label, Format format, const Buffer& buffer);
 
 /// One level, nearest filter, clamped to the edge; layers 0 is a plain 2D texture, else a 2D array.
 Texture make_texture(const std::string& label, Format format, int width, int height, int layers = 0);

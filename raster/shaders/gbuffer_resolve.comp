@@ -5,13 +5,13 @@
 #include "view.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
 layout(binding = TEXTURE_IDS) uniform usampler2D ids;
-layout(std430, binding = BUFFER_NORMALS) restrict readonly buffer Normals { float normals[]; };
+layout(binding = TEXTURE_NORMALS) uniform samplerBuffer normals;
 layout(binding = IMAGE_POSITION_DEPTH, rgba32f) writeonly uniform image2D position_depth;
 layout(binding = IMAGE_GEOMETRIC_NORMAL, rgba32f) writeonly uniform image2D geometric_normal;
 layout(binding = IMAGE_SHADING_NORMAL, rgba32f) writeonly uniform image2D shading_normal;
 
-dvec3 mesh_normal(uint vertex) {
-  return dvec3(normals[3u * vertex], normals[3u * vertex + 1u], normals[3u * vertex + 2u]);
+dvec3 mesh_normal(uint instance, uint vertex) {
+  return dvec3(texelFetch(normals, int(instances[instance].first_normal + vertex)).xyz);
 }
 
 void main() {
@@ -27,15 +27,15 @@ void main() {
     dvec3 direction = (ray_direction[0] + ndc.x * ray_direction[1] + ndc.y * ray_direction[2]).xyz;
 
     uvec3 v = vertices_of(id.x, id.y);
-    vec3 mesh_a = mesh_position(v.x);
+    vec3 mesh_a = mesh_position(id.x, v.x);
     dvec4 r0 = instances[id.x].rows[0];
     dvec4 r1 = instances[id.x].rows[1];
     dvec4 r2 = instances[id.x].rows[2];
     dmat3 linear = transpose(dmat3(r0.xyz, r1.xyz, r2.xyz));
     // Relative to the eye; edges are taken in mesh space, where floats subtract exactly in double precision.
     dvec3 a = linear * dvec3(mesh_a) + (dvec3(r0.w, r1.w, r2.w) - eye.xyz);
-    dvec3 ab = linear * (dvec3(mesh_position(v.y)) - dvec3(mesh_a));
-    dvec3 ac = linear * (dvec3(mesh_position(v.z)) - dvec3(mesh_a));
+    dvec3 ab = linear * (dvec3(mesh_position(id.x, v.y)) - dvec3(mesh_a));
+    dvec3 ac = linear * (dvec3(mesh_position(id.x, v.z)) - dvec3(mesh_a));
     dvec3 p = cross(direction, ac);
     double determinant = dot(ab, p);
     dvec3 q = cross(origin - a, ab);
@@ -53,9 +53,9 @@ void main() {
     if (dot(n, viewer) < 0.0lf) n = -n;
     flat_normal = vec3(n);
     smooth_normal = flat_normal;
-    if ((instances[id.x].flags & uint(FLAG_HAS_NORMALS)) != 0u) {
-      dvec3 m = (1.0lf - weight.x - weight.y) * mesh_normal(v.x) + weight.x * mesh_normal(v.y) +
-                weight.y * mesh_normal(v.z);
+    if (instances[id.x].first_normal != NO_ID) {
+      dvec3 m = (1.0lf - weight.x - weight.y) * mesh_normal(id.x, v.x) + weight.x * mesh_normal(id.x, v.y) +
+                weight.y * mesh_normal(id.x, v.z);
       // Normals transform with the cofactors of the matrix: its inverse transpose but for a factor.
       dvec3 s = dvec3(dot(cross(r1.xyz, r2.xyz), m), dot(cross(r2.xyz, r0.xyz), m), dot(cross(r0.xyz, r1.xyz), m));
       double s_length = length(s);

@@ -23,9 +23,9 @@ struct Facet {
 
 Facet fetch_facet(uvec2 id) {
   uvec3 v = vertices_of(id.x, id.y);
-  vec3 a = mesh_position(v.x);
-  vec3 b = mesh_position(v.y);
-  vec3 c = mesh_position(v.z);
+  vec3 a = mesh_position(id.x, v.x);
+  vec3 b = mesh_position(id.x, v.y);
+  vec3 c = mesh_position(id.x, v.z);
   dvec4 x = instances[id.x].rows[0];
   dvec4 y = instances[id.x].rows[1];
   dvec4 z = instances[id.x].rows[2];

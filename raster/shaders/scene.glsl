@@ -1,15 +1,16 @@
 // The scene's triangles, fetched by instance and triangle id. Transforms are double precision: world coordinates of
-// large scenes differ by less than a float resolves.
+// large scenes differ by less than a float resolves. What grows with the triangles comes through buffer textures,
+// which may be much larger than storage buffers.
 struct InstanceData {
   dvec4 rows[3];  // of world_from_mesh
-  uint first_index;
+  uint first_triangle;
   uint first_vertex;
-  uint flags;
+  uint first_normal;  // NO_ID: the mesh has none
   uint unused;
 };
 layout(std430, binding = BUFFER_INSTANCES) restrict readonly buffer Instances { InstanceData instances[]; };
-layout(std430, binding = BUFFER_POSITIONS) restrict readonly buffer Positions { float positions[]; };
-layout(std430, binding = BUFFER_INDICES) restrict readonly buffer Indices { uint indices[]; };
+layout(binding = TEXTURE_POSITIONS) uniform samplerBuffer positions;
+layout(binding = TEXTURE_TRIANGLES) uniform usamplerBuffer triangles;
 
 dvec3 world_from_mesh(uint instance, dvec3 position) {
   dvec4 p = dvec4(position, 1.0lf);
@@ -17,12 +18,11 @@ dvec3 world_from_mesh(uint instance, dvec3 position) {
                dot(instances[instance].rows[2], p));
 }
 
-// Numbers of the triangle's vertices in the merged buffers.
+// Numbers of the triangle's vertices, counted from the mesh's first.
 uvec3 vertices_of(uint instance, uint triangle) {
-  uint first = instances[instance].first_index + 3u * triangle;
-  return instances[instance].first_vertex + uvec3(indices[first], indices[first + 1u], indices[first + 2u]);
+  return texelFetch(triangles, int(instances[instance].first_triangle + triangle)).xyz;
 }
 
-vec3 mesh_position(uint vertex) {
-  return vec3(positions[3u * vertex], positions[3u * vertex + 1u], positions[3u * vertex + 2u]);
+vec3 mesh_position(uint instance, uint vertex) {
+  return texelFetch(positions, int(instances[instance].first_vertex + vertex)).xyz;
 }

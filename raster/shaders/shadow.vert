@@ -2,7 +2,7 @@
 #include "light.glsl"
 layout(location = ATTRIBUTE_POSITION) in vec3 position;
 layout(location = ATTRIBUTE_TEXCOORD) in vec2 texcoord;
-layout(location = UNIFORM_FIRST_INSTANCE) uniform uint first_instance;
+layout(location = ATTRIBUTE_INSTANCE) in uint drawn_instance;
 #if MAP_KIND == MAP_ORTHOGRAPHIC
 layout(location = 0) flat out uint instance;
 layout(location = 1) out vec2 surface_texcoord;
@@ -13,7 +13,7 @@ layout(location = 2) out vec3 vertex_in_light;
 #endif
 
 void main() {
-  uint id = first_instance + uint(gl_InstanceID);
+  uint id = drawn_instance;
   dvec3 p = dvec3(light_from_world * dvec4(world_from_mesh(id, dvec3(position)), 1.0lf));
 #if MAP_KIND == MAP_ORTHOGRAPHIC
   instance = id;
