@@ -24,11 +24,12 @@ struct BuildStatistics {
   std::uint64_t bytes = 0;  ///< as Embree's memory monitor counts
 };
 
-/// Acceleration structures of one scene, which must outlive it. Read-only once built; any thread may trace.
+/// Acceleration structures of one scene, which must outlive it unchanged: they refer to its vertices and triangles.
+/// Read-only once built; any thread may trace.
 class Tracer {
  public:
-  /// Throws Error (no_backend) when Embree does not start, with its message.
-  explicit Tracer(const Scene& scene);
+  /// Throws Error (no_backend) when Embree does not start or runs out of memory, and when the user interrupts.
+  explicit Tracer(const Scene& scene, const Progress& progress = {});
   ~Tracer();
   Tracer(Tracer&&) noexcept;
   Tracer& operator=(Tracer&&) noexcept;

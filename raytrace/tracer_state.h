@@ -24,7 +24,7 @@ struct InstanceInfo {
   bool is_shared = false;  ///< its mesh has an acceleration structure of its own; else it is stored in world space
   bool is_masked = false;
   bool culls_back = false;    ///< primary rays pass through its back faces
-  double longest_edge = 0.0;  ///< of its triangles, world, metres
+  double longest_edge = 0.0;  ///< of its triangles, world, metres; of a shared mesh an upper bound
 };
 
 struct Tracer::State {
@@ -38,6 +38,12 @@ struct Tracer::State {
   std::vector<InstanceInfo> instances;
   BuildStatistics statistics;
 };
+
+/// Throws Error (no_backend) when a call of this thread has failed since the last check.
+void check(RTCDevice device, const char* step);
+
+/// Fills mesh_scenes, top and instances. Throws Error when Embree fails or the user interrupts.
+void build(Tracer::State& state, const Progress& progress);
 
 /// A packet of rays and what its filter needs to know of them; ray.id is the lane.
 struct RayQuery {

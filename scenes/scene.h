@@ -139,6 +139,10 @@ Triangle world_triangle(const Scene& scene, std::uint32_t instance, std::uint32_
 /// True when the transform mirrors: front faces then turn clockwise.
 bool is_mirrored(const dmat4& transform);
 
+/// Upper bound on the factor by which the transform lengthens any difference of two points, at most 1e-6 above the
+/// least: its largest singular value.
+double largest_stretch(const dmat4& transform);
+
 /// Bilinear base-colour alpha at a texture coordinate, factor included, 0 to 1 (glTF 2.0, section 3.9.4).
 /// The alpha test of both sides is: a point exists where this is ≥ Material::alpha_cutoff.
 float alpha_at(const Scene& scene, const Material& material, vec2 texcoord);
