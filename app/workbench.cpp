@@ -47,7 +47,10 @@ std::vector<std::uint32_t> Workbench::lights(const std::string& name_or_index) c
 }
 
 const Tracer& Workbench::tracer() {
-  if (!tracer_) tracer_.emplace(scene_);
+  if (!tracer_) {
+    ProgressBar bar(console_, "acceleration structure");
+    tracer_.emplace(scene_, bar.callback());
+  }
   return *tracer_;
 }
 

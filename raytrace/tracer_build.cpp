@@ -26,16 +26,20 @@ struct CommitProgress {
   double done = 0.0;
 };
 
+// With the mutex locked.
+void advance(CommitProgress& own, double share) {
+  const double done = std::max(own.done, std::min(share, 1.0) * own.triangles);
+  own.all.done += done - own.done;
+  own.done = done;
+  if (own.all.report) own.all.report(own.all.total > 0.0 ? own.all.done / own.all.total : 1.0);
+}
+
 // Called by any of Embree's threads; false ends the build.
 bool on_progress(void* user, double share) {
   if (is_interrupted()) return false;
   auto& own = *static_cast<CommitProgress*>(user);
   const std::unique_lock lock(own.all.mutex, std::try_to_lock);
-  if (!lock || !own.all.report) return true;
-  const double done = std::max(own.done, std::min(share, 1.0) * own.triangles);
-  own.all.done += done - own.done;
-  own.done = done;
-  own.all.report(own.all.total > 0.0 ? own.all.done / own.all.total : 1.0);
+  if (lock) advance(own, share);
   return true;
 }
 
@@ -54,7 +58,8 @@ void commit(RTCDevice device, RTCScene scene, BuildProgress& all, std::uint64_t 
   rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
   throw_if_interrupted();
   check(device, "build");
-  on_progress(&own, 1.0);
+  const std::lock_guard lock(all.mutex);
+  advance(own, 1.0);
 }
 
 // Vertices in mesh space, or moved to the world in double precision and rounded once.
