@@ -1,0 +1,168 @@
+// umbrameter_scaling DIR [SIZE...]: how time and memory of every step grow with the triangles of the built-in scenes
+// `forest` (instances) and `city` (nothing shared). Writes DIR/large-scenes.csv and the figures of
+// docs/large-scenes.md. Each scene of each size is made, and measured, in a process of its own.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <sstream>
+#include <string_view>
+
+#include "core/error.h"
+#include "measure_scene.h"
+#include "reports/data.h"
+#include "reports/figures.h"
+#include "reports/output.h"
+#include "reports/process.h"
+
+namespace umbrameter {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* default_sizes[] = {"100k", "300k", "1M", "3M", "10M", "20M"};
+
+void print(const Measurements& measurements) {
+  for (const auto& [name, value] : measurements) fmt::print("{}\t{}\n", name, value);
+}
+
+Measurements run_self(const std::vector<std::string>& arguments) {
+  Filter filter{{fs::read_symlink("/proc/self/exe").string()}, {}, {}};
+  filter.arguments.insert(filter.arguments.end(), arguments.begin(), arguments.end());
+  const FilterResult result = run_filters({filter}, 1).front();
+  if (!result.problem.empty()) throw Error(ExitCode::partial, arguments.back(), result.problem);
+  Measurements measurements;
+  std::istringstream lines(result.output);
+  std::string name;
+  double value = 0.0;
+  while (std::getline(lines, name, '\t') && lines >> value >> std::ws) measurements.emplace_back(name, value);
+  return measurements;
+}
+
+struct Row {
+  std::string scene;
+  Measurements values;
+  double at(std::string_view name) const {
+    for (const auto& [key, value] : values) {
+      if (key == name) return value;
+    }
+    throw Error(ExitCode::partial, scene, "nothing was measured under '" + std::string(name) + "'");
+  }
+};
+
+Row measure(const std::string& scene, const std::string& size, const fs::path& folder) {
+  const fs::path file = folder / fmt::format("{}-{}-{}.glb", scene, size, getpid());
+  Row row{scene, run_self({"--write", scene + ":" + size, file.string()})};
+  const Measurements measured = run_self({"--measure", file.string()});
+  fs::remove(file);
+  row.values.insert(row.values.end(), measured.begin(), measured.end());
+  fmt::print("{}:{}", scene, size);
+  for (const auto& [name, value] : row.values) fmt::print("  {} {:.4g}", name, value);
+  fmt::print("\n");
+  std::fflush(stdout);
+  return row;
+}
+
+// Least squares of log y over log x: the exponent of growth.
+double slope(const std::vector<std::pair<double, double>>& points) {
+  double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+  for (const auto& [x, y] : points) {
+    const double u = std::log(x), v = std::log(y);
+    n += 1.0, sx += u, sy += v, sxx += u * u, sxy += u * v;
+  }
+  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+// A line a name, with its slope in the legend.
+void add_line(PlotFigure& figure, const std::vector<Row>& rows, const std::string& scene, const std::string& name,
+              const std::string& label) {
+  std::vector<std::pair<double, double>> points;
+  for (const Row& row : rows) {
+    if (row.scene == scene) points.emplace_back(row.at("triangles"), row.at(name));
+  }
+  const std::string line = points.size() > 1 ? fmt::format("{}: {:.2f}", label, slope(points)) : label;
+  for (const auto& [x, y] : points) figure.data.rows.push_back({line, x, y});
+}
+
+PlotFigure times_figure(const std::vector<Row>& rows, const std::string& scene, const std::string& what) {
+  PlotFigure figure;
+  figure.stem = "large-scenes-" + scene;
+  figure.title = fmt::format("Seconds a step: {}, {}", scene, what);
+  figure.caption =
+      "1280×720 pixels, shadow map of 2048² texels, software OpenGL. The number is the slope on these axes: 1 is "
+      "linear in the triangles, 0 does not depend on them.";
+  figure.x = {"triangles", "triangles", true};
+  figure.y = {"seconds", "time [s]", true};
+  figure.series = "step";
+  figure.series_label = "step: slope";
+  figure.data.columns = {{"step", "", ""}, {"triangles", "1", ""}, {"seconds", "s", ""}};
+  for (const char* step : step_names) add_line(figure, rows, scene, step, step);
+  return figure;
+}
+
+PlotFigure memory_figure(const std::vector<Row>& rows) {
+  PlotFigure figure;
+  figure.stem = "large-scenes-memory";
+  figure.title = "Most memory held, by the end of a stage";
+  figure.caption =
+      "Resident memory of the whole process; with software OpenGL what the GPU would hold is in it. The number is the "
+      "slope on these axes.";
+  figure.x = {"triangles", "triangles", true};
+  figure.y = {"memory", "memory [MiB]", true};
+  figure.series = "stage";
+  figure.series_label = "stage: slope";
+  figure.data.columns = {{"stage", "", ""}, {"triangles", "1", ""}, {"memory", "MiB", ""}};
+  for (const char* scene : {"forest", "city"}) {
+    for (const char* stage : stage_names) add_line(figure, rows, scene, stage, std::string(scene) + ", " + stage);
+  }
+  return figure;
+}
+
+Table to_table(const std::vector<Row>& rows) {
+  Table table;
+  table.columns.push_back({"scene", "", "built-in scene"});
+  for (const auto& [name, value] : rows.front().values) table.columns.push_back({name, "", name});
+  for (const Row& row : rows) {
+    std::vector<Value>& cells = table.rows.emplace_back();
+    cells.emplace_back(row.scene);
+    for (const auto& [name, value] : row.values) cells.emplace_back(value);
+  }
+  return table;
+}
+
+int run(const std::vector<std::string>& arguments) {
+  if (arguments.size() == 3 && arguments[0] == "--write") return print(write_scene(arguments[1], arguments[2])), 0;
+  if (arguments.size() == 2 && arguments[0] == "--measure") return print(measure_scene(arguments[1])), 0;
+  if (arguments.empty() || arguments[0].starts_with("-")) {
+    fmt::print(stderr, "usage: umbrameter_scaling DIR [SIZE...]   sizes as in forest:SIZE, by default 100k to 20M\n");
+    return 2;
+  }
+  const fs::path folder = arguments[0];
+  std::vector<std::string> sizes(arguments.begin() + 1, arguments.end());
+  if (sizes.empty()) sizes.assign(std::begin(default_sizes), std::end(default_sizes));
+  prepare_output_folder(folder);
+  std::vector<Row> rows;
+  for (const char* scene : {"forest", "city"}) {
+    for (const std::string& size : sizes) rows.push_back(measure(scene, size, folder));
+  }
+  write_text(folder / "large-scenes.csv", to_csv(to_table(rows)));
+  const FigureOutcome outcome = write_figures(
+      folder, {},
+      {times_figure(rows, "forest", "instances"), times_figure(rows, "city", "nothing shared"), memory_figure(rows)});
+  for (const std::string& problem : outcome.problems) fmt::print(stderr, "{}\n", problem);
+  return outcome.problems.empty() ? 0 : 5;
+}
+
+}  // namespace
+}  // namespace umbrameter
+
+int main(int argc, char** argv) {
+  try {
+    return umbrameter::run({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "umbrameter_scaling: {}\n", error.what());
+    return 1;
+  }
+}
