@@ -26,6 +26,7 @@ umbrameter::Scene small_scene() {
   Scene scene = shapes::empty_scene();
   shapes::add_mesh(scene, shapes::quad({-2, 0, -2}, {0, 0, 4}, {4, 0, 0}));
   shapes::add_mesh(scene, shapes::box({0, 0, 0}, {1, 1, 1}));
+  scene.meshes[0].name = "floor";
   scene.instances.push_back(scene.instances.back());
   Texture texture;
   texture.name = "checks";
@@ -48,6 +49,7 @@ void write_all(const std::filesystem::path& folder) {
   const auto put = [&](const Bytes& bytes) { write(folder / ("seed-" + std::to_string(number++)), bytes); };
   for (const umbrameter::test::Construct& construct : umbrameter::test::all_constructs()) put(construct.file);
   for (const umbrameter::test::HostileFile& file : umbrameter::test::hostile_files()) put(file.bytes);
+  for (const umbrameter::test::HostileFile& file : umbrameter::test::faulty_files()) put(file.bytes);
   put(umbrameter::to_glb(small_scene()));
   std::printf("%d files in %s\n", number, folder.c_str());
 }

@@ -13,5 +13,6 @@ struct HostileFile {
   Bytes bytes;
 };
 std::vector<HostileFile> hostile_files();
+std::vector<HostileFile> faulty_files();  ///< constructs with one fault each
 
 }  // namespace umbrameter::test
