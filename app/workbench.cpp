@@ -1,5 +1,7 @@
 #include "app/workbench.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -14,6 +16,21 @@ std::string surfel_key(const ViewParams& params) {
   return key_of(describe(copy));
 }
 
+// Both sides multiply three lengths in single precision, whose largest and smallest numbers are about 1e38 and 1e-38.
+void require_measurable(const Bounds& bounds, const std::string& name) {
+  constexpr double longest = 1e12;
+  constexpr double shortest = 1e-10;
+  const dvec3 corner = glm::max(glm::abs(bounds.min), glm::abs(bounds.max));
+  const double reach = std::max({corner.x, corner.y, corner.z});
+  const auto refuse = [&](const std::string& why) {
+    throw Error(ExitCode::unreadable_input, name, why, "scale it to metres; 'umbrameter info' has its bounds");
+  };
+  if (reach > longest) refuse(fmt::format("it reaches {:.3g} m from its origin, more than {:g} m", reach, longest));
+  if (bounds.radius() < shortest) {
+    refuse(fmt::format("it is {:.3g} m large, less than {:g} m", 2.0 * bounds.radius(), shortest));
+  }
+}
+
 }  // namespace
 
 Workbench::Workbench(Scene scene, WorkbenchOptions options, const Console& console)
@@ -23,6 +40,7 @@ Workbench::Workbench(Scene scene, WorkbenchOptions options, const Console& conso
     throw Error(ExitCode::unreadable_input, scene_.name, "the scene has no triangles",
                 "give a scene with meshes, or a built-in one ('umbrameter scenes')");
   }
+  require_measurable(bounds_, scene_.name);
   std::vector<std::string> assumed;
   add_missing_light(scene_, assumed);
   add_notes(assumed);

@@ -41,6 +41,23 @@ TEST(Failure, A_truncated_glb_is_unreadable_input) {
   }
 }
 
+TEST(Failure, A_scene_beyond_single_precision_is_refused) {
+  const TemporaryFolder folder;
+  const auto scaled_triangle = [&](const char* scale) {
+    std::ofstream(folder / "scaled.gltf")
+        << R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0,"scale":[)" << scale << ',' << scale << ',' << scale
+        << R"(]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,)"
+        << R"("componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
+        // Corners at the origin, at x = 1 and at y = 1.
+        << R"("buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,)"
+        << R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
+    return folder / "scaled.gltf";
+  };
+  EXPECT_EQ(trace(scaled_triangle("1e9"), folder / "out").exit_code, 0);
+  expect_failure(trace(scaled_triangle("1e30"), folder / "out"), 4, "1e+30 m");
+  expect_failure(trace(scaled_triangle("1e-30"), folder / "out"), 4, "less than 1e-10 m");
+}
+
 TEST(Failure, A_scene_name_with_a_slip_is_told_the_right_one) {
   const TemporaryFolder folder;
   expect_failure(trace("courtyrad", folder / "out"), 4, "courtyard");
