@@ -257,6 +257,8 @@ struct Checker {
         check(held, Kind::object, inside);
       } else {
         check(held, kind_of(member, name), inside);
+        // The parser takes its own preset for any other number of them.
+        require(member != "baseColorFactor" || held.size() == 4, inside, "it is not four numbers");
       }
       walk(held, member, inside);
     }
