@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "reports/markup.h"
+
 namespace umbrameter {
 namespace {
 
@@ -18,11 +20,11 @@ constexpr int bar_cells = 24;
 }  // namespace
 
 void say(const Console& console, const std::string& line) {
-  if (!console.json) fmt::print("{}\n", line);
+  if (!console.json) fmt::print("{}\n", plain_text(line));
 }
 
 void note(const Console& console, const std::string& line) {
-  if (!console.quiet) fmt::print(stderr, "note: {}\n", line);
+  if (!console.quiet) fmt::print(stderr, "note: {}\n", plain_text(line));
 }
 
 bool use_color() {

@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "core/interrupt.h"
+#include "reports/markup.h"
 
 namespace umbrameter {
 namespace {
@@ -43,13 +44,13 @@ int main(int argc, char** argv) {
   try {
     return static_cast<int>(finish_output(run(argc, argv)));
   } catch (const Error& error) {
-    fmt::print(stderr, "umbrameter: {}\n", error.what());
+    fmt::print(stderr, "umbrameter: {}\n", plain_text(error.what()));
     return static_cast<int>(error.code());
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "umbrameter: out of memory; use a smaller --size or a smaller scene\n");
     return static_cast<int>(ExitCode::partial);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "umbrameter: unexpected failure: {}; please report this\n", error.what());
+    fmt::print(stderr, "umbrameter: unexpected failure: {}; please report this\n", plain_text(error.what()));
     return static_cast<int>(ExitCode::partial);
   }
 }
