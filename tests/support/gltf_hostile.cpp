@@ -66,6 +66,37 @@ Bytes huge_png() {
   return image;
 }
 
+Bytes wide_png() {
+  Bytes image = png(1, 1, {1, 2, 3, 4});
+  image[18] = 0x7f;  // 32,513 by 32,513
+  image[22] = 0x7f;
+  return image;
+}
+
+HostileFile two_binary_chunks() {
+  GltfBuilder builder;
+  add_solid(builder);
+  Bytes bytes = to_binary_gltf(builder);
+  bytes.insert(bytes.end(), {4, 0, 0, 0, 'B', 'I', 'N', 0, 1, 2, 3, 4});
+  for (unsigned i = 0; i < 4; ++i) bytes[8 + i] = static_cast<unsigned char>((bytes.size() >> (8 * i)) & 0xffu);
+  return {"two binary chunks", bytes};
+}
+
+/// A skin of one joint whose weights and bind matrix are these.
+HostileFile skinned(const std::string& name, float weight, float bind) {
+  GltfBuilder builder;
+  const int positions = add_values<float>(builder, "VEC3", {0, 0, 0, 1, 0, 0, 0, 1, 0});
+  const int joints = add_values<std::uint8_t>(builder, "VEC4", std::vector<std::uint8_t>(12, 0));
+  const int weights = add_values(builder, "VEC4", std::vector<float>(12, weight));
+  const int matrices = add_values(builder, "MAT4", std::vector<float>(16, bind));
+  add_mesh(builder, "\"POSITION\":" + std::to_string(positions) + ",\"JOINTS_0\":" + std::to_string(joints) +
+                        ",\"WEIGHTS_0\":" + std::to_string(weights));
+  add(builder, "skins", R"({"joints":[1],"inverseBindMatrices":)" + std::to_string(matrices) + "}");
+  add(builder, "nodes", R"({"mesh":0,"skin":0,"children":[1]})");
+  add(builder, "nodes", R"({"scale":[1e30,1e30,1e30]})");
+  return {name, to_binary_gltf(builder)};
+}
+
 }  // namespace
 
 std::vector<HostileFile> hostile_files() {
@@ -101,6 +132,12 @@ std::vector<HostileFile> hostile_files() {
       lying_length(12, 0x01),
       lying_length(4, 0x07),
       textured("an image of gigabytes", huge_png()),
+      textured("an image of a thousand million texels", wide_png()),
+      two_binary_chunks(),
+      skinned("weights that are no number", std::numeric_limits<float>::quiet_NaN(), 1.0f),
+      skinned("weights that are zero", 0.0f, 0.0f),
+      skinned("a skin that leads to infinity", 1.0f, 3e38f),
+      skinned("a skin that is no number", 1.0f, std::numeric_limits<float>::quiet_NaN()),
       textured("half an image", {whole.begin(), whole.begin() + 40}),
       textured("an image that is none", {'G', 'I', 'F', '8', '9', 'a'}),
   };
