@@ -142,6 +142,7 @@ std::vector<std::uint32_t> read_skinned_mesh(GeometryReader& reader, std::size_t
       if (std::isfinite(position.x + position.y + position.z)) continue;
       fail(reader.store.document.path, object, "the skin of " + node + " moves a vertex to infinity");
     }
+    drop_flat_triangles(mesh, reader.dropped);
     mesh.name = name_of(primitive, source.name);
     if (mesh.triangles.empty()) continue;
     parts.push_back(static_cast<std::uint32_t>(reader.scene.meshes.size()));
