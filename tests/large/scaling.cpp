@@ -155,8 +155,14 @@ void print_markdown(const std::vector<Row>& rows) {
 }
 
 int run(const std::vector<std::string>& arguments) {
-  if (arguments.size() == 3 && arguments[0] == "--write") return print(write_scene(arguments[1], arguments[2])), 0;
-  if (arguments.size() == 2 && arguments[0] == "--measure") return print(measure_scene(arguments[1])), 0;
+  if (arguments.size() == 3 && arguments[0] == "--write") {
+    print(write_scene(arguments[1], arguments[2]));
+    return 0;
+  }
+  if (arguments.size() == 2 && arguments[0] == "--measure") {
+    print(measure_scene(arguments[1]));
+    return 0;
+  }
   if (arguments.empty() || arguments[0].starts_with("-")) {
     fmt::print(stderr, "usage: umbrameter_scaling DIR [SIZE...]   sizes as in forest:SIZE, by default 100k to 20M\n");
     return 2;
