@@ -9,6 +9,7 @@
 #include <exception>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 
 #include "core/error.h"
 #include "measure_scene.h"
@@ -53,11 +54,18 @@ struct Row {
   }
 };
 
+struct ScratchFile {
+  fs::path path;
+  ~ScratchFile() {
+    std::error_code ignored;
+    fs::remove(path, ignored);
+  }
+};
+
 Row measure(const std::string& scene, const std::string& size, const fs::path& folder) {
-  const fs::path file = folder / fmt::format("{}-{}-{}.glb", scene, size, getpid());
-  Row row{scene, run_self({"--write", scene + ":" + size, file.string()})};
-  const Measurements measured = run_self({"--measure", file.string()});
-  fs::remove(file);
+  const ScratchFile file{folder / fmt::format("{}-{}-{}.glb", scene, size, getpid())};
+  Row row{scene, run_self({"--write", scene + ":" + size, file.path.string()})};
+  const Measurements measured = run_self({"--measure", file.path.string()});
   row.values.insert(row.values.end(), measured.begin(), measured.end());
   fmt::print(stderr, "{}:{}", scene, size);
   for (const auto& [name, value] : row.values) fmt::print(stderr, "  {} {:.4g}", name, value);
@@ -155,8 +163,14 @@ void print_markdown(const std::vector<Row>& rows) {
 }
 
 int run(const std::vector<std::string>& arguments) {
-  if (arguments.size() == 3 && arguments[0] == "--write") return print(write_scene(arguments[1], arguments[2])), 0;
-  if (arguments.size() == 2 && arguments[0] == "--measure") return print(measure_scene(arguments[1])), 0;
+  if (arguments.size() == 3 && arguments[0] == "--write") {
+    print(write_scene(arguments[1], arguments[2]));
+    return 0;
+  }
+  if (arguments.size() == 2 && arguments[0] == "--measure") {
+    print(measure_scene(arguments[1]));
+    return 0;
+  }
   if (arguments.empty() || arguments[0].starts_with("-")) {
     fmt::print(stderr, "usage: umbrameter_scaling DIR [SIZE...]   sizes as in forest:SIZE, by default 100k to 20M\n");
     return 2;
