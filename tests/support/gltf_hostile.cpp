@@ -73,6 +73,17 @@ Bytes wide_png() {
   return image;
 }
 
+// 255 codes of each of the 16 lengths, where 256 is the most of all.
+Bytes jpeg_of_too_many_codes() {
+  Bytes image = grey_jpeg(1, 1, {128});
+  for (std::size_t i = 0; i + 21 < image.size(); ++i) {
+    if (image[i] != 0xff || image[i + 1] != 0xc4) continue;
+    for (std::size_t k = 0; k < 16; ++k) image[i + 5 + k] = 0xff;
+    break;
+  }
+  return image;
+}
+
 HostileFile two_binary_chunks() {
   GltfBuilder builder;
   add_solid(builder);
@@ -138,6 +149,7 @@ std::vector<HostileFile> hostile_files() {
       skinned("weights that are zero", 0.0f, 0.0f),
       skinned("a skin that leads to infinity", 1.0f, 3e38f),
       skinned("a skin that is no number", 1.0f, std::numeric_limits<float>::quiet_NaN()),
+      textured("a JPEG of too many codes", jpeg_of_too_many_codes()),
       textured("half an image", {whole.begin(), whole.begin() + 40}),
       textured("an image that is none", {'G', 'I', 'F', '8', '9', 'a'}),
   };
