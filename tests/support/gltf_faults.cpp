@@ -92,6 +92,16 @@ const std::vector<Patch>& patches() {
       {"morph targets with weights of the mesh", "\"targets\":[{\"POSITION\":0}",
        "\"targets\":[{\"POSITION\":0,\"NORMAL\":0}"},
       {"morph targets with weights of the mesh", "\"targets\":[{\"POSITION\":0}", "\"targets\":[{\"POSITION\":3}"},
+      {"morph targets with weights of the mesh", "\"count\":8,\"bufferView\":0", "\"count\":7,\"bufferView\":0"},
+      {"a skin", "\"count\":8,\"bufferView\":2", "\"count\":7,\"bufferView\":2"},
+      {"a skin", "\"count\":8,\"bufferView\":1", "\"count\":7,\"bufferView\":1"},
+      {"meshopt with 16-bit triangles",
+       "\"byteLength\":36,\"extensions\":{\"EXT_meshopt_compression\":{\"buffer\":0,\"byteOffset\":84,\"byteLength\":"
+       "29,"
+       "\"byteStride\":2,\"count\":18",
+       "\"byteLength\":34,\"extensions\":{\"EXT_meshopt_compression\":{\"buffer\":0,\"byteOffset\":84,\"byteLength\":"
+       "29,"
+       "\"byteStride\":2,\"count\":17"},
       {"triangle strip", "\"count\":5", "\"count\":2"},
       {"triangles without indices", "\"mode\":4", "\"mode\":9"},
       {"triangles without indices", "\"POSITION\":0", "\"POSITION\":0,\"COLOR_0\":0"},
