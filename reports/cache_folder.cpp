@@ -151,13 +151,16 @@ void make_room(const CacheFolder& folder, const fs::path& path, std::uint64_t by
   }
 }
 
-// The specification asks for 0700 where the folders are made.
+// With the rights that the specification asks for. Returns errno of the step that failed, or 0.
 int make_folder(const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) return 0;
-  fs::create_directories(path.parent_path(), error);
-  if (!error && mkdir(path.c_str(), 0700) != 0 && errno != EEXIST) return errno;
-  if (error) return error.value();
+  if (path.has_relative_path()) {
+    if (const int failed = make_folder(path.parent_path()); failed != 0) return failed;
+  }
+  if (mkdir(path.c_str(), 0700) == 0) return 0;
+  if (errno != EEXIST) return errno;
+  // Another process may have been faster.
   return fs::is_directory(path, error) ? 0 : ENOTDIR;
 }
 
