@@ -141,7 +141,7 @@ const TracedVisibility& Workbench::truth(const Experiment& experiment, std::uint
     key.light = light_content(scene_.lights[light]);
     const std::function<TracedVisibility()> trace = [&] {
       const Tracer& rays = tracer();
-      ProgressBar bar(console_, "shadow rays");
+      ProgressBar bar(console_, "shadow rays", [&] { return rays.rays_traced(); });
       return trace_visibility(rays, surfels(experiment.view).gbuffer, scene_.lights[light], bar.callback());
     };
     return cache_.get(key, {scene_title(experiment), "visibility of " + title(light), {}, {}}, trace);
@@ -154,7 +154,7 @@ const TracedAo& Workbench::ao_truth(const Experiment& experiment) {
   return ao_truth_.get(key, [&] {
     const std::function<TracedAo()> trace = [&] {
       const Tracer& rays = tracer();
-      ProgressBar bar(console_, "hemisphere rays");
+      ProgressBar bar(console_, "hemisphere rays", [&] { return rays.rays_traced(); });
       return trace_ao(rays, surfels(experiment.view).gbuffer, params, static_cast<std::uint32_t>(experiment.run.seed),
                       bar.callback());
     };

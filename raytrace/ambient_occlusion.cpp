@@ -180,6 +180,7 @@ TracedAo trace_ao(const Tracer& tracer, const GBuffer& gbuffer, const TruthParam
             block.trace(x, y, std::min(x + block_size, tile.x_end), std::min(y + block_size, tile.y_end), traced);
           }
         }
+        tracer.state().rays_traced += block.statistics().rays;
         const std::lock_guard lock(mutex);
         traced.statistics.rays += block.statistics().rays;
         traced.statistics.largest_offset =

@@ -101,5 +101,6 @@ Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 
 const Scene& Tracer::scene() const { return state_->scene; }
 const BuildStatistics& Tracer::build_statistics() const { return state_->statistics; }
+std::uint64_t Tracer::rays_traced() const { return state_->rays_traced.load(); }
 
 }  // namespace umbrameter

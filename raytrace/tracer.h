@@ -38,6 +38,8 @@ class Tracer {
 
   const Scene& scene() const;
   const BuildStatistics& build_statistics() const;
+  /// Shadow and AO rays so far, tile by tile while they are traced; for showing how fast it goes.
+  std::uint64_t rays_traced() const;
 
   struct State;
   const State& state() const { return *state_; }
