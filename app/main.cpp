@@ -23,6 +23,7 @@ ExitCode run(int argc, const char* const* argv) {
   if (line.command == "sweep") return run_sweep_command(line, console);
   if (line.command == "scenes") return run_scenes(line, console);
   if (line.command == "scene") return run_scene(line, console);
+  if (line.command == "cache") return run_cache(line, console);
   if (line.command == "info") return run_info(line, console);
   if (line.command == "parameters") return run_parameters(line);
   return run_image_command(line, console);

@@ -256,7 +256,8 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   const std::size_t cells = count_cells(axes);
   prepare_output_folder(line.output);
   const ThreadLimit threads(line.threads);
-  Workbench workbench(load_scene(experiment.scene, experiment.view.scene), {line.gl_device, line.threads}, console);
+  Workbench workbench(load_scene(experiment.scene, experiment.view.scene),
+                      {line.gl_device, line.threads, chosen_cache(line, console)}, console);
   const std::vector<std::uint32_t> lights = workbench.lights(experiment.view.light);
   const bool varies_light = varies_group(axes, "view.light");
   if (measure == Measure::visibility && !varies_light && lights.size() > 1) {

@@ -34,7 +34,11 @@ void require_measurable(const Bounds& bounds, const std::string& name) {
 }  // namespace
 
 Workbench::Workbench(Scene scene, WorkbenchOptions options, const Console& console)
-    : scene_(std::move(scene)), options_(std::move(options)), console_(console), bounds_(bounds_of(scene_)) {
+    : scene_(std::move(scene)),
+      options_(std::move(options)),
+      console_(console),
+      bounds_(bounds_of(scene_)),
+      cache_(options_.cache, console) {
   add_notes(scene_.notes);
   if (bounds_.empty()) {
     throw Error(ExitCode::unreadable_input, scene_.name, "the scene has no triangles",
@@ -118,10 +122,29 @@ const LightFit& Workbench::fit(const Experiment& experiment, std::uint32_t light
   });
 }
 
+ReferenceKey Workbench::reference_key(const Experiment& experiment, const std::string& kind) {
+  if (!cache_.enabled()) return {};
+  TruthParams params = experiment.truth;
+  return {kind,
+          tracer_identity_.get("", tracer_identity),
+          scene_content_.get("", [&] { return scene_content(scene_); }),
+          surfel_content_.get(surfel_key(experiment.view),
+                              [&] { return surfel_content(surfels(experiment.view).gbuffer); }),
+          "",
+          key_of(describe(params)),
+          static_cast<std::uint32_t>(experiment.run.seed)};
+}
+
 const TracedVisibility& Workbench::truth(const Experiment& experiment, std::uint32_t light) {
   return truth_.get(light_key(experiment, light), [&] {
-    ProgressBar bar(console_, "shadow rays");
-    return trace_visibility(tracer(), surfels(experiment.view).gbuffer, scene_.lights[light], bar.callback());
+    ReferenceKey key = reference_key(experiment, "visibility");
+    key.light = light_content(scene_.lights[light]);
+    const std::function<TracedVisibility()> trace = [&] {
+      const Tracer& rays = tracer();
+      ProgressBar bar(console_, "shadow rays", [&] { return rays.rays_traced(); });
+      return trace_visibility(rays, surfels(experiment.view).gbuffer, scene_.lights[light], bar.callback());
+    };
+    return cache_.get(key, {scene_title(experiment), "visibility of " + title(light), {}, {}}, trace);
   });
 }
 
@@ -129,9 +152,13 @@ const TracedAo& Workbench::ao_truth(const Experiment& experiment) {
   TruthParams params = experiment.truth;
   const std::string key = surfel_key(experiment.view) + key_of(describe(params)) + std::to_string(experiment.run.seed);
   return ao_truth_.get(key, [&] {
-    ProgressBar bar(console_, "hemisphere rays");
-    return trace_ao(tracer(), surfels(experiment.view).gbuffer, params, static_cast<std::uint32_t>(experiment.run.seed),
-                    bar.callback());
+    const std::function<TracedAo()> trace = [&] {
+      const Tracer& rays = tracer();
+      ProgressBar bar(console_, "hemisphere rays", [&] { return rays.rays_traced(); });
+      return trace_ao(rays, surfels(experiment.view).gbuffer, params, static_cast<std::uint32_t>(experiment.run.seed),
+                      bar.callback());
+    };
+    return cache_.get(reference_key(experiment, "ao"), {scene_title(experiment), "ambient occlusion", {}, {}}, trace);
   });
 }
 

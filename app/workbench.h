@@ -9,6 +9,7 @@
 
 #include "app/console.h"
 #include "app/experiment.h"
+#include "app/reference_cache.h"
 #include "compare/visibility.h"
 #include "raster/rasterizer.h"
 #include "raytrace/tracer.h"
@@ -50,6 +51,7 @@ struct LightFit {
 struct WorkbenchOptions {
   std::string gl_device;
   int threads = 0;
+  std::optional<CacheFolder> cache{};  ///< for references
 };
 
 class Workbench {
@@ -84,6 +86,7 @@ class Workbench {
 
  private:
   void add_notes(const std::vector<std::string>& notes);
+  ReferenceKey reference_key(const Experiment& experiment, const std::string& kind);
   std::string light_key(const Experiment& experiment, std::uint32_t light) const;
 
   Scene scene_;
@@ -92,6 +95,7 @@ class Workbench {
   Bounds bounds_;
   std::vector<std::string> layers_;
   std::vector<std::string> notes_;
+  ReferenceCache cache_;
   std::optional<Tracer> tracer_;
   // In this order: what lives on the GPU goes before its context does.
   std::unique_ptr<gl::Context> context_;
@@ -103,6 +107,9 @@ class Workbench {
   Memo<TracedVisibility> truth_;
   Memo<gl::Texture> gpu_truth_;
   Memo<TracedAo> ao_truth_;
+  Memo<std::string> tracer_identity_;
+  Memo<std::string> scene_content_;
+  Memo<std::string> surfel_content_;
 };
 
 }  // namespace umbrameter

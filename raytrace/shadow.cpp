@@ -67,6 +67,7 @@ TracedVisibility trace_visibility(const Tracer& tracer, const GBuffer& gbuffer, 
           }
         }
         flush();
+        tracer.state().rays_traced += statistics.rays;
         const std::lock_guard lock(mutex);
         traced.statistics.rays += statistics.rays;
         traced.statistics.largest_offset = std::max(traced.statistics.largest_offset, statistics.largest_offset);

@@ -17,6 +17,8 @@ namespace umbrameter {
 
 /// Embree's version, "3.13.5".
 std::string embree_version();
+/// Of the library that is loaded, which may be newer than the one built with: "31305". Throws as Tracer does.
+std::string loaded_embree_version();
 
 struct BuildStatistics {
   std::uint64_t triangles = 0;  ///< over all instances
@@ -36,6 +38,8 @@ class Tracer {
 
   const Scene& scene() const;
   const BuildStatistics& build_statistics() const;
+  /// Shadow and AO rays so far, tile by tile while they are traced; for showing how fast it goes.
+  std::uint64_t rays_traced() const;
 
   struct State;
   const State& state() const { return *state_; }
@@ -49,6 +53,7 @@ struct TraceStatistics {
   std::uint64_t rays = 0;
   double seconds = 0.0;
   double largest_offset = 0.0;  ///< metres, along the geometric normal, over all surfels
+  bool from_cache = false;      ///< not traced now: `seconds` is what it took when it was
 };
 
 /// Primary hits through the pixel centres of the view, without back faces of single-sided materials.
