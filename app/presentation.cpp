@@ -214,7 +214,18 @@ Presentation present_ao(const AoMeasurement& ao, const Experiment& experiment) {
                                            *ao.raster, ao_scale));
   }
   if (ao.truth) section.text = precision_text(ao.truth->precision, experiment.truth);
-  if (!ao.statistics) return presentation;
+  if (!ao.statistics) {
+    if (ao.truth) {
+      const SamplingPrecision& precision = ao.truth->precision;
+      presentation.lines.push_back(
+          fmt::format("{:<10} {:.0f} rays a pixel, half width of its 95 % interval {:.5f}, at worst {:.5f}{}", "AO",
+                      precision.mean_samples, precision.mean_half_width, precision.worst_half_width,
+                      precision.pixels_at_limit > 0
+                          ? fmt::format("; {} of {} pixels at the limit", precision.pixels_at_limit, precision.pixels)
+                          : ""));
+    }
+    return presentation;
+  }
   const AoStatistics& s = *ao.statistics;
   add_figure(presentation, scalar_figure("error_ao", "Error: ambient occlusion", "Blue is too dark, red is too bright.",
                                          signed_error(*ao.raster, ao.truth->ao), ao_error_scale));

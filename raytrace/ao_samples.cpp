@@ -31,14 +31,16 @@ void PixelSamples::make(Sampler sampler, const SampleRange& range, std::uint32_t
   const Randomisations before{range.split.count, range.begin};
   for (int r = 0; r < range.split.count; ++r) {
     const std::uint32_t scramble = hash(stream, static_cast<std::uint32_t>(r));
-    // Turned at random: edges that run through the middle of the disk or along the square's sides would else have
-    // the same count in every randomisation, or one of two, and such counts are far from a normal distribution.
-    const float angle = static_cast<float>(2.0 * pi) * to_unit_float(hash(scramble, 2u));
+    // Shifted and turned at random: edges of occluders that run along the square's or through the middle of the disk
+    // would else have the same count in every randomisation, or one of two, and such counts are far from a normal
+    // distribution (Cranley and Patterson 1976 for the shift).
+    const vec2 shift(to_unit_float(hash(scramble, 2u)), to_unit_float(hash(scramble, 3u)));
+    const float angle = static_cast<float>(2.0 * pi) * to_unit_float(hash(scramble, 4u));
     const vec2 turn(std::cos(angle), std::sin(angle));
     for (int i = before.size(r); i < range.split.size(r); ++i) {
       const auto index = static_cast<std::uint32_t>(i);
-      const vec2 d =
-          concentric_disk(sampler == Sampler::owen ? owen_sobol(index, scramble) : random_point(index, scramble));
+      const vec2 point = sampler == Sampler::owen ? owen_sobol(index, scramble) : random_point(index, scramble);
+      const vec2 d = concentric_disk(glm::fract(point + shift));
       const vec2 disk(d.x * turn.x - d.y * turn.y, d.x * turn.y + d.y * turn.x);
       unsorted_.push_back({disk, static_cast<std::uint16_t>(r), stratum_of(disk)});
       ++first[unsorted_.back().stratum + 1u];

@@ -11,7 +11,7 @@ namespace {
 // Fewer points than this each would waste the sequence's evenness.
 constexpr int least_points = 2;
 constexpr int usual_randomisations = 8;
-constexpr int ample_points = 128;
+constexpr int ample_points = 64;
 
 std::uint32_t reverse_bits(std::uint32_t x) {
   x = ((x >> 1u) & 0x55555555u) | ((x & 0x55555555u) << 1u);

@@ -37,7 +37,7 @@ struct Randomisations {
   int size(int r) const { return points / count + (r < points % count ? 1 : 0); }
 };
 inline constexpr int most_randomisations = 16;
-/// For a fixed number of rays: 8 randomisations, up to 16 where each keeps 128 points, fewer where one would have less
+/// For a fixed number of rays: 8 randomisations, up to 16 where each keeps 64 points, fewer where one would have less
 /// than 2. More make the interval's quantile smaller, but leave each with fewer of the sequence's even points.
 Randomisations split(int spp);
 

@@ -86,6 +86,7 @@ TEST(Sampler, Randomisations_share_all_points_out) {
     EXPECT_EQ(points, spp);
   }
   EXPECT_EQ(split(256).count, 8);
+  EXPECT_EQ(split(1024).count, 16);
 }
 
 }  // namespace

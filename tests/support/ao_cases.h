@@ -1,0 +1,89 @@
+// Ambient occlusion of a floor point whose exact answer is known: scenes, points and formulas. O = 1 − accessibility.
+// Sources: Howell, A Catalog of Radiation Heat Transfer Configuration Factors; Lambert's polygon formula.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "raytrace/parameters.h"
+#include "tests/support/shapes.h"
+
+namespace umbrameter::ao_cases {
+
+/// Half the side of the square floor at y = 0, metres.
+inline constexpr float floor_half = 8.0f;
+
+struct Case {
+  std::string name;
+  Mesh occluder;
+  vec3 point{0};
+  AoWeight weight = AoWeight::cosine;
+  double distance = 0.0;  ///< limit, metres; 0 for none
+  double accessibility = 1.0;
+};
+
+/// The occluder over the floor, which is instance 0.
+inline Scene scene_of(const Case& c) {
+  Scene scene = shapes::empty_scene();
+  shapes::add_mesh(scene, shapes::quad({-floor_half, 0, floor_half}, {2 * floor_half, 0, 0}, {0, 0, -2 * floor_half}));
+  shapes::add_mesh(scene, c.occluder);
+  return scene;
+}
+
+/// `count` pixels that all see the case's point: each has points of its own, as if each had a seed of its own.
+inline GBuffer surfels_of(const Case& c, int count) {
+  return shapes::surfels(std::vector<vec3>(static_cast<std::size_t>(count), c.point), {0, 1, 0}, 0,
+                         [](vec3 p) { return p.x > -p.z ? 0u : 1u; });
+}
+
+inline TruthParams params_of(const Case& c) {
+  TruthParams params;
+  params.ao_weight = c.weight;
+  params.ao_distance = c.distance;
+  return params;
+}
+
+/// One case of each kind, none of them symmetric to every sampling pattern.
+inline std::vector<Case> all() {
+  constexpr AoWeight cosine = AoWeight::cosine;
+  constexpr AoWeight uniform = AoWeight::uniform;
+  // 200 m to either side: what lies beyond is less than 10⁻⁵ of the hemisphere.
+  const Mesh wall = shapes::quad({0, 0, -200}, {0, 1, 0}, {0, 0, 400});
+  const Mesh overhead = shapes::sphere({0, 1.5f, 0}, 1.0f, 200, 400);
+  const Mesh disk = shapes::disk({0, 1, 0}, 1.0f, 720);
+  const Mesh ceiling = shapes::quad({-7, 2, -7}, {14, 0, 0}, {0, 0, 14});
+  const double tilted = 2.25 + 4.0;  // L² of the sphere overhead, seen from 2 m aside
+  const double root = std::sqrt((0.2 + 2.0) * (0.2 + 2.0) - 4.0 * 0.2);
+  return {
+      // O_cos = ½(1 − d/√(d² + h²)), O_uni = atan(h/d)/π.
+      {"wall, h = d", wall, {1, 0, 0}, cosine, 0.0, 0.853553},
+      {"wall, h = d, uniform", wall, {1, 0, 0}, uniform, 0.0, 0.75},
+      {"wall, h = 4d", wall, {0.25f, 0, 0}, cosine, 0.0, 0.621268},
+      // c = d/D, a = d/√(d² + h²), S(c) = acos c − c√(1 − c²): O_cos = (S(c) − a·S(c/a))/π; uniform by quadrature.
+      {"wall, h = d, limit 2d", wall, {1, 0, 0}, cosine, 2.0, 0.868736},
+      {"wall, h = d, limit 2d, uniform", wall, {1, 0, 0}, uniform, 2.0, 0.793870},
+      // O_cos = cos θ·(R/L)², O_uni = 1 − √(1 − (R/L)²).
+      {"sphere overhead", overhead, {0, 0, 0}, cosine, 0.0, 0.555556},
+      {"sphere overhead, uniform", overhead, {0, 0, 0}, uniform, 0.0, 0.745356},
+      {"sphere aside", overhead, {2, 0, 0}, cosine, 0.0, 1.0 - 1.5 / std::sqrt(tilted) / tilted},
+      {"sphere aside, uniform", overhead, {2, 0, 0}, uniform, 0.0, std::sqrt(1.0 - 1.0 / tilted)},
+      // O_cos = 1 − c², c = (h² + D² − R²)/(2hD): here (2.25 + 0.64 − 1)/2.4 = 0.7875.
+      {"sphere overhead, limit", overhead, {0, 0, 0}, cosine, 0.8, 0.7875 * 0.7875},
+      // O_cos = R³/(s² + R²)^{3/2}.
+      {"sphere on the floor", shapes::sphere({0, 1.0001f, 0}, 1.0f, 200, 400), {2, 0, 0}, cosine, 0.0, 0.910557},
+      // O_cos = ½(1 − (s² + h² − r²)/√((s² + h² + r²)² − 4r²s²)).
+      {"disk", disk, {0, 0, 0}, cosine, 0.0, 0.5},
+      {"disk, uniform", disk, {0, 0, 0}, uniform, 0.0, 0.707107},
+      {"disk, off its axis", disk, {0.4f, 0, 0.2f}, cosine, 0.0, 1.0 - 0.5 * (1.0 - 0.2 / root)},
+      // O_cos = 1 − (h/D)², O_uni = 1 − h/D.
+      {"ceiling, limit", ceiling, {0, 0, 0.5f}, cosine, 3.0, 4.0 / 9.0},
+      {"ceiling, limit, uniform", ceiling, {0, 0, 0.5f}, uniform, 3.0, 2.0 / 3.0},
+      // Lambert's formula over the face that looks at the point.
+      {"box", shapes::box({-3, 0, -1}, {-1, 2, 1}), {0, 0, 0}, cosine, 0.0, 0.809864},
+      // Half the hemisphere, less what a wall of 20 m leaves at 1 mm.
+      {"two planes", shapes::quad({0, 0, -20}, {0, 20, 0}, {0, 0, 40}), {0.001f, 0, 0}, cosine, 0.0, 0.5},
+  };
+}
+
+}  // namespace umbrameter::ao_cases
