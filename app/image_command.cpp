@@ -52,6 +52,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   Workbench workbench(load_scene(experiment.scene, experiment.view.scene), {line.gl_device, line.threads}, console);
   const Sides sides = sides_of(line.command);
   const std::vector<std::uint32_t> lights = workbench.lights(experiment.view.light);
+  workbench.require_sense_for(experiment, lights);
 
   Measurement measurement;
   measurement.surfels = workbench.surfels(experiment.view);

@@ -64,6 +64,12 @@ std::vector<std::uint32_t> Workbench::lights(const std::string& name_or_index) c
   return select_lights(scene_, name_or_index);
 }
 
+void Workbench::require_sense_for(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const {
+  std::vector<Light> measured;
+  for (const std::uint32_t light : lights) measured.push_back(scene_.lights[light]);
+  require_sense(experiment.light, measured);
+}
+
 const Tracer& Workbench::tracer() {
   if (!tracer_) {
     ProgressBar bar(console_, "acceleration structure");
@@ -118,10 +124,21 @@ const LightFit& Workbench::fit(const Experiment& experiment, std::uint32_t light
   });
 }
 
+Light Workbench::light(const Experiment& experiment, std::uint32_t light) const {
+  return with_extent(scene_.lights[light], experiment.light);
+}
+
 const TracedVisibility& Workbench::truth(const Experiment& experiment, std::uint32_t light) {
-  return truth_.get(light_key(experiment, light), [&] {
+  Experiment key = experiment;
+  std::string text = light_key(experiment, light);
+  const Light lamp = this->light(experiment, light);
+  if (is_area(lamp)) {
+    text += key_of(describe(key.light)) + key_of(describe(key.truth)) + std::to_string(key.run.seed);
+  }
+  return truth_.get(text, [&] {
     ProgressBar bar(console_, "shadow rays");
-    return trace_visibility(tracer(), surfels(experiment.view).gbuffer, scene_.lights[light], bar.callback());
+    return trace_visibility(tracer(), surfels(experiment.view).gbuffer, lamp,
+                            {experiment.truth, static_cast<std::uint32_t>(experiment.run.seed)}, bar.callback());
   });
 }
 
