@@ -52,6 +52,7 @@ constexpr std::pair<const char*, const char*> short_names[] = {{"view.size", "--
                                                                {"run.seed", "--seed"}};
 
 constexpr std::pair<const char*, const char*> group_titles[] = {{"view", "View"},
+                                                                {"light", "Extent of the measured lights"},
                                                                 {"shadow", "Shadow technique"},
                                                                 {"ao", "Ambient-occlusion technique"},
                                                                 {"truth", "Reference"},

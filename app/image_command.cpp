@@ -59,6 +59,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
                       {line.gl_device, line.threads, chosen_cache(line, console)}, console);
   const Sides sides = sides_of(line.command);
   const std::vector<std::uint32_t> lights = workbench.lights(experiment.view.light);
+  workbench.require_sense_for(experiment, lights);
 
   Measurement measurement;
   measurement.surfels = workbench.surfels(experiment.view);

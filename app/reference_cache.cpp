@@ -41,8 +41,12 @@ void visit_parts(TraceStatistics& statistics, const Visit& visit) {
 }
 template <class Visit>
 void visit_parts(TracedVisibility& traced, const Visit& visit) {
-  auto& [visibility, statistics] = traced;
+  auto& [visibility, statistics, standard_error, variance, samples, degrees_of_freedom] = traced;
   visit("visibility", visibility);
+  visit("standard_error", standard_error);
+  visit("variance", variance);
+  visit("samples", samples);
+  visit("degrees_of_freedom", degrees_of_freedom);
   visit_parts(statistics, visit);
 }
 template <class Visit>

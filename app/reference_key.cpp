@@ -49,6 +49,15 @@ void add_shape(ContentHash&, const SpotLight& spot) {
 }
 void add_shape(ContentHash&, const PointLight& point) { [[maybe_unused]] const auto& [range] = point; }
 
+void add_extent(ContentHash&, const std::monostate&) {}
+void add_extent(ContentHash& hash, const SphereEmitter& sphere) { hash.add(sphere.radius); }
+void add_extent(ContentHash& hash, const DiskEmitter& disk) { hash.add(disk.radius); }
+void add_extent(ContentHash& hash, const RectangleEmitter& rectangle) {
+  const auto& [width, height] = rectangle;
+  hash.add(width).add(height);
+}
+void add_extent(ContentHash& hash, const DistantEmitter& sun) { hash.add(sun.angular_diameter); }
+
 std::string content_of_file(const char* path) {
   std::ifstream file(path, std::ios::binary);
   ContentHash hash;
@@ -100,10 +109,12 @@ std::string surfel_content(const GBuffer& gbuffer) {
 }
 
 std::string light_content(const Light& light) {
-  const auto& [name, world_from_light, color, intensity, shape] = light;
+  const auto& [name, world_from_light, color, intensity, shape, emitter] = light;
   ContentHash hash;
   hash.add(world_from_light).add(shape.index());
   std::visit([&](const auto& form) { add_shape(hash, form); }, shape);
+  hash.add(emitter.index());
+  std::visit([&](const auto& extent) { add_extent(hash, extent); }, emitter);
   return hash.hex();
 }
 

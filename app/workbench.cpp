@@ -68,6 +68,12 @@ std::vector<std::uint32_t> Workbench::lights(const std::string& name_or_index) c
   return select_lights(scene_, name_or_index);
 }
 
+void Workbench::require_sense_for(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const {
+  std::vector<Light> measured;
+  for (const std::uint32_t light : lights) measured.push_back(scene_.lights[light]);
+  require_sense(experiment.light, measured);
+}
+
 const Tracer& Workbench::tracer() {
   if (!tracer_) {
     ProgressBar bar(console_, "acceleration structure");
@@ -135,14 +141,28 @@ ReferenceKey Workbench::reference_key(const Experiment& experiment, const std::s
           static_cast<std::uint32_t>(experiment.run.seed)};
 }
 
+Light Workbench::light(const Experiment& experiment, std::uint32_t light) const {
+  return with_extent(scene_.lights[light], experiment.light);
+}
+
+// Hard shadows depend on the light alone, soft ones on how they are sampled, too.
+std::string Workbench::truth_key(const Experiment& experiment, std::uint32_t light) const {
+  std::string key = light_key(experiment, light);
+  if (!is_area(this->light(experiment, light))) return key;
+  Experiment copy = experiment;
+  return key + key_of(describe(copy.light)) + key_of(describe(copy.truth)) + std::to_string(copy.run.seed);
+}
+
 const TracedVisibility& Workbench::truth(const Experiment& experiment, std::uint32_t light) {
-  return truth_.get(light_key(experiment, light), [&] {
+  return truth_.get(truth_key(experiment, light), [&] {
+    const Light lamp = this->light(experiment, light);
     ReferenceKey key = reference_key(experiment, "visibility");
-    key.light = light_content(scene_.lights[light]);
+    key.light = light_content(lamp);
     const std::function<TracedVisibility()> trace = [&] {
       const Tracer& rays = tracer();
       ProgressBar bar(console_, "shadow rays", [&] { return rays.rays_traced(); });
-      return trace_visibility(rays, surfels(experiment.view).gbuffer, scene_.lights[light], bar.callback());
+      return trace_visibility(rays, surfels(experiment.view).gbuffer, lamp,
+                              {experiment.truth, static_cast<std::uint32_t>(experiment.run.seed)}, bar.callback());
     };
     return cache_.get(key, {scene_title(experiment), "visibility of " + title(light), {}, {}}, trace);
   });
@@ -171,7 +191,7 @@ RasterVisibility Workbench::draw(const Experiment& experiment, std::uint32_t lig
   });
   const gl::Texture* gpu_truth = nullptr;
   if (with_truth) {
-    gpu_truth = &gpu_truth_.get(light_key(experiment, light),
+    gpu_truth = &gpu_truth_.get(truth_key(experiment, light),
                                 [&] { return upload(context(), truth(experiment, light).visibility); });
   }
   return draw_visibility(context(), uploaded(), gpu, map, scene_.lights[light], experiment.shadow, gpu_truth);

@@ -64,6 +64,10 @@ class Workbench {
   const std::string& layer(std::uint32_t light) const { return layers_[light]; }
   /// For people: the light's name, or "light 2" where it has none.
   std::string title(std::uint32_t light) const;
+  /// The light with the extent that the experiment gives it.
+  Light light(const Experiment& experiment, std::uint32_t light) const;
+  /// Throws Error (usage) where the light.* parameters make no sense for these lights.
+  void require_sense_for(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const;
   /// Indices of the lights that a name or index selects; all when empty.
   std::vector<std::uint32_t> lights(const std::string& name_or_index) const;
 
@@ -88,6 +92,7 @@ class Workbench {
   void add_notes(const std::vector<std::string>& notes);
   ReferenceKey reference_key(const Experiment& experiment, const std::string& kind);
   std::string light_key(const Experiment& experiment, std::uint32_t light) const;
+  std::string truth_key(const Experiment& experiment, std::uint32_t light) const;
 
   Scene scene_;
   WorkbenchOptions options_;

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "scenes/gltf_emitter.h"
 
 namespace umbrameter::gltf {
 namespace {
@@ -273,8 +274,11 @@ struct NodeReader {
     const int number = usable ? extension->second.Get("light").GetNumberAsInt() : -1;
     const std::size_t index = checked_index(number, model().lights.size(), "light", document().path, object);
     const tinygltf::Light& light = model().lights[index];
-    scene.lights.push_back(
-        read_light(light, at.world, document(), label("light", index, light.name) + " at " + object, scene.notes));
+    const std::string name = label("light", index, light.name) + " at " + object;
+    Light& placed_light = scene.lights.emplace_back(read_light(light, at.world, document(), name, scene.notes));
+    if (tells_emitter(node.extras)) {
+      placed_light.emitter = read_emitter(node.extras, placed_light, document(), name, scene.notes);
+    }
   }
 };
 

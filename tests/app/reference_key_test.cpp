@@ -114,6 +114,8 @@ TEST(ReferenceKey, Kind_and_place_of_the_light_count_and_its_brightness_does_not
   expect_each_to_count<Light>(make_scene().lights[0],
                               {{"place", [](Light& l) { l.world_from_light[3].x = 1.0; }},
                                {"direction", [](Light& l) { l.world_from_light[2].x = 0.5; }},
+                               {"extent", [](Light& l) { l.emitter = DistantEmitter{0.01}; }},
+                               {"larger extent", [](Light& l) { l.emitter = DistantEmitter{0.02}; }},
                                {"spot", [](Light& l) { l.shape = SpotLight{}; }},
                                {"point", [](Light& l) { l.shape = PointLight{}; }}},
                               light_content);
