@@ -26,7 +26,8 @@ TEST(SoftVisibility, The_error_is_split_by_sign) {
   raster[3] = 0.0f;
   CountedPixels counted = all_counted(4, 1);
   counted.counting[3] = Counting::turned_away;
-  const SoftVisibilityStatistics s = analyze_soft_visibility(raster, truth, Image<float>(4, 1, 0.0f), counted);
+  const Image<float> none(4, 1, 0.0f);
+  const SoftVisibilityStatistics s = analyze_soft_visibility(raster, {truth, none, none, 0}, counted);
   EXPECT_EQ(s.error.pixels, 3u);
   EXPECT_DOUBLE_EQ(s.error.mae.value, 0.25);
   EXPECT_DOUBLE_EQ(s.error.too_dark.value, 0.25 / 3.0);
@@ -51,8 +52,10 @@ TEST(SoftVisibility, The_intervals_hold_the_errors_against_a_noisy_reference) {
       truth[i] = static_cast<float>(0.5 + noise);
       raster[i] = i % 2 == 0 ? 0.3f : 0.8f;
     }
+    const Image<float> variance(side, side, 0.0025f);
+    const Image<float> samples(side, side, 1000.0f);
     const SoftVisibilityStatistics s =
-        analyze_soft_visibility(raster, truth, Image<float>(side, side, 0.05f), all_counted(side, side));
+        analyze_soft_visibility(raster, {truth, variance, samples, 15}, all_counted(side, side));
     held += s.error.too_dark.lower <= 0.1 && s.error.too_dark.upper >= 0.1 ? 1 : 0;
     EXPECT_NEAR(s.error.too_bright.value, 0.15, 5 * 0.05 / side);
     EXPECT_NEAR(s.error.rmse.value, std::sqrt((0.04 + 0.09) / 2.0), 1e-3);
@@ -62,8 +65,9 @@ TEST(SoftVisibility, The_intervals_hold_the_errors_against_a_noisy_reference) {
 }
 
 TEST(SoftVisibility, Rows_fit_their_columns_and_are_zero_without_pixels) {
-  const SoftVisibilityStatistics none = analyze_soft_visibility(
-      Image<float>(2, 1), Image<float>(2, 1), Image<float>(2, 1), {Image<Counting>(2, 1, Counting::background)});
+  const Image<float> zero(2, 1);
+  const SoftVisibilityStatistics none =
+      analyze_soft_visibility(zero, {zero, zero, zero, 0}, {Image<Counting>(2, 1, Counting::background)});
   const std::vector<Value> row = to_row(none);
   ASSERT_EQ(row.size(), soft_visibility_columns().size());
   for (const Value& value : row) EXPECT_EQ(to_number(value), 0.0);
