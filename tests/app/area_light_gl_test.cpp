@@ -1,0 +1,140 @@
+// Whole runs with lights that have extent: what is written, and what a sweep tells.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "reports/exr.h"
+#include "tests/app/run_program.h"
+#include "tests/scenes/gltf_files.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::vector<std::string> small = {"--size", "96x54", "--truth.spp", "16", "--quiet"};
+
+std::vector<std::string> words(std::vector<std::string> first, const std::vector<std::string>& rest) {
+  first.insert(first.end(), rest.begin(), rest.end());
+  return first;
+}
+
+bool has_driver() { return run_program({"info"}).out.find("no usable device") == std::string::npos; }
+
+std::set<std::string> layers_of(const std::filesystem::path& exr) {
+  std::set<std::string> names;
+  for (const Channel& channel : read_exr(exr).channels) names.insert(channel.name);
+  return names;
+}
+
+Image<float> layer(const std::filesystem::path& exr, const std::string& name) {
+  for (const Channel& channel : read_exr(exr).channels) {
+    if (channel.name == name) return channel.values;
+  }
+  ADD_FAILURE() << "no layer " << name;
+  return {};
+}
+
+class AreaLightRun : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_driver()) GTEST_SKIP() << "no OpenGL driver";
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(AreaLightRun, The_error_is_split_by_sign_with_intervals_and_has_no_causes) {
+  const ProgramResult result = run_program(words(
+      {"compare", "contact-box", "-o", folder_ / "out", "--light", "sun", "--light.angle", "8", "--json"}, small));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::set<std::string> layers = layers_of(folder_ / "out/images.exr");
+  EXPECT_TRUE(layers.contains("truth_visibility_sun.Y"));
+  EXPECT_TRUE(layers.contains("truth_visibility_standard_error_sun.Y"));
+  EXPECT_TRUE(layers.contains("error_visibility_sun.Y"));
+  EXPECT_FALSE(layers.contains("class_sun.Y"));
+  const Json shadow = Json::parse(result.out)["shadows"][0];
+  EXPECT_EQ(shadow["extent"]["kind"], "distant disk");
+  EXPECT_DOUBLE_EQ(shadow["extent"]["angular_diameter_deg"], 8.0);
+  const Json& statistics = shadow["statistics"];
+  EXPECT_FALSE(statistics.contains("acne"));
+  EXPECT_GT(statistics["penumbra"], 0.0);
+  for (const char* name : {"lit", "mae", "rmse", "mean_error", "false_blocked", "false_lit"}) {
+    const double value = statistics[name];
+    EXPECT_LE(statistics[std::string(name) + "_lo"], value) << name;
+    EXPECT_GE(statistics[std::string(name) + "_hi"], value) << name;
+  }
+  EXPECT_NEAR(statistics["mae"].get<double>(),
+              statistics["false_blocked"].get<double>() + statistics["false_lit"].get<double>(), 1e-12);
+  EXPECT_NE(text_of(folder_ / "out/index.html").find("split by sign"), std::string::npos);
+}
+
+TEST_F(AreaLightRun, A_sweep_over_the_extent_starts_at_the_hard_shadow) {
+  ASSERT_EQ(run_program(words({"sweep", "contact-box", "-o", folder_ / "sweep", "--light", "sun", "--vary",
+                               "light.angle=0,4,16"},
+                              small))
+                .exit_code,
+            0);
+  const std::string csv = text_of(folder_ / "sweep/sweep.csv");
+  EXPECT_EQ(csv.rfind("light.angle,pixels,lit,lit_lo,lit_hi,penumbra,mae,mae_lo,mae_hi,", 0), 0u) << csv.substr(0, 99);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3);
+  const ProgramResult hard =
+      run_program(words({"compare", "contact-box", "-o", folder_ / "hard", "--light", "sun", "--json"}, small));
+  ASSERT_EQ(hard.exit_code, 0) << hard.err;
+  const Json statistics = Json::parse(hard.out)["shadows"][0]["statistics"];
+  // Pixels, then lit three times, since nothing was sampled, then no penumbra, then the error.
+  const std::string lit = statistics["lit"].dump();
+  std::string row = "\n0,";
+  row += statistics["pixels"].dump() + "," + lit + "," + lit + "," + lit + ",0,";
+  row += statistics["mae"].dump() + ",";
+  EXPECT_NE(csv.find(row), std::string::npos) << row << csv;
+}
+
+TEST_F(AreaLightRun, The_extent_of_a_file_and_the_same_by_flag_give_the_same_answer) {
+  const std::string members = R"("extensions":{"KHR_lights_punctual":{"light":0}},"translation":[0.5,0.5,2])";
+  const auto file = [&](const std::string& name, const std::string& extras) {
+    const std::string nodes = R"("nodes":[{"mesh":0},{)" + members + extras + "}]";
+    return folder_
+        .write(name, test::glb(test::triangle_json(
+                                   nodes, R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"point"}]}})"),
+                               test::triangle_positions()))
+        .string();
+  };
+  const std::string with = file("with.glb", R"(,"extras":{"radius":1.9})");
+  const std::string without = file("without.glb", "");
+  const auto trace = [&](const std::string& scene, const std::string& name, const std::vector<std::string>& flags) {
+    const ProgramResult result = run_program(words(words({"trace", scene, "-o", folder_ / name}, flags), small));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return folder_ / (name + "/images.exr");
+  };
+  const auto by_file = trace(with, "file", {});
+  const auto by_flag = trace(without, "flag", {"--light.radius", "1.9"});
+  const auto by_none = trace(with, "none", {"--light.radius", "0"});
+  EXPECT_EQ(layer(by_file, "truth_visibility_0.Y"), layer(by_flag, "truth_visibility_0.Y"));
+  EXPECT_EQ(layer(by_file, "truth_visibility_standard_error_0.Y"),
+            layer(by_flag, "truth_visibility_standard_error_0.Y"));
+  EXPECT_FALSE(layers_of(by_none).contains("truth_visibility_standard_error_0.Y"));
+  const ProgramResult info = run_program({"info", with});
+  EXPECT_NE(info.out.find("sphere of radius 1.9 m"), std::string::npos) << info.out;
+}
+
+TEST(AreaLight, A_size_that_makes_no_sense_is_one_line_that_names_it) {
+  const TemporaryFolder folder;
+  const auto refused = [&](const std::vector<std::string>& flags, const std::string& word) {
+    const ProgramResult result =
+        run_program(words(words({"trace", "contact-box", "-o", folder / "out"}, flags), small));
+    EXPECT_EQ(result.exit_code, 2) << result.err;
+    EXPECT_TRUE(is_one_line(result.err)) << result.err;
+    EXPECT_NE(result.err.find(word), std::string::npos) << result.err;
+  };
+  refused({"--light.radius", "1"}, "light.radius");
+  refused({"--light.angle", "180"}, "light.angle");
+  refused({"--light.angle", "nan"}, "light.angle");
+  refused({"--light.radius", "-2"}, "light.radius");
+  refused({"--light.width", "1"}, "one side");
+  refused({"--light.shape", "cube"}, "usual, sphere or disk");
+}
+
+}  // namespace
+}  // namespace umbrameter
