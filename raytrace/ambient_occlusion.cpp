@@ -65,7 +65,8 @@ struct Lane {
   vec3 origin{0};
   mat3 frame{1.0f};
   double offset = 0.0;
-  std::vector<int> open;  // of each randomisation's rays
+  float clear_height = 0;  // over the surface, of a direction that cannot meet the own triangle
+  std::vector<int> open;   // of each randomisation's rays
   PixelSamples samples;
 };
 
@@ -133,10 +134,12 @@ class BlockTracer {
     lane.origin = vec3(origin.point());
     lane.frame = frame_about(vec3(origin.normal));
     lane.offset = origin.offset;
+    // The frame and its product are rounded a few times.
+    lane.clear_height = static_cast<float>(origin.clear_cosine) + 0x1p-20f;
     lane.open.assign(static_cast<std::size_t>(split_.count), 0);
     lane.samples.make(split_, static_cast<std::uint32_t>(i), seed_);
     statistics_.largest_offset = std::max(statistics_.largest_offset, origin.offset);
-    packet_.add({lane.origin, vec3(0), 0.0f}, gbuffer_.instance[i], gbuffer_.triangle[i]);
+    packet_.add({lane.origin, vec3(0), 0.0f, true}, gbuffer_.instance[i], gbuffer_.triangle[i]);
   }
 
   void trace_rank(std::size_t rank) {
@@ -144,7 +147,8 @@ class BlockTracer {
       const Lane& lane = lanes_[static_cast<std::size_t>(i)];
       const vec2 point = lane.samples[rank].point;
       const vec3 local = params_.ao_weight == AoWeight::cosine ? cosine_hemisphere(point) : uniform_hemisphere(point);
-      packet_.aim(i, {lane.origin, lane.frame * local, reach_of(params_, lane.offset, local.z)});
+      packet_.aim(
+          i, {lane.origin, lane.frame * local, reach_of(params_, lane.offset, local.z), local.z > lane.clear_height});
     }
     packet_.trace();
     for (int i = 0; i < packet_.size(); ++i) {
