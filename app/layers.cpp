@@ -20,6 +20,9 @@ void add_ao(LayeredImage& image, const AoMeasurement& ao) {
   if (ao.truth) {
     add_layer(image, "truth_ao", ao.truth->ao);
     add_layer(image, "truth_ao_standard_error", ao.truth->standard_error);
+    add_layer(image, "truth_ao_samples", ao.truth->samples);
+    if (!ao.truth->bent_normal.empty()) add_layer(image, "truth_bent_normal", ao.truth->bent_normal);
+    if (!ao.truth->hit_distance.empty()) add_layer(image, "truth_ao_hit_distance", ao.truth->hit_distance);
   }
   if (ao.raster) add_layer(image, "raster_ao", *ao.raster);
   if (ao.statistics) add_layer(image, "error_ao", signed_error(*ao.raster, ao.truth->ao));

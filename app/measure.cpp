@@ -19,8 +19,10 @@ AoMeasurement measure_ao(Workbench& workbench, const Experiment& experiment, Sid
   if (sides.truth) measurement.truth = workbench.ao_truth(experiment);
   if (sides.raster) measurement.raster = workbench.draw_ao(experiment);
   if (sides.raster && sides.truth) {
-    measurement.statistics = analyze_ao(*measurement.raster, measurement.truth->ao, measurement.truth->standard_error,
-                                        workbench.surfels(experiment.view).gbuffer);
+    const TracedAo& truth = *measurement.truth;
+    measurement.statistics =
+        analyze_ao(*measurement.raster, {truth.ao, truth.variance, truth.samples, truth.degrees_of_freedom},
+                   workbench.surfels(experiment.view).gbuffer);
   }
   return measurement;
 }

@@ -70,6 +70,18 @@ std::string counted_text(const CountedPixels& counted) {
       total(Counting::outside_cone), total(Counting::outside_range), total(Counting::background));
 }
 
+std::string precision_text(const SamplingPrecision& precision, const TruthParams& truth) {
+  std::string text = fmt::format(
+      "Intervals are 95 % and come from the reference's sampling. Half widths of its pixels' own intervals: mean "
+      "{:.5f}, worst {:.5f}, from {:.0f} rays a pixel on average.",
+      precision.mean_half_width, precision.worst_half_width, precision.mean_samples);
+  if (truth.tolerance > 0.0) {
+    text += fmt::format(" {} of {} pixels reached the limit of {} rays before the tolerance of {:g}.",
+                        precision.pixels_at_limit, precision.pixels, truth.max_spp, truth.tolerance);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string percent(double share) {
@@ -186,10 +198,11 @@ Presentation present_ao(const AoMeasurement& ao, const Experiment& experiment) {
   const std::string limit =
       experiment.truth.ao_distance > 0.0 ? "up to " + length(experiment.truth.ao_distance) : "without a distance limit";
   if (ao.truth) {
-    add_figure(presentation, scalar_figure("truth_ao", "Truth: ambient occlusion",
-                                           fmt::format("Hemisphere rays {}, {} a pixel, {} weight.", limit,
-                                                       experiment.truth.spp, value_text(experiment, "truth.ao-weight")),
-                                           ao.truth->ao, ao_scale));
+    add_figure(presentation,
+               scalar_figure("truth_ao", "Truth: ambient occlusion",
+                             fmt::format("Hemisphere rays {}, {:.0f} a pixel, {} weight.", limit,
+                                         ao.truth->precision.mean_samples, value_text(experiment, "truth.ao-weight")),
+                             ao.truth->ao, ao_scale));
   }
   if (ao.raster) {
     add_figure(presentation, scalar_figure("raster_ao", "SSAO",
@@ -200,13 +213,11 @@ Presentation present_ao(const AoMeasurement& ao, const Experiment& experiment) {
                                                            : ""),
                                            *ao.raster, ao_scale));
   }
+  if (ao.truth) section.text = precision_text(ao.truth->precision, experiment.truth);
   if (!ao.statistics) return presentation;
   const AoStatistics& s = *ao.statistics;
   add_figure(presentation, scalar_figure("error_ao", "Error: ambient occlusion", "Blue is too dark, red is too bright.",
                                          signed_error(*ao.raster, ao.truth->ao), ao_error_scale));
-  section.text = fmt::format(
-      "Intervals are 95 % and come from the reference's sampling; its pixels have a mean standard error of {:.4f}.",
-      s.mean_standard_error);
   section.headlines = {
       {"mean absolute error", percent(s.mae), fmt::format("of {} pixels", s.pixels)},
       {"RMS error", percent(s.rmse), "corrected for the reference's variance"},

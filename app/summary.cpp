@@ -66,11 +66,18 @@ Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow, co
 Json ao_json(const AoMeasurement& ao) {
   Json object;
   if (ao.truth) {
-    object["truth"] = {{"rays", ao.truth->statistics.rays}, {"largest_offset_m", ao.truth->statistics.largest_offset}};
+    const SamplingPrecision& precision = ao.truth->precision;
+    object["truth"] = {{"rays", ao.truth->statistics.rays},
+                       {"largest_offset_m", ao.truth->statistics.largest_offset},
+                       {"pixels", precision.pixels},
+                       {"mean_samples", precision.mean_samples},
+                       {"mean_half_width_95", precision.mean_half_width},
+                       {"worst_half_width_95", precision.worst_half_width},
+                       {"pixels_at_limit", precision.pixels_at_limit},
+                       {"degrees_of_freedom", ao.truth->degrees_of_freedom}};
   }
   if (ao.statistics) {
     object["statistics"] = row_json(ao_columns(), to_row(*ao.statistics));
-    object["statistics"]["mean_standard_error"] = ao.statistics->mean_standard_error;
     object["max_error_at_px"] =
         ao.statistics->max_x < 0 ? Json(nullptr) : Json{ao.statistics->max_x, ao.statistics->max_y};
   }

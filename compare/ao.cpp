@@ -3,19 +3,16 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "core/parallel.h"
+#include "core/quantiles.h"
 
 namespace umbrameter {
 namespace {
 
-// Two-sided 95 % quantile of the normal distribution. The sums run over so many independent pixels that the
-// central limit holds.
-constexpr double quantile_95 = 1.959963984540054;
-
-// Noise may have moved a measured error away from zero: its excess is taken as if the error were this many standard
-// errors smaller, which bounds it for all but 2.5 % of the pixels.
-constexpr double noise_reach = quantile_95;
+// −ln 0.05: rays that all agree miss a larger share than this over their number with a probability below 5 %.
+constexpr double rule_of_three = 2.995732273553991;
 
 struct RowSums {
   std::uint64_t pixels = 0;
@@ -27,7 +24,8 @@ struct RowSums {
   double squared = 0.0;
   double squared_variance = 0.0;
   double variance = 0.0;
-  double standard_error = 0.0;
+  double variance_squared = 0.0;
+  double least_samples = std::numeric_limits<double>::infinity();
   double max_error = 0.0;
   int max_x = -1;
 };
@@ -39,18 +37,20 @@ double folded_excess(double e, double s) {
   return s * (std::sqrt(2.0 / pi) * std::exp(-0.5 * r * r) - r * std::erfc(r / std::sqrt(2.0)));
 }
 
-RowSums sum_row(int y, const Image<float>& raster, const Image<float>& truth, const Image<float>& standard_error,
-                const GBuffer& gbuffer) {
+RowSums sum_row(int y, const Image<float>& raster, const SampledAo& truth, const GBuffer& gbuffer) {
   RowSums sums;
+  // Noise may have moved a measured error away from zero: its excess is taken as if the error were this many standard
+  // errors smaller, which bounds it for all but 2.5 % of the pixels.
+  const double noise_reach = student_95(truth.degrees_of_freedom);
   for (int x = 0; x < raster.width; ++x) {
     const std::size_t i = raster.index(x, y);
     if (!gbuffer.is_surface(i)) continue;
-    const double error = static_cast<double>(raster[i]) - static_cast<double>(truth[i]);
-    const double s = standard_error[i];
-    const double variance = s * s;
+    const double error = static_cast<double>(raster[i]) - static_cast<double>(truth.ao[i]);
+    const double variance = truth.variance[i];
+    const double s = std::sqrt(variance);
     ++sums.pixels;
     sums.raster += raster[i];
-    sums.truth += truth[i];
+    sums.truth += truth.ao[i];
     sums.error += error;
     sums.absolute += std::abs(error);
     sums.absolute_bias += folded_excess(std::max(std::abs(error) - noise_reach * s, 0.0), s);
@@ -58,7 +58,8 @@ RowSums sum_row(int y, const Image<float>& raster, const Image<float>& truth, co
     // Var((e + sZ)²) = 4e²s² + 2s⁴, with e² estimated without bias by the measured square less s².
     sums.squared_variance += 4.0 * std::max(error * error - variance, 0.0) * variance + 2.0 * variance * variance;
     sums.variance += variance;
-    sums.standard_error += s;
+    sums.variance_squared += variance * variance;
+    sums.least_samples = std::min(sums.least_samples, static_cast<double>(truth.samples[i]));
     if (std::abs(error) > sums.max_error) {
       sums.max_error = std::abs(error);
       sums.max_x = x;
@@ -67,15 +68,18 @@ RowSums sum_row(int y, const Image<float>& raster, const Image<float>& truth, co
   return sums;
 }
 
+double total_quantile(const RowSums& total, int degrees_of_freedom) {
+  if (total.variance_squared <= 0.0) return student_95(degrees_of_freedom);
+  return student_95(degrees_of_freedom * total.variance * total.variance / total.variance_squared);
+}
+
 }  // namespace
 
-AoStatistics analyze_ao(const Image<float>& raster, const Image<float>& truth, const Image<float>& standard_error,
-                        const GBuffer& gbuffer) {
-  assert(raster.size() == truth.size() && raster.size() == standard_error.size() &&
-         raster.size() == gbuffer.instance.size());
+AoStatistics analyze_ao(const Image<float>& raster, const SampledAo& truth, const GBuffer& gbuffer) {
+  assert(raster.size() == truth.ao.size() && raster.size() == truth.variance.size() &&
+         raster.size() == truth.samples.size() && raster.size() == gbuffer.instance.size());
   std::vector<RowSums> rows(static_cast<std::size_t>(raster.height));
-  parallel_for(rows.size(),
-               [&](std::size_t y) { rows[y] = sum_row(static_cast<int>(y), raster, truth, standard_error, gbuffer); });
+  parallel_for(rows.size(), [&](std::size_t y) { rows[y] = sum_row(static_cast<int>(y), raster, truth, gbuffer); });
   RowSums total;
   AoStatistics statistics;
   for (std::size_t y = 0; y < rows.size(); ++y) {
@@ -89,7 +93,8 @@ AoStatistics analyze_ao(const Image<float>& raster, const Image<float>& truth, c
     total.squared += row.squared;
     total.squared_variance += row.squared_variance;
     total.variance += row.variance;
-    total.standard_error += row.standard_error;
+    total.variance_squared += row.variance_squared;
+    total.least_samples = std::min(total.least_samples, row.least_samples);
     if (row.max_error > statistics.max_error) {
       statistics.max_error = row.max_error;
       statistics.max_x = row.max_x;
@@ -99,7 +104,9 @@ AoStatistics analyze_ao(const Image<float>& raster, const Image<float>& truth, c
   statistics.pixels = total.pixels;
   if (total.pixels == 0) return statistics;
   const double scale = 1.0 / static_cast<double>(total.pixels);
-  const double half_width = quantile_95 * std::sqrt(total.variance) * scale;
+  const double quantile = total_quantile(total, truth.degrees_of_freedom);
+  const double unseen = total.least_samples > 0.0 ? std::min(rule_of_three / total.least_samples, 1.0) : 0.0;
+  const double half_width = std::max(quantile * std::sqrt(total.variance), unseen) * scale;
   const auto around = [half_width](double value) { return Estimate{value, value - half_width, value + half_width}; };
   statistics.mean_raster = total.raster * scale;
   statistics.mean_truth = around(total.truth * scale);
@@ -107,10 +114,9 @@ AoStatistics analyze_ao(const Image<float>& raster, const Image<float>& truth, c
   statistics.mae = around(total.absolute * scale);
   statistics.mae.lower = std::max(statistics.mae.lower - total.absolute_bias * scale, 0.0);
   const double mean_square = (total.squared - total.variance) * scale;
-  const double square_half_width = quantile_95 * std::sqrt(total.squared_variance) * scale;
+  const double square_half_width = quantile * std::sqrt(total.squared_variance) * scale;
   const auto root = [](double square) { return std::sqrt(std::max(square, 0.0)); };
   statistics.rmse = {root(mean_square), root(mean_square - square_half_width), root(mean_square + square_half_width)};
-  statistics.mean_standard_error = total.standard_error * scale;
   return statistics;
 }
 

@@ -28,12 +28,19 @@ struct AoStatistics {
   double max_error = 0.0;
   int max_x = -1;  ///< px, row 0 on top; −1 without an error
   int max_y = -1;
-  double mean_standard_error = 0.0;  ///< of the truth's pixels
 };
 
-/// Images of one size; standard_error is that of each pixel of truth, independent between pixels.
-AoStatistics analyze_ao(const Image<float>& raster, const Image<float>& truth, const Image<float>& standard_error,
-                        const GBuffer& gbuffer);
+/// Accessibility by sampling: images of one size, independent between pixels.
+struct SampledAo {
+  const Image<float>& ao;
+  const Image<float>& variance;  ///< unbiased estimate of each pixel's
+  const Image<float>& samples;   ///< rays of each pixel; 0 where the value is exact
+  int degrees_of_freedom = 0;    ///< of each pixel's variance
+};
+
+/// Intervals of means take Student's t quantile with the degrees of freedom of the summed variance (Welch 1947,
+/// Satterthwaite 1946), and are never narrower than what the rays cannot see: of N rays in all that agree, 3/N.
+AoStatistics analyze_ao(const Image<float>& raster, const SampledAo& truth, const GBuffer& gbuffer);
 
 /// The statistics as one row, in the order of ao_columns(): the measured columns of an AO sweep.
 std::vector<Column> ao_columns();

@@ -76,4 +76,16 @@ inline void occluded16(const int* valid, RTCScene scene, RTCRay16& rays, Query& 
 #endif
 }
 
+/// valid[i] is −1 for lanes in use and 0 else; a lane that hits has its hit and the distance in tfar.
+inline void intersect16(const int* valid, RTCScene scene, RTCRayHit16& rays, Query& query) {
+#if UMBRAMETER_EMBREE_MAJOR >= 4
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  fill(arguments, query);
+  rtcIntersect16(valid, scene, &rays, &arguments);
+#else
+  rtcIntersect16(valid, scene, &query.context, &rays);
+#endif
+}
+
 }  // namespace umbrameter::embree

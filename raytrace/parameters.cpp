@@ -1,16 +1,90 @@
 #include "raytrace/parameters.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/error.h"
 
 namespace umbrameter {
+namespace {
+
+constexpr int least_min_spp = 64;
+constexpr int most_spp = 1048576;
+
+}  // namespace
 
 Parameters describe(TruthParams& params) {
   static constexpr std::array<std::string_view, 2> weights = {"cosine", "uniform"};
+  static constexpr std::array<std::string_view, 2> samplers = {"owen", "random"};
+  static constexpr std::array<std::string_view, 7> falloffs = {"none", "linear", "quadratic", "ssao",
+                                                               "sao",  "hbao",   "gtao"};
+  static constexpr std::array<std::string_view, 2> normals = {"geometric", "shading"};
+  static constexpr std::array<std::string_view, 4> layers = {"none", "bent-normal", "hit-distance", "all"};
   return Description("truth")
-      .field("spp", params.spp, {"rays", "hemisphere rays for each pixel", 1, 65536})
+      .field("spp", params.spp, {"rays", "hemisphere rays for each pixel, where there is no tolerance", 1, 65536})
       .choice("ao-weight", params.ao_weight, weights, {"", "how directions count: by their cosine, or evenly"})
       .field("ao-distance", params.ao_distance, {"m", "hits farther than this do not occlude; 0 for no limit", 0.0})
+      .choice("sampler", params.sampler, samplers,
+              {"", "Owen-scrambled Sobol points, or independent random ones for comparison"})
+      .field("tolerance", params.tolerance,
+             {"1", "a pixel stops when the half width of its 95 % interval is below this; 0: truth.spp rays for each",
+              0.0, 1.0})
+      .field("min-spp", params.min_spp,
+             {"rays", "least rays of a pixel that has a tolerance", static_cast<double>(least_min_spp), most_spp})
+      .field("max-spp", params.max_spp,
+             {"rays", "most rays of a pixel that has a tolerance", static_cast<double>(least_min_spp), most_spp})
+      .choice("ao-falloff", params.ao_falloff, falloffs,
+              {"", "how hits within the distance limit fade with their distance, also by the method that does so"})
+      .choice("ao-normal", params.ao_normal, normals,
+              {"", "what the hemisphere stands on; directions below the triangle's plane are blocked"})
+      .choice("ao-layers", params.ao_layers, layers,
+              {"", "further layers to trace: mean unoccluded direction, mean distance of the hits"})
       .take();
+}
+
+void check(const TruthParams& params) {
+  if (params.ao_falloff != AoFalloff::none && !(params.ao_distance > 0.0)) {
+    throw Error(ExitCode::usage, "truth.ao-falloff", "a falloff needs a distance to fall off over",
+                "set truth.ao-distance above 0, or truth.ao-falloff to none");
+  }
+  if (params.tolerance > 0.0 && params.max_spp < params.min_spp) {
+    throw Error(ExitCode::usage, "truth.max-spp",
+                std::to_string(params.max_spp) + " is below truth.min-spp, " + std::to_string(params.min_spp),
+                "raise the one or lower the other");
+  }
+}
+
+double falloff_weight(AoFalloff falloff, double distance, double limit) {
+  constexpr double gtao_start = 0.385;
+  const double x = limit > 0.0 ? distance / limit : 0.0;
+  if (falloff == AoFalloff::ssao) {
+    const double s = x > 1.0 ? 1.0 / x : 1.0;
+    return s * s * (3.0 - 2.0 * s);
+  }
+  const double rest = std::max(1.0 - x * x, 0.0);
+  switch (falloff) {
+    case AoFalloff::none:
+    case AoFalloff::ssao:
+      return 1.0;
+    case AoFalloff::linear:
+      return std::max(1.0 - x, 0.0);
+    case AoFalloff::quadratic:
+    case AoFalloff::hbao:
+      return rest;
+    case AoFalloff::sao:
+      return rest * rest * rest;
+    case AoFalloff::gtao:
+      return std::clamp((1.0 - x) / (1.0 - gtao_start), 0.0, 1.0);
+  }
+  return 1.0;
+}
+
+double reach_of(const TruthParams& params) {
+  const bool is_endless = !(params.ao_distance > 0.0) || params.ao_falloff == AoFalloff::ssao;
+  return is_endless ? std::numeric_limits<double>::infinity() : params.ao_distance;
 }
 
 }  // namespace umbrameter

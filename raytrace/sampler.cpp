@@ -8,9 +8,10 @@
 namespace umbrameter {
 namespace {
 
-constexpr int most_randomisations = 8;
 // Fewer points than this each would waste the sequence's evenness.
 constexpr int least_points = 2;
+constexpr int usual_randomisations = 8;
+constexpr int ample_points = 128;
 
 std::uint32_t reverse_bits(std::uint32_t x) {
   x = ((x >> 1u) & 0x55555555u) | ((x & 0x55555555u) << 1u);
@@ -51,17 +52,28 @@ vec2 owen_sobol(std::uint32_t index, std::uint32_t scramble) {
   return {unit_from(index, hash(scramble, 0u)), unit_from(reversed_second_dimension(index), hash(scramble, 1u))};
 }
 
-vec3 cosine_hemisphere(vec2 point) {
-  const float radius = std::sqrt(point.x);
-  const float azimuth = static_cast<float>(2.0 * pi) * point.y;
-  return {radius * std::cos(azimuth), radius * std::sin(azimuth), std::sqrt(1.0f - point.x)};
+vec2 random_point(std::uint32_t index, std::uint32_t scramble) {
+  return {to_unit_float(hash(scramble, index, 0u)), to_unit_float(hash(scramble, index, 1u))};
 }
 
-vec3 uniform_hemisphere(vec2 point) {
-  const float z = 1.0f - point.x;
-  const float radius = std::sqrt(std::max(0.0f, 1.0f - z * z));
-  const float azimuth = static_cast<float>(2.0 * pi) * point.y;
-  return {radius * std::cos(azimuth), radius * std::sin(azimuth), z};
+vec2 concentric_disk(vec2 point) {
+  // Just within the square, so that no direction is level.
+  constexpr float inside = 1.0f - 0x1p-22f;
+  const vec2 p = inside * (2.0f * point - 1.0f);
+  if (p.x == 0.0f && p.y == 0.0f) return p;
+  const bool is_wide = std::abs(p.x) > std::abs(p.y);
+  const float radius = is_wide ? p.x : p.y;
+  const float angle = static_cast<float>(pi / 4.0) * (is_wide ? p.y / p.x : p.x / p.y);
+  const float along = radius * std::cos(angle);
+  const float across = radius * std::sin(angle);
+  return is_wide ? vec2(along, across) : vec2(across, along);
+}
+
+vec3 lift_cosine(vec2 disk) { return {disk.x, disk.y, std::sqrt(std::max(1.0f - glm::dot(disk, disk), 0x1p-24f))}; }
+
+vec3 lift_uniform(vec2 disk) {
+  const float squared = glm::dot(disk, disk);
+  return vec3(disk * std::sqrt(2.0f - squared), std::max(1.0f - squared, 0x1p-24f));
 }
 
 mat3 frame_about(vec3 n) {
@@ -71,6 +83,9 @@ mat3 frame_about(vec3 n) {
   return {vec3(1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x), vec3(b, sign + n.y * n.y * a, -n.y), n};
 }
 
-Randomisations split(int spp) { return {std::clamp(spp / least_points, 1, most_randomisations), spp}; }
+Randomisations split(int spp) {
+  const int wanted = std::clamp(spp / ample_points, usual_randomisations, most_randomisations);
+  return {std::clamp(spp / least_points, 1, wanted), spp};
+}
 
 }  // namespace umbrameter

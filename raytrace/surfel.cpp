@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "raytrace/tracer_state.h"
 
@@ -158,18 +159,18 @@ RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t p
   origin.normal = glm::dot(unit, seen) < 0.0 ? -unit : unit;
 
   const InstanceInfo& info = tracer.state().instances[instance];
-  // With more than this the triangle is a sliver, and a hit on it is told by its id.
+  // Where it takes more than this the triangle is a sliver, and a hit on it is told by its id.
   constexpr double most_side_error = 96.0;
   const double edge = longest_edge(triangle);
-  const double side = area > 0.0 ? side_error(triangle, area) : most_side_error;
-  const bool is_told =
-      side < most_side_error && (!info.is_shared || is_similarity(scene.instances[instance].world_from_mesh));
-  const double rounding = std::max(8.0 * info.longest_edge, is_told ? 1.25 * side * edge : 0.0);
+  const double needed = area > 0.0 ? 1.25 * side_error(triangle, area) * edge : std::numeric_limits<double>::infinity();
+  const bool is_told = needed < std::max(8.0 * info.longest_edge, most_side_error * edge) &&
+                       (!info.is_shared || is_similarity(scene.instances[instance].world_from_mesh));
+  const double rounding = std::max(8.0 * info.longest_edge, is_told ? needed : 0.0);
   origin.offset = 2.0 * vertex_error(scene, instance, id) + u * glm::length(nearest) + u * rounding;
   if (info.is_shared) origin.offset += transform_error(scene.instances[instance], nearest);
   // The same error of N turns a ray's rise: only a steeper one leaves the plane for certain. The quarter more in offset
   // and the factor here are for an origin beside the triangle by up to an eighth of its longest edge.
-  if (is_told && origin.offset < edge / 8.0) origin.clear_cosine = 2.0 * side * u;
+  if (is_told && origin.offset < edge / 8.0) origin.clear_cosine = 2.0 * u * needed / edge;
   // Room for an origin that stands `offset` high and is off by as much, under neighbours that rise at 28 degrees or
   // more: 4 ≥ cot(28° / 2).
   origin.surface = area > 0.0 ? inset_from_edges(triangle, unit, nearest, 4.0 * origin.offset) : nearest;

@@ -61,12 +61,31 @@ struct TracedVisibility {
 TracedVisibility trace_visibility(const Tracer& tracer, const GBuffer& gbuffer, const Light& light,
                                   const Progress& progress = {});
 
+/// How well the pixels of a sampled image are known.
+struct SamplingPrecision {
+  std::uint64_t pixels = 0;       ///< that see a surface
+  double worst_half_width = 0.0;  ///< of the pixels' 95 % intervals
+  double mean_half_width = 0.0;
+  double mean_samples = 0.0;          ///< rays a pixel
+  std::uint64_t pixels_at_limit = 0;  ///< stopped by truth.max-spp above the tolerance; 0 without a tolerance
+};
+
 struct TracedAo {
-  Image<float> ao;              ///< accessibility, 1 open and on background
-  Image<float> standard_error;  ///< of each pixel's estimate; 0 on background
+  Image<float> ao;  ///< accessibility, 1 open and on background
+  /// Half width of each pixel's 95 % interval over student_95(degrees_of_freedom). Never 0 on a surface: rays that all
+  /// agree may have missed something (half_width_95() says how much). 0 on background.
+  Image<float> standard_error;
+  Image<float> variance;       ///< unbiased estimate of each pixel's, for sums over many pixels; 0 where its rays agree
+  Image<float> samples;        ///< rays of each pixel, the pilot's too
+  Image<vec3> bent_normal;     ///< unit, world: mean open direction by the weight; 0 where none is open. Or empty
+  Image<float> hit_distance;   ///< metres, mean over the blocked rays; infinite where none is. Or empty
+  int degrees_of_freedom = 0;  ///< of each pixel's standard error
+  SamplingPrecision precision;
   TraceStatistics statistics;
 };
-/// Hemisphere AO about the geometric normal, params.spp Owen-scrambled Sobol points in independent randomisations.
+/// Hemisphere AO. Without a tolerance params.spp rays a pixel. With one, half of params.min_spp decide how many more
+/// are needed, fresh ones make the estimate, and more follow until the half width of its 95 % interval is within the
+/// tolerance or params.max_spp is reached. Throws Error (usage) when parameters contradict one another.
 TracedAo trace_ao(const Tracer& tracer, const GBuffer& gbuffer, const TruthParams& params, std::uint32_t seed,
                   const Progress& progress = {});
 

@@ -27,7 +27,8 @@ TEST(Ao, An_exact_reference_leaves_no_interval) {
   const Image<float> truth(2, 1, 0.5f);
   Image<float> raster(2, 1, 0.25f);
   raster[1] = 1.0f;
-  const AoStatistics s = analyze_ao(raster, truth, Image<float>(2, 1, 0.0f), all_surface(2, 1));
+  const Image<float> none(2, 1, 0.0f);
+  const AoStatistics s = analyze_ao(raster, {truth, none, none, 0}, all_surface(2, 1));
   EXPECT_EQ(s.pixels, 2u);
   EXPECT_DOUBLE_EQ(s.mae.value, 0.375);
   EXPECT_DOUBLE_EQ(s.mae.lower, 0.375);
@@ -42,10 +43,12 @@ TEST(Ao, Background_does_not_count) {
   gbuffer.instance[1] = no_id;
   Image<float> raster(2, 1, 0.5f);
   raster[1] = 0.0f;
-  const AoStatistics s = analyze_ao(raster, Image<float>(2, 1, 0.5f), Image<float>(2, 1, 0.0f), gbuffer);
+  const Image<float> truth(2, 1, 0.5f);
+  const Image<float> exact(2, 1, 0.0f);
+  const AoStatistics s = analyze_ao(raster, {truth, exact, exact, 0}, gbuffer);
   EXPECT_EQ(s.pixels, 1u);
   EXPECT_EQ(s.mae.value, 0.0);
-  const AoStatistics none = analyze_ao(raster, raster, raster, GBuffer(2, 1));
+  const AoStatistics none = analyze_ao(raster, {raster, exact, exact, 0}, GBuffer(2, 1));
   for (const Value& value : to_row(none)) EXPECT_EQ(to_number(value), 0.0);
 }
 
@@ -53,8 +56,9 @@ TEST(Ao, The_noise_of_the_reference_is_not_reported_as_rms_error) {
   // raster is exact, the truth has Gaussian noise of σ = 0.1: uncorrected RMSE would be 0.1.
   Image<float> truth(400, 400);
   for (std::uint32_t i = 0; i < truth.size(); ++i) truth[i] = static_cast<float>(0.5 + 0.1 * gaussian(i, 5));
-  const AoStatistics s =
-      analyze_ao(Image<float>(400, 400, 0.5f), truth, Image<float>(400, 400, 0.1f), all_surface(400, 400));
+  const Image<float> variance(400, 400, 0.01f);
+  const Image<float> samples(400, 400, 64.0f);
+  const AoStatistics s = analyze_ao(Image<float>(400, 400, 0.5f), {truth, variance, samples, 7}, all_surface(400, 400));
   // The mean square has a standard deviation of √2 · 0.01 / 400 = 3.5e-5; five of them bound the RMSE by 0.0134.
   EXPECT_LT(s.rmse.value, 0.0134);
   EXPECT_EQ(s.rmse.lower, 0.0);
@@ -64,15 +68,35 @@ TEST(Ao, The_noise_of_the_reference_is_not_reported_as_rms_error) {
 TEST(Ao, The_interval_holds_the_true_mean_error_95_times_in_100) {
   constexpr int trials = 400;
   int held = 0;
+  const Image<float> variance(20, 20, 0.0025f);
+  const Image<float> samples(20, 20, 64.0f);
   for (std::uint32_t seed = 0; seed < trials; ++seed) {
     Image<float> truth(20, 20);
     for (std::uint32_t i = 0; i < truth.size(); ++i) truth[i] = static_cast<float>(0.6 + 0.05 * gaussian(i, seed));
-    const AoStatistics s =
-        analyze_ao(Image<float>(20, 20, 0.7f), truth, Image<float>(20, 20, 0.05f), all_surface(20, 20));
+    const AoStatistics s = analyze_ao(Image<float>(20, 20, 0.7f), {truth, variance, samples, 7}, all_surface(20, 20));
     held += s.mean_error.lower <= 0.1 && 0.1 <= s.mean_error.upper ? 1 : 0;
   }
   // Binomial(400, 0.95): 380 ± 4 · 4.36.
   EXPECT_NEAR(held, 380, 17.5);
+}
+
+TEST(Ao, The_interval_of_one_pixel_s_mean_is_student_s_and_that_of_many_normal) {
+  // 2.364624 with 7 degrees of freedom; 6400 pixels of one variance have 44800, where the normal 1.959964 is right.
+  for (const int side : {1, 80}) {
+    const Image<float> ao(side, side, 0.5f);
+    const Image<float> variance(side, side, 0.01f);
+    const Image<float> samples(side, side, 1e6f);
+    const AoStatistics s = analyze_ao(ao, {ao, variance, samples, 7}, all_surface(side, side));
+    EXPECT_NEAR(s.mean_truth.upper - 0.5, (side == 1 ? 2.364624 : 1.959964) * 0.1 / side, 1e-5 / side);
+  }
+}
+
+TEST(Ao, Rays_that_all_agree_still_leave_an_interval) {
+  // 100 pixels of 64 rays, all open: 6400 rays miss a share of 3/6400 with a probability of 5 %.
+  const Image<float> open(10, 10, 1.0f);
+  const AoStatistics s =
+      analyze_ao(open, {open, Image<float>(10, 10, 0.0f), Image<float>(10, 10, 64.0f), 7}, all_surface(10, 10));
+  EXPECT_NEAR(s.mean_truth.lower, 1.0 - 2.99573 / 6400.0, 1e-8);
 }
 
 TEST(Ao, Every_column_has_a_unit_and_a_value) {

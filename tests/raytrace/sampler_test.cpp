@@ -51,12 +51,12 @@ TEST(Sampler, Hemispheres_have_the_mean_height_of_their_density) {
   constexpr std::uint32_t count = 4096;
   for (std::uint32_t i = 0; i < count; ++i) {
     const vec2 p = owen_sobol(i, 9);
-    EXPECT_GT(cosine_hemisphere(p).z, 0.0f);
-    EXPECT_NEAR(glm::length(cosine_hemisphere(p)), 1.0f, 1e-6f);
-    EXPECT_GT(uniform_hemisphere(p).z, 0.0f);
-    EXPECT_NEAR(glm::length(uniform_hemisphere(p)), 1.0f, 1e-6f);
-    cosine += cosine_hemisphere(p).z;
-    uniform += uniform_hemisphere(p).z;
+    EXPECT_GT(lift_cosine(concentric_disk(p)).z, 0.0f);
+    EXPECT_NEAR(glm::length(lift_cosine(concentric_disk(p))), 1.0f, 1e-6f);
+    EXPECT_GT(lift_uniform(concentric_disk(p)).z, 0.0f);
+    EXPECT_NEAR(glm::length(lift_uniform(concentric_disk(p))), 1.0f, 1e-6f);
+    cosine += lift_cosine(concentric_disk(p)).z;
+    uniform += lift_uniform(concentric_disk(p)).z;
   }
   EXPECT_NEAR(cosine / count, 2.0 / 3.0, 1e-4);  // ∫ cos²θ / π dω
   EXPECT_NEAR(uniform / count, 0.5, 1e-4);       // ∫ cos θ / 2π dω
@@ -64,7 +64,7 @@ TEST(Sampler, Hemispheres_have_the_mean_height_of_their_density) {
 
 TEST(Sampler, Frames_are_right_handed_and_orthonormal_in_every_direction) {
   for (std::uint32_t i = 0; i < 1000; ++i) {
-    vec3 n = uniform_hemisphere(owen_sobol(i, 3));
+    vec3 n = lift_uniform(concentric_disk(owen_sobol(i, 3)));
     if (i % 2 == 1) n = -n;
     if (i == 0) n = vec3(0, 0, -1);
     const mat3 frame = frame_about(n);

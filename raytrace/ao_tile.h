@@ -1,0 +1,225 @@
+// Traces ambient occlusion of one tile of pixels. For raytrace/ambient_occlusion.cpp alone.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+#include "core/parallel.h"
+#include "core/quantiles.h"
+#include "core/random.h"
+#include "raytrace/ao_estimate.h"
+#include "raytrace/ao_samples.h"
+#include "raytrace/hit_packet.h"
+#include "raytrace/surfel.h"
+
+namespace umbrameter {
+
+/// The half width that a stored standard error stands for.
+inline double half_width_of(float standard_error, int degrees_of_freedom) {
+  return student_95(degrees_of_freedom) * static_cast<double>(standard_error);
+}
+
+/// What every tile of one image has in common.
+struct AoTask {
+  const Tracer& tracer;
+  const GBuffer& gbuffer;
+  const TruthParams& params;
+  std::uint32_t seed = 0;
+};
+
+/// Rays is Packet, or HitPacket where distances are wanted. A packet holds pixels that need the same range of points:
+/// blocks of 4 × 4 while all do, near ones later. Each pixel's answer depends on its own rays alone.
+template <class Rays>
+class AoTile {
+ public:
+  explicit AoTile(const AoTask& task)
+      : task_(task), reach_(reach_of(task.params)), packet_(task.tracer.state()), samples_(Rays::width) {}
+
+  void trace(const Tile& tile, TracedAo& result) {
+    collect(tile);
+    while (!pending_.empty()) {
+      const auto work = [this](int i) {
+        const Pixel& p = pixels_[static_cast<std::size_t>(i)];
+        return std::tuple(p.is_pilot, p.next.begin, p.next.split.points);
+      };
+      std::stable_sort(pending_.begin(), pending_.end(), [&](int a, int b) { return work(a) < work(b); });
+      for (std::size_t first = 0; first < pending_.size();) {
+        std::size_t last = first;
+        while (last < pending_.size() && last - first < static_cast<std::size_t>(Rays::width) &&
+               work(pending_[last]) == work(pending_[first])) {
+          ++last;
+        }
+        trace_packet(first, last);
+        first = last;
+      }
+      std::erase_if(pending_, [&](int i) { return !advance(pixels_[static_cast<std::size_t>(i)]); });
+    }
+    for (const Pixel& pixel : pixels_) store(pixel, result);
+  }
+
+  const TraceStatistics& statistics() const { return statistics_; }
+
+ private:
+  static constexpr bool knows_distance = std::is_same_v<Rays, HitPacket>;
+  static constexpr int block_size = 4;
+  static_assert(block_size * block_size == Rays::width);
+
+  struct Pixel {
+    std::size_t index = 0;
+    vec3 origin{0};
+    vec3 normal{0, 0, 1};  // of the triangle
+    mat3 frame{1.0f};
+    double offset = 0.0;
+    float clear_cosine = 0;  // with the triangle's normal, of a direction that cannot meet it
+    bool is_pilot = false;
+    int rays = 0;
+    SampleRange next;
+    AoEstimate estimate;
+    dvec3 open_direction{0.0};
+    double blocked = 0.0;
+    double blocked_distance = 0.0;
+  };
+
+  bool is_adaptive() const { return task_.params.tolerance > 0.0; }
+
+  void collect(const Tile& tile) {
+    pixels_.clear();
+    pending_.clear();
+    for (int y = tile.y_begin; y < tile.y_end; y += block_size) {
+      for (int x = tile.x_begin; x < tile.x_end; x += block_size) {
+        for (int v = y; v < std::min(y + block_size, tile.y_end); ++v) {
+          for (int u = x; u < std::min(x + block_size, tile.x_end); ++u) {
+            const std::size_t i = task_.gbuffer.instance.index(u, v);
+            if (task_.gbuffer.is_surface(i)) add(i);
+          }
+        }
+      }
+    }
+  }
+
+  void add(std::size_t i) {
+    const RayOrigin origin = ray_origin(task_.tracer, task_.gbuffer, i);
+    Pixel pixel;
+    pixel.index = i;
+    pixel.origin = vec3(origin.point());
+    pixel.normal = vec3(origin.normal);
+    const vec3 shading = task_.gbuffer.shading_normal[i];
+    const bool is_turned = task_.params.ao_normal == AoNormal::shading && glm::dot(shading, shading) > 0.0f;
+    pixel.frame = frame_about(is_turned ? glm::normalize(shading) : pixel.normal);
+    pixel.offset = origin.offset;
+    // The frame and its product are rounded a few times.
+    pixel.clear_cosine = static_cast<float>(origin.clear_cosine) + 0x1p-20f;
+    pixel.is_pilot = is_adaptive();
+    pixel.next = {is_adaptive() ? pilot_of(task_.params) : split(task_.params.spp), 0};
+    statistics_.largest_offset = std::max(statistics_.largest_offset, origin.offset);
+    pending_.push_back(static_cast<int>(pixels_.size()));
+    pixels_.push_back(pixel);
+  }
+
+  void trace_packet(std::size_t first, std::size_t last) {
+    packet_.clear();
+    for (std::size_t i = first; i < last; ++i) {
+      Pixel& pixel = pixels_[static_cast<std::size_t>(pending_[i])];
+      packet_.add({pixel.origin, vec3(0), 0.0f, true}, task_.gbuffer.instance[pixel.index],
+                  task_.gbuffer.triangle[pixel.index]);
+      const std::uint32_t stream = hash(static_cast<std::uint32_t>(pixel.index), pixel.is_pilot ? 1u : 0u, task_.seed);
+      samples_[i - first].make(task_.params.sampler, pixel.next, stream);
+    }
+    const int ranks = pixels_[static_cast<std::size_t>(pending_[first])].next.size();
+    for (int rank = 0; rank < ranks; ++rank) trace_rank(first, static_cast<std::size_t>(rank));
+    for (std::size_t i = first; i < last; ++i) {
+      Pixel& pixel = pixels_[static_cast<std::size_t>(pending_[i])];
+      pixel.estimate.split = pixel.next.split;
+      pixel.rays += ranks;
+    }
+    statistics_.rays += static_cast<std::uint64_t>(last - first) * static_cast<std::uint64_t>(ranks);
+  }
+
+  void trace_rank(std::size_t first, std::size_t rank) {
+    const int size = packet_.size();
+    std::array<vec3, Rays::width> directions;
+    std::array<float, Rays::width> steps;  // from the surface to the origin, along the ray to first order
+    for (int lane = 0; lane < size; ++lane) {
+      const auto l = static_cast<std::size_t>(lane);
+      const Pixel& pixel = pixels_[static_cast<std::size_t>(pending_[first + l])];
+      const vec2 disk = samples_[l][rank].disk;
+      const vec3 local = task_.params.ao_weight == AoWeight::cosine ? lift_cosine(disk) : lift_uniform(disk);
+      directions[l] = pixel.frame * local;
+      const bool is_turned = task_.params.ao_normal == AoNormal::shading;
+      const float cosine = is_turned ? glm::dot(directions[l], pixel.normal) : local.z;
+      steps[l] = static_cast<float>(pixel.offset) * cosine;
+      const double reach = std::max(reach_ - pixel.offset * static_cast<double>(cosine), 0.0);
+      packet_.aim(lane, {pixel.origin, directions[l], cosine > 0.0f ? static_cast<float>(reach) : -1.0f,
+                         cosine <= 0.0f || cosine > pixel.clear_cosine});
+    }
+    packet_.trace();
+    for (int lane = 0; lane < size; ++lane) {
+      const auto l = static_cast<std::size_t>(lane);
+      Pixel& pixel = pixels_[static_cast<std::size_t>(pending_[first + l])];
+      double open = 1.0;
+      if (packet_.is_blocked(lane)) {
+        open = 0.0;
+        if constexpr (knows_distance) {
+          const double distance = static_cast<double>(packet_.distance(lane)) + static_cast<double>(steps[l]);
+          open = 1.0 - falloff_weight(task_.params.ao_falloff, std::max(distance, 0.0), task_.params.ao_distance);
+          pixel.blocked += 1.0;
+          pixel.blocked_distance += std::max(distance, 0.0);
+        }
+      }
+      pixel.estimate.open[samples_[l][rank].randomisation] += open;
+      if constexpr (knows_distance) pixel.open_direction += open * dvec3(directions[l]);
+    }
+  }
+
+  // Whether the pixel needs more rays, and which.
+  bool advance(Pixel& pixel) const {
+    if (!is_adaptive()) return false;
+    const TruthParams& params = task_.params;
+    const int left = params.max_spp - pixel.rays;
+    const int needed = rays_needed(pixel.estimate, params);
+    if (pixel.is_pilot) {
+      pixel.is_pilot = false;
+      pixel.next = {{most_randomisations, std::clamp(needed, params.min_spp - pixel.rays, left)}, 0};
+      pixel.estimate = {};
+      pixel.open_direction = dvec3(0.0);
+      pixel.blocked = pixel.blocked_distance = 0.0;
+      return true;
+    }
+    const int points = pixel.estimate.split.points;
+    const auto error = static_cast<float>(standard_error(pixel.estimate));
+    if (left < most_randomisations || half_width_of(error, most_randomisations - 1) <= params.tolerance) return false;
+    const int least = points + std::max(points / 4, most_randomisations);
+    pixel.next = {{most_randomisations, std::min(std::max(needed, least), points + left)}, points};
+    return true;
+  }
+
+  void store(const Pixel& pixel, TracedAo& result) const {
+    result.ao[pixel.index] = static_cast<float>(pixel.estimate.mean());
+    result.standard_error[pixel.index] = static_cast<float>(standard_error(pixel.estimate));
+    result.variance[pixel.index] = static_cast<float>(pixel.estimate.variance());
+    result.samples[pixel.index] = static_cast<float>(pixel.rays);
+    if (result.bent_normal.size() > 0) {
+      const double length = glm::length(pixel.open_direction);
+      result.bent_normal[pixel.index] = length > 0.0 ? vec3(pixel.open_direction / length) : vec3(0);
+    }
+    if (result.hit_distance.size() > 0) {
+      result.hit_distance[pixel.index] = pixel.blocked > 0.0
+                                             ? static_cast<float>(pixel.blocked_distance / pixel.blocked)
+                                             : std::numeric_limits<float>::infinity();
+    }
+  }
+
+  const AoTask& task_;
+  double reach_;
+  Rays packet_;
+  std::vector<PixelSamples> samples_;  // by lane
+  std::vector<Pixel> pixels_;
+  std::vector<int> pending_;
+  TraceStatistics statistics_;
+};
+
+}  // namespace umbrameter
