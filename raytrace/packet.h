@@ -1,6 +1,8 @@
 // Sixteen occlusion rays traced together. For raytrace/*.cpp alone.
 #pragma once
 
+#include <algorithm>
+
 #include "raytrace/tracer_state.h"
 
 namespace umbrameter {
@@ -10,6 +12,13 @@ struct ShadowRay {
   vec3 direction{0, 0, 1};  ///< unit
   float reach = 0;          ///< metres; hits beyond do not block
   bool is_clear = false;    ///< it cannot meet its own triangle
+};
+
+/// Of the sixteen rays of a packet.
+struct alignas(64) Directions {
+  float x[16] = {};
+  float y[16] = {};
+  float z[16] = {};
 };
 
 class Packet {
@@ -57,6 +66,15 @@ class Packet {
     rays_.tfar[lane] = ray.reach;
     valid_[lane] = -1;
     is_clear_ = is_clear_ && ray.is_clear;
+  }
+
+  /// Gives every lane in use another ray from the same place. A negative reach is blocked where it starts.
+  void aim(const Directions& directions, const float* reach, bool is_clear) {
+    std::copy_n(directions.x, width, rays_.dir_x);
+    std::copy_n(directions.y, width, rays_.dir_y);
+    std::copy_n(directions.z, width, rays_.dir_z);
+    std::copy_n(reach, width, rays_.tfar);
+    is_clear_ = is_clear;
   }
 
   void trace() {
