@@ -64,8 +64,44 @@ inline void intersect1(RTCScene scene, RTCRayHit& ray, Query& query) {
 #endif
 }
 
+/// A blocked ray's tfar becomes −∞.
+inline void occluded1(RTCScene scene, RTCRay& ray, Query& query) {
+#if UMBRAMETER_EMBREE_MAJOR >= 4
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  fill(arguments, query);
+  rtcOccluded1(scene, &ray, &arguments);
+#else
+  rtcOccluded1(scene, &query.context, &ray);
+#endif
+}
+
+/// As the sixteen below.
+inline void occluded(const int* valid, RTCScene scene, RTCRay4& rays, Query& query) {
+#if UMBRAMETER_EMBREE_MAJOR >= 4
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  fill(arguments, query);
+  rtcOccluded4(valid, scene, &rays, &arguments);
+#else
+  rtcOccluded4(valid, scene, &query.context, &rays);
+#endif
+}
+
+/// As the sixteen below.
+inline void occluded(const int* valid, RTCScene scene, RTCRay8& rays, Query& query) {
+#if UMBRAMETER_EMBREE_MAJOR >= 4
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  fill(arguments, query);
+  rtcOccluded8(valid, scene, &rays, &arguments);
+#else
+  rtcOccluded8(valid, scene, &query.context, &rays);
+#endif
+}
+
 /// valid[i] is −1 for lanes in use and 0 else; a blocked lane's tfar becomes −∞.
-inline void occluded16(const int* valid, RTCScene scene, RTCRay16& rays, Query& query) {
+inline void occluded(const int* valid, RTCScene scene, RTCRay16& rays, Query& query) {
 #if UMBRAMETER_EMBREE_MAJOR >= 4
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);

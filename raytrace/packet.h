@@ -80,7 +80,7 @@ class Packet {
   void trace() {
     if (size_ == 0) return;
     filter_every_hit(query_, !is_clear_);
-    embree::occluded16(valid_, state_->top.get(), rays_, query_.query);
+    embree::occluded(valid_, state_->top.get(), rays_, query_.query);
     is_clear_ = true;
   }
   /// After trace(). Embree marks a blocked ray by tfar = −∞.
