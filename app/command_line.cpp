@@ -52,6 +52,7 @@ constexpr std::pair<const char*, const char*> short_names[] = {{"view.size", "--
                                                                {"run.seed", "--seed"}};
 
 constexpr std::pair<const char*, const char*> group_titles[] = {{"view", "View"},
+                                                                {"light", "Extent of the measured lights"},
                                                                 {"shadow", "Shadow technique"},
                                                                 {"ao", "Ambient-occlusion technique"},
                                                                 {"truth", "Reference"},
@@ -109,6 +110,9 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   }
   if (std::string(description.name) != "trace") {
     command.add_option("--gl-device", line.gl_device, "OpenGL device: index, part of its name, or 'software'");
+  }
+  if (std::string(description.name) != "raster") {
+    command.add_flag("--no-cache", line.no_cache, "Trace the reference anew, and do not keep it ('umbrameter cache')");
   }
   add_threads(command, line);
   add_output_flags(command, line);
@@ -178,6 +182,13 @@ std::variant<CommandLine, Information> parse_command_line(int argc, const char* 
   scene.add_option("-o,--output", line.output, "File to write, .glb")->required();
   add_parameters(scene, line, "view.scene");
   add_output_flags(scene, line);
+
+  CLI::App& cache = *app.add_subcommand("cache", "List the references that are kept between runs, or remove them");
+  cache.footer(
+      "Example: umbrameter cache --clear\n"
+      "The limit is 2 GB; UMBRAMETER_CACHE_SIZE sets another one (500M, 10G, 0 for none).");
+  cache.add_flag("--clear", line.clear, "Remove all of them");
+  add_output_flags(cache, line);
 
   CLI::App& info = *app.add_subcommand("info", "Versions, OpenGL devices and, with a scene, what is in it");
   info.footer("Example: umbrameter info courtyard");

@@ -10,7 +10,8 @@
 namespace umbrameter {
 
 struct CommandLine {
-  std::string command;  ///< "compare", "sweep", "trace", "raster", "scenes", "scene", "info" or "parameters"
+  std::string command;  ///< "compare", "sweep", "trace", "raster", "scenes", "scene", "cache", "info" or
+                        ///< "parameters"
   std::string scene;    ///< file or name of a built-in scene; empty when not given
   std::filesystem::path output;
   std::filesystem::path experiment_file;
@@ -22,6 +23,8 @@ struct CommandLine {
   bool quiet = false;
   bool json = false;
   bool markdown = false;
+  bool no_cache = false;           ///< references are traced anew and not kept
+  bool clear = false;              ///< empty the cache of references
   std::vector<std::string> names;  ///< of built-in scenes to list or draw; empty for all
   std::filesystem::path sheet;     ///< contact sheet to draw; empty for none
   std::string tile_size;           ///< of each picture on it, "WxH"; empty for the usual one

@@ -1,10 +1,13 @@
 // The subcommands. Each returns the program's exit code and throws Error.
 #pragma once
 
+#include <optional>
+
 #include "app/command_line.h"
 #include "app/console.h"
 #include "app/experiment.h"
 #include "core/error.h"
+#include "reports/cache_folder.h"
 
 namespace umbrameter {
 
@@ -14,10 +17,14 @@ Experiment make_experiment(const CommandLine& line);
 /// What --scene says; empty where it is not given.
 std::string chosen_part(const CommandLine& line);
 
+/// The user's cache of references, unless --no-cache is given or nothing is traced.
+std::optional<CacheFolder> chosen_cache(const CommandLine& line, const Console& console);
+
 ExitCode run_image_command(const CommandLine& line, const Console& console);  ///< compare, trace, raster
 ExitCode run_sweep_command(const CommandLine& line, const Console& console);
 ExitCode run_scenes(const CommandLine& line, const Console& console);
 ExitCode run_scene(const CommandLine& line, const Console& console);
+ExitCode run_cache(const CommandLine& line, const Console& console);
 ExitCode run_info(const CommandLine& line, const Console& console);
 ExitCode run_parameters(const CommandLine& line);
 

@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "reports/markup.h"
+
 namespace umbrameter {
 namespace {
 
@@ -18,11 +20,11 @@ constexpr int bar_cells = 24;
 }  // namespace
 
 void say(const Console& console, const std::string& line) {
-  if (!console.json) fmt::print("{}\n", line);
+  if (!console.json) fmt::print("{}\n", plain_text(line));
 }
 
 void note(const Console& console, const std::string& line) {
-  if (!console.quiet) fmt::print(stderr, "note: {}\n", line);
+  if (!console.quiet) fmt::print(stderr, "note: {}\n", plain_text(line));
 }
 
 bool use_color() {
@@ -30,8 +32,23 @@ bool use_color() {
   return isatty(STDERR_FILENO) != 0 && (no_color == nullptr || *no_color == '\0');
 }
 
-ProgressBar::ProgressBar(const Console& console, std::string label)
+std::string progress_text(const std::string& label, double share, double seconds, std::uint64_t rays, bool color) {
+  const int filled = std::clamp(static_cast<int>(share * bar_cells), 0, bar_cells);
+  std::string text = fmt::format(
+      "{} {}{}{}{} {:3.0f} %", label, color ? "\x1b[36m" : "", std::string(static_cast<std::size_t>(filled), '#'),
+      std::string(static_cast<std::size_t>(bar_cells - filled), '.'), color ? "\x1b[0m" : "", 100.0 * share);
+  if (rays > 0 && seconds > 0.0) text += fmt::format(", {:.3g} Mray/s", static_cast<double>(rays) / seconds * 1e-6);
+  if (share > 0.02) {
+    const double left = seconds * (1.0 - share) / share;
+    text += left < 90.0 ? fmt::format(", {:.0f} s left", left) : fmt::format(", {:.0f} min left", left / 60.0);
+  }
+  return text;
+}
+
+ProgressBar::ProgressBar(const Console& console, std::string label, std::function<std::uint64_t()> count_rays)
     : label_(std::move(label)),
+      count_rays_(std::move(count_rays)),
+      rays_before_(count_rays_ ? count_rays_() : 0),
       visible_(!console.quiet && isatty(STDERR_FILENO) != 0),
       start_(Clock::now()),
       shown_(start_ + first_shown_after - shown_every) {}
@@ -44,13 +61,9 @@ void ProgressBar::show(double share) {
   const auto now = Clock::now();
   if (!visible_ || now - shown_ < shown_every) return;
   shown_ = now;
-  const double elapsed = std::chrono::duration<double>(now - start_).count();
-  const int filled = std::clamp(static_cast<int>(share * bar_cells), 0, bar_cells);
-  const std::string left = share > 0.02 ? fmt::format(", {:.0f} s left", elapsed * (1.0 - share) / share) : "";
-  const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
-                          std::string(static_cast<std::size_t>(bar_cells - filled), '.');
-  fmt::print(stderr, "\r\x1b[K{} {}{}{} {:3.0f} %{}", label_, use_color() ? "\x1b[36m" : "", bar,
-             use_color() ? "\x1b[0m" : "", 100.0 * share, left);
+  const double seconds = std::chrono::duration<double>(now - start_).count();
+  const std::uint64_t rays = count_rays_ ? count_rays_() - rays_before_ : 0;
+  fmt::print(stderr, "\r\x1b[K{}", progress_text(label_, share, seconds, rays, use_color()));
   std::fflush(stderr);
 }
 

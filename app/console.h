@@ -2,6 +2,8 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
+#include <functional>
 #include <string>
 
 #include "core/parallel.h"
@@ -22,10 +24,16 @@ void note(const Console& console, const std::string& line);
 /// Whether stderr may carry colours: a terminal, and NO_COLOR unset or empty (no-color.org).
 bool use_color();
 
-/// A bar with percentage and time left on stderr while it lives; silent where stderr is no terminal, and with --quiet.
+/// "shadow rays ####.... 42 %, 12.3 Mray/s, 8 s left": the rate where rays are counted, the time left once it can be
+/// told. `seconds` have passed since the start.
+std::string progress_text(const std::string& label, double share, double seconds, std::uint64_t rays, bool color);
+
+/// A bar with percentage, rate and time left on stderr while it lives; silent where stderr is no terminal, and with
+/// --quiet.
 class ProgressBar {
  public:
-  ProgressBar(const Console& console, std::string label);
+  /// count_rays(), where given, tells a growing number of rays, from any start and on any thread.
+  ProgressBar(const Console& console, std::string label, std::function<std::uint64_t()> count_rays = {});
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -37,6 +45,8 @@ class ProgressBar {
  private:
   using Clock = std::chrono::steady_clock;
   std::string label_;
+  std::function<std::uint64_t()> count_rays_;
+  std::uint64_t rays_before_ = 0;
   bool visible_ = false;
   Clock::time_point start_;
   Clock::time_point shown_;

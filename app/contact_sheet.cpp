@@ -129,7 +129,7 @@ Image<glm::u8vec3> draw_tile(Scene scene, Size size, const Progress& progress) {
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const double step = shadows_share / static_cast<double>(lights.size());
     const double from = hits_share + step * static_cast<double>(i);
-    shadows.push_back(trace_visibility(tracer, gbuffer, *lights[i], part_of(progress, from, from + step)));
+    shadows.push_back(trace_visibility(tracer, gbuffer, *lights[i], {}, part_of(progress, from, from + step)));
   }
   std::vector<LitBy> lit;
   for (std::size_t i = 0; i < lights.size(); ++i) lit.push_back({lights[i], &shadows[i].visibility});

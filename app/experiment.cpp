@@ -13,8 +13,8 @@ Parameters describe(RunParams& params) {
 }
 
 Parameters describe(Experiment& experiment) {
-  return concatenate({describe(experiment.view), describe(experiment.shadow), describe(experiment.ao),
-                      describe(experiment.truth), describe(experiment.run)});
+  return concatenate({describe(experiment.view), describe(experiment.light), describe(experiment.shadow),
+                      describe(experiment.ao), describe(experiment.truth), describe(experiment.run)});
 }
 
 std::string scene_title(const Experiment& experiment) {

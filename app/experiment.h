@@ -9,6 +9,7 @@
 #include "core/parameters.h"
 #include "raster/parameters.h"
 #include "raytrace/parameters.h"
+#include "scenes/emitter.h"
 #include "scenes/view.h"
 
 namespace umbrameter {
@@ -22,6 +23,7 @@ Parameters describe(RunParams& params);
 struct Experiment {
   std::string scene;
   ViewParams view;
+  LightParams light;
   ShadowParams shadow;
   AoParams ao;
   TruthParams truth;

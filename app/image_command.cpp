@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/commands.h"
+#include "app/reference_cache.h"
 #include "app/run_output.h"
 #include "core/parallel.h"
 #include "reports/data.h"
@@ -45,13 +46,20 @@ Experiment make_experiment(const CommandLine& line) {
   return experiment;
 }
 
+std::optional<CacheFolder> chosen_cache(const CommandLine& line, const Console& console) {
+  if (line.no_cache || line.command == "raster") return {};
+  return user_cache(console);
+}
+
 ExitCode run_image_command(const CommandLine& line, const Console& console) {
   const Experiment experiment = make_experiment(line);
   prepare_output_folder(line.output);
   const ThreadLimit threads(line.threads);
-  Workbench workbench(load_scene(experiment.scene, experiment.view.scene), {line.gl_device, line.threads}, console);
+  Workbench workbench(load_scene(experiment.scene, experiment.view.scene),
+                      {line.gl_device, line.threads, chosen_cache(line, console)}, console);
   const Sides sides = sides_of(line.command);
   const std::vector<std::uint32_t> lights = workbench.lights(experiment.view.light);
+  workbench.require_sense_for(experiment, lights);
 
   Measurement measurement;
   measurement.surfels = workbench.surfels(experiment.view);

@@ -7,9 +7,13 @@ namespace {
 
 void add_shadow(LayeredImage& image, const std::string& light, const ShadowMeasurement& shadow) {
   if (shadow.truth) add_layer(image, "truth_visibility_" + light, shadow.truth->visibility);
+  if (shadow.truth && is_soft(shadow)) {
+    add_layer(image, "truth_visibility_standard_error_" + light, shadow.truth->standard_error);
+  }
   if (shadow.raster) add_layer(image, "raster_visibility_" + light, shadow.raster->visibility);
-  if (!shadow.statistics) return;
+  if (!shadow.truth || !shadow.raster) return;
   add_layer(image, "error_visibility_" + light, signed_error(shadow.raster->visibility, shadow.truth->visibility));
+  if (!shadow.statistics) return;
   const Image<PixelClass> classes = classify(shadow.raster->classes, shadow.counted);
   Image<float> numbers(classes.width, classes.height);
   for (std::size_t i = 0; i < classes.size(); ++i) numbers[i] = static_cast<float>(classes[i]);

@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "core/interrupt.h"
+#include "reports/markup.h"
 
 namespace umbrameter {
 namespace {
@@ -22,6 +23,7 @@ ExitCode run(int argc, const char* const* argv) {
   if (line.command == "sweep") return run_sweep_command(line, console);
   if (line.command == "scenes") return run_scenes(line, console);
   if (line.command == "scene") return run_scene(line, console);
+  if (line.command == "cache") return run_cache(line, console);
   if (line.command == "info") return run_info(line, console);
   if (line.command == "parameters") return run_parameters(line);
   return run_image_command(line, console);
@@ -43,13 +45,13 @@ int main(int argc, char** argv) {
   try {
     return static_cast<int>(finish_output(run(argc, argv)));
   } catch (const Error& error) {
-    fmt::print(stderr, "umbrameter: {}\n", error.what());
+    fmt::print(stderr, "umbrameter: {}\n", plain_text(error.what()));
     return static_cast<int>(error.code());
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "umbrameter: out of memory; use a smaller --size or a smaller scene\n");
     return static_cast<int>(ExitCode::partial);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "umbrameter: unexpected failure: {}; please report this\n", error.what());
+    fmt::print(stderr, "umbrameter: unexpected failure: {}; please report this\n", plain_text(error.what()));
     return static_cast<int>(ExitCode::partial);
   }
 }

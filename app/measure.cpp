@@ -2,14 +2,25 @@
 
 namespace umbrameter {
 
+SampledImage sampled(const TracedVisibility& truth) {
+  return {truth.visibility, truth.variance, truth.samples, truth.degrees_of_freedom};
+}
+
 ShadowMeasurement measure_shadow(Workbench& workbench, const Experiment& experiment, std::uint32_t light, Sides sides) {
   const LightFit& fit = workbench.fit(experiment, light);
-  ShadowMeasurement measurement{light, fit.frame, fit.counted, {}, {}, {}};
+  const Light lamp = workbench.light(experiment, light);
+  const bool is_soft = is_area(lamp);
+  ShadowMeasurement measurement{light, fit.frame, fit.counted, {}, {}, lamp.emitter, {}, {}};
   if (sides.truth) measurement.truth = workbench.truth(experiment, light);
-  if (sides.raster) measurement.raster = workbench.draw(experiment, light, sides.truth);
-  if (sides.raster && sides.truth) {
-    measurement.statistics = analyze_visibility(measurement.raster->visibility, measurement.truth->visibility,
-                                                measurement.raster->classes, measurement.counted);
+  if (sides.raster) measurement.raster = workbench.draw(experiment, light, sides.truth && !is_soft);
+  if (!sides.raster || !sides.truth) return measurement;
+  const Image<float>& drawn = measurement.raster->visibility;
+  const TracedVisibility& truth = *measurement.truth;
+  if (is_soft) {
+    measurement.soft_statistics = analyze_soft_visibility(drawn, sampled(truth), measurement.counted);
+  } else {
+    measurement.statistics =
+        analyze_visibility(drawn, truth.visibility, measurement.raster->classes, measurement.counted);
   }
   return measurement;
 }

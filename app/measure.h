@@ -6,6 +6,7 @@
 
 #include "app/workbench.h"
 #include "compare/ao.h"
+#include "compare/soft_visibility.h"
 #include "compare/visibility.h"
 
 namespace umbrameter {
@@ -22,8 +23,17 @@ struct ShadowMeasurement {
   CountedPixels counted;
   std::optional<RasterVisibility> raster;
   std::optional<TracedVisibility> truth;
+  Emitter emitter;
+  /// Where both sides are: of a light without extent, and of one with.
   std::optional<VisibilityStatistics> statistics;
+  std::optional<SoftVisibilityStatistics> soft_statistics;
 };
+
+/// Whether the light has extent: its truth is then sampled, and its error has no causes.
+inline bool is_soft(const ShadowMeasurement& shadow) { return !std::holds_alternative<std::monostate>(shadow.emitter); }
+
+/// The truth of one light for the statistics, which it must outlive.
+SampledImage sampled(const TracedVisibility& truth);
 
 struct AoMeasurement {
   std::optional<Image<float>> raster;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/layers.h"
+#include "app/scene_report.h"
 #include "compare/sweep.h"
 
 namespace umbrameter {
@@ -82,6 +83,47 @@ std::string precision_text(const SamplingPrecision& precision, const TruthParams
   return text;
 }
 
+// What one light's shadow rays went to.
+std::string truth_caption(const ShadowMeasurement& shadow, const Experiment& experiment) {
+  const std::string common = "Shadow rays against the exact geometry; turned-away surfels count as 0.";
+  if (!is_soft(shadow)) return common;
+  return fmt::format("{} The light is a {}; {} rays a pixel; the visible share of its {}.", common,
+                     extent_text(shadow.emitter), experiment.truth.spp,
+                     experiment.truth.light_sampling == LightSampling::area ? "area" : "solid angle");
+}
+
+void present_soft_error(Presentation& presentation, const Workbench& workbench, const ShadowMeasurement& shadow,
+                        const Experiment& experiment) {
+  const std::string title = workbench.title(shadow.light);
+  const SoftVisibilityStatistics& s = *shadow.soft_statistics;
+  ReportSection& section = presentation.section;
+  add_figure(presentation,
+             scalar_figure("error_visibility_" + workbench.layer(shadow.light), "Error: " + title,
+                           "Blue is too dark, red is too bright.",
+                           signed_error(shadow.raster->visibility, shadow.truth->visibility), visibility_error_scale));
+  section.text += fmt::format(
+      "\n\nThe light has extent, so that its truth is a share and no single tap is right or wrong: the causes of a "
+      "hard "
+      "shadow's error do not apply, and the error is split by sign. Intervals are 95 % and come from the reference's "
+      "sampling; its pixels have a mean standard error of {:.4f}.",
+      s.error.mean_standard_error);
+  if (s.error.max_x >= 0) {
+    section.text += fmt::format(" The largest error is {:.3g}, first at pixel ({}, {}).", s.error.max_error,
+                                s.error.max_x, s.error.max_y);
+  }
+  section.headlines = {
+      {"mean absolute error", percent(s.error.mae), fmt::format("of {} counted pixels", s.error.pixels)},
+      {"too dark", percent(s.error.too_dark), "the part of it where raster is below truth"},
+      {"too bright", percent(s.error.too_bright), "the part of it where raster is above truth"},
+      {"RMS error", percent(s.error.rmse), "corrected for the reference's variance"},
+      {"penumbra", percent(s.penumbra), "of the counted pixels"},
+  };
+  section.tables = {statistics_table(soft_visibility_columns(), to_row(s)), bias_table(shadow, experiment)};
+  presentation.lines.push_back(fmt::format("{:<10} error {}: too dark {}, too bright {}  (penumbra {}, {})", title,
+                                           percent(s.error.mae), percent(s.error.too_dark), percent(s.error.too_bright),
+                                           percent(s.penumbra), extent_text(shadow.emitter)));
+}
+
 }  // namespace
 
 std::string percent(double share) {
@@ -147,9 +189,9 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
   section.title = "Shadow of " + title;
   section.text = counted_text(shadow.counted);
   if (shadow.truth) {
-    add_figure(presentation, scalar_figure("truth_visibility_" + layer, "Truth: " + title,
-                                           "Shadow rays against the exact geometry; turned-away surfels count as 0.",
-                                           shadow.truth->visibility, visibility_scale));
+    add_figure(presentation,
+               scalar_figure("truth_visibility_" + layer, "Truth: " + title, truth_caption(shadow, experiment),
+                             shadow.truth->visibility, visibility_scale));
     section.text += fmt::format(" Rays left the surfaces with an offset of at most {}.",
                                 length(shadow.truth->statistics.largest_offset));
   }
@@ -160,6 +202,10 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
                                          shadow.frame.resolution, value_text(experiment, "shadow.filter"),
                                          length(experiment.shadow.constant_bias), experiment.shadow.slope_bias),
                              shadow.raster->visibility, visibility_scale));
+  }
+  if (shadow.soft_statistics) {
+    present_soft_error(presentation, workbench, shadow, experiment);
+    return presentation;
   }
   if (!shadow.statistics) {
     const double pixels = static_cast<double>(shadow.counted.totals[0]);

@@ -9,6 +9,7 @@
 #include "raster/uploaded_scene.h"
 #include "raytrace/tracer.h"
 #include "scenes/builtin.h"
+#include "scenes/emitter.h"
 
 namespace umbrameter {
 namespace {
@@ -63,6 +64,7 @@ Json light_json(const Light& light) {
     json["outer_cone_deg"] = spot->outer_cone_angle * degrees;
   }
   if (const auto* point = std::get_if<PointLight>(&light.shape)) json["range_m"] = range(point->range);
+  json["extent"] = to_json(light.emitter);
   return json;
 }
 
@@ -147,6 +149,22 @@ SceneReport make_scene_report(const std::string& source, const std::string& part
     report.tracer_bytes = Tracer(report.scene).build_statistics().bytes;
   }
   return report;
+}
+
+Json to_json(const Emitter& emitter) {
+  if (std::holds_alternative<std::monostate>(emitter)) return nullptr;
+  Json json;
+  json["kind"] = kind_of(emitter);
+  if (const auto* sphere = std::get_if<SphereEmitter>(&emitter)) json["radius_m"] = sphere->radius;
+  if (const auto* disk = std::get_if<DiskEmitter>(&emitter)) json["radius_m"] = disk->radius;
+  if (const auto* rectangle = std::get_if<RectangleEmitter>(&emitter)) {
+    json["width_m"] = rectangle->width;
+    json["height_m"] = rectangle->height;
+  }
+  if (const auto* distant = std::get_if<DistantEmitter>(&emitter)) {
+    json["angular_diameter_deg"] = distant->angular_diameter * degrees;
+  }
+  return json;
 }
 
 Json to_json(const SceneReport& report) {

@@ -43,6 +43,11 @@ SceneReport make_scene_report(const std::string& source, const std::string& part
 /// docs/info.md has the keys.
 nlohmann::ordered_json to_json(const SceneReport& report);
 
+/// Kind and sizes of a light's extent; null without one.
+nlohmann::ordered_json to_json(const Emitter& emitter);
+/// "disk of 0.5 m radius"; empty without extent.
+std::string extent_text(const Emitter& emitter);
+
 /// Lines of at most 100 characters where names allow it; long lists are cut, and say so.
 std::vector<std::string> to_lines(const SceneReport& report);
 

@@ -5,6 +5,7 @@
 
 #include "app/scene_report.h"
 #include "reports/text_layout.h"
+#include "scenes/emitter.h"
 
 namespace umbrameter {
 namespace {
@@ -83,8 +84,9 @@ std::string range_text(double range) { return range > 0.0 ? ", range " + metres(
 
 std::vector<std::string> light_row(const Light& light) {
   const std::string kind = kind_of(light);
+  const std::string extent = is_area(light) ? ", " + extent_text(light.emitter) : "";
   if (std::holds_alternative<DirectionalLight>(light.shape)) {
-    return {kind, fmt::format("{:.6g} lx", light.intensity), "shines along " + direction_of(light.axis())};
+    return {kind, fmt::format("{:.6g} lx", light.intensity), "shines along " + direction_of(light.axis()) + extent};
   }
   std::string where = "at " + vector_of(light.position()) + " m";
   if (const auto* spot = std::get_if<SpotLight>(&light.shape)) {
@@ -93,7 +95,7 @@ std::vector<std::string> light_row(const Light& light) {
   } else {
     where += range_text(std::get<PointLight>(light.shape).range);
   }
-  return {kind, fmt::format("{:.6g} cd", light.intensity), where};
+  return {kind, fmt::format("{:.6g} cd", light.intensity), where + extent};
 }
 
 std::vector<std::string> material_row(const Material& material) {
@@ -165,6 +167,18 @@ void add_memory(Lines& lines, const SceneReport& report) {
 }
 
 }  // namespace
+
+std::string extent_text(const Emitter& emitter) {
+  if (const auto* sphere = std::get_if<SphereEmitter>(&emitter)) return "sphere of radius " + metres(sphere->radius);
+  if (const auto* disk = std::get_if<DiskEmitter>(&emitter)) return "disk of radius " + metres(disk->radius);
+  if (const auto* rectangle = std::get_if<RectangleEmitter>(&emitter)) {
+    return fmt::format("rectangle of {:.6g} × {:.6g} m", rectangle->width, rectangle->height);
+  }
+  if (const auto* distant = std::get_if<DistantEmitter>(&emitter)) {
+    return degrees_of(distant->angular_diameter) + " across";
+  }
+  return {};
+}
 
 std::vector<std::string> to_lines(const SceneReport& report) {
   const Scene& scene = report.scene;

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/scene_report.h"
 #include "raytrace/tracer.h"
 
 namespace umbrameter {
@@ -36,6 +37,7 @@ Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow, co
   object["light"] = workbench.layer(shadow.light);
   object["index"] = shadow.light;
   object["kind"] = kind_name(shadow.frame.kind);
+  object["extent"] = to_json(shadow.emitter);
   const double texel = shadow.counted.mean_texel;
   object["map"] = {
       {"resolution_texels", shadow.frame.resolution}, {"mean_texel_m", texel}, {"far_depth_m", shadow.frame.far_depth}};
@@ -50,6 +52,12 @@ Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow, co
   if (shadow.truth) {
     object["truth"] = {{"rays", shadow.truth->statistics.rays},
                        {"largest_offset_m", shadow.truth->statistics.largest_offset}};
+  }
+  if (shadow.soft_statistics) {
+    const SampledError& error = shadow.soft_statistics->error;
+    object["statistics"] = row_json(soft_visibility_columns(), to_row(*shadow.soft_statistics));
+    object["statistics"]["mean_standard_error"] = error.mean_standard_error;
+    object["max_error_at_px"] = error.max_x < 0 ? Json(nullptr) : Json{error.max_x, error.max_y};
   }
   if (shadow.statistics) {
     const VisibilityStatistics& s = *shadow.statistics;

@@ -11,11 +11,13 @@
 #include "core/parallel.h"
 #include "reports/output.h"
 #include "scenes/builtin.h"
+#include "scenes/emitter.h"
 
 namespace umbrameter {
 namespace {
 
-enum class Measure { visibility, ao };
+// Soft: some cell's light has extent, and all cells are told in its columns.
+enum class Measure { visibility, soft_visibility, ao };
 
 // Cells that differ only in these share a shadow map and a truth.
 constexpr std::array<std::string_view, 4> inner_keys = {"shadow.constant-bias", "shadow.slope-bias", "shadow.filter",
@@ -33,7 +35,7 @@ Measure choose_measure(const std::string& given, const std::vector<SweepAxis>& a
     throw Error(ExitCode::usage, "--measure", "'" + given + "' is not allowed", "expected visibility or ao");
   }
   const bool ao = varies_group(axes, "ao.") || varies_group(axes, "truth.");
-  if (ao && varies_group(axes, "shadow.")) {
+  if (ao && (varies_group(axes, "shadow.") || varies_group(axes, "light."))) {
     throw Error(ExitCode::usage, "sweep", "the axes belong to shadows and to ambient occlusion",
                 "say which to measure: --measure visibility or --measure ao");
   }
@@ -70,10 +72,34 @@ Experiment at_cell(Experiment experiment, const std::vector<SweepAxis>& axes, co
 std::vector<Value> measure_cell(Workbench& workbench, const Experiment& experiment, Measure measure) {
   if (measure == Measure::ao) return to_row(*measure_ao(workbench, experiment, {}).statistics);
   const std::uint32_t light = workbench.lights(experiment.view.light).front();
+  if (measure == Measure::soft_visibility) {
+    workbench.require_sense_for(experiment, {light});
+    const TracedVisibility& truth = workbench.truth(experiment, light);
+    const RasterVisibility raster = workbench.draw(experiment, light, false);
+    return to_row(analyze_soft_visibility(raster.visibility, sampled(truth), workbench.fit(experiment, light).counted));
+  }
   const LightFit& fit = workbench.fit(experiment, light);
   const Image<float>& truth = workbench.truth(experiment, light).visibility;
   const RasterVisibility raster = workbench.draw(experiment, light, true);
   return to_row(analyze_visibility(raster.visibility, truth, raster.classes, fit.counted));
+}
+
+std::vector<Column> columns_of(Measure measure) {
+  if (measure == Measure::ao) return ao_columns();
+  return measure == Measure::soft_visibility ? soft_visibility_columns() : visibility_columns();
+}
+
+bool has_soft_cells(const Workbench& workbench, const Experiment& experiment, const std::vector<SweepAxis>& axes) {
+  if (varies_group(axes, "light.")) return true;
+  std::vector<std::string> names = {experiment.view.light};
+  for (const SweepAxis& axis : axes) {
+    if (axis.key != "view.light") continue;
+    names.clear();
+    for (const Value& value : axis.values) names.push_back(to_string(value));
+  }
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    return is_area(workbench.light(experiment, workbench.lights(name).front()));
+  });
 }
 
 // How the axes are laid out in figures: x is the numeric axis with the most values, lines are the next, and every
@@ -151,10 +177,20 @@ constexpr Curve visibility_curves[] = {
     {"peter_panning", "Peter-panning", "peter-panning [% of counted pixels]", false, false},
     {"false_occlusion", "False occlusion", "false occlusion [% of counted pixels]", false, false},
     {"leak", "Light leak", "light leak [% of counted pixels]", false, false}};
+constexpr Curve soft_visibility_curves[] = {
+    {"mae", "Mean absolute error of visibility", "mean absolute error [%], 95 % interval", true, false},
+    {"false_blocked", "Too dark", "too dark [% of counted pixels], 95 % interval", true, false},
+    {"false_lit", "Too bright", "too bright [% of counted pixels], 95 % interval", true, false}};
 constexpr Curve ao_curves[] = {
     {"mae", "Mean absolute error of accessibility", "mean absolute error [%], 95 % interval", true, false},
     {"rmse", "RMS error of accessibility", "RMS error [%], 95 % interval", true, false},
     {"mean_error", "Mean error of accessibility", "raster − truth [%], 95 % interval", true, false}};
+
+std::span<const Curve> curves_of(Measure measure) {
+  if (measure == Measure::ao) return ao_curves;
+  if (measure == Measure::soft_visibility) return soft_visibility_curves;
+  return visibility_curves;
+}
 
 // The columns that a plot reads, shares as per cent.
 Table plot_data(const Table& table, const std::vector<std::size_t>& rows, const std::vector<std::string>& names,
@@ -177,8 +213,7 @@ bool is_geometric(const SweepAxis& axis) { return axis.text.size() > 4 && axis.t
 std::vector<PlotFigure> make_plots(const Parameters& parameters, const std::vector<SweepAxis>& axes,
                                    const Layout& layout, const Table& table, Measure measure) {
   std::vector<PlotFigure> plots;
-  const std::span<const Curve> curves =
-      measure == Measure::ao ? std::span<const Curve>(ao_curves) : std::span<const Curve>(visibility_curves);
+  const std::span<const Curve> curves = curves_of(measure);
   std::size_t part = 0;
   for (const auto& [text, rows] : rows_by_rest(table, layout)) {
     for (const Curve& curve : curves) {
@@ -252,11 +287,12 @@ Presentation present_sweep(const Parameters& parameters, const std::vector<Sweep
 ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   Experiment experiment = make_experiment(line);
   const std::vector<SweepAxis> axes = make_axes(line, experiment);
-  const Measure measure = choose_measure(line.measure, axes);
+  Measure measure = choose_measure(line.measure, axes);
   const std::size_t cells = count_cells(axes);
   prepare_output_folder(line.output);
   const ThreadLimit threads(line.threads);
-  Workbench workbench(load_scene(experiment.scene, experiment.view.scene), {line.gl_device, line.threads}, console);
+  Workbench workbench(load_scene(experiment.scene, experiment.view.scene),
+                      {line.gl_device, line.threads, chosen_cache(line, console)}, console);
   const std::vector<std::uint32_t> lights = workbench.lights(experiment.view.light);
   const bool varies_light = varies_group(axes, "view.light");
   if (measure == Measure::visibility && !varies_light && lights.size() > 1) {
@@ -266,12 +302,14 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
                               workbench.title(lights.front())));
   }
 
+  if (measure == Measure::visibility && has_soft_cells(workbench, experiment, axes)) measure = Measure::soft_visibility;
+
   const Parameters parameters = describe(experiment);
   Table table;
   {
     ProgressBar bar(console, fmt::format("{} cells", cells));
     table = run_sweep(
-        parameters, axes, inner_keys, measure == Measure::ao ? ao_columns() : visibility_columns(),
+        parameters, axes, inner_keys, columns_of(measure),
         [&](std::span<const SweepCell> group) {
           std::vector<std::vector<Value>> rows;
           for (const SweepCell& cell : group) {

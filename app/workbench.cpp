@@ -34,7 +34,11 @@ void require_measurable(const Bounds& bounds, const std::string& name) {
 }  // namespace
 
 Workbench::Workbench(Scene scene, WorkbenchOptions options, const Console& console)
-    : scene_(std::move(scene)), options_(std::move(options)), console_(console), bounds_(bounds_of(scene_)) {
+    : scene_(std::move(scene)),
+      options_(std::move(options)),
+      console_(console),
+      bounds_(bounds_of(scene_)),
+      cache_(options_.cache, console) {
   add_notes(scene_.notes);
   if (bounds_.empty()) {
     throw Error(ExitCode::unreadable_input, scene_.name, "the scene has no triangles",
@@ -62,6 +66,12 @@ std::string Workbench::title(std::uint32_t light) const {
 
 std::vector<std::uint32_t> Workbench::lights(const std::string& name_or_index) const {
   return select_lights(scene_, name_or_index);
+}
+
+void Workbench::require_sense_for(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const {
+  std::vector<Light> measured;
+  for (const std::uint32_t light : lights) measured.push_back(scene_.lights[light]);
+  require_sense(experiment.light, measured);
 }
 
 const Tracer& Workbench::tracer() {
@@ -118,10 +128,43 @@ const LightFit& Workbench::fit(const Experiment& experiment, std::uint32_t light
   });
 }
 
+ReferenceKey Workbench::reference_key(const Experiment& experiment, const std::string& kind) {
+  if (!cache_.enabled()) return {};
+  TruthParams params = experiment.truth;
+  return {kind,
+          tracer_identity_.get("", tracer_identity),
+          scene_content_.get("", [&] { return scene_content(scene_); }),
+          surfel_content_.get(surfel_key(experiment.view),
+                              [&] { return surfel_content(surfels(experiment.view).gbuffer); }),
+          "",
+          key_of(describe(params)),
+          static_cast<std::uint32_t>(experiment.run.seed)};
+}
+
+Light Workbench::light(const Experiment& experiment, std::uint32_t light) const {
+  return with_extent(scene_.lights[light], experiment.light);
+}
+
+// Hard shadows depend on the light alone, soft ones on how they are sampled, too.
+std::string Workbench::truth_key(const Experiment& experiment, std::uint32_t light) const {
+  std::string key = light_key(experiment, light);
+  if (!is_area(this->light(experiment, light))) return key;
+  Experiment copy = experiment;
+  return key + key_of(describe(copy.light)) + key_of(describe(copy.truth)) + std::to_string(copy.run.seed);
+}
+
 const TracedVisibility& Workbench::truth(const Experiment& experiment, std::uint32_t light) {
-  return truth_.get(light_key(experiment, light), [&] {
-    ProgressBar bar(console_, "shadow rays");
-    return trace_visibility(tracer(), surfels(experiment.view).gbuffer, scene_.lights[light], bar.callback());
+  return truth_.get(truth_key(experiment, light), [&] {
+    const Light lamp = this->light(experiment, light);
+    ReferenceKey key = reference_key(experiment, "visibility");
+    key.light = light_content(lamp);
+    const std::function<TracedVisibility()> trace = [&] {
+      const Tracer& rays = tracer();
+      ProgressBar bar(console_, "shadow rays", [&] { return rays.rays_traced(); });
+      return trace_visibility(rays, surfels(experiment.view).gbuffer, lamp,
+                              {experiment.truth, static_cast<std::uint32_t>(experiment.run.seed)}, bar.callback());
+    };
+    return cache_.get(key, {scene_title(experiment), "visibility of " + title(light), {}, {}}, trace);
   });
 }
 
@@ -129,9 +172,13 @@ const TracedAo& Workbench::ao_truth(const Experiment& experiment) {
   TruthParams params = experiment.truth;
   const std::string key = surfel_key(experiment.view) + key_of(describe(params)) + std::to_string(experiment.run.seed);
   return ao_truth_.get(key, [&] {
-    ProgressBar bar(console_, "hemisphere rays");
-    return trace_ao(tracer(), surfels(experiment.view).gbuffer, params, static_cast<std::uint32_t>(experiment.run.seed),
-                    bar.callback());
+    const std::function<TracedAo()> trace = [&] {
+      const Tracer& rays = tracer();
+      ProgressBar bar(console_, "hemisphere rays", [&] { return rays.rays_traced(); });
+      return trace_ao(rays, surfels(experiment.view).gbuffer, params, static_cast<std::uint32_t>(experiment.run.seed),
+                      bar.callback());
+    };
+    return cache_.get(reference_key(experiment, "ao"), {scene_title(experiment), "ambient occlusion", {}, {}}, trace);
   });
 }
 
@@ -144,7 +191,7 @@ RasterVisibility Workbench::draw(const Experiment& experiment, std::uint32_t lig
   });
   const gl::Texture* gpu_truth = nullptr;
   if (with_truth) {
-    gpu_truth = &gpu_truth_.get(light_key(experiment, light),
+    gpu_truth = &gpu_truth_.get(truth_key(experiment, light),
                                 [&] { return upload(context(), truth(experiment, light).visibility); });
   }
   return draw_visibility(context(), uploaded(), gpu, map, scene_.lights[light], experiment.shadow, gpu_truth);

@@ -9,6 +9,7 @@
 
 #include "app/console.h"
 #include "app/experiment.h"
+#include "app/reference_cache.h"
 #include "compare/visibility.h"
 #include "raster/rasterizer.h"
 #include "raytrace/tracer.h"
@@ -50,6 +51,7 @@ struct LightFit {
 struct WorkbenchOptions {
   std::string gl_device;
   int threads = 0;
+  std::optional<CacheFolder> cache{};  ///< for references
 };
 
 class Workbench {
@@ -62,6 +64,10 @@ class Workbench {
   const std::string& layer(std::uint32_t light) const { return layers_[light]; }
   /// For people: the light's name, or "light 2" where it has none.
   std::string title(std::uint32_t light) const;
+  /// The light with the extent that the experiment gives it.
+  Light light(const Experiment& experiment, std::uint32_t light) const;
+  /// Throws Error (usage) where the light.* parameters make no sense for these lights.
+  void require_sense_for(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const;
   /// Indices of the lights that a name or index selects; all when empty.
   std::vector<std::uint32_t> lights(const std::string& name_or_index) const;
 
@@ -84,7 +90,9 @@ class Workbench {
 
  private:
   void add_notes(const std::vector<std::string>& notes);
+  ReferenceKey reference_key(const Experiment& experiment, const std::string& kind);
   std::string light_key(const Experiment& experiment, std::uint32_t light) const;
+  std::string truth_key(const Experiment& experiment, std::uint32_t light) const;
 
   Scene scene_;
   WorkbenchOptions options_;
@@ -92,6 +100,7 @@ class Workbench {
   Bounds bounds_;
   std::vector<std::string> layers_;
   std::vector<std::string> notes_;
+  ReferenceCache cache_;
   std::optional<Tracer> tracer_;
   // In this order: what lives on the GPU goes before its context does.
   std::unique_ptr<gl::Context> context_;
@@ -103,6 +112,9 @@ class Workbench {
   Memo<TracedVisibility> truth_;
   Memo<gl::Texture> gpu_truth_;
   Memo<TracedAo> ao_truth_;
+  Memo<std::string> tracer_identity_;
+  Memo<std::string> scene_content_;
+  Memo<std::string> surfel_content_;
 };
 
 }  // namespace umbrameter

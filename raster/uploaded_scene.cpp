@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 
@@ -75,7 +76,8 @@ void require_room(const gl::Context& context, const std::string& what, std::size
 }
 
 void allocate(const gl::Context& context, const Layout& layout, UploadedScene& uploaded) {
-  const std::size_t most = context.max_buffer_texels();
+  // Shaders count texels in signed numbers.
+  const std::size_t most = std::min<std::size_t>(context.max_buffer_texels(), std::numeric_limits<int>::max());
   require_room(context, "positions", layout.vertices, most, "vertices");
   require_room(context, "triangles", layout.triangles, most, "triangles");
   uploaded.positions = gl::make_empty_buffer("scene positions", layout.vertices * sizeof(vec3));

@@ -17,6 +17,7 @@ void trace_tiles(const AoTask& task, TracedAo& traced, const Progress& progress)
       [&](const Tile& tile) {
         AoTile<Rays> pixels(task);
         pixels.trace(tile, traced);
+        task.tracer.state().rays_traced += pixels.statistics().rays;
         const std::lock_guard lock(mutex);
         TraceStatistics& sum = traced.statistics;
         sum.rays += pixels.statistics().rays;

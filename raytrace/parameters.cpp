@@ -23,14 +23,20 @@ Parameters describe(TruthParams& params) {
                                                                "sao",  "hbao",   "gtao"};
   static constexpr std::array<std::string_view, 2> normals = {"geometric", "shading"};
   static constexpr std::array<std::string_view, 4> layers = {"none", "bent-normal", "hit-distance", "all"};
+  static constexpr std::array<std::string_view, 2> samplings = {"area", "solid-angle"};
   return Description("truth")
-      .field("spp", params.spp, {"rays", "hemisphere rays for each pixel, where there is no tolerance", 1, 65536})
+      .field("spp", params.spp,
+             {"rays",
+              "rays for each pixel: to each light that has extent, and over the hemisphere where there is no tolerance",
+              1, 65536})
       .choice("ao-weight", params.ao_weight, weights, {"", "how directions count: by their cosine, or evenly"})
       .field("ao-distance", params.ao_distance, {"m", "hits farther than this do not occlude; 0 for no limit", 0.0})
       .choice("sampler", params.sampler, samplers,
               {"", "Owen-scrambled Sobol points, or independent random ones for comparison"})
       .field("tolerance", params.tolerance,
-             {"1", "a pixel stops when the half width of its 95 % interval is below this; 0: truth.spp rays for each",
+             {"1",
+              "a pixel's hemisphere rays stop when the half width of its 95 % interval is below this; 0: truth.spp "
+              "rays for each",
               0.0, 1.0})
       .field("min-spp", params.min_spp,
              {"rays", "least rays of a pixel that has a tolerance", static_cast<double>(least_min_spp), most_spp})
@@ -42,6 +48,8 @@ Parameters describe(TruthParams& params) {
               {"", "what the hemisphere stands on; directions below the triangle's plane are blocked"})
       .choice("ao-layers", params.ao_layers, layers,
               {"", "further layers to trace: mean unoccluded direction, mean distance of the hits"})
+      .choice("light-sampling", params.light_sampling, samplings,
+              {"", "what visibility of a light with extent is the visible share of: its area, or its solid angle"})
       .take();
 }
 

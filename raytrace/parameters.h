@@ -19,6 +19,11 @@ enum class AoNormal : int { geometric, shading };
 /// Which layers are traced besides accessibility. They need the nearest hit, which is slower than any hit.
 enum class AoLayers : int { none, bent_normal, hit_distance, all };
 
+/// What of a light with extent visibility is the share of. `area`: of its area; of a sphere, of the disk that it shows
+/// the surfel; of a distant light, of its disk in the plane across its axis. `solid_angle`: of the solid angle that it
+/// spans at the surfel.
+enum class LightSampling : int { area, solid_angle };
+
 /// The truth.* parameters.
 struct TruthParams {
   int spp = 256;
@@ -31,6 +36,7 @@ struct TruthParams {
   AoFalloff ao_falloff = AoFalloff::none;
   AoNormal ao_normal = AoNormal::geometric;
   AoLayers ao_layers = AoLayers::none;
+  LightSampling light_sampling = LightSampling::area;
 };
 Parameters describe(TruthParams& params);
 

@@ -3,8 +3,10 @@
 #include <limits>
 #include <mutex>
 
+#include "raytrace/area_shadow.h"
 #include "raytrace/packet.h"
 #include "raytrace/surfel.h"
+#include "scenes/emitter.h"
 #include "scenes/light_frame.h"
 
 namespace umbrameter {
@@ -39,9 +41,11 @@ ShadowRay towards(const Light& light, const RayOrigin& origin) {
 }  // namespace
 
 TracedVisibility trace_visibility(const Tracer& tracer, const GBuffer& gbuffer, const Light& light,
-                                  const Progress& progress) {
+                                  const TruthSampling& sampling, const Progress& progress) {
+  if (is_area(light)) return trace_area_visibility(tracer, gbuffer, light, sampling, progress);
   const auto start = std::chrono::steady_clock::now();
-  TracedVisibility traced{Image<float>(gbuffer.width, gbuffer.height, 1.0f), {}};
+  const Image<float> none(gbuffer.width, gbuffer.height, 0.0f);
+  TracedVisibility traced{Image<float>(gbuffer.width, gbuffer.height, 1.0f), {}, none, none, none};
   std::mutex mutex;
   parallel_tiles(
       gbuffer.width, gbuffer.height, tile_size,
@@ -73,6 +77,7 @@ TracedVisibility trace_visibility(const Tracer& tracer, const GBuffer& gbuffer, 
           }
         }
         flush();
+        tracer.state().rays_traced += statistics.rays;
         const std::lock_guard lock(mutex);
         traced.statistics.rays += statistics.rays;
         traced.statistics.largest_offset = std::max(traced.statistics.largest_offset, statistics.largest_offset);

@@ -73,6 +73,12 @@ void prepare(RayQuery& query, const Tracer::State& state, bool is_primary) {
 
 std::string embree_version() { return RTC_VERSION_STRING; }
 
+std::string loaded_embree_version() {
+  const DevicePtr device(rtcNewDevice(nullptr));
+  check(device.get(), "start");
+  return std::to_string(rtcGetDeviceProperty(device.get(), RTC_DEVICE_PROPERTY_VERSION));
+}
+
 Tracer::Tracer(const Scene& scene, const Progress& progress) : state_(std::make_unique<State>(scene)) {
   const auto start = std::chrono::steady_clock::now();
   State& state = *state_;
@@ -95,5 +101,6 @@ Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 
 const Scene& Tracer::scene() const { return state_->scene; }
 const BuildStatistics& Tracer::build_statistics() const { return state_->statistics; }
+std::uint64_t Tracer::rays_traced() const { return state_->rays_traced.load(); }
 
 }  // namespace umbrameter

@@ -17,6 +17,8 @@ namespace umbrameter {
 
 /// Embree's version, "3.13.5".
 std::string embree_version();
+/// Of the library that is loaded, which may be newer than the one built with: "31305". Throws as Tracer does.
+std::string loaded_embree_version();
 
 struct BuildStatistics {
   std::uint64_t triangles = 0;  ///< over all instances
@@ -36,6 +38,8 @@ class Tracer {
 
   const Scene& scene() const;
   const BuildStatistics& build_statistics() const;
+  /// Shadow and AO rays so far, tile by tile while they are traced; for showing how fast it goes.
+  std::uint64_t rays_traced() const;
 
   struct State;
   const State& state() const { return *state_; }
@@ -49,17 +53,33 @@ struct TraceStatistics {
   std::uint64_t rays = 0;
   double seconds = 0.0;
   double largest_offset = 0.0;  ///< metres, along the geometric normal, over all surfels
+  bool from_cache = false;      ///< not traced now: `seconds` is what it took when it was
 };
 
 /// Primary hits through the pixel centres of the view, without back faces of single-sided materials.
 GBuffer trace_gbuffer(const Tracer& tracer, const View& view, const Progress& progress = {});
 
+/// How what has no closed form is sampled.
+struct TruthSampling {
+  TruthParams params;
+  std::uint32_t seed = 1;
+};
+
 struct TracedVisibility {
   Image<float> visibility;  ///< 1 lit, 0 blocked or turned away (geometric N·L ≤ 0), 1 on background
   TraceStatistics statistics;
+  /// Of a light with extent as TracedAo has them; all 0 where nothing was sampled.
+  Image<float> standard_error{};
+  Image<float> variance{};
+  Image<float> samples{};
+  int degrees_of_freedom = 0;
 };
+/// One ray to a light without extent, whose visibility is 0 or 1. Of a light with extent the visible share, by
+/// params.spp Owen-scrambled Sobol points in independent randomisations: of its area or its solid angle
+/// (params.light_sampling), however it is turned and whatever its cone; points below the surfel's geometric horizon
+/// count as blocked. 1 for a surfel within a sphere light.
 TracedVisibility trace_visibility(const Tracer& tracer, const GBuffer& gbuffer, const Light& light,
-                                  const Progress& progress = {});
+                                  const TruthSampling& sampling = {}, const Progress& progress = {});
 
 /// How well the pixels of a sampled image are known.
 struct SamplingPrecision {

@@ -37,6 +37,7 @@ struct Tracer::State {
   ScenePtr top;                       ///< geometry id or instance id = index in Scene::instances
   std::vector<InstanceInfo> instances;
   BuildStatistics statistics;
+  mutable std::atomic<std::uint64_t> rays_traced{0};
 };
 
 /// Throws Error (no_backend) when a call of this thread has failed since the last check.

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scenes/gltf_emitter.h"
+
 namespace umbrameter::gltf {
 namespace {
 
@@ -232,6 +234,25 @@ struct Checker {
     }
   }
 
+  // A light, or a node that places one.
+  static bool is_light(const json& value, std::string_view name) {
+    if (name == "lights") return true;
+    const auto extensions = value.find("extensions");
+    return name == "nodes" && extensions != value.end() && extensions->is_object() &&
+           extensions->contains("KHR_lights_punctual");
+  }
+
+  void keep_emitter(json& extras, json& kept, const Place& place) const {
+    for (const EmitterKey& key : emitter_keys) {
+      const auto found = extras.find(key.name);
+      if (found == extras.end()) continue;
+      const Place at{&place, key.name, 0};
+      check(*found, key.is_number ? Kind::number : Kind::text, at);
+      // As floating point, since the parser would cut integers down to its own.
+      kept[key.name] = key.is_number ? json(found->get<double>()) : std::move(*found);
+    }
+  }
+
   void walk(json& value, std::string_view name, const Place& place) const {
     if (value.is_number()) require(std::isfinite(value.get<double>()), place, "the number is out of range");
     if (value.is_array()) {
@@ -248,6 +269,7 @@ struct Checker {
       if (extras->is_object() && extras->contains("name") && (*extras)["name"].is_string()) {
         kept["name"] = std::move((*extras)["name"]);
       }
+      if (extras->is_object() && is_light(value, name)) keep_emitter(*extras, kept, {&place, "extras", 0});
       *extras = std::move(kept);
     }
     for (auto& [member, held] : value.items()) {
@@ -257,6 +279,8 @@ struct Checker {
         check(held, Kind::object, inside);
       } else {
         check(held, kind_of(member, name), inside);
+        // The parser takes its own preset for any other number of them.
+        require(member != "baseColorFactor" || held.size() == 4, inside, "it is not four numbers");
       }
       walk(held, member, inside);
     }

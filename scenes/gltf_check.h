@@ -14,8 +14,8 @@ namespace umbrameter::gltf {
 nlohmann::json parse_text(std::string_view text, Allowance& allowance, const std::filesystem::path& path);
 
 /// Fails where a member that glTF 2.0 defines has another type, or a number is no index, size or finite number. Drops
-/// what has no effect here: extras (but a "name" in them) and the contents of unknown extensions. Whole numbers written
-/// as 1.0 become integers.
+/// what has no effect here: extras (but a "name" in them and the extent of a light) and the contents of unknown
+/// extensions. Whole numbers written as 1.0 become integers.
 void check_document(nlohmann::json& root, const std::filesystem::path& path);
 
 /// Claims what the parser will keep for these arrays.

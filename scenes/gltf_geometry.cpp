@@ -7,9 +7,11 @@
 namespace umbrameter::gltf {
 namespace {
 
-bool is_drawn(int mode) {
-  return mode < 0 || mode == TINYGLTF_MODE_TRIANGLES || mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
-         mode == TINYGLTF_MODE_TRIANGLE_FAN;
+bool is_drawn(const tinygltf::Primitive& primitive, const std::filesystem::path& path, const std::string& object) {
+  const int mode = primitive.mode;
+  if (mode > TINYGLTF_MODE_TRIANGLE_FAN)
+    fail(path, object, "there is no mode " + std::to_string(mode) + " in glTF 2.0");
+  return mode < 0 || mode >= TINYGLTF_MODE_TRIANGLES;
 }
 
 std::string name_of(const tinygltf::Primitive& primitive, const std::string& mesh_name) {
@@ -103,10 +105,11 @@ std::vector<std::uint32_t> read_mesh(GeometryReader& reader, std::size_t number,
         primitive.targets.empty() ? std::vector<double>() : std::vector<double>(weights.begin(), weights.end());
     const auto [entry, is_new] = reader.known.try_emplace(GeometryReader::Key{
         primitive.attributes, primitive.indices, primitive.material, primitive.mode, compressed, used_weights, name});
-    if (is_new && !is_drawn(primitive.mode)) {
+    const std::string object = name_primitive(source, number, p);
+    if (is_new && !is_drawn(primitive, reader.store.document.path, object)) {
       ++reader.dropped.points_and_lines;
     } else if (is_new) {
-      Mesh mesh = read_primitive(reader, primitive, weights, name_primitive(source, number, p));
+      Mesh mesh = read_primitive(reader, primitive, weights, object);
       mesh.name = name;
       if (!mesh.triangles.empty()) {
         entry->second = static_cast<std::uint32_t>(reader.scene.meshes.size());
@@ -125,8 +128,11 @@ std::vector<std::uint32_t> read_skinned_mesh(GeometryReader& reader, std::size_t
   std::vector<std::uint32_t> parts;
   for (std::size_t p = 0; p < source.primitives.size(); ++p) {
     const tinygltf::Primitive& primitive = source.primitives[p];
-    if (!is_drawn(primitive.mode)) continue;
     const std::string object = name_primitive(source, number, p);
+    if (!is_drawn(primitive, reader.store.document.path, object)) {
+      ++reader.dropped.points_and_lines;
+      continue;
+    }
     Mesh mesh = read_primitive(reader, primitive, weights_of(source, node_weights), object);
     const Skin skin = read_skin(reader, primitive, mesh.positions.size(), joint_matrices.size(), object);
     if (skin.joints.empty())
@@ -136,6 +142,7 @@ std::vector<std::uint32_t> read_skinned_mesh(GeometryReader& reader, std::size_t
       if (std::isfinite(position.x + position.y + position.z)) continue;
       fail(reader.store.document.path, object, "the skin of " + node + " moves a vertex to infinity");
     }
+    drop_flat_triangles(mesh, reader.dropped);
     mesh.name = name_of(primitive, source.name);
     if (mesh.triangles.empty()) continue;
     parts.push_back(static_cast<std::uint32_t>(reader.scene.meshes.size()));

@@ -49,6 +49,9 @@ std::vector<std::uint32_t> read_skinned_mesh(GeometryReader& reader, std::size_t
                                              std::span<const double> node_weights,
                                              std::span<const dmat4> joint_matrices, const std::string& node);
 
+/// Erases triangles without area, and counts them.
+void drop_flat_triangles(Mesh& mesh, Dropped& dropped);
+
 /// One line for each kind of thing that was dropped.
 void note_dropped(const Dropped& dropped, std::vector<std::string>& notes);
 

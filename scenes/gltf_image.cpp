@@ -12,10 +12,48 @@
 #include <stb_image.h>
 #include <stb_image_write.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
+#include <numeric>
 
 namespace umbrameter::gltf {
+namespace {
+
+// ITU-T T.81, section B.2.4.2: a Huffman table has at most 256 codes. The decoder writes as many as the file says, and
+// reads a table to its end even where the segment of that length ends before.
+bool are_tables_sane(std::span<const unsigned char> bytes, std::size_t length) {
+  constexpr std::size_t head = 17;
+  for (std::size_t at = 0; at < length;) {
+    const auto rest = bytes.subspan(std::min(at + 1, bytes.size()));
+    const auto counts = rest.first(std::min(head - 1, rest.size()));
+    const std::size_t codes = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+    if (codes > 256) return false;
+    at += head + codes;
+  }
+  return true;
+}
+
+// Walks the segments of a JPEG, those between its scans as well. Of anything else: true.
+bool has_sane_jpeg_tables(std::span<const unsigned char> bytes) {
+  if (bytes.size() < 2 || bytes[0] != 0xff || bytes[1] != 0xd8) return true;
+  std::size_t at = 2;
+  while (at + 3 < bytes.size()) {
+    const unsigned marker = bytes[at] == 0xff ? bytes[at + 1] : 0u;
+    const bool is_alone = marker <= 0x01 || (marker >= 0xd0 && marker <= 0xd9) || marker == 0xff;
+    if (is_alone) {
+      ++at;
+      continue;
+    }
+    const std::size_t length = (std::size_t{bytes[at + 2]} << 8u) | bytes[at + 3];
+    const std::size_t end = at + 2 + std::max<std::size_t>(length, 2);
+    if (marker == 0xc4 && !are_tables_sane(bytes.subspan(at + 4), end - at - 4)) return false;
+    at = end;
+  }
+  return true;
+}
+
+}  // namespace
 
 Image<glm::u8vec4> decode_image(std::span<const unsigned char> bytes, Allowance& allowance,
                                 const std::filesystem::path& path, const std::string& object) {
@@ -25,6 +63,7 @@ Image<glm::u8vec4> decode_image(std::span<const unsigned char> bytes, Allowance&
   if (bytes.empty() || bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     fail(path, object, "it holds " + std::to_string(bytes.size()) + " bytes", remedy);
   }
+  if (!has_sane_jpeg_tables(bytes)) fail(path, object, "its JPEG has a Huffman table of more than 256 codes", remedy);
   const int size = static_cast<int>(bytes.size());
   int width = 0;
   int height = 0;

@@ -122,10 +122,10 @@ void read_specular(const Value& source, Material& material, const Document& docu
 TextureReference read_metallic_roughness(const tinygltf::PbrMetallicRoughness& source, Material& material,
                                          const Document& document, const std::string& object) {
   const std::vector<double>& color = source.baseColorFactor;
-  const bool usable = color.size() == 4 && std::all_of(color.begin(), color.end(), [](double value) {
-                        return std::isfinite(static_cast<float>(value)) && value >= 0.0;
-                      });
-  if (!usable) fail(document.path, object, "its baseColorFactor is not four numbers from 0 to 1");
+  const bool usable = std::all_of(color.begin(), color.end(), [](double value) {
+    return std::isfinite(static_cast<float>(value)) && value >= 0.0;
+  });
+  if (!usable) fail(document.path, object, "its baseColorFactor is not of finite numbers of at least 0");
   for (int i = 0; i < 4; ++i) material.base_color[i] = static_cast<float>(color[static_cast<std::size_t>(i)]);
   material.metallic = std::clamp(static_cast<float>(source.metallicFactor), 0.0f, 1.0f);
   material.roughness = std::clamp(static_cast<float>(source.roughnessFactor), 0.0f, 1.0f);

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "scenes/gltf_emitter.h"
 
 namespace umbrameter::gltf {
 namespace {
@@ -87,7 +88,7 @@ std::vector<int> parentless_nodes(const tinygltf::Model& model) {
 
 std::vector<int> root_nodes(const Document& document, const std::string& part, std::string& scene_name) {
   const tinygltf::Model& model = *document.model;
-  if (!model.scenes.empty() || !part.empty()) {
+  if (!model.scenes.empty() || !part.empty() || model.defaultScene != -1) {
     const int preset = model.defaultScene == -1 ? 0 : model.defaultScene;
     const std::size_t chosen = part.empty() ? static_cast<std::size_t>(preset) : chosen_scene(document, part);
     if (chosen >= model.scenes.size()) {
@@ -142,6 +143,12 @@ std::vector<Placed> place_nodes(const Document& document, const std::string& par
     if (!is_finite(world)) fail(document.path, object, "its world transform is not finite");
     push(node.children, static_cast<std::ptrdiff_t>(placed.size()));
     placed.push_back({index, world});
+  }
+  // Without scenes every node belongs to the one that there is; those of a cycle have no root to be reached from.
+  if (model.scenes.empty() && placed.size() < model.nodes.size()) {
+    fail(document.path,
+         label("node", static_cast<std::size_t>(std::find(visited.begin(), visited.end(), 0) - visited.begin()), ""),
+         "it is its own ancestor: nodes must form a tree without cycles");
   }
   return placed;
 }
@@ -267,8 +274,11 @@ struct NodeReader {
     const int number = usable ? extension->second.Get("light").GetNumberAsInt() : -1;
     const std::size_t index = checked_index(number, model().lights.size(), "light", document().path, object);
     const tinygltf::Light& light = model().lights[index];
-    scene.lights.push_back(
-        read_light(light, at.world, document(), label("light", index, light.name) + " at " + object, scene.notes));
+    const std::string name = label("light", index, light.name) + " at " + object;
+    Light& placed_light = scene.lights.emplace_back(read_light(light, at.world, document(), name, scene.notes));
+    if (tells_emitter(node.extras)) {
+      placed_light.emitter = read_emitter(node.extras, placed_light, document(), name, scene.notes);
+    }
   }
 };
 

@@ -196,6 +196,11 @@ std::uint32_t material_of(GeometryReader& reader, const tinygltf::Primitive& pri
 
 }  // namespace
 
+void drop_flat_triangles(Mesh& mesh, Dropped& dropped) {
+  dropped.zero_area +=
+      std::erase_if(mesh.triangles, [&](const uvec3& t) { return area_vector(mesh, t) == dvec3(0.0); });
+}
+
 Mesh read_primitive(GeometryReader& reader, const tinygltf::Primitive& primitive, std::span<const double> weights,
                     const std::string& object) {
   const std::filesystem::path& path = reader.store.document.path;
@@ -222,8 +227,7 @@ Mesh read_primitive(GeometryReader& reader, const tinygltf::Primitive& primitive
     for (vec2& texcoord : mesh.texcoords) texcoord = moved(texcoords, texcoord);
     require_finite(mesh.texcoords, "transformed " + source.texcoord_name, path, object);
   }
-  reader.dropped.zero_area +=
-      std::erase_if(mesh.triangles, [&](const uvec3& t) { return area_vector(mesh, t) == dvec3(0.0); });
+  drop_flat_triangles(mesh, reader.dropped);
   reader.dropped.vertex_colors |= primitive.attributes.contains("COLOR_0");
   repair_normals(mesh, reader.dropped);
   return mesh;

@@ -9,6 +9,7 @@
 
 #include "scenes/gltf.h"
 #include "scenes/gltf_document.h"
+#include "scenes/gltf_emitter.h"
 #include "scenes/gltf_json.h"
 
 namespace umbrameter {
@@ -194,11 +195,13 @@ Json matrix(const dmat4& transform) {
   return array(items);
 }
 
-Json node(const std::string& name, const dmat4& transform, std::string_view key, const Json& value) {
+Json node(const std::string& name, const dmat4& transform, std::string_view key, const Json& value,
+          const Members& extras = {}) {
   Members members;
   add_name(members, name);
   if (!same_bits(transform, dmat4(1.0))) members.emplace_back("matrix", matrix(transform));
   members.emplace_back(key, value);
+  if (!extras.empty()) members.emplace_back("extras", object(extras));
   return object(members);
 }
 
@@ -322,7 +325,7 @@ std::vector<unsigned char> to_glb(const Scene& scene) {
   std::vector<Json> lights;
   for (const Light& source : scene.lights) {
     const Json reference = object({{lights_name, object({{"light", to_json(lights.size())}})}});
-    nodes.push_back(node(source.name, source.world_from_light, "extensions", reference));
+    nodes.push_back(node(source.name, source.world_from_light, "extensions", reference, gltf::emitter_extras(source)));
     lights.push_back(light(source));
   }
   std::vector<Json> materials;

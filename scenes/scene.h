@@ -94,6 +94,24 @@ struct SpotLight {
   double outer_cone_angle = pi / 4;
 };
 
+/// How large a light is, which is what gives its shadows a penumbra. Sizes are in the world: no node scales them.
+struct SphereEmitter {
+  double radius = 0.0;  ///< metres, about the light's position
+};
+struct DiskEmitter {
+  double radius = 0.0;  ///< metres, about the light's position, across its axis
+};
+struct RectangleEmitter {
+  double width = 0.0;   ///< metres, along the light's own x, its position in the middle
+  double height = 0.0;  ///< metres, along its own y
+};
+/// A disk at infinity about the axis, like the sun; for directional lights alone.
+struct DistantEmitter {
+  double angular_diameter = 0.0;  ///< radians, less than π
+};
+/// Empty for a light without extent, whose shadows are hard. Sizes are above 0.
+using Emitter = std::variant<std::monostate, SphereEmitter, DiskEmitter, RectangleEmitter, DistantEmitter>;
+
 /// KHR_lights_punctual: shines along its own −Z; its +Y fixes the roll of its shadow map.
 struct Light {
   std::string name;             ///< empty when the file gives none
@@ -101,6 +119,7 @@ struct Light {
   vec3 color{1.0f};             ///< linear
   double intensity = 1.0;       ///< directional: lux; point and spot: candela
   std::variant<DirectionalLight, SpotLight, PointLight> shape;
+  Emitter emitter{};
 
   dvec3 position() const { return dvec3(world_from_light[3]); }
   /// Unit, the way that the light travels along its axis.

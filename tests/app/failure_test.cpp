@@ -41,6 +41,17 @@ TEST(Failure, A_truncated_glb_is_unreadable_input) {
   }
 }
 
+TEST(Failure, A_name_in_a_file_cannot_steer_the_terminal) {
+  const TemporaryFolder folder;
+  // A node that does not exist in a scene whose name would colour the terminal and end the line.
+  std::ofstream(folder / "rude.gltf") << R"({"asset":{"version":"2.0"},"nodes":[{"name":"\u001b[31m\nred\u009b",)"
+                                      << R"("mesh":7}]})";
+  const ProgramResult result = trace(folder / "rude.gltf", folder / "out");
+  expect_failure(result, 4, "red");
+  EXPECT_EQ(result.err.find('\x1b'), std::string::npos);
+  EXPECT_EQ(result.err.find("\xc2\x9b"), std::string::npos);
+}
+
 TEST(Failure, A_scene_beyond_single_precision_is_refused) {
   const TemporaryFolder folder;
   const auto scaled_triangle = [&](const char* scale) {

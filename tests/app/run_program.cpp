@@ -28,7 +28,8 @@ std::string quoted(const std::string& word) {
 
 ProgramResult run_program(const std::vector<std::string>& arguments, const ProgramOptions& options) {
   const TemporaryFolder folder;
-  std::string command = "exec env ";
+  // Never the user's own cache of references.
+  std::string command = "exec env " + quoted("XDG_CACHE_HOME=" + (folder / "cache").string()) + " ";
   for (const std::string& setting : options.environment) command += quoted(setting) + " ";
   for (const std::string& word : options.wrapper) command += quoted(word) + " ";
   command += quoted(UMBRAMETER_PROGRAM);

@@ -17,7 +17,8 @@ struct ProgramResult {
 };
 
 struct ProgramOptions {
-  std::vector<std::string> environment;  ///< "NAME=value", added to the test's own
+  std::vector<std::string>
+      environment;  ///< "NAME=value", added to the test's own, in which XDG_CACHE_HOME is an empty folder
   /// Words put before the program's own: {"sh", "-c", "ulimit -f 16; exec \"$@\"", "sh"}.
   std::vector<std::string> wrapper;
   /// Signal sent this long after the start; 0 for none.

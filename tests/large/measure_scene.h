@@ -19,7 +19,7 @@ inline constexpr const char* stage_names[] = {"loaded", "drawn", "traced"};
 Measurements write_scene(const std::string& scene, const std::filesystem::path& file);
 
 /// Loads the file and goes through all steps at 1280×720, with the first camera, the first light and a map of 2048².
-/// Steps that take less than two seconds are done up to three times; the least time counts.
+/// Each step is done twice, and short ones up to five times; the least time counts.
 Measurements measure_scene(const std::filesystem::path& file);
 
 }  // namespace umbrameter

@@ -9,6 +9,7 @@
 #include <exception>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 
 #include "core/error.h"
 #include "measure_scene.h"
@@ -23,6 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* default_sizes[] = {"100k", "300k", "1M", "3M", "10M", "20M"};
+constexpr double large_triangles = 1e6;  // from here on what does not grow with the triangles matters less
 
 void print(const Measurements& measurements) {
   for (const auto& [name, value] : measurements) fmt::print("{}\t{}\n", name, value);
@@ -52,16 +54,22 @@ struct Row {
   }
 };
 
+struct ScratchFile {
+  fs::path path;
+  ~ScratchFile() {
+    std::error_code ignored;
+    fs::remove(path, ignored);
+  }
+};
+
 Row measure(const std::string& scene, const std::string& size, const fs::path& folder) {
-  const fs::path file = folder / fmt::format("{}-{}-{}.glb", scene, size, getpid());
-  Row row{scene, run_self({"--write", scene + ":" + size, file.string()})};
-  const Measurements measured = run_self({"--measure", file.string()});
-  fs::remove(file);
+  const ScratchFile file{folder / fmt::format("{}-{}-{}.glb", scene, size, getpid())};
+  Row row{scene, run_self({"--write", scene + ":" + size, file.path.string()})};
+  const Measurements measured = run_self({"--measure", file.path.string()});
   row.values.insert(row.values.end(), measured.begin(), measured.end());
-  fmt::print("{}:{}", scene, size);
-  for (const auto& [name, value] : row.values) fmt::print("  {} {:.4g}", name, value);
-  fmt::print("\n");
-  std::fflush(stdout);
+  fmt::print(stderr, "{}:{}", scene, size);
+  for (const auto& [name, value] : row.values) fmt::print(stderr, "  {} {:.4g}", name, value);
+  fmt::print(stderr, "\n");
   return row;
 }
 
@@ -75,14 +83,24 @@ double slope(const std::vector<std::pair<double, double>>& points) {
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-// A line a name, with its slope in the legend.
+// To two digits: the scenes come close to the number that was asked for.
+double rounded(double triangles) {
+  const double unit = std::pow(10.0, std::floor(std::log10(triangles)) - 1.0);
+  return std::round(triangles / unit) * unit;
+}
+
+// A line a name, with its slope over all sizes and over the large ones in the legend.
 void add_line(PlotFigure& figure, const std::vector<Row>& rows, const std::string& scene, const std::string& name,
               const std::string& label) {
   std::vector<std::pair<double, double>> points;
   for (const Row& row : rows) {
-    if (row.scene == scene) points.emplace_back(row.at("triangles"), row.at(name));
+    if (row.scene == scene) points.emplace_back(rounded(row.at("triangles")), row.at(name));
   }
-  const std::string line = points.size() > 1 ? fmt::format("{}: {:.2f}", label, slope(points)) : label;
+  std::vector<std::pair<double, double>> large = points;
+  std::erase_if(large, [](const auto& point) { return point.first < large_triangles; });
+  std::string line = label;
+  if (points.size() > 1) line += fmt::format(": {:.2f}", slope(points));
+  if (large.size() > 1) line += fmt::format(", {:.2f}", slope(large));
   for (const auto& [x, y] : points) figure.data.rows.push_back({line, x, y});
 }
 
@@ -91,12 +109,12 @@ PlotFigure times_figure(const std::vector<Row>& rows, const std::string& scene, 
   figure.stem = "large-scenes-" + scene;
   figure.title = fmt::format("Seconds a step: {}, {}", scene, what);
   figure.caption =
-      "1280×720 pixels, shadow map of 2048² texels, software OpenGL. The number is the slope on these axes: 1 is "
-      "linear in the triangles, 0 does not depend on them.";
+      "1280×720 pixels, shadow map of 2048² texels, software OpenGL. The numbers are slopes on these axes, "
+      "over all sizes and from 1 million triangles on: 1 is linear in the triangles.";
   figure.x = {"triangles", "triangles", true};
   figure.y = {"seconds", "time [s]", true};
   figure.series = "step";
-  figure.series_label = "step: slope";
+  figure.series_label = "step: slope, slope from 1M on";
   figure.data.columns = {{"step", "", ""}, {"triangles", "1", ""}, {"seconds", "s", ""}};
   for (const char* step : step_names) add_line(figure, rows, scene, step, step);
   return figure;
@@ -106,13 +124,11 @@ PlotFigure memory_figure(const std::vector<Row>& rows) {
   PlotFigure figure;
   figure.stem = "large-scenes-memory";
   figure.title = "Most memory held, by the end of a stage";
-  figure.caption =
-      "Resident memory of the whole process; with software OpenGL what the GPU would hold is in it. The number is the "
-      "slope on these axes.";
+  figure.caption = "Resident memory of the whole process; with software OpenGL what the GPU would hold is in it.";
   figure.x = {"triangles", "triangles", true};
   figure.y = {"memory", "memory [MiB]", true};
   figure.series = "stage";
-  figure.series_label = "stage: slope";
+  figure.series_label = "stage: slope, slope from 1M on";
   figure.data.columns = {{"stage", "", ""}, {"triangles", "1", ""}, {"memory", "MiB", ""}};
   for (const char* scene : {"forest", "city"}) {
     for (const char* stage : stage_names) add_line(figure, rows, scene, stage, std::string(scene) + ", " + stage);
@@ -132,9 +148,29 @@ Table to_table(const std::vector<Row>& rows) {
   return table;
 }
 
+std::string millions(double number) { return fmt::format("{:.3g} M", 1e-6 * number); }
+
+// The table of docs/large-scenes.md.
+void print_markdown(const std::vector<Row>& rows) {
+  fmt::print("| scene | triangles | stored | instances | load | G-buffer | shadow map | build | primary rays |");
+  fmt::print(" shadow rays | peak |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  for (const Row& row : rows) {
+    fmt::print("| `{}` | {} | {} | {:.0f} |", row.scene, millions(row.at("triangles")),
+               millions(row.at("stored triangles")), row.at("instances"));
+    for (const char* step : step_names) fmt::print(" {:.2g} s |", row.at(step));
+    fmt::print(" {:.1f} GiB |\n", row.at(stage_names[2]) / 1024.0);
+  }
+}
+
 int run(const std::vector<std::string>& arguments) {
-  if (arguments.size() == 3 && arguments[0] == "--write") return print(write_scene(arguments[1], arguments[2])), 0;
-  if (arguments.size() == 2 && arguments[0] == "--measure") return print(measure_scene(arguments[1])), 0;
+  if (arguments.size() == 3 && arguments[0] == "--write") {
+    print(write_scene(arguments[1], arguments[2]));
+    return 0;
+  }
+  if (arguments.size() == 2 && arguments[0] == "--measure") {
+    print(measure_scene(arguments[1]));
+    return 0;
+  }
   if (arguments.empty() || arguments[0].starts_with("-")) {
     fmt::print(stderr, "usage: umbrameter_scaling DIR [SIZE...]   sizes as in forest:SIZE, by default 100k to 20M\n");
     return 2;
@@ -148,9 +184,11 @@ int run(const std::vector<std::string>& arguments) {
     for (const std::string& size : sizes) rows.push_back(measure(scene, size, folder));
   }
   write_text(folder / "large-scenes.csv", to_csv(to_table(rows)));
-  const FigureOutcome outcome = write_figures(
-      folder, {},
-      {times_figure(rows, "forest", "instances"), times_figure(rows, "city", "nothing shared"), memory_figure(rows)});
+  const std::vector<PlotFigure> figures = {times_figure(rows, "forest", "instances"),
+                                           times_figure(rows, "city", "nothing shared"), memory_figure(rows)};
+  const FigureOutcome outcome = write_figures(folder, {}, figures);
+  for (const PlotFigure& figure : figures) fs::remove(folder / (figure.stem + ".pdf"));
+  print_markdown(rows);
   for (const std::string& problem : outcome.problems) fmt::print(stderr, "{}\n", problem);
   return outcome.problems.empty() ? 0 : 5;
 }

@@ -58,7 +58,7 @@ namespace {
 // The multiple of gltf_document.h, Allowance, and as much again for what is held twice while it is read.
 constexpr std::ptrdiff_t base_bytes = std::ptrdiff_t{512} << 20;
 constexpr std::ptrdiff_t bytes_per_byte = 128;
-constexpr double most_seconds = 3.0;
+constexpr double most_seconds = 10.0;
 
 /// Why a file is not dealt with as promised; empty when it is.
 std::string complaint(std::span<const unsigned char> bytes) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "gltf_files.h"
+#include "scenes/gltf_emitter.h"
 
 namespace umbrameter {
 namespace {
@@ -83,6 +84,7 @@ void expect_same(const Scene& a, const Scene& b) {
     EXPECT_TRUE(same_bits(a.lights[i].world_from_light, b.lights[i].world_from_light));
     EXPECT_TRUE(same_bits(a.lights[i].color, b.lights[i].color));
     EXPECT_EQ(a.lights[i].intensity, b.lights[i].intensity);
+    EXPECT_EQ(gltf::emitter_extras(a.lights[i]), gltf::emitter_extras(b.lights[i]));
     ASSERT_EQ(a.lights[i].shape.index(), b.lights[i].shape.index());
     if (const auto* spot = std::get_if<SpotLight>(&a.lights[i].shape)) {
       EXPECT_TRUE(same_bits(*spot, std::get<SpotLight>(b.lights[i].shape)));
@@ -143,6 +145,8 @@ Scene everything() {
   scene.lights[0].intensity = 1e5 / 3;
   scene.lights[1] = {"lamp", awkward_pose(6), {1, 0.5f, 0.1f}, 40, SpotLight{0, 0.1, pi / 4}};
   scene.lights[2] = {"lamp", awkward_pose(7), {0, 0, 0}, 0, PointLight{2.0 / 3}};
+  scene.lights[0].emitter = DistantEmitter{1.0 / 97};
+  scene.lights[2].emitter = RectangleEmitter{1.0 / 3, 17};
   return scene;
 }
 

@@ -212,6 +212,31 @@ Construct skinned(const std::string& name, bool has_bind_matrices, double one, c
   return construct;
 }
 
+// Normals follow the inverse transpose of the joint's matrix: those of flat triangles stay across them.
+Construct skinned_normals() {
+  GltfBuilder builder;
+  const Solid split = split_solid();
+  const std::size_t count = split.corners.size();
+  std::vector<std::uint8_t> joints(4 * count, 0);
+  std::vector<float> weights(4 * count, 0.0f);
+  for (std::size_t i = 0; i < count; ++i) weights[4 * i] = 1.0f;
+  const int positions = add_values(builder, "VEC3", floats(split.corners));
+  const int normals = add_values(builder, "VEC3", floats(flat_normals(split)));
+  const int joint_values = add_values(builder, "VEC4", joints);
+  const int weight_values = add_values(builder, "VEC4", weights);
+  add_mesh(builder, "\"POSITION\":" + std::to_string(positions) + ",\"NORMAL\":" + std::to_string(normals) +
+                        ",\"JOINTS_0\":" + std::to_string(joint_values) +
+                        ",\"WEIGHTS_0\":" + std::to_string(weight_values));
+  const dmat4 joint = translation({1, 0, 0}) * rotation({1, 1, 0}, 0.8) * scaling({1, 3, 0.5});
+  add(builder, "skins", R"({"joints":[1]})");
+  add(builder, "nodes", R"({"mesh":0,"skin":0,"children":[1]})");
+  add(builder, "nodes", R"({"matrix":)" + list_of(joint) + "}");
+  Construct construct = finished("a skin with normals", builder, placed(split, joint));
+  construct.flat_normals = true;
+  construct.notes = {"skin"};
+  return construct;
+}
+
 // Section 3.7.2.2: base + sum of weights times displacements; weights of the node go before those of the mesh.
 Construct morphed(const std::string& name, const std::vector<double>& mesh_weights,
                   const std::vector<double>& node_weights, bool is_sparse) {
@@ -284,6 +309,7 @@ std::vector<Construct> deformed_constructs() {
   return {skinned<std::uint8_t, float>("a skin", true, 1.0, ""),
           skinned<std::uint16_t, float>("a skin without bind matrices", false, 1.0, ""),
           skinned<std::uint8_t, std::uint16_t>("a skin with weights of shorts", true, 65532.0, ",\"normalized\":true"),
+          skinned_normals(),
           morphed("morph targets without weights", {}, {}, false),
           morphed("morph targets with weights of the mesh", {0.5, 1}, {}, false),
           morphed("morph targets with weights of the node", {1, 1}, {0.25, -0.5}, false),

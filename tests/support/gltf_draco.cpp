@@ -11,6 +11,23 @@ namespace umbrameter::test {
 namespace {
 
 constexpr int position_bits = 14;
+constexpr double longest_side = 3.5;
+
+/// 392 triangles over a sheet that rises from one corner, each with its own corners.
+Solid hill() {
+  constexpr int side = 14;
+  Solid split;
+  const auto at = [](int x, int z) { return dvec3(0.25 * x, 0.01 * x * z, 0.25 * z); };
+  for (int x = 0; x < side; ++x) {
+    for (int z = 0; z < side; ++z) {
+      for (const dvec3& corner : {at(x, z), at(x, z + 1), at(x + 1, z), at(x + 1, z), at(x, z + 1), at(x + 1, z + 1)}) {
+        split.corners.push_back(corner);
+      }
+    }
+  }
+  for (std::uint32_t i = 0; i < split.corners.size(); i += 3) split.triangles.emplace_back(i, i + 1, i + 2);
+  return split;
+}
 
 struct Encoded {
   Bytes bytes;
@@ -19,8 +36,7 @@ struct Encoded {
   int normal = -1;
 };
 
-Encoded encode(int method, bool has_normals) {
-  const Solid split = split_solid();
+Encoded encode(const Solid& split, int method, bool has_normals, bool has_metadata) {
   const std::vector<float> positions = floats(split.corners);
   const std::vector<float> normals = floats(flat_normals(split));
   draco::TriangleSoupMeshBuilder soup;
@@ -37,6 +53,17 @@ Encoded encode(int method, bool has_normals) {
     if (has_normals) set(result.normal, normals);
   }
   const std::unique_ptr<draco::Mesh> mesh = soup.Finalize();
+  if (has_metadata) {
+    auto about = std::make_unique<draco::GeometryMetadata>();
+    about->AddEntryString("made by", "a test");
+    auto inner = std::make_unique<draco::Metadata>();
+    inner->AddEntryInt("depth", 1);
+    about->AddSubMetadata("inner", std::move(inner));
+    mesh->AddMetadata(std::move(about));
+    auto attribute = std::make_unique<draco::AttributeMetadata>();
+    attribute->AddEntryString("name", std::string(200, 'p'));
+    mesh->AddAttributeMetadata(result.position, std::move(attribute));
+  }
   draco::Encoder encoder;
   encoder.SetEncodingMethod(method);
   encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, position_bits);
@@ -51,10 +78,11 @@ Encoded encode(int method, bool has_normals) {
   return result;
 }
 
-Construct compressed(const std::string& name, int method, bool has_normals) {
+Construct compressed(const std::string& name, const Solid& split, int method, bool has_normals,
+                     bool has_metadata = false) {
   GltfBuilder builder;
   use(builder, "KHR_draco_mesh_compression", true);
-  const Encoded encoded = encode(method, has_normals);
+  const Encoded encoded = encode(split, method, has_normals, has_metadata);
   const int view = add_view(builder, encoded.bytes);
   std::string attributes = "\"POSITION\":" + std::to_string(add_accessor(builder, -1, "f32", "VEC3", encoded.points));
   std::string ids = "\"POSITION\":" + std::to_string(encoded.position);
@@ -62,13 +90,13 @@ Construct compressed(const std::string& name, int method, bool has_normals) {
     attributes += ",\"NORMAL\":" + std::to_string(add_accessor(builder, -1, "f32", "VEC3", encoded.points));
     ids += ",\"NORMAL\":" + std::to_string(encoded.normal);
   }
-  const int indices = add_accessor(builder, -1, "u16", "SCALAR", 18);
+  const int indices = add_accessor(builder, -1, "u16", "SCALAR", 3 * split.triangles.size());
   add_mesh(builder, attributes, indices,
            R"(,"extensions":{"KHR_draco_mesh_compression":{"bufferView":)" + std::to_string(view) +
                R"(,"attributes":{)" + ids + "}}}");
-  Construct construct = finished(name, builder, placed(solid()));
+  Construct construct = finished(name, builder, placed(split));
   // One step of the quantisation over the longest side of the bounds.
-  construct.tolerance = 3.5 / ((1 << position_bits) - 1);
+  construct.tolerance = longest_side / ((1 << position_bits) - 1);
   construct.in_order = false;
   construct.flat_normals = has_normals;
   return construct;
@@ -77,10 +105,12 @@ Construct compressed(const std::string& name, int method, bool has_normals) {
 }  // namespace
 
 std::vector<Construct> draco_constructs() {
-  return {compressed("Draco with edgebreaker", draco::MESH_EDGEBREAKER_ENCODING, false),
-          compressed("Draco with edgebreaker and normals", draco::MESH_EDGEBREAKER_ENCODING, true),
-          compressed("Draco in sequence", draco::MESH_SEQUENTIAL_ENCODING, false),
-          compressed("Draco in sequence with normals", draco::MESH_SEQUENTIAL_ENCODING, true)};
+  return {compressed("Draco with edgebreaker", split_solid(), draco::MESH_EDGEBREAKER_ENCODING, false),
+          compressed("Draco with edgebreaker and normals", split_solid(), draco::MESH_EDGEBREAKER_ENCODING, true),
+          compressed("Draco in sequence", split_solid(), draco::MESH_SEQUENTIAL_ENCODING, false),
+          compressed("Draco in sequence with normals", split_solid(), draco::MESH_SEQUENTIAL_ENCODING, true),
+          compressed("Draco with metadata", split_solid(), draco::MESH_EDGEBREAKER_ENCODING, false, true),
+          compressed("Draco with many triangles", hill(), draco::MESH_EDGEBREAKER_ENCODING, false)};
 }
 
 }  // namespace umbrameter::test

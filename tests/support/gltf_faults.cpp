@@ -92,6 +92,16 @@ const std::vector<Patch>& patches() {
       {"morph targets with weights of the mesh", "\"targets\":[{\"POSITION\":0}",
        "\"targets\":[{\"POSITION\":0,\"NORMAL\":0}"},
       {"morph targets with weights of the mesh", "\"targets\":[{\"POSITION\":0}", "\"targets\":[{\"POSITION\":3}"},
+      {"morph targets with weights of the mesh", "\"count\":8,\"bufferView\":0", "\"count\":7,\"bufferView\":0"},
+      {"a skin", "\"count\":8,\"bufferView\":2", "\"count\":7,\"bufferView\":2"},
+      {"a skin", "\"count\":8,\"bufferView\":1", "\"count\":7,\"bufferView\":1"},
+      {"meshopt with 16-bit triangles",
+       "\"byteLength\":36,\"extensions\":{\"EXT_meshopt_compression\":{\"buffer\":0,\"byteOffset\":84,\"byteLength\":"
+       "29,"
+       "\"byteStride\":2,\"count\":18",
+       "\"byteLength\":34,\"extensions\":{\"EXT_meshopt_compression\":{\"buffer\":0,\"byteOffset\":84,\"byteLength\":"
+       "29,"
+       "\"byteStride\":2,\"count\":17"},
       {"triangle strip", "\"count\":5", "\"count\":2"},
       {"triangles without indices", "\"mode\":4", "\"mode\":9"},
       {"triangles without indices", "\"POSITION\":0", "\"POSITION\":0,\"COLOR_0\":0"},
@@ -105,6 +115,47 @@ const std::vector<Patch>& patches() {
       {"names and extras", "\"extras\":[1,2]", "\"extras\":{\"name\":\"part\"}"},
       {"names and extras", "\"extras\":[1,2]", "\"extras\":{\"name\":7}"},
       {"8-bit indices", "\"componentType\":5121", "\"componentType\":5120"},
+      {"8-bit indices", "\"indices\":1", "\"indices\":1,\"mode\":-1"},
+      {"8-bit indices", "\"indices\":1", "\"indices\":-2"},
+      {"8-bit indices", "\"nodes\":[0]", "\"nodes\":[-7]"},
+      {"8-bit indices", "\"mesh\":0", "\"mesh\":0,\"rotation\":[0,0,1e300,1e300]"},
+      {"8-bit indices", "\"primitives\"",
+       "\"name\":\"a name that goes on and on and is longer than anything that fits into a message\",\"primitives\""},
+      {"8-bit indices", "\"count\":18", "\"count\":17,\"name\":\"seventeen\""},
+      {"sparse positions over a buffer view", "\"sparse\":{\"count\":2", "\"sparse\":{\"count\":-1"},
+      {"sparse positions over a buffer view", "\"componentType\":5121}", "\"componentType\":5121,\"byteOffset\":1}"},
+      {"sparse positions over a buffer view", "\"values\":{", "\"values\":{\"byteOffset\":4,"},
+      {"a camera without a far plane", "\"matrix\":[", "\"scale\":[-1,1,1],\"x\":["},
+      {"a mirrored node", "\"mesh\":0,", "\"mesh\":0,\"camera\":0,"},
+      {"a mask in a diffuse texture", "\"diffuseTexture\":{\"index\":0}", "\"diffuseTexture\":{\"texCoord\":0}"},
+      {"a mask in a diffuse texture", "[0.5,1,1,0.7]", "7"},
+      {"a mask in a diffuse texture", "[0.5,1,1,0.7]", "[0.5,1,1]"},
+      {"a mask in a diffuse texture", "[0.5,1,1,0.7]", "[0.5,1,1,-1]"},
+      {"a mask in a diffuse texture", "[0.5,1,1,0.7]", "[0.5,1,1,1e300]"},
+      {"a mask that repeats by default", "\"textures\":[{\"source\":0}]",
+       R"("samplers":[{"wrapS":33071}],"textures":[{"source":0},{"source":0},{"source":0,"sampler":0}])"
+       R"(,"images":[{"bufferView":0}],"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}},)"
+       R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":1}}},)"
+       R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":2}}}],"x":[0])"},
+      {"meshopt with 16-bit triangles", "\"byteStride\":2,\"count\":18", "\"byteStride\":2,\"count\":17"},
+      {"meshopt with 16-bit triangles", "\"byteLength\":36,", "\"byteLength\":34,"},
+      {"an image in a folder", "textures/gr%C3%BCn.png", "%2"},
+      {"an image in a folder", "textures/gr%C3%BCn.png", "%zz/%1z/%z1"},
+      {"an image in a folder", "textures/gr%C3%BCn.png", ""},
+      {"an image in a folder", "textures/gr%C3%BCn.png", "%00"},
+      {"an image in a folder", "textures/gr%C3%BCn.png", "../a.png"},
+      {"an image in a folder", "textures/gr%C3%BCn.png", "/a.png"},
+      {"an image in a folder", "textures/gr%C3%BCn.png", "%5Ca.png"},
+      {"an image in a folder", "textures/gr%C3%BCn.png", "http://a/b.png"},
+      {"an image in a folder", "textures/gr%C3%BCn.png", "a/b:c.png"},
+      {"an image in a folder", "textures/gr%C3%BCn.png", "data:image/png;base64,===="},
+      {"an image in a folder", "textures/gr%C3%BCn.png", "data:image/png,abc"},
+      {"an image in a folder", "textures/gr%C3%BCn.png", "data:,x;base64,abc"},
+      {"a skin", "\"WEIGHTS_0\":2", "\"WEIGHTS_0\":2,\"JOINTS_1\":1"},
+      {"a skin", "\"WEIGHTS_0\":2", "\"WEIGHTS_0\":0"},
+      {"a skin with normals", "\"skin\":0", "\"skin\":9"},
+      {"morph targets with weights of the mesh", "\"weights\":[0.5,1]", "\"weights\":[0,1,2,3]"},
+      {"morph targets with weights of the mesh", "\"targets\":[{\"POSITION\":0}", "\"targets\":[{\"NORMAL\":0}"},
       {"8-bit indices", "\"asset\":{", "\"extensionsUsed\":[\"ACME_a\",\"ACME_b\"],\"asset\":{"},
       {"8-bit indices", "\"asset\":{", "\"extensionsRequired\":[\"KHR_materials_sheen\"],\"asset\":{"},
   };
@@ -140,9 +191,20 @@ std::vector<HostileFile> faulty_files() {
       files.push_back({construct.name + ": " + std::string(patch.to), patched(construct.file, patch)});
     }
   }
+  for (const Construct& construct : constructs) {
+    if (construct.name != "Draco in sequence" && construct.name != "Draco with metadata") continue;
+    // The compressed bytes come first in the binary chunk.
+    std::size_t length = 0;
+    for (std::size_t i = 4; i-- > 0;) length = (length << 8u) | construct.file[12 + i];
+    for (std::size_t at = 28 + length; at < construct.file.size(); ++at) {
+      Bytes bytes = construct.file;
+      bytes[at] = 0xff;
+      files.push_back({construct.name + " with a byte of 255 at " + std::to_string(at), bytes});
+    }
+  }
   for (const char* light :
        {R"({"type":"spot","spot":{"innerConeAngle":-1}})", R"({"type":"spot","spot":{"outerConeAngle":0}})",
-        R"({"type":"spot","spot":{"outerConeAngle":2}})", R"({"type":"spot","intensity":-1})",
+        R"({"type":"spot","spot":{"outerConeAngle":2}})", R"({"type":"point","intensity":-1})",
         R"({"type":"spot","spot":{"innerConeAngle":1,"outerConeAngle":0.5}})", R"({"type":"point","range":-1})",
         R"({"type":"point","range":1e999})", R"({"type":"point","color":[1]})", R"({"type":"point","color":[-1,0,0]})",
         R"({"type":"point","color":[0,-1,0]})", R"({"type":"directional","color":[0,0,-1]})"}) {

@@ -66,6 +66,48 @@ Bytes huge_png() {
   return image;
 }
 
+Bytes wide_png() {
+  Bytes image = png(1, 1, {1, 2, 3, 4});
+  image[18] = 0x7f;  // 32,513 by 32,513
+  image[22] = 0x7f;
+  return image;
+}
+
+// 255 codes of each of the 16 lengths, where 256 is the most of all.
+Bytes jpeg_of_too_many_codes() {
+  Bytes image = grey_jpeg(1, 1, {128});
+  for (std::size_t i = 0; i + 21 < image.size(); ++i) {
+    if (image[i] != 0xff || image[i + 1] != 0xc4) continue;
+    for (std::size_t k = 0; k < 16; ++k) image[i + 5 + k] = 0xff;
+    break;
+  }
+  return image;
+}
+
+HostileFile two_binary_chunks() {
+  GltfBuilder builder;
+  add_solid(builder);
+  Bytes bytes = to_binary_gltf(builder);
+  bytes.insert(bytes.end(), {4, 0, 0, 0, 'B', 'I', 'N', 0, 1, 2, 3, 4});
+  for (unsigned i = 0; i < 4; ++i) bytes[8 + i] = static_cast<unsigned char>((bytes.size() >> (8 * i)) & 0xffu);
+  return {"two binary chunks", bytes};
+}
+
+/// A skin of one joint whose weights and bind matrix are these.
+HostileFile skinned(const std::string& name, float weight, float bind) {
+  GltfBuilder builder;
+  const int positions = add_values<float>(builder, "VEC3", {0, 0, 0, 1, 0, 0, 0, 1, 0});
+  const int joints = add_values<std::uint8_t>(builder, "VEC4", std::vector<std::uint8_t>(12, 0));
+  const int weights = add_values(builder, "VEC4", std::vector<float>(12, weight));
+  const int matrices = add_values(builder, "MAT4", std::vector<float>(16, bind));
+  add_mesh(builder, "\"POSITION\":" + std::to_string(positions) + ",\"JOINTS_0\":" + std::to_string(joints) +
+                        ",\"WEIGHTS_0\":" + std::to_string(weights));
+  add(builder, "skins", R"({"joints":[1],"inverseBindMatrices":)" + std::to_string(matrices) + "}");
+  add(builder, "nodes", R"({"mesh":0,"skin":0,"children":[1]})");
+  add(builder, "nodes", R"({"scale":[1e30,1e30,1e30]})");
+  return {name, to_binary_gltf(builder)};
+}
+
 }  // namespace
 
 std::vector<HostileFile> hostile_files() {
@@ -101,6 +143,13 @@ std::vector<HostileFile> hostile_files() {
       lying_length(12, 0x01),
       lying_length(4, 0x07),
       textured("an image of gigabytes", huge_png()),
+      textured("an image of a thousand million texels", wide_png()),
+      two_binary_chunks(),
+      skinned("weights that are no number", std::numeric_limits<float>::quiet_NaN(), 1.0f),
+      skinned("weights that are zero", 0.0f, 0.0f),
+      skinned("a skin that leads to infinity", 1.0f, 3e38f),
+      skinned("a skin that is no number", 1.0f, std::numeric_limits<float>::quiet_NaN()),
+      textured("a JPEG of too many codes", jpeg_of_too_many_codes()),
       textured("half an image", {whole.begin(), whole.begin() + 40}),
       textured("an image that is none", {'G', 'I', 'F', '8', '9', 'a'}),
   };

@@ -1,0 +1,138 @@
+#include "compare/sampled_error.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/math.h"
+#include "core/parallel.h"
+#include "core/quantiles.h"
+
+namespace umbrameter {
+namespace {
+
+// −ln 0.05: rays that all agree miss a larger share than this over their number with a probability below 5 %.
+constexpr double rule_of_three = 2.995732273553991;
+
+struct RowSums {
+  std::uint64_t pixels = 0;
+  double raster = 0.0;
+  double truth = 0.0;
+  double error = 0.0;
+  double absolute = 0.0;
+  double absolute_bias = 0.0;  // what noise of the truth may have added to the absolute error
+  double squared = 0.0;
+  double squared_variance = 0.0;
+  double variance = 0.0;
+  double variance_squared = 0.0;
+  double least_samples = std::numeric_limits<double>::infinity();
+  double scatter = 0.0;
+  double max_error = 0.0;
+  int max_x = -1;
+};
+
+// E|e + sZ| − |e| for standard normal Z: mean of the folded normal distribution (Leone, Nelson and Nottingham 1961).
+double folded_excess(double e, double s) {
+  if (s <= 0.0) return 0.0;
+  const double r = std::abs(e) / s;
+  return s * (std::sqrt(2.0 / pi) * std::exp(-0.5 * r * r) - r * std::erfc(r / std::sqrt(2.0)));
+}
+
+RowSums sum_row(int y, const Image<float>& raster, const SampledImage& truth, const IsCounted& is_counted) {
+  RowSums sums;
+  // Noise may have moved a measured error away from zero: its excess is taken as if the error were this many standard
+  // errors smaller, which bounds it for all but 2.5 % of the pixels.
+  const double noise_reach = student_95(truth.degrees_of_freedom);
+  for (int x = 0; x < raster.width; ++x) {
+    const std::size_t i = raster.index(x, y);
+    if (!is_counted(i)) continue;
+    const double error = static_cast<double>(raster[i]) - static_cast<double>(truth.value[i]);
+    const double variance = truth.variance[i];
+    const double s = std::sqrt(variance);
+    ++sums.pixels;
+    sums.raster += raster[i];
+    sums.truth += truth.value[i];
+    sums.error += error;
+    sums.absolute += std::abs(error);
+    sums.absolute_bias += folded_excess(std::max(std::abs(error) - noise_reach * s, 0.0), s);
+    sums.squared += error * error;
+    // Var((e + sZ)²) = 4e²s² + 2s⁴, with e² estimated without bias by the measured square less s².
+    sums.squared_variance += 4.0 * std::max(error * error - variance, 0.0) * variance + 2.0 * variance * variance;
+    sums.variance += variance;
+    sums.scatter += s;
+    sums.variance_squared += variance * variance;
+    const double samples = truth.samples[i];
+    if (samples > 0.0) sums.least_samples = std::min(sums.least_samples, samples);
+    if (std::abs(error) > sums.max_error) {
+      sums.max_error = std::abs(error);
+      sums.max_x = x;
+    }
+  }
+  return sums;
+}
+
+double total_quantile(const RowSums& total, int degrees_of_freedom) {
+  if (total.variance_squared <= 0.0) return student_95(degrees_of_freedom);
+  return student_95(degrees_of_freedom * total.variance * total.variance / total.variance_squared);
+}
+
+}  // namespace
+
+SampledError analyze_sampled(const Image<float>& raster, const SampledImage& truth, const IsCounted& is_counted) {
+  assert(raster.size() == truth.value.size() && raster.size() == truth.variance.size() &&
+         raster.size() == truth.samples.size());
+  std::vector<RowSums> rows(static_cast<std::size_t>(raster.height));
+  parallel_for(rows.size(), [&](std::size_t y) { rows[y] = sum_row(static_cast<int>(y), raster, truth, is_counted); });
+  RowSums total;
+  SampledError statistics;
+  for (std::size_t y = 0; y < rows.size(); ++y) {
+    const RowSums& row = rows[y];
+    total.pixels += row.pixels;
+    total.raster += row.raster;
+    total.truth += row.truth;
+    total.error += row.error;
+    total.absolute += row.absolute;
+    total.absolute_bias += row.absolute_bias;
+    total.squared += row.squared;
+    total.squared_variance += row.squared_variance;
+    total.variance += row.variance;
+    total.scatter += row.scatter;
+    total.variance_squared += row.variance_squared;
+    total.least_samples = std::min(total.least_samples, row.least_samples);
+    if (row.max_error > statistics.max_error) {
+      statistics.max_error = row.max_error;
+      statistics.max_x = row.max_x;
+      statistics.max_y = static_cast<int>(y);
+    }
+  }
+  statistics.pixels = total.pixels;
+  if (total.pixels == 0) return statistics;
+  const double scale = 1.0 / static_cast<double>(total.pixels);
+  const double quantile = total_quantile(total, truth.degrees_of_freedom);
+  const double unseen = std::min(rule_of_three / total.least_samples, 1.0);
+  const double half_width = std::max(quantile * std::sqrt(total.variance), unseen) * scale;
+  const auto around = [half_width](double value) { return Estimate{value, value - half_width, value + half_width}; };
+  statistics.mean_raster = total.raster * scale;
+  statistics.mean_truth = around(total.truth * scale);
+  statistics.mean_error = around(total.error * scale);
+  statistics.mae = around(total.absolute * scale);
+  statistics.mae.lower = std::max(statistics.mae.lower - total.absolute_bias * scale, 0.0);
+  // Each is half of |e| and half of e, and so takes half of what noise adds to |e|.
+  const auto part = [&](double value) {
+    Estimate estimate = around(value);
+    estimate.lower = std::max(estimate.lower - 0.5 * total.absolute_bias * scale, 0.0);
+    return estimate;
+  };
+  statistics.too_dark = part(0.5 * (total.absolute - total.error) * scale);
+  statistics.too_bright = part(0.5 * (total.absolute + total.error) * scale);
+  statistics.mean_standard_error = total.scatter * scale;
+  const double mean_square = (total.squared - total.variance) * scale;
+  const double square_half_width = quantile * std::sqrt(total.squared_variance) * scale;
+  const auto root = [](double square) { return std::sqrt(std::max(square, 0.0)); };
+  statistics.rmse = {root(mean_square), root(mean_square - square_half_width), root(mean_square + square_half_width)};
+  return statistics;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,65 @@
+#include "compare/soft_visibility.h"
+
+#include <string>
+
+namespace umbrameter {
+namespace {
+
+void add_estimate(std::vector<Column>& columns, const std::string& name, const std::string& meaning) {
+  columns.push_back({name, "1", meaning});
+  columns.push_back({name + "_lo", "1", "lower end of its 95 % interval"});
+  columns.push_back({name + "_hi", "1", "upper end of its 95 % interval"});
+}
+
+void add_estimate(std::vector<Value>& row, const Estimate& estimate) {
+  row.insert(row.end(), {Value(estimate.value), Value(estimate.lower), Value(estimate.upper)});
+}
+
+}  // namespace
+
+SoftVisibilityStatistics analyze_soft_visibility(const Image<float>& raster, const SampledImage& truth,
+                                                 const CountedPixels& counted) {
+  const auto is_counted = [&](std::size_t i) { return counted.counting[i] == Counting::counted; };
+  SoftVisibilityStatistics statistics;
+  statistics.error = analyze_sampled(raster, truth, is_counted);
+  std::uint64_t between = 0;
+  for (std::size_t i = 0; i < truth.value.size(); ++i) {
+    if (is_counted(i) && truth.value[i] > 0.0f && truth.value[i] < 1.0f) ++between;
+  }
+  const std::uint64_t pixels = statistics.error.pixels;
+  statistics.penumbra = pixels > 0 ? static_cast<double>(between) / static_cast<double>(pixels) : 0.0;
+  statistics.mean_texel = counted.mean_texel;
+  return statistics;
+}
+
+std::vector<Column> soft_visibility_columns() {
+  std::vector<Column> columns = {{"pixels", "px", "pixels counted: facing the light, inside its map, cone and range"}};
+  add_estimate(columns, "lit", "mean visibility by the reference");
+  columns.push_back({"penumbra", "1", "share that the reference calls neither lit nor blocked"});
+  add_estimate(columns, "mae", "mean absolute error of visibility");
+  add_estimate(columns, "rmse", "root mean square error, corrected for the variance of the reference");
+  add_estimate(columns, "mean_error", "mean of raster − truth");
+  add_estimate(columns, "false_blocked", "the part of the mean absolute error where raster is too dark");
+  add_estimate(columns, "false_lit", "the part of the mean absolute error where raster is too bright");
+  columns.push_back({"mean_raster", "1", "mean visibility by the rasteriser"});
+  columns.push_back({"max_error", "1", "largest absolute error, noise of the reference included"});
+  columns.push_back({"mean_texel", "m", "mean side of a shadow-map texel at the counted surfels"});
+  return columns;
+}
+
+std::vector<Value> to_row(const SoftVisibilityStatistics& s) {
+  std::vector<Value> row = {static_cast<std::int64_t>(s.error.pixels)};
+  add_estimate(row, s.error.mean_truth);
+  row.emplace_back(s.penumbra);
+  add_estimate(row, s.error.mae);
+  add_estimate(row, s.error.rmse);
+  add_estimate(row, s.error.mean_error);
+  add_estimate(row, s.error.too_dark);
+  add_estimate(row, s.error.too_bright);
+  row.emplace_back(s.error.mean_raster);
+  row.emplace_back(s.error.max_error);
+  row.emplace_back(s.mean_texel);
+  return row;
+}
+
+}  // namespace umbrameter

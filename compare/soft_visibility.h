@@ -1,0 +1,28 @@
+// Shadow error of a light with extent. Its reference is a share, so that no tap is right or wrong by itself and the
+// causes of a hard shadow's error do not apply: the error is split by sign, with the interval of the sampling.
+#pragma once
+
+#include <vector>
+
+#include "compare/sampled_error.h"
+#include "compare/table.h"
+#include "compare/visibility.h"
+
+namespace umbrameter {
+
+struct SoftVisibilityStatistics {
+  SampledError error;       ///< over the counted pixels
+  double penumbra = 0.0;    ///< share of them that the truth calls neither 0 nor 1
+  double mean_texel = 0.0;  ///< mean side of a texel at the counted surfels, metres
+};
+
+/// Images of one size. Counted are the surfels that face the middle of
+/// the light, as for one without extent.
+SoftVisibilityStatistics analyze_soft_visibility(const Image<float>& raster, const SampledImage& truth,
+                                                 const CountedPixels& counted);
+
+/// The statistics as one row, in the order of soft_visibility_columns(): the measured columns of a sweep.
+std::vector<Column> soft_visibility_columns();
+std::vector<Value> to_row(const SoftVisibilityStatistics& statistics);
+
+}  // namespace umbrameter

@@ -1,0 +1,107 @@
+#include "raytrace/area_light.h"
+
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "raytrace/sampler.h"
+#include "scenes/emitter.h"
+
+namespace umbrameter {
+namespace {
+
+float fraction(float value) { return value - std::floor(value); }
+
+dvec3 across(const dvec3& n) {
+  return glm::normalize(glm::cross(std::abs(n.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0), n));
+}
+
+}  // namespace
+
+vec2 slanted(vec2 point, vec2 slants) {
+  const float u = fraction(point.x + slants.x * point.y);
+  return {u, fraction(point.y + slants.y * u)};
+}
+
+LightView::LightView(const Light& light, LightSampling sampling, const dvec3& from) : sampling_(sampling) {
+  assert(is_area(light));
+  z_ = -light.axis();
+  x_ = glm::normalize(glm::cross(dvec3(light.world_from_light[1]), z_));
+  y_ = glm::cross(z_, x_);
+  way_ = light.position() - from;
+  is_round_ = true;
+  if (const auto* rectangle = std::get_if<RectangleEmitter>(&light.emitter)) {
+    is_flat_ = true;
+    is_round_ = false;
+    x_ *= 0.5 * rectangle->width;
+    y_ *= 0.5 * rectangle->height;
+  } else if (const auto* disk = std::get_if<DiskEmitter>(&light.emitter)) {
+    is_flat_ = true;
+    x_ *= disk->radius;
+    y_ *= disk->radius;
+  } else if (const auto* distant = std::get_if<DistantEmitter>(&light.emitter)) {
+    way_ = z_;
+    tangent_ = std::tan(0.5 * distant->angular_diameter);
+    cap_ = 2.0 * std::pow(std::sin(0.25 * distant->angular_diameter), 2);
+  } else if (const auto* sphere = std::get_if<SphereEmitter>(&light.emitter)) {
+    radius_ = sphere->radius;
+    const double distance = glm::length(way_);
+    is_within_ = !(distance > radius_);
+    if (is_within_) return;
+    z_ = way_ / distance;
+    x_ = across(z_);
+    y_ = glm::cross(z_, x_);
+    tangent_ = radius_ / std::sqrt((distance - radius_) * (distance + radius_));
+    cap_ = 2.0 * std::pow(std::sin(0.5 * std::atan(tangent_)), 2);
+  }
+}
+
+double LightView::facing(const dvec3& normal) const {
+  const double middle = glm::dot(normal, way_);
+  if (is_flat_) {
+    const double x = std::abs(glm::dot(normal, x_));
+    const double y = std::abs(glm::dot(normal, y_));
+    return middle + (is_round_ ? std::sqrt(x * x + y * y) : x + y);
+  }
+  // The cone's rim in the tangent plane at distance 1.
+  return radius_ > 0.0 ? middle + radius_ : middle + tangent_ * glm::length(normal - middle * z_);
+}
+
+LightView::Sample LightView::sample(vec2 point) const {
+  const dvec2 p = is_round_ ? dvec2(concentric_disk(point)) : 2.0 * dvec2(point) - 1.0;
+  if (!is_flat_) return in_cone(p);
+  Sample sample;
+  const dvec3 way = way_ + p.x * x_ + p.y * y_;
+  const double distance = glm::length(way);
+  if (!(distance > 0.0)) return {z_, 0.0, 0.0};
+  sample.direction = way / distance;
+  sample.reach = distance;
+  if (sampling_ == LightSampling::solid_angle) {
+    sample.weight = std::abs(glm::dot(sample.direction, z_)) / (distance * distance);
+  }
+  return sample;
+}
+
+LightView::Sample LightView::in_cone(const dvec2& disk) const {
+  Sample sample;
+  if (sampling_ == LightSampling::area) {
+    sample.direction = glm::normalize(z_ + tangent_ * (disk.x * x_ + disk.y * y_));
+  } else {
+    // Equal areas of the cap lie at equal heights (Archimedes): 1 − cos θ = r²·cap; sin θ over r has no 0/0.
+    const double height = cap_ * glm::dot(disk, disk);
+    sample.direction = (1.0 - height) * z_ + std::sqrt(cap_ * (2.0 - height)) * (disk.x * x_ + disk.y * y_);
+  }
+  if (radius_ == 0.0) {
+    sample.reach = std::numeric_limits<double>::infinity();
+    return sample;
+  }
+  // Near crossing of the sphere: t² − 2t(ω·way) + way² − R² = 0, in the form that loses no digits.
+  const double along = glm::dot(sample.direction, way_);
+  const dvec3 aside = way_ - along * sample.direction;
+  const double half_chord = std::sqrt(std::max(radius_ * radius_ - glm::dot(aside, aside), 0.0));
+  const double distance = glm::length(way_);
+  sample.reach = (distance - radius_) * (distance + radius_) / (along + half_chord);
+  return sample;
+}
+
+}  // namespace umbrameter

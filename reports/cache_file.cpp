@@ -1,0 +1,156 @@
+#include "reports/cache_file.h"
+
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <stdexcept>
+
+#include "core/parameters.h"
+#include "reports/content_hash.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Numbers in the order of the machine's own bytes: read on a machine with the other order, the version does not fit.
+struct Head {
+  std::array<char, 8> magic{'U', 'M', 'B', 'R', 'A', 'R', 'E', 'F'};
+  std::uint32_t version = 1;
+  std::uint32_t reserved = 0;
+  std::uint64_t text_bytes = 0;
+  std::uint64_t pixel_bytes = 0;
+  std::array<char, 32> checksum{};  // of all that follows the head, and of the sizes before
+};
+static_assert(sizeof(Head) == 64);
+
+std::array<char, 32> checksum_of(const Head& head, std::string_view text, std::span<const std::string_view> pixels) {
+  ContentHash hash;
+  hash.add(head.version).add(head.reserved).add(head.text_bytes).add(head.pixel_bytes).add(text);
+  for (const std::string_view part : pixels) hash.add_bytes(std::as_bytes(std::span(part.data(), part.size())));
+  std::array<char, 32> digits{};
+  hash.hex().copy(digits.data(), digits.size());
+  return digits;
+}
+
+std::string_view view_of(const CachedImage& image) {
+  return {reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size()};
+}
+
+// Numbers as text, because JSON has neither infinities nor NaN.
+Json describe_entry(const std::string& key, const CacheEntry& entry) {
+  Json text = {{"key", key}, {"scene", entry.scene}, {"what", entry.what}};
+  text["images"] = Json::array();
+  for (const CachedImage& image : entry.images) {
+    text["images"].push_back(
+        {{"name", image.name}, {"width", image.width}, {"height", image.height}, {"pixel_bytes", image.pixel_bytes}});
+  }
+  text["numbers"] = Json::object();
+  for (const auto& [name, number] : entry.numbers) text["numbers"][name] = to_string(Value(number));
+  return text;
+}
+
+double number_of(const std::string& text) {
+  double number = 0.0;
+  const char* end = text.data() + text.size();
+  if (std::from_chars(text.data(), end, number).ptr != end) throw std::invalid_argument("no number");
+  return number;
+}
+
+CacheEntry entry_of(const Json& text) {
+  CacheEntry entry;
+  entry.scene = text.at("scene").get<std::string>();
+  entry.what = text.at("what").get<std::string>();
+  for (const Json& image : text.at("images")) {
+    entry.images.push_back({image.at("name").get<std::string>(),
+                            image.at("width").get<int>(),
+                            image.at("height").get<int>(),
+                            image.at("pixel_bytes").get<int>(),
+                            {}});
+  }
+  for (const auto& [name, number] : text.at("numbers").items()) {
+    entry.numbers[name] = number_of(number.get<std::string>());
+  }
+  return entry;
+}
+
+// Hands the payload out to the images; false where it does not fit them.
+bool fill(CacheEntry& entry, std::string_view pixels) {
+  for (CachedImage& image : entry.images) {
+    if (image.width < 0 || image.height < 0 || image.pixel_bytes < 0) return false;
+    const std::uint64_t area = static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
+    const auto pixel = static_cast<std::uint64_t>(image.pixel_bytes);
+    if (pixel != 0 && area > pixels.size() / pixel) return false;
+    const auto* bytes = reinterpret_cast<const std::byte*>(pixels.data());
+    image.pixels.assign(bytes, bytes + area * pixel);
+    pixels.remove_prefix(static_cast<std::size_t>(area * pixel));
+  }
+  return pixels.empty();
+}
+
+// The head where magic and version fit and the whole file is there.
+std::string read_head(std::string_view bytes, Head& head) {
+  if (bytes.size() < sizeof(Head)) return "it is too short";
+  std::memcpy(&head, bytes.data(), sizeof(Head));
+  if (head.magic != Head{}.magic) return "it is no cached reference";
+  if (head.version != Head{}.version) return "it is of another version";
+  return {};
+}
+
+}  // namespace
+
+std::string to_cache_file(const std::string& key, const CacheEntry& entry) {
+  // Names come from files: bytes that are no UTF-8 are replaced, never thrown on.
+  const std::string text = describe_entry(key, entry).dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::vector<std::string_view> pixels;
+  Head head;
+  head.text_bytes = text.size();
+  for (const CachedImage& image : entry.images) {
+    pixels.push_back(view_of(image));
+    head.pixel_bytes += pixels.back().size();
+  }
+  head.checksum = checksum_of(head, text, pixels);
+  std::string bytes(reinterpret_cast<const char*>(&head), sizeof(Head));
+  bytes.reserve(sizeof(Head) + text.size() + head.pixel_bytes);
+  bytes += text;
+  for (const std::string_view part : pixels) bytes += part;
+  return bytes;
+}
+
+CacheRead from_cache_file(const std::string& key, std::string_view bytes) {
+  Head head;
+  if (std::string problem = read_head(bytes, head); !problem.empty()) return {{}, std::move(problem)};
+  bytes.remove_prefix(sizeof(Head));
+  if (head.text_bytes > bytes.size() || head.pixel_bytes != bytes.size() - head.text_bytes) {
+    return {{}, "it is not as long as it says"};
+  }
+  const std::string_view text = bytes.substr(0, head.text_bytes);
+  const std::string_view pixels = bytes.substr(head.text_bytes);
+  if (checksum_of(head, text, {&pixels, 1}) != head.checksum) return {{}, "its checksum does not fit"};
+  const Json json = Json::parse(text, nullptr, false);
+  try {
+    if (json.at("key") != key) return {{}, "it is of another key"};
+    CacheEntry entry = entry_of(json);
+    if (!fill(entry, pixels)) return {{}, "its images have other sizes than it says"};
+    return {std::move(entry), {}};
+  } catch (const std::exception&) {
+    return {{}, "it does not hold what it should"};
+  }
+}
+
+std::optional<CacheEntry> peek_cache_file(std::string_view head_bytes) {
+  Head head;
+  if (!read_head(head_bytes, head).empty()) return {};
+  head_bytes.remove_prefix(sizeof(Head));
+  if (head.text_bytes > head_bytes.size()) return {};
+  const Json json = Json::parse(head_bytes.substr(0, head.text_bytes), nullptr, false);
+  try {
+    return entry_of(json);
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,106 @@
+#include "scenes/emitter.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/error.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr double degrees = pi / 180.0;
+constexpr double widest_angle = 179.0;  // degrees; the tangent of half of it is 115
+
+std::optional<double> if_given(double value) { return value < 0.0 ? std::nullopt : std::optional(value); }
+
+EmitterSizes sizes_of(const LightParams& params) {
+  EmitterSizes sizes{if_given(params.radius), if_given(params.width), if_given(params.height), {}, params.shape};
+  if (params.angle >= 0.0) sizes.angular_diameter = params.angle * degrees;
+  return sizes;
+}
+
+bool is_directional(const Light& light) { return std::holds_alternative<DirectionalLight>(light.shape); }
+
+}  // namespace
+
+Parameters describe(LightParams& params) {
+  static constexpr std::array<std::string_view, 3> shapes = {"usual", "sphere", "disk"};
+  return Description("light")
+      .field("radius", params.radius,
+             {"m", "radius of the measured point and spot lights; 0 for none, below 0 as the scene says", -1.0,
+              largest_emitter})
+      .field("width", params.width,
+             {"m", "width of a rectangle, along the light's own x; 0 for none, below 0 as the scene says", -1.0,
+              largest_emitter})
+      .field("height", params.height,
+             {"m", "height of that rectangle, along the light's own y; given with the width", -1.0, largest_emitter})
+      .field("angle", params.angle,
+             {"degrees", "angular diameter of directional lights; 0 for none, below 0 as the scene says", -1.0,
+              widest_angle})
+      .choice("shape", params.shape, shapes,
+              {"", "what the radius is of; usual: a sphere for point lights, a disk across the axis for spot lights"})
+      .take();
+}
+
+std::string objection(const EmitterSizes& sizes) {
+  const auto is_bad = [](const std::optional<double>& size, double most) {
+    return size && !(*size >= 0.0 && *size <= most);
+  };
+  if (is_bad(sizes.radius, largest_emitter)) return "its radius is below 0 or above 1e12 m";
+  if (is_bad(sizes.width, largest_emitter)) return "its width is below 0 or above 1e12 m";
+  if (is_bad(sizes.height, largest_emitter)) return "its height is below 0 or above 1e12 m";
+  if (is_bad(sizes.angular_diameter, widest_angle * degrees * (1.0 + 1e-12))) {
+    return "its angular diameter is below 0 or above 179 degrees";
+  }
+  if (sizes.radius && (sizes.width || sizes.height)) return "it has a radius and the sides of a rectangle";
+  if (sizes.width.has_value() != sizes.height.has_value()) return "it has one side of a rectangle and not the other";
+  if (sizes.width && (*sizes.width > 0.0) != (*sizes.height > 0.0)) return "one side of its rectangle is 0";
+  return {};
+}
+
+Emitter make_emitter(const Light& light, const EmitterSizes& sizes) {
+  if (is_directional(light)) {
+    const double angle = sizes.angular_diameter.value_or(0.0);
+    return angle > 0.0 ? Emitter(DistantEmitter{angle}) : Emitter();
+  }
+  if (sizes.width && *sizes.width > 0.0) return RectangleEmitter{*sizes.width, *sizes.height};
+  const double radius = sizes.radius.value_or(0.0);
+  if (!(radius > 0.0)) return {};
+  const bool is_disk = sizes.shape == EmitterShape::usual ? std::holds_alternative<SpotLight>(light.shape)
+                                                          : sizes.shape == EmitterShape::disk;
+  return is_disk ? Emitter(DiskEmitter{radius}) : Emitter(SphereEmitter{radius});
+}
+
+bool is_area(const Light& light) { return !std::holds_alternative<std::monostate>(light.emitter); }
+
+Light with_extent(Light light, const LightParams& params) {
+  const EmitterSizes sizes = sizes_of(params);
+  if (is_directional(light) ? sizes.angular_diameter.has_value() : sizes.has_lengths()) {
+    light.emitter = make_emitter(light, sizes);
+  }
+  return light;
+}
+
+void require_sense(const LightParams& params, std::span<const Light> lights) {
+  const EmitterSizes sizes = sizes_of(params);
+  const std::string why = objection(sizes);
+  if (!why.empty()) throw Error(ExitCode::usage, "light.*", "a light cannot be so: " + why, "give one extent");
+  const bool any_directional = std::any_of(lights.begin(), lights.end(), is_directional);
+  const bool all_directional = std::all_of(lights.begin(), lights.end(), is_directional);
+  if (sizes.angular_diameter && !any_directional) {
+    throw Error(ExitCode::usage, "light.angle", "no measured light is directional",
+                "give point and spot lights a light.radius, or a light.width and light.height");
+  }
+  if (sizes.has_lengths() && all_directional) {
+    throw Error(ExitCode::usage, sizes.radius ? "light.radius" : "light.width",
+                "every measured light is directional, and has no place that could have a size",
+                "give it a light.angle");
+  }
+}
+
+const char* kind_of(const Emitter& emitter) {
+  static constexpr const char* names[] = {"", "sphere", "disk", "rectangle", "distant disk"};
+  return names[emitter.index()];
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,193 @@
+// References between runs: the same bits from the cache and without it, whatever happens to the cache.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/app/run_program.h"
+
+namespace umbrameter {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+class ReferenceCache : public testing::Test {
+ protected:
+  ProgramOptions here() const { return {{"XDG_CACHE_HOME=" + home_.string()}, {}, 0, 0.0}; }
+  ProgramResult trace(const std::string& output, const std::vector<std::string>& more = {}) const {
+    return trace(output, more, here());
+  }
+  ProgramResult trace(const std::string& output, const std::vector<std::string>& more,
+                      const ProgramOptions& options) const {
+    std::vector<std::string> words = {"trace",          "corner", "--light", "sun",         "-o",
+                                      folder_ / output, "--size", "64x36",   "--truth.spp", "4"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_program(words, options);
+  }
+  std::string image(const std::string& output) const { return text_of(folder_ / (output + "/images.exr")); }
+  std::vector<fs::path> entries() const {
+    std::vector<fs::path> found;
+    const fs::path folder = home_ / "umbrameter/references";
+    if (!fs::exists(folder)) return found;
+    for (const auto& file : fs::directory_iterator(folder)) {
+      if (file.path().extension() == ".reference") found.push_back(file.path());
+    }
+    return found;
+  }
+  Json list() const { return Json::parse(run_program({"cache", "--json"}, here()).out); }
+
+  TemporaryFolder folder_;
+  fs::path home_ = folder_ / "home";
+};
+
+constexpr const char* hit = "reference from the cache";
+
+TEST_F(ReferenceCache, Gives_the_same_files_bit_for_bit) {
+  const ProgramResult first = trace("first");
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_EQ(first.err.find(hit), std::string::npos) << first.err;
+  EXPECT_EQ(entries().size(), 2u) << "the sun's visibility and AO";
+  const ProgramResult second = trace("second");
+  EXPECT_NE(second.err.find(hit), std::string::npos) << second.err;
+  const ProgramResult without = trace("without", {"--no-cache"});
+  EXPECT_EQ(without.err.find(hit), std::string::npos) << without.err;
+  for (const char* file : {"images.exr", "summary.json", "index.html"}) {
+    EXPECT_EQ(text_of(folder_ / ("second/" + std::string(file))), text_of(folder_ / ("first/" + std::string(file))));
+    EXPECT_EQ(text_of(folder_ / ("without/" + std::string(file))), text_of(folder_ / ("first/" + std::string(file))));
+  }
+}
+
+TEST_F(ReferenceCache, Another_seed_view_or_sample_count_is_traced_anew) {
+  trace("first");
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--seed", "2"},
+                                               {"--size", "64x32"},
+                                               {"--truth.spp", "5"},
+                                               {"--truth.ao-distance", "0.5"}}) {
+    const ProgramResult result = trace("other", more);
+    EXPECT_EQ(result.err.find("ambient occlusion: reference from the cache"), std::string::npos) << more[0];
+  }
+  EXPECT_NE(trace("again").err.find(hit), std::string::npos);
+}
+
+TEST_F(ReferenceCache, No_cache_leaves_no_trace_of_itself) {
+  EXPECT_EQ(trace("first", {"--no-cache"}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(home_));
+}
+
+TEST_F(ReferenceCache, A_damaged_entry_is_traced_anew_with_a_note) {
+  trace("first");
+  for (const fs::path& entry : entries()) {
+    std::string bytes = text_of(entry);
+    bytes[bytes.size() / 2] = static_cast<char>(~bytes[bytes.size() / 2]);
+    put_text(entry, bytes);
+  }
+  const ProgramResult second = trace("second");
+  EXPECT_EQ(second.exit_code, 0);
+  EXPECT_NE(second.err.find("checksum"), std::string::npos) << second.err;
+  EXPECT_EQ(second.err.find(hit), std::string::npos) << second.err;
+  EXPECT_EQ(image("second"), image("first"));
+  const ProgramResult third = trace("third");
+  EXPECT_EQ(third.err.find("checksum"), std::string::npos) << third.err;
+  EXPECT_NE(third.err.find(hit), std::string::npos) << third.err;
+}
+
+TEST_F(ReferenceCache, What_cannot_be_kept_is_a_note_and_no_failure) {
+  put_text(home_, "a file where the folder should be");
+  const ProgramResult blocked = trace("blocked");
+  EXPECT_EQ(blocked.exit_code, 0);
+  EXPECT_NE(blocked.err.find("not kept"), std::string::npos) << blocked.err;
+  const ProgramResult homeless = trace("homeless", {}, {{}, {"env", "-u", "XDG_CACHE_HOME", "-u", "HOME"}, 0, 0.0});
+  EXPECT_EQ(homeless.exit_code, 0) << homeless.err;
+  EXPECT_NE(homeless.err.find("HOME"), std::string::npos) << homeless.err;
+  EXPECT_EQ(image("homeless"), image("blocked"));
+}
+
+TEST_F(ReferenceCache, A_read_only_folder_still_gives_hits) {
+  trace("first");
+  const std::string mount = "mount --bind '" + home_.string() + "' '" + home_.string() +
+                            "' && mount -o remount,bind,ro '" + home_.string() + "'";
+  if (std::system(("unshare -rm sh -c \"" + mount + "\" 2>/dev/null").c_str()) != 0) {
+    GTEST_SKIP() << "nothing can be mounted here";
+  }
+  ProgramOptions options = here();
+  options.wrapper = {"unshare", "-rm", "sh", "-c", mount + " && exec \"$@\"", "sh"};
+  const ProgramResult second = trace("second", {}, options);
+  EXPECT_EQ(second.exit_code, 0) << second.err;
+  EXPECT_NE(second.err.find(hit), std::string::npos) << second.err;
+  EXPECT_EQ(image("second"), image("first"));
+  const ProgramResult other = trace("other", {"--seed", "2"}, options);
+  EXPECT_EQ(other.exit_code, 0) << other.err;
+  EXPECT_NE(other.err.find("Read-only file system"), std::string::npos) << other.err;
+}
+
+TEST_F(ReferenceCache, The_limit_is_kept_and_wrong_ones_are_refused) {
+  ProgramOptions limited = here();
+  limited.environment.push_back("UMBRAMETER_CACHE_SIZE=64K");
+  // 64 × 36 × 4 bytes an image, one for visibility and two for AO: about 9.2 and 18.4 kB.
+  for (int seed = 1; seed < 6; ++seed) EXPECT_EQ(trace("out", {"--seed", std::to_string(seed)}, limited).exit_code, 0);
+  const Json listing = Json::parse(run_program({"cache", "--json"}, limited).out);
+  EXPECT_EQ(listing["limit_bytes"], 64000);
+  EXPECT_LE(listing["bytes"], 64000);
+  EXPECT_GE(listing["entries"].size(), 4u);
+  limited.environment.back() = "UMBRAMETER_CACHE_SIZE=plenty";
+  const ProgramResult refused = trace("out", {}, limited);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("UMBRAMETER_CACHE_SIZE=plenty"), std::string::npos) << refused.err;
+}
+
+TEST_F(ReferenceCache, Is_listed_and_cleared) {
+  EXPECT_EQ(list()["entries"].size(), 0u);
+  trace("out");
+  const Json listing = list();
+  ASSERT_EQ(listing["entries"].size(), 2u);
+  EXPECT_EQ(listing["folder"], (home_ / "umbrameter/references").string());
+  for (const Json& entry : listing["entries"]) EXPECT_EQ(entry["scene"], "corner");
+  const ProgramResult text = run_program({"cache"}, here());
+  EXPECT_NE(text.out.find("ambient occlusion"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("2 references"), std::string::npos) << text.out;
+  EXPECT_EQ(Json::parse(run_program({"cache", "--clear", "--json"}, here()).out)["removed"], 2);
+  EXPECT_TRUE(entries().empty());
+}
+
+TEST_F(ReferenceCache, Serves_many_processes_at_once) {
+  ProgramOptions limited = here();
+  limited.environment.push_back("UMBRAMETER_CACHE_SIZE=100K");
+  std::vector<ProgramResult> results(8);
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    threads.emplace_back([&, i] {
+      results[i] = trace("out" + std::to_string(i), {"--seed", std::to_string(i % 4)}, limited);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    EXPECT_EQ(results[i].exit_code, 0) << results[i].err;
+    EXPECT_EQ(results[i].err.find("cannot"), std::string::npos) << results[i].err;
+    EXPECT_EQ(results[i].err.find("not kept"), std::string::npos) << results[i].err;
+    EXPECT_EQ(image("out" + std::to_string(i)), image("out" + std::to_string(i % 4)));
+  }
+  const Json listing = list();
+  EXPECT_LE(listing["bytes"], 100000);
+  EXPECT_GE(listing["entries"].size(), 4u);
+  for (const Json& entry : listing["entries"]) EXPECT_EQ(entry["scene"], "corner") << "damaged";
+  for (const auto& file : fs::directory_iterator(home_ / "umbrameter/references")) {
+    EXPECT_NE(file.path().extension(), ".tmp") << file.path();
+  }
+}
+
+TEST_F(ReferenceCache, Ctrl_c_during_a_trace_keeps_no_entry) {
+  ProgramOptions options = here();
+  options.signal = SIGINT;
+  options.signal_after_seconds = 1.5;
+  const ProgramResult result = trace("out", {"--size", "1920x1080", "--truth.spp", "65536"}, options);
+  EXPECT_EQ(result.exit_code, 130) << result.err;
+  for (const Json& entry : list()["entries"]) EXPECT_EQ(entry["what"], "visibility of sun");
+  if (!fs::exists(home_)) return;
+  for (const auto& file : fs::recursive_directory_iterator(home_)) EXPECT_NE(file.path().extension(), ".tmp");
+}
+
+}  // namespace
+}  // namespace umbrameter
