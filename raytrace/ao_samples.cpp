@@ -1,7 +1,6 @@
 #include "raytrace/ao_samples.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/random.h"
@@ -17,38 +16,96 @@ int part_of(float coordinate) {
 }
 
 // Strata row by row, back and forth, so that neighbours follow one another.
-std::uint16_t stratum_of(vec2 disk) {
-  const int row = part_of(disk.y);
-  const int column = part_of(disk.x);
+std::uint16_t stratum_of(float x, float y) {
+  const int row = part_of(y);
+  const int column = part_of(x);
   return static_cast<std::uint16_t>(row * strata + (row % 2 == 0 ? column : strata - 1 - column));
+}
+
+// The loops below are plain ones over arrays, so that the compiler makes vectors of them.
+
+float wrapped(float value) { return value < 1.0f ? value : value - 1.0f; }
+
+void to_disk(std::size_t size, vec2 shift, vec2 turn, float* u, float* v) {
+  for (std::size_t i = 0; i < size; ++i) {
+    const vec2 d = concentric_disk({wrapped(u[i] + shift.x), wrapped(v[i] + shift.y)});
+    u[i] = d.x * turn.x - d.y * turn.y;
+    v[i] = d.x * turn.y + d.y * turn.x;
+  }
+}
+
+template <class Lift>
+void to_world(std::size_t size, const PixelDirections& pixel, const float* u, const float* v, float* x, float* y,
+              float* z, float* cosine, Lift lift) {
+  const mat3 frame = pixel.frame;
+  const vec3 normal = pixel.normal;
+  for (std::size_t i = 0; i < size; ++i) {
+    const vec3 local = lift(vec2(u[i], v[i]));
+    x[i] = frame[0].x * local.x + frame[1].x * local.y + frame[2].x * local.z;
+    y[i] = frame[0].y * local.x + frame[1].y * local.y + frame[2].y * local.z;
+    z[i] = frame[0].z * local.x + frame[1].z * local.y + frame[2].z * local.z;
+    cosine[i] = local.z;
+  }
+  if (frame[2] == normal) return;
+  for (std::size_t i = 0; i < size; ++i) cosine[i] = normal.x * x[i] + normal.y * y[i] + normal.z * z[i];
 }
 
 }  // namespace
 
-void PixelSamples::make(Sampler sampler, const SampleRange& range, std::uint32_t stream) {
-  unsorted_.clear();
-  std::array<int, strata * strata + 1> first{};
+void PacketSamples::Unsorted::resize(std::size_t size) {
+  for (std::vector<float>* values : {&u, &v, &x, &y, &z, &cosine}) values->resize(size);
+  stratum.resize(size);
+  randomisation.resize(size);
+}
+
+void PacketSamples::make(const TruthParams& params, int lane, const PixelDirections& pixel) {
+  const SampleRange& range = pixel.range;
+  const auto size = static_cast<std::size_t>(range.size());
+  unsorted_.resize(size);
+  if (ranks_.size() < size) ranks_.resize(size);
+  Unsorted& all = unsorted_;
   const Randomisations before{range.split.count, range.begin};
+  std::size_t first = 0;
   for (int r = 0; r < range.split.count; ++r) {
-    const std::uint32_t scramble = hash(stream, static_cast<std::uint32_t>(r));
+    const std::uint32_t scramble = hash(pixel.stream, static_cast<std::uint32_t>(r));
+    const auto begin = static_cast<std::uint32_t>(before.size(r));
+    const auto count = static_cast<std::size_t>(range.split.size(r)) - begin;
+    make_points(params.sampler == Sampler::owen, begin, scramble, {all.u.data() + first, count},
+                {all.v.data() + first, count});
     // Shifted and turned at random: edges of occluders that run along the square's or through the middle of the disk
     // would else have the same count in every randomisation, or one of two, and such counts are far from a normal
     // distribution (Cranley and Patterson 1976 for the shift).
     const vec2 shift(to_unit_float(hash(scramble, 2u)), to_unit_float(hash(scramble, 3u)));
     const float angle = static_cast<float>(2.0 * pi) * to_unit_float(hash(scramble, 4u));
-    const vec2 turn(std::cos(angle), std::sin(angle));
-    for (int i = before.size(r); i < range.split.size(r); ++i) {
-      const auto index = static_cast<std::uint32_t>(i);
-      const vec2 point = sampler == Sampler::owen ? owen_sobol(index, scramble) : random_point(index, scramble);
-      const vec2 d = concentric_disk(glm::fract(point + shift));
-      const vec2 disk(d.x * turn.x - d.y * turn.y, d.x * turn.y + d.y * turn.x);
-      unsorted_.push_back({disk, static_cast<std::uint16_t>(r), stratum_of(disk)});
-      ++first[unsorted_.back().stratum + 1u];
-    }
+    to_disk(count, shift, {std::cos(angle), std::sin(angle)}, all.u.data() + first, all.v.data() + first);
+    std::fill_n(all.randomisation.begin() + static_cast<std::ptrdiff_t>(first), count, static_cast<std::uint8_t>(r));
+    first += count;
   }
-  for (std::size_t s = 1; s < first.size(); ++s) first[s] += first[s - 1];
-  sorted_.resize(unsorted_.size());
-  for (const Sample& sample : unsorted_) sorted_[static_cast<std::size_t>(first[sample.stratum]++)] = sample;
+  const auto place = [&](auto lift) {
+    to_world(size, pixel, all.u.data(), all.v.data(), all.x.data(), all.y.data(), all.z.data(), all.cosine.data(),
+             lift);
+  };
+  if (params.ao_weight == AoWeight::cosine) {
+    place([](vec2 disk) { return lift_cosine(disk); });
+  } else {
+    place([](vec2 disk) { return lift_uniform(disk); });
+  }
+
+  std::array<std::uint32_t, strata * strata + 1> next{};
+  for (std::size_t i = 0; i < size; ++i) {
+    all.stratum[i] = stratum_of(all.u[i], all.v[i]);
+    ++next[all.stratum[i] + 1u];
+  }
+  for (std::size_t s = 1; s < next.size(); ++s) next[s] += next[s - 1];
+  const auto l = static_cast<std::size_t>(lane);
+  for (std::size_t i = 0; i < size; ++i) {
+    SampleRank& rank = ranks_[next[all.stratum[i]]++];
+    rank.directions.x[l] = all.x[i];
+    rank.directions.y[l] = all.y[i];
+    rank.directions.z[l] = all.z[i];
+    rank.cosine[l] = all.cosine[i];
+    rank.randomisation[l] = all.randomisation[i];
+  }
 }
 
 }  // namespace umbrameter

@@ -1,20 +1,16 @@
-// The directions of one pixel, in an order that keeps neighbouring pixels' rays together. For raytrace/*.cpp alone.
+// The directions of sixteen pixels, in an order that keeps equal ranks' rays together. For raytrace/*.cpp alone.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "core/math.h"
+#include "raytrace/packet.h"
 #include "raytrace/parameters.h"
 #include "raytrace/sampler.h"
 
 namespace umbrameter {
-
-struct Sample {
-  vec2 disk{0};  ///< of the unit disk, for lift_cosine or lift_uniform
-  std::uint16_t randomisation = 0;
-  std::uint16_t stratum = 0;
-};
 
 /// Which of a pixel's points are wanted: of `split.points` in all, those beyond the first `begin`.
 struct SampleRange {
@@ -23,17 +19,40 @@ struct SampleRange {
   int size() const { return split.points - begin; }
 };
 
-/// A range of a pixel's points, ordered by the part of the disk that they fall in, so that equal ranks of neighbouring
-/// pixels look in about the same direction. Which points there are does not depend on the order.
-class PixelSamples {
+/// Where a pixel looks.
+struct PixelDirections {
+  SampleRange range;
+  mat3 frame{1.0f};          ///< of the hemisphere
+  vec3 normal{0, 0, 1};      ///< of the triangle
+  std::uint32_t stream = 0;  ///< a stream is a set of points that is independent of every other stream's
+};
+
+/// One ray of each pixel.
+struct alignas(64) SampleRank {
+  Directions directions;
+  std::array<float, Packet::width> cosine{};  ///< with the triangle's normal
+  std::array<std::uint8_t, Packet::width> randomisation{};
+};
+
+/// Ranges of equal size of sixteen pixels' points, each ordered by the part of the disk that they fall in, so that
+/// equal ranks of neighbouring pixels look in about the same direction. Which points there are does not depend on the
+/// order.
+class PacketSamples {
  public:
-  /// A stream is a set of points that is independent of every other stream's.
-  void make(Sampler sampler, const SampleRange& range, std::uint32_t stream);
-  const Sample& operator[](std::size_t rank) const { return sorted_[rank]; }
+  void make(const TruthParams& params, int lane, const PixelDirections& pixel);
+  const SampleRank& operator[](std::size_t rank) const { return ranks_[rank]; }
 
  private:
-  std::vector<Sample> unsorted_;
-  std::vector<Sample> sorted_;
+  struct Unsorted {
+    std::vector<float> u, v;  // the square, then the disk
+    std::vector<float> x, y, z, cosine;
+    std::vector<std::uint16_t> stratum;
+    std::vector<std::uint8_t> randomisation;
+    void resize(std::size_t size);
+  };
+
+  Unsorted unsorted_;
+  std::vector<SampleRank> ranks_;
 };
 
 }  // namespace umbrameter

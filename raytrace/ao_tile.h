@@ -36,8 +36,7 @@ struct AoTask {
 template <class Rays>
 class AoTile {
  public:
-  explicit AoTile(const AoTask& task)
-      : task_(task), reach_(reach_of(task.params)), packet_(task.tracer.state()), samples_(Rays::width) {}
+  explicit AoTile(const AoTask& task) : task_(task), reach_(reach_of(task.params)), packet_(task.tracer.state()) {}
 
   void trace(const Tile& tile, TracedAo& result) {
     collect(tile);
@@ -74,6 +73,7 @@ class AoTile {
     vec3 normal{0, 0, 1};  // of the triangle
     mat3 frame{1.0f};
     double offset = 0.0;
+    float clear_cosine = 0;  // with the triangle's normal, of a direction that cannot meet it
     bool is_pilot = false;
     int rays = 0;
     SampleRange next;
@@ -81,6 +81,11 @@ class AoTile {
     dvec3 open_direction{0.0};
     double blocked = 0.0;
     double blocked_distance = 0.0;
+  };
+
+  struct Lanes {
+    std::array<float, Rays::width> offset{};
+    std::array<float, Rays::width> clear_cosine{};
   };
 
   bool is_adaptive() const { return task_.params.tolerance > 0.0; }
@@ -110,6 +115,8 @@ class AoTile {
     const bool is_turned = task_.params.ao_normal == AoNormal::shading && glm::dot(shading, shading) > 0.0f;
     pixel.frame = frame_about(is_turned ? glm::normalize(shading) : pixel.normal);
     pixel.offset = origin.offset;
+    // The frame and its product are rounded a few times.
+    pixel.clear_cosine = static_cast<float>(origin.clear_cosine) + 0x1p-20f;
     pixel.is_pilot = is_adaptive();
     pixel.next = {is_adaptive() ? pilot_of(task_.params) : split(task_.params.spp), 0};
     statistics_.largest_offset = std::max(statistics_.largest_offset, origin.offset);
@@ -119,12 +126,15 @@ class AoTile {
 
   void trace_packet(std::size_t first, std::size_t last) {
     packet_.clear();
+    lanes_ = {};
     for (std::size_t i = first; i < last; ++i) {
       Pixel& pixel = pixels_[static_cast<std::size_t>(pending_[i])];
-      packet_.add({pixel.origin, vec3(0), 0.0f}, task_.gbuffer.instance[pixel.index],
+      packet_.add({pixel.origin, vec3(0), 0.0f, true}, task_.gbuffer.instance[pixel.index],
                   task_.gbuffer.triangle[pixel.index]);
+      lanes_.offset[i - first] = static_cast<float>(pixel.offset);
+      lanes_.clear_cosine[i - first] = pixel.clear_cosine;
       const std::uint32_t stream = hash(static_cast<std::uint32_t>(pixel.index), pixel.is_pilot ? 1u : 0u, task_.seed);
-      samples_[i - first].make(task_.params.sampler, pixel.next, stream);
+      samples_.make(task_.params, static_cast<int>(i - first), {pixel.next, pixel.frame, pixel.normal, stream});
     }
     const int ranks = pixels_[static_cast<std::size_t>(pending_[first])].next.size();
     for (int rank = 0; rank < ranks; ++rank) trace_rank(first, static_cast<std::size_t>(rank));
@@ -138,20 +148,20 @@ class AoTile {
 
   void trace_rank(std::size_t first, std::size_t rank) {
     const int size = packet_.size();
-    std::array<vec3, Rays::width> directions;
-    std::array<float, Rays::width> steps;  // from the surface to the origin, along the ray to first order
-    for (int lane = 0; lane < size; ++lane) {
-      const auto l = static_cast<std::size_t>(lane);
-      const Pixel& pixel = pixels_[static_cast<std::size_t>(pending_[first + l])];
-      const vec2 disk = samples_[l][rank].disk;
-      const vec3 local = task_.params.ao_weight == AoWeight::cosine ? lift_cosine(disk) : lift_uniform(disk);
-      directions[l] = pixel.frame * local;
-      const bool is_turned = task_.params.ao_normal == AoNormal::shading;
-      const float cosine = is_turned ? glm::dot(directions[l], pixel.normal) : local.z;
-      steps[l] = static_cast<float>(pixel.offset) * cosine;
-      const double reach = std::max(reach_ - pixel.offset * static_cast<double>(cosine), 0.0);
-      packet_.aim(lane, {pixel.origin, directions[l], cosine > 0.0f ? static_cast<float>(reach) : -1.0f});
+    const SampleRank& samples = samples_[rank];
+    // A hit counts up to ao_distance from the surface point: the ray starts above it, which shortens its way by
+    // offset · cosine to first order.
+    std::array<float, Rays::width> steps;
+    std::array<float, Rays::width> reaches;
+    bool is_clear = true;
+    for (std::size_t l = 0; l < steps.size(); ++l) {
+      const float cosine = samples.cosine[l];
+      steps[l] = lanes_.offset[l] * cosine;
+      const auto reach = static_cast<float>(std::max(reach_ - static_cast<double>(steps[l]), 0.0));
+      reaches[l] = cosine > 0.0f ? reach : -1.0f;
+      is_clear &= cosine <= 0.0f || cosine > lanes_.clear_cosine[l];
     }
+    packet_.aim(samples.directions, reaches.data(), is_clear);
     packet_.trace();
     for (int lane = 0; lane < size; ++lane) {
       const auto l = static_cast<std::size_t>(lane);
@@ -166,8 +176,9 @@ class AoTile {
           pixel.blocked_distance += std::max(distance, 0.0);
         }
       }
-      pixel.estimate.open[samples_[l][rank].randomisation] += open;
-      if constexpr (knows_distance) pixel.open_direction += open * dvec3(directions[l]);
+      pixel.estimate.open[samples.randomisation[l]] += open;
+      if constexpr (knows_distance)
+        pixel.open_direction += open * dvec3(samples.directions.x[l], samples.directions.y[l], samples.directions.z[l]);
     }
   }
 
@@ -212,7 +223,8 @@ class AoTile {
   const AoTask& task_;
   double reach_;
   Rays packet_;
-  std::vector<PixelSamples> samples_;  // by lane
+  Lanes lanes_;
+  PacketSamples samples_;
   std::vector<Pixel> pixels_;
   std::vector<int> pending_;
   TraceStatistics statistics_;

@@ -18,30 +18,36 @@ using Context = RTCIntersectContext;
 inline constexpr RTCSceneFlags query_filter_flag = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
 #endif
 
-/// A query whose filter sees every hit. Embree hands the filter a pointer to `context`, the first member, so that a
-/// standard-layout struct that begins with a Query can be recovered from it.
+/// A query whose filter, if any, sees every hit. Embree hands the filter a pointer to `context`, the first member, so
+/// that a standard-layout struct that begins with a Query can be recovered from it.
 struct Query {
   Context context;
   RTCFilterFunctionN filter = nullptr;
 };
 
 // No hint for coherent rays: with it Embree 3.13.5 may loop for ever (docs/decisions/no-coherence-hint.md).
+inline void set_filter(Query& query, RTCFilterFunctionN filter) {
+#if UMBRAMETER_EMBREE_MAJOR < 4
+  query.context.filter = filter;
+#endif
+  query.filter = filter;
+}
+
 inline void prepare(Query& query, RTCFilterFunctionN filter) {
 #if UMBRAMETER_EMBREE_MAJOR >= 4
   rtcInitRayQueryContext(&query.context);
 #else
   rtcInitIntersectContext(&query.context);
   query.context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-  query.context.filter = filter;
 #endif
-  query.filter = filter;
+  set_filter(query, filter);
 }
 
 #if UMBRAMETER_EMBREE_MAJOR >= 4
 template <class Arguments>
 void fill(Arguments& arguments, Query& query) {
-  arguments.flags =
-      static_cast<RTCRayQueryFlags>(RTC_RAY_QUERY_FLAG_INCOHERENT | RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER);
+  arguments.flags = static_cast<RTCRayQueryFlags>(
+      RTC_RAY_QUERY_FLAG_INCOHERENT | (query.filter != nullptr ? RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER : 0));
   arguments.context = &query.context;
   arguments.filter = query.filter;
 }
@@ -58,8 +64,44 @@ inline void intersect1(RTCScene scene, RTCRayHit& ray, Query& query) {
 #endif
 }
 
+/// A blocked ray's tfar becomes −∞.
+inline void occluded1(RTCScene scene, RTCRay& ray, Query& query) {
+#if UMBRAMETER_EMBREE_MAJOR >= 4
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  fill(arguments, query);
+  rtcOccluded1(scene, &ray, &arguments);
+#else
+  rtcOccluded1(scene, &query.context, &ray);
+#endif
+}
+
+/// As the sixteen below.
+inline void occluded(const int* valid, RTCScene scene, RTCRay4& rays, Query& query) {
+#if UMBRAMETER_EMBREE_MAJOR >= 4
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  fill(arguments, query);
+  rtcOccluded4(valid, scene, &rays, &arguments);
+#else
+  rtcOccluded4(valid, scene, &query.context, &rays);
+#endif
+}
+
+/// As the sixteen below.
+inline void occluded(const int* valid, RTCScene scene, RTCRay8& rays, Query& query) {
+#if UMBRAMETER_EMBREE_MAJOR >= 4
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  fill(arguments, query);
+  rtcOccluded8(valid, scene, &rays, &arguments);
+#else
+  rtcOccluded8(valid, scene, &query.context, &rays);
+#endif
+}
+
 /// valid[i] is −1 for lanes in use and 0 else; a blocked lane's tfar becomes −∞.
-inline void occluded16(const int* valid, RTCScene scene, RTCRay16& rays, Query& query) {
+inline void occluded(const int* valid, RTCScene scene, RTCRay16& rays, Query& query) {
 #if UMBRAMETER_EMBREE_MAJOR >= 4
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);

@@ -51,6 +51,19 @@ class HitPacket {
     valid_[lane] = ray.reach < 0.0f ? 0 : -1;
   }
 
+  /// Gives every lane in use another ray from the same place. A negative reach is blocked where it starts.
+  void aim(const Directions& directions, const float* reach, bool /*is_clear*/) {
+    std::copy_n(directions.x, width, rays_.ray.dir_x);
+    std::copy_n(directions.y, width, rays_.ray.dir_y);
+    std::copy_n(directions.z, width, rays_.ray.dir_z);
+    std::copy_n(reach, width, rays_.ray.tfar);
+    for (int lane = 0; lane < size_; ++lane) {
+      rays_.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+      rays_.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+      valid_[lane] = reach[lane] < 0.0f ? 0 : -1;
+    }
+  }
+
   void trace() {
     if (size_ > 0) embree::intersect16(valid_, state_->top.get(), rays_, query_.query);
   }

@@ -1,6 +1,8 @@
 // Sixteen occlusion rays traced together. For raytrace/*.cpp alone.
 #pragma once
 
+#include <algorithm>
+
 #include "raytrace/tracer_state.h"
 
 namespace umbrameter {
@@ -9,6 +11,14 @@ struct ShadowRay {
   vec3 origin{0};
   vec3 direction{0, 0, 1};  ///< unit
   float reach = 0;          ///< metres; hits beyond do not block
+  bool is_clear = false;    ///< it cannot meet its own triangle
+};
+
+/// Of the sixteen rays of a packet.
+struct alignas(64) Directions {
+  float x[16] = {};
+  float y[16] = {};
+  float z[16] = {};
 };
 
 class Packet {
@@ -26,12 +36,14 @@ class Packet {
       rays_.flags[lane] = 0;
       valid_[lane] = 0;
     }
+    is_clear_ = true;
   }
 
   int size() const { return size_; }
   bool is_full() const { return size_ == width; }
   void clear() {
     size_ = 0;
+    is_clear_ = true;
     for (int& valid : valid_) valid = 0;
   }
 
@@ -53,10 +65,23 @@ class Packet {
     rays_.dir_z[lane] = ray.direction.z;
     rays_.tfar[lane] = ray.reach;
     valid_[lane] = -1;
+    is_clear_ = is_clear_ && ray.is_clear;
+  }
+
+  /// Gives every lane in use another ray from the same place. A negative reach is blocked where it starts.
+  void aim(const Directions& directions, const float* reach, bool is_clear) {
+    std::copy_n(directions.x, width, rays_.dir_x);
+    std::copy_n(directions.y, width, rays_.dir_y);
+    std::copy_n(directions.z, width, rays_.dir_z);
+    std::copy_n(reach, width, rays_.tfar);
+    is_clear_ = is_clear;
   }
 
   void trace() {
-    if (size_ > 0) embree::occluded16(valid_, state_->top.get(), rays_, query_.query);
+    if (size_ == 0) return;
+    filter_every_hit(query_, !is_clear_);
+    embree::occluded(valid_, state_->top.get(), rays_, query_.query);
+    is_clear_ = true;
   }
   /// After trace(). Embree marks a blocked ray by tfar = −∞.
   bool is_blocked(int lane) const { return rays_.tfar[lane] < 0.0f; }
@@ -67,6 +92,7 @@ class Packet {
   RTCRay16 rays_;
   alignas(64) int valid_[width];
   int size_ = 0;
+  bool is_clear_ = true;
 };
 
 }  // namespace umbrameter

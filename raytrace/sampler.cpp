@@ -31,14 +31,15 @@ std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
   return x;
 }
 
-// The second dimension's generator matrix is Pascal's triangle modulo 2 (Sobol 1967): direction numbers
-// v(k+1) = v(k) xor v(k)/2. Returned with its bits reversed, least digit first, as the scramble wants it.
+// The second dimension's generator matrix is Pascal's triangle modulo 2 (Sobol 1967), whose entry (d, k) is odd where
+// the digits of d are among those of k (Lucas): digit d of the point is the sum of the index's digits k over such k,
+// gathered one digit of d at a time. Returned with its bits reversed, least digit first, as the scramble wants it.
 std::uint32_t reversed_second_dimension(std::uint32_t index) {
-  std::uint32_t result = 0;
-  for (std::uint32_t direction = 0x80000000u; index != 0; index >>= 1u, direction ^= direction >> 1u) {
-    if ((index & 1u) != 0) result ^= direction;
-  }
-  return reverse_bits(result);
+  index ^= (index & 0xaaaaaaaau) >> 1u;
+  index ^= (index & 0xccccccccu) >> 2u;
+  index ^= (index & 0xf0f0f0f0u) >> 4u;
+  index ^= (index & 0xff00ff00u) >> 8u;
+  return index ^ (index >> 16u);
 }
 
 float unit_from(std::uint32_t reversed, std::uint32_t seed) {
@@ -56,24 +57,20 @@ vec2 random_point(std::uint32_t index, std::uint32_t scramble) {
   return {to_unit_float(hash(scramble, index, 0u)), to_unit_float(hash(scramble, index, 1u))};
 }
 
-vec2 concentric_disk(vec2 point) {
-  // Just within the square, so that no direction is level.
-  constexpr float inside = 1.0f - 0x1p-22f;
-  const vec2 p = inside * (2.0f * point - 1.0f);
-  if (p.x == 0.0f && p.y == 0.0f) return p;
-  const bool is_wide = std::abs(p.x) > std::abs(p.y);
-  const float radius = is_wide ? p.x : p.y;
-  const float angle = static_cast<float>(pi / 4.0) * (is_wide ? p.y / p.x : p.x / p.y);
-  const float along = radius * std::cos(angle);
-  const float across = radius * std::sin(angle);
-  return is_wide ? vec2(along, across) : vec2(across, along);
-}
-
-vec3 lift_cosine(vec2 disk) { return {disk.x, disk.y, std::sqrt(std::max(1.0f - glm::dot(disk, disk), 0x1p-24f))}; }
-
-vec3 lift_uniform(vec2 disk) {
-  const float squared = glm::dot(disk, disk);
-  return vec3(disk * std::sqrt(2.0f - squared), std::max(1.0f - squared, 0x1p-24f));
+void make_points(bool is_sobol, std::uint32_t begin, std::uint32_t scramble, std::span<float> x, std::span<float> y) {
+  const auto size = static_cast<std::uint32_t>(x.size());
+  if (!is_sobol) {
+    for (std::uint32_t i = 0; i < size; ++i) {
+      const vec2 point = random_point(begin + i, scramble);
+      x[i] = point.x;
+      y[i] = point.y;
+    }
+    return;
+  }
+  const std::uint32_t first = hash(scramble, 0u);
+  const std::uint32_t second = hash(scramble, 1u);
+  for (std::uint32_t i = 0; i < size; ++i) x[i] = unit_from(begin + i, first);
+  for (std::uint32_t i = 0; i < size; ++i) y[i] = unit_from(reversed_second_dimension(begin + i), second);
 }
 
 mat3 frame_about(vec3 n) {

@@ -14,6 +14,10 @@ namespace {
 
 constexpr int tile_size = 32;
 
+bool is_clear(const RayOrigin& origin, const vec3& direction) {
+  return glm::dot(origin.normal, dvec3(direction)) > origin.clear_cosine;
+}
+
 // A ray to the light and how far it may go. The light itself is no blocker: the ray stops short of it by the rounding
 // of its own length.
 ShadowRay towards(const Light& light, const RayOrigin& origin) {
@@ -22,6 +26,7 @@ ShadowRay towards(const Light& light, const RayOrigin& origin) {
   if (std::holds_alternative<DirectionalLight>(light.shape)) {
     ray.direction = vec3(-light.axis());
     ray.reach = std::numeric_limits<float>::infinity();
+    ray.is_clear = is_clear(origin, ray.direction);
     return ray;
   }
   const dvec3 way = light.position() - dvec3(ray.origin);
@@ -29,6 +34,7 @@ ShadowRay towards(const Light& light, const RayOrigin& origin) {
   if (!(distance > 0.0)) return ray;  // the light is at the surfel: nothing lies between
   ray.direction = vec3(way / distance);
   ray.reach = static_cast<float>(distance * (1.0 - 0x1p-22));
+  ray.is_clear = is_clear(origin, ray.direction);
   return ray;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "raytrace/tracer_state.h"
 
@@ -79,6 +80,33 @@ dvec3 inset_from_edges(const Triangle& t, const dvec3& normal, dvec3 point, doub
   return moved ? nearest_point(t, point) : point;
 }
 
+double longest_edge(const Triangle& t) {
+  return std::max({glm::length(t.b - t.a), glm::length(t.c - t.b), glm::length(t.a - t.c)});
+}
+
+// Embree tells on which side of a triangle's plane a ray starts by T = v·N, with v from the origin to a corner and N
+// the cross product of two edges, all in floats. No edge is longer than L, nor v while the origin stands over the
+// triangle. v is off by u·L, an edge by 2u·L + u·L, N by 2·3u·L² + 3u·L², so T by 9u·L³ + 4u·L·|N| (γ(n) as in Higham,
+// as above; Embree takes the shorter edges, which only helps). This is that error as a distance, T / |N|, in parts of
+// u·L.
+double side_error(const Triangle& t, double twice_area) {
+  const double edge = longest_edge(t);
+  return 9.0 * edge * edge / twice_area + 4.0;
+}
+
+// Lengths of one direction in a mesh are lengths of every direction in the world times one factor.
+bool is_similarity(const dmat4& world_from_mesh) {
+  const dmat3 gram = glm::transpose(dmat3(world_from_mesh)) * dmat3(world_from_mesh);
+  const double scale = (gram[0][0] + gram[1][1] + gram[2][2]) / 3.0;
+  double skew = 0.0;
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      skew = std::max(skew, std::abs(gram[column][row] - (row == column ? scale : 0.0)));
+    }
+  }
+  return skew <= 1e-5 * scale;
+}
+
 }  // namespace
 
 dvec3 nearest_point(const Triangle& triangle, const dvec3& position) {
@@ -107,13 +135,14 @@ dvec3 nearest_point(const Triangle& triangle, const dvec3& position) {
   return a + ab * (vb * scale) + ac * (vc * scale);
 }
 
-// The ray's own triangle is left out by its id; the step is for its neighbours in the same plane, which must not be
-// hit although they, the ray and the test are rounded. Along the normal these errors add up:
+// The step along the normal is for triangles in the same plane, which must not be hit although they, the ray and the
+// test are rounded. Along the normal these errors add up:
 //   vertices of the neighbour and of the own triangle            2 · vertex_error
 //   the origin, rounded to floats                                u · |p|
 //   the origin, taken into a shared mesh's space                 transform_error
 //   Embree's distance to the neighbour's plane, (v − o)·N / |N|: differences, a dot product of three terms and the
 //   normal's own rounding, at most eight roundings of lengths up to an edge       8u · longest edge
+//   or, where it is more and the triangle no sliver, its own side_error
 // (Waechter and Binder, A Fast and Robust Method for Avoiding Self-Intersection, Ray Tracing Gems, 2019, chapter 6,
 // measure the same sources; Pharr, Jakob and Humphreys, Physically Based Rendering, 4th ed., 6.8, bound them this way.)
 RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel) {
@@ -130,8 +159,18 @@ RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t p
   origin.normal = glm::dot(unit, seen) < 0.0 ? -unit : unit;
 
   const InstanceInfo& info = tracer.state().instances[instance];
-  origin.offset = 2.0 * vertex_error(scene, instance, id) + u * glm::length(nearest) + 8.0 * u * info.longest_edge;
+  // Where it takes more than this the triangle is a sliver, and a hit on it is told by its id.
+  constexpr double most_side_error = 96.0;
+  const double edge = longest_edge(triangle);
+  const double needed = area > 0.0 ? 1.25 * side_error(triangle, area) * edge : std::numeric_limits<double>::infinity();
+  const bool is_told = needed < std::max(8.0 * info.longest_edge, most_side_error * edge) &&
+                       (!info.is_shared || is_similarity(scene.instances[instance].world_from_mesh));
+  const double rounding = std::max(8.0 * info.longest_edge, is_told ? needed : 0.0);
+  origin.offset = 2.0 * vertex_error(scene, instance, id) + u * glm::length(nearest) + u * rounding;
   if (info.is_shared) origin.offset += transform_error(scene.instances[instance], nearest);
+  // The same error of N turns a ray's rise: only a steeper one leaves the plane for certain. The quarter more in offset
+  // and the factor here are for an origin beside the triangle by up to an eighth of its longest edge.
+  if (is_told && origin.offset < edge / 8.0) origin.clear_cosine = 2.0 * u * needed / edge;
   // Room for an origin that stands `offset` high and is off by as much, under neighbours that rise at 28 degrees or
   // more: 4 ≥ cot(28° / 2).
   origin.surface = area > 0.0 ? inset_from_edges(triangle, unit, nearest, 4.0 * origin.offset) : nearest;

@@ -11,6 +11,9 @@ struct RayOrigin {
   dvec3 surface;      ///< the surfel projected onto its own triangle, a few offsets in from its edges, world
   dvec3 normal;       ///< unit, of the triangle, on the side of the surfel's geometric normal
   double offset = 0;  ///< metres along the normal
+  /// A ray at least this cosine off the normal's plane cannot meet its own triangle, however Embree rounds; above 1
+  /// when nothing is known.
+  double clear_cosine = 2;
   dvec3 point() const { return surface + offset * normal; }
 };
 

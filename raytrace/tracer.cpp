@@ -39,7 +39,9 @@ bool shows_back(const Scene& scene, const FilteredHit& hit, const dvec3& directi
   return turns_away != is_mirrored(scene.instances[hit.instance].world_from_mesh);
 }
 
-void filter(const RTCFilterFunctionNArguments* arguments) {
+}  // namespace
+
+void filter_hit(const RTCFilterFunctionNArguments* arguments) {
   const auto* query = reinterpret_cast<const RayQuery*>(arguments->context);
   const Tracer::State& state = *query->state;
   const unsigned n = arguments->N;
@@ -62,11 +64,9 @@ void filter(const RTCFilterFunctionNArguments* arguments) {
   }
 }
 
-}  // namespace
-
 void prepare(RayQuery& query, const Tracer::State& state, bool is_primary) {
   static_assert(std::is_standard_layout_v<RayQuery>, "the filter recovers it from a pointer to its first member");
-  embree::prepare(query.query, filter);
+  embree::prepare(query.query, filter_hit);
   query.state = &state;
   query.is_primary = is_primary;
 }

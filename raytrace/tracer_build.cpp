@@ -90,11 +90,16 @@ void attach(RTCDevice device, RTCScene target, unsigned id, RTCGeometry geometry
   check(device, "geometry");
 }
 
-void attach_mesh(RTCDevice device, RTCScene target, unsigned id, const Mesh& mesh, const dmat4& world_from_mesh) {
+void attach_mesh(const Tracer::State& state, RTCScene target, unsigned id, const Mesh& mesh,
+                 const dmat4& world_from_mesh) {
+  const RTCDevice device = state.device.get();
   const GeometryPtr geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE), &rtcReleaseGeometry);
   set_vertices(device, geometry.get(), mesh.positions, world_from_mesh);
   rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
                              sizeof(uvec3), mesh.triangles.size());
+  if (state.scene.materials[mesh.material].alpha_mode == AlphaMode::mask) {
+    rtcSetGeometryOccludedFilterFunction(geometry.get(), filter_hit);
+  }
   attach(device, target, id, geometry.get());
 }
 
@@ -151,7 +156,7 @@ void build(Tracer::State& state, const Progress& progress) {
     if (uses[m] < 2 || mesh.triangles.empty()) return;
     edges[m] = longest_edge(mesh, dmat4(1.0));
     state.mesh_scenes[m] = new_scene(device);
-    attach_mesh(device, state.mesh_scenes[m].get(), 0, mesh, dmat4(1.0));
+    attach_mesh(state, state.mesh_scenes[m].get(), 0, mesh, dmat4(1.0));
     commit(device, state.mesh_scenes[m].get(), all, mesh.triangles.size());
   });
 
@@ -171,7 +176,7 @@ void build(Tracer::State& state, const Progress& progress) {
       attach_instance(device, state.top.get(), id, shared, instance.world_from_mesh);
     } else {
       info.longest_edge = longest_edge(mesh, instance.world_from_mesh);
-      attach_mesh(device, state.top.get(), id, mesh, instance.world_from_mesh);
+      attach_mesh(state, state.top.get(), id, mesh, instance.world_from_mesh);
     }
   });
   commit(device, state.top.get(), all, in_world);

@@ -59,6 +59,7 @@ TEST_F(Run, Compare_writes_every_file_and_layer_of_the_contract) {
                                           "error_visibility_sun.Y",
                                           "class_sun.Y",
                                           "truth_ao.Y",
+                                          "truth_ao_samples.Y",
                                           "truth_ao_standard_error.Y",
                                           "raster_ao.Y",
                                           "error_ao.Y",
@@ -236,6 +237,36 @@ TEST_F(Run, Trace_and_raster_write_the_layers_that_they_have) {
   EXPECT_FALSE(traced.contains("raster_ao.Y"));
   EXPECT_TRUE(drawn.contains("raster_ao.Y"));
   EXPECT_FALSE(drawn.contains("truth_ao.Y"));
+}
+
+TEST(Trace, Stops_each_pixel_at_the_tolerance_and_writes_the_layers_asked_for) {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      run_program({"trace", "corner", "-o", folder / "out", "--size", "48x27", "--quiet", "--truth.tolerance", "0.05",
+                   "--truth.min-spp", "64", "--truth.max-spp", "8192", "--truth.ao-layers", "all"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json truth = Json::parse(text_of(folder / "out/summary.json"))["ao"]["truth"];
+  EXPECT_LE(truth["worst_half_width_95"], 0.05);
+  EXPECT_LE(truth["mean_half_width_95"], truth["worst_half_width_95"]);
+  EXPECT_EQ(truth["pixels_at_limit"], 0);
+  double rays = 0.0;
+  for (const Channel& channel : read_exr(folder / "out/images.exr").channels) {
+    if (channel.name != "truth_ao_samples.Y") continue;
+    for (const float samples : channel.values.pixels) rays += samples;
+  }
+  EXPECT_EQ(rays, truth["rays"]);
+  const std::set<std::string> names = channel_names(folder / "out/images.exr");
+  for (const char* layer : {"truth_bent_normal.X", "truth_bent_normal.Z", "truth_ao_hit_distance.Y"}) {
+    EXPECT_TRUE(names.contains(layer)) << layer;
+  }
+}
+
+TEST(Trace, A_falloff_without_a_distance_is_a_usage_error_that_says_what_to_set) {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      run_program(words({"trace", "corner", "-o", folder / "out", "--truth.ao-falloff", "linear"}, small));
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("truth.ao-distance"), std::string::npos) << result.err;
 }
 
 TEST(Trace, Needs_no_opengl) {

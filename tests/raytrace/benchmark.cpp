@@ -1,0 +1,324 @@
+// How fast the tracer is beside plain use of Embree on the same scene: umbrameter_raytrace_benchmark [SCENE] [--quick].
+// All ways are run in turn, and a ratio is taken within each turn, so that a busy machine slows all of them alike.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <ctime>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "core/random.h"
+#include "raytrace/packet.h"
+#include "raytrace/sampler.h"
+#include "raytrace/surfel.h"
+#include "scenes/builtin.h"
+#include "scenes/view.h"
+
+namespace umbrameter {
+namespace {
+
+struct Setup {
+  int width = 960;
+  int height = 540;
+  int spp = 1024;
+  int turns = 7;
+  std::size_t every_tile = 64;  // AO is traced in one tile of this many, at the full image's density
+};
+
+/// A ray in memory, ready to go.
+struct Ready {
+  vec3 origin{0};
+  vec3 direction{0, 0, 1};
+  float reach = 0;
+  std::uint32_t instance = no_id;
+  std::uint32_t triangle = no_id;
+};
+
+using Rays = std::vector<Ready>;
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+// Embree's own entry points, without a filter but that of masked geometry.
+template <class Packet>
+struct Width;
+template <>
+struct Width<RTCRay4> {
+  static constexpr int lanes = 4;
+};
+template <>
+struct Width<RTCRay8> {
+  static constexpr int lanes = 8;
+};
+template <>
+struct Width<RTCRay16> {
+  static constexpr int lanes = 16;
+};
+
+std::uint64_t count_open(const Tracer::State& state, RTCScene scene, const Ready* rays, std::size_t size) {
+  RayQuery query;
+  prepare(query, state, false);
+  filter_every_hit(query, false);
+  std::uint64_t open = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const Ready& from = rays[i];
+    RTCRay ray;
+    ray.org_x = from.origin.x;
+    ray.org_y = from.origin.y;
+    ray.org_z = from.origin.z;
+    ray.dir_x = from.direction.x;
+    ray.dir_y = from.direction.y;
+    ray.dir_z = from.direction.z;
+    ray.tnear = 0.0f;
+    ray.tfar = from.reach;
+    ray.time = 0.0f;
+    ray.mask = 0xffffffffu;
+    ray.id = 0;
+    ray.flags = 0;
+    query.own_instance[0] = from.instance;
+    query.own_triangle[0] = from.triangle;
+    embree::occluded1(scene, ray, query.query);
+    open += ray.tfar < 0.0f ? 0u : 1u;
+  }
+  return open;
+}
+
+template <class Lanes>
+std::uint64_t count_open_in_packets(const Tracer::State& state, RTCScene scene, const Ready* rays, std::size_t size) {
+  constexpr int lanes = Width<Lanes>::lanes;
+  RayQuery query;
+  prepare(query, state, false);
+  filter_every_hit(query, false);
+  Lanes packet;
+  alignas(64) int valid[static_cast<std::size_t>(lanes)];
+  std::uint64_t open = 0;
+  for (std::size_t first = 0; first < size; first += lanes) {
+    for (int l = 0; l < lanes; ++l) {
+      const bool is_used = first + static_cast<std::size_t>(l) < size;
+      const Ready& from = rays[is_used ? first + static_cast<std::size_t>(l) : first];
+      packet.org_x[l] = from.origin.x;
+      packet.org_y[l] = from.origin.y;
+      packet.org_z[l] = from.origin.z;
+      packet.dir_x[l] = from.direction.x;
+      packet.dir_y[l] = from.direction.y;
+      packet.dir_z[l] = from.direction.z;
+      packet.tnear[l] = 0.0f;
+      packet.tfar[l] = from.reach;
+      packet.time[l] = 0.0f;
+      packet.mask[l] = 0xffffffffu;
+      packet.id[l] = static_cast<unsigned>(l);
+      packet.flags[l] = 0;
+      query.own_instance[l] = from.instance;
+      query.own_triangle[l] = from.triangle;
+      valid[l] = is_used ? -1 : 0;
+    }
+    embree::occluded(valid, scene, packet, query.query);
+    for (int l = 0; l < lanes; ++l) open += valid[l] != 0 && !(packet.tfar[l] < 0.0f) ? 1u : 0u;
+  }
+  return open;
+}
+
+/// One way to trace the rays of a task.
+struct Way {
+  std::string name;
+  std::function<std::uint64_t()> count_open;  ///< the rays that meet nothing
+  std::vector<double> seconds;
+  std::uint64_t open = 0;
+};
+
+using Count = std::uint64_t (*)(const Tracer::State&, RTCScene, const Ready*, std::size_t);
+
+Way plain(std::string name, Count count, const Tracer::State& state, RTCScene scene, const Rays& rays) {
+  const auto run = [count, &state, scene, &rays] {
+    constexpr std::size_t chunk = 1u << 14u;
+    std::atomic<std::uint64_t> open{0};
+    parallel_for((rays.size() + chunk - 1) / chunk, [&](std::size_t i) {
+      open += count(state, scene, rays.data() + i * chunk, std::min(chunk, rays.size() - i * chunk));
+    });
+    return open.load();
+  };
+  return {std::move(name), run, {}, 0};
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+std::vector<double> ratios(const Way& slow, const Way& fast) {
+  std::vector<double> ratio;
+  for (std::size_t i = 0; i < fast.seconds.size(); ++i) ratio.push_back(slow.seconds[i] / fast.seconds[i]);
+  return ratio;
+}
+
+// The first way is the measure, the last one ours.
+void report(const std::string& task, std::vector<Way>& ways, double rays, int turns, bool on_all_threads) {
+  for (int turn = 0; turn < turns; ++turn) {
+    for (Way& way : ways) {
+      const auto start = std::chrono::steady_clock::now();
+      const double cpu = cpu_seconds();
+      way.open = way.count_open();
+      const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+      // One thread is timed by what it ran, whatever else the machine does.
+      way.seconds.push_back(on_all_threads ? wall.count() : cpu_seconds() - cpu);
+    }
+  }
+  fmt::print("{}, {:.1f} M rays, {}\n", task, rays * 1e-6, on_all_threads ? "all threads" : "one thread");
+  for (const Way& way : ways) {
+    const auto against_first = ratios(ways.front(), way);
+    const auto [least, most] = std::minmax_element(against_first.begin(), against_first.end());
+    fmt::print("  {:<44} {:8.2f} Mray/s   {:.2f} times the first ({:.2f} to {:.2f})   {:.4f} open\n", way.name,
+               rays * 1e-6 / median(way.seconds), median(against_first), *least, *most,
+               static_cast<double>(way.open) / rays);
+  }
+  const double least = static_cast<double>(ways.front().open);
+  const double ours = static_cast<double>(ways.back().open);
+  if (std::abs(ours - least) > 0.01 * rays) {
+    throw Error(ExitCode::check_failed, task, "the ways differ by more than one ray in a hundred", "run the tests");
+  }
+}
+
+// The same geometry with the flags that Embree starts with.
+ScenePtr default_scene(const Tracer::State& state) {
+  ScenePtr scene(rtcNewScene(state.device.get()));
+  for (std::size_t i = 0; i < state.instances.size(); ++i) {
+    const RTCGeometry geometry = rtcGetGeometry(state.top.get(), static_cast<unsigned>(i));
+    if (geometry != nullptr) rtcAttachGeometryByID(scene.get(), geometry, static_cast<unsigned>(i));
+  }
+  rtcCommitScene(scene.get());
+  check(state.device.get(), "benchmark");
+  return scene;
+}
+
+// Without the pixels of all but some tiles.
+GBuffer some_tiles(GBuffer gbuffer, std::size_t every) {
+  for (int y = 0; y < gbuffer.height; ++y) {
+    for (int x = 0; x < gbuffer.width; ++x) {
+      const auto tile = static_cast<std::uint32_t>((y / 16) * ((gbuffer.width + 15) / 16) + x / 16);
+      if (hash(tile) % every != 0) gbuffer.instance[gbuffer.instance.index(x, y)] = no_id;
+    }
+  }
+  return gbuffer;
+}
+
+Ready leaving(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel, RayOrigin& origin) {
+  origin = ray_origin(tracer, gbuffer, pixel);
+  Ready ray;
+  ray.origin = vec3(origin.point());
+  ray.reach = std::numeric_limits<float>::infinity();
+  ray.instance = gbuffer.instance[pixel];
+  ray.triangle = gbuffer.triangle[pixel];
+  return ray;
+}
+
+Rays random_directions(const Tracer& tracer, const GBuffer& gbuffer, int spp) {
+  Rays rays;
+  for (std::size_t i = 0; i < gbuffer.instance.size(); ++i) {
+    if (!gbuffer.is_surface(i)) continue;
+    RayOrigin origin;
+    Ready ray = leaving(tracer, gbuffer, i, origin);
+    const mat3 frame = frame_about(vec3(origin.normal));
+    for (std::uint32_t s = 0; s < static_cast<std::uint32_t>(spp); ++s) {
+      ray.direction = frame * lift_cosine(concentric_disk(random_point(s, hash(static_cast<std::uint32_t>(i)))));
+      rays.push_back(ray);
+    }
+  }
+  return rays;
+}
+
+Rays towards_light(const Tracer& tracer, const GBuffer& gbuffer, const Light& light) {
+  Rays rays;
+  for (std::size_t i = 0; i < gbuffer.instance.size(); ++i) {
+    if (!gbuffer.is_surface(i)) continue;
+    RayOrigin origin;
+    Ready ray = leaving(tracer, gbuffer, i, origin);
+    dvec3 way = -light.axis();
+    if (!std::holds_alternative<DirectionalLight>(light.shape)) {
+      way = light.position() - origin.point();
+      ray.reach = static_cast<float>(glm::length(way) * (1.0 - 0x1p-22));
+    }
+    if (!(glm::dot(dvec3(gbuffer.geometric_normal[i]), way) > 0.0)) continue;
+    ray.direction = vec3(glm::normalize(way));
+    rays.push_back(ray);
+  }
+  return rays;
+}
+
+void run(const std::string& name, const Setup& setup) {
+  Scene scene = load_scene(name);
+  std::vector<std::string> notes;
+  add_missing_light(scene, notes);
+  const double aspect = static_cast<double>(setup.width) / setup.height;
+  const Tracer tracer(scene);
+  const Tracer::State& state = tracer.state();
+  const ScenePtr defaults = default_scene(state);
+  const GBuffer gbuffer = trace_gbuffer(tracer, {setup.width, setup.height, select_camera(scene, "", aspect, notes)});
+  const GBuffer tiles = some_tiles(gbuffer, setup.every_tile);
+  const Rays hemisphere = random_directions(tracer, tiles, setup.spp);
+  const Rays shadow = towards_light(tracer, gbuffer, scene.lights.front());
+  fmt::print("{}: {} triangles, Embree {}\n", name, tracer.build_statistics().triangles, embree_version());
+
+  TruthParams params;
+  params.spp = setup.spp;
+  params.tolerance = 0.0;
+  const auto ours = [&] {
+    const TracedAo traced = trace_ao(tracer, tiles, params, 1);
+    double open = 0.0;
+    for (std::size_t i = 0; i < traced.ao.size(); ++i) {
+      if (tiles.is_surface(i)) open += static_cast<double>(traced.ao[i]) * setup.spp;
+    }
+    return static_cast<std::uint64_t>(open + 0.5);
+  };
+  const auto our_shadow = [&] {
+    const TracedVisibility traced = trace_visibility(tracer, gbuffer, scene.lights.front());
+    std::uint64_t lit = 0;
+    for (std::size_t i = 0; i < traced.visibility.size(); ++i) {
+      if (gbuffer.is_surface(i) && traced.visibility[i] > 0.5f) ++lit;
+    }
+    return lit;
+  };
+
+  for (const bool on_all_threads : {false, true}) {
+    const ThreadLimit limit(on_all_threads ? 0 : 1);
+    const RTCScene top = state.top.get();
+    std::vector<Way> ao{plain("one ray at a time, ready-made", &count_open, state, top, hemisphere),
+                        plain("  the same, Embree's default flags", &count_open, state, defaults.get(), hemisphere),
+                        plain("packets of 4, ready-made", &count_open_in_packets<RTCRay4>, state, top, hemisphere),
+                        plain("packets of 8, ready-made", &count_open_in_packets<RTCRay8>, state, top, hemisphere),
+                        plain("packets of 16, ready-made", &count_open_in_packets<RTCRay16>, state, top, hemisphere),
+                        {"ambient occlusion, everything", ours, {}, 0}};
+    report("ambient occlusion", ao, static_cast<double>(hemisphere.size()), setup.turns, on_all_threads);
+    std::vector<Way> lit{plain("one ray at a time, ready-made", &count_open, state, top, shadow),
+                         plain("  the same, Embree's default flags", &count_open, state, defaults.get(), shadow),
+                         {"shadow rays, everything", our_shadow, {}, 0}};
+    report("shadow rays", lit, static_cast<double>(shadow.size()), setup.turns, on_all_threads);
+  }
+}
+
+}  // namespace
+}  // namespace umbrameter
+
+int main(int argc, char** argv) {
+  std::string scene = "courtyard";
+  umbrameter::Setup setup;
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--quick") == 0) {
+      setup = {96, 54, 16, 1, 4};
+    } else {
+      scene = argv[i];
+    }
+  }
+  try {
+    umbrameter::run(scene, setup);
+  } catch (const umbrameter::Error& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return static_cast<int>(error.code());
+  }
+  return 0;
+}
