@@ -80,18 +80,34 @@ dvec3 inset_from_edges(const Triangle& t, const dvec3& normal, dvec3 point, doub
   return moved ? nearest_point(t, point) : point;
 }
 
-double longest_edge(const Triangle& t) {
-  return std::max({glm::length(t.b - t.a), glm::length(t.c - t.b), glm::length(t.a - t.c)});
-}
+// Embree tells on which side of a triangle's plane a ray starts by T = v·N, and whether it rises by N·d: v goes from
+// the origin to a corner, N is the cross product of two edges that include the shortest, all in floats. No edge is
+// longer than L, nor v while the origin stands over the triangle.
+struct SideError {
+  double longest = 0;                                       ///< L, metres
+  double height = std::numeric_limits<double>::infinity();  ///< error of T / |N|, metres
+  double cosine = std::numeric_limits<double>::infinity();  ///< error of N·d / |N|
+  double thickness = 0;                                     ///< the least height of the triangle, metres
+};
 
-// Embree tells on which side of a triangle's plane a ray starts by T = v·N, with v from the origin to a corner and N
-// the cross product of two edges, all in floats. No edge is longer than L, nor v while the origin stands over the
-// triangle. v is off by u·L, an edge by 2u·L + u·L, N by 2·3u·L² + 3u·L², so T by 9u·L³ + 4u·L·|N| (γ(n) as in Higham,
-// as above; Embree takes the shorter edges, which only helps). This is that error as a distance, T / |N|, in parts of
-// u·L.
-double side_error(const Triangle& t, double twice_area) {
-  const double edge = longest_edge(t);
-  return 9.0 * edge * edge / twice_area + 4.0;
+// With s the shortest edge:
+//   corners seen from the origin are rounded: the plane moves by u·L under an origin that stands over the triangle, and
+//   turns by 2u·L over the triangle's least height |N| / L
+//   edges and their cross product are rounded: 2u·s·L and 3u·s·L of N (γ(n) as in Higham, as above)
+//   the dot product: 4u of its factors' lengths
+// A quarter more is for an origin beside the triangle by an eighth of its least height.
+SideError side_error(const Triangle& t, double twice_area) {
+  const double edges[] = {glm::length(t.b - t.a), glm::length(t.c - t.b), glm::length(t.a - t.c)};
+  const double s = std::min({edges[0], edges[1], edges[2]});
+  SideError error;
+  error.longest = std::max({edges[0], edges[1], edges[2]});
+  if (!(twice_area > 0.0)) return error;
+  const double l = error.longest;
+  const double turn = 5.0 * u * s * l / twice_area + 4.0 * u;
+  error.height = 1.25 * (turn * l + u * l);
+  error.cosine = 1.25 * (turn + 2.0 * u * l * l / twice_area);
+  error.thickness = twice_area / l;
+  return error;
 }
 
 // Lengths of one direction in a mesh are lengths of every direction in the world times one factor.
@@ -159,18 +175,15 @@ RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t p
   origin.normal = glm::dot(unit, seen) < 0.0 ? -unit : unit;
 
   const InstanceInfo& info = tracer.state().instances[instance];
-  // Where it takes more than this the triangle is a sliver, and a hit on it is told by its id.
-  constexpr double most_side_error = 96.0;
-  const double edge = longest_edge(triangle);
-  const double needed = area > 0.0 ? 1.25 * side_error(triangle, area) * edge : std::numeric_limits<double>::infinity();
-  const bool is_told = needed < std::max(8.0 * info.longest_edge, most_side_error * edge) &&
+  // Where it takes more than this, in parts of an edge, the triangle is flat, and a hit on it is told by its id.
+  constexpr double most_side_error = 96.0 * u;
+  const SideError side = side_error(triangle, area);
+  const bool is_told = side.height < std::max(8.0 * u * info.longest_edge, most_side_error * side.longest) &&
                        (!info.is_shared || is_similarity(scene.instances[instance].world_from_mesh));
-  const double rounding = std::max(8.0 * info.longest_edge, is_told ? needed : 0.0);
-  origin.offset = 2.0 * vertex_error(scene, instance, id) + u * glm::length(nearest) + u * rounding;
+  const double rounding = std::max(8.0 * u * info.longest_edge, is_told ? side.height : 0.0);
+  origin.offset = 2.0 * vertex_error(scene, instance, id) + u * glm::length(nearest) + rounding;
   if (info.is_shared) origin.offset += transform_error(scene.instances[instance], nearest);
-  // The same error of N turns a ray's rise: only a steeper one leaves the plane for certain. The quarter more in offset
-  // and the factor here are for an origin beside the triangle by up to an eighth of its longest edge.
-  if (is_told && origin.offset < edge / 8.0) origin.clear_cosine = 2.0 * u * needed / edge;
+  if (is_told && origin.offset < side.thickness / 8.0) origin.clear_cosine = 2.0 * side.cosine;
   // Room for an origin that stands `offset` high and is off by as much, under neighbours that rise at 28 degrees or
   // more: 4 ≥ cot(28° / 2).
   origin.surface = area > 0.0 ? inset_from_edges(triangle, unit, nearest, 4.0 * origin.offset) : nearest;
