@@ -48,6 +48,7 @@ TracedVisibility trace_visibility(const Tracer& tracer, const GBuffer& gbuffer, 
       [&](const Tile& tile) {
         TraceStatistics statistics;
         Packet packet(tracer.state());
+        SurfelTriangle last;
         std::size_t pixels[Packet::width];
         const auto flush = [&] {
           packet.trace();
@@ -64,7 +65,7 @@ TracedVisibility trace_visibility(const Tracer& tracer, const GBuffer& gbuffer, 
               traced.visibility[i] = 0.0f;
               continue;
             }
-            const RayOrigin origin = ray_origin(tracer, gbuffer, i);
+            const RayOrigin origin = ray_origin(tracer, gbuffer, i, last);
             statistics.largest_offset = std::max(statistics.largest_offset, origin.offset);
             ++statistics.rays;
             pixels[packet.size()] = i;

@@ -161,33 +161,55 @@ dvec3 nearest_point(const Triangle& triangle, const dvec3& position) {
 //   or, where it is more and the triangle no sliver, its own side_error
 // (Waechter and Binder, A Fast and Robust Method for Avoiding Self-Intersection, Ray Tracing Gems, 2019, chapter 6,
 // measure the same sources; Pharr, Jakob and Humphreys, Physically Based Rendering, 4th ed., 6.8, bound them this way.)
-RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel) {
+SurfelTriangle surfel_triangle(const Tracer& tracer, std::uint32_t instance, std::uint32_t id) {
   const Scene& scene = tracer.scene();
-  const std::uint32_t instance = gbuffer.instance[pixel];
-  const std::uint32_t id = gbuffer.triangle[pixel];
-  const Triangle triangle = world_triangle(scene, instance, id);
-  RayOrigin origin;
-  const dvec3 nearest = nearest_point(triangle, dvec3(gbuffer.position[pixel]));
-  const dvec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
-  const double area = glm::length(normal);
-  const dvec3 seen(gbuffer.geometric_normal[pixel]);
-  const dvec3 unit = area > 0.0 ? normal / area : seen;
-  origin.normal = glm::dot(unit, seen) < 0.0 ? -unit : unit;
-
   const InstanceInfo& info = tracer.state().instances[instance];
+  SurfelTriangle known;
+  known.instance = instance;
+  known.id = id;
+  known.corners = world_triangle(scene, instance, id);
+  const Triangle& t = known.corners;
+  const dvec3 normal = glm::cross(t.b - t.a, t.c - t.a);
+  known.twice_area = glm::length(normal);
+  if (known.twice_area > 0.0) known.normal = normal / known.twice_area;
   // Where it takes more than this, in parts of an edge, the triangle is flat, and a hit on it is told by its id.
   constexpr double most_side_error = 96.0 * u;
-  const SideError side = side_error(triangle, area);
+  const SideError side = side_error(t, known.twice_area);
   const bool is_told = side.height < std::max(8.0 * u * info.longest_edge, most_side_error * side.longest) &&
                        (!info.is_shared || is_similarity(scene.instances[instance].world_from_mesh));
   const double rounding = std::max(8.0 * u * info.longest_edge, is_told ? side.height : 0.0);
-  origin.offset = 2.0 * vertex_error(scene, instance, id) + u * glm::length(nearest) + rounding;
-  if (info.is_shared) origin.offset += transform_error(scene.instances[instance], nearest);
-  if (is_told && origin.offset < side.thickness / 8.0) origin.clear_cosine = 2.0 * side.cosine;
+  known.offset = 2.0 * vertex_error(scene, instance, id) + rounding;
+  if (is_told) {
+    known.clear_offset = side.thickness / 8.0;
+    known.clear_cosine = 2.0 * side.cosine;
+  }
+  return known;
+}
+
+RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel, SurfelTriangle& last) {
+  const std::uint32_t instance = gbuffer.instance[pixel];
+  const std::uint32_t id = gbuffer.triangle[pixel];
+  if (last.instance != instance || last.id != id) last = surfel_triangle(tracer, instance, id);
+  const bool has_area = last.twice_area > 0.0;
+  const dvec3 seen(gbuffer.geometric_normal[pixel]);
+  const dvec3 unit = has_area ? last.normal : seen;
+  const dvec3 nearest = nearest_point(last.corners, dvec3(gbuffer.position[pixel]));
+  RayOrigin origin;
+  origin.normal = glm::dot(unit, seen) < 0.0 ? -unit : unit;
+  origin.offset = last.offset + u * glm::length(nearest);
+  if (tracer.state().instances[instance].is_shared) {
+    origin.offset += transform_error(tracer.scene().instances[instance], nearest);
+  }
+  if (origin.offset < last.clear_offset) origin.clear_cosine = last.clear_cosine;
   // Room for an origin that stands `offset` high and is off by as much, under neighbours that rise at 28 degrees or
   // more: 4 ≥ cot(28° / 2).
-  origin.surface = area > 0.0 ? inset_from_edges(triangle, unit, nearest, 4.0 * origin.offset) : nearest;
+  origin.surface = has_area ? inset_from_edges(last.corners, unit, nearest, 4.0 * origin.offset) : nearest;
   return origin;
+}
+
+RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel) {
+  SurfelTriangle none;
+  return ray_origin(tracer, gbuffer, pixel, none);
 }
 
 }  // namespace umbrameter
