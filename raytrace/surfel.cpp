@@ -56,28 +56,23 @@ double transform_error(const Instance& placed, const dvec3& position) {
 // Moves a point that stands on an edge of its triangle inwards, until it is `inset` away from each edge, or a third of
 // the way to the opposite corner where the triangle is thin: at a crease the rounded origin must not fall behind the
 // neighbour that rises there.
-dvec3 inset_from_edges(const Triangle& t, const dvec3& normal, dvec3 point, double inset) {
+dvec3 inset_from_edges(const SurfelTriangle& t, dvec3 point, double inset) {
   // Each push may bring the point nearer to another edge: it ends when three in a row have nothing to do. In a corner
   // of angle α two pushes leave cos² α of what was missing.
   constexpr int most_pushes = 120;
-  const dvec3 corners[] = {t.a, t.b, t.c};
+  const dvec3* const starts[] = {&t.corners.a, &t.corners.b, &t.corners.c};
   bool moved = false;
   int idle = 0;
   for (int i = 0; i < most_pushes && idle < 3; ++i) {
-    const dvec3& start = corners[i % 3];
-    const dvec3 edge = corners[(i + 1) % 3] - start;
-    const double length = glm::length(edge);
-    if (!(length > 0.0)) return point;
-    const dvec3 inwards = glm::cross(normal, edge) / length;
-    const double height = glm::dot(corners[(i + 2) % 3] - start, inwards);
-    const double missing = std::min(inset, height / 3.0) - glm::dot(point - start, inwards);
+    const auto edge = static_cast<std::size_t>(i % 3);
+    const double missing = std::min(inset, t.heights[edge] / 3.0) - glm::dot(point - *starts[edge], t.inwards[edge]);
     ++idle;
     if (missing <= 1e-3 * inset) continue;
     idle = 0;
-    point += missing * inwards;
+    point += missing * t.inwards[edge];
     moved = true;
   }
-  return moved ? nearest_point(t, point) : point;
+  return moved ? nearest_point(t.corners, point) : point;
 }
 
 // Embree tells on which side of a triangle's plane a ray starts by T = v·N, and whether it rises by N·d: v goes from
@@ -171,7 +166,15 @@ SurfelTriangle surfel_triangle(const Tracer& tracer, std::uint32_t instance, std
   const Triangle& t = known.corners;
   const dvec3 normal = glm::cross(t.b - t.a, t.c - t.a);
   known.twice_area = glm::length(normal);
-  if (known.twice_area > 0.0) known.normal = normal / known.twice_area;
+  if (known.twice_area > 0.0) {
+    known.normal = normal / known.twice_area;
+    const dvec3 corners[] = {t.a, t.b, t.c};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const dvec3 edge = corners[(i + 1) % 3] - corners[i];
+      known.inwards[i] = glm::cross(known.normal, edge) / glm::length(edge);
+      known.heights[i] = glm::dot(corners[(i + 2) % 3] - corners[i], known.inwards[i]);
+    }
+  }
   // Where it takes more than this, in parts of an edge, the triangle is flat, and a hit on it is told by its id.
   constexpr double most_side_error = 96.0 * u;
   const SideError side = side_error(t, known.twice_area);
@@ -203,7 +206,7 @@ RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t p
   if (origin.offset < last.clear_offset) origin.clear_cosine = last.clear_cosine;
   // Room for an origin that stands `offset` high and is off by as much, under neighbours that rise at 28 degrees or
   // more: 4 ≥ cot(28° / 2).
-  origin.surface = has_area ? inset_from_edges(last.corners, unit, nearest, 4.0 * origin.offset) : nearest;
+  origin.surface = has_area ? inset_from_edges(last, nearest, 4.0 * origin.offset) : nearest;
   return origin;
 }
 

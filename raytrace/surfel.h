@@ -1,6 +1,8 @@
 // From a G-buffer pixel to the point that its rays leave from. For raytrace/*.cpp alone.
 #pragma once
 
+#include <array>
+
 #include "core/gbuffer.h"
 #include "raytrace/tracer.h"
 
@@ -26,9 +28,11 @@ struct SurfelTriangle {
   std::uint32_t id = no_id;
   Triangle corners;
   double twice_area = 0;
-  dvec3 normal{0};          ///< unit; zero where the triangle has no area
-  double offset = 0;        ///< metres: the part of the step that does not depend on the place
-  double clear_offset = 0;  ///< metres: with a smaller step a ray can be known to miss the triangle
+  dvec3 normal{0};                  ///< unit; zero where the triangle has no area
+  std::array<dvec3, 3> inwards{};   ///< unit, in the plane, off the edges that start at a, b and c
+  std::array<double, 3> heights{};  ///< metres over those edges
+  double offset = 0;                ///< metres: the part of the step that does not depend on the place
+  double clear_offset = 0;          ///< metres: with a smaller step a ray can be known to miss the triangle
   double clear_cosine = 2;
 };
 
