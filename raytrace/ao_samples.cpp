@@ -12,14 +12,15 @@ namespace {
 constexpr int strata = 16;
 
 int part_of(float coordinate) {
-  return std::clamp(static_cast<int>((coordinate + 1.0f) * (0.5f * strata)), 0, strata - 1);
+  const int part = static_cast<int>((coordinate + 1.0f) * (0.5f * strata));
+  return part < 0 ? 0 : (part < strata ? part : strata - 1);
 }
 
 // Strata row by row, back and forth, so that neighbours follow one another.
-std::uint16_t stratum_of(float x, float y) {
+int stratum_of(float x, float y) {
   const int row = part_of(y);
   const int column = part_of(x);
-  return static_cast<std::uint16_t>(row * strata + (row % 2 == 0 ? column : strata - 1 - column));
+  return row * strata + ((row & 1) == 0 ? column : strata - 1 - column);
 }
 
 // The loops below are plain ones over arrays, so that the compiler makes vectors of them.
@@ -32,6 +33,10 @@ void to_disk(std::size_t size, vec2 shift, vec2 turn, float* u, float* v) {
     u[i] = d.x * turn.x - d.y * turn.y;
     v[i] = d.x * turn.y + d.y * turn.x;
   }
+}
+
+void to_strata(std::size_t size, const float* u, const float* v, std::int32_t* stratum) {
+  for (std::size_t i = 0; i < size; ++i) stratum[i] = stratum_of(u[i], v[i]);
 }
 
 template <class Lift>
@@ -91,15 +96,13 @@ void PacketSamples::make(const TruthParams& params, int lane, const PixelDirecti
     place([](vec2 disk) { return lift_uniform(disk); });
   }
 
+  to_strata(size, all.u.data(), all.v.data(), all.stratum.data());
   std::array<std::uint32_t, strata * strata + 1> next{};
-  for (std::size_t i = 0; i < size; ++i) {
-    all.stratum[i] = stratum_of(all.u[i], all.v[i]);
-    ++next[all.stratum[i] + 1u];
-  }
+  for (const std::int32_t stratum : all.stratum) ++next[static_cast<std::size_t>(stratum) + 1u];
   for (std::size_t s = 1; s < next.size(); ++s) next[s] += next[s - 1];
   const auto l = static_cast<std::size_t>(lane);
   for (std::size_t i = 0; i < size; ++i) {
-    SampleRank& rank = ranks_[next[all.stratum[i]]++];
+    SampleRank& rank = ranks_[next[static_cast<std::size_t>(all.stratum[i])]++];
     rank.directions.x[l] = all.x[i];
     rank.directions.y[l] = all.y[i];
     rank.directions.z[l] = all.z[i];

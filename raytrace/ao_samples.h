@@ -46,7 +46,7 @@ class PacketSamples {
   struct Unsorted {
     std::vector<float> u, v;  // the square, then the disk
     std::vector<float> x, y, z, cosine;
-    std::vector<std::uint16_t> stratum;
+    std::vector<std::int32_t> stratum;
     std::vector<std::uint8_t> randomisation;
     void resize(std::size_t size);
   };

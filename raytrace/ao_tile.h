@@ -106,7 +106,7 @@ class AoTile {
   }
 
   void add(std::size_t i) {
-    const RayOrigin origin = ray_origin(task_.tracer, task_.gbuffer, i);
+    const RayOrigin origin = ray_origin(task_.tracer, task_.gbuffer, i, last_);
     Pixel pixel;
     pixel.index = i;
     pixel.origin = vec3(origin.point());
@@ -224,6 +224,7 @@ class AoTile {
   double reach_;
   Rays packet_;
   Lanes lanes_;
+  SurfelTriangle last_;
   PacketSamples samples_;
   std::vector<Pixel> pixels_;
   std::vector<int> pending_;

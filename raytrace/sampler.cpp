@@ -69,8 +69,10 @@ void make_points(bool is_sobol, std::uint32_t begin, std::uint32_t scramble, std
   }
   const std::uint32_t first = hash(scramble, 0u);
   const std::uint32_t second = hash(scramble, 1u);
-  for (std::uint32_t i = 0; i < size; ++i) x[i] = unit_from(begin + i, first);
-  for (std::uint32_t i = 0; i < size; ++i) y[i] = unit_from(reversed_second_dimension(begin + i), second);
+  float* const u = x.data();
+  float* const v = y.data();
+  for (std::uint32_t i = 0; i < size; ++i) u[i] = unit_from(begin + i, first);
+  for (std::uint32_t i = 0; i < size; ++i) v[i] = unit_from(reversed_second_dimension(begin + i), second);
 }
 
 mat3 frame_about(vec3 n) {

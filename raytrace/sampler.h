@@ -2,7 +2,6 @@
 // For raytrace/*.cpp and tests.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -48,13 +47,15 @@ inline vec2 concentric_disk(vec2 point) {
 /// Directions about +Z from a point of the unit disk, z > 0. Even points give these densities.
 /// cos θ / π (Malley's method: straight up)
 inline vec3 lift_cosine(vec2 disk) {
-  return {disk.x, disk.y, std::sqrt(std::max(1.0f - (disk.x * disk.x + disk.y * disk.y), 0x1p-24f))};
+  const float squared = 1.0f - (disk.x * disk.x + disk.y * disk.y);
+  return {disk.x, disk.y, std::sqrt(squared > 0x1p-24f ? squared : 0x1p-24f)};
 }
 /// 1 / 2π (Lambert's equal-area projection)
 inline vec3 lift_uniform(vec2 disk) {
   const float squared = disk.x * disk.x + disk.y * disk.y;
   const float stretch = std::sqrt(2.0f - squared);
-  return {disk.x * stretch, disk.y * stretch, std::max(1.0f - squared, 0x1p-24f)};
+  const float height = 1.0f - squared;
+  return {disk.x * stretch, disk.y * stretch, height > 0x1p-24f ? height : 0x1p-24f};
 }
 
 /// A right-handed frame whose third column is n (Duff et al., Building an Orthonormal Basis, Revisited, JCGT 6(1),

@@ -52,6 +52,7 @@ TracedVisibility trace_visibility(const Tracer& tracer, const GBuffer& gbuffer, 
       [&](const Tile& tile) {
         TraceStatistics statistics;
         Packet packet(tracer.state());
+        SurfelTriangle last;
         std::size_t pixels[Packet::width];
         const auto flush = [&] {
           packet.trace();
@@ -60,20 +61,23 @@ TracedVisibility trace_visibility(const Tracer& tracer, const GBuffer& gbuffer, 
           }
           packet.clear();
         };
-        for (int y = tile.y_begin; y < tile.y_end; ++y) {
+        const auto add = [&](std::size_t i) {
+          if (!gbuffer.is_surface(i)) return;
+          if (!(glm::dot(dvec3(gbuffer.geometric_normal[i]), to_light(light, dvec3(gbuffer.position[i]))) > 0.0)) {
+            traced.visibility[i] = 0.0f;
+            return;
+          }
+          const RayOrigin origin = ray_origin(tracer, gbuffer, i, last);
+          statistics.largest_offset = std::max(statistics.largest_offset, origin.offset);
+          ++statistics.rays;
+          pixels[packet.size()] = i;
+          packet.add(towards(light, origin), gbuffer.instance[i], gbuffer.triangle[i]);
+          if (packet.is_full()) flush();
+        };
+        // In strips of four rows, so that the rays of a packet are near one another.
+        for (int top = tile.y_begin; top < tile.y_end; top += 4) {
           for (int x = tile.x_begin; x < tile.x_end; ++x) {
-            const std::size_t i = gbuffer.instance.index(x, y);
-            if (!gbuffer.is_surface(i)) continue;
-            if (!(glm::dot(dvec3(gbuffer.geometric_normal[i]), to_light(light, dvec3(gbuffer.position[i]))) > 0.0)) {
-              traced.visibility[i] = 0.0f;
-              continue;
-            }
-            const RayOrigin origin = ray_origin(tracer, gbuffer, i);
-            statistics.largest_offset = std::max(statistics.largest_offset, origin.offset);
-            ++statistics.rays;
-            pixels[packet.size()] = i;
-            packet.add(towards(light, origin), gbuffer.instance[i], gbuffer.triangle[i]);
-            if (packet.is_full()) flush();
+            for (int y = top; y < std::min(top + 4, tile.y_end); ++y) add(gbuffer.instance.index(x, y));
           }
         }
         flush();

@@ -56,42 +56,53 @@ double transform_error(const Instance& placed, const dvec3& position) {
 // Moves a point that stands on an edge of its triangle inwards, until it is `inset` away from each edge, or a third of
 // the way to the opposite corner where the triangle is thin: at a crease the rounded origin must not fall behind the
 // neighbour that rises there.
-dvec3 inset_from_edges(const Triangle& t, const dvec3& normal, dvec3 point, double inset) {
+dvec3 inset_from_edges(const SurfelTriangle& t, dvec3 point, double inset) {
   // Each push may bring the point nearer to another edge: it ends when three in a row have nothing to do. In a corner
   // of angle α two pushes leave cos² α of what was missing.
   constexpr int most_pushes = 120;
-  const dvec3 corners[] = {t.a, t.b, t.c};
+  const dvec3* const starts[] = {&t.corners.a, &t.corners.b, &t.corners.c};
   bool moved = false;
   int idle = 0;
   for (int i = 0; i < most_pushes && idle < 3; ++i) {
-    const dvec3& start = corners[i % 3];
-    const dvec3 edge = corners[(i + 1) % 3] - start;
-    const double length = glm::length(edge);
-    if (!(length > 0.0)) return point;
-    const dvec3 inwards = glm::cross(normal, edge) / length;
-    const double height = glm::dot(corners[(i + 2) % 3] - start, inwards);
-    const double missing = std::min(inset, height / 3.0) - glm::dot(point - start, inwards);
+    const auto edge = static_cast<std::size_t>(i % 3);
+    const double missing = std::min(inset, t.heights[edge] / 3.0) - glm::dot(point - *starts[edge], t.inwards[edge]);
     ++idle;
     if (missing <= 1e-3 * inset) continue;
     idle = 0;
-    point += missing * inwards;
+    point += missing * t.inwards[edge];
     moved = true;
   }
-  return moved ? nearest_point(t, point) : point;
+  return moved ? nearest_point(t.corners, point) : point;
 }
 
-double longest_edge(const Triangle& t) {
-  return std::max({glm::length(t.b - t.a), glm::length(t.c - t.b), glm::length(t.a - t.c)});
-}
+// Embree tells on which side of a triangle's plane a ray starts by T = v·N, and whether it rises by N·d: v goes from
+// the origin to a corner, N is the cross product of two edges that include the shortest, all in floats. No edge is
+// longer than L, nor v while the origin stands over the triangle.
+struct SideError {
+  double longest = 0;                                       ///< L, metres
+  double height = std::numeric_limits<double>::infinity();  ///< error of T / |N|, metres
+  double cosine = std::numeric_limits<double>::infinity();  ///< error of N·d / |N|
+  double thickness = 0;                                     ///< the least height of the triangle, metres
+};
 
-// Embree tells on which side of a triangle's plane a ray starts by T = v·N, with v from the origin to a corner and N
-// the cross product of two edges, all in floats. No edge is longer than L, nor v while the origin stands over the
-// triangle. v is off by u·L, an edge by 2u·L + u·L, N by 2·3u·L² + 3u·L², so T by 9u·L³ + 4u·L·|N| (γ(n) as in Higham,
-// as above; Embree takes the shorter edges, which only helps). This is that error as a distance, T / |N|, in parts of
-// u·L.
-double side_error(const Triangle& t, double twice_area) {
-  const double edge = longest_edge(t);
-  return 9.0 * edge * edge / twice_area + 4.0;
+// With s the shortest edge:
+//   corners seen from the origin are rounded: the plane moves by u·L under an origin that stands over the triangle, and
+//   turns by 2u·L over the triangle's least height |N| / L
+//   edges and their cross product are rounded: 2u·s·L and 3u·s·L of N (γ(n) as in Higham, as above)
+//   the dot product: 4u of its factors' lengths
+// A quarter more is for an origin beside the triangle by an eighth of its least height.
+SideError side_error(const Triangle& t, double twice_area) {
+  const double edges[] = {glm::length(t.b - t.a), glm::length(t.c - t.b), glm::length(t.a - t.c)};
+  const double s = std::min({edges[0], edges[1], edges[2]});
+  SideError error;
+  error.longest = std::max({edges[0], edges[1], edges[2]});
+  if (!(twice_area > 0.0)) return error;
+  const double l = error.longest;
+  const double turn = 5.0 * u * s * l / twice_area + 4.0 * u;
+  error.height = 1.25 * (turn * l + u * l);
+  error.cosine = 1.25 * (turn + 2.0 * u * l * l / twice_area);
+  error.thickness = twice_area / l;
+  return error;
 }
 
 // Lengths of one direction in a mesh are lengths of every direction in the world times one factor.
@@ -145,36 +156,63 @@ dvec3 nearest_point(const Triangle& triangle, const dvec3& position) {
 //   or, where it is more and the triangle no sliver, its own side_error
 // (Waechter and Binder, A Fast and Robust Method for Avoiding Self-Intersection, Ray Tracing Gems, 2019, chapter 6,
 // measure the same sources; Pharr, Jakob and Humphreys, Physically Based Rendering, 4th ed., 6.8, bound them this way.)
-RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel) {
+SurfelTriangle surfel_triangle(const Tracer& tracer, std::uint32_t instance, std::uint32_t id) {
   const Scene& scene = tracer.scene();
+  const InstanceInfo& info = tracer.state().instances[instance];
+  SurfelTriangle known;
+  known.instance = instance;
+  known.id = id;
+  known.corners = world_triangle(scene, instance, id);
+  const Triangle& t = known.corners;
+  const dvec3 normal = glm::cross(t.b - t.a, t.c - t.a);
+  known.twice_area = glm::length(normal);
+  if (known.twice_area > 0.0) {
+    known.normal = normal / known.twice_area;
+    const dvec3 corners[] = {t.a, t.b, t.c};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const dvec3 edge = corners[(i + 1) % 3] - corners[i];
+      known.inwards[i] = glm::cross(known.normal, edge) / glm::length(edge);
+      known.heights[i] = glm::dot(corners[(i + 2) % 3] - corners[i], known.inwards[i]);
+    }
+  }
+  // Where it takes more than this, in parts of an edge, the triangle is flat, and a hit on it is told by its id.
+  constexpr double most_side_error = 96.0 * u;
+  const SideError side = side_error(t, known.twice_area);
+  const bool is_told = side.height < std::max(8.0 * u * info.longest_edge, most_side_error * side.longest) &&
+                       (!info.is_shared || is_similarity(scene.instances[instance].world_from_mesh));
+  const double rounding = std::max(8.0 * u * info.longest_edge, is_told ? side.height : 0.0);
+  known.offset = 2.0 * vertex_error(scene, instance, id) + rounding;
+  if (is_told) {
+    known.clear_offset = side.thickness / 8.0;
+    known.clear_cosine = 2.0 * side.cosine;
+  }
+  return known;
+}
+
+RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel, SurfelTriangle& last) {
   const std::uint32_t instance = gbuffer.instance[pixel];
   const std::uint32_t id = gbuffer.triangle[pixel];
-  const Triangle triangle = world_triangle(scene, instance, id);
-  RayOrigin origin;
-  const dvec3 nearest = nearest_point(triangle, dvec3(gbuffer.position[pixel]));
-  const dvec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
-  const double area = glm::length(normal);
+  if (last.instance != instance || last.id != id) last = surfel_triangle(tracer, instance, id);
+  const bool has_area = last.twice_area > 0.0;
   const dvec3 seen(gbuffer.geometric_normal[pixel]);
-  const dvec3 unit = area > 0.0 ? normal / area : seen;
+  const dvec3 unit = has_area ? last.normal : seen;
+  const dvec3 nearest = nearest_point(last.corners, dvec3(gbuffer.position[pixel]));
+  RayOrigin origin;
   origin.normal = glm::dot(unit, seen) < 0.0 ? -unit : unit;
-
-  const InstanceInfo& info = tracer.state().instances[instance];
-  // Where it takes more than this the triangle is a sliver, and a hit on it is told by its id.
-  constexpr double most_side_error = 96.0;
-  const double edge = longest_edge(triangle);
-  const double needed = area > 0.0 ? 1.25 * side_error(triangle, area) * edge : std::numeric_limits<double>::infinity();
-  const bool is_told = needed < std::max(8.0 * info.longest_edge, most_side_error * edge) &&
-                       (!info.is_shared || is_similarity(scene.instances[instance].world_from_mesh));
-  const double rounding = std::max(8.0 * info.longest_edge, is_told ? needed : 0.0);
-  origin.offset = 2.0 * vertex_error(scene, instance, id) + u * glm::length(nearest) + u * rounding;
-  if (info.is_shared) origin.offset += transform_error(scene.instances[instance], nearest);
-  // The same error of N turns a ray's rise: only a steeper one leaves the plane for certain. The quarter more in offset
-  // and the factor here are for an origin beside the triangle by up to an eighth of its longest edge.
-  if (is_told && origin.offset < edge / 8.0) origin.clear_cosine = 2.0 * u * needed / edge;
+  origin.offset = last.offset + u * glm::length(nearest);
+  if (tracer.state().instances[instance].is_shared) {
+    origin.offset += transform_error(tracer.scene().instances[instance], nearest);
+  }
+  if (origin.offset < last.clear_offset) origin.clear_cosine = last.clear_cosine;
   // Room for an origin that stands `offset` high and is off by as much, under neighbours that rise at 28 degrees or
   // more: 4 ≥ cot(28° / 2).
-  origin.surface = area > 0.0 ? inset_from_edges(triangle, unit, nearest, 4.0 * origin.offset) : nearest;
+  origin.surface = has_area ? inset_from_edges(last, nearest, 4.0 * origin.offset) : nearest;
   return origin;
+}
+
+RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel) {
+  SurfelTriangle none;
+  return ray_origin(tracer, gbuffer, pixel, none);
 }
 
 }  // namespace umbrameter

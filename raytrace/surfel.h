@@ -1,6 +1,8 @@
 // From a G-buffer pixel to the point that its rays leave from. For raytrace/*.cpp alone.
 #pragma once
 
+#include <array>
+
 #include "core/gbuffer.h"
 #include "raytrace/tracer.h"
 
@@ -20,7 +22,23 @@ struct RayOrigin {
 /// The point of a triangle that is nearest to a position (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
 dvec3 nearest_point(const Triangle& triangle, const dvec3& position);
 
+/// What is the same for every pixel of a triangle.
+struct SurfelTriangle {
+  std::uint32_t instance = no_id;
+  std::uint32_t id = no_id;
+  Triangle corners;
+  double twice_area = 0;
+  dvec3 normal{0};                  ///< unit; zero where the triangle has no area
+  std::array<dvec3, 3> inwards{};   ///< unit, in the plane, off the edges that start at a, b and c
+  std::array<double, 3> heights{};  ///< metres over those edges
+  double offset = 0;                ///< metres: the part of the step that does not depend on the place
+  double clear_offset = 0;          ///< metres: with a smaller step a ray can be known to miss the triangle
+  double clear_cosine = 2;
+};
+
 /// The least step along the normal after which rounding cannot put a ray behind the surface that it leaves.
 RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel);
+/// The same, faster where the last pixel was on the same triangle of the same scene.
+RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel, SurfelTriangle& last);
 
 }  // namespace umbrameter
