@@ -41,7 +41,7 @@ std::array<float, Count> factor(const Value* value, const std::array<float, Coun
   std::array<float, Count> numbers{};
   bool fits = Count == 1 ? value->IsNumber() : value->IsArray() && value->ArrayLen() == Count;
   for (std::size_t i = 0; fits && i < Count; ++i) {
-    const Value& number = Count == 1 ? *value : value->Get(static_cast<int>(i));
+    const Value& number = Count == 1 ? *value : value->Get<Value::Array>()[i];
     numbers[i] = number.IsNumber() ? static_cast<float>(number.GetNumberAsDouble()) : -1.0f;
     fits = std::isfinite(numbers[i]) && numbers[i] >= 0.0f;
   }
