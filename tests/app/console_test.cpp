@@ -76,8 +76,10 @@ class Terminal {
 
 TEST(Progress, Is_shown_on_a_terminal_only) {
   const TemporaryFolder folder;
-  const std::vector<std::string> words = {"trace",   "corner", "-o",          folder / "out", "--size",    "320x180",
-                                          "--light", "sun",    "--truth.spp", "256",          "--no-cache"};
+  // Some 30 million rays on one thread: no processor is done before the bar appears.
+  const std::vector<std::string> words = {"trace",      "corner",    "-o",  folder / "out", "--size",
+                                          "320x180",    "--light",   "sun", "--truth.spp",  "512",
+                                          "--no-cache", "--threads", "1"};
   Terminal terminal;
   if (terminal.name().empty()) GTEST_SKIP() << "no terminal can be made here";
   ProgramOptions on_terminal;

@@ -140,9 +140,11 @@ TEST(GltfLimits, One_mesh_of_many_parts_under_many_nodes_is_bound_too) {
 
 TEST(GltfLimits, Images_are_refused_by_their_header_alone) {
   const TemporaryFolder folder;
-  // PNG signature and an IHDR of 16000 by 16000: 2 GiB with the decoder's copy. Nothing else is there.
+  // PNG signature and an IHDR of 16000 by 16000: 2 GiB with the decoder's copy.
   Bytes png = {0x89, 'P',  'N',  'G', 13, 10,   26,   10, 0, 0, 0, 13, 'I', 'H', 'D', 'R', 0,
                0,    0x3e, 0x80, 0,   0,  0x3e, 0x80, 8,  6, 0, 0, 0,  0,   0,   0,   0};
+  // The start of its pixels, which is as far as the decoder reads to learn what it is.
+  png.insert(png.end(), {0, 0, 0, 16, 'I', 'D', 'A', 'T'});
   png.resize(64);
   folder.write("bomb.png", png);
   const std::string json = triangle_json(
