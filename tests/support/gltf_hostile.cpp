@@ -108,6 +108,19 @@ HostileFile skinned(const std::string& name, float weight, float bind) {
   return {name, to_binary_gltf(builder)};
 }
 
+// Draco bitstream specification, "Metadata Decoder": no entries and one nested metadata without a name, twenty times.
+HostileFile deep_metadata() {
+  GltfBuilder builder;
+  const int positions = add_values(builder, "VEC3", std::vector<float>(9, 0.0f));
+  std::vector<std::uint8_t> data = {'D', 'R', 'A', 'C', 'O', 2, 2, 1, 0, 0, 0x80, 0};
+  for (int depth = 0; depth < 20; ++depth) data.insert(data.end(), {0, 1, 0});
+  add_values<std::uint8_t>(builder, "SCALAR", data);
+  add_mesh(builder, "\"POSITION\":" + std::to_string(positions), -1,
+           R"(,"extensions":{"KHR_draco_mesh_compression":{"bufferView":1,"attributes":{"POSITION":0}}})");
+  add(builder, "nodes", R"({"mesh":0})");
+  return {"metadata within metadata", to_binary_gltf(builder)};
+}
+
 }  // namespace
 
 std::vector<HostileFile> hostile_files() {
@@ -150,6 +163,7 @@ std::vector<HostileFile> hostile_files() {
       skinned("a skin that leads to infinity", 1.0f, 3e38f),
       skinned("a skin that is no number", 1.0f, std::numeric_limits<float>::quiet_NaN()),
       textured("a JPEG of too many codes", jpeg_of_too_many_codes()),
+      deep_metadata(),
       textured("half an image", {whole.begin(), whole.begin() + 40}),
       textured("an image that is none", {'G', 'I', 'F', '8', '9', 'a'}),
   };
