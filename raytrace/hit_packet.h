@@ -14,11 +14,7 @@ class HitPacket {
     prepare(query_, state, false);
     for (int lane = 0; lane < width; ++lane) {
       aim(lane, {});
-      rays_.ray.tnear[lane] = 0.0f;
-      rays_.ray.time[lane] = 0.0f;
-      rays_.ray.mask[lane] = 0xffffffffu;
-      rays_.ray.id[lane] = static_cast<unsigned>(lane);
-      rays_.ray.flags[lane] = 0;
+      prepare_lane(rays_.ray, lane);
     }
     clear();
   }
@@ -39,13 +35,7 @@ class HitPacket {
 
   /// Gives a lane in use another ray from the same triangle.
   void aim(int lane, const ShadowRay& ray) {
-    rays_.ray.org_x[lane] = ray.origin.x;
-    rays_.ray.org_y[lane] = ray.origin.y;
-    rays_.ray.org_z[lane] = ray.origin.z;
-    rays_.ray.dir_x[lane] = ray.direction.x;
-    rays_.ray.dir_y[lane] = ray.direction.y;
-    rays_.ray.dir_z[lane] = ray.direction.z;
-    rays_.ray.tfar[lane] = ray.reach;
+    aim_lane(rays_.ray, lane, ray);
     rays_.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
     rays_.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
     valid_[lane] = ray.reach < 0.0f ? 0 : -1;
@@ -53,10 +43,7 @@ class HitPacket {
 
   /// Gives every lane in use another ray from the same place. A negative reach is blocked where it starts.
   void aim(const Directions& directions, const float* reach, bool /*is_clear*/) {
-    std::copy_n(directions.x, width, rays_.ray.dir_x);
-    std::copy_n(directions.y, width, rays_.ray.dir_y);
-    std::copy_n(directions.z, width, rays_.ray.dir_z);
-    std::copy_n(reach, width, rays_.ray.tfar);
+    aim_lanes(rays_.ray, directions, reach);
     for (int lane = 0; lane < size_; ++lane) {
       rays_.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
       rays_.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;

@@ -21,6 +21,30 @@ struct alignas(64) Directions {
   float z[16] = {};
 };
 
+/// What all packets do with their rays, lane by lane.
+inline void prepare_lane(RTCRay16& rays, int lane) {
+  rays.tnear[lane] = 0.0f;
+  rays.time[lane] = 0.0f;
+  rays.mask[lane] = 0xffffffffu;
+  rays.id[lane] = static_cast<unsigned>(lane);
+  rays.flags[lane] = 0;
+}
+inline void aim_lane(RTCRay16& rays, int lane, const ShadowRay& ray) {
+  rays.org_x[lane] = ray.origin.x;
+  rays.org_y[lane] = ray.origin.y;
+  rays.org_z[lane] = ray.origin.z;
+  rays.dir_x[lane] = ray.direction.x;
+  rays.dir_y[lane] = ray.direction.y;
+  rays.dir_z[lane] = ray.direction.z;
+  rays.tfar[lane] = ray.reach;
+}
+inline void aim_lanes(RTCRay16& rays, const Directions& directions, const float* reach) {
+  std::copy_n(directions.x, 16, rays.dir_x);
+  std::copy_n(directions.y, 16, rays.dir_y);
+  std::copy_n(directions.z, 16, rays.dir_z);
+  std::copy_n(reach, 16, rays.tfar);
+}
+
 class Packet {
  public:
   static constexpr int width = 16;
@@ -29,11 +53,7 @@ class Packet {
     prepare(query_, state, false);
     for (int lane = 0; lane < width; ++lane) {
       aim(lane, {});  // idle lanes too: no garbage is traced along
-      rays_.tnear[lane] = 0.0f;
-      rays_.time[lane] = 0.0f;
-      rays_.mask[lane] = 0xffffffffu;
-      rays_.id[lane] = static_cast<unsigned>(lane);
-      rays_.flags[lane] = 0;
+      prepare_lane(rays_, lane);
       valid_[lane] = 0;
     }
     is_clear_ = true;
@@ -57,23 +77,14 @@ class Packet {
 
   /// Gives a lane in use another ray from the same triangle.
   void aim(int lane, const ShadowRay& ray) {
-    rays_.org_x[lane] = ray.origin.x;
-    rays_.org_y[lane] = ray.origin.y;
-    rays_.org_z[lane] = ray.origin.z;
-    rays_.dir_x[lane] = ray.direction.x;
-    rays_.dir_y[lane] = ray.direction.y;
-    rays_.dir_z[lane] = ray.direction.z;
-    rays_.tfar[lane] = ray.reach;
+    aim_lane(rays_, lane, ray);
     valid_[lane] = -1;
     is_clear_ = is_clear_ && ray.is_clear;
   }
 
   /// Gives every lane in use another ray from the same place. A negative reach is blocked where it starts.
   void aim(const Directions& directions, const float* reach, bool is_clear) {
-    std::copy_n(directions.x, width, rays_.dir_x);
-    std::copy_n(directions.y, width, rays_.dir_y);
-    std::copy_n(directions.z, width, rays_.dir_z);
-    std::copy_n(reach, width, rays_.tfar);
+    aim_lanes(rays_, directions, reach);
     is_clear_ = is_clear;
   }
 

@@ -5,29 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "reports/exr.h"
-#include "tests/app/run_program.h"
+#include "tests/app/gl_run.h"
 #include "tests/scenes/gltf_files.h"
 
 namespace umbrameter {
 namespace {
 
 using Json = nlohmann::json;
-
-const std::vector<std::string> small = {"--size", "96x54", "--truth.spp", "16", "--quiet"};
-
-std::vector<std::string> words(std::vector<std::string> first, const std::vector<std::string>& rest) {
-  first.insert(first.end(), rest.begin(), rest.end());
-  return first;
-}
-
-bool has_driver() { return run_program({"info"}).out.find("no usable device") == std::string::npos; }
-
-std::set<std::string> layers_of(const std::filesystem::path& exr) {
-  std::set<std::string> names;
-  for (const Channel& channel : read_exr(exr).channels) names.insert(channel.name);
-  return names;
-}
 
 Image<float> layer(const std::filesystem::path& exr, const std::string& name) {
   for (const Channel& channel : read_exr(exr).channels) {
@@ -37,19 +21,13 @@ Image<float> layer(const std::filesystem::path& exr, const std::string& name) {
   return {};
 }
 
-class AreaLightRun : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!has_driver()) GTEST_SKIP() << "no OpenGL driver";
-  }
-  TemporaryFolder folder_;
-};
+using AreaLightRun = GlRun;
 
 TEST_F(AreaLightRun, The_error_is_split_by_sign_with_intervals_and_has_no_causes) {
   const ProgramResult result = run_program(words(
       {"compare", "contact-box", "-o", folder_ / "out", "--light", "sun", "--light.angle", "8", "--json"}, small));
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  const std::set<std::string> layers = layers_of(folder_ / "out/images.exr");
+  const std::set<std::string> layers = channel_names(folder_ / "out/images.exr");
   EXPECT_TRUE(layers.contains("truth_visibility_sun.Y"));
   EXPECT_TRUE(layers.contains("truth_visibility_standard_error_sun.Y"));
   EXPECT_TRUE(layers.contains("error_visibility_sun.Y"));
@@ -114,7 +92,7 @@ TEST_F(AreaLightRun, The_extent_of_a_file_and_the_same_by_flag_give_the_same_ans
   EXPECT_EQ(layer(by_file, "truth_visibility_0.Y"), layer(by_flag, "truth_visibility_0.Y"));
   EXPECT_EQ(layer(by_file, "truth_visibility_standard_error_0.Y"),
             layer(by_flag, "truth_visibility_standard_error_0.Y"));
-  EXPECT_FALSE(layers_of(by_none).contains("truth_visibility_standard_error_0.Y"));
+  EXPECT_FALSE(channel_names(by_none).contains("truth_visibility_standard_error_0.Y"));
   const ProgramResult info = run_program({"info", with});
   EXPECT_NE(info.out.find("sphere of radius 1.9 m"), std::string::npos) << info.out;
 }

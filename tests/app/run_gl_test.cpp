@@ -7,36 +7,14 @@
 #include <set>
 #include <sstream>
 
-#include "reports/exr.h"
-#include "tests/app/run_program.h"
+#include "tests/app/gl_run.h"
 
 namespace umbrameter {
 namespace {
 
 using Json = nlohmann::json;
 
-const std::vector<std::string> small = {"--size", "96x54", "--truth.spp", "16", "--quiet"};
-
-std::vector<std::string> words(std::vector<std::string> first, const std::vector<std::string>& rest) {
-  first.insert(first.end(), rest.begin(), rest.end());
-  return first;
-}
-
-bool has_driver() { return run_program({"info"}).out.find("no usable device") == std::string::npos; }
-
-std::set<std::string> channel_names(const std::filesystem::path& exr) {
-  std::set<std::string> names;
-  for (const Channel& channel : read_exr(exr).channels) names.insert(channel.name);
-  return names;
-}
-
-class Run : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!has_driver()) GTEST_SKIP() << "no OpenGL driver";
-  }
-  TemporaryFolder folder_;
-};
+struct Run : GlRun {};
 
 TEST_F(Run, Compare_writes_every_file_and_layer_of_the_contract) {
   const ProgramResult result =

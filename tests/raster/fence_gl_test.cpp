@@ -8,6 +8,8 @@ namespace umbrameter {
 namespace {
 
 using namespace testing_scenes;
+using test::compare_coverage;
+using test::expect_same_coverage;
 using test::fence_point;
 using test::FencePoint;
 using test::FenceTwins;
@@ -79,29 +81,9 @@ TEST_F(DrawnFence, The_mask_and_its_geometric_twin_cover_the_same_pixels_off_the
     const View view{960, 540, camera};
     const GBuffer a = read_back(context(), draw_gbuffer(context(), masked, view));
     const GBuffer b = read_back(context(), draw_gbuffer(context(), solid, view));
-    TwinCount count;
-    for (int y = 0; y < view.height; ++y) {
-      for (int x = 0; x < view.width; ++x) {
-        const std::size_t i = a.position.index(x, y);
-        const Ray ray = pixel_ray(view, x, y);
-        const FencePoint where = fence_point(twins_, ray.origin, ray.direction, margin);
-        // Vertices snap to 1/256 of a pixel, 0.06 mm here: a centre may go to the piece beside its own, and onto it.
-        const bool same =
-            a.instance[i] == b.instance[i] && (!a.is_surface(i) || glm::length(a.position[i] - b.position[i]) < 1e-4f);
-        if (where == FencePoint::edge) {
-          ++count.edges;
-          count.different_on_edges += same ? 0 : 1;
-          continue;
-        }
-        count.different += same ? 0 : 1;
-        count.bars += where == FencePoint::bar && a.instance[i] == twins_.instance ? 1 : 0;
-        count.open += where == FencePoint::open && a.instance[i] != twins_.instance ? 1 : 0;
-      }
-    }
-    EXPECT_EQ(count.different, 0) << camera.name;
-    EXPECT_GT(count.bars, 3000) << camera.name;
-    EXPECT_GT(count.open, 6000) << camera.name;
-    EXPECT_LT(count.edges, (count.bars + count.open) / 4) << camera.name;
+    // Vertices snap to 1/256 of a pixel, 0.06 mm here: a centre may go to the piece beside its own, and onto it.
+    const TwinCount count = compare_coverage(twins_, view, a, b, margin, 1e-4f);
+    expect_same_coverage(count, camera.name);
     RecordProperty(camera.name + ", differ on edges", count.different_on_edges);
   }
 }

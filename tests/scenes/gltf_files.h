@@ -78,6 +78,17 @@ inline std::string triangle_json(const std::string& nodes = R"("nodes":[{"mesh":
          R"("meshes":[{"name":"tri","primitives":[{"attributes":{"POSITION":0}}]}]})";
 }
 
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+/// The triangle with one piece of its text exchanged.
+inline Bytes broken(const std::string& from, const std::string& to) {
+  return glb(replaced(triangle_json(), from, to), triangle_positions());
+}
+
 inline Scene load(const TemporaryFolder& folder, const Bytes& bytes) {
   return load_gltf(folder.write("test.glb", bytes));
 }

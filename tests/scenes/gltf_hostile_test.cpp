@@ -9,25 +9,16 @@
 namespace umbrameter {
 namespace {
 
+using test::broken;
 using test::Bytes;
 using test::bytes_of;
 using test::expect_unreadable;
 using test::glb;
 using test::load;
+using test::replaced;
 using test::TemporaryFolder;
 using test::triangle_json;
 using test::triangle_positions;
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
-/// The triangle with one piece of its text exchanged.
-Bytes broken(const std::string& from, const std::string& to) {
-  return glb(replaced(triangle_json(), from, to), triangle_positions());
-}
 
 Bytes with_nodes(const std::string& nodes, const std::string& more = "") {
   return glb(triangle_json(nodes, more), triangle_positions());

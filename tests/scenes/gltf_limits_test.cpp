@@ -9,23 +9,15 @@
 namespace umbrameter {
 namespace {
 
+using test::broken;
 using test::Bytes;
 using test::bytes_of;
 using test::expect_unreadable;
 using test::glb;
+using test::replaced;
 using test::TemporaryFolder;
 using test::triangle_json;
 using test::triangle_positions;
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
-Bytes broken(const std::string& from, const std::string& to) {
-  return glb(replaced(triangle_json(), from, to), triangle_positions());
-}
 
 std::span<const unsigned char> bytes_in(const std::string& text) {
   return {reinterpret_cast<const unsigned char*>(text.data()), text.size()};

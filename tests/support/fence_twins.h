@@ -1,6 +1,8 @@
 // The built-in fence twice: once with the alpha mask only, once with its geometry in the mask's place.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -8,7 +10,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/gbuffer.h"
 #include "scenes/builtin.h"
+#include "scenes/view.h"
 
 namespace umbrameter::test {
 
@@ -81,5 +85,37 @@ struct TwinCount {
   int different = 0;  ///< off the edges
   int different_on_edges = 0;
 };
+
+/// Pixel by pixel: the same instance and, within `tolerance` metres, the same place.
+inline TwinCount compare_coverage(const FenceTwins& twins, const View& view, const GBuffer& a, const GBuffer& b,
+                                  double margin, float tolerance) {
+  TwinCount count;
+  for (int y = 0; y < view.height; ++y) {
+    for (int x = 0; x < view.width; ++x) {
+      const std::size_t i = a.position.index(x, y);
+      const Ray ray = pixel_ray(view, x, y);
+      const FencePoint where = fence_point(twins, ray.origin, ray.direction, margin);
+      const bool same = a.instance[i] == b.instance[i] &&
+                        (!a.is_surface(i) || glm::length(a.position[i] - b.position[i]) < tolerance);
+      if (where == FencePoint::edge) {
+        ++count.edges;
+        count.different_on_edges += same ? 0 : 1;
+        continue;
+      }
+      count.different += same ? 0 : 1;
+      count.bars += where == FencePoint::bar && a.instance[i] == twins.instance ? 1 : 0;
+      count.open += where == FencePoint::open && a.instance[i] != twins.instance ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+/// No difference off the edges, among enough of both kinds of points.
+inline void expect_same_coverage(const TwinCount& count, const std::string& camera) {
+  EXPECT_EQ(count.different, 0) << camera;
+  EXPECT_GT(count.bars, 3000) << camera;
+  EXPECT_GT(count.open, 6000) << camera;
+  EXPECT_LT(count.edges, (count.bars + count.open) / 4) << camera;
+}
 
 }  // namespace umbrameter::test

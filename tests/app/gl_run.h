@@ -1,0 +1,38 @@
+// Whole runs of the program that need a driver: small ones, and the layers that they write.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "reports/exr.h"
+#include "tests/app/run_program.h"
+
+namespace umbrameter {
+
+inline const std::vector<std::string> small = {"--size", "96x54", "--truth.spp", "16", "--quiet"};
+
+inline std::vector<std::string> words(std::vector<std::string> first, const std::vector<std::string>& rest) {
+  first.insert(first.end(), rest.begin(), rest.end());
+  return first;
+}
+
+inline std::set<std::string> channel_names(const std::filesystem::path& exr) {
+  std::set<std::string> names;
+  for (const Channel& channel : read_exr(exr).channels) names.insert(channel.name);
+  return names;
+}
+
+class GlRun : public testing::Test {
+ protected:
+  void SetUp() override {
+    const bool has_driver = run_program({"info"}).out.find("no usable device") == std::string::npos;
+    if (!has_driver) GTEST_SKIP() << "no OpenGL driver";
+  }
+  TemporaryFolder folder_;
+};
+
+}  // namespace umbrameter
