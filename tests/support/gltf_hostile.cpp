@@ -121,6 +121,14 @@ HostileFile deep_metadata() {
   return {"metadata within metadata", to_binary_gltf(builder)};
 }
 
+// A light whose extras tell its extent, once at the node and once at the light itself.
+HostileFile with_extent(const std::string& name, const std::string& type, const std::string& extras) {
+  const std::string reference = R"("extensions":{"KHR_lights_punctual":{"light":)";
+  return noded(name, {R"({"extras":)" + extras + "," + reference + "0}}}", "{" + reference + "1}}}"},
+               R"(,"extensions":{"KHR_lights_punctual":{"lights":[{"type":")" + type + R"("},{"type":")" + type +
+                   R"(","extras":)" + extras + "}]}}");
+}
+
 }  // namespace
 
 std::vector<HostileFile> hostile_files() {
@@ -148,6 +156,24 @@ std::vector<HostileFile> hostile_files() {
             R"(,"cameras":[{"type":"perspective","perspective":{"yfov":0,"znear":0}}])"),
       noded("a light of no kind", {R"({"extensions":{"KHR_lights_punctual":{"light":0}}})"},
             R"(,"extensions":{"KHR_lights_punctual":{"lights":[{"type":"laser"}]}})"),
+      with_extent("a sphere", "point", R"({"radius":0.5})"),
+      with_extent("a disk", "point", R"({"radius":0.5,"shape":"disk"})"),
+      with_extent("a disk across the axis", "spot", R"({"radius":0.5,"other":1,"name":"lamp"})"),
+      with_extent("a sphere of a spot light", "spot", R"({"radius":0.5,"shape":"sphere"})"),
+      with_extent("a rectangle", "spot", R"({"width":0.5,"height":2})"),
+      with_extent("a sun", "directional", R"({"angularDiameter":0.01})"),
+      with_extent("half a rectangle", "spot", R"({"width":0.5})"),
+      with_extent("a rectangle and a radius", "spot", R"({"width":0.5,"height":1,"radius":1})"),
+      with_extent("a radius below nothing", "point", R"({"radius":-1})"),
+      with_extent("a radius beyond everything", "point", R"({"radius":1e300})"),
+      with_extent("a radius in words", "point", R"({"radius":"one"})"),
+      with_extent("a shape that is none", "point", R"({"radius":1,"shape":"torus"})"),
+      with_extent("a shape that is a number", "point", R"({"radius":1,"shape":7})"),
+      with_extent("a shape without a size", "point", R"({"shape":"disk"})"),
+      with_extent("nothing of an extent", "point", R"({"radius":0})"),
+      with_extent("a sun with a radius", "directional", R"({"radius":1,"angularDiameter":0.01})"),
+      with_extent("a lamp with an angle", "point", R"({"radius":1,"angularDiameter":0.01})"),
+      with_extent("a sun of half the sky", "directional", R"({"angularDiameter":3.2})"),
       noded("a skin without joints", {R"({"mesh":0,"skin":0})"}, R"(,"skins":[{"joints":[]}])"),
       positioned("a position that is no number", std::numeric_limits<float>::quiet_NaN()),
       positioned("a position that is infinite", std::numeric_limits<float>::infinity()),
