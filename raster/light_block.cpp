@@ -24,6 +24,8 @@ LightBlock make_light_block(const Light& light, const LightFrame& frame, const S
   block.resolution = frame.resolution;
   block.constant_bias = static_cast<float>(params.constant_bias);
   block.slope_bias = static_cast<float>(params.slope_bias);
+  block.normal_offset = static_cast<float>(params.normal_offset);
+  block.filter_radius = static_cast<float>(params.filter_radius);
   return block;
 }
 

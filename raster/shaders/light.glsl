@@ -8,4 +8,6 @@ layout(std140, binding = BLOCK_LIGHT) uniform LightBlock {
   int resolution;
   float constant_bias;
   float slope_bias;
+  float normal_offset;  // texels
+  float filter_radius;  // texels
 };
