@@ -21,6 +21,13 @@ struct WrongTaps {
   std::uint32_t weight_sum = 1;
 };
 
+/// A shadow map in memory, one image a face, top row (v = 1) first.
+struct ShadowMapImages {
+  std::vector<Image<float>> depth;  ///< as stored: a share of LightFrame::far_depth; 1 where the light meets nothing
+  std::vector<Image<std::uint32_t>> instance;
+  std::vector<Image<std::uint32_t>> triangle;
+};
+
 /// What a filter's taps weigh. Grid: the outer product of `kernel` with itself about the receiver's texel, every tap a
 /// nearest one or, with linear_taps, the four that a bilinear comparison reads. Disk: texels under `points`, turned per
 /// pixel by one of `turns`, of weight 1 each.

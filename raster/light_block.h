@@ -21,7 +21,8 @@ struct LightBlock {
   float slope_bias = 0.0f;
   float normal_offset = 0.0f;
   float filter_radius = 0.0f;
-  int unused[3] = {};
+  int tap_count = 0;
+  int unused[2] = {};
 };
 static_assert(sizeof(LightBlock) == 784);
 

@@ -36,7 +36,7 @@ Parameters describe(ShadowParams& params) {
       .choice("filter-taps", params.filter_taps, filter_taps_names,
               {.unit = {}, .meaning = "whether each tap of a box, tent or Gaussian is nearest or a bilinear 2×2"})
       .field("filter-samples", params.filter_samples,
-             {.unit = "1", .meaning = "points of the Poisson disk", .min = 1, .max = 256})
+             {.unit = "1", .meaning = "points of the Poisson disk", .min = 1, .max = 64})
       .field("filter-radius", params.filter_radius,
              {.unit = "texels", .meaning = "radius of the Poisson disk", .min = 0, .max = 64})
       .take();

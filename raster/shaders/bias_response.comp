@@ -51,9 +51,9 @@ void main() {
   float easiest_bias = is_lit_in_truth ? least_bias : largest_bias;
   float easiest_factor = is_lit_in_truth ? least_slope : largest_slope;
   Facet own = fetch_facet(id);
-  float critical_biases[tap_count];
-  uint weights[tap_count];
-  int causes[tap_count];
+  float critical_biases[most_taps];
+  uint weights[most_taps];
+  int causes[most_taps];
   for (int i = 0; i < tap_count; ++i) {
     WeightedTap tap = filter_tap(surfel.receiver, pattern, i);
     critical_biases[i] = tap.tap.critical_bias;
@@ -66,7 +66,7 @@ void main() {
   }
   uint side = is_lit_in_truth ? 0u : 1u;
   for (int s = 0; s < slope_count; ++s) {
-    uint bins[tap_count];
+    uint bins[most_taps];
     for (int i = 0; i < tap_count; ++i) {
       bins[i] = bin_of(flip_of(critical_biases[i], surfel.slope, axis_values[bias_count + s]));
     }

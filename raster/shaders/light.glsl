@@ -10,4 +10,5 @@ layout(std140, binding = BLOCK_LIGHT) uniform LightBlock {
   float slope_bias;
   float normal_offset;  // texels
   float filter_radius;  // texels
+  int tap_count;        // of the filter: here, so that no compiler unrolls loops over taps
 };

@@ -2,7 +2,7 @@
 // bias and a whole-number weight. The weights add up to weight_sum (raster/shadow_filter.h; FilterKernel).
 #include "surfel_lookup.glsl"
 
-const int tap_count = FILTER_TAPS;
+const int most_taps = FILTER_TAPS;  // tap_count of them are there
 const uint weight_sum = uint(FILTER_WEIGHT_SUM);
 
 struct WeightedTap {
