@@ -121,10 +121,12 @@ std::string Workbench::light_key(const Experiment& experiment, std::uint32_t lig
 }
 
 const LightFit& Workbench::fit(const Experiment& experiment, std::uint32_t light) {
-  const std::string key = light_key(experiment, light) + " " + std::to_string(experiment.shadow.resolution);
+  LightParams extent = experiment.light;
+  const std::string key = light_key(experiment, light) + " " + std::to_string(experiment.shadow.resolution) + "\n" +
+                          key_of(describe(extent));
   return fit_.get(key, [&] {
     const LightFrame frame = fit_light(scene_.lights[light], bounds_, experiment.shadow.resolution);
-    return LightFit{frame, count_pixels(surfels(experiment.view).gbuffer, scene_.lights[light], frame)};
+    return LightFit{frame, count_pixels(surfels(experiment.view).gbuffer, this->light(experiment, light), frame)};
   });
 }
 

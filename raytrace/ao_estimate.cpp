@@ -13,9 +13,9 @@ namespace {
 constexpr double rule_of_three = 2.995732273553991;
 
 // Scatters of 7 degrees of freedom must come below the tolerance, from what a pilot of 15 has told: by chance their
-// ratio is below 1.6 in nine of ten cases (F distribution). Aiming that much lower makes most pixels stop at their
+// ratio is below 1.5 in nine of ten cases (F distribution). Aiming that much lower makes most pixels stop at their
 // first look.
-constexpr double margin = 1.6;
+constexpr double margin = 1.5;
 
 // Error of scrambled points across an edge falls as n^(−3/4) (He and Owen, Extensible grids: uniform sampling on a
 // space filling curve, 2016, for discontinuous integrands in two dimensions), of random ones as n^(−1/2).

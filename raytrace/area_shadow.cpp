@@ -16,6 +16,7 @@
 #include "raytrace/sampler.h"
 #include "raytrace/stopping.h"
 #include "raytrace/surfel.h"
+#include "scenes/light_frame.h"
 
 namespace umbrameter {
 namespace {
@@ -140,7 +141,7 @@ class TileTracer {
                 {slant(0u), slant(1u)},
                 Stopping(sampling_.params)};
     if (pixel.view.is_within()) return;
-    if (!(pixel.view.facing(pixel.normal) > 0.0)) {
+    if (!faces(light_, dvec3(gbuffer_.position[i]), pixel.normal)) {
       result.visibility[i] = 0.0f;
       return;
     }
