@@ -60,6 +60,32 @@ TEST_F(ReferenceCache, Gives_the_same_files_bit_for_bit) {
   }
 }
 
+TEST_F(ReferenceCache,
+       Gives_the_same_files_for_soft_shadows_and_pixels_that_stop_on_their_own_at_any_number_of_threads) {
+  const std::vector<std::string> soft = {"--light.angle", "6"};
+  const std::vector<std::string> adaptive = {"--light.angle",   "6",  "--truth.tolerance", "0.2",
+                                             "--truth.min-spp", "64", "--truth.ao-layers", "all"};
+  for (const std::vector<std::string>& flags : {soft, adaptive}) {
+    const auto with = [&](const std::string& output, const std::vector<std::string>& more) {
+      std::vector<std::string> all = flags;
+      all.insert(all.end(), more.begin(), more.end());
+      const ProgramResult result = trace(output, all);
+      EXPECT_EQ(result.exit_code, 0) << result.err;
+      return result.err;
+    };
+    with("first", {"--threads", "1"});
+    EXPECT_NE(with("second", {"--threads", "7"}).find(hit), std::string::npos);
+    EXPECT_EQ(with("two", {"--no-cache", "--threads", "2"}).find(hit), std::string::npos);
+    with("seven", {"--no-cache", "--threads", "7"});
+    for (const char* file : {"images.exr", "summary.json", "index.html"}) {
+      const std::string first = text_of(folder_ / ("first/" + std::string(file)));
+      for (const char* other : {"second/", "two/", "seven/"}) {
+        EXPECT_EQ(text_of(folder_ / (other + std::string(file))), first) << other << file << " " << flags.size();
+      }
+    }
+  }
+}
+
 TEST_F(ReferenceCache, Another_seed_view_or_sample_count_is_traced_anew) {
   trace("first");
   for (const std::vector<std::string>& more : {std::vector<std::string>{"--seed", "2"},
