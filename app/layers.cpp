@@ -9,6 +9,7 @@ void add_shadow(LayeredImage& image, const std::string& light, const ShadowMeasu
   if (shadow.truth) add_layer(image, "truth_visibility_" + light, shadow.truth->visibility);
   if (shadow.truth && is_soft(shadow)) {
     add_layer(image, "truth_visibility_standard_error_" + light, shadow.truth->standard_error);
+    add_layer(image, "truth_visibility_samples_" + light, shadow.truth->samples);
   }
   if (shadow.raster) add_layer(image, "raster_visibility_" + light, shadow.raster->visibility);
   if (!shadow.truth || !shadow.raster) return;

@@ -9,19 +9,14 @@
 #include <vector>
 
 #include "core/parallel.h"
-#include "core/quantiles.h"
 #include "core/random.h"
 #include "raytrace/ao_estimate.h"
 #include "raytrace/ao_samples.h"
 #include "raytrace/hit_packet.h"
+#include "raytrace/stopping.h"
 #include "raytrace/surfel.h"
 
 namespace umbrameter {
-
-/// The half width that a stored standard error stands for.
-inline double half_width_of(float standard_error, int degrees_of_freedom) {
-  return student_95(degrees_of_freedom) * static_cast<double>(standard_error);
-}
 
 /// What every tile of one image has in common.
 struct AoTask {
@@ -43,7 +38,7 @@ class AoTile {
     while (!pending_.empty()) {
       const auto work = [this](int i) {
         const Pixel& p = pixels_[static_cast<std::size_t>(i)];
-        return std::tuple(p.is_pilot, p.next.begin, p.next.split.points);
+        return std::tuple(p.stopping.is_pilot(), p.stopping.next().begin, p.stopping.next().split.points);
       };
       std::stable_sort(pending_.begin(), pending_.end(), [&](int a, int b) { return work(a) < work(b); });
       for (std::size_t first = 0; first < pending_.size();) {
@@ -68,15 +63,14 @@ class AoTile {
   static_assert(block_size * block_size == Rays::width);
 
   struct Pixel {
+    explicit Pixel(const TruthParams& params) : stopping(params) {}
     std::size_t index = 0;
     vec3 origin{0};
     vec3 normal{0, 0, 1};  // of the triangle
     mat3 frame{1.0f};
     double offset = 0.0;
     float clear_cosine = 0;  // with the triangle's normal, of a direction that cannot meet it
-    bool is_pilot = false;
-    int rays = 0;
-    SampleRange next;
+    Stopping stopping;
     AoEstimate estimate;
     dvec3 open_direction{0.0};
     double blocked = 0.0;
@@ -87,8 +81,6 @@ class AoTile {
     std::array<float, Rays::width> offset{};
     std::array<float, Rays::width> clear_cosine{};
   };
-
-  bool is_adaptive() const { return task_.params.tolerance > 0.0; }
 
   void collect(const Tile& tile) {
     pixels_.clear();
@@ -107,7 +99,7 @@ class AoTile {
 
   void add(std::size_t i) {
     const RayOrigin origin = ray_origin(task_.tracer, task_.gbuffer, i, last_);
-    Pixel pixel;
+    Pixel pixel(task_.params);
     pixel.index = i;
     pixel.origin = vec3(origin.point());
     pixel.normal = vec3(origin.normal);
@@ -117,8 +109,6 @@ class AoTile {
     pixel.offset = origin.offset;
     // The frame and its product are rounded a few times.
     pixel.clear_cosine = static_cast<float>(origin.clear_cosine) + 0x1p-20f;
-    pixel.is_pilot = is_adaptive();
-    pixel.next = {is_adaptive() ? pilot_of(task_.params) : split(task_.params.spp), 0};
     statistics_.largest_offset = std::max(statistics_.largest_offset, origin.offset);
     pending_.push_back(static_cast<int>(pixels_.size()));
     pixels_.push_back(pixel);
@@ -133,15 +123,16 @@ class AoTile {
                   task_.gbuffer.triangle[pixel.index]);
       lanes_.offset[i - first] = static_cast<float>(pixel.offset);
       lanes_.clear_cosine[i - first] = pixel.clear_cosine;
-      const std::uint32_t stream = hash(static_cast<std::uint32_t>(pixel.index), pixel.is_pilot ? 1u : 0u, task_.seed);
-      samples_.make(task_.params, static_cast<int>(i - first), {pixel.next, pixel.frame, pixel.normal, stream});
+      const std::uint32_t stream =
+          hash(static_cast<std::uint32_t>(pixel.index), pixel.stopping.is_pilot() ? 1u : 0u, task_.seed);
+      samples_.make(task_.params, static_cast<int>(i - first),
+                    {pixel.stopping.next(), pixel.frame, pixel.normal, stream});
     }
-    const int ranks = pixels_[static_cast<std::size_t>(pending_[first])].next.size();
+    const int ranks = pixels_[static_cast<std::size_t>(pending_[first])].stopping.next().size();
     for (int rank = 0; rank < ranks; ++rank) trace_rank(first, static_cast<std::size_t>(rank));
     for (std::size_t i = first; i < last; ++i) {
       Pixel& pixel = pixels_[static_cast<std::size_t>(pending_[i])];
-      pixel.estimate.split = pixel.next.split;
-      pixel.rays += ranks;
+      pixel.estimate.split = pixel.stopping.next().split;
     }
     statistics_.rays += static_cast<std::uint64_t>(last - first) * static_cast<std::uint64_t>(ranks);
   }
@@ -182,33 +173,24 @@ class AoTile {
     }
   }
 
-  // Whether the pixel needs more rays, and which.
+  // Whether the pixel needs more rays.
   bool advance(Pixel& pixel) const {
-    if (!is_adaptive()) return false;
-    const TruthParams& params = task_.params;
-    const int left = params.max_spp - pixel.rays;
-    const int needed = rays_needed(pixel.estimate, params);
-    if (pixel.is_pilot) {
-      pixel.is_pilot = false;
-      pixel.next = {{most_randomisations, std::clamp(needed, params.min_spp - pixel.rays, left)}, 0};
+    const bool was_pilot = pixel.stopping.is_pilot();
+    const bool goes_on = pixel.stopping.advance(task_.params, pixel.estimate);
+    if (was_pilot) {
       pixel.estimate = {};
       pixel.open_direction = dvec3(0.0);
       pixel.blocked = pixel.blocked_distance = 0.0;
-      return true;
     }
-    const int points = pixel.estimate.split.points;
-    const auto error = static_cast<float>(standard_error(pixel.estimate));
-    if (left < most_randomisations || half_width_of(error, most_randomisations - 1) <= params.tolerance) return false;
-    const int least = points + std::max(points / 4, most_randomisations);
-    pixel.next = {{most_randomisations, std::min(std::max(needed, least), points + left)}, points};
-    return true;
+    return goes_on;
   }
 
   void store(const Pixel& pixel, TracedAo& result) const {
-    result.ao[pixel.index] = static_cast<float>(pixel.estimate.mean());
-    result.standard_error[pixel.index] = static_cast<float>(standard_error(pixel.estimate));
-    result.variance[pixel.index] = static_cast<float>(pixel.estimate.variance());
-    result.samples[pixel.index] = static_cast<float>(pixel.rays);
+    const PixelEstimate& estimate = pixel.stopping.estimate();
+    result.ao[pixel.index] = static_cast<float>(estimate.value);
+    result.standard_error[pixel.index] = static_cast<float>(estimate.standard_error);
+    result.variance[pixel.index] = static_cast<float>(estimate.variance);
+    result.samples[pixel.index] = static_cast<float>(estimate.rays);
     if (result.bent_normal.size() > 0) {
       const double length = glm::length(pixel.open_direction);
       result.bent_normal[pixel.index] = length > 0.0 ? vec3(pixel.open_direction / length) : vec3(0);

@@ -46,10 +46,15 @@ dvec4 homogeneous_place(const Light& light);
 /// Unit vector from a world position to the light.
 dvec3 to_light(const Light& light, const dvec3& position);
 
+/// Whether a surface of that place and normal faces the light: some part of it, where it has extent, however the light
+/// is turned. Else visibility is 0 without asking what lies between, and the surfel counts as turned away.
+bool faces(const Light& light, const dvec3& position, const dvec3& normal);
+
 /// Why a pixel is counted in shadow statistics, or not.
 enum class Counting : std::uint8_t { counted, background, turned_away, outside_map, outside_cone, outside_range };
 
-/// The counting class of one surfel, by its geometric normal (N·L ≤ 0 is turned away), the map, cone and range.
+/// The counting class of one surfel: whether it faces() the light by its geometric normal, then by map, cone and range,
+/// which the middle of the light decides.
 Counting counting_of(const Light& light, const LightFrame& frame, const dvec3& position, const dvec3& geometric_normal);
 
 }  // namespace umbrameter
