@@ -30,6 +30,13 @@ const char* declaration_of(ValueKind kind) {
   return kind == ValueKind::text ? "TEXT NOT NULL" : "INTEGER NOT NULL";
 }
 
+void bind(SQLite::Statement& statement, int index, const Value& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return statement.bindNoCopy(index, *text);
+  if (const auto* truth = std::get_if<bool>(&value)) return statement.bind(index, *truth ? 1 : 0);
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return statement.bind(index, *integer);
+  statement.bind(index, std::get<double>(value));
+}
+
 Pairs read_pairs(SQLite::Database& database, const char* table) {
   Pairs pairs;
   SQLite::Statement rows(database, fmt::format("SELECT name, value FROM {} ORDER BY position", table));
@@ -98,13 +105,6 @@ std::string identifier(std::string_view name) {
   return text + '"';
 }
 
-void bind(SQLite::Statement& statement, int index, const Value& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) return statement.bindNoCopy(index, *text);
-  if (const auto* truth = std::get_if<bool>(&value)) return statement.bind(index, *truth ? 1 : 0);
-  if (const auto* integer = std::get_if<std::int64_t>(&value)) return statement.bind(index, *integer);
-  statement.bind(index, std::get<double>(value));
-}
-
 Value value_of(const SQLite::Column& column, ValueKind kind) {
   switch (kind) {
     case ValueKind::truth:
@@ -132,8 +132,7 @@ bool is_empty_store(SQLite::Database& database, const fs::path& path) {
   return false;
 }
 
-void create_tables(SQLite::Database& database, const StoreDescription& description) {
-  SQLite::Transaction transaction(database);
+void create_tables(SQLite::Database& database, const StoreDescription& description, StoreForm form) {
   database.exec(fmt::format("PRAGMA application_id = {}", application_id));
   database.exec(fmt::format("PRAGMA user_version = {}", format_version));
   database.exec(
@@ -155,7 +154,12 @@ void create_tables(SQLite::Database& database, const StoreDescription& descripti
       insert.reset();
     }
   }
-  std::string cells = "CREATE TABLE cells (cell INTEGER PRIMARY KEY";
+  const bool growing = form == StoreForm::growing;
+  if (growing) {
+    database.exec("CREATE TABLE groups (first_cell INTEGER PRIMARY KEY, cells INTEGER NOT NULL) STRICT");
+  }
+  std::string cells =
+      growing ? "CREATE TABLE cells (cell INTEGER NOT NULL" : "CREATE TABLE cells (cell INTEGER PRIMARY KEY";
   SQLite::Statement insert(database, "INSERT INTO columns (name, kind, unit, meaning) VALUES (?, ?, ?, ?)");
   for (const auto& [column, kind] : description.columns) {
     insert.bind(1, column.name);
@@ -167,12 +171,29 @@ void create_tables(SQLite::Database& database, const StoreDescription& descripti
     cells += fmt::format(", {} {}", identifier(column.name), declaration_of(kind));
   }
   database.exec(cells + ") STRICT");
-  transaction.commit();
+}
+
+SQLite::Statement make_insert(SQLite::Database& database, const StoreDescription& description) {
+  std::string places = "?";
+  for (std::size_t i = 0; i < description.columns.size(); ++i) places += ", ?";
+  return {database, "INSERT INTO cells VALUES (" + places + ")"};
+}
+
+void insert_row(SQLite::Database& database, SQLite::Statement& insert, std::size_t cell,
+                std::span<const Value> values) {
+  insert.bind(1, static_cast<std::int64_t>(cell));
+  for (std::size_t i = 0; i < values.size(); ++i) bind(insert, static_cast<int>(i) + 2, values[i]);
+  // Not exec(): the statement must be free again also after a row that is refused.
+  const int result = insert.tryExecuteStep();
+  if (result == SQLITE_DONE) return insert.reset();
+  const SQLite::Exception problem(database.getHandle(), result);
+  insert.tryReset();
+  throw problem;
 }
 
 StoreDescription read_description(SQLite::Database& database, const fs::path& path) {
   if (is_empty_store(database, path)) throw_damaged(path, "it is empty");
-  const std::string state = database.execAndGet("PRAGMA quick_check(1)").getString();
+  const std::string state = database.execAndGet("PRAGMA integrity_check(1)").getString();
   if (state != "ok") throw_damaged(path, state);
   StoreDescription description;
   SQLite::Statement experiment(database, "SELECT toml, cells FROM experiment");

@@ -4,6 +4,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -30,13 +31,20 @@ auto guarded(const std::filesystem::path& path, const Action& action) {
 /// A name for SQL.
 std::string identifier(std::string_view name);
 
-/// The value must live until the statement has been stepped.
-void bind(SQLite::Statement& statement, int index, const Value& value);
 Value value_of(const SQLite::Column& column, ValueKind kind);
 
 /// Whether the database holds nothing yet. Throws Error (usage) when it is another program's or of another format.
 bool is_empty_store(SQLite::Database& database, const std::filesystem::path& path);
-void create_tables(SQLite::Database& database, const StoreDescription& description);
+
+/// Growing: rows in the order of arrival, which costs no more the further apart their cells are, and the groups that
+/// are whole. Finished: rows by their cell.
+enum class StoreForm { growing, finished };
+/// To be called within a transaction.
+void create_tables(SQLite::Database& database, const StoreDescription& description, StoreForm form);
+/// For all columns of the table of cells.
+SQLite::Statement make_insert(SQLite::Database& database, const StoreDescription& description);
+void insert_row(SQLite::Database& database, SQLite::Statement& insert, std::size_t cell, std::span<const Value> values);
+
 /// Throws Error (unreadable_input) when the file is damaged.
 StoreDescription read_description(SQLite::Database& database, const std::filesystem::path& path);
 

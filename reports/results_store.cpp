@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "core/interrupt.h"
 #include "reports/output.h"
 #include "reports/results_schema.h"
 
@@ -46,6 +47,8 @@ SQLite::Database open_exclusively(const fs::path& path) {
   // A transaction is lost with the power, never with the process; the rest stays whole in both cases.
   database.exec("PRAGMA journal_mode = WAL");
   database.exec("PRAGMA synchronous = NORMAL");
+  // For sorting; KiB.
+  database.exec("PRAGMA cache_size = -16384");
   database.exec("BEGIN EXCLUSIVE; COMMIT");
   return database;
 }
@@ -155,7 +158,9 @@ ResultsStore ResultsStore::open(const fs::path& folder, const StoreDescription& 
     auto state = std::make_unique<State>(State{folder, partial, false, open_exclusively(partial), description});
     SQLite::Database& database = *state->database;
     if (is_empty_store(database, partial)) {
-      create_tables(database, description);
+      SQLite::Transaction transaction(database);
+      create_tables(database, description, StoreForm::growing);
+      transaction.commit();
     } else {
       require_same(partial, read_description(database, partial), description);
     }
@@ -164,42 +169,38 @@ ResultsStore ResultsStore::open(const fs::path& folder, const StoreDescription& 
 }
 
 std::size_t ResultsStore::count() const {
-  return guarded(state_->path, [&] {
-    return static_cast<std::size_t>(state_->database->execAndGet("SELECT COUNT(*) FROM cells").getInt64());
-  });
+  const char* query = state_->complete ? "SELECT COUNT(*) FROM cells" : "SELECT COALESCE(SUM(cells), 0) FROM groups";
+  return guarded(state_->path,
+                 [&] { return static_cast<std::size_t>(state_->database->execAndGet(query).getInt64()); });
 }
 
-bool ResultsStore::has(std::size_t cell) const {
+bool ResultsStore::has_group(std::size_t first_cell) const {
+  if (state_->complete) return true;
   return guarded(state_->path, [&] {
-    if (!state_->find) state_->find.emplace(*state_->database, "SELECT 1 FROM cells WHERE cell = ?");
+    if (!state_->find) state_->find.emplace(*state_->database, "SELECT 1 FROM groups WHERE first_cell = ?");
     SQLite::Statement& find = *state_->find;
-    find.bind(1, static_cast<std::int64_t>(cell));
+    find.bind(1, static_cast<std::int64_t>(first_cell));
     const bool found = find.executeStep();
     find.reset();
     return found;
   });
 }
 
-void ResultsStore::append(const std::function<void(const CellSink&)>& fill) {
+void ResultsStore::append(std::size_t first_cell, const std::function<void(const CellSink&)>& fill) {
   guarded(state_->path, [&] {
-    if (!state_->insert) {
-      std::string places = "?";
-      for (std::size_t i = 0; i < state_->description.columns.size(); ++i) places += ", ?";
-      state_->insert.emplace(*state_->database, "INSERT INTO cells VALUES (" + places + ")");
-    }
-    SQLite::Transaction transaction(*state_->database);
+    SQLite::Database& database = *state_->database;
+    if (!state_->insert) state_->insert.emplace(make_insert(database, state_->description));
+    SQLite::Transaction transaction(database);
+    std::int64_t rows = 0;
     fill([&](std::size_t cell, std::span<const Value> values) {
       if (values.size() != state_->description.columns.size()) throw std::logic_error("a row of another length");
-      SQLite::Statement& insert = *state_->insert;
-      insert.bind(1, static_cast<std::int64_t>(cell));
-      for (std::size_t i = 0; i < values.size(); ++i) bind(insert, static_cast<int>(i) + 2, values[i]);
-      // Not exec(): the statement must be free again also after a row that is refused.
-      const int result = insert.tryExecuteStep();
-      if (result == SQLITE_DONE) return insert.reset();
-      const SQLite::Exception problem(state_->database->getHandle(), result);
-      insert.tryReset();
-      throw problem;
+      insert_row(database, *state_->insert, cell, values);
+      ++rows;
     });
+    SQLite::Statement group(database, "INSERT INTO groups VALUES (?, ?)");
+    group.bind(1, static_cast<std::int64_t>(first_cell));
+    group.bind(2, rows);
+    group.exec();
     transaction.commit();
   });
 }
@@ -207,19 +208,30 @@ void ResultsStore::append(const std::function<void(const CellSink&)>& fill) {
 void ResultsStore::finish() {
   if (state_->complete) return;
   const fs::path partial = state_->path;
-  state_->insert.reset();
-  state_->find.reset();
   const fs::path finished = state_->folder / finished_name;
-  write_whole(finished, [&](const fs::path& temporary) {
-    guarded(finished, [&] {
-      SQLite::Statement pack(*state_->database, "VACUUM INTO ?");
-      pack.bind(1, temporary.string());
-      pack.exec();
-    });
-  });
-  state_->database.reset();
+  write_whole(finished, [&](const fs::path& temporary) { guarded(finished, [&] { pack(temporary); }); });
+  state_ = nullptr;
   remove_store(partial);
-  *this = load(state_->folder);
+  *this = load(finished.parent_path());
+}
+
+void ResultsStore::pack(const fs::path& path) const {
+  SQLite::Database packed(path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  // The file is new, and flushed before it gets its name.
+  packed.exec("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF");
+  SQLite::Transaction transaction(packed);
+  create_tables(packed, state_->description, StoreForm::finished);
+  SQLite::Statement insert = make_insert(packed, state_->description);
+  std::vector<ValueKind> kinds = {ValueKind::integer};
+  for (const StoredColumn& stored : state_->description.columns) kinds.push_back(stored.kind);
+  SQLite::Statement rows(*state_->database, "SELECT * FROM cells ORDER BY cell");
+  while (rows.executeStep()) {
+    throw_if_interrupted();
+    const std::vector<Value> row = row_of(rows, kinds);
+    insert_row(packed, insert, static_cast<std::size_t>(std::get<std::int64_t>(row.front())),
+               std::span(row).subspan(1));
+  }
+  transaction.commit();
 }
 
 void ResultsStore::read(const std::vector<std::string>& columns, const StoredRowSink& sink) const {

@@ -58,13 +58,15 @@ class ResultsStore {
   bool complete() const;
   /// Number of cells that are there.
   std::size_t count() const;
-  bool has(std::size_t cell) const;
+  /// Whether the group that begins with that cell is there.
+  bool has_group(std::size_t first_cell) const;
 
-  /// All cells that fill() gives its sink in one transaction: none of them when it throws. A cell that is there
+  /// All cells that fill() gives its sink in one transaction: none of them when it throws. A group that is there
   /// already is a std::logic_error. Throws Error (partial) when the disk is full; what was there before stays.
-  void append(const std::function<void(const CellSink&)>& fill);
+  void append(std::size_t first_cell, const std::function<void(const CellSink&)>& fill);
 
-  /// Packs the rows into the finished file, whose bytes depend on nothing but description and rows.
+  /// Packs the rows, in the order of cells, into the finished file, whose bytes depend on nothing but description and
+  /// rows. A cell that was given twice is a std::logic_error.
   void finish();
 
   /// All rows in the order of cells, of these columns; of all where none is named.
@@ -80,6 +82,7 @@ class ResultsStore {
  private:
   struct State;
   explicit ResultsStore(std::unique_ptr<State> state);
+  void pack(const std::filesystem::path& path) const;
   std::unique_ptr<State> state_;
 };
 

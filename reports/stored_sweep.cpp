@@ -8,9 +8,13 @@ namespace umbrameter {
 namespace {
 
 void store_group(const CellGroup& group, ResultsStore& store, const EvaluateGroup& evaluate) {
-  store.append([&](const CellSink& keep) {
+  store.append(group.first_cell, [&](const CellSink& keep) {
+    std::vector<bool> seen(group.size());
     std::size_t rows = 0;
     evaluate(group, [&](std::size_t constant, std::size_t slope, std::span<const Value> measured) {
+      const std::size_t place = constant * group.slope_bias.values.size() + slope;
+      if (seen.at(place)) throw std::logic_error("the evaluator gave a cell twice");
+      seen[place] = true;
       std::vector<Value> row = values_at(group, constant, slope);
       row.insert(row.end(), measured.begin(), measured.end());
       keep(group.cell(constant, slope), row);
@@ -44,8 +48,7 @@ void run_sweep(const SweepPlan& plan, ResultsStore& store, const EvaluateGroup& 
   for (std::size_t g = 0; g < groups; ++g) {
     throw_if_interrupted();
     const CellGroup group = group_at(plan, g);
-    // Transactions are whole: the first cell stands for the group.
-    if (store.has(group.first_cell)) continue;
+    if (store.has_group(group.first_cell)) continue;
     store_group(group, store, evaluate);
     done += group.size();
     tell();

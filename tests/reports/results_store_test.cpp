@@ -36,7 +36,7 @@ const std::vector<std::vector<Value>> rows = {row(0, "box", 0.5), row(0, "neares
                                               row(1, "nearest", 0.25)};
 
 void add(ResultsStore& store, const std::vector<std::size_t>& cells) {
-  store.append([&](const CellSink& keep) {
+  store.append(cells.front(), [&](const CellSink& keep) {
     for (const std::size_t cell : cells) keep(cell, rows[cell]);
   });
 }
@@ -65,8 +65,8 @@ TEST(ResultsStore, Rows_come_back_in_the_order_of_cells_however_they_were_added)
   EXPECT_FALSE(store.complete());
   EXPECT_EQ(store.count(), 0u);
   add(store, {3, 1});
-  EXPECT_TRUE(store.has(3));
-  EXPECT_FALSE(store.has(0));
+  EXPECT_TRUE(store.has_group(3));
+  EXPECT_FALSE(store.has_group(1)) << "a cell of it, but not its first";
   add(store, {2, 0});
   EXPECT_EQ(all_rows(store), rows);
   store.finish();
@@ -118,7 +118,7 @@ TEST(ResultsStore, Every_kind_of_value_comes_back_as_it_was) {
       {std::nextafter(1.0, 2.0), "x", std::int64_t{1} << 53, 1.7976931348623157e308, false},
       {1.0, "1", std::int64_t{1}, 1.0, true},
       {std::int64_t{2}, "0x1", std::int64_t{1}, std::int64_t{3}, true}};
-  store.append([&](const CellSink& keep) {
+  store.append(0, [&](const CellSink& keep) {
     for (std::size_t i = 0; i < values.size(); ++i) keep(i, values[i]);
   });
   store.finish();
@@ -138,7 +138,7 @@ TEST(ResultsStore, Values_of_another_kind_than_the_columns_are_our_mistake) {
   const TemporaryFolder folder;
   ResultsStore store = ResultsStore::open(folder.path(), description());
   const auto put = [&](const std::vector<Value>& values) {
-    store.append([&](const CellSink& keep) { keep(0, values); });
+    store.append(0, [&](const CellSink& keep) { keep(0, values); });
   };
   EXPECT_THROW(put({"many", "box", std::int64_t{7}, 0.5, true}), std::logic_error);
   EXPECT_THROW(put({0.0, "box", 7.5, 0.5, true}), std::logic_error);
@@ -146,22 +146,26 @@ TEST(ResultsStore, Values_of_another_kind_than_the_columns_are_our_mistake) {
   EXPECT_THROW(put({0.0, "box"}), std::logic_error);
   EXPECT_EQ(store.count(), 0u);
   put(rows[0]);
-  EXPECT_THROW(put(rows[0]), std::logic_error) << "a cell that is there already";
+  EXPECT_THROW(put(rows[0]), std::logic_error) << "a group that is there already";
   EXPECT_EQ(store.count(), 1u);
+  store.append(1, [&](const CellSink& keep) { keep(0, rows[0]); });
+  EXPECT_THROW(store.finish(), std::logic_error) << "one cell in two groups";
+  EXPECT_FALSE(std::filesystem::exists(folder / "results.sqlite"));
 }
 
 TEST(ResultsStore, A_group_is_there_whole_or_not_at_all) {
   const TemporaryFolder folder;
   ResultsStore store = ResultsStore::open(folder.path(), description());
   add(store, {0});
-  EXPECT_THROW(store.append([&](const CellSink& keep) {
-    keep(1, rows[1]);
-    keep(2, rows[2]);
-    throw std::runtime_error("evaluator");
-  }),
+  EXPECT_THROW(store.append(1,
+                            [&](const CellSink& keep) {
+                              keep(1, rows[1]);
+                              keep(2, rows[2]);
+                              throw std::runtime_error("evaluator");
+                            }),
                std::runtime_error);
   EXPECT_EQ(store.count(), 1u);
-  EXPECT_FALSE(store.has(1));
+  EXPECT_FALSE(store.has_group(1));
   add(store, {1, 2, 3});
   EXPECT_EQ(all_rows(store), rows);
 }
@@ -244,7 +248,7 @@ TEST(ResultsStore, A_damaged_file_is_told_and_left_alone) {
   const TemporaryFolder whole;
   {
     ResultsStore store = ResultsStore::open(whole.path(), description(2000));
-    store.append([&](const CellSink& keep) {
+    store.append(0, [&](const CellSink& keep) {
       for (std::size_t i = 0; i < 2000; ++i) keep(i, rows[i % 4]);
     });
     store.finish();
@@ -294,7 +298,7 @@ TEST(ResultsStore, The_least_row_is_found_for_each_combination_the_first_of_equa
   const TemporaryFolder folder;
   ResultsStore store = ResultsStore::open(folder.path(), description(6));
   add(store, {0, 1, 2, 3});
-  store.append([&](const CellSink& keep) {
+  store.append(4, [&](const CellSink& keep) {
     keep(4, row(2, "area", nan));
     keep(5, row(2, "box", nan));
   });

@@ -2,75 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <cmath>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include "reports/data.h"
+#include "tests/reports/fake_sweep.h"
 #include "tests/support/temporary_folder.h"
 
 namespace umbrameter {
 namespace {
-
-struct Sample {
-  int resolution = 256;
-  double constant_bias = 0.02;
-  double slope_bias = 0.0;
-  std::string filter = "nearest";
-};
-
-Parameters describe(Sample& s) {
-  return Description("shadow")
-      .field("resolution", s.resolution, {"texels", "resolution"})
-      .field("constant-bias", s.constant_bias, {"m", "constant bias"})
-      .field("slope-bias", s.slope_bias, {"texels", "slope-scaled bias"})
-      .field("filter", s.filter, {"", "filter"})
-      .take();
-}
-
-const std::vector<Column> measured = {{"pixels", "px", "counted"}, {"mae", "1", "error"}};
-
-// A sweep whose evaluator computes sums, and can be told to fail.
-struct FakeSweep {
-  explicit FakeSweep(const std::vector<std::string>& assignments) {
-    const Parameters parameters = describe(sample);
-    std::vector<SweepAxis> axes;
-    for (const std::string& assignment : assignments) axes.push_back(parse_axis(parameters, assignment));
-    plan = plan_sweep(parameters, axes);
-    const std::vector<Value> row = {std::int64_t{0}, 0.0};
-    description.columns = stored_columns(parameters, plan, measured, row);
-    for (const SweepAxis& axis : axes) description.axes.emplace_back(axis.key, axis.text);
-    description.cells = plan.cells;
-  }
-
-  void evaluate(const CellGroup& group, const RowSink& keep) {
-    ++groups;
-    for (std::size_t s = 0; s < group.slope_bias.values.size(); ++s) {
-      for (std::size_t c = 0; c < group.constant_bias.values.size(); ++c) {
-        if (rows == fail_after_rows) throw std::runtime_error("evaluator");
-        ++rows;
-        keep(c, s,
-             std::vector<Value>{static_cast<std::int64_t>(group.cell(c, s)),
-                                group.constant_bias.values[c] + 10 * group.slope_bias.values[s]});
-      }
-    }
-  }
-
-  void run(const std::filesystem::path& folder, const Progress& progress = {}) {
-    ResultsStore store = ResultsStore::open(folder, description);
-    run_sweep(
-        plan, store, [this](const CellGroup& group, const RowSink& keep) { evaluate(group, keep); }, progress);
-  }
-
-  Sample sample;
-  SweepPlan plan;
-  StoreDescription description;
-  std::size_t groups = 0;
-  std::size_t rows = 0;
-  std::size_t fail_after_rows = std::numeric_limits<std::size_t>::max();
-};
 
 const std::vector<std::string> four_groups = {"shadow.constant-bias=0:1:3", "shadow.resolution=256,512",
                                               "shadow.slope-bias=0,1", "shadow.filter=box,nearest"};
@@ -168,45 +107,6 @@ TEST(StoredSweep, The_csv_file_is_a_view_of_the_store) {
             "shadow.filter,shadow.constant-bias,pixels,mae\r\n"
             "\"\"\"a\"\"\",0.1,0,0.1\r\n\"\"\"a\"\"\",1e-09,1,1e-09\r\n\"\"\"a\"\"\",1e+30,2,1e+30\r\n"
             "b,0.1,3,0.1\r\nb,1e-09,4,1e-09\r\nb,1e+30,5,1e+30\r\n");
-}
-
-// Most memory that this process has held since the last reset, MiB.
-double peak_memory() {
-  std::istringstream status(text_of("/proc/self/status"));
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1024.0;
-  }
-  return 0.0;
-}
-void reset_peak_memory() { std::ofstream("/proc/self/clear_refs") << "5"; }
-
-TEST(StoredSweep, A_million_cells_take_no_more_memory_than_one_group) {
-  using Clock = std::chrono::steady_clock;
-  const auto seconds = [](Clock::time_point since) {
-    return std::chrono::duration<double>(Clock::now() - since).count();
-  };
-  const TemporaryFolder folder;
-  // The axis that runs fastest is an outer one: the rows of a group lie far apart.
-  FakeSweep sweep({"shadow.constant-bias=0:1:2500", "shadow.slope-bias=0:3:4", "shadow.resolution=1:100:100"});
-  reset_peak_memory();
-  const double before = peak_memory();
-  Clock::time_point start = Clock::now();
-  sweep.run(folder.path());
-  RecordProperty("rows_a_second_stored", std::to_string(1e6 / seconds(start)));
-  const ResultsStore store = ResultsStore::load(folder.path());
-  std::vector<Column> columns;
-  for (const StoredColumn& stored : store.description().columns) columns.push_back(stored.column);
-  start = Clock::now();
-  write_csv(folder / "sweep.csv", columns, [&](const StoredRowSink& sink) { store.read({}, sink); });
-  RecordProperty("rows_a_second_written_as_csv", std::to_string(1e6 / seconds(start)));
-  start = Clock::now();
-  EXPECT_EQ(store.least("mae", {"shadow.resolution"}, 1000).rows.size(), 100u);
-  EXPECT_EQ(store.least("mae", {}, 1).rows.front()[3], Value(std::int64_t{0}));
-  RecordProperty("seconds_for_the_least_rows", std::to_string(seconds(start)));
-  EXPECT_EQ(store.count(), 1'000'000u);
-  // 48 million bytes of values alone, were they held.
-  EXPECT_LT(peak_memory() - before, 40.0) << "MiB";
-  RecordProperty("peak_memory_mib", std::to_string(peak_memory() - before));
 }
 
 }  // namespace
