@@ -106,6 +106,7 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   if (std::string(description.name) == "sweep") {
     command.add_option("--vary", line.vary, "Axis: parameter=first:last:count[:log] or parameter=a,b,c; repeatable")
         ->take_all();
+    command.add_flag("--force", line.force, "Measure anew: replace the results that are in the folder");
     command.add_option("--measure", line.measure, "visibility or ao; found from the axes when not given");
   }
   if (std::string(description.name) != "trace") {

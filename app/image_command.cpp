@@ -79,7 +79,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
     output.parts.push_back(present_shadow(workbench, shadow, experiment));
   }
   output.parts.push_back(present_ao(*measurement.ao, experiment));
-  output.summary = {line.command, experiment, &workbench, &measurement, nullptr, {}, {}, {}, {}};
+  output.summary = {line.command, experiment, &workbench, &measurement, {}, {}, {}, {}};
   if (sides.raster) output.summary.gl_renderer = workbench.context().device().renderer;
   return write_run(line, console, std::move(output));
 }

@@ -34,6 +34,12 @@ void write_figures_of(const std::filesystem::path& folder, const Console& consol
   output.summary.problems = write_figures(folder / "figures", images, plots).problems;
 }
 
+void write_rows(const std::filesystem::path& path, const ResultsStore& results) {
+  std::vector<Column> columns;
+  for (const StoredColumn& stored : results.description().columns) columns.push_back(stored.column);
+  write_csv(path, columns, [&](const StoredRowSink& sink) { results.read({}, sink); });
+}
+
 }  // namespace
 
 std::string subtitle_of(const Workbench& workbench, const View& view) {
@@ -55,8 +61,9 @@ ExitCode write_run(const CommandLine& line, const Console& console, RunOutput ou
     write_exr(folder / "images.exr", image);
     summary.files.push_back("images.exr");
   }
-  if (summary.sweep != nullptr) {
-    write_text(folder / "sweep.csv", to_csv(*summary.sweep));
+  if (output.results != nullptr) {
+    write_rows(folder / "sweep.csv", *output.results);
+    summary.files.push_back("results.sqlite");
     summary.files.push_back("sweep.csv");
   }
   write_figures_of(folder, console, output);

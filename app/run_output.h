@@ -9,6 +9,7 @@
 #include "app/presentation.h"
 #include "app/summary.h"
 #include "core/error.h"
+#include "reports/results_store.h"
 
 namespace umbrameter {
 
@@ -18,6 +19,7 @@ struct RunOutput {
   std::string subtitle;
   std::vector<Presentation> parts;
   SummaryInput summary;
+  const ResultsStore* results = nullptr;  ///< of a sweep: sweep.csv is a view of it
 };
 
 /// Writes the files, the page last, and says the lines of each part and where the page is.

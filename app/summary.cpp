@@ -120,13 +120,13 @@ std::string to_summary_json(const SummaryInput& input) {
     }
     if (input.measurement->ao) summary["ao"] = ao_json(*input.measurement->ao);
   }
-  if (input.sweep != nullptr) {
+  if (input.sweep) {
     Json axes = Json::object();
     for (const auto& [key, text] : experiment.axes) axes[key] = text;
     Json best = Json::array();
-    for (const std::size_t row : input.best_rows)
-      best.push_back(row_json(input.sweep->columns, input.sweep->rows[row]));
-    summary["sweep"] = {{"axes", axes}, {"cells", input.sweep->rows.size()}, {"least_mae", best}};
+    const Table& rows = input.sweep->best;
+    for (const std::vector<Value>& row : rows.rows) best.push_back(row_json(rows.columns, row));
+    summary["sweep"] = {{"axes", axes}, {"cells", input.sweep->cells}, {"least_mae", best}};
   }
   summary["files"] = input.files;
   summary["problems"] = input.problems;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,17 +10,22 @@
 
 namespace umbrameter {
 
+/// What is told of a sweep's rows.
+struct SweepSummary {
+  std::size_t cells = 0;
+  Table best;  ///< the rows of least error
+};
+
 /// Everything that summary.json is made from; empty parts are left out.
 struct SummaryInput {
   std::string command;
   Experiment experiment;
   const Workbench* workbench = nullptr;
   const Measurement* measurement = nullptr;
-  const Table* sweep = nullptr;
-  std::vector<std::size_t> best_rows;  ///< of the sweep
-  std::string gl_renderer;             ///< empty when OpenGL was not used
-  std::vector<std::string> files;      ///< written, relative to the output folder
-  std::vector<std::string> problems;   ///< what could not be made
+  std::optional<SweepSummary> sweep;
+  std::string gl_renderer;            ///< empty when OpenGL was not used
+  std::vector<std::string> files;     ///< written, relative to the output folder
+  std::vector<std::string> problems;  ///< what could not be made
 };
 
 /// The JSON text. Holds no times or paths, so that equal runs give equal bytes.

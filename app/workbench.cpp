@@ -193,7 +193,7 @@ const TracedAo& Workbench::ao_truth(const Experiment& experiment) {
   });
 }
 
-RasterVisibility Workbench::draw(const Experiment& experiment, std::uint32_t light, bool with_truth) {
+ShadowLookup Workbench::shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth) {
   const GpuGBuffer& gpu = gpu_surfels(experiment.view);
   const std::string map_key = std::to_string(light) + " " + std::to_string(experiment.shadow.resolution);
   const ShadowMap& map = map_.get(map_key, [&] {
@@ -206,7 +206,15 @@ RasterVisibility Workbench::draw(const Experiment& experiment, std::uint32_t lig
       return upload_truth(context(), truth(experiment, light).visibility, fit(experiment, light).counted.counting);
     });
   }
-  return draw_visibility(context(), {uploaded(), gpu, map, scene_.lights[light], experiment.shadow, gpu_truth});
+  return {uploaded(), gpu, map, scene_.lights[light], experiment.shadow, gpu_truth};
+}
+
+RasterVisibility Workbench::draw(const Experiment& experiment, std::uint32_t light, bool with_truth) {
+  return draw_visibility(context(), shadow_lookup(experiment, light, with_truth));
+}
+
+BiasHistogram Workbench::bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes) {
+  return draw_bias_response(context(), shadow_lookup(experiment, light, true), axes);
 }
 
 Image<float> Workbench::draw_ao(const Experiment& experiment) {

@@ -84,6 +84,8 @@ class Workbench {
   const TracedAo& ao_truth(const Experiment& experiment);
   /// With classes where with_truth.
   RasterVisibility draw(const Experiment& experiment, std::uint32_t light, bool with_truth);
+  /// The error at every bias of the axes, which take the place of the experiment's.
+  BiasHistogram bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes);
   Image<float> draw_ao(const Experiment& experiment);
 
   /// Of what was traced so far.
@@ -92,6 +94,7 @@ class Workbench {
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
+  ShadowLookup shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth);
   void add_notes(const std::vector<std::string>& notes);
   ReferenceKey reference_key(const Experiment& experiment, const std::string& kind);
   std::string light_key(const Experiment& experiment, std::uint32_t light) const;

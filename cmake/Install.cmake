@@ -10,7 +10,7 @@ foreach(module IN LISTS UMBRAMETER_MODULES)
   install(TARGETS umbrameter_${module} EXPORT umbrameter ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${module} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/umbrameter
           FILES_MATCHING PATTERN "*.h" PATTERN "shaders" EXCLUDE PATTERN "gl/api.h" EXCLUDE PATTERN "embree*" EXCLUDE
-          PATTERN "gltf_*" EXCLUDE)
+          PATTERN "gltf_*" EXCLUDE PATTERN "results_schema.h" EXCLUDE)
 endforeach()
 install(TARGETS umbrameter RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 

@@ -1,21 +1,16 @@
 #include "compare/sweep.h"
 
-#include <algorithm>
-#include <cassert>
 #include <charconv>
 #include <cmath>
-#include <map>
 #include <set>
-#include <stdexcept>
 
 #include "core/error.h"
-#include "core/interrupt.h"
 
 namespace umbrameter {
 namespace {
 
 constexpr std::size_t most_values = 1'000'000;
-constexpr std::size_t most_cells = 10'000'000;
+constexpr std::size_t most_cells = 1'000'000'000;
 
 std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> parts;
@@ -80,37 +75,6 @@ std::vector<double> parse_range(std::string_view key, std::string_view text, con
   return spaced(first, last, static_cast<std::size_t>(count), logarithmic);
 }
 
-std::vector<SweepCell> make_cells(const std::vector<SweepAxis>& axes) {
-  std::vector<SweepCell> cells(count_cells(axes));
-  for (std::size_t index = 0; index < cells.size(); ++index) {
-    cells[index].index = index;
-    cells[index].values.resize(axes.size());
-    std::size_t rest = index;
-    for (std::size_t a = axes.size(); a-- > 0;) {
-      cells[index].values[a] = axes[a].values[rest % axes[a].values.size()];
-      rest /= axes[a].values.size();
-    }
-  }
-  return cells;
-}
-
-std::vector<std::vector<SweepCell>> make_groups(const std::vector<SweepAxis>& axes,
-                                                std::span<const std::string_view> inner_keys) {
-  std::map<std::string, std::size_t> group_of;
-  std::vector<std::vector<SweepCell>> groups;
-  for (SweepCell& cell : make_cells(axes)) {
-    std::string outer;
-    for (std::size_t a = 0; a < axes.size(); ++a) {
-      if (std::find(inner_keys.begin(), inner_keys.end(), axes[a].key) != inner_keys.end()) continue;
-      outer += to_string(cell.values[a]) + "\n";
-    }
-    const auto [entry, is_new] = group_of.try_emplace(outer, groups.size());
-    if (is_new) groups.emplace_back();
-    groups[entry->second].push_back(std::move(cell));
-  }
-  return groups;
-}
-
 }  // namespace
 
 SweepAxis parse_axis(const Parameters& parameters, std::string_view key, std::string_view text) {
@@ -162,56 +126,6 @@ std::size_t count_cells(const std::vector<SweepAxis>& axes) {
     cells *= axis.values.size();
   }
   return cells;
-}
-
-Table run_sweep(const Parameters& parameters, const std::vector<SweepAxis>& axes,
-                std::span<const std::string_view> inner_keys, const std::vector<Column>& measured,
-                const EvaluateGroup& evaluate, const Progress& progress) {
-  Table table;
-  std::set<std::string> keys;
-  for (const SweepAxis& axis : axes) {
-    const Parameter& parameter = require(parameters, axis.key);
-    if (axis.values.empty()) throw Error(ExitCode::usage, "--vary " + axis.key, "the axis has no value");
-    if (!keys.insert(axis.key).second) throw Error(ExitCode::usage, "--vary " + axis.key, "the axis is given twice");
-    table.columns.push_back({axis.key, parameter.description.unit, parameter.description.meaning});
-  }
-  table.columns.insert(table.columns.end(), measured.begin(), measured.end());
-  const std::size_t cells = count_cells(axes);
-  table.rows.resize(cells);
-  std::size_t done = 0;
-  for (const std::vector<SweepCell>& group : make_groups(axes, inner_keys)) {
-    throw_if_interrupted();
-    const std::vector<std::vector<Value>> rows = evaluate(group);
-    assert(rows.size() == group.size());
-    for (std::size_t i = 0; i < group.size(); ++i) {
-      assert(rows[i].size() == measured.size());
-      std::vector<Value>& row = table.rows[group[i].index];
-      row = group[i].values;
-      row.insert(row.end(), rows[i].begin(), rows[i].end());
-    }
-    done += group.size();
-    if (progress) progress(static_cast<double>(done) / static_cast<double>(cells));
-  }
-  return table;
-}
-
-std::size_t column_index(const Table& table, std::string_view name) {
-  const auto found = std::find_if(table.columns.begin(), table.columns.end(),
-                                  [&](const Column& column) { return column.name == name; });
-  if (found == table.columns.end()) throw std::out_of_range("no column " + std::string(name));
-  return static_cast<std::size_t>(found - table.columns.begin());
-}
-
-double to_number(const Value& value) {
-  if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
-  return std::get<double>(value);
-}
-
-std::size_t least_row(const Table& table, std::string_view column) {
-  const std::size_t c = column_index(table, column);
-  const auto least = std::min_element(table.rows.begin(), table.rows.end(),
-                                      [c](const auto& a, const auto& b) { return to_number(a[c]) < to_number(b[c]); });
-  return static_cast<std::size_t>(least - table.rows.begin());
 }
 
 }  // namespace umbrameter

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/parameters.h"
@@ -18,5 +19,11 @@ struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Value>> rows;  ///< each as long as columns
 };
+
+/// Index of a column. Throws std::out_of_range when there is none of that name.
+std::size_t column_index(const Table& table, std::string_view name);
+
+/// A numeric value as double.
+double to_number(const Value& value);
 
 }  // namespace umbrameter

@@ -25,13 +25,12 @@ void install_interrupt_handlers() {
 
 bool is_interrupted() { return received_signal.load() != 0; }
 
-void throw_if_interrupted() {
+void throw_if_interrupted(std::string_view remedy) {
   const int signal = received_signal.load();
   if (signal == 0) return;
   const bool by_user = signal == SIGINT;
   throw Error(by_user ? ExitCode::interrupted : ExitCode::terminated, "stopped",
-              by_user ? "interrupted by Ctrl-C" : "terminated by a signal",
-              "files already complete are kept; run the same command again to finish");
+              by_user ? "interrupted by Ctrl-C" : "terminated by a signal", std::string(remedy));
 }
 
 }  // namespace umbrameter

@@ -1,6 +1,8 @@
 // Ctrl-C and SIGTERM: a flag that long loops look at, so that nothing is left half-written.
 #pragma once
 
+#include <string_view>
+
 namespace umbrameter {
 
 /// From now on SIGINT and SIGTERM set the flag; a second signal ends the process at once.
@@ -9,7 +11,9 @@ void install_interrupt_handlers();
 /// Whether a signal has arrived.
 bool is_interrupted();
 
-/// Throws Error with ExitCode::interrupted or ExitCode::terminated when a signal has arrived.
-void throw_if_interrupted();
+/// Throws Error with ExitCode::interrupted or ExitCode::terminated when a signal has arrived; `remedy` says what is
+/// kept and how to go on.
+void throw_if_interrupted(
+    std::string_view remedy = "files already complete are kept; run the same command again to finish");
 
 }  // namespace umbrameter

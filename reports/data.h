@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <span>
 #include <string>
 
 #include "compare/table.h"
@@ -11,6 +13,12 @@ namespace umbrameter {
 
 /// RFC 4180, header first, numbers in the shortest form that reads back the same.
 std::string to_csv(const Table& table);
+
+/// Gives each row to its argument, which takes them as they come.
+using RowSource = std::function<void(const std::function<void(std::span<const Value>)>&)>;
+
+/// The same into a file, whole or absent, without holding the rows. Throws what the source throws, and Error (partial).
+void write_csv(const std::filesystem::path& path, std::span<const Column> columns, const RowSource& rows);
 
 /// The parameters as an experiment file: one table a group, each value with unit and meaning as a comment.
 /// `scene` is written as a top-level key.

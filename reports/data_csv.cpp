@@ -1,6 +1,7 @@
 #include <string_view>
 
 #include "reports/data.h"
+#include "reports/output.h"
 
 namespace umbrameter {
 namespace {
@@ -16,23 +17,44 @@ void append_field(std::string& text, std::string_view field) {
   text += '"';
 }
 
+void append_header(std::string& text, std::span<const Column> columns) {
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    if (c > 0) text += ',';
+    append_field(text, columns[c].name);
+  }
+  text += "\r\n";
+}
+
+void append_row(std::string& text, std::span<const Value> row) {
+  for (std::size_t c = 0; c < row.size(); ++c) {
+    if (c > 0) text += ',';
+    append_field(text, to_string(row[c]));
+  }
+  text += "\r\n";
+}
+
 }  // namespace
 
 std::string to_csv(const Table& table) {
   std::string text;
-  for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    if (c > 0) text += ',';
-    append_field(text, table.columns[c].name);
-  }
-  text += "\r\n";
-  for (const std::vector<Value>& row : table.rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      if (c > 0) text += ',';
-      append_field(text, to_string(row[c]));
-    }
-    text += "\r\n";
-  }
+  append_header(text, table.columns);
+  for (const std::vector<Value>& row : table.rows) append_row(text, row);
   return text;
+}
+
+void write_csv(const std::filesystem::path& path, std::span<const Column> columns, const RowSource& rows) {
+  write_pieces(path, [&](const std::function<void(std::string_view)>& write) {
+    constexpr std::size_t piece = 1 << 16;
+    std::string text;
+    append_header(text, columns);
+    rows([&](std::span<const Value> row) {
+      append_row(text, row);
+      if (text.size() < piece) return;
+      write(text);
+      text.clear();
+    });
+    write(text);
+  });
 }
 
 }  // namespace umbrameter

@@ -6,6 +6,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -46,21 +49,55 @@ fs::path temporary_beside(const fs::path& path) {
   return path.parent_path() / fmt::format(".{:.200}.{}.tmp", path.filename().string(), getpid());
 }
 
+// The process that a temporary file is of; nothing for other files.
+std::optional<pid_t> writer_of(const fs::path& path) {
+  const std::string name = path.filename().string();
+  if (!name.starts_with('.') || !name.ends_with(".tmp")) return {};
+  const std::string stem = name.substr(0, name.size() - 4);
+  const char* digits = stem.c_str() + stem.rfind('.') + 1;
+  pid_t process = 0;
+  const auto [end, error] = std::from_chars(digits, stem.c_str() + stem.size(), process);
+  if (error != std::errc() || end != stem.c_str() + stem.size() || process <= 0) return {};
+  return process;
+}
+
+// A file that is written from its beginning. Remembers errno of the first step that failed, and does nothing then.
+class OutputFile {
+ public:
+  explicit OutputFile(const fs::path& path)
+      : file_(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)), error_(file_ < 0 ? errno : 0) {}
+  ~OutputFile() { finish(); }
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  int write(std::string_view bytes) {
+    while (error_ == 0 && !bytes.empty()) {
+      const ssize_t written = ::write(file_, bytes.data(), bytes.size());
+      if (written >= 0) {
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+      } else if (errno != EINTR) {
+        error_ = errno;
+      }
+    }
+    return error_;
+  }
+
+  int finish() {
+    if (file_ >= 0 && close(file_) != 0 && error_ == 0) error_ = errno;
+    file_ = -1;
+    return error_;
+  }
+
+ private:
+  int file_;
+  int error_;
+};
+
 // errno of the first step that failed, or 0.
 int write_bytes(const fs::path& path, std::string_view bytes) {
-  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) return errno;
-  int error = 0;
-  while (error == 0 && !bytes.empty()) {
-    const ssize_t written = write(file, bytes.data(), bytes.size());
-    if (written >= 0) {
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    } else if (errno != EINTR) {
-      error = errno;
-    }
-  }
-  if (close(file) != 0 && error == 0) error = errno;
-  return error;
+  OutputFile file(path);
+  file.write(bytes);
+  return file.finish();
 }
 
 // A disk may say only now that it is full. Files that cannot be flushed (devices, pipes) say EINVAL.
@@ -108,6 +145,25 @@ void write_text(const fs::path& path, std::string_view text) {
     const int error = write_bytes(temporary, text);
     if (error != 0) throw_write_error(path, error);
   });
+}
+
+void write_pieces(const fs::path& path, const std::function<void(const std::function<void(std::string_view)>&)>& fill) {
+  write_whole(path, [&](const fs::path& temporary) {
+    OutputFile file(temporary);
+    fill([&](std::string_view text) {
+      if (const int error = file.write(text); error != 0) throw_write_error(path, error);
+    });
+    if (const int error = file.finish(); error != 0) throw_write_error(path, error);
+  });
+}
+
+void remove_abandoned(const fs::path& folder) {
+  std::error_code end;
+  for (fs::directory_iterator i(folder, end); !end && i != fs::directory_iterator(); i.increment(end)) {
+    const std::optional<pid_t> writer = writer_of(i->path());
+    std::error_code ignored;
+    if (writer && kill(*writer, 0) != 0 && errno == ESRCH) fs::remove(i->path(), ignored);
+  }
 }
 
 }  // namespace umbrameter

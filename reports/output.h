@@ -18,4 +18,12 @@ void write_whole(const std::filesystem::path& path, const std::function<void(con
 /// write_whole() of a text or of bytes.
 void write_text(const std::filesystem::path& path, std::string_view text);
 
+/// write_whole() of a text that fill(write) gives in pieces.
+void write_pieces(const std::filesystem::path& path,
+                  const std::function<void(const std::function<void(std::string_view)>&)>& fill);
+
+/// Removes what processes that are no more have left half-written in the folder, by the functions above and on this
+/// machine.
+void remove_abandoned(const std::filesystem::path& folder);
+
 }  // namespace umbrameter

@@ -175,12 +175,12 @@ TEST_F(Run, Acne_on_the_tilted_plane_follows_its_formula) {
   for (const Sun& sun : {Sun{"sun-30", 30 * degree, 0}, Sun{"sun-60", 60 * degree, 0}, Sun{"sun-75", 75 * degree, 0},
                          Sun{"sun-60-azimuth-45", 60 * degree, 45 * degree}}) {
     const ProgramResult result =
-        run_program({"sweep", "tilted-plane", "-o", folder_ / "out", "--light", sun.light, "--size", "640x360",
+        run_program({"sweep", "tilted-plane", "-o", folder_ / sun.light, "--light", sun.light, "--size", "640x360",
                      "--quiet", "--vary", "shadow.constant-bias=0:0.12:7", "--vary", "shadow.resolution=256,400,1024"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const double p = std::max(std::cos(sun.psi), std::sin(sun.psi));
     const double q = std::min(std::cos(sun.psi), std::sin(sun.psi));
-    const auto rows = rows_of(text_of(folder_ / "out/sweep.csv"));
+    const auto rows = rows_of(text_of(folder_ / sun.light / "sweep.csv"));
     ASSERT_EQ(rows.size(), 21u);
     for (const auto& row : rows) {
       const double s = row.at("shadow.constant-bias") / (row.at("mean_texel") * std::tan(sun.theta));

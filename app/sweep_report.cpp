@@ -1,0 +1,230 @@
+#include "app/sweep_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+namespace umbrameter {
+namespace {
+
+// What a reader can tell apart and a page can hold; all else is in the store.
+constexpr std::size_t most_plots = 12;
+constexpr std::size_t most_points = 16'000;  // of a plot
+constexpr std::size_t most_points_of_line = 2'000;
+constexpr std::size_t most_lines = 64;
+constexpr std::size_t most_best_rows = 1'000;
+
+// How the axes are laid out in figures: x is the numeric axis with the most values, lines are the next, and every
+// combination of the rest gets a figure of its own.
+struct Layout {
+  std::size_t x = 0;
+  std::optional<std::size_t> series;
+  std::vector<std::size_t> rest;
+};
+
+Layout lay_out(const Parameters& parameters, const std::vector<SweepAxis>& axes) {
+  std::vector<std::size_t> order;
+  for (std::size_t a = 0; a < axes.size(); ++a) order.push_back(a);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const bool number_a = require(parameters, axes[a].key).is_number();
+    const bool number_b = require(parameters, axes[b].key).is_number();
+    if (number_a != number_b) return number_a;
+    return axes[a].values.size() > axes[b].values.size();
+  });
+  Layout layout;
+  if (order.empty()) return layout;
+  layout.x = order[0];
+  if (order.size() > 1) layout.series = order[1];
+  if (order.size() > 2) layout.rest.assign(order.begin() + 2, order.end());
+  return layout;
+}
+
+// "shadow.constant-bias" in metres is "constant bias [m]".
+std::string label_of(const Parameters& parameters, const std::string& key) {
+  const std::string& unit = require(parameters, key).description.unit;
+  std::string label = key.substr(key.find('.') + 1);
+  std::replace(label.begin(), label.end(), '-', ' ');
+  return label + (unit.empty() ? "" : " [" + unit + "]");
+}
+
+struct Curve {
+  const char* column;
+  const char* title;
+  const char* label;
+  bool has_interval;
+  bool logarithmic;
+};
+constexpr Curve visibility_curves[] = {
+    {"mae", "Mean absolute error of visibility", "mean absolute error [% of counted pixels]", false, true},
+    {"acne", "Acne", "acne [% of counted pixels]", false, false},
+    {"peter_panning", "Peter-panning", "peter-panning [% of counted pixels]", false, false},
+    {"false_occlusion", "False occlusion", "false occlusion [% of counted pixels]", false, false},
+    {"leak", "Light leak", "light leak [% of counted pixels]", false, false}};
+constexpr Curve soft_visibility_curves[] = {
+    {"mae", "Mean absolute error of visibility", "mean absolute error [%], 95 % interval", true, false},
+    {"false_blocked", "Too dark", "too dark [% of counted pixels], 95 % interval", true, false},
+    {"false_lit", "Too bright", "too bright [% of counted pixels], 95 % interval", true, false}};
+constexpr Curve ao_curves[] = {
+    {"mae", "Mean absolute error of accessibility", "mean absolute error [%], 95 % interval", true, false},
+    {"rmse", "RMS error of accessibility", "RMS error [%], 95 % interval", true, false},
+    {"mean_error", "Mean error of accessibility", "raster − truth [%], 95 % interval", true, false}};
+
+std::span<const Curve> curves_of(Measure measure) {
+  if (measure == Measure::ao) return ao_curves;
+  if (measure == Measure::soft_visibility) return soft_visibility_curves;
+  return visibility_curves;
+}
+
+bool is_geometric(const SweepAxis& axis) { return axis.text.size() > 4 && axis.text.ends_with(":log"); }
+
+// Every so many of `count` indices, the last one too.
+struct Thinned {
+  std::vector<std::size_t> indices;
+  std::size_t step = 1;
+};
+
+Thinned thin(std::size_t count, std::size_t most) {
+  Thinned thinned;
+  while (count > 1 && (count - 2) / thinned.step + 2 > most) ++thinned.step;
+  for (std::size_t i = 0; i < count; i += thinned.step) thinned.indices.push_back(i);
+  if (thinned.indices.back() != count - 1) thinned.indices.push_back(count - 1);
+  return thinned;
+}
+
+// The cells of one plot: a combination of the axes that are neither x nor series.
+struct PlotCells {
+  std::vector<std::size_t> cells;  ///< in the order of rows
+  std::string caption;
+};
+
+std::size_t count_values(const SweepPlan& plan, std::size_t axis) { return plan.axes[axis].values.size(); }
+
+std::string thinning_text(const Thinned& thinned, const std::string& key) {
+  if (thinned.step == 1) return "";
+  return fmt::format(" Every {}th value of {} is drawn; all are in sweep.csv.", thinned.step, key);
+}
+
+PlotCells cells_of_plot(const SweepPlan& plan, const Layout& layout, std::size_t part) {
+  PlotCells plot;
+  std::size_t first = 0;
+  std::size_t rest = part;
+  for (auto a = layout.rest.rbegin(); a != layout.rest.rend(); ++a) {
+    const std::size_t index = rest % count_values(plan, *a);
+    rest /= count_values(plan, *a);
+    first += index * plan.strides[*a];
+    plot.caption = plan.axes[*a].key + " = " + to_string(plan.axes[*a].values[index]) +
+                   (plot.caption.empty() ? "" : ", ") + plot.caption;
+  }
+  if (!plot.caption.empty()) plot.caption = "At " + plot.caption + ".";
+  const Thinned lines = thin(layout.series ? count_values(plan, *layout.series) : 1, most_lines);
+  const Thinned points =
+      thin(count_values(plan, layout.x), std::min(most_points_of_line, most_points / lines.indices.size()));
+  for (const std::size_t line : lines.indices) {
+    const std::size_t of_line = first + (layout.series ? line * plan.strides[*layout.series] : 0);
+    for (const std::size_t point : points.indices) plot.cells.push_back(of_line + point * plan.strides[layout.x]);
+  }
+  std::sort(plot.cells.begin(), plot.cells.end());
+  if (layout.series) plot.caption += thinning_text(lines, plan.axes[*layout.series].key);
+  plot.caption += thinning_text(points, plan.axes[layout.x].key);
+  return plot;
+}
+
+PlotFigure make_plot(const SweepResults& sweep, const Layout& layout, const PlotCells& cells, const Curve& curve) {
+  const SweepAxis& x = sweep.plan.axes[layout.x];
+  PlotFigure plot;
+  plot.title = curve.title;
+  plot.caption = cells.caption;
+  plot.x = {x.key, label_of(sweep.parameters, x.key), is_geometric(x)};
+  plot.y = {curve.column, curve.label, curve.logarithmic};
+  std::vector<std::string> names = {x.key, curve.column};
+  if (layout.series) {
+    plot.series = sweep.plan.axes[*layout.series].key;
+    plot.series_label = label_of(sweep.parameters, *plot.series);
+    names.push_back(*plot.series);
+  }
+  if (curve.has_interval) {
+    plot.lower = std::string(curve.column) + "_lo";
+    plot.upper = std::string(curve.column) + "_hi";
+    names.push_back(*plot.lower);
+    names.push_back(*plot.upper);
+  }
+  plot.data = sweep.store.rows(cells.cells, names);
+  for (std::vector<Value>& row : plot.data.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      // The label says per cent.
+      if (names[i] != x.key && names[i] != plot.series) row[i] = 100.0 * to_number(row[i]);
+    }
+  }
+  return plot;
+}
+
+std::vector<PlotFigure> make_plots(const SweepResults& sweep, const Layout& layout) {
+  std::size_t parts = 1;
+  for (const std::size_t a : layout.rest) parts *= count_values(sweep.plan, a);
+  std::vector<PlotFigure> plots;
+  for (std::size_t part = 0; part < parts; ++part) {
+    const PlotCells cells = cells_of_plot(sweep.plan, layout, part);
+    for (const Curve& curve : curves_of(sweep.measure)) {
+      if (plots.size() >= most_plots) return plots;
+      PlotFigure plot = make_plot(sweep, layout, cells, curve);
+      plot.stem = std::string(curve.column) + (layout.rest.empty() ? "" : fmt::format("_{}", part));
+      plots.push_back(std::move(plot));
+    }
+  }
+  return plots;
+}
+
+std::vector<std::string> line_keys(const SweepResults& sweep, const Layout& layout) {
+  std::vector<std::string> keys;
+  if (layout.series) keys.push_back(sweep.plan.axes[*layout.series].key);
+  for (const std::size_t a : layout.rest) keys.push_back(sweep.plan.axes[a].key);
+  return keys;
+}
+
+std::string row_text(const Table& table, const std::vector<Value>& row, std::size_t axes) {
+  std::string text;
+  for (std::size_t a = 0; a < axes; ++a) {
+    text += (a > 0 ? ", " : "") + table.columns[a].name + " " + to_string(row[a]);
+    if (!table.columns[a].unit.empty()) text += " " + table.columns[a].unit;
+  }
+  return text;
+}
+
+}  // namespace
+
+Table best_rows(const SweepResults& sweep) {
+  return sweep.store.least("mae", line_keys(sweep, lay_out(sweep.parameters, sweep.plan.axes)), most_best_rows);
+}
+
+std::vector<Value> least_row(const SweepResults& sweep) { return sweep.store.least("mae", {}, 1).rows.front(); }
+
+Presentation present_sweep(const SweepResults& sweep, const Table& best) {
+  Presentation presentation;
+  const std::size_t axes = sweep.plan.axes.size();
+  ReportSection& section = presentation.section;
+  section.title = sweep.measure == Measure::ao ? "Ambient occlusion over the grid" : "Shadow error over the grid";
+  const std::vector<Value> least = least_row(sweep);
+  const std::size_t mae = column_index(best, "mae");
+  const std::string error = percent(to_number(least[mae]));
+  section.headlines = {{"least mean absolute error", error, row_text(best, least, axes)},
+                       {"cells", std::to_string(sweep.plan.cells), "a row each in sweep.csv"}};
+  const Layout layout = lay_out(sweep.parameters, sweep.plan.axes);
+  for (PlotFigure& plot : make_plots(sweep, layout)) add_figure(presentation, std::move(plot));
+  section.text = "The table holds the cell of least error for every line of the figures; all cells are in sweep.csv.";
+  if (best.rows.size() == most_best_rows) {
+    section.text = fmt::format(
+        "The table holds the cells of least error for the first {} lines; all cells are in sweep.csv.", most_best_rows);
+  }
+  section.tables = {best};
+  presentation.lines.push_back(fmt::format("{} cells; least mean absolute error {} at {}", sweep.plan.cells, error,
+                                           row_text(best, least, axes)));
+  for (const std::vector<Value>& row : best.rows) {
+    if (presentation.lines.size() > 8) break;
+    if (std::equal(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(axes), least.begin())) continue;
+    presentation.lines.push_back(fmt::format("  {} at {}", percent(to_number(row[mae])), row_text(best, row, axes)));
+  }
+  return presentation;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,27 @@
+// How a sweep is shown: its best rows and its curves, read from the store by what each needs.
+#pragma once
+
+#include "app/presentation.h"
+#include "app/sweep_evaluator.h"
+#include "compare/sweep_plan.h"
+#include "reports/results_store.h"
+
+namespace umbrameter {
+
+/// A complete sweep.
+struct SweepResults {
+  const Parameters& parameters;
+  const SweepPlan& plan;
+  const ResultsStore& store;
+  Measure measure;
+};
+
+/// For each line of the plots its row of least error, by the values that tell the lines apart; at most 1,000.
+Table best_rows(const SweepResults& sweep);
+
+/// The row of least error.
+std::vector<Value> least_row(const SweepResults& sweep);
+
+Presentation present_sweep(const SweepResults& sweep, const Table& best);
+
+}  // namespace umbrameter
