@@ -15,7 +15,7 @@ void add_shadow(LayeredImage& image, const std::string& light, const ShadowMeasu
   if (!shadow.truth || !shadow.raster) return;
   add_layer(image, "error_visibility_" + light, signed_error(shadow.raster->visibility, shadow.truth->visibility));
   if (!shadow.statistics) return;
-  const Image<PixelClass> classes = classify(shadow.raster->classes, shadow.counted);
+  const Image<PixelClass> classes = classify(shadow.raster->wrong, shadow.counted);
   Image<float> numbers(classes.width, classes.height);
   for (std::size_t i = 0; i < classes.size(); ++i) numbers[i] = static_cast<float>(classes[i]);
   add_layer(image, "class_" + light, numbers);

@@ -41,7 +41,7 @@ ImageFigure class_figure(const std::string& layer, const std::string& title, con
   figure.stem = "class_" + layer;
   figure.title = "Causes: " + title;
   figure.caption = "The cause that most of each pixel's wrong taps share.";
-  const Image<PixelClass> classes = classify(shadow.raster->classes, shadow.counted);
+  const Image<PixelClass> classes = classify(shadow.raster->wrong, shadow.counted);
   figure.category = Image<std::uint8_t>(classes.width, classes.height);
   for (std::size_t i = 0; i < classes.size(); ++i) figure.category[i] = static_cast<std::uint8_t>(classes[i]);
   for (std::size_t i = 0; i < pixel_class_names.size(); ++i) {

@@ -202,10 +202,11 @@ RasterVisibility Workbench::draw(const Experiment& experiment, std::uint32_t lig
   });
   const gl::Texture* gpu_truth = nullptr;
   if (with_truth) {
-    gpu_truth = &gpu_truth_.get(truth_key(experiment, light),
-                                [&] { return upload(context(), truth(experiment, light).visibility); });
+    gpu_truth = &gpu_truth_.get(truth_key(experiment, light) + map_key, [&] {
+      return upload_truth(context(), truth(experiment, light).visibility, fit(experiment, light).counted.counting);
+    });
   }
-  return draw_visibility(context(), uploaded(), gpu, map, scene_.lights[light], experiment.shadow, gpu_truth);
+  return draw_visibility(context(), {uploaded(), gpu, map, scene_.lights[light], experiment.shadow, gpu_truth});
 }
 
 Image<float> Workbench::draw_ao(const Experiment& experiment) {

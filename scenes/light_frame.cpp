@@ -45,6 +45,18 @@ LightFrame fit_directional(const dmat3& axes, const Bounds& bounds, int resoluti
 
 }  // namespace
 
+dmat3 cube_face(int face) {
+  dvec3 forward(0.0);
+  forward[face / 2] = face % 2 == 0 ? 1.0 : -1.0;
+  const dvec3 up = face / 2 == 1 ? dvec3(0.0, 0.0, 1.0) : dvec3(0.0, 1.0, 0.0);
+  return {glm::cross(forward, up), up, forward};
+}
+
+dvec4 homogeneous_place(const Light& light) {
+  const bool is_directional = std::holds_alternative<DirectionalLight>(light.shape);
+  return is_directional ? dvec4(to_light(light, dvec3(0.0)), 0.0) : dvec4(light.position(), 1.0);
+}
+
 LightFrame fit_light(const Light& light, const Bounds& bounds, int resolution) {
   Bounds fitted = bounds;
   if (fitted.empty()) fitted.include(light.position());
