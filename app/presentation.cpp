@@ -102,8 +102,9 @@ std::string precision_line(const SamplingPrecision& precision) {
 std::string truth_caption(const ShadowMeasurement& shadow, const Experiment& experiment) {
   const std::string common = "Shadow rays against the exact geometry; turned-away surfels count as 0.";
   if (!is_soft(shadow)) return common;
-  return fmt::format("{} The light is a {}; {:.0f} rays a pixel; the visible share of its {}.", common,
-                     extent_text(shadow.emitter), shadow.truth->precision.mean_samples,
+  return fmt::format("{} The light is {}{}; {:.0f} rays a pixel; the visible share of its {}.", common,
+                     std::holds_alternative<DistantEmitter>(shadow.emitter) ? "" : "a ", extent_text(shadow.emitter),
+                     shadow.truth->precision.mean_samples,
                      experiment.truth.light_sampling == LightSampling::area ? "area" : "solid angle");
 }
 
