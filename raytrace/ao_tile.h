@@ -9,8 +9,8 @@
 #include "core/quantiles.h"
 #include "core/random.h"
 #include "raytrace/ao_estimate.h"
-#include "raytrace/ao_packets.h"
 #include "raytrace/ao_samples.h"
+#include "raytrace/packet_width.h"
 #include "raytrace/surfel.h"
 
 namespace umbrameter {
@@ -59,7 +59,7 @@ class AoTile {
   bool is_adaptive() const { return task_.params.tolerance > 0.0; }
 
   Pixel start(std::size_t i) {
-    const RayOrigin origin = ray_origin(task_.tracer, task_.gbuffer, i, last_);
+    const RayOrigin origin = ray_origin(task_.tracer, task_.gbuffer, i, triangles_);
     packet_.clear();
     for (int lane = 0; lane < Rays::width; ++lane) {
       packet_.add({vec3(origin.point()), vec3(0, 0, 1), 0.0f, true}, task_.gbuffer.instance[i],
@@ -168,7 +168,7 @@ class AoTile {
   const AoTask& task_;
   double reach_;
   Rays packet_;
-  SurfelTriangle last_;
+  SurfelCache triangles_;
   PixelSamples samples_;
   TraceStatistics statistics_;
 };

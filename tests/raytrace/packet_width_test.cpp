@@ -1,4 +1,6 @@
 // The reference does not depend on how many rays are traced at once, nor on the processor's vector units.
+#include "raytrace/packet_width.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include <vector>
 
 #include "core/random.h"
-#include "raytrace/ao_packets.h"
 #include "raytrace/ao_samples.h"
 #include "scenes/builtin.h"
 #include "scenes/view.h"
@@ -52,6 +53,21 @@ TEST_P(PacketWidth, Changes_no_bit_of_ambient_occlusion) {
         EXPECT_EQ(different(best.hit_distance, other.hit_distance), 0) << width;
         EXPECT_EQ(best.statistics.rays, other.statistics.rays) << width;
       }
+    }
+  }
+}
+
+TEST_P(PacketWidth, Changes_no_bit_of_visibility) {
+  const Scene scene = load_scene(GetParam());
+  const Tracer tracer(scene);
+  const GBuffer surfels = surfels_of(tracer, 192, 108);
+  ASSERT_FALSE(scene.lights.empty());
+  for (const Light& light : scene.lights) {
+    const TracedVisibility best = trace_visibility(tracer, surfels, light);
+    for (const int width : {4, 8, 16}) {
+      const TracedVisibility other = trace_sharp_visibility_in_packets(width, {tracer, surfels, light});
+      EXPECT_EQ(different(best.visibility, other.visibility), 0) << light.name << ", " << width;
+      EXPECT_EQ(best.statistics.rays, other.statistics.rays) << light.name << ", " << width;
     }
   }
 }
