@@ -9,12 +9,13 @@ void add_shadow(LayeredImage& image, const std::string& light, const ShadowMeasu
   if (shadow.truth) add_layer(image, "truth_visibility_" + light, shadow.truth->visibility);
   if (shadow.truth && is_soft(shadow)) {
     add_layer(image, "truth_visibility_standard_error_" + light, shadow.truth->standard_error);
+    add_layer(image, "truth_visibility_samples_" + light, shadow.truth->samples);
   }
   if (shadow.raster) add_layer(image, "raster_visibility_" + light, shadow.raster->visibility);
   if (!shadow.truth || !shadow.raster) return;
   add_layer(image, "error_visibility_" + light, signed_error(shadow.raster->visibility, shadow.truth->visibility));
   if (!shadow.statistics) return;
-  const Image<PixelClass> classes = classify(shadow.raster->classes, shadow.counted);
+  const Image<PixelClass> classes = classify(shadow.raster->wrong, shadow.counted);
   Image<float> numbers(classes.width, classes.height);
   for (std::size_t i = 0; i < classes.size(); ++i) numbers[i] = static_cast<float>(classes[i]);
   add_layer(image, "class_" + light, numbers);

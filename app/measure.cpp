@@ -19,8 +19,7 @@ ShadowMeasurement measure_shadow(Workbench& workbench, const Experiment& experim
   if (is_soft) {
     measurement.soft_statistics = analyze_soft_visibility(drawn, sampled(truth), measurement.counted);
   } else {
-    measurement.statistics =
-        analyze_visibility(drawn, truth.visibility, measurement.raster->classes, measurement.counted);
+    measurement.statistics = analyze_visibility(measurement.raster->wrong, truth.visibility, measurement.counted);
   }
   return measurement;
 }

@@ -41,7 +41,7 @@ ImageFigure class_figure(const std::string& layer, const std::string& title, con
   figure.stem = "class_" + layer;
   figure.title = "Causes: " + title;
   figure.caption = "The cause that most of each pixel's wrong taps share.";
-  const Image<PixelClass> classes = classify(shadow.raster->classes, shadow.counted);
+  const Image<PixelClass> classes = classify(shadow.raster->wrong, shadow.counted);
   figure.category = Image<std::uint8_t>(classes.width, classes.height);
   for (std::size_t i = 0; i < classes.size(); ++i) figure.category[i] = static_cast<std::uint8_t>(classes[i]);
   for (std::size_t i = 0; i < pixel_class_names.size(); ++i) {
@@ -62,16 +62,22 @@ Table statistics_table(const std::vector<Column>& columns, const std::vector<Val
   return table;
 }
 
-std::string counted_text(const CountedPixels& counted) {
+std::string counted_text(const CountedPixels& counted, bool is_soft) {
   const auto total = [&](Counting c) { return counted.totals[static_cast<std::size_t>(c)]; };
   return fmt::format(
-      "Counted are {} pixels that face the light, inside its map, cone and range. Not counted: {} turned away, {} "
+      "Counted are {} pixels that face {}the light, inside its map, cone and range. Not counted: {} turned away, {} "
       "outside the map, {} outside the cone, {} out of range, {} background.",
-      total(Counting::counted), total(Counting::turned_away), total(Counting::outside_map),
+      total(Counting::counted), is_soft ? "part of " : "", total(Counting::turned_away), total(Counting::outside_map),
       total(Counting::outside_cone), total(Counting::outside_range), total(Counting::background));
 }
 
+std::string offset_text(const TraceStatistics& statistics) {
+  return fmt::format(" Rays left the surfaces with an offset of at most {}.", length(statistics.largest_offset));
+}
+
+// Of a reference that was sampled.
 std::string precision_text(const SamplingPrecision& precision, const TruthParams& truth) {
+  if (precision.pixels == 0) return {};
   std::string text = fmt::format(
       "Intervals are 95 % and come from the reference's sampling. Half widths of its pixels' own intervals: mean "
       "{:.5f}, worst {:.5f}, from {:.0f} rays a pixel on average.",
@@ -83,12 +89,21 @@ std::string precision_text(const SamplingPrecision& precision, const TruthParams
   return text;
 }
 
+std::string precision_line(const SamplingPrecision& precision) {
+  std::string line = fmt::format("{:.0f} rays a pixel, half width of its 95 % interval {:.5f}, at worst {:.5f}",
+                                 precision.mean_samples, precision.mean_half_width, precision.worst_half_width);
+  if (precision.pixels_at_limit > 0) {
+    line += fmt::format("; {} of {} pixels at the limit", precision.pixels_at_limit, precision.pixels);
+  }
+  return line;
+}
+
 // What one light's shadow rays went to.
 std::string truth_caption(const ShadowMeasurement& shadow, const Experiment& experiment) {
   const std::string common = "Shadow rays against the exact geometry; turned-away surfels count as 0.";
   if (!is_soft(shadow)) return common;
-  return fmt::format("{} The light is a {}; {} rays a pixel; the visible share of its {}.", common,
-                     extent_text(shadow.emitter), experiment.truth.spp,
+  return fmt::format("{} The light is a {}; {:.0f} rays a pixel; the visible share of its {}.", common,
+                     extent_text(shadow.emitter), shadow.truth->precision.mean_samples,
                      experiment.truth.light_sampling == LightSampling::area ? "area" : "solid angle");
 }
 
@@ -101,12 +116,10 @@ void present_soft_error(Presentation& presentation, const Workbench& workbench, 
              scalar_figure("error_visibility_" + workbench.layer(shadow.light), "Error: " + title,
                            "Blue is too dark, red is too bright.",
                            signed_error(shadow.raster->visibility, shadow.truth->visibility), visibility_error_scale));
-  section.text += fmt::format(
+  section.text +=
       "\n\nThe light has extent, so that its truth is a share and no single tap is right or wrong: the causes of a "
       "hard "
-      "shadow's error do not apply, and the error is split by sign. Intervals are 95 % and come from the reference's "
-      "sampling; its pixels have a mean standard error of {:.4f}.",
-      s.error.mean_standard_error);
+      "shadow's error do not apply, and the error is split by sign.";
   if (s.error.max_x >= 0) {
     section.text += fmt::format(" The largest error is {:.3g}, first at pixel ({}, {}).", s.error.max_error,
                                 s.error.max_x, s.error.max_y);
@@ -187,13 +200,13 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
   Presentation presentation;
   ReportSection& section = presentation.section;
   section.title = "Shadow of " + title;
-  section.text = counted_text(shadow.counted);
+  section.text = counted_text(shadow.counted, is_soft(shadow));
   if (shadow.truth) {
     add_figure(presentation,
                scalar_figure("truth_visibility_" + layer, "Truth: " + title, truth_caption(shadow, experiment),
                              shadow.truth->visibility, visibility_scale));
-    section.text += fmt::format(" Rays left the surfaces with an offset of at most {}.",
-                                length(shadow.truth->statistics.largest_offset));
+    section.text += offset_text(shadow.truth->statistics);
+    if (is_soft(shadow)) section.text += "\n\n" + precision_text(shadow.truth->precision, experiment.truth);
   }
   if (shadow.raster) {
     add_figure(presentation,
@@ -209,8 +222,10 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
   }
   if (!shadow.statistics) {
     const double pixels = static_cast<double>(shadow.counted.totals[0]);
-    presentation.lines.push_back(
-        fmt::format("{:<10} {:.0f} pixels counted, texel {}", title, pixels, length(shadow.counted.mean_texel)));
+    std::string line =
+        fmt::format("{:<10} {:.0f} pixels counted, texel {}", title, pixels, length(shadow.counted.mean_texel));
+    if (shadow.truth && is_soft(shadow)) line += "; " + precision_line(shadow.truth->precision);
+    presentation.lines.push_back(std::move(line));
     return presentation;
   }
   const VisibilityStatistics& s = *shadow.statistics;
@@ -259,16 +274,12 @@ Presentation present_ao(const AoMeasurement& ao, const Experiment& experiment) {
                                                            : ""),
                                            *ao.raster, ao_scale));
   }
-  if (ao.truth) section.text = precision_text(ao.truth->precision, experiment.truth);
+  if (ao.truth) {
+    section.text = precision_text(ao.truth->precision, experiment.truth) + offset_text(ao.truth->statistics);
+  }
   if (!ao.statistics) {
     if (ao.truth) {
-      const SamplingPrecision& precision = ao.truth->precision;
-      presentation.lines.push_back(
-          fmt::format("{:<10} {:.0f} rays a pixel, half width of its 95 % interval {:.5f}, at worst {:.5f}{}", "AO",
-                      precision.mean_samples, precision.mean_half_width, precision.worst_half_width,
-                      precision.pixels_at_limit > 0
-                          ? fmt::format("; {} of {} pixels at the limit", precision.pixels_at_limit, precision.pixels)
-                          : ""));
+      presentation.lines.push_back(fmt::format("{:<10} {}", "AO", precision_line(ao.truth->precision)));
     }
     return presentation;
   }

@@ -40,16 +40,6 @@ void visit_parts(TraceStatistics& statistics, const Visit& visit) {
   visit("largest_offset_m", largest_offset);
 }
 template <class Visit>
-void visit_parts(TracedVisibility& traced, const Visit& visit) {
-  auto& [visibility, statistics, standard_error, variance, samples, degrees_of_freedom] = traced;
-  visit("visibility", visibility);
-  visit("standard_error", standard_error);
-  visit("variance", variance);
-  visit("samples", samples);
-  visit("degrees_of_freedom", degrees_of_freedom);
-  visit_parts(statistics, visit);
-}
-template <class Visit>
 void visit_parts(SamplingPrecision& precision, const Visit& visit) {
   auto& [pixels, worst_half_width, mean_half_width, mean_samples, pixels_at_limit] = precision;
   visit("pixels", pixels);
@@ -57,6 +47,17 @@ void visit_parts(SamplingPrecision& precision, const Visit& visit) {
   visit("mean_half_width", mean_half_width);
   visit("mean_samples", mean_samples);
   visit("pixels_at_limit", pixels_at_limit);
+}
+template <class Visit>
+void visit_parts(TracedVisibility& traced, const Visit& visit) {
+  auto& [visibility, statistics, standard_error, variance, samples, degrees_of_freedom, precision] = traced;
+  visit("visibility", visibility);
+  visit("standard_error", standard_error);
+  visit("variance", variance);
+  visit("samples", samples);
+  visit("degrees_of_freedom", degrees_of_freedom);
+  visit_parts(precision, visit);
+  visit_parts(statistics, visit);
 }
 template <class Visit>
 void visit_parts(TracedAo& traced, const Visit& visit) {

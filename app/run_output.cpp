@@ -68,6 +68,7 @@ ExitCode write_run(const CommandLine& line, const Console& console, RunOutput ou
   for (const Presentation& part : output.parts) {
     for (const std::string& text : part.lines) say(console, text);
   }
+  if (const std::string costs = costs_text(summary.workbench->costs()); !costs.empty()) note(console, costs);
   say(console, fmt::format("report: {}", (folder / "index.html").string()));
   if (console.json) fmt::print("{}", json);
   for (const std::string& problem : summary.problems) fmt::print(stderr, "umbrameter: {}\n", problem);

@@ -1,11 +1,10 @@
 #include "app/scene_report.h"
 
-#include <sys/resource.h>
-
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/costs.h"
 #include "raster/uploaded_scene.h"
 #include "raytrace/tracer.h"
 #include "scenes/builtin.h"
@@ -17,12 +16,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double degrees = 180.0 / pi;
-
-std::uint64_t peak_resident_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
-}
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json vector(const dvec3& v) { return {v.x, v.y, v.z}; }

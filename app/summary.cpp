@@ -32,6 +32,18 @@ const char* kind_name(MapKind kind) {
   return "";
 }
 
+Json truth_json(const TraceStatistics& statistics, const SamplingPrecision& precision, int degrees_of_freedom) {
+  Json object = {{"rays", statistics.rays}, {"largest_offset_m", statistics.largest_offset}};
+  if (precision.pixels == 0) return object;
+  object["pixels"] = precision.pixels;
+  object["mean_samples"] = precision.mean_samples;
+  object["mean_half_width_95"] = precision.mean_half_width;
+  object["worst_half_width_95"] = precision.worst_half_width;
+  object["pixels_at_limit"] = precision.pixels_at_limit;
+  object["degrees_of_freedom"] = degrees_of_freedom;
+  return object;
+}
+
 Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow, const Experiment& experiment) {
   Json object;
   object["light"] = workbench.layer(shadow.light);
@@ -50,8 +62,8 @@ Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow, co
   }
   object["pixels"] = counting;
   if (shadow.truth) {
-    object["truth"] = {{"rays", shadow.truth->statistics.rays},
-                       {"largest_offset_m", shadow.truth->statistics.largest_offset}};
+    const TracedVisibility& truth = *shadow.truth;
+    object["truth"] = truth_json(truth.statistics, truth.precision, truth.degrees_of_freedom);
   }
   if (shadow.soft_statistics) {
     const SampledError& error = shadow.soft_statistics->error;
@@ -73,17 +85,7 @@ Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow, co
 
 Json ao_json(const AoMeasurement& ao) {
   Json object;
-  if (ao.truth) {
-    const SamplingPrecision& precision = ao.truth->precision;
-    object["truth"] = {{"rays", ao.truth->statistics.rays},
-                       {"largest_offset_m", ao.truth->statistics.largest_offset},
-                       {"pixels", precision.pixels},
-                       {"mean_samples", precision.mean_samples},
-                       {"mean_half_width_95", precision.mean_half_width},
-                       {"worst_half_width_95", precision.worst_half_width},
-                       {"pixels_at_limit", precision.pixels_at_limit},
-                       {"degrees_of_freedom", ao.truth->degrees_of_freedom}};
-  }
+  if (ao.truth) object["truth"] = truth_json(ao.truth->statistics, ao.truth->precision, ao.truth->degrees_of_freedom);
   if (ao.statistics) {
     object["statistics"] = row_json(ao_columns(), to_row(*ao.statistics));
     object["max_error_at_px"] =

@@ -81,7 +81,7 @@ std::vector<Value> measure_cell(Workbench& workbench, const Experiment& experime
   const LightFit& fit = workbench.fit(experiment, light);
   const Image<float>& truth = workbench.truth(experiment, light).visibility;
   const RasterVisibility raster = workbench.draw(experiment, light, true);
-  return to_row(analyze_visibility(raster.visibility, truth, raster.classes, fit.counted));
+  return to_row(analyze_visibility(raster.wrong, truth, fit.counted));
 }
 
 std::vector<Column> columns_of(Measure measure) {

@@ -78,6 +78,7 @@ const Tracer& Workbench::tracer() {
   if (!tracer_) {
     ProgressBar bar(console_, "acceleration structure");
     tracer_.emplace(scene_, bar.callback());
+    costs_.build = tracer_->build_statistics();
   }
   return *tracer_;
 }
@@ -121,10 +122,12 @@ std::string Workbench::light_key(const Experiment& experiment, std::uint32_t lig
 }
 
 const LightFit& Workbench::fit(const Experiment& experiment, std::uint32_t light) {
-  const std::string key = light_key(experiment, light) + " " + std::to_string(experiment.shadow.resolution);
+  LightParams extent = experiment.light;
+  const std::string key = light_key(experiment, light) + " " + std::to_string(experiment.shadow.resolution) + "\n" +
+                          key_of(describe(extent));
   return fit_.get(key, [&] {
     const LightFrame frame = fit_light(scene_.lights[light], bounds_, experiment.shadow.resolution);
-    return LightFit{frame, count_pixels(surfels(experiment.view).gbuffer, scene_.lights[light], frame)};
+    return LightFit{frame, count_pixels(surfels(experiment.view).gbuffer, this->light(experiment, light), frame)};
   });
 }
 
@@ -164,7 +167,11 @@ const TracedVisibility& Workbench::truth(const Experiment& experiment, std::uint
       return trace_visibility(rays, surfels(experiment.view).gbuffer, lamp,
                               {experiment.truth, static_cast<std::uint32_t>(experiment.run.seed)}, bar.callback());
     };
-    return cache_.get(key, {scene_title(experiment), "visibility of " + title(light), {}, {}}, trace);
+    TracedVisibility traced =
+        cache_.get(key, {scene_title(experiment), "visibility of " + title(light), {}, {}}, trace);
+    add(costs_.shadow, traced.statistics);
+    costs_.largest_offset = std::max(costs_.largest_offset, traced.statistics.largest_offset);
+    return traced;
   });
 }
 
@@ -178,7 +185,11 @@ const TracedAo& Workbench::ao_truth(const Experiment& experiment) {
       return trace_ao(rays, surfels(experiment.view).gbuffer, params, static_cast<std::uint32_t>(experiment.run.seed),
                       bar.callback());
     };
-    return cache_.get(reference_key(experiment, "ao"), {scene_title(experiment), "ambient occlusion", {}, {}}, trace);
+    TracedAo traced =
+        cache_.get(reference_key(experiment, "ao"), {scene_title(experiment), "ambient occlusion", {}, {}}, trace);
+    add(costs_.hemisphere, traced.statistics);
+    costs_.largest_offset = std::max(costs_.largest_offset, traced.statistics.largest_offset);
+    return traced;
   });
 }
 
@@ -191,10 +202,11 @@ RasterVisibility Workbench::draw(const Experiment& experiment, std::uint32_t lig
   });
   const gl::Texture* gpu_truth = nullptr;
   if (with_truth) {
-    gpu_truth = &gpu_truth_.get(truth_key(experiment, light),
-                                [&] { return upload(context(), truth(experiment, light).visibility); });
+    gpu_truth = &gpu_truth_.get(truth_key(experiment, light) + map_key, [&] {
+      return upload_truth(context(), truth(experiment, light).visibility, fit(experiment, light).counted.counting);
+    });
   }
-  return draw_visibility(context(), uploaded(), gpu, map, scene_.lights[light], experiment.shadow, gpu_truth);
+  return draw_visibility(context(), {uploaded(), gpu, map, scene_.lights[light], experiment.shadow, gpu_truth});
 }
 
 Image<float> Workbench::draw_ao(const Experiment& experiment) {

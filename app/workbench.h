@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/console.h"
+#include "app/costs.h"
 #include "app/experiment.h"
 #include "app/reference_cache.h"
 #include "compare/visibility.h"
@@ -85,6 +86,8 @@ class Workbench {
   RasterVisibility draw(const Experiment& experiment, std::uint32_t light, bool with_truth);
   Image<float> draw_ao(const Experiment& experiment);
 
+  /// Of what was traced so far.
+  const Costs& costs() const { return costs_; }
   /// Every assumption made so far, once each.
   const std::vector<std::string>& notes() const { return notes_; }
 
@@ -101,6 +104,7 @@ class Workbench {
   std::vector<std::string> layers_;
   std::vector<std::string> notes_;
   ReferenceCache cache_;
+  Costs costs_;
   std::optional<Tracer> tracer_;
   // In this order: what lives on the GPU goes before its context does.
   std::unique_ptr<gl::Context> context_;

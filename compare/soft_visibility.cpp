@@ -33,7 +33,8 @@ SoftVisibilityStatistics analyze_soft_visibility(const Image<float>& raster, con
 }
 
 std::vector<Column> soft_visibility_columns() {
-  std::vector<Column> columns = {{"pixels", "px", "pixels counted: facing the light, inside its map, cone and range"}};
+  std::vector<Column> columns = {
+      {"pixels", "px", "pixels counted: facing part of the light, inside its map, cone and range"}};
   add_estimate(columns, "lit", "mean visibility by the reference");
   columns.push_back({"penumbra", "1", "share that the reference calls neither lit nor blocked"});
   add_estimate(columns, "mae", "mean absolute error of visibility");

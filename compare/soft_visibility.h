@@ -16,8 +16,8 @@ struct SoftVisibilityStatistics {
   double mean_texel = 0.0;  ///< mean side of a texel at the counted surfels, metres
 };
 
-/// Images of one size. Counted are the surfels that face the middle of
-/// the light, as for one without extent.
+/// Images of one size. Where the raster's technique knows the middle of the light alone, surfels that face only another
+/// part of it count as well: what it misses there is its error.
 SoftVisibilityStatistics analyze_soft_visibility(const Image<float>& raster, const SampledImage& truth,
                                                  const CountedPixels& counted);
 

@@ -1,5 +1,6 @@
 #include "compare/visibility.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -8,40 +9,7 @@
 namespace umbrameter {
 namespace {
 
-struct RowSums {
-  std::uint64_t pixels = 0;
-  double lit = 0.0;
-  double absolute = 0.0;
-  double squared = 0.0;
-  double signed_sum = 0.0;
-  double false_blocked = 0.0;
-  double false_lit = 0.0;
-  std::array<double, 4> classes{};
-  double max_error = 0.0;
-  int max_x = -1;
-};
-
-RowSums sum_row(int y, const Image<float>& raster, const Image<float>& truth, const Image<vec4>& classes,
-                const Image<Counting>& counting) {
-  RowSums sums;
-  for (int x = 0; x < raster.width; ++x) {
-    const std::size_t i = raster.index(x, y);
-    if (counting[i] != Counting::counted) continue;
-    const double error = static_cast<double>(raster[i]) - static_cast<double>(truth[i]);
-    ++sums.pixels;
-    sums.lit += truth[i];
-    sums.absolute += std::abs(error);
-    sums.squared += error * error;
-    sums.signed_sum += error;
-    (error < 0.0 ? sums.false_blocked : sums.false_lit) += std::abs(error);
-    for (int c = 0; c < 4; ++c) sums.classes[static_cast<std::size_t>(c)] += classes[i][c];
-    if (std::abs(error) > sums.max_error) {
-      sums.max_error = std::abs(error);
-      sums.max_x = x;
-    }
-  }
-  return sums;
-}
+std::uint32_t wrong_weight(const uvec4& by_cause) { return by_cause.x + by_cause.y + by_cause.z + by_cause.w; }
 
 }  // namespace
 
@@ -64,46 +32,67 @@ CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const Lig
   return counted;
 }
 
-VisibilityStatistics analyze_visibility(const Image<float>& raster, const Image<float>& truth,
-                                        const Image<vec4>& classes, const CountedPixels& counted) {
-  assert(raster.size() == truth.size() && raster.size() == classes.size() && raster.size() == counted.counting.size());
-  // One sum a row, added in order: the result does not depend on the number of threads.
-  std::vector<RowSums> rows(static_cast<std::size_t>(raster.height));
-  parallel_for(rows.size(), [&](std::size_t y) {
-    rows[y] = sum_row(static_cast<int>(y), raster, truth, classes, counted.counting);
-  });
-  VisibilityStatistics statistics;
-  std::array<double, 4> shares{};
-  for (std::size_t y = 0; y < rows.size(); ++y) {
-    const RowSums& row = rows[y];
-    statistics.pixels += row.pixels;
-    statistics.lit += row.lit;
-    statistics.mae += row.absolute;
-    statistics.rmse += row.squared;
-    statistics.mean_error += row.signed_sum;
-    statistics.false_blocked += row.false_blocked;
-    statistics.false_lit += row.false_lit;
-    for (std::size_t c = 0; c < shares.size(); ++c) shares[c] += row.classes[c];
-    if (row.max_error > statistics.max_error) {
-      statistics.max_error = row.max_error;
-      statistics.max_x = row.max_x;
-      statistics.max_y = static_cast<int>(y);
-    }
+TruthCounts count_truth(const Image<float>& truth, const CountedPixels& counted) {
+  assert(truth.size() == counted.counting.size());
+  TruthCounts counts{0, 0, counted.mean_texel};
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (counted.counting[i] != Counting::counted) continue;
+    ++counts.pixels;
+    if (truth[i] >= 0.5f) ++counts.lit;
   }
-  statistics.mean_texel = counted.mean_texel;
-  if (statistics.pixels == 0) return statistics;
-  const double scale = 1.0 / static_cast<double>(statistics.pixels);
-  statistics.lit *= scale;
-  statistics.blocked = 1.0 - statistics.lit;
-  statistics.mae *= scale;
-  statistics.rmse = std::sqrt(statistics.rmse * scale);
-  statistics.mean_error *= scale;
-  statistics.false_blocked *= scale;
-  statistics.false_lit *= scale;
-  statistics.acne = shares[0] * scale;
-  statistics.false_occlusion = shares[1] * scale;
-  statistics.peter_panning = shares[2] * scale;
-  statistics.leak = shares[3] * scale;
+  return counts;
+}
+
+VisibilitySums sum_wrong_taps(const WrongTaps& wrong, const CountedPixels& counted) {
+  assert(wrong.weights.size() == counted.counting.size());
+  VisibilitySums sums;
+  sums.weight_sum = wrong.weight_sum;
+  for (std::size_t i = 0; i < wrong.weights.size(); ++i) {
+    if (counted.counting[i] != Counting::counted) continue;
+    const uvec4& by_cause = wrong.weights[i];
+    const std::uint32_t all = wrong_weight(by_cause);
+    if (all == 0) continue;
+    for (std::size_t c = 0; c < cause_count; ++c) sums.wrong[c] += by_cause[static_cast<int>(c)];
+    sums.squares += static_cast<WideCount>(all) * all;
+    sums.largest = std::max(sums.largest, all);
+  }
+  return sums;
+}
+
+VisibilityStatistics to_statistics(const VisibilitySums& sums, const TruthCounts& truth) {
+  VisibilityStatistics statistics;
+  statistics.pixels = truth.pixels;
+  statistics.mean_texel = truth.mean_texel;
+  if (truth.pixels == 0) return statistics;
+  const auto pixels = static_cast<double>(truth.pixels);
+  const double weight = sums.weight_sum;
+  const auto share = [&](std::size_t cause) { return static_cast<double>(sums.wrong[cause]) / (pixels * weight); };
+  statistics.lit = static_cast<double>(truth.lit) / pixels;
+  statistics.blocked = static_cast<double>(truth.pixels - truth.lit) / pixels;
+  statistics.acne = share(0);
+  statistics.false_occlusion = share(1);
+  statistics.peter_panning = share(2);
+  statistics.leak = share(3);
+  statistics.false_blocked = statistics.acne + statistics.false_occlusion;
+  statistics.false_lit = statistics.peter_panning + statistics.leak;
+  statistics.mae = statistics.false_blocked + statistics.false_lit;
+  statistics.mean_error = statistics.false_lit - statistics.false_blocked;
+  statistics.rmse = std::sqrt(static_cast<double>(sums.squares) / pixels) / weight;
+  statistics.max_error = sums.largest / weight;
+  return statistics;
+}
+
+VisibilityStatistics analyze_visibility(const WrongTaps& wrong, const Image<float>& truth,
+                                        const CountedPixels& counted) {
+  const VisibilitySums sums = sum_wrong_taps(wrong, counted);
+  VisibilityStatistics statistics = to_statistics(sums, count_truth(truth, counted));
+  for (std::size_t i = 0; sums.largest > 0 && i < wrong.weights.size(); ++i) {
+    if (counted.counting[i] != Counting::counted || wrong_weight(wrong.weights[i]) != sums.largest) continue;
+    const auto width = static_cast<std::size_t>(wrong.weights.width);
+    statistics.max_x = static_cast<int>(i % width);
+    statistics.max_y = static_cast<int>(i / width);
+    break;
+  }
   return statistics;
 }
 
@@ -114,18 +103,18 @@ Image<float> signed_error(const Image<float>& raster, const Image<float>& truth)
   return error;
 }
 
-Image<PixelClass> classify(const Image<vec4>& classes, const CountedPixels& counted) {
-  Image<PixelClass> result(classes.width, classes.height, PixelClass::correct);
+Image<PixelClass> classify(const WrongTaps& wrong, const CountedPixels& counted) {
+  Image<PixelClass> result(wrong.weights.width, wrong.weights.height, PixelClass::correct);
   for (std::size_t i = 0; i < result.size(); ++i) {
     if (counted.counting[i] == Counting::background) {
       result[i] = PixelClass::background;
     } else if (counted.counting[i] != Counting::counted) {
       result[i] = PixelClass::not_counted;
     } else {
-      float largest = 0.0f;
-      for (int c = 0; c < 4; ++c) {
-        if (classes[i][c] <= largest) continue;
-        largest = classes[i][c];
+      std::uint32_t largest = 0;
+      for (int c = 0; c < static_cast<int>(cause_count); ++c) {
+        if (wrong.weights[i][c] <= largest) continue;
+        largest = wrong.weights[i][c];
         result[i] = static_cast<PixelClass>(static_cast<int>(PixelClass::acne) + c);
       }
     }

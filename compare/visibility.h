@@ -9,6 +9,7 @@
 #include "compare/table.h"
 #include "core/gbuffer.h"
 #include "core/image.h"
+#include "core/shadow_taps.h"
 #include "scenes/light_frame.h"
 
 namespace umbrameter {
@@ -37,7 +38,7 @@ struct VisibilityStatistics {
   double mean_error = 0.0;   ///< mean of raster − truth: below 0 too dark, above 0 too bright
   double max_error = 0.0;    ///< largest |raster − truth|
   int max_x = -1;            ///< where it stands first, row by row from the top, px; −1 without an error
-  int max_y = -1;
+  int max_y = -1;            ///< and where only sums are known
   double acne = 0.0;
   double false_occlusion = 0.0;
   double peter_panning = 0.0;
@@ -60,15 +61,37 @@ struct CountedPixels {
 };
 CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const LightFrame& frame);
 
-/// Images of one size; truth is binary; classes as RasterVisibility::classes.
-VisibilityStatistics analyze_visibility(const Image<float>& raster, const Image<float>& truth,
-                                        const Image<vec4>& classes, const CountedPixels& counted);
+/// The counted pixels, and those of them that a binary truth calls lit.
+struct TruthCounts {
+  std::uint64_t pixels = 0;
+  std::uint64_t lit = 0;
+  double mean_texel = 0.0;  ///< metres
+};
+TruthCounts count_truth(const Image<float>& truth, const CountedPixels& counted);
+
+/// What all statistics of a binary truth follow from: sums over the counted pixels, in weights of taps. Equal
+/// configurations have equal sums, however they were measured.
+struct VisibilitySums {
+  std::uint32_t weight_sum = 1;
+  std::array<std::uint64_t, cause_count> wrong{};
+  WideCount squares = 0;      ///< of each pixel's wrong weight
+  std::uint32_t largest = 0;  ///< of a pixel's wrong weight
+  friend bool operator==(const VisibilitySums&, const VisibilitySums&) = default;
+};
+
+/// Images of one size.
+VisibilitySums sum_wrong_taps(const WrongTaps& wrong, const CountedPixels& counted);
+VisibilityStatistics to_statistics(const VisibilitySums& sums, const TruthCounts& truth);
+
+/// Of one configuration, with the place of the largest error.
+VisibilityStatistics analyze_visibility(const WrongTaps& wrong, const Image<float>& truth,
+                                        const CountedPixels& counted);
 
 /// raster − truth.
 Image<float> signed_error(const Image<float>& raster, const Image<float>& truth);
 
 /// The class with the largest share of each pixel's wrong taps; ties go to the first in PixelClass's order.
-Image<PixelClass> classify(const Image<vec4>& classes, const CountedPixels& counted);
+Image<PixelClass> classify(const WrongTaps& wrong, const CountedPixels& counted);
 
 /// The statistics as one row, in the order of visibility_columns(): the measured columns of sweep.csv.
 std::vector<Column> visibility_columns();

@@ -19,9 +19,12 @@ struct LightBlock {
   int resolution = 1;
   float constant_bias = 0.0f;
   float slope_bias = 0.0f;
-  int unused = 0;
+  float normal_offset = 0.0f;
+  float filter_radius = 0.0f;
+  int tap_count = 0;
+  int unused[2] = {};
 };
-static_assert(sizeof(LightBlock) == 768);
+static_assert(sizeof(LightBlock) == 784);
 
 LightBlock make_light_block(const Light& light, const LightFrame& frame, const ShadowParams& params);
 

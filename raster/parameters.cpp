@@ -6,7 +6,9 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::array<std::string_view, 2> shadow_filter_names{"nearest", "box"};
+constexpr std::array<std::string_view, 6> shadow_filter_names{"nearest", "bilinear", "box",
+                                                              "tent",    "gaussian", "poisson"};
+constexpr std::array<std::string_view, 2> filter_taps_names{"nearest", "linear"};
 constexpr std::array<std::string_view, 2> ao_blur_names{"none", "box"};
 
 }  // namespace
@@ -19,10 +21,24 @@ Parameters describe(ShadowParams& params) {
              {.unit = "m", .meaning = "bias that every tap gets, along the light's axis or the point light's ray"})
       .field("slope-bias", params.slope_bias,
              {.unit = "texels", .meaning = "bias times texel size and tan of the angle between surface and light"})
+      .field("normal-offset", params.normal_offset,
+             {.unit = "texels",
+              .meaning = "way along the geometric normal, times texel size and sin of the angle to the light, by which "
+                         "the surface point moves before it is looked up"})
       .choice("filter", params.filter, shadow_filter_names,
-              {.unit = {}, .meaning = "how taps are weighed: one nearest tap, or a box of equal nearest taps"})
+              {.unit = {}, .meaning = "how taps are weighed: one tap, a square of taps by its shape, or a turned disk"})
       .field("filter-size", params.filter_size,
-             {.unit = "texels", .meaning = "taps along a side of the box filter", .min = 1, .max = 31, .odd = true})
+             {.unit = "texels",
+              .meaning = "taps along a side of a box, tent or Gaussian",
+              .min = 1,
+              .max = 29,
+              .odd = true})
+      .choice("filter-taps", params.filter_taps, filter_taps_names,
+              {.unit = {}, .meaning = "whether each tap of a box, tent or Gaussian is nearest or a bilinear 2×2"})
+      .field("filter-samples", params.filter_samples,
+             {.unit = "1", .meaning = "points of the Poisson disk", .min = 1, .max = 64})
+      .field("filter-radius", params.filter_radius,
+             {.unit = "texels", .meaning = "radius of the Poisson disk", .min = 0, .max = 64})
       .take();
 }
 

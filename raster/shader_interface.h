@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/gbuffer.h"
+#include "core/shadow_taps.h"
 #include "raster/parameters.h"
 #include "scenes/light_frame.h"
 
@@ -23,9 +24,12 @@ inline constexpr ShaderSlot shader_slots[] = {
     {"BLOCK_LIGHT", 1},
     {"BLOCK_AO", 2},
     {"BLOCK_KERNEL", 3},
+    {"BLOCK_RESPONSE", 4},
     {"BUFFER_INSTANCES", 0},
     {"BUFFER_ROTATIONS", 1},
-    {"BUFFER_WRONG", 2},
+    {"BUFFER_PIXELS", 2},
+    {"BUFFER_AXES", 3},
+    {"BUFFER_HISTOGRAM", 4},
     {"ATTRIBUTE_POSITION", 0},
     {"ATTRIBUTE_TEXCOORD", 1},
     {"ATTRIBUTE_INSTANCE", 2},
@@ -50,12 +54,19 @@ inline constexpr ShaderSlot shader_slots[] = {
     {"IMAGE_GEOMETRIC_NORMAL", 1},
     {"IMAGE_SHADING_NORMAL", 2},
     {"IMAGE_VISIBILITY", 3},
-    {"IMAGE_CLASSES", 4},
+    {"IMAGE_WRONG", 4},
     {"IMAGE_AO", 5},
     {"IMAGE_DEPTH", 6},
     {"GROUP_SIZE", 8},
     {"LIST_GROUP_SIZE", 64},
     {"MAX_SAMPLES", 1024},
+    {"HISTOGRAM_WORDS", 16},   // a bin: two of each cause's weight, three of each square, one of each largest
+    {"HISTOGRAM_SQUARES", 8},  // where they start
+    {"HISTOGRAM_LARGEST", 14},
+    {"CAUSE_ACNE", static_cast<unsigned>(Cause::acne)},
+    {"CAUSE_FALSE_OCCLUSION", static_cast<unsigned>(Cause::false_occlusion)},
+    {"CAUSE_PETER_PANNING", static_cast<unsigned>(Cause::peter_panning)},
+    {"CAUSE_LIGHT_LEAK", static_cast<unsigned>(Cause::light_leak)},
     {"MAP_ORTHOGRAPHIC", static_cast<unsigned>(MapKind::orthographic)},
     {"MAP_PERSPECTIVE", static_cast<unsigned>(MapKind::perspective)},
     {"MAP_CUBE", static_cast<unsigned>(MapKind::cube)},

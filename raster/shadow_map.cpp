@@ -87,12 +87,6 @@ ShadowMapImages read_back(const gl::Context& context, const ShadowMap& map) {
   const int layers = face_count(map.frame);
   ShadowMapImages images;
   images.depth = read_layers<float>(map.depth, gl::Format::depth32f, layers);
-  for (Image<float>& face : images.depth) {
-    for (float& depth : face.pixels) {
-      depth = depth < 1.0f ? static_cast<float>(static_cast<double>(depth) * map.frame.far_depth)
-                           : std::numeric_limits<float>::infinity();
-    }
-  }
   for (const Image<uvec2>& ids : read_layers<uvec2>(map.ids, gl::Format::rg32ui, layers)) {
     Image<std::uint32_t>& instance = images.instance.emplace_back(ids.width, ids.height);
     Image<std::uint32_t>& triangle = images.triangle.emplace_back(ids.width, ids.height);
@@ -105,13 +99,22 @@ ShadowMapImages read_back(const gl::Context& context, const ShadowMap& map) {
   return images;
 }
 
+std::vector<Image<float>> to_metres(const ShadowMapImages& images, const LightFrame& frame) {
+  std::vector<Image<float>> faces = images.depth;
+  for (Image<float>& face : faces) {
+    for (float& depth : face.pixels) {
+      depth = depth < 1.0f ? static_cast<float>(static_cast<double>(depth) * frame.far_depth)
+                           : std::numeric_limits<float>::infinity();
+    }
+  }
+  return faces;
+}
+
 dvec3 cube_direction(const LightFrame& frame, int face, int x, int y) {
-  const LightBlock block = make_light_block({}, frame, {});
   const double step = 2.0 * frame.half_extent / frame.resolution;
   const double u = (x + 0.5) * step - frame.half_extent;
   const double v = frame.half_extent - (y + 0.5) * step;
-  const dvec4* basis = &block.face_basis[3 * static_cast<std::size_t>(face)];
-  return glm::normalize(dvec3(u * basis[0] + v * basis[1] + basis[2]));
+  return glm::normalize(cube_face(face) * dvec3(u, v, 1.0));
 }
 
 }  // namespace umbrameter

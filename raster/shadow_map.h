@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/image.h"
+#include "core/shadow_taps.h"
 #include "raster/gl/context.h"
 #include "raster/gl/objects.h"
 #include "raster/parameters.h"
@@ -25,13 +26,10 @@ struct ShadowMap {
 ShadowMap draw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light,
                           const LightFrame& frame, const ShadowParams& params);
 
-/// A map in memory, one image a face, top row (v = 1) first.
-struct ShadowMapImages {
-  std::vector<Image<float>> depth;  ///< metres, as depth_of(); infinity where the light meets nothing
-  std::vector<Image<std::uint32_t>> instance;
-  std::vector<Image<std::uint32_t>> triangle;
-};
 ShadowMapImages read_back(const gl::Context& context, const ShadowMap& map);
+
+/// Of each face, metres, as depth_of(); infinity where the light meets nothing.
+std::vector<Image<float>> to_metres(const ShadowMapImages& images, const LightFrame& frame);
 
 /// Unit direction, light space, from the light through the centre of a texel of a cube map's face; column x, row y
 /// from the top, as in ShadowMapImages.

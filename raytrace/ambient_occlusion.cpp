@@ -28,23 +28,6 @@ void trace_tiles(const AoTask& task, TracedAo& traced, const Progress& progress)
       progress);
 }
 
-SamplingPrecision precision_of(const TracedAo& traced, const GBuffer& gbuffer, const TruthParams& params) {
-  SamplingPrecision precision;
-  for (std::size_t i = 0; i < traced.ao.size(); ++i) {
-    if (!gbuffer.is_surface(i)) continue;
-    const double half_width = half_width_of(traced.standard_error[i], traced.degrees_of_freedom);
-    ++precision.pixels;
-    precision.worst_half_width = std::max(precision.worst_half_width, half_width);
-    precision.mean_half_width += half_width;
-    precision.mean_samples += traced.samples[i];
-    if (params.tolerance > 0.0 && half_width > params.tolerance) ++precision.pixels_at_limit;
-  }
-  if (precision.pixels == 0) return precision;
-  precision.mean_half_width /= static_cast<double>(precision.pixels);
-  precision.mean_samples /= static_cast<double>(precision.pixels);
-  return precision;
-}
-
 template <int width>
 TracedAo trace(const AoTask& task, const Progress& progress) {
   const TruthParams& params = task.params;
@@ -61,14 +44,13 @@ TracedAo trace(const AoTask& task, const Progress& progress) {
   if (layers == AoLayers::hit_distance || layers == AoLayers::all) {
     traced.hit_distance = Image<float>(gbuffer.width, gbuffer.height, std::numeric_limits<float>::infinity());
   }
-  const bool is_adaptive = params.tolerance > 0.0;
-  traced.degrees_of_freedom = (is_adaptive ? most_randomisations : split(params.spp).count) - 1;
+  traced.degrees_of_freedom = degrees_of_freedom(params);
   if (params.ao_falloff != AoFalloff::none || layers != AoLayers::none) {
     trace_tiles<HitPacket<width>>(task, traced, progress);
   } else {
     trace_tiles<OcclusionPacket<width>>(task, traced, progress);
   }
-  traced.precision = precision_of(traced, gbuffer, params);
+  traced.precision = precision_of(traced.standard_error, traced.samples, params);
   traced.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return traced;
 }

@@ -12,11 +12,10 @@ namespace {
 // −ln 0.05: see half_width_95().
 constexpr double rule_of_three = 2.995732273553991;
 
-// The estimate's scatter differs from the pilot's by chance: with 15 degrees of freedom each, their ratio is below 1.25
-// in four of five cases (F distribution). Aiming that much lower makes most pixels stop at their first look. Stopping
-// at a look favours small scatters; when it happens with probability q, it cannot cost more than
-// 0.95 − (0.95 − (1 − q))/q of the coverage, and pixels that go on win it back in part.
-constexpr double margin = 1.25;
+// Scatters of 7 degrees of freedom must come below the tolerance, from what a pilot of 15 has told: by chance their
+// ratio is below 1.5 in nine of ten cases (F distribution). Aiming that much lower makes most pixels stop at their
+// first look.
+constexpr double margin = 1.5;
 
 // Error of scrambled points across an edge falls as n^(−3/4) (He and Owen, Extensible grids: uniform sampling on a
 // space filling curve, 2016, for discontinuous integrands in two dimensions), of random ones as n^(−1/2).
@@ -50,9 +49,24 @@ double AoEstimate::variance() const {
   return squares / (split.count - 1.0) / split.count;
 }
 
+AoEstimate half_of(const AoEstimate& estimate, int half) {
+  AoEstimate part;
+  part.worth = estimate.worth;
+  part.split = {estimate.split.count / 2, 0};
+  for (int r = 0; r < part.split.count; ++r) {
+    const int from = half * part.split.count + r;
+    part.split.points += estimate.split.size(from);
+    part.open[static_cast<std::size_t>(r)] = estimate.open[static_cast<std::size_t>(from)];
+  }
+  return part;
+}
+
+double least_half_width(const AoEstimate& estimate) {
+  return std::min(rule_of_three / (estimate.worth * estimate.split.points), 1.0);
+}
+
 double half_width_95(const AoEstimate& estimate) {
-  return std::max(student_95(estimate.split.count - 1.0) * std::sqrt(estimate.variance()),
-                  std::min(rule_of_three / estimate.split.points, 1.0));
+  return std::max(student_95(estimate.split.count - 1.0) * std::sqrt(estimate.variance()), least_half_width(estimate));
 }
 
 double standard_error(const AoEstimate& estimate) {
@@ -62,7 +76,7 @@ double standard_error(const AoEstimate& estimate) {
 int rays_needed(const AoEstimate& seen, const TruthParams& params) {
   const double scatter = student_95(seen.split.count - 1.0) * std::sqrt(seen.variance());
   const double factor = std::pow(margin * scatter / params.tolerance, rays_per_error(params.sampler));
-  const double rays = std::max(seen.split.points * factor, rule_of_three / params.tolerance);
+  const double rays = std::max(seen.split.points * factor, rule_of_three / (seen.worth * params.tolerance));
   const double most = params.max_spp;
   return most_randomisations * round_up(std::min(rays, most) / most_randomisations);
 }

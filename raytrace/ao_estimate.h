@@ -9,9 +9,10 @@
 
 namespace umbrameter {
 
-/// How open the rays of each randomisation were.
+/// How open the rays of each randomisation were. Of uneven weights those that would say the same by even ones.
 struct AoEstimate {
   Randomisations split{1, 0};
+  double worth = 1.0;                              ///< of one point, in even ones
   std::array<double, most_randomisations> open{};  ///< sum of 1 − occlusion over the randomisation's rays
 
   double mean() const;
@@ -27,6 +28,12 @@ double half_width_95(const AoEstimate& estimate);
 
 /// half_width_95() over the quantile: what a reader multiplies by it.
 double standard_error(const AoEstimate& estimate);
+
+/// Half 0 or 1 of its randomisations, whose number must be even.
+AoEstimate half_of(const AoEstimate& estimate, int half);
+
+/// The least half width that this many points can claim: see half_width_95().
+double least_half_width(const AoEstimate& estimate);
 
 /// How many rays a pixel's estimate needs to meet params.tolerance, judged from what another estimate has shown.
 /// In steps of up to a quarter, so that neighbours mostly agree.

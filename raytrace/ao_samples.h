@@ -7,15 +7,9 @@
 #include "core/math.h"
 #include "raytrace/parameters.h"
 #include "raytrace/sampler.h"
+#include "raytrace/stopping.h"
 
 namespace umbrameter {
-
-/// Which of a pixel's points are wanted: of `split.points` in all, those beyond the first `begin`.
-struct SampleRange {
-  Randomisations split;
-  int begin = 0;
-  int size() const { return split.points - begin; }
-};
 
 /// Where a pixel looks from.
 struct PixelDirections {

@@ -6,19 +6,14 @@
 #include <limits>
 
 #include "core/parallel.h"
-#include "core/quantiles.h"
 #include "core/random.h"
 #include "raytrace/ao_estimate.h"
 #include "raytrace/ao_samples.h"
 #include "raytrace/packet_width.h"
+#include "raytrace/stopping.h"
 #include "raytrace/surfel.h"
 
 namespace umbrameter {
-
-/// The half width that a stored standard error stands for.
-inline double half_width_of(float standard_error, int degrees_of_freedom) {
-  return student_95(degrees_of_freedom) * static_cast<double>(standard_error);
-}
 
 /// Rays is OcclusionPacket, or HitPacket where distances are wanted. A packet holds rays of one pixel: they leave from
 /// one place, and next to one another in PixelSamples' order they meet about the same boxes.
@@ -45,18 +40,16 @@ class AoTile {
 
  private:
   struct Pixel {
+    explicit Pixel(const TruthParams& params) : stopping(params) {}
     std::size_t index = 0;
     PixelDirections directions;
     float clear_cosine = 0;  // with the triangle's normal, of a direction that cannot meet it
-    bool is_pilot = false;
-    int rays = 0;
+    Stopping stopping;
     AoEstimate estimate;
     dvec3 open_direction{0.0};
     double blocked = 0.0;
     double blocked_distance = 0.0;
   };
-
-  bool is_adaptive() const { return task_.params.tolerance > 0.0; }
 
   Pixel start(std::size_t i) {
     const RayOrigin origin = ray_origin(task_.tracer, task_.gbuffer, i, triangles_);
@@ -65,7 +58,7 @@ class AoTile {
       packet_.add({vec3(origin.point()), vec3(0, 0, 1), 0.0f, true}, task_.gbuffer.instance[i],
                   task_.gbuffer.triangle[i]);
     }
-    Pixel pixel;
+    Pixel pixel(task_.params);
     pixel.index = i;
     PixelDirections& directions = pixel.directions;
     directions.normal = vec3(origin.normal);
@@ -74,16 +67,16 @@ class AoTile {
     directions.frame = frame_about(is_turned ? glm::normalize(shading) : directions.normal);
     directions.offset = origin.offset;
     directions.reach = reach_;
-    directions.range = {is_adaptive() ? pilot_of(task_.params) : split(task_.params.spp), 0};
     // The frame and its product are rounded a few times.
     pixel.clear_cosine = static_cast<float>(origin.clear_cosine) + 0x1p-20f;
-    pixel.is_pilot = is_adaptive();
     statistics_.largest_offset = std::max(statistics_.largest_offset, origin.offset);
     return pixel;
   }
 
   void trace_range(Pixel& pixel) {
-    pixel.directions.stream = hash(static_cast<std::uint32_t>(pixel.index), pixel.is_pilot ? 1u : 0u, task_.seed);
+    pixel.directions.range = pixel.stopping.next();
+    pixel.directions.stream =
+        hash(static_cast<std::uint32_t>(pixel.index), pixel.stopping.is_pilot() ? 1u : 0u, task_.seed);
     samples_.make(task_.params, pixel.directions);
     const std::size_t size = samples_.size();
     std::array<std::uint32_t, most_randomisations> open{};
@@ -103,7 +96,6 @@ class AoTile {
     }
     pixel.estimate.split = pixel.directions.range.split;
     for (std::size_t r = 0; r < open.size(); ++r) pixel.estimate.open[r] += open[r];
-    pixel.rays += static_cast<int>(size);
     statistics_.rays += size;
   }
 
@@ -127,33 +119,24 @@ class AoTile {
     pixel.open_direction += open * dvec3(samples_.x[ray], samples_.y[ray], samples_.z[ray]);
   }
 
-  // Whether the pixel needs more rays, and which.
+  // Whether the pixel needs more rays.
   bool advance(Pixel& pixel) const {
-    if (!is_adaptive()) return false;
-    const TruthParams& params = task_.params;
-    const int left = params.max_spp - pixel.rays;
-    const int needed = rays_needed(pixel.estimate, params);
-    if (pixel.is_pilot) {
-      pixel.is_pilot = false;
-      pixel.directions.range = {{most_randomisations, std::clamp(needed, params.min_spp - pixel.rays, left)}, 0};
+    const bool was_pilot = pixel.stopping.is_pilot();
+    const bool goes_on = pixel.stopping.advance(task_.params, pixel.estimate);
+    if (was_pilot) {
       pixel.estimate = {};
       pixel.open_direction = dvec3(0.0);
       pixel.blocked = pixel.blocked_distance = 0.0;
-      return true;
     }
-    const int points = pixel.estimate.split.points;
-    const auto error = static_cast<float>(standard_error(pixel.estimate));
-    if (left < most_randomisations || half_width_of(error, most_randomisations - 1) <= params.tolerance) return false;
-    const int least = points + std::max(points / 4, most_randomisations);
-    pixel.directions.range = {{most_randomisations, std::min(std::max(needed, least), points + left)}, points};
-    return true;
+    return goes_on;
   }
 
   void store(const Pixel& pixel, TracedAo& result) const {
-    result.ao[pixel.index] = static_cast<float>(pixel.estimate.mean());
-    result.standard_error[pixel.index] = static_cast<float>(standard_error(pixel.estimate));
-    result.variance[pixel.index] = static_cast<float>(pixel.estimate.variance());
-    result.samples[pixel.index] = static_cast<float>(pixel.rays);
+    const PixelEstimate& estimate = pixel.stopping.estimate();
+    result.ao[pixel.index] = static_cast<float>(estimate.value);
+    result.standard_error[pixel.index] = static_cast<float>(estimate.standard_error);
+    result.variance[pixel.index] = static_cast<float>(estimate.variance);
+    result.samples[pixel.index] = static_cast<float>(estimate.rays);
     if (result.bent_normal.size() > 0) {
       const double length = glm::length(pixel.open_direction);
       result.bent_normal[pixel.index] = length > 0.0 ? vec3(pixel.open_direction / length) : vec3(0);

@@ -56,17 +56,6 @@ LightView::LightView(const Light& light, LightSampling sampling, const dvec3& fr
   }
 }
 
-double LightView::facing(const dvec3& normal) const {
-  const double middle = glm::dot(normal, way_);
-  if (is_flat_) {
-    const double x = std::abs(glm::dot(normal, x_));
-    const double y = std::abs(glm::dot(normal, y_));
-    return middle + (is_round_ ? std::sqrt(x * x + y * y) : x + y);
-  }
-  // The cone's rim in the tangent plane at distance 1.
-  return radius_ > 0.0 ? middle + radius_ : middle + tangent_ * glm::length(normal - middle * z_);
-}
-
 LightView::Sample LightView::sample(vec2 point) const {
   const dvec2 p = is_round_ ? dvec2(concentric_disk(point)) : 2.0 * dvec2(point) - 1.0;
   if (!is_flat_) return in_cone(p);

@@ -18,10 +18,6 @@ class LightView {
   /// The light must have extent; `from` is where rays leave.
   LightView(const Light& light, LightSampling sampling, const dvec3& from);
 
-  /// Upper bound of n·ω over the unit directions ω to the light's points, times a positive number: at most 0 only if
-  /// the surface turns away from all of the light.
-  double facing(const dvec3& normal) const;
-
   /// Nothing fits between the surfel and the light.
   bool is_within() const { return is_within_; }
 

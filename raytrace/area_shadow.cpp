@@ -1,27 +1,33 @@
 #include "raytrace/area_shadow.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <mutex>
+#include <tuple>
+#include <utility>
 #include <vector>
 
-#include "core/quantiles.h"
 #include "core/random.h"
 #include "raytrace/area_light.h"
 #include "raytrace/packet.h"
 #include "raytrace/sampler.h"
+#include "raytrace/stopping.h"
 #include "raytrace/surfel.h"
+#include "scenes/light_frame.h"
 
 namespace umbrameter {
 namespace {
 
 constexpr int tile_size = 16;
-// A packet is a block of 4 × 4 pixels; its lanes look at one light: coherent rays without more ado.
+// Packets of pixels near one another look at one light: coherent rays without more ado.
 constexpr int block_size = 4;
 static_assert(block_size * block_size == Packet::width);
-// Keeps the points apart from those of other quantities at the same pixel.
+// Keep the points apart from those of other quantities at the same pixel.
 constexpr std::uint32_t purpose = 0x11947u;
+constexpr std::uint32_t pilot_purpose = 0x21947u;
 
 // Weighted points of one randomisation.
 struct Sums {
@@ -29,126 +35,163 @@ struct Sums {
   double all = 0.0;
   double squares = 0.0;
 };
+using AllSums = std::array<Sums, most_randomisations>;
 
-struct Lane {
-  std::size_t pixel = 0;
+// Even points that would say the same of the randomisations from `first` to `last`: their ratio, and its scatter by the
+// delta method (Cochran, Sampling Techniques, 1977, section 6.4). Uneven weights are worth as many as (Σ w)²/Σ w² even
+// ones (Kish, Survey Sampling, 1965, section 11.7). With weights of 1 these are the points themselves.
+void add_even(AoEstimate& even, const AllSums& sums, int first, int last) {
+  Sums total;
+  int points = 0;
+  for (int r = first; r < last; ++r) {
+    const Sums& s = sums[static_cast<std::size_t>(r)];
+    total.lit += s.lit;
+    total.all += s.all;
+    total.squares += s.squares;
+    points += even.split.size(r);
+  }
+  if (!(total.all > 0.0)) {  // seen edge on: no part of it is visible, for sure
+    even.worth = std::numeric_limits<double>::infinity();
+    return;
+  }
+  const double share = total.lit / total.all;
+  for (int r = first; r < last; ++r) {
+    const Sums& s = sums[static_cast<std::size_t>(r)];
+    even.open[static_cast<std::size_t>(r)] = share * even.split.size(r) + (s.lit - share * s.all) * points / total.all;
+  }
+  even.worth = std::min(even.worth, total.all * total.all / (points * total.squares));
+}
+
+struct Pixel {
+  std::size_t index = 0;
   vec3 origin{0};
   dvec3 normal{0.0};
   LightView view;
   vec2 slants{1.0f};
-  std::vector<Sums> sums;  // of each randomisation
-  bool is_traced = false;  // the point asked for is above the horizon
-  double weight = 0.0;     // of that point
-};
+  Stopping stopping;
+  AllSums sums{};
 
-struct Share {
-  double value = 0.0;
-  double variance = 0.0;
-  double unseen = 0.0;  // a share that the points may have missed with a probability of 5 %
-};
-
-// The ratio of the sums, and its variance from the scatter of the randomisations by the delta method (Cochran, Sampling
-// Techniques, 1977, section 6.4); with weights of 1 it is that of a mean. One randomisation tells nothing of its
-// scatter: then the largest that a value in [0, 1] can have. The rule of three is for even weights; uneven ones are
-// worth as many as (Σ w)²/Σ w² of those (Kish, Survey Sampling, 1965, section 11.7).
-Share share_of(const std::vector<Sums>& sums) {
-  constexpr double rule_of_three = 2.995732273553991;  // −ln 0.05, see half_width_95()
-  Sums total;
-  for (const Sums& s : sums) {
-    total.lit += s.lit;
-    total.all += s.all;
-    total.squares += s.squares;
+  // The points of next() have been traced. Whether more are wanted.
+  bool advance(const TruthParams& params) {
+    AoEstimate even;
+    even.split = stopping.next().split;
+    const int count = even.split.count;
+    if (params.tolerance > 0.0) {  // halves have to know nothing of one another
+      add_even(even, sums, 0, count / 2);
+      add_even(even, sums, count / 2, count);
+    } else {
+      add_even(even, sums, 0, count);
+    }
+    const bool was_pilot = stopping.is_pilot();
+    const bool goes_on = stopping.advance(params, even);
+    if (was_pilot) sums = {};
+    return goes_on;
   }
-  if (!(total.all > 0.0)) return {};  // seen edge on: no part of it is visible
-  Share share{total.lit / total.all, 0.25, std::min(rule_of_three * total.squares / (total.all * total.all), 1.0)};
-  if (sums.size() < 2) return share;
-  double squares = 0.0;
-  for (const Sums& s : sums) squares += std::pow(s.lit - share.value * s.all, 2);
-  const double n = static_cast<double>(sums.size());
-  share.variance = squares * n / (n - 1.0) / (total.all * total.all);
-  return share;
-}
+};
 
-class BlockTracer {
+class TileTracer {
  public:
-  BlockTracer(const Tracer& tracer, const GBuffer& gbuffer, const Light& light, const TruthSampling& sampling)
-      : tracer_(tracer),
-        gbuffer_(gbuffer),
-        light_(light),
-        sampling_(sampling),
-        split_(split(sampling.params.spp)),
-        packet_(tracer.state()) {
-    lanes_.reserve(Packet::width);
-  }
+  TileTracer(const Tracer& tracer, const GBuffer& gbuffer, const Light& light, const TruthSampling& sampling)
+      : tracer_(tracer), gbuffer_(gbuffer), light_(light), sampling_(sampling), packet_(tracer.state()) {}
 
-  void trace(const Tile& block, TracedVisibility& result) {
-    packet_.clear();
-    lanes_.clear();
-    for (int y = block.y_begin; y < block.y_end; ++y) {
-      for (int x = block.x_begin; x < block.x_end; ++x) {
-        const std::size_t i = gbuffer_.instance.index(x, y);
-        if (gbuffer_.is_surface(i)) add(i, result);
+  void trace(const Tile& tile, TracedVisibility& result) {
+    for (int y = tile.y_begin; y < tile.y_end; y += block_size) {
+      for (int x = tile.x_begin; x < tile.x_end; x += block_size) {
+        for (int v = y; v < std::min(y + block_size, tile.y_end); ++v) {
+          for (int u = x; u < std::min(x + block_size, tile.x_end); ++u) {
+            const std::size_t i = gbuffer_.instance.index(u, v);
+            if (gbuffer_.is_surface(i)) add(i, result);
+          }
+        }
       }
     }
-    if (lanes_.empty()) return;
-    for (int r = 0; r < split_.count; ++r) {
-      for (int i = 0; i < split_.size(r); ++i)
-        trace_point(static_cast<std::uint32_t>(r), static_cast<std::uint32_t>(i));
+    // Pixels that want the same range of points share packets; each one's answer depends on its own rays alone.
+    while (!pending_.empty()) {
+      const auto work = [this](int i) {
+        const Stopping& s = pixels_[static_cast<std::size_t>(i)].stopping;
+        return std::tuple(s.is_pilot(), s.next().begin, s.next().split.points);
+      };
+      std::stable_sort(pending_.begin(), pending_.end(), [&](int a, int b) { return work(a) < work(b); });
+      for (std::size_t first = 0; first < pending_.size();) {
+        std::size_t last = first;
+        while (last < pending_.size() && last - first < static_cast<std::size_t>(Packet::width) &&
+               work(pending_[last]) == work(pending_[first])) {
+          ++last;
+        }
+        trace_packet(first, last);
+        first = last;
+      }
+      std::erase_if(pending_, [&](int i) { return !pixels_[static_cast<std::size_t>(i)].advance(sampling_.params); });
     }
-    for (const Lane& lane : lanes_) {
-      const Share share = share_of(lane.sums);
-      result.visibility[lane.pixel] = static_cast<float>(share.value);
-      result.variance[lane.pixel] = static_cast<float>(share.variance);
-      result.standard_error[lane.pixel] =
-          static_cast<float>(std::max(std::sqrt(share.variance), share.unseen / student_95(split_.count - 1.0)));
-      result.samples[lane.pixel] = static_cast<float>(split_.points);
-    }
+    for (const Pixel& pixel : pixels_) store(pixel, result);
   }
 
   const TraceStatistics& statistics() const { return statistics_; }
 
  private:
   void add(std::size_t i, TracedVisibility& result) {
-    const RayOrigin origin = ray_origin(tracer_, gbuffer_, i);
-    Lane lane{i,
-              vec3(origin.point()),
-              dvec3(gbuffer_.geometric_normal[i]),
-              {light_, sampling_.params.light_sampling, dvec3(vec3(origin.point()))},
-              vec2(0.5f) + vec2(to_unit_float(hash(static_cast<std::uint32_t>(i), 0u, sampling_.seed, purpose)),
-                                to_unit_float(hash(static_cast<std::uint32_t>(i), 1u, sampling_.seed, purpose))),
-              std::vector<Sums>(static_cast<std::size_t>(split_.count))};
-    if (lane.view.is_within()) return;
-    if (!(lane.view.facing(lane.normal) > 0.0)) {
+    const RayOrigin origin = ray_origin(tracer_, gbuffer_, i, triangles_);
+    const auto slant = [&](std::uint32_t axis) {
+      return 0.5f + to_unit_float(hash(static_cast<std::uint32_t>(i), axis, sampling_.seed, purpose));
+    };
+    Pixel pixel{i,
+                vec3(origin.point()),
+                dvec3(gbuffer_.geometric_normal[i]),
+                {light_, sampling_.params.light_sampling, dvec3(vec3(origin.point()))},
+                {slant(0u), slant(1u)},
+                Stopping(sampling_.params)};
+    if (pixel.view.is_within()) return;
+    if (!faces(light_, dvec3(gbuffer_.position[i]), pixel.normal)) {
       result.visibility[i] = 0.0f;
       return;
     }
     statistics_.largest_offset = std::max(statistics_.largest_offset, origin.offset);
-    packet_.add({lane.origin, vec3(0, 0, 1), 0.0f}, gbuffer_.instance[i], gbuffer_.triangle[i]);
-    lanes_.push_back(std::move(lane));
+    pending_.push_back(static_cast<int>(pixels_.size()));
+    pixels_.push_back(std::move(pixel));
   }
 
-  // One point of every lane. The surface itself hides what is below its horizon.
-  void trace_point(std::uint32_t randomisation, std::uint32_t index) {
+  Pixel& pending(std::size_t i) { return pixels_[static_cast<std::size_t>(pending_[i])]; }
+
+  void trace_packet(std::size_t first, std::size_t last) {
+    packet_.clear();
+    for (std::size_t i = first; i < last; ++i) {
+      const Pixel& pixel = pending(i);
+      packet_.add({pixel.origin, vec3(0, 0, 1), 0.0f}, gbuffer_.instance[pixel.index], gbuffer_.triangle[pixel.index]);
+    }
+    const SampleRange range = pending(first).stopping.next();
+    const Randomisations before{range.split.count, range.begin};
+    for (int r = 0; r < range.split.count; ++r) {
+      for (int i = before.size(r); i < range.split.size(r); ++i) {
+        trace_point(first, static_cast<std::uint32_t>(r), static_cast<std::uint32_t>(i));
+      }
+    }
+  }
+
+  // One point of every pixel. The surface itself hides what is below its horizon.
+  void trace_point(std::size_t first, std::uint32_t randomisation, std::uint32_t index) {
+    std::array<double, Packet::width> weights{};
+    std::array<bool, Packet::width> is_traced{};
     for (int l = 0; l < packet_.size(); ++l) {
-      Lane& lane = lanes_[static_cast<std::size_t>(l)];
-      const std::uint32_t scramble =
-          hash(static_cast<std::uint32_t>(lane.pixel), randomisation, sampling_.seed, purpose);
-      const LightView::Sample sample = lane.view.sample(slanted(point_of(index, scramble), lane.slants));
-      lane.is_traced = glm::dot(lane.normal, sample.direction) > 0.0;
-      lane.weight = sample.weight;
+      const Pixel& pixel = pending(first + static_cast<std::size_t>(l));
+      const std::uint32_t scramble = hash(static_cast<std::uint32_t>(pixel.index), randomisation, sampling_.seed,
+                                          pixel.stopping.is_pilot() ? pilot_purpose : purpose);
+      const LightView::Sample sample = pixel.view.sample(slanted(point_of(index, scramble), pixel.slants));
+      is_traced[static_cast<std::size_t>(l)] = glm::dot(pixel.normal, sample.direction) > 0.0;
+      weights[static_cast<std::size_t>(l)] = sample.weight;
       // The light is no blocker: the ray stops short of it by the rounding of its own length. Nothing is hit by a ray
       // without length.
-      const float reach = lane.is_traced ? static_cast<float>(sample.reach * (1.0 - 0x1p-22)) : 0.0f;
-      packet_.aim(l, {lane.origin, vec3(sample.direction), reach});
-      statistics_.rays += lane.is_traced ? 1 : 0;
+      const float reach =
+          is_traced[static_cast<std::size_t>(l)] ? static_cast<float>(sample.reach * (1.0 - 0x1p-22)) : 0.0f;
+      packet_.aim(l, {pixel.origin, vec3(sample.direction), reach});
+      statistics_.rays += is_traced[static_cast<std::size_t>(l)] ? 1u : 0u;
     }
     packet_.trace();
     for (int l = 0; l < packet_.size(); ++l) {
-      Lane& lane = lanes_[static_cast<std::size_t>(l)];
-      Sums& sums = lane.sums[randomisation];
-      sums.all += lane.weight;
-      sums.squares += lane.weight * lane.weight;
-      if (lane.is_traced && !packet_.is_blocked(l)) sums.lit += lane.weight;
+      Sums& sums = pending(first + static_cast<std::size_t>(l)).sums[randomisation];
+      const double weight = weights[static_cast<std::size_t>(l)];
+      sums.all += weight;
+      sums.squares += weight * weight;
+      if (is_traced[static_cast<std::size_t>(l)] && !packet_.is_blocked(l)) sums.lit += weight;
     }
   }
 
@@ -156,13 +199,22 @@ class BlockTracer {
     return sampling_.params.sampler == Sampler::owen ? owen_sobol(index, scramble) : random_point(index, scramble);
   }
 
+  void store(const Pixel& pixel, TracedVisibility& result) const {
+    const PixelEstimate& estimate = pixel.stopping.estimate();
+    result.visibility[pixel.index] = static_cast<float>(estimate.value);
+    result.variance[pixel.index] = static_cast<float>(estimate.variance);
+    result.standard_error[pixel.index] = static_cast<float>(estimate.standard_error);
+    result.samples[pixel.index] = static_cast<float>(estimate.rays);
+  }
+
   const Tracer& tracer_;
   const GBuffer& gbuffer_;
   const Light& light_;
   const TruthSampling& sampling_;
-  Randomisations split_;
   Packet packet_;
-  std::vector<Lane> lanes_;
+  SurfelCache triangles_;
+  std::vector<Pixel> pixels_;
+  std::vector<int> pending_;
   TraceStatistics statistics_;
 };
 
@@ -170,26 +222,25 @@ class BlockTracer {
 
 TracedVisibility trace_area_visibility(const Tracer& tracer, const GBuffer& gbuffer, const Light& light,
                                        const TruthSampling& sampling, const Progress& progress) {
+  check(sampling.params);
   const auto start = std::chrono::steady_clock::now();
   const Image<float> none(gbuffer.width, gbuffer.height, 0.0f);
   TracedVisibility traced{
-      Image<float>(gbuffer.width, gbuffer.height, 1.0f), {}, none, none, none, split(sampling.params.spp).count - 1};
+      Image<float>(gbuffer.width, gbuffer.height, 1.0f), {}, none, none, none, degrees_of_freedom(sampling.params)};
   std::mutex mutex;
   parallel_tiles(
       gbuffer.width, gbuffer.height, tile_size,
       [&](const Tile& tile) {
-        BlockTracer tracing(tracer, gbuffer, light, sampling);
-        for (int y = tile.y_begin; y < tile.y_end; y += block_size) {
-          for (int x = tile.x_begin; x < tile.x_end; x += block_size) {
-            tracing.trace({x, y, std::min(x + block_size, tile.x_end), std::min(y + block_size, tile.y_end)}, traced);
-          }
-        }
+        TileTracer tracing(tracer, gbuffer, light, sampling);
+        tracing.trace(tile, traced);
+        tracer.state().rays_traced += tracing.statistics().rays;
         const std::lock_guard lock(mutex);
         traced.statistics.rays += tracing.statistics().rays;
         traced.statistics.largest_offset =
             std::max(traced.statistics.largest_offset, tracing.statistics().largest_offset);
       },
       progress);
+  traced.precision = precision_of(traced.standard_error, traced.samples, sampling.params);
   traced.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return traced;
 }

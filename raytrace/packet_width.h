@@ -5,7 +5,7 @@
 
 namespace umbrameter {
 
-/// Rays a packet: the fastest with every Embree that was tried (docs/decisions/no-coherence-hint.md).
+/// Rays a packet: the fastest (docs/decisions/packets-of-one-pixel.md).
 inline constexpr int best_packet_width = 8;
 
 /// What every tile of one image has in common.

@@ -27,7 +27,7 @@ Parameters describe(TruthParams& params) {
   return Description("truth")
       .field("spp", params.spp,
              {"rays",
-              "rays for each pixel: to each light that has extent, and over the hemisphere where there is no tolerance",
+              "rays for each pixel where there is no tolerance: over the hemisphere, and to each light that has extent",
               1, 65536})
       .choice("ao-weight", params.ao_weight, weights, {"", "how directions count: by their cosine, or evenly"})
       .field("ao-distance", params.ao_distance, {"m", "hits farther than this do not occlude; 0 for no limit", 0.0})
@@ -35,8 +35,8 @@ Parameters describe(TruthParams& params) {
               {"", "Owen-scrambled Sobol points, or independent random ones for comparison"})
       .field("tolerance", params.tolerance,
              {"1",
-              "a pixel's hemisphere rays stop when the half width of its 95 % interval is below this; 0: truth.spp "
-              "rays for each",
+              "a pixel's rays, over the hemisphere or to a light that has extent, stop when the half width of its 95 % "
+              "interval is below this; 0: truth.spp rays for each",
               0.0, 1.0})
       .field("min-spp", params.min_spp,
              {"rays", "least rays of a pixel that has a tolerance", static_cast<double>(least_min_spp), most_spp})

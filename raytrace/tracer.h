@@ -65,6 +65,15 @@ struct TruthSampling {
   std::uint32_t seed = 1;
 };
 
+/// How well the sampled pixels of an image are known.
+struct SamplingPrecision {
+  std::uint64_t pixels = 0;       ///< sampled ones
+  double worst_half_width = 0.0;  ///< of the pixels' 95 % intervals
+  double mean_half_width = 0.0;
+  double mean_samples = 0.0;          ///< rays a pixel
+  std::uint64_t pixels_at_limit = 0;  ///< stopped by truth.max-spp above the tolerance; 0 without a tolerance
+};
+
 struct TracedVisibility {
   Image<float> visibility;  ///< 1 lit, 0 blocked or turned away (geometric N·L ≤ 0), 1 on background
   TraceStatistics statistics;
@@ -73,22 +82,14 @@ struct TracedVisibility {
   Image<float> variance{};
   Image<float> samples{};
   int degrees_of_freedom = 0;
+  SamplingPrecision precision{};
 };
-/// One ray to a light without extent, whose visibility is 0 or 1. Of a light with extent the visible share, by
-/// params.spp Owen-scrambled Sobol points in independent randomisations: of its area or its solid angle
-/// (params.light_sampling), however it is turned and whatever its cone; points below the surfel's geometric horizon
-/// count as blocked. 1 for a surfel within a sphere light.
+/// One ray to a light without extent, whose visibility is 0 or 1. Of a light with extent the visible share, of
+/// its area or its solid angle (params.light_sampling), however it is turned and whatever its cone, by as many points
+/// as trace_ao() takes rays; points below the surfel's geometric horizon count as blocked and take none. 1 for a surfel
+/// within a sphere light.
 TracedVisibility trace_visibility(const Tracer& tracer, const GBuffer& gbuffer, const Light& light,
                                   const TruthSampling& sampling = {}, const Progress& progress = {});
-
-/// How well the pixels of a sampled image are known.
-struct SamplingPrecision {
-  std::uint64_t pixels = 0;       ///< that see a surface
-  double worst_half_width = 0.0;  ///< of the pixels' 95 % intervals
-  double mean_half_width = 0.0;
-  double mean_samples = 0.0;          ///< rays a pixel
-  std::uint64_t pixels_at_limit = 0;  ///< stopped by truth.max-spp above the tolerance; 0 without a tolerance
-};
 
 struct TracedAo {
   Image<float> ao;  ///< accessibility, 1 open and on background
@@ -105,7 +106,8 @@ struct TracedAo {
 };
 /// Hemisphere AO. Without a tolerance params.spp rays a pixel. With one, half of params.min_spp decide how many more
 /// are needed, fresh ones make the estimate, and more follow until the half width of its 95 % interval is within the
-/// tolerance or params.max_spp is reached. Throws Error (usage) when parameters contradict one another.
+/// tolerance or params.max_spp is reached; docs/reference.md says how that leaves values unbiased. Throws Error (usage)
+/// when parameters contradict one another.
 TracedAo trace_ao(const Tracer& tracer, const GBuffer& gbuffer, const TruthParams& params, std::uint32_t seed,
                   const Progress& progress = {});
 

@@ -1,8 +1,12 @@
 #include "reports/cache_file.h"
 
+#include <zlib.h>
+
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <stdexcept>
@@ -18,18 +22,18 @@ using Json = nlohmann::ordered_json;
 // Numbers in the order of the machine's own bytes: read on a machine with the other order, the version does not fit.
 struct Head {
   std::array<char, 8> magic{'U', 'M', 'B', 'R', 'A', 'R', 'E', 'F'};
-  std::uint32_t version = 1;
+  std::uint32_t version = 2;
   std::uint32_t reserved = 0;
   std::uint64_t text_bytes = 0;
-  std::uint64_t pixel_bytes = 0;
+  std::uint64_t pixel_bytes = 0;    // as they lie in the file: compressed
   std::array<char, 32> checksum{};  // of all that follows the head, and of the sizes before
 };
 static_assert(sizeof(Head) == 64);
 
-std::array<char, 32> checksum_of(const Head& head, std::string_view text, std::span<const std::string_view> pixels) {
+std::array<char, 32> checksum_of(const Head& head, std::string_view text, std::string_view pixels) {
   ContentHash hash;
   hash.add(head.version).add(head.reserved).add(head.text_bytes).add(head.pixel_bytes).add(text);
-  for (const std::string_view part : pixels) hash.add_bytes(std::as_bytes(std::span(part.data(), part.size())));
+  hash.add_bytes(std::as_bytes(std::span(pixels.data(), pixels.size())));
   std::array<char, 32> digits{};
   hash.hex().copy(digits.data(), digits.size());
   return digits;
@@ -76,18 +80,75 @@ CacheEntry entry_of(const Json& text) {
   return entry;
 }
 
-// Hands the payload out to the images; false where it does not fit them.
-bool fill(CacheEntry& entry, std::string_view pixels) {
+// zlib's fastest level: shadows and open sky shrink to a few hundredths, noise of sampled images hardly more by slower
+// ones. Of all images as one stream, whose parts are given to zlib one after the other.
+std::string compress(const std::vector<CachedImage>& images) {
+  z_stream stream{};
+  if (deflateInit(&stream, Z_BEST_SPEED) != Z_OK) throw std::bad_alloc();
+  std::string out;
+  std::array<char, 1 << 16> block;
+  const auto feed = [&](std::string_view part, int flush) {
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(part.data()));
+    stream.avail_in = static_cast<uInt>(part.size());
+    do {
+      stream.next_out = reinterpret_cast<Bytef*>(block.data());
+      stream.avail_out = static_cast<uInt>(block.size());
+      deflate(&stream, flush);
+      out.append(block.data(), block.size() - stream.avail_out);
+    } while (stream.avail_out == 0);
+  };
+  constexpr std::size_t most_at_once = 1u << 30;  // zlib counts in 32 bits
+  for (const CachedImage& image : images) {
+    for (std::string_view rest = view_of(image); !rest.empty();) {
+      feed(rest.substr(0, most_at_once), Z_NO_FLUSH);
+      rest.remove_prefix(std::min(rest.size(), most_at_once));
+    }
+  }
+  feed({}, Z_FINISH);
+  deflateEnd(&stream);
+  return out;
+}
+
+// Fills the images; false where the stream does not hold exactly what they take.
+bool expand(CacheEntry& entry, std::string_view pixels) {
+  // A stream cannot grow by more (zlib, Technical Details): sizes beyond that are never allocated.
+  constexpr std::uint64_t most_growth = 1032;
+  std::uint64_t room = (pixels.size() + 1) * most_growth;
   for (CachedImage& image : entry.images) {
     if (image.width < 0 || image.height < 0 || image.pixel_bytes < 0) return false;
     const std::uint64_t area = static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
     const auto pixel = static_cast<std::uint64_t>(image.pixel_bytes);
-    if (pixel != 0 && area > pixels.size() / pixel) return false;
-    const auto* bytes = reinterpret_cast<const std::byte*>(pixels.data());
-    image.pixels.assign(bytes, bytes + area * pixel);
-    pixels.remove_prefix(static_cast<std::size_t>(area * pixel));
+    if (pixel != 0 && area > room / pixel) return false;
+    room -= area * pixel;
+    image.pixels.resize(static_cast<std::size_t>(area * pixel));
   }
-  return pixels.empty();
+  z_stream stream{};
+  if (inflateInit(&stream) != Z_OK) throw std::bad_alloc();
+  int state = Z_OK;
+  const auto take = [&](std::byte* into, std::size_t bytes) {
+    constexpr std::size_t most_at_once = 1u << 30;
+    while (bytes > 0 && state == Z_OK) {
+      const std::size_t part = std::min(bytes, most_at_once);
+      const std::size_t given = std::min(pixels.size(), most_at_once);
+      stream.next_out = reinterpret_cast<Bytef*>(into);
+      stream.avail_out = static_cast<uInt>(part);
+      stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(pixels.data()));
+      stream.avail_in = static_cast<uInt>(given);
+      state = inflate(&stream, Z_NO_FLUSH);
+      pixels.remove_prefix(given - stream.avail_in);
+      into += part - stream.avail_out;
+      bytes -= part - stream.avail_out;
+      if (part == stream.avail_out && given == stream.avail_in) break;  // no way on
+    }
+    return bytes == 0;
+  };
+  bool is_whole = true;
+  for (CachedImage& image : entry.images) is_whole = is_whole && take(image.pixels.data(), image.pixels.size());
+  // Nothing may be left but the stream's own end.
+  std::byte beyond{};
+  is_whole = is_whole && !take(&beyond, 1) && state == Z_STREAM_END && pixels.empty();
+  inflateEnd(&stream);
+  return is_whole;
 }
 
 // The head where magic and version fit and the whole file is there.
@@ -104,19 +165,14 @@ std::string read_head(std::string_view bytes, Head& head) {
 std::string to_cache_file(const std::string& key, const CacheEntry& entry) {
   // Names come from files: bytes that are no UTF-8 are replaced, never thrown on.
   const std::string text = describe_entry(key, entry).dump(-1, ' ', false, Json::error_handler_t::replace);
-  std::vector<std::string_view> pixels;
+  const std::string pixels = compress(entry.images);
   Head head;
   head.text_bytes = text.size();
-  for (const CachedImage& image : entry.images) {
-    pixels.push_back(view_of(image));
-    head.pixel_bytes += pixels.back().size();
-  }
+  head.pixel_bytes = pixels.size();
   head.checksum = checksum_of(head, text, pixels);
   std::string bytes(reinterpret_cast<const char*>(&head), sizeof(Head));
-  bytes.reserve(sizeof(Head) + text.size() + head.pixel_bytes);
-  bytes += text;
-  for (const std::string_view part : pixels) bytes += part;
-  return bytes;
+  bytes.reserve(sizeof(Head) + text.size() + pixels.size());
+  return bytes += text + pixels;
 }
 
 CacheRead from_cache_file(const std::string& key, std::string_view bytes) {
@@ -128,12 +184,12 @@ CacheRead from_cache_file(const std::string& key, std::string_view bytes) {
   }
   const std::string_view text = bytes.substr(0, head.text_bytes);
   const std::string_view pixels = bytes.substr(head.text_bytes);
-  if (checksum_of(head, text, {&pixels, 1}) != head.checksum) return {{}, "its checksum does not fit"};
+  if (checksum_of(head, text, pixels) != head.checksum) return {{}, "its checksum does not fit"};
   const Json json = Json::parse(text, nullptr, false);
   try {
     if (json.at("key") != key) return {{}, "it is of another key"};
     CacheEntry entry = entry_of(json);
-    if (!fill(entry, pixels)) return {{}, "its images have other sizes than it says"};
+    if (!expand(entry, pixels)) return {{}, "its images have other sizes than it says"};
     return {std::move(entry), {}};
   } catch (const std::exception&) {
     return {{}, "it does not hold what it should"};

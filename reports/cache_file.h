@@ -1,4 +1,4 @@
-// One cached result as one file: images, numbers, and a checksum over all of it.
+// One cached result as one file: images, compressed, numbers, and a checksum over all of it.
 #pragma once
 
 #include <cstddef>

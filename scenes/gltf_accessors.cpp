@@ -187,7 +187,7 @@ std::vector<Element> read_elements(BufferStore& store, int accessor, const std::
     }
   };
   const bool is_same = source.component_type == TINYGLTF_COMPONENT_TYPE_FLOAT && source.stride == sizeof(Element);
-  if (is_same && !source.bytes.empty()) {
+  if (is_same) {
     std::memcpy(floats, source.bytes.data(), source.bytes.size());
   } else if (!source.bytes.empty()) {
     for (std::size_t i = 0; i < source.count; ++i) put(i, &source.bytes[i * source.stride]);

@@ -22,7 +22,7 @@ struct Cursor {
     std::uint32_t value = 0;
     for (unsigned shift = 0; shift < 35; shift += 7) {
       const std::uint32_t next = byte();
-      if (shift < 32) value |= (next & 0x7fu) << shift;
+      value |= (next & 0x7fu) << shift;
       if ((next & 0x80u) == 0) break;
     }
     return value;

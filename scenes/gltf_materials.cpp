@@ -201,7 +201,6 @@ struct TextureReader {
 
 // KHR_texture_transform, "Overview": scale, then rotation, then offset.
 vec2 moved(const TexcoordUse& use, const vec2& texcoord) {
-  if (!use.is_moved) return texcoord;
   const float c = std::cos(use.rotation);
   const float s = std::sin(use.rotation);
   const vec2 scaled = use.scale * texcoord;

@@ -45,6 +45,18 @@ LightFrame fit_directional(const dmat3& axes, const Bounds& bounds, int resoluti
 
 }  // namespace
 
+dmat3 cube_face(int face) {
+  dvec3 forward(0.0);
+  forward[face / 2] = face % 2 == 0 ? 1.0 : -1.0;
+  const dvec3 up = face / 2 == 1 ? dvec3(0.0, 0.0, 1.0) : dvec3(0.0, 1.0, 0.0);
+  return {glm::cross(forward, up), up, forward};
+}
+
+dvec4 homogeneous_place(const Light& light) {
+  const bool is_directional = std::holds_alternative<DirectionalLight>(light.shape);
+  return is_directional ? dvec4(to_light(light, dvec3(0.0)), 0.0) : dvec4(light.position(), 1.0);
+}
+
 LightFrame fit_light(const Light& light, const Bounds& bounds, int resolution) {
   Bounds fitted = bounds;
   if (fitted.empty()) fitted.include(light.position());
@@ -95,10 +107,33 @@ dvec3 to_light(const Light& light, const dvec3& position) {
   return distance > 0.0 ? offset / distance : -light.axis();
 }
 
+bool faces(const Light& light, const dvec3& position, const dvec3& normal) {
+  // How far the light's rim rises above its middle, along the normal.
+  struct Rise {
+    const Light& light;
+    const dvec3& normal;
+    double along(int axis) const { return glm::dot(normal, glm::normalize(dvec3(light.world_from_light[axis]))); }
+    double operator()(const std::monostate&) const { return 0.0; }
+    double operator()(const SphereEmitter& sphere) const { return sphere.radius; }
+    double operator()(const DiskEmitter& disk) const { return disk.radius * std::hypot(along(0), along(1)); }
+    double operator()(const RectangleEmitter& rectangle) const {
+      return 0.5 * (rectangle.width * std::abs(along(0)) + rectangle.height * std::abs(along(1)));
+    }
+    double operator()(const DistantEmitter& distant) const {
+      return std::tan(0.5 * distant.angular_diameter) * std::hypot(along(0), along(1));
+    }
+  };
+  const double cosine = glm::dot(normal, to_light(light, position));
+  if (std::holds_alternative<std::monostate>(light.emitter)) return cosine > 0.0;
+  const bool is_distant = std::holds_alternative<DirectionalLight>(light.shape);
+  const double distance = is_distant ? 1.0 : glm::length(light.position() - position);
+  return cosine * distance + std::visit(Rise{light, normal}, light.emitter) > 0.0;
+}
+
 Counting counting_of(const Light& light, const LightFrame& frame, const dvec3& position,
                      const dvec3& geometric_normal) {
+  if (!faces(light, position, geometric_normal)) return Counting::turned_away;
   const dvec3 direction = to_light(light, position);
-  if (!(glm::dot(geometric_normal, direction) > 0.0)) return Counting::turned_away;
   if (!is_inside(frame, position)) return Counting::outside_map;
   double range = 0.0;
   if (const auto* spot = std::get_if<SpotLight>(&light.shape)) {

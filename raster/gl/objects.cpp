@@ -27,6 +27,8 @@ FormatNames names_of(Format format) {
       return {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 8};
     case Format::rgb32ui:
       return {GL_RGB32UI, GL_RGB_INTEGER, GL_UNSIGNED_INT, 12};
+    case Format::rgba32ui:
+      return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16};
     case Format::rgba8:
       return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
     case Format::depth32f:
@@ -62,6 +64,11 @@ void write_buffer(const Buffer& buffer, std::size_t first_byte, std::span<const 
   if (bytes.empty()) return;
   glNamedBufferSubData(buffer.name(), static_cast<GLintptr>(first_byte), static_cast<GLsizeiptr>(bytes.size()),
                        bytes.data());
+}
+
+void read_buffer(const Buffer& buffer, std::span<std::byte> bytes) {
+  if (bytes.empty()) return;
+  glGetNamedBufferSubData(buffer.name(), 0, static_cast<GLsizeiptr>(bytes.size()), bytes.data());
 }
 
 Buffer make_buffer(const std::string& label, std::span<const std::byte> bytes) {

@@ -80,7 +80,7 @@ Buffer make_block(const std::string& label, const Block& block) {
   return make_buffer(label, std::as_bytes(std::span<const Block, 1>(&block, 1)));
 }
 
-enum class Format { r32f, rgb32f, rgba32f, rg32ui, rgb32ui, rgba8, depth32f };
+enum class Format { r32f, rgb32f, rgba32f, rg32ui, rgb32ui, rgba32ui, rgba8, depth32f };
 
 /// Bytes of one texel.
 std::size_t texel_bytes(Format format);
@@ -94,6 +94,9 @@ Texture make_texture(const std::string& label, Format format, int width, int hei
 
 /// Replaces all texels of a plain 2D texture; rows from texture row 0 on, tightly packed.
 void write_texels(const Texture& texture, Format format, int width, int height, std::span<const std::byte> texels);
+
+/// What shaders have written to a buffer; `bytes` is no longer than the buffer.
+void read_buffer(const Buffer& buffer, std::span<std::byte> bytes);
 
 /// All texels of all layers, rows from texture row 0 on, tightly packed; `texels` has the size of all of them.
 void read_texels(const Texture& texture, Format format, std::span<std::byte> texels);

@@ -8,4 +8,7 @@ layout(std140, binding = BLOCK_LIGHT) uniform LightBlock {
   int resolution;
   float constant_bias;
   float slope_bias;
+  float normal_offset;  // texels
+  float filter_radius;  // texels
+  int tap_count;        // of the filter: here, so that no compiler unrolls loops over taps
 };

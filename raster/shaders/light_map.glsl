@@ -1,4 +1,5 @@
 // Where a world position falls on the light's map, and what the map's taps say of it.
+#include "arithmetic.glsl"
 #include "light.glsl"
 layout(binding = TEXTURE_SHADOW_DEPTH) uniform sampler2DArray shadow_depth;
 layout(binding = TEXTURE_SHADOW_IDS) uniform usampler2DArray shadow_ids;
@@ -11,7 +12,8 @@ struct Receiver {
   dvec3 in_light;     // light space, metres
   double depth;       // metres, as the map counts it
   double axis_depth;  // metres along the axis of the map or face
-  ivec2 texel;        // that contains the projection
+  dvec2 texels;       // where the projection falls, clamped to two texels about the map
+  ivec2 texel;        // that contains it
   int face;
   bool is_inside;
 };
@@ -30,16 +32,16 @@ int face_of(dvec3 direction) {
 }
 
 dvec3 on_face(int face, dvec3 p) {
-  return dvec3(dot(face_basis[3 * face].xyz, p), dot(face_basis[3 * face + 1].xyz, p),
-               dot(face_basis[3 * face + 2].xyz, p));
+  return dvec3(dot_of(face_basis[3 * face].xyz, p), dot_of(face_basis[3 * face + 1].xyz, p),
+               dot_of(face_basis[3 * face + 2].xyz, p));
 }
 
 Receiver project_to_map(dvec3 world) {
   Receiver r;
-  dvec3 p = dvec3(light_from_world * dvec4(world, 1.0lf));
+  dvec3 p = moved_by(light_from_world, world);
   r.in_light = p;
   r.face = 0;
-  dvec2 projected;
+  precise dvec2 projected;
 #if MAP_KIND == MAP_ORTHOGRAPHIC
   r.axis_depth = -p.z;
   r.depth = r.axis_depth;
@@ -50,7 +52,7 @@ Receiver project_to_map(dvec3 world) {
   r.face = face_of(p);
   dvec3 q = on_face(r.face, p);
   r.axis_depth = q.z;
-  r.depth = length(p);
+  r.depth = length_of(p);
 #else
   dvec3 q = dvec3(p.xy, -p.z);
   r.axis_depth = q.z;
@@ -59,8 +61,9 @@ Receiver project_to_map(dvec3 world) {
   r.is_inside = r.axis_depth > 0.0lf;
   projected = r.is_inside ? q.xy / (q.z * half_extent) : dvec2(0.0lf);
 #endif
-  dvec2 texels = clamp((projected * 0.5lf + 0.5lf) * double(resolution), -2.0lf, double(resolution) + 2.0lf);
-  r.texel = ivec2(floor(texels));
+  precise dvec2 texels = (projected * 0.5lf + 0.5lf) * double(resolution);
+  r.texels = clamp(texels, -2.0lf, double(resolution) + 2.0lf);
+  r.texel = ivec2(floor(r.texels));
 #if MAP_KIND == MAP_CUBE
   r.texel = clamp(r.texel, ivec2(0), ivec2(resolution - 1));
 #endif
@@ -70,7 +73,8 @@ Receiver project_to_map(dvec3 world) {
 
 // Position of a texel's centre in map coordinates times half_extent: metres, or tangents.
 dvec2 texel_center(ivec2 texel) {
-  return ((dvec2(texel) + 0.5lf) / double(resolution) * 2.0lf - 1.0lf) * half_extent;
+  precise dvec2 center = ((dvec2(texel) + 0.5lf) / double(resolution) * 2.0lf - 1.0lf) * half_extent;
+  return center;
 }
 
 // The light's ray through the centre of a texel, light space; the direction is not unit.
@@ -84,8 +88,9 @@ void texel_ray(ivec3 texel, out dvec3 origin, out dvec3 direction) {
   direction = dvec3(c, -1.0lf);
 #else
   origin = dvec3(0.0lf);
-  direction = face_basis[3 * texel.z].xyz * c.x + face_basis[3 * texel.z + 1].xyz * c.y +
-              face_basis[3 * texel.z + 2].xyz;
+  precise dvec3 sum = face_basis[3 * texel.z].xyz * c.x + face_basis[3 * texel.z + 1].xyz * c.y +
+                      face_basis[3 * texel.z + 2].xyz;
+  direction = sum;
 #endif
 }
 
@@ -101,25 +106,34 @@ Tap fetch_tap(Receiver receiver, ivec2 offset) {
     texel_ray(tap.texel, origin, direction);
     int face = face_of(direction);
     dvec3 q = on_face(face, direction);
-    ivec2 texel = ivec2(floor((q.xy / (q.z * half_extent) * 0.5lf + 0.5lf) * double(resolution)));
+    precise dvec2 texels = (q.xy / (q.z * half_extent) * 0.5lf + 0.5lf) * double(resolution);
+    ivec2 texel = ivec2(floor(texels));
     tap.texel = ivec3(clamp(texel, ivec2(0), ivec2(resolution - 1)), face);
     is_on_map = true;
   }
 #endif
   float stored = receiver.is_inside && is_on_map ? texelFetch(shadow_depth, tap.texel, 0).r : empty_depth;
   tap.has_blocker = stored < empty_depth;
-  tap.critical_bias = tap.has_blocker ? float(receiver.depth - double(stored) * far_depth) : no_blocker;
+  precise double above = receiver.depth - double(stored) * far_depth;
+  tap.critical_bias = tap.has_blocker ? float(above) : no_blocker;
   return tap;
 }
 
 // Side of a texel at the receiver, metres: texel_at() of scenes/light_frame.h.
 float texel_at(Receiver receiver) {
-  double side = 2.0lf * half_extent / double(resolution);
+  precise double side = 2.0lf * half_extent / double(resolution);
 #if MAP_KIND != MAP_ORTHOGRAPHIC
   side *= receiver.axis_depth;
 #endif
   return float(side);
 }
 
-// Every comparison of the toolkit, in one form: slope is texel size times tan of the angle to the light.
-bool is_lit(float critical_bias, float slope) { return constant_bias >= critical_bias - slope_bias * slope; }
+// The constant bias from which on a tap is lit: slope is texel size times tan of the angle to the light. NaN where the
+// surface stands on edge to the light: blocked at every bias.
+float flip_of(float critical_bias, float slope, float slope_factor) {
+  precise float flip = critical_bias - slope_factor * slope;
+  return flip;
+}
+
+// Every comparison of the toolkit, in one form.
+bool is_lit(float critical_bias, float slope) { return constant_bias >= flip_of(critical_bias, slope, slope_bias); }

@@ -30,53 +30,62 @@ Facet fetch_facet(uvec2 id) {
   dvec4 y = instances[id.x].rows[1];
   dvec4 z = instances[id.x].rows[2];
   // Edges are taken in mesh space: floats subtract exactly in double precision, and directions need no translation.
-  dmat3 light_from_mesh = dmat3(light_from_world) * transpose(dmat3(x.xyz, y.xyz, z.xyz));
+  dmat4 light_from_mesh = dmat4(0.0lf);
+  for (int column = 0; column < 3; ++column) {
+    light_from_mesh[column].xyz = turned_by(light_from_world, dvec3(x[column], y[column], z[column]));
+  }
+  light_from_mesh[3].xyz = moved_by(light_from_world, dvec3(x.w, y.w, z.w));
   Facet f;
-  f.a = light_from_mesh * dvec3(a) + dvec3(light_from_world * dvec4(x.w, y.w, z.w, 1.0lf));
-  f.ab = light_from_mesh * (dvec3(b) - dvec3(a));
-  f.ac = light_from_mesh * (dvec3(c) - dvec3(a));
-  dvec3 n = cross(f.ab, f.ac);
-  double area = length(n);
+  f.a = moved_by(light_from_mesh, dvec3(a));
+  f.ab = turned_by(light_from_mesh, dvec3(b) - dvec3(a));
+  f.ac = turned_by(light_from_mesh, dvec3(c) - dvec3(a));
+  dvec3 n = cross_of(f.ab, f.ac);
+  double area = length_of(n);
   f.normal = area > 0.0lf ? n / area : dvec3(0.0lf);
 #if MAP_KIND == MAP_ORTHOGRAPHIC
   if (f.normal.z < 0.0lf) f.normal = -f.normal;
 #else
-  if (dot(f.normal, f.a) > 0.0lf) f.normal = -f.normal;
+  if (dot_of(f.normal, f.a) > 0.0lf) f.normal = -f.normal;
 #endif
-  dvec4 largest = dvec4(max(abs(a), max(abs(b), abs(c))), 1.0lf);
-  f.vertex_error = half_ulp * length(dvec3(dot(abs(x), largest), dot(abs(y), largest), dot(abs(z), largest)));
+  dvec3 largest = dvec3(max(abs(a), max(abs(b), abs(c))));
+  precise dvec3 reach = dvec3(dot_of(abs(x.xyz), largest) + abs(x.w), dot_of(abs(y.xyz), largest) + abs(y.w),
+                              dot_of(abs(z.xyz), largest) + abs(z.w));
+  f.vertex_error = half_ulp * length_of(reach);
   return f;
 }
 
-double signed_distance(Facet f, dvec3 point) { return dot(f.normal, point - f.a); }
+double signed_distance(Facet f, dvec3 point) { return dot_of(f.normal, point - f.a); }
 
 double rounding_bound(Facet f, dvec3 point, double point_error) {
-  dvec3 n = cross(f.ab, f.ac);
-  double squared = dot(n, n);
+  dvec3 n = cross_of(f.ab, f.ac);
+  double squared = dot_of(n, n);
   if (!(squared > 0.0lf)) return point_error;
-  double v = dot(cross(point - f.a, f.ac), n) / squared;
-  double w = dot(cross(f.ab, point - f.a), n) / squared;
-  return point_error + f.vertex_error * (abs(1.0lf - v - w) + abs(v) + abs(w));
+  double v = dot_of(cross_of(point - f.a, f.ac), n) / squared;
+  double w = dot_of(cross_of(f.ab, point - f.a), n) / squared;
+  precise double bound = point_error + f.vertex_error * (abs(1.0lf - v - w) + abs(v) + abs(w));
+  return bound;
 }
 
 // Where the light's ray meets the triangle; the nearest point of the triangle's edge where rasterisation reached past
 // it. (Moeller and Trumbore 1997, as in gbuffer_resolve.comp.)
 dvec3 sample_on(Facet f, dvec3 origin, dvec3 direction) {
-  dvec3 p = cross(direction, f.ac);
-  double determinant = dot(f.ab, p);
-  dvec3 q = cross(origin - f.a, f.ab);
-  dvec2 weight = abs(determinant) > 0.0lf ? dvec2(dot(origin - f.a, p), dot(direction, q)) / determinant
-                                          : dvec2(1.0lf / 3.0lf);
+  dvec3 p = cross_of(direction, f.ac);
+  double determinant = dot_of(f.ab, p);
+  dvec3 q = cross_of(origin - f.a, f.ab);
+  precise dvec2 weight = abs(determinant) > 0.0lf
+                             ? dvec2(dot_of(origin - f.a, p), dot_of(direction, q)) / determinant
+                             : dvec2(1.0lf / 3.0lf);
   weight = max(weight, 0.0lf);
   weight /= max(1.0lf, weight.x + weight.y);
-  return f.a + weight.x * f.ab + weight.y * f.ac;
+  precise dvec3 sample_point = f.a + weight.x * f.ab + weight.y * f.ac;
+  return sample_point;
 }
 
 bool is_own(Receiver receiver, uvec2 receiver_id, Facet own, ivec3 texel, uvec2 blocker_id) {
   if (receiver_id == blocker_id) return true;
   Facet blocker = fetch_facet(blocker_id);
   // The surfel is stored as floats; what counts is the point of its triangle that it stands for.
-  dvec3 r = receiver.in_light - own.normal * signed_distance(own, receiver.in_light);
+  precise dvec3 r = receiver.in_light - own.normal * signed_distance(own, receiver.in_light);
   if (signed_distance(blocker, r) >= -rounding_bound(blocker, r, own.vertex_error)) return true;
   dvec3 origin;
   dvec3 direction;

@@ -5,13 +5,6 @@ layout(binding = TEXTURE_POSITION_DEPTH) uniform sampler2D position_depth;
 layout(binding = TEXTURE_GEOMETRIC_NORMAL) uniform sampler2D geometric_normal;
 layout(binding = TEXTURE_TRUTH) uniform sampler2D truth_image;
 
-#if SHADOW_FILTER == SHADOW_FILTER_BOX
-const int taps = SHADOW_FILTER_SIZE;
-#else
-const int taps = 1;
-#endif
-const int reach = (taps - 1) / 2;
-
 struct Lookup {
   bool faces_light;  // geometric N·L > 0
   Receiver receiver;
@@ -23,11 +16,21 @@ Lookup look_up(ivec2 pixel) {
   dvec3 position = dvec3(texelFetch(position_depth, pixel, 0).xyz);
   dvec3 normal = dvec3(texelFetch(geometric_normal, pixel, 0).xyz);
   dvec3 to_light = light_in_world.w == 0.0lf ? light_in_world.xyz : light_in_world.xyz - position;
-  precise double cosine = normal.x * to_light.x + normal.y * to_light.y + normal.z * to_light.z;
+  precise double cosine = dot_of(normal, to_light);
   result.faces_light = cosine > 0.0lf;
   result.receiver = project_to_map(position);
-  result.slope = texel_at(result.receiver) * float(length(cross(normal, to_light)) / cosine);
+  precise double sine = length_of(cross_of(normal, to_light));
+  float texel = texel_at(result.receiver);
+  result.slope = texel * float(sine / cosine);
+  if (normal_offset != 0.0) {
+    // By texels and the sine of the light's angle (D. Holbert, Saying "Goodbye" to Shadow Acne, GDC 2011).
+    precise double shift = double(normal_offset) * double(texel) * (sine / length_of(to_light));
+    precise dvec3 moved = position + normal * shift;
+    result.receiver = project_to_map(moved);
+  }
   return result;
 }
 
-bool is_truly_lit(ivec2 pixel) { return texelFetch(truth_image, pixel, 0).r >= 0.5; }
+// What the truth says: 1 lit, 0 blocked, below 0 where no statistics count the pixel.
+float truth_of(ivec2 pixel) { return texelFetch(truth_image, pixel, 0).r; }
+bool is_truly_lit(ivec2 pixel) { return truth_of(pixel) >= 0.5; }

@@ -1,9 +1,9 @@
 // What the shadow map says of each surfel; with a truth, the list of the pixels that have wrong taps.
-#include "surfel_lookup.glsl"
+#include "shadow_filter.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
 layout(binding = IMAGE_VISIBILITY, r32f) writeonly uniform image2D visibility_image;
 #if HAS_TRUTH
-#include "wrong_pixels.glsl"
+#include "pixel_list.glsl"
 #endif
 
 void main() {
@@ -14,19 +14,15 @@ void main() {
     visibility = 0.0;
     Lookup surfel = look_up(pixel);
     if (surfel.faces_light) {
-      int lit = 0;
-      for (int y = -reach; y <= reach; ++y) {
-        for (int x = -reach; x <= reach; ++x) {
-          if (is_lit(fetch_tap(surfel.receiver, ivec2(x, y)).critical_bias, surfel.slope)) ++lit;
-        }
+      uint lit = 0u;
+      Pattern pattern = make_pattern(surfel.receiver, pixel);
+      for (int i = 0; i < tap_count; ++i) {
+        WeightedTap tap = filter_tap(surfel.receiver, pattern, i);
+        if (is_lit(tap.tap.critical_bias, surfel.slope)) lit += tap.weight;
       }
-      visibility = float(lit) / float(taps * taps);
+      visibility = float(double(lit) / double(weight_sum));
 #if HAS_TRUTH
-      if (lit != (is_truly_lit(pixel) ? taps * taps : 0)) {
-        uint index = atomicAdd(wrong_count, 1u);
-        atomicMax(group_count.x, index / LIST_GROUP_SIZE + 1u);
-        wrong_pixels[index] = uint(pixel.x) | uint(pixel.y) << 16u;
-      }
+      if (truth_of(pixel) >= 0.0 && lit != (is_truly_lit(pixel) ? weight_sum : 0u)) append(pixel);
 #endif
     }
   }

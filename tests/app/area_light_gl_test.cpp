@@ -48,6 +48,32 @@ TEST_F(AreaLightRun, The_error_is_split_by_sign_with_intervals_and_has_no_causes
   EXPECT_NE(text_of(folder_ / "out/index.html").find("split by sign"), std::string::npos);
 }
 
+TEST_F(AreaLightRun, Stops_each_pixel_at_the_tolerance_and_tells_how_well_it_is_known) {
+  const ProgramResult result =
+      run_program({"compare", "contact-box", "-o", folder_ / "out", "--light", "sun", "--light.angle", "8", "--size",
+                   "64x36", "--truth.tolerance", "0.05", "--truth.min-spp", "64"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json shadow = Json::parse(text_of(folder_ / "out/summary.json"))["shadows"][0];
+  const Json& truth = shadow["truth"];
+  EXPECT_LE(truth["worst_half_width_95"], 0.05);
+  EXPECT_GT(truth["mean_half_width_95"], 0.0);
+  EXPECT_EQ(truth["pixels_at_limit"], 0);
+  EXPECT_GT(truth["largest_offset_m"], 0.0);
+  EXPECT_GE(truth["pixels"], shadow["statistics"]["pixels"]) << "all counted pixels of this view are sampled";
+  double samples = 0.0;
+  for (const float n : layer(folder_ / "out/images.exr", "truth_visibility_samples_sun.Y").pixels) samples += n;
+  EXPECT_NEAR(samples / truth["pixels"].get<double>(), truth["mean_samples"].get<double>(), 1e-6);
+  const std::string page = text_of(folder_ / "out/index.html");
+  EXPECT_NE(page.find("offset of at most"), std::string::npos);
+  EXPECT_NE(page.find("rays a pixel on average"), std::string::npos);
+  // What it cost is on stderr alone: files of equal runs are equal.
+  for (const char* part : {" triangles, built in ", " shadow rays in ", " hemisphere rays in ", " Mray/s",
+                           "offset at most ", "peak memory "}) {
+    EXPECT_NE(result.err.find(part), std::string::npos) << part << "\n" << result.err;
+    EXPECT_EQ(page.find(" Mray/s"), std::string::npos);
+  }
+}
+
 TEST_F(AreaLightRun, A_sweep_over_the_extent_starts_at_the_hard_shadow) {
   ASSERT_EQ(run_program(words({"sweep", "contact-box", "-o", folder_ / "sweep", "--light", "sun", "--vary",
                                "light.angle=0,4,16"},

@@ -37,6 +37,13 @@ class ReferenceCache : public testing::Test {
     }
     return found;
   }
+  // What one run keeps.
+  std::uint64_t bytes_of_a_run() const {
+    trace("probe");
+    const std::uint64_t bytes = list()["bytes"];
+    fs::remove_all(home_ / "umbrameter");
+    return bytes;
+  }
   Json list() const { return Json::parse(run_program({"cache", "--json"}, here()).out); }
 
   TemporaryFolder folder_;
@@ -57,6 +64,32 @@ TEST_F(ReferenceCache, Gives_the_same_files_bit_for_bit) {
   for (const char* file : {"images.exr", "summary.json", "index.html"}) {
     EXPECT_EQ(text_of(folder_ / ("second/" + std::string(file))), text_of(folder_ / ("first/" + std::string(file))));
     EXPECT_EQ(text_of(folder_ / ("without/" + std::string(file))), text_of(folder_ / ("first/" + std::string(file))));
+  }
+}
+
+TEST_F(ReferenceCache,
+       Gives_the_same_files_for_soft_shadows_and_pixels_that_stop_on_their_own_at_any_number_of_threads) {
+  const std::vector<std::string> soft = {"--light.angle", "6"};
+  const std::vector<std::string> adaptive = {"--light.angle",   "6",  "--truth.tolerance", "0.2",
+                                             "--truth.min-spp", "64", "--truth.ao-layers", "all"};
+  for (const std::vector<std::string>& flags : {soft, adaptive}) {
+    const auto with = [&](const std::string& output, const std::vector<std::string>& more) {
+      std::vector<std::string> all = flags;
+      all.insert(all.end(), more.begin(), more.end());
+      const ProgramResult result = trace(output, all);
+      EXPECT_EQ(result.exit_code, 0) << result.err;
+      return result.err;
+    };
+    with("first", {"--threads", "1"});
+    EXPECT_NE(with("second", {"--threads", "7"}).find(hit), std::string::npos);
+    EXPECT_EQ(with("two", {"--no-cache", "--threads", "2"}).find(hit), std::string::npos);
+    with("seven", {"--no-cache", "--threads", "7"});
+    for (const char* file : {"images.exr", "summary.json", "index.html"}) {
+      const std::string first = text_of(folder_ / ("first/" + std::string(file)));
+      for (const char* other : {"second/", "two/", "seven/"}) {
+        EXPECT_EQ(text_of(folder_ / (other + std::string(file))), first) << other << file << " " << flags.size();
+      }
+    }
   }
 }
 
@@ -124,14 +157,15 @@ TEST_F(ReferenceCache, A_read_only_folder_still_gives_hits) {
 }
 
 TEST_F(ReferenceCache, The_limit_is_kept_and_wrong_ones_are_refused) {
+  const std::uint64_t limit = bytes_of_a_run() * 5 / 2;
   ProgramOptions limited = here();
-  limited.environment.push_back("UMBRAMETER_CACHE_SIZE=180K");
-  // 64 × 36 × 4 bytes an image, four for visibility and four for AO: about 37 kB an entry.
+  limited.environment.push_back("UMBRAMETER_CACHE_SIZE=" + std::to_string(limit));
   for (int seed = 1; seed < 6; ++seed) EXPECT_EQ(trace("out", {"--seed", std::to_string(seed)}, limited).exit_code, 0);
   const Json listing = Json::parse(run_program({"cache", "--json"}, limited).out);
-  EXPECT_EQ(listing["limit_bytes"], 180000);
-  EXPECT_LE(listing["bytes"], 180000);
+  EXPECT_EQ(listing["limit_bytes"], limit);
+  EXPECT_LE(listing["bytes"], limit);
   EXPECT_GE(listing["entries"].size(), 4u);
+  EXPECT_LT(listing["entries"].size(), 10u) << "five runs do not fit";
   limited.environment.back() = "UMBRAMETER_CACHE_SIZE=plenty";
   const ProgramResult refused = trace("out", {}, limited);
   EXPECT_EQ(refused.exit_code, 2);
@@ -154,7 +188,8 @@ TEST_F(ReferenceCache, Is_listed_and_cleared) {
 
 TEST_F(ReferenceCache, Serves_many_processes_at_once) {
   ProgramOptions limited = here();
-  limited.environment.push_back("UMBRAMETER_CACHE_SIZE=200K");
+  const std::uint64_t limit = bytes_of_a_run() * 7 / 2;
+  limited.environment.push_back("UMBRAMETER_CACHE_SIZE=" + std::to_string(limit));
   std::vector<ProgramResult> results(8);
   std::vector<std::thread> threads;
   for (std::size_t i = 0; i < results.size(); ++i) {
@@ -170,7 +205,7 @@ TEST_F(ReferenceCache, Serves_many_processes_at_once) {
     EXPECT_EQ(image("out" + std::to_string(i)), image("out" + std::to_string(i % 4)));
   }
   const Json listing = list();
-  EXPECT_LE(listing["bytes"], 200000);
+  EXPECT_LE(listing["bytes"], limit);
   EXPECT_GE(listing["entries"].size(), 4u);
   for (const Json& entry : listing["entries"]) EXPECT_EQ(entry["scene"], "corner") << "damaged";
   for (const auto& file : fs::directory_iterator(home_ / "umbrameter/references")) {

@@ -1,5 +1,6 @@
 // Any bytes as a glTF file: what comes back is a sound Scene or one line of Error. Files beside it are out of reach on
 // purpose: the folder does not exist.
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -85,7 +86,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace umbrameter;
   const std::filesystem::path path = "folder-that-is-not-there/scene.gltf";
   // The length decides what else is tried, so that an input keeps its meaning.
-  const std::string part = size % 8 == 1 ? "second" : size % 8 == 2 ? "1" : "";
+  constexpr std::array parts = {"", "second", "1", "1st"};
+  const std::string part = size % 8 < parts.size() ? parts[size % 8] : "";
   Scene scene;
   try {
     scene = read_gltf({data, size}, path, part);

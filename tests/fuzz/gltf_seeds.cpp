@@ -5,6 +5,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "scenes/gltf.h"
 #include "tests/support/gltf_constructs.h"
@@ -43,6 +44,33 @@ umbrameter::Scene small_scene() {
   return scene;
 }
 
+/// One object of meshes 0 and 2, another of mesh 1, so that the writer cannot number them by object; and what only a
+/// written file holds: names of each mesh, all ways to wrap, a light with sides.
+umbrameter::Scene mixed_scene() {
+  using namespace umbrameter;
+  Scene scene = shapes::empty_scene();
+  for (int i = 0; i < 3; ++i) shapes::add_mesh(scene, shapes::box(vec3(2.0f * static_cast<float>(i)), vec3(1)));
+  scene.instances[2].object = 0;
+  scene.instances = {scene.instances[0], scene.instances[2], scene.instances[1]};
+  scene.meshes[2].name = "a \"name\"\nof two \\ lines";
+  for (const auto& [u, v] : {std::pair(Wrap::clamp_to_edge, Wrap::repeat), {Wrap::repeat, Wrap::mirrored_repeat}}) {
+    Texture texture;
+    texture.texels = Image<glm::u8vec4>(1, 1, glm::u8vec4(9));
+    texture.wrap_u = u;
+    texture.wrap_v = v;
+    scene.textures.push_back(texture);
+    Material material = scene.materials[0];
+    material.base_color_texture = static_cast<std::uint32_t>(scene.textures.size() - 1);
+    scene.materials.push_back(material);
+    scene.meshes[scene.textures.size()].material = static_cast<std::uint32_t>(scene.materials.size() - 1);
+  }
+  Light panel;
+  panel.shape = SpotLight{5.0, 0.1, 0.5};
+  panel.emitter = RectangleEmitter{1.0, 2.0};
+  scene.lights = {panel};
+  return scene;
+}
+
 void write_all(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   int number = 0;
@@ -51,6 +79,7 @@ void write_all(const std::filesystem::path& folder) {
   for (const umbrameter::test::HostileFile& file : umbrameter::test::hostile_files()) put(file.bytes);
   for (const umbrameter::test::HostileFile& file : umbrameter::test::faulty_files()) put(file.bytes);
   put(umbrameter::to_glb(small_scene()));
+  put(umbrameter::to_glb(mixed_scene()));
   std::printf("%d files in %s\n", number, folder.c_str());
 }
 

@@ -84,8 +84,8 @@ TEST_F(LargeScenesGl, Instances_by_the_ten_thousand_draw_and_trace_the_same_ids)
   const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 1024), {});
   ShadowParams params;
   params.constant_bias = 0.05;
-  const RasterVisibility raster =
-      draw_visibility(context(), uploaded, upload(context(), drawn), map, light, params, nullptr);
+  const GpuGBuffer surfels = upload(context(), drawn);
+  const RasterVisibility raster = draw_visibility(context(), {uploaded, surfels, map, light, params, nullptr});
   const TracedVisibility truth = trace_visibility(tracer, drawn, light);
   EXPECT_NEAR(mean(raster.visibility), mean(truth.visibility), 0.02);
 }

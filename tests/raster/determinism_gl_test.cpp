@@ -49,9 +49,9 @@ std::uint64_t render_everything(const gl::Context& context) {
     ShadowParams params;
     params.filter = ShadowFilter::box;
     params.constant_bias = 0.003;
-    const RasterVisibility found = draw_visibility(context, uploaded, surfels, map, light, params, &truth);
+    const RasterVisibility found = draw_visibility(context, {uploaded, surfels, map, light, params, &truth});
     hash = digest(hash, found.visibility.pixels);
-    hash = digest(hash, found.classes.pixels);
+    hash = digest(hash, found.wrong.weights.pixels);
   }
   return digest(hash, draw_ao(context, surfels, view, {}, 3).pixels);
 }

@@ -44,7 +44,7 @@ class KnownAnswersGl : public GlTest {
 
   RasterVisibility measure(const Plane& plane, const ShadowParams& params) const {
     const gl::Texture lit = upload(context(), Image<float>(256, 256, 1.0f));
-    return draw_visibility(context(), plane.scene, plane.surfels, plane.map, plane.light, params, &lit);
+    return draw_visibility(context(), {plane.scene, plane.surfels, plane.map, plane.light, params, &lit});
   }
 };
 
@@ -69,7 +69,7 @@ TEST_F(KnownAnswersGl, The_acne_share_of_a_lit_plane_follows_its_formula) {
         ShadowParams params;
         params.constant_bias = share_of_least * t * std::tan(slope.theta * degrees) * 0.7;
         const RasterVisibility found = measure(plane, params);
-        const vec4 classes = mean(found.classes);
+        const vec4 classes = mean(found.wrong);
         // 65536 surfels, evenly spread; their rectangle cuts texels at its edge; vertices snap to 1/256 texel.
         EXPECT_NEAR(static_cast<double>(classes.x), acne_share(params.constant_bias, t, slope),
                     3e-3 + 0.15 / resolution)
@@ -93,7 +93,7 @@ TEST_F(KnownAnswersGl, The_acne_share_meets_the_table) {
     const Plane plane = make_plane({60, row.psi}, 128, 0.1);
     ShadowParams params;
     params.constant_bias = row.bias;
-    EXPECT_NEAR(static_cast<double>(mean(measure(plane, params).classes).x), row.share, 4e-3)
+    EXPECT_NEAR(static_cast<double>(mean(measure(plane, params).wrong).x), row.share, 4e-3)
         << row.psi << " " << row.bias;
   }
 }
@@ -153,12 +153,12 @@ TEST_F(KnownAnswersGl, The_lit_strip_behind_a_wall_follows_its_formula) {
         ShadowParams params;
         params.constant_bias = bias;
         const RasterVisibility found =
-            draw_visibility(context(), uploaded, surfels, map, light_of(frame), params, &blocked);
+            draw_visibility(context(), {uploaded, surfels, map, light_of(frame), params, &blocked});
         const double strip = std::max(0.0, bias * std::cos(e) - 0.05);
         // A texel shifts each piece of the edge by up to half of t sin e; over all phases that averages out.
         const double tolerance = 0.15 * frame.half_extent * 2 / resolution + 0.002;
         EXPECT_NEAR(mean(found.visibility) * width, strip, tolerance) << elevation << " " << resolution << " " << bias;
-        const vec4 classes = mean(found.classes);
+        const vec4 classes = mean(found.wrong);
         EXPECT_NEAR(static_cast<double>(classes.z) * width, strip, tolerance) << "peter-panning, " << elevation;
         EXPECT_EQ(classes.x, 0.0f);
         EXPECT_EQ(classes.y, 0.0f);

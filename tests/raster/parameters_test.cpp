@@ -33,12 +33,12 @@ TEST(RasterParameters, Keys_reach_the_fields_that_they_name) {
   require(parameters, "shadow.constant-bias").set_text("-0.25");
   require(parameters, "shadow.slope-bias").set_text("1.5");
   require(parameters, "shadow.filter").set_text("box");
-  require(parameters, "shadow.filter-size").set_text("31");
+  require(parameters, "shadow.filter-size").set_text("29");
   EXPECT_EQ(shadow.resolution, 300);
   EXPECT_EQ(shadow.constant_bias, -0.25);
   EXPECT_EQ(shadow.slope_bias, 1.5);
   EXPECT_EQ(shadow.filter, ShadowFilter::box);
-  EXPECT_EQ(shadow.filter_size, 31);
+  EXPECT_EQ(shadow.filter_size, 29);
 
   AoParams ao;
   const Parameters ao_parameters = describe(ao);

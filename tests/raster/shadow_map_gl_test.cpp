@@ -35,13 +35,14 @@ TEST_F(ShadowMapGl, An_orthographic_map_holds_the_depth_of_the_plane_at_each_tex
   add_mesh(scene, ground(60));
   const LightFrame frame = exact_frame({0.6, 0.7, -0.2}, 128, 0.1, 0.3);
   const ShadowMapImages map = draw(scene, light_of(frame), frame);
+  const std::vector<Image<float>> depths = to_metres(map, frame);
   ASSERT_EQ(map.depth.size(), 1u);
   const double slope = std::sqrt(1.0 - 0.49 / 0.89) / (0.7 / std::sqrt(0.89));
   for (int y = 0; y < 128; ++y) {
     for (int x = 0; x < 128; ++x) {
       const double expected = depth_on_floor(frame, dvec3(center(frame, x, y), 0), {0, 0, -1});
       // Vertices snap to 1/256 texel, and 32-bit depth resolves 6e-8 of far_depth.
-      ASSERT_NEAR(static_cast<double>(map.depth[0].at(x, y)), expected, 0.1 * slope / 128 + 2e-5) << x << " " << y;
+      ASSERT_NEAR(static_cast<double>(depths[0].at(x, y)), expected, 0.1 * slope / 128 + 2e-5) << x << " " << y;
       ASSERT_EQ(map.instance[0].at(x, y), 0u);
       ASSERT_EQ(map.triangle[0].at(x, y), 0u);
     }
@@ -54,10 +55,11 @@ TEST_F(ShadowMapGl, A_spot_map_holds_linear_depth_along_its_axis) {
   const Light light = spot_light({1, 4, 2}, {0.5, 0, 0}, 0.6);
   const LightFrame frame = fit_light(light, bounds_of(scene), 128);
   const ShadowMapImages map = draw(scene, light, frame);
+  const std::vector<Image<float>> depths = to_metres(map, frame);
   for (int y = 0; y < 128; ++y) {
     for (int x = 0; x < 128; ++x) {
       const double expected = depth_on_floor(frame, dvec3(0), dvec3(center(frame, x, y), -1));
-      ASSERT_NEAR(static_cast<double>(map.depth[0].at(x, y)), expected, 4e-6 * frame.far_depth) << x << " " << y;
+      ASSERT_NEAR(static_cast<double>(depths[0].at(x, y)), expected, 4e-6 * frame.far_depth) << x << " " << y;
     }
   }
 }
@@ -68,6 +70,7 @@ TEST_F(ShadowMapGl, A_cube_map_holds_radial_distance_on_all_six_faces) {
   const Light light = point_light({0.5, 0.25, -0.75});
   const LightFrame frame = fit_light(light, bounds_of(scene), 64);
   const ShadowMapImages map = draw(scene, light, frame);
+  const std::vector<Image<float>> depths = to_metres(map, frame);
   ASSERT_EQ(map.depth.size(), 6u);
   const dmat4 world_from_light = glm::inverse(frame.light_from_world);
   const dvec3 from(0.5, 0.25, -0.75);
@@ -84,8 +87,7 @@ TEST_F(ShadowMapGl, A_cube_map_holds_radial_distance_on_all_six_faces) {
             expected = std::min(expected, ((d[axis] > 0 ? high[axis] : low[axis]) - from[axis]) / d[axis]);
           }
         }
-        const double error =
-            std::abs(static_cast<double>(map.depth[static_cast<std::size_t>(face)].at(x, y)) - expected);
+        const double error = std::abs(static_cast<double>(depths[static_cast<std::size_t>(face)].at(x, y)) - expected);
         // Where two sides of the box meet, a snapped vertex may give a texel to the other side: 1/256 texel at 45
         // degrees.
         ASSERT_LT(error, texel_at(frame, from + d * expected) / 128) << face << " " << x << " " << y;
@@ -104,12 +106,13 @@ TEST_F(ShadowMapGl, Depths_agree_with_depth_of_for_every_kind_of_light) {
        {directional_light({1, 3, 0.5}), spot_light({0.5, 4, 1}, middle, 0.5), point_light({0.5, 4, 1})}) {
     const LightFrame frame = fit_light(light, bounds_of(scene), 257);
     const ShadowMapImages map = draw(scene, light, frame);
+    const std::vector<Image<float>> depths = to_metres(map, frame);
     // The texel that looks at the middle: the one whose depth there is nearest in angle or position.
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t face = 0; face < map.depth.size(); ++face) {
-      for (std::size_t i = 0; i < map.depth[face].size(); ++i) {
+      for (std::size_t i = 0; i < depths[face].size(); ++i) {
         if (map.instance[face][i] != triangle) continue;
-        nearest = std::min(nearest, std::abs(static_cast<double>(map.depth[face][i]) - depth_of(frame, middle)));
+        nearest = std::min(nearest, std::abs(static_cast<double>(depths[face][i]) - depth_of(frame, middle)));
       }
     }
     EXPECT_LT(nearest, texel_at(frame, middle));
@@ -121,10 +124,11 @@ TEST_F(ShadowMapGl, Texels_that_meet_nothing_are_infinitely_deep_and_have_no_id)
   add_mesh(scene, quad({-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}));
   const Light light = point_light({0, 2, 0});
   const ShadowMapImages map = draw(scene, light, fit_light(light, bounds_of(scene), 32));
+  const std::vector<Image<float>> depths = to_metres(map, fit_light(light, bounds_of(scene), 32));
   int empty = 0;
   for (std::size_t face = 0; face < 6; ++face) {
-    for (std::size_t i = 0; i < map.depth[face].size(); ++i) {
-      const bool is_empty = std::isinf(map.depth[face][i]);
+    for (std::size_t i = 0; i < depths[face].size(); ++i) {
+      const bool is_empty = std::isinf(depths[face][i]);
       ASSERT_EQ(map.instance[face][i] == no_id, is_empty);
       ASSERT_EQ(map.triangle[face][i] == no_id, is_empty);
       if (is_empty) ++empty;

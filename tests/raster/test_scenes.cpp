@@ -128,10 +128,14 @@ double mean(const Image<float>& image) {
   return sum / static_cast<double>(image.size());
 }
 
-vec4 mean(const Image<vec4>& image) {
+vec4 shares(const WrongTaps& wrong, std::size_t pixel) {
+  return vec4(wrong.weights[pixel]) / static_cast<float>(wrong.weight_sum);
+}
+
+vec4 mean(const WrongTaps& wrong) {
   glm::dvec4 sum(0.0);
-  for (const vec4& value : image.pixels) sum += glm::dvec4(value);
-  return vec4(sum / static_cast<double>(image.size()));
+  for (std::size_t i = 0; i < wrong.weights.size(); ++i) sum += glm::dvec4(wrong.weights[i]);
+  return vec4(sum / (static_cast<double>(wrong.weights.size()) * wrong.weight_sum));
 }
 
 void GlTest::SetUp() {

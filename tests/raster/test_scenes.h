@@ -48,7 +48,9 @@ Light light_of(const LightFrame& frame);
 GBuffer surfels_on_ground(int width, int height, double min_x, double max_x, double min_z, double max_z);
 
 double mean(const Image<float>& image);
-vec4 mean(const Image<vec4>& image);
+/// Of a pixel's taps, by cause.
+vec4 shares(const WrongTaps& wrong, std::size_t pixel);
+vec4 mean(const WrongTaps& wrong);
 
 /// A context, or a skip where there is no driver.
 class GlTest : public testing::Test {

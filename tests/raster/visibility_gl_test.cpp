@@ -111,9 +111,9 @@ TEST_F(VisibilityGl, The_classes_add_up_to_the_error_at_every_pixel_for_every_ki
           params.filter = filter.filter;
           params.filter_size = filter.size;
           const RasterVisibility found =
-              draw_visibility(context(), uploaded, surfels, map, light, params, &truth_texture);
+              draw_visibility(context(), {uploaded, surfels, map, light, params, &truth_texture});
           for (std::size_t i = 0; i < truth.size(); ++i) {
-            const vec4 c = found.classes[i];
+            const vec4 c = shares(found.wrong, i);
             ASSERT_NEAR(c.x + c.y + c.z + c.w, std::abs(found.visibility[i] - truth[i]), 1e-6f) << i;
             ASSERT_TRUE(c.x >= 0 && c.y >= 0 && c.z >= 0 && c.w >= 0);
             ASSERT_TRUE(gbuffer.is_surface(i) || found.visibility[i] == 1.0f);
@@ -124,9 +124,9 @@ TEST_F(VisibilityGl, The_classes_add_up_to_the_error_at_every_pixel_for_every_ki
               ASSERT_EQ(c, vec4(0));
             }
           }
-          most = glm::max(most, mean(found.classes));
+          most = glm::max(most, mean(found.wrong));
           // Visibility without a truth is the same picture.
-          ASSERT_EQ(draw_visibility(context(), uploaded, surfels, map, light, params, nullptr).visibility,
+          ASSERT_EQ(draw_visibility(context(), {uploaded, surfels, map, light, params, nullptr}).visibility,
                     found.visibility);
         }
       }
@@ -153,7 +153,8 @@ TEST_F(VisibilityGl, Visibility_never_falls_as_the_bias_grows) {
       double grown = 0.0;
       for (const double bias : {-1.0, 0.0, 0.01, 0.1, 0.5, 2.0, 100.0}) {
         (is_slope ? params.slope_bias : params.constant_bias) = bias;
-        const Image<float> now = draw_visibility(context(), uploaded, surfels, map, light, params, nullptr).visibility;
+        const Image<float> now =
+            draw_visibility(context(), {uploaded, surfels, map, light, params, nullptr}).visibility;
         for (std::size_t i = 0; i < now.size(); ++i) ASSERT_GE(now[i], before[i]) << i << " at " << bias;
         grown += mean(now) - mean(before);
         before = now;
@@ -192,7 +193,7 @@ TEST_F(VisibilityGl, Constant_and_slope_scaled_bias_flip_a_tap_at_its_critical_b
       ShadowParams params;
       params.constant_bias = constant;
       params.slope_bias = slope;
-      return draw_visibility(context(), uploaded, surfel, map, light, params, nullptr).visibility[0] == 1.0f;
+      return draw_visibility(context(), {uploaded, surfel, map, light, params, nullptr}).visibility[0] == 1.0f;
     };
     const dvec3 l = to_light(light, position);
     const double tangent = std::sqrt(1.0 - l.y * l.y) / l.y;
@@ -220,7 +221,7 @@ TEST_F(VisibilityGl, Each_class_has_the_cause_that_it_is_named_for) {
   const auto classes = [&](const UploadedScene& in, const ShadowMap& with, double bias, const gl::Texture& truth) {
     ShadowParams params;
     params.constant_bias = bias;
-    return mean(draw_visibility(context(), in, under, with, light, params, &truth).classes);
+    return mean(draw_visibility(context(), {in, under, with, light, params, &truth}).wrong);
   };
   EXPECT_EQ(classes(uploaded, map, 0.1, lit), vec4(0, 1, 0, 0)) << "the slab above stands in front";
   EXPECT_EQ(classes(uploaded, map, 4.0, blocked), vec4(0, 0, 1, 0)) << "the bias is more than the slab's height";
@@ -258,7 +259,7 @@ TEST_F(VisibilityGl, A_flat_floor_of_many_turned_tiles_is_one_surface) {
     ShadowParams params;
     params.constant_bias = 0.0;
     params.filter = ShadowFilter::box;
-    const vec4 classes = mean(draw_visibility(context(), uploaded, surfels, map, light, params, &lit).classes);
+    const vec4 classes = mean(draw_visibility(context(), {uploaded, surfels, map, light, params, &lit}).wrong);
     EXPECT_GT(classes.x, 0.2f);
     EXPECT_EQ(classes.y, 0.0f);
   }
@@ -275,7 +276,7 @@ TEST_F(VisibilityGl, A_sphere_shadows_itself_with_acne_and_not_with_false_occlus
   const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 128), {});
   ShadowParams params;
   params.constant_bias = 0.0;
-  const vec4 classes = mean(draw_visibility(context(), uploaded, surfels, map, light, params, &lit).classes);
+  const vec4 classes = mean(draw_visibility(context(), {uploaded, surfels, map, light, params, &lit}).wrong);
   EXPECT_GT(classes.x, 0.1f);
   EXPECT_LT(classes.y, 0.005f * classes.x);
 }
@@ -294,9 +295,9 @@ TEST_F(VisibilityGl, Box_taps_go_on_over_the_edges_of_cube_faces) {
     params.filter = ShadowFilter::box;
     params.filter_size = 7;
     params.constant_bias = -20.0;  // a tap with any blocker says blocked
-    EXPECT_EQ(mean(draw_visibility(context(), uploaded, surfels, map, light, params, nullptr).visibility), 0.0);
+    EXPECT_EQ(mean(draw_visibility(context(), {uploaded, surfels, map, light, params, nullptr}).visibility), 0.0);
     params.constant_bias = 20.0;
-    EXPECT_EQ(mean(draw_visibility(context(), uploaded, surfels, map, light, params, nullptr).visibility), 1.0);
+    EXPECT_EQ(mean(draw_visibility(context(), {uploaded, surfels, map, light, params, nullptr}).visibility), 1.0);
   }
 }
 
@@ -312,8 +313,8 @@ TEST_F(VisibilityGl, Off_the_map_everything_is_lit) {
   params.filter = ShadowFilter::box;
   const GpuGBuffer outside = upload(context(), surfels_on_ground(16, 16, 4, 6, -1, 1));
   const GpuGBuffer within = upload(context(), surfels_on_ground(16, 16, -0.5, 0.5, -0.5, 0.5));
-  EXPECT_EQ(mean(draw_visibility(context(), uploaded, outside, map, light, params, nullptr).visibility), 1.0);
-  EXPECT_EQ(mean(draw_visibility(context(), uploaded, within, map, light, params, nullptr).visibility), 0.0);
+  EXPECT_EQ(mean(draw_visibility(context(), {uploaded, outside, map, light, params, nullptr}).visibility), 1.0);
+  EXPECT_EQ(mean(draw_visibility(context(), {uploaded, within, map, light, params, nullptr}).visibility), 0.0);
 }
 
 TEST_F(VisibilityGl, A_masked_fence_casts_the_holes_of_its_mask) {
@@ -339,8 +340,8 @@ TEST_F(VisibilityGl, A_masked_fence_casts_the_holes_of_its_mask) {
     const GpuGBuffer left = upload(context(), surfels_on_ground(16, 16, -1.5, -0.3, -1.5, 1.5));
     const GpuGBuffer right = upload(context(), surfels_on_ground(16, 16, 0.3, 1.5, -1.5, 1.5));
     const Light seen = is_cube ? light : light_of(frame);
-    EXPECT_EQ(mean(draw_visibility(context(), uploaded, left, map, seen, params, nullptr).visibility), 1.0);
-    EXPECT_EQ(mean(draw_visibility(context(), uploaded, right, map, seen, params, nullptr).visibility), 0.0);
+    EXPECT_EQ(mean(draw_visibility(context(), {uploaded, left, map, seen, params, nullptr}).visibility), 1.0);
+    EXPECT_EQ(mean(draw_visibility(context(), {uploaded, right, map, seen, params, nullptr}).visibility), 0.0);
   }
 }
 

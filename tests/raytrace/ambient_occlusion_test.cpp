@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "raytrace/tracer.h"
+#include "tests/support/polygons.h"
 #include "tests/support/shapes.h"
 
 namespace umbrameter {
@@ -247,26 +248,13 @@ TEST(AmbientOcclusion, Planes_that_meet_at_right_angles_and_grooves) {
   }
 }
 
-// Lambert: O_cos = |Σ angle(v_i, v_{i+1}) · n·(v_i × v_{i+1})/|v_i × v_{i+1}|| / 2π of a polygon above the horizon.
-double lambert(const std::vector<dvec3>& polygon, const dvec3& point, const dvec3& normal) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const dvec3 a = glm::normalize(polygon[i] - point);
-    const dvec3 b = glm::normalize(polygon[(i + 1) % polygon.size()] - point);
-    const dvec3 across = glm::cross(a, b);
-    const double sine = glm::length(across);
-    if (sine > 1e-12) sum += std::atan2(sine, glm::dot(a, b)) * glm::dot(normal, across) / sine;
-  }
-  return std::abs(sum) / (2.0 * pi);
-}
-
 TEST(AmbientOcclusion, A_box_by_its_polygons) {
   Floor floor;
   shapes::add_mesh(floor.scene, shapes::box({-3, 0, -1}, {-1, 2, 1}));
   const auto occlusion = [](vec3 p) {
     // From x > −1 and |z| < 1 at y = 0 only the face x = −1 is turned to the point.
-    const std::vector<dvec3> face = {{-1, 0, -1}, {-1, 2, -1}, {-1, 2, 1}, {-1, 0, 1}};
-    return Expected{lambert(face, dvec3(p), {0, 1, 0}), std::nan("")};
+    const polygons::Polygon face = {{-1, 0, -1}, {-1, 2, -1}, {-1, 2, 1}, {-1, 0, 1}};
+    return Expected{polygons::cosine_share(face, dvec3(p), {0, 1, 0}), std::nan("")};
   };
   EXPECT_NEAR(occlusion({0, 0, 0}).cosine, 1 - .809864, 1e-6);  // AO .809864 from the origin
   expect_means(floor, std::vector<vec3>(32, {0, 0, 0}), 0.0, occlusion);
@@ -280,8 +268,8 @@ TEST(AmbientOcclusion, A_hanging_triangle_by_lambert) {
   triangle.triangles = {{0, 1, 2}};
   shapes::add_mesh(floor.scene, triangle);
   expect_means(floor, around({0, 0, 0}, 3.0f, 64), 0.0, [&](vec3 p) {
-    const std::vector<dvec3> corners(triangle.positions.begin(), triangle.positions.end());
-    return Expected{lambert(corners, dvec3(p), {0, 1, 0}), std::nan("")};
+    const polygons::Polygon corners(triangle.positions.begin(), triangle.positions.end());
+    return Expected{polygons::cosine_share(corners, dvec3(p), {0, 1, 0}), std::nan("")};
   });
 }
 

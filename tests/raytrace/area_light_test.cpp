@@ -6,9 +6,11 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/quantiles.h"
 #include "core/random.h"
 #include "edge_scene.h"
 #include "raytrace/tracer.h"
+#include "scenes/light_frame.h"
 
 namespace umbrameter {
 namespace {
@@ -158,20 +160,55 @@ TEST(AreaShadow, Is_bit_identical_at_any_number_of_threads_and_differs_between_s
     }
   }
   std::vector<TracedVisibility> traced;
-  for (const int threads : {1, 2, 7}) {
-    const ThreadLimit limit(threads);
-    traced.push_back(trace_visibility(tracer, gbuffer, lamp(SphereEmitter{0.5}), {{.spp = 32}, 9}));
-  }
-  for (const TracedVisibility& t : traced) {
-    EXPECT_EQ(t.visibility, traced[0].visibility);
-    EXPECT_EQ(t.standard_error, traced[0].standard_error);
-    EXPECT_EQ(t.statistics.rays, traced[0].statistics.rays);
+  for (const double tolerance : {0.1, 0.0}) {
+    traced.clear();
+    for (const int threads : {1, 2, 7}) {
+      const ThreadLimit limit(threads);
+      const TruthSampling sampling{{.spp = 32, .tolerance = tolerance}, 9};
+      traced.push_back(trace_visibility(tracer, gbuffer, lamp(SphereEmitter{0.5}), sampling));
+    }
+    for (const TracedVisibility& t : traced) {
+      EXPECT_EQ(t.visibility, traced[0].visibility);
+      EXPECT_EQ(t.standard_error, traced[0].standard_error);
+      EXPECT_EQ(t.variance, traced[0].variance);
+      EXPECT_EQ(t.samples, traced[0].samples);
+      EXPECT_EQ(t.statistics.rays, traced[0].statistics.rays);
+      EXPECT_EQ(t.precision.mean_half_width, traced[0].precision.mean_half_width);
+    }
   }
   EXPECT_NE(trace_visibility(tracer, gbuffer, lamp(SphereEmitter{0.5}), {{.spp = 32}, 8}).visibility,
             traced[0].visibility);
 }
 
+TEST(AreaShadow, Pixels_that_stop_on_their_own_do_not_depend_on_their_neighbours_and_heed_the_limits) {
+  const Edge edge;
+  const Tracer tracer(edge.scene);
+  std::vector<vec3> points;
+  for (int i = 0; i < 300; ++i) points.emplace_back(0.004f * static_cast<float>(i - 150), 0.0f, 0.1f);
+  const TruthParams params{.tolerance = 0.02, .min_spp = 300, .max_spp = 900};
+  GBuffer gbuffer = edge.surfels(points);
+  const TracedVisibility all = trace_visibility(tracer, gbuffer, lamp(DiskEmitter{0.5}), {params, 5});
+  std::uint64_t above = 0;
+  for (std::size_t i = 0; i < 300; ++i) {
+    EXPECT_GE(all.samples[i], 300.0f);
+    EXPECT_LE(all.samples[i], 900.0f);
+    if (student_95(all.degrees_of_freedom) * static_cast<double>(all.standard_error[i]) <= params.tolerance) continue;
+    ++above;
+    EXPECT_GT(all.samples[i], 900.0f - 16.0f) << "it stopped early, above the tolerance";
+  }
+  EXPECT_EQ(above, all.precision.pixels_at_limit);
+  EXPECT_GT(above, 0u);
+  for (std::size_t i = 0; i < 300; i += 2) gbuffer.instance[i] = gbuffer.triangle[i] = no_id;
+  const TracedVisibility fewer = trace_visibility(tracer, gbuffer, lamp(DiskEmitter{0.5}), {params, 5});
+  for (std::size_t i = 1; i < 300; i += 2) {
+    EXPECT_EQ(fewer.visibility[i], all.visibility[i]);
+    EXPECT_EQ(fewer.samples[i], all.samples[i]);
+  }
+}
+
 TEST(LightView, A_surface_that_faces_no_part_of_a_light_is_known_without_rays) {
+  int turned = 0;
+  int missed = 0;  // it faces a part that is too small for the points
   for (std::uint32_t k = 0; k < 2000; ++k) {
     const auto random = [k](std::uint32_t what) {
       return 2.0 * static_cast<double>(to_unit_float(hash(k, what))) - 1.0;
@@ -197,13 +234,16 @@ TEST(LightView, A_surface_that_faces_no_part_of_a_light_is_known_without_rays) {
         EXPECT_GT(sample.reach, 0.0);
         most = std::max(most, glm::dot(normal, sample.direction));
       }
-      if (view.facing(normal) <= 0.0) {
+      if (!faces(light, from, normal)) {
+        ++turned;
         EXPECT_LE(most, 1e-12);
-      } else if (view.facing(normal) > 0.25) {
-        EXPECT_GT(most, 0.0);  // by a good part: some point is found
+      } else if (most <= 0.0) {
+        ++missed;
       }
     }
   }
+  EXPECT_GT(turned, 500);
+  EXPECT_LT(missed, 4000 / 100);
 }
 
 TEST(LightView, Slanting_keeps_points_even_over_the_square) {

@@ -55,13 +55,12 @@ std::vector<vec3> penumbra(double reach, int count) {
   return points;
 }
 
-// Binomial(n, .95) has a standard deviation of √(.0475 n): four of them, and one per cent for the t of lumpy means.
+// 95 ± 1.5 %, and 2.5 standard deviations of a binomial count, √(.0475 n).
 void expect_honest(const Coverage& coverage) {
   const double n = coverage.pixels;
   const double share = coverage.held / n;
   ASSERT_GT(n, 300.0);
-  EXPECT_GE(share, 0.95 - 0.01 - 4.0 * std::sqrt(0.0475 / n));
-  EXPECT_LE(share, 0.99);
+  EXPECT_NEAR(share, 0.95, 0.015 + 2.5 * std::sqrt(0.0475 / n));
   // Independent estimates: the normal distribution exceeds 4 once in 16000.
   EXPECT_LT(std::abs(coverage.normal), 4.0);
 }
@@ -201,6 +200,46 @@ TEST(AreaShadow, The_visible_share_of_the_solid_angle_of_flat_lights) {
       20));
   expect_honest(cover(
       Edge(), lamp(DiskEmitter{3.0}), points, [](vec3 p) { return by_solid_angle(p, 3.0, true); }, params, 20));
+}
+
+// Estimates a case with a tolerance: the standard error of a coverage of 95 % is √(.0475/4000) = 0.34 %.
+void expect_stopped_honestly(const Light& light, const std::vector<vec3>& points,
+                             const std::function<double(vec3)>& exact, TruthParams params) {
+  params.tolerance = 0.04;
+  const Coverage coverage = cover(Edge(), light, points, exact, params, 40);
+  ASSERT_EQ(coverage.pixels, 4000);
+  EXPECT_NEAR(coverage.held / 4000.0, 0.95, 0.015);
+  EXPECT_LT(std::abs(coverage.normal), 4.0);
+  const TracedVisibility traced = trace_visibility(Tracer(Edge().scene), Edge().surfels(points), light, {params, 77});
+  EXPECT_EQ(traced.precision.pixels, points.size());
+  EXPECT_LE(traced.precision.worst_half_width, params.tolerance);
+  EXPECT_EQ(traced.precision.pixels_at_limit, 0u);
+  double samples = 0.0;
+  for (const float n : traced.samples.pixels) samples += n;
+  EXPECT_NEAR(samples, static_cast<double>(traced.statistics.rays), 0.5);
+  // A pilot of 64, and 2.9957/0.04 at least.
+  EXPECT_GT(traced.precision.mean_samples, 64.0 + 75.0);
+}
+
+TEST(AreaShadow, With_a_tolerance_intervals_hold_the_known_answer_95_times_in_100) {
+  const std::vector<vec3> points = penumbra(1.0 / 3.0, 100);
+  expect_stopped_honestly(lamp(RectangleEmitter{1.0, 2.0}), points, [](vec3 p) { return of_rectangle(p.x, 1.0); }, {});
+  expect_stopped_honestly(lamp(DiskEmitter{0.5}), points, [](vec3 p) { return of_disk(p.x, 0.5); }, {});
+  const auto sphere = [](vec3 p) {
+    const SeenCone cone = sphere_from(p, 1.2);
+    return of_disk(cone.tan_delta / cone.tan_theta);
+  };
+  expect_stopped_honestly(lamp(SphereEmitter{1.2}), penumbra(0.75, 100), sphere, {});
+  const double half = 10.0 * pi / 180.0;
+  Light sun = shapes::directional({0, 1, 0});
+  sun.emitter = DistantEmitter{2.0 * half};
+  const double radius = edge_height * std::tan(half);
+  expect_stopped_honestly(sun, penumbra(radius, 100), [&](vec3 p) { return of_disk(p.x / radius); }, {});
+  expect_stopped_honestly(sun, penumbra(radius, 100),
+                          [&](vec3 p) {
+                            return of_cap({p.x / edge_height, std::tan(half)});
+                          },
+                          {.light_sampling = LightSampling::solid_angle});
 }
 
 TEST(AreaShadow, The_standard_error_tells_the_scatter_over_seeds) {

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "core/math.h"
+#include "core/random.h"
 #include "reports/cache_folder.h"
 #include "tests/support/temporary_folder.h"
 
@@ -66,12 +67,36 @@ TEST(CacheFile, No_flipped_bit_and_no_other_length_is_read) {
 }
 
 TEST(CacheFile, The_head_tells_what_it_is) {
-  const std::string whole = to_cache_file("key", make_entry(200, 200));
+  CacheEntry noisy = make_entry(200, 200);
+  for (std::size_t i = 0; i < noisy.images[0].pixels.size(); ++i) {
+    noisy.images[0].pixels[i] = static_cast<std::byte>(hash(static_cast<std::uint32_t>(i)));
+  }
+  const std::string whole = to_cache_file("key", noisy);
   ASSERT_GT(whole.size(), cache_head_bytes);
   const auto head = peek_cache_file(std::string_view(whole).substr(0, cache_head_bytes));
   ASSERT_TRUE(head);
   EXPECT_EQ(head->what, "visibility of sun");
   EXPECT_FALSE(peek_cache_file(std::string_view(whole).substr(0, 70)));
+}
+
+TEST(CacheFile, Images_of_one_value_take_next_to_nothing) {
+  const Image<float> zeros(1280, 720, 0.0f);
+  CacheEntry entry{"scene", "visibility", {to_cached("a", zeros), to_cached("b", zeros), to_cached("c", zeros)}, {}};
+  const std::string whole = to_cache_file("key", entry);
+  EXPECT_LT(whole.size(), 3u * 1280u * 720u * 4u / 100u);
+  const CacheRead read = from_cache_file("key", whole);
+  ASSERT_TRUE(read.entry) << read.problem;
+  expect_equal(*read.entry, entry);
+  const CacheRead empty = from_cache_file("key", to_cache_file("key", {"scene", "nothing", {}, {}}));
+  EXPECT_TRUE(empty.entry) << empty.problem;
+}
+
+TEST(CacheFile, Sizes_that_the_pixels_do_not_fill_are_refused_without_room_for_them) {
+  for (const int side : {4, 6, 1 << 20}) {
+    CacheEntry entry{"scene", "visibility", {to_cached("a", Image<float>(5, 5, 0.25f))}, {}};
+    entry.images[0].width = entry.images[0].height = side;
+    EXPECT_FALSE(from_cache_file("key", to_cache_file("key", entry)).entry) << side;
+  }
 }
 
 // XDG base directory specification 0.8: relative paths are invalid and ignored.

@@ -142,6 +142,39 @@ TEST(Counting, Each_reason_has_its_class) {
   EXPECT_EQ(counting_of(spot, frame, {0, -1, 0}, up), Counting::outside_range);
 }
 
+TEST(Counting, A_surfel_that_faces_part_of_a_light_counts_and_one_that_faces_none_is_turned_away) {
+  const Bounds bounds{{-1, -1, -1}, {1, 1, 1}};
+  // From 4 m aside and h below its plane a light of half size s across shows its rim where h < s.
+  Light light;
+  light.shape = PointLight{};
+  light.world_from_light[3] = dvec4(4, 0, 0, 1);
+  const LightFrame cube = fit_light(light, bounds, 64);
+  const auto at = [&](double y) { return counting_of(light, cube, {0, y, 0}, {0, 1, 0}); };
+  EXPECT_EQ(at(0.01), Counting::turned_away) << "no extent: its place decides";
+  EXPECT_EQ(at(-0.01), Counting::counted);
+  for (const Emitter& emitter :
+       {Emitter(SphereEmitter{0.5}), Emitter(DiskEmitter{0.5}), Emitter(RectangleEmitter{2.0, 1.0})}) {
+    light.emitter = emitter;
+    EXPECT_EQ(at(0.49), Counting::counted) << emitter.index();
+    EXPECT_EQ(at(0.51), Counting::turned_away) << emitter.index();
+  }
+  // A disk seen from its own plane has no height above it.
+  light.emitter = DiskEmitter{0.5};
+  light.world_from_light = {dvec4(1, 0, 0, 0), dvec4(0, 0, 1, 0), dvec4(0, -1, 0, 0), dvec4(4, 0, 0, 1)};
+  EXPECT_EQ(at(0.01), Counting::turned_away);
+  // A sun 3 degrees below the horizon shows its rim where it is more than 6 degrees wide.
+  Light sun = light;
+  sun.shape = DirectionalLight{};
+  const double below = 3.0 * pi / 180.0;
+  sun.world_from_light = {dvec4(0, 0, -1, 0), dvec4(std::sin(below), std::cos(below), 0, 0),
+                          dvec4(std::cos(below), -std::sin(below), 0, 0), dvec4(0, 0, 0, 1)};
+  const LightFrame square = fit_light(sun, bounds, 64);
+  for (const auto& [degrees, expected] : {std::pair{5.9, Counting::turned_away}, {6.1, Counting::counted}}) {
+    sun.emitter = DistantEmitter{degrees * pi / 180.0};
+    EXPECT_EQ(counting_of(sun, square, {0, 0, 0}, {0, 1, 0}), expected) << degrees;
+  }
+}
+
 TEST(Counting, The_cone_ends_at_its_angle) {
   const double outer = 0.5;
   const Light spot = make_light(straight_down({0, 1, 0}), SpotLight{0.0, 0.0, outer});

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "raytrace/parameters.h"
+#include "tests/support/polygons.h"
 #include "tests/support/shapes.h"
 
 namespace umbrameter::ao_cases {
@@ -84,6 +85,94 @@ inline std::vector<Case> all() {
       // Half the hemisphere, less what a wall of 20 m leaves at 1 mm.
       {"two planes", shapes::quad({0, 0, -20}, {0, 20, 0}, {0, 0, 40}), {0.001f, 0, 0}, cosine, 0.0, 0.5},
   };
+}
+
+inline Mesh together(Mesh mesh, const Mesh& other) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
+  for (const uvec3& t : other.triangles) mesh.triangles.push_back(t + first);
+  return mesh;
+}
+
+/// What all() leaves out: the other weight of each formula, limits on either side of their conditions, more planes, and
+/// polygons and convex solids in any pose, also partly below the floor.
+inline std::vector<Case> others() {
+  constexpr AoWeight cosine = AoWeight::cosine;
+  constexpr AoWeight uniform = AoWeight::uniform;
+  const Mesh wall = shapes::quad({0, 0, -200}, {0, 1, 0}, {0, 0, 400});
+  const Mesh high_wall = shapes::quad({0, 0, -200}, {0, 4, 0}, {0, 0, 400});
+  const Mesh overhead = shapes::sphere({0, 1.5f, 0}, 1.0f, 200, 400);
+  const Mesh disk = shapes::disk({0, 1, 0}, 1.0f, 720);
+  const Mesh side = shapes::quad({0, 0, -20}, {0, 20, 0}, {0, 0, 40});
+  const Mesh corner = together(side, shapes::quad({-20, 0, 0}, {0, 20, 0}, {40, 0, 0}));
+  const vec3 crease{0.001f, 0, 0.001f};
+  const auto groove = [](double opening) {
+    const vec3 up = 20.0f * vec3(dvec3(std::cos(opening), std::sin(opening), 0));
+    return shapes::quad({0, 0, -20}, up, {0, 0, 40});
+  };
+  std::vector<Case> cases = {
+      {"wall, h = 4d, uniform", wall, {0.25f, 0, 0}, uniform, 0.0, 0.577979},
+      // c = d/D ≥ a: O_cos = S(c)/π, O_uni = (1 − c)/2; S(.6) = acos .6 − .6 · .8. Beyond the limit nothing.
+      {"wall above the limit", high_wall, {0.6f, 0, 0}, cosine, 1.0, 1.0 - (std::acos(0.6) - 0.48) / pi},
+      {"wall above the limit, uniform", high_wall, {0.6f, 0, 0}, uniform, 1.0, 0.8},
+      // O_uni = 1 − c with c as of the same case in all(); past the tangents' length √(h² − R²) the limit cuts nothing.
+      {"sphere overhead, limit, uniform", overhead, {0, 0, 0}, uniform, 0.8, 0.7875},
+      {"sphere overhead, limit past the tangents", overhead, {0, 0, 0}, cosine, 1.2, 0.555556},
+      {"sphere overhead, limit past the tangents, uniform", overhead, {0, 0, 0}, uniform, 1.2, 0.745356},
+      // 1 − √(1 − (R/L)²), L² = 5.
+      {"sphere on the floor, uniform",
+       shapes::sphere({0, 1.0001f, 0}, 1.0f, 200, 400),
+       {2, 0, 0},
+       uniform,
+       0.0,
+       0.894427},
+      // On the axis a ray at μ = cos θ goes h/μ, within the limit from μ = h/D: O_cos = 1 − μ², O_uni = 1 − μ.
+      {"disk, limit", disk, {0, 0, 0}, cosine, 1.2, 1.0 / 1.44},
+      {"disk, limit, uniform", disk, {0, 0, 0}, uniform, 1.2, 1.0 / 1.2},
+      // A face at the point's foot, d → 0 in the wall's formula: half of the hemisphere, with a limit too.
+      {"two planes, uniform", side, {0.001f, 0, 0}, uniform, 0.0, 0.5},
+      {"two planes, limit", side, {0.001f, 0, 0}, cosine, 20.0, 0.5},
+      {"three planes", corner, crease, cosine, 0.0, 0.25},
+      {"three planes, uniform", corner, crease, uniform, 0.0, 0.25},
+      // Opening Φ: AO_cos = sin²(Φ/2), AO_uni = Φ/π.
+      {"groove of 60 degrees", groove(pi / 3.0), {0.001f, 0, 0}, cosine, 0.0, 0.25},
+      {"groove of 60 degrees, uniform", groove(pi / 3.0), {0.001f, 0, 0}, uniform, 0.0, 1.0 / 3.0},
+      {"groove of 120 degrees", groove(2.0 * pi / 3.0), {0.001f, 0, 0}, cosine, 0.0, 0.75},
+      {"groove of 120 degrees, uniform", groove(2.0 * pi / 3.0), {0.001f, 0, 0}, uniform, 0.0, 2.0 / 3.0},
+  };
+  Mesh hanging;
+  hanging.positions = {{-1, 0.5f, 0}, {2, 1.5f, -1}, {0, 2.5f, 1.5f}};
+  hanging.triangles = {{0, 1, 2}};
+  Mesh sunk;  // its lowest corner is below the floor
+  sunk.positions = {{-0.8f, -0.7f, 0.9f}, {1.4f, 1.2f, -0.6f}, {-1.1f, 1.9f, -0.4f}};
+  sunk.triangles = {{0, 1, 2}};
+  for (const Mesh& polygon : {hanging, sunk}) {
+    const polygons::Polygon corners(polygon.positions.begin(), polygon.positions.end());
+    const vec3 point(0.3f, 0, 0.2f);
+    const double above = polygons::cosine_share(corners, dvec3(point), {0, 1, 0});
+    const double angle = polygons::uniform_share(corners, dvec3(point), {0, 1, 0});
+    const std::string what = polygon.positions[0].y < 0.0f ? "triangle through the floor" : "hanging triangle";
+    cases.push_back({what, polygon, point, cosine, 0.0, 1.0 - above});
+    cases.push_back({what + ", uniform", polygon, point, uniform, 0.0, 1.0 - angle});
+  }
+  Mesh upright = shapes::box({-3, 0, -1}, {-1, 2, 1});
+  Mesh tilted = shapes::box({-0.6f, -0.4f, -0.5f}, {0.6f, 0.4f, 0.5f});
+  const dvec3 axis = glm::normalize(dvec3(1, 2, -0.7));
+  for (vec3& p : tilted.positions) {
+    // By 1 radian about the axis (Rodrigues), then aside; a corner is below the floor.
+    const dvec3 v(p);
+    const dvec3 turned =
+        std::cos(1.0) * v + std::sin(1.0) * glm::cross(axis, v) + (1.0 - std::cos(1.0)) * glm::dot(axis, v) * axis;
+    p = vec3(turned + dvec3(1.2, 0.45, 0.3));
+  }
+  for (const Mesh& solid : {upright, tilted}) {
+    const std::string what = solid.positions[0].x < -2.0f ? "upright box" : "tilted box through the floor";
+    for (const AoWeight weight : {cosine, uniform}) {
+      const double share = polygons::share_of_convex(solid, dvec3(0), {0, 1, 0}, weight == cosine);
+      cases.push_back({what + (weight == cosine ? "" : ", uniform"), solid, {0, 0, 0}, weight, 0.0, 1.0 - share});
+    }
+  }
+  return cases;
 }
 
 }  // namespace umbrameter::ao_cases

@@ -70,6 +70,7 @@ Bytes wide_png() {
   Bytes image = png(1, 1, {1, 2, 3, 4});
   image[18] = 0x7f;  // 32,513 by 32,513
   image[22] = 0x7f;
+  image[25] = 0;  // grey: of more channels the decoder itself refuses so many
   return image;
 }
 
@@ -91,6 +92,49 @@ HostileFile two_binary_chunks() {
   bytes.insert(bytes.end(), {4, 0, 0, 0, 'B', 'I', 'N', 0, 1, 2, 3, 4});
   for (unsigned i = 0; i < 4; ++i) bytes[8 + i] = static_cast<unsigned char>((bytes.size() >> (8 * i)) & 0xffu);
   return {"two binary chunks", bytes};
+}
+
+/// A view that says it unpacks to `count` vertices of `stride` bytes.
+HostileFile forged_meshopt(const std::string& name, std::size_t stride, std::size_t count) {
+  GltfBuilder builder;
+  add_bytes(builder, Bytes(32, 0xa0));
+  const std::string size = std::to_string(stride * count);
+  add(builder, "buffers", R"({"byteLength":)" + size + "}");
+  add(builder, "bufferViews",
+      R"({"buffer":1,"byteLength":)" + size +
+          R"(,"extensions":{"EXT_meshopt_compression":{"buffer":0,"byteLength":32,"byteStride":)" +
+          std::to_string(stride) + R"(,"count":)" + std::to_string(count) + R"(,"mode":"ATTRIBUTES"}}})");
+  add_mesh(builder, "\"POSITION\":" + std::to_string(add_accessor(builder, 0, "f32", "VEC3", 3)));
+  add(builder, "nodes", R"({"mesh":0})");
+  return {name, to_binary_gltf(builder)};
+}
+
+/// A triangle among vertices that are all at the origin.
+HostileFile many_vertices() {
+  GltfBuilder builder;
+  const int places = add_view(builder, raw_bytes<std::uint8_t>({0, 1, 2}));
+  const int values = add_view(builder, raw_bytes<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}));
+  const int positions =
+      add_accessor(builder, -1, "f32", "VEC3", 70000,
+                   R"(,"sparse":{"count":3,"indices":{"bufferView":)" + std::to_string(places) +
+                       R"(,"componentType":5121},"values":{"bufferView":)" + std::to_string(values) + "}}");
+  add_mesh(builder, "\"POSITION\":" + std::to_string(positions),
+           add_values<std::uint8_t>(builder, "SCALAR", {0, 1, 2}));
+  add(builder, "nodes", R"({"mesh":0})");
+  return {"more vertices than 16 bits count", to_binary_gltf(builder)};
+}
+
+/// Thirty scenes, `named` of them of one name. The target takes the length modulo 8 for what else to try.
+HostileFile many_scenes(const std::string& name, int named, std::size_t length) {
+  GltfBuilder builder;
+  add_solid(builder);
+  add(builder, "nodes", R"({"mesh":0})");
+  for (int i = 0; i < 30; ++i) {
+    add(builder, "scenes", i < named ? R"({"nodes":[0],"name":"second"})" : R"({"nodes":[0]})");
+  }
+  HostileFile file{name, to_text_gltf(builder)};
+  while (file.bytes.size() % 8 != length) file.bytes.push_back(' ');
+  return file;
 }
 
 /// A skin of one joint whose weights and bind matrix are these.
@@ -190,6 +234,17 @@ std::vector<HostileFile> hostile_files() {
       skinned("a skin that is no number", 1.0f, std::numeric_limits<float>::quiet_NaN()),
       textured("a JPEG of too many codes", jpeg_of_too_many_codes()),
       deep_metadata(),
+      forged_meshopt("a meshopt stride beyond all vertices", 260, 3),
+      forged_meshopt("a meshopt stride of half a word", 6, 16),
+      forged_meshopt("a meshopt count beyond its bytes", 12, 1000000),
+      many_vertices(),
+      many_scenes("a scene by its name", 1, 1),
+      many_scenes("a scene by a name of two", 2, 1),
+      many_scenes("a scene by its number", 1, 2),
+      many_scenes("a scene by no number", 1, 3),
+      noded("a lamp with other extras",
+            {R"({"extras":{"name":"lamp"},"extensions":{"KHR_lights_punctual":{"light":0}}})"},
+            R"(,"extensions":{"KHR_lights_punctual":{"lights":[{"type":"point"}]}})"),
       textured("half an image", {whole.begin(), whole.begin() + 40}),
       textured("an image that is none", {'G', 'I', 'F', '8', '9', 'a'}),
   };

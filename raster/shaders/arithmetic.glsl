@@ -1,0 +1,26 @@
+// Sums and products in a fixed order, so that a processor that does the same gets the same bits
+// (compare/shadow_lookup.cpp and compare/own_surface.cpp do). The language's own leave the order open.
+double dot_of(dvec3 a, dvec3 b) {
+  precise double sum = a.x * b.x + a.y * b.y + a.z * b.z;
+  return sum;
+}
+
+dvec3 cross_of(dvec3 a, dvec3 b) {
+  precise dvec3 product = dvec3(a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y);
+  return product;
+}
+
+double length_of(dvec3 a) {
+  precise double squared = dot_of(a, a);
+  return sqrt(squared);
+}
+
+dvec3 turned_by(dmat4 m, dvec3 v) {
+  precise dvec3 sum = m[0].xyz * v.x + m[1].xyz * v.y + m[2].xyz * v.z;
+  return sum;
+}
+
+dvec3 moved_by(dmat4 m, dvec3 p) {
+  precise dvec3 sum = turned_by(m, p) + m[3].xyz;
+  return sum;
+}

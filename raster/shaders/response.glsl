@@ -1,0 +1,12 @@
+// The axes of a bias response and its histogram, as raster/bias_response_pass.cpp lays them out.
+layout(std140, binding = BLOCK_RESPONSE) uniform ResponseBlock {
+  float least_bias;
+  float largest_bias;
+  float least_slope;
+  float largest_slope;
+  int bias_count;
+  int slope_count;
+};
+layout(std430, binding = BUFFER_AXES) restrict readonly buffer Axes {
+  float axis_values[];  // constant biases, ascending; then slope factors
+};

@@ -1,0 +1,25 @@
+// The pixels that have a wrong tap at some bias of the axes.
+#include "shadow_filter.glsl"
+#include "pixel_list.glsl"
+#include "response.glsl"
+layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, textureSize(ids, 0)))) return;
+  if (texelFetch(ids, pixel, 0).r == NO_ID || !(truth_of(pixel) >= 0.0)) return;
+  Lookup surfel = look_up(pixel);
+  if (!surfel.faces_light) return;
+  bool is_lit_in_truth = is_truly_lit(pixel);
+  // A flip falls as the slope factor grows: a tap is most easily blocked by the least bias of all, lit by the largest.
+  float bias = is_lit_in_truth ? least_bias : largest_bias;
+  float factor = is_lit_in_truth ? least_slope : largest_slope;
+  Pattern pattern = make_pattern(surfel.receiver, pixel);
+  bool is_wrong = false;
+  for (int i = 0; i < tap_count; ++i) {
+    WeightedTap tap = filter_tap(surfel.receiver, pattern, i);
+    bool says_lit = bias >= flip_of(tap.tap.critical_bias, surfel.slope, factor);
+    is_wrong = is_wrong || (tap.weight > 0u && says_lit != is_lit_in_truth);
+  }
+  if (is_wrong) append(pixel);
+}

@@ -1,0 +1,116 @@
+#include "tests/agreement/bias_agreement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "raster/shadow_filter.h"
+#include "raytrace/tracer.h"
+
+namespace umbrameter::test {
+namespace {
+
+NamedFilter filter(std::string name, ShadowFilter kind, int size, FilterTaps taps = FilterTaps::nearest) {
+  NamedFilter named{std::move(name), {}};
+  named.params.filter = kind;
+  named.params.filter_size = size;
+  named.params.filter_taps = taps;
+  return named;
+}
+
+// Mean |raster − truth| of the counted pixels, from the images alone.
+double mean_error(const Image<float>& raster, const Image<float>& truth, const CountedPixels& counted) {
+  double error = 0.0;
+  std::uint64_t pixels = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (counted.counting[i] != Counting::counted) continue;
+    ++pixels;
+    error += std::abs(static_cast<double>(raster[i]) - static_cast<double>(truth[i]));
+  }
+  return pixels > 0 ? error / static_cast<double>(pixels) : 0.0;
+}
+
+bool has_wrong(const VisibilitySums& sums) {
+  return std::any_of(sums.wrong.begin(), sums.wrong.end(), [](std::uint64_t weight) { return weight > 0; });
+}
+
+}  // namespace
+
+std::vector<NamedFilter> usual_filters() {
+  return {filter("nearest", ShadowFilter::nearest, 1),
+          filter("bilinear", ShadowFilter::bilinear, 1),
+          filter("3×3 box", ShadowFilter::box, 3),
+          filter("5×5 Gaussian", ShadowFilter::gaussian, 5),
+          filter("16 Poisson", ShadowFilter::poisson, 1),
+          filter("3×3 box of linear taps", ShadowFilter::box, 3, FilterTaps::linear),
+          filter("5×5 tent of linear taps", ShadowFilter::tent, 5, FilterTaps::linear)};
+}
+
+std::vector<Light> lights_of_every_kind(const Scene& scene) {
+  Light sun;
+  for (const Light& light : scene.lights) {
+    if (std::holds_alternative<DirectionalLight>(light.shape)) sun = light;
+  }
+  const Bounds bounds = bounds_of(scene);
+  Light spot = sun;
+  spot.world_from_light[3] = dvec4(bounds.center() - 2.0 * bounds.radius() * sun.axis(), 1.0);
+  spot.shape = SpotLight{0.0, 0.0, 0.5};
+  Light point = spot;
+  point.shape = PointLight{};
+  return {sun, spot, point};
+}
+
+Agreement compare_ways(const gl::Context& context, const Scene& scene, const View& view, const Light& light,
+                       const BiasGrid& grid) {
+  Agreement agreement;
+  const UploadedScene uploaded = upload(context, scene);
+  const GpuGBuffer surfels = draw_gbuffer(context, uploaded, view);
+  const GBuffer gbuffer = read_back(context, surfels);
+  const Image<float> visibility = trace_visibility(Tracer(scene), gbuffer, light).visibility;
+  for (const int resolution : grid.resolutions) {
+    const LightFrame frame = fit_light(light, bounds_of(scene), resolution);
+    const CountedPixels counted = count_pixels(gbuffer, light, frame);
+    const TruthCounts counts = count_truth(visibility, counted);
+    const gl::Texture truth = upload_truth(context, visibility, counted.counting);
+    const ShadowMap map = draw_shadow_map(context, uploaded, light, frame, {});
+    const ShadowMapImages images = read_back(context, map);
+    for (const NamedFilter& filter : grid.filters) {
+      for (const double normal_offset : grid.normal_offsets) {
+        ShadowParams params = filter.params;
+        params.normal_offset = normal_offset;
+        const ShadowLookup lookup{uploaded, surfels, map, light, params, &truth};
+        const BiasHistogram drawn = draw_bias_response(context, lookup, grid.axes);
+        const FilterKernel kernel = make_filter(params);
+        const BiasHistogram computed =
+            count_bias_response(scene, {gbuffer, frame, light, images, kernel, static_cast<float>(normal_offset)},
+                                visibility, counted.counting, grid.axes);
+        const std::string where =
+            filter.name + ", " + std::to_string(resolution) + " texels, normal offset " + std::to_string(normal_offset);
+        if (drawn.by_slope != computed.by_slope) {
+          agreement.disagreements.push_back(where + ": device and processor differ");
+        }
+        for (std::size_t s = 0; s < grid.axes.slope.size(); ++s) {
+          const std::vector<VisibilitySums> at = sums_at_biases(drawn, s);
+          for (std::size_t k = 0; k < at.size(); ++k) {
+            params.constant_bias = static_cast<double>(grid.axes.constant[k]);
+            params.slope_bias = static_cast<double>(grid.axes.slope[s]);
+            const RasterVisibility cell = draw_visibility(context, lookup);
+            const VisibilitySums sums = sum_wrong_taps(cell.wrong, counted);
+            ++agreement.cells;
+            if (has_wrong(sums)) ++agreement.wrong_cells;
+            if (!(sums == at[k])) {
+              agreement.disagreements.push_back(where + ": one pass and the cell differ at bias " +
+                                                std::to_string(params.constant_bias) + ", slope " +
+                                                std::to_string(params.slope_bias));
+            }
+            agreement.identity_gap =
+                std::max(agreement.identity_gap,
+                         std::abs(mean_error(cell.visibility, visibility, counted) - to_statistics(sums, counts).mae));
+          }
+        }
+      }
+    }
+  }
+  return agreement;
+}
+
+}  // namespace umbrameter::test

@@ -1,0 +1,43 @@
+// The shadow error at every cell of a grid of biases, found in three ways that must agree to the last tap.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "compare/bias_response.h"
+#include "raster/rasterizer.h"
+#include "scenes/scene.h"
+#include "scenes/view.h"
+
+namespace umbrameter::test {
+
+struct NamedFilter {
+  std::string name;
+  ShadowParams params;
+};
+/// Nearest, bilinear, 3×3 box, 5×5 Gaussian, 16 Poisson points, and some of linear taps.
+std::vector<NamedFilter> usual_filters();
+
+/// The scene's own light if it is directional, else a sun; and a spot and a point light above the scene.
+std::vector<Light> lights_of_every_kind(const Scene& scene);
+
+struct BiasGrid {
+  BiasAxes axes;
+  std::vector<int> resolutions;
+  std::vector<NamedFilter> filters;
+  std::vector<double> normal_offsets = {0.0};
+};
+
+struct Agreement {
+  std::size_t cells = 0;
+  std::size_t wrong_cells = 0;             ///< cells with any wrong tap
+  std::vector<std::string> disagreements;  ///< one line each
+  double identity_gap = 0.0;               ///< largest |mean |raster − truth| − sum of the causes| of a cell
+};
+
+/// One pass on the device, the same on the processor from the map read back, and each cell drawn on its own.
+Agreement compare_ways(const gl::Context& context, const Scene& scene, const View& view, const Light& light,
+                       const BiasGrid& grid);
+
+}  // namespace umbrameter::test
