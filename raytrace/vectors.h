@@ -1,6 +1,8 @@
 // Loops over arrays, compiled for several generations of vector units. For raytrace/*.cpp alone.
 #pragma once
 
+#include <cstddef>  // any standard header tells whether this is glibc, which can make the choice
+
 /// Before a function: it is compiled once for each of these processors, and the program takes the best that it may when
 /// it starts. All do the same operations in the same order, so that results do not depend on the processor: files that
 /// use it are compiled without contraction of products and sums. Sanitizers are not ready when the choice is made.
