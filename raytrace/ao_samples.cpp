@@ -1,9 +1,10 @@
 #include "raytrace/ao_samples.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 #include "core/random.h"
+#include "raytrace/vectors.h"
 
 namespace umbrameter {
 namespace {
@@ -23,27 +24,36 @@ int stratum_of(float x, float y) {
   return row * strata + ((row & 1) == 0 ? column : strata - 1 - column);
 }
 
-// The loops below are plain ones over arrays, so that the compiler makes vectors of them.
-
 float wrapped(float value) { return value < 1.0f ? value : value - 1.0f; }
 
-void to_disk(std::size_t size, vec2 shift, vec2 turn, float* u, float* v) {
+// The loops below are plain ones over arrays, so that the compiler makes vectors of them.
+
+UMBRAMETER_VECTORS void to_disk(std::size_t size, vec2 shift, vec2 turn, float* u, float* v, std::int32_t* stratum) {
   for (std::size_t i = 0; i < size; ++i) {
     const vec2 d = concentric_disk({wrapped(u[i] + shift.x), wrapped(v[i] + shift.y)});
-    u[i] = d.x * turn.x - d.y * turn.y;
-    v[i] = d.x * turn.y + d.y * turn.x;
+    const float x = d.x * turn.x - d.y * turn.y;
+    const float y = d.x * turn.y + d.y * turn.x;
+    u[i] = x;
+    v[i] = y;
+    stratum[i] = stratum_of(x, y);
   }
 }
 
-void to_strata(std::size_t size, const float* u, const float* v, std::int32_t* stratum) {
-  for (std::size_t i = 0; i < size; ++i) stratum[i] = stratum_of(u[i], v[i]);
-}
+struct Lifted {
+  float* x = nullptr;
+  float* y = nullptr;
+  float* z = nullptr;
+  float* cosine = nullptr;
+};
 
+// The compiler gives up on telling this many arrays apart by itself.
 template <class Lift>
-void to_world(std::size_t size, const PixelDirections& pixel, const float* u, const float* v, float* x, float* y,
-              float* z, float* cosine, Lift lift) {
-  const mat3 frame = pixel.frame;
-  const vec3 normal = pixel.normal;
+inline void lift_by(std::size_t size, const mat3 frame, const float* __restrict u, const float* __restrict v,
+                    const Lifted& to, Lift lift) {
+  float* __restrict const x = to.x;
+  float* __restrict const y = to.y;
+  float* __restrict const z = to.z;
+  float* __restrict const cosine = to.cosine;
   for (std::size_t i = 0; i < size; ++i) {
     const vec3 local = lift(vec2(u[i], v[i]));
     x[i] = frame[0].x * local.x + frame[1].x * local.y + frame[2].x * local.z;
@@ -51,64 +61,94 @@ void to_world(std::size_t size, const PixelDirections& pixel, const float* u, co
     z[i] = frame[0].z * local.x + frame[1].z * local.y + frame[2].z * local.z;
     cosine[i] = local.z;
   }
-  if (frame[2] == normal) return;
-  for (std::size_t i = 0; i < size; ++i) cosine[i] = normal.x * x[i] + normal.y * y[i] + normal.z * z[i];
+}
+
+UMBRAMETER_VECTORS void to_world_cosine(std::size_t size, const mat3& frame, const float* u, const float* v,
+                                        const Lifted& to) {
+  lift_by(size, frame, u, v, to, [](vec2 disk) { return lift_cosine(disk); });
+}
+
+UMBRAMETER_VECTORS void to_world_uniform(std::size_t size, const mat3& frame, const float* u, const float* v,
+                                         const Lifted& to) {
+  lift_by(size, frame, u, v, to, [](vec2 disk) { return lift_uniform(disk); });
+}
+
+UMBRAMETER_VECTORS void to_cosines(std::size_t size, const vec3& normal, const Lifted& of) {
+  for (std::size_t i = 0; i < size; ++i) {
+    of.cosine[i] = normal.x * of.x[i] + normal.y * of.y[i] + normal.z * of.z[i];
+  }
+}
+
+// A hit counts up to `reach` from the surface point: the ray starts above it, which shortens its way by
+// offset · cosine to first order.
+UMBRAMETER_VECTORS void to_reaches(std::size_t size, float offset, double reach, const float* cosine, float* steps,
+                                   float* reaches) {
+  for (std::size_t i = 0; i < size; ++i) {
+    const float step = offset * cosine[i];
+    const double left = reach - static_cast<double>(step);
+    const float above = static_cast<float>(left > 0.0 ? left : 0.0);
+    steps[i] = step;
+    reaches[i] = cosine[i] > 0.0f ? above : -1.0f;
+  }
 }
 
 }  // namespace
 
-void PacketSamples::Unsorted::resize(std::size_t size) {
-  for (std::vector<float>* values : {&u, &v, &x, &y, &z, &cosine}) values->resize(size);
-  stratum.resize(size);
+// A counting sort that keeps the points of a stratum as they were.
+void PixelSamples::order(const SampleRange& range, const Randomisations& before) {
+  std::array<std::uint32_t, strata * strata + 1> next{};
+  for (const std::int32_t stratum : stratum_) ++next[static_cast<std::size_t>(stratum) + 1u];
+  for (std::size_t s = 1; s < next.size(); ++s) next[s] += next[s - 1];
+  std::size_t i = 0;
+  for (int r = 0; r < range.split.count; ++r) {
+    for (const std::size_t end = i + static_cast<std::size_t>(range.split.size(r) - before.size(r)); i < end; ++i) {
+      const std::uint32_t place = next[static_cast<std::size_t>(stratum_[i])]++;
+      ordered_u_[place] = u_[i];
+      ordered_v_[place] = v_[i];
+      randomisation[place] = static_cast<std::uint8_t>(r);
+    }
+  }
+}
+
+void PixelSamples::resize(std::size_t size) {
+  size_ = size;
+  for (std::vector<float>* values : {&u_, &v_, &ordered_u_, &ordered_v_}) values->resize(size);
+  for (std::vector<float>* values : {&x, &y, &z, &cosine, &step, &reach}) {
+    values->resize(size + padding);
+    std::fill(values->end() - static_cast<std::ptrdiff_t>(padding), values->end(), 0.0f);
+  }
+  stratum_.resize(size);
   randomisation.resize(size);
 }
 
-void PacketSamples::make(const TruthParams& params, int lane, const PixelDirections& pixel) {
+void PixelSamples::make(const TruthParams& params, const PixelDirections& pixel) {
   const SampleRange& range = pixel.range;
-  const auto size = static_cast<std::size_t>(range.size());
-  unsorted_.resize(size);
-  if (ranks_.size() < size) ranks_.resize(size);
-  Unsorted& all = unsorted_;
+  resize(static_cast<std::size_t>(range.size()));
   const Randomisations before{range.split.count, range.begin};
   std::size_t first = 0;
   for (int r = 0; r < range.split.count; ++r) {
     const std::uint32_t scramble = hash(pixel.stream, static_cast<std::uint32_t>(r));
     const auto begin = static_cast<std::uint32_t>(before.size(r));
     const auto count = static_cast<std::size_t>(range.split.size(r)) - begin;
-    make_points(params.sampler == Sampler::owen, begin, scramble, {all.u.data() + first, count},
-                {all.v.data() + first, count});
+    make_points(params.sampler == Sampler::owen, begin, scramble, {u_.data() + first, count},
+                {v_.data() + first, count});
     // Shifted and turned at random: edges of occluders that run along the square's or through the middle of the disk
     // would else have the same count in every randomisation, or one of two, and such counts are far from a normal
     // distribution (Cranley and Patterson 1976 for the shift).
     const vec2 shift(to_unit_float(hash(scramble, 2u)), to_unit_float(hash(scramble, 3u)));
-    const float angle = static_cast<float>(2.0 * pi) * to_unit_float(hash(scramble, 4u));
-    to_disk(count, shift, {std::cos(angle), std::sin(angle)}, all.u.data() + first, all.v.data() + first);
-    std::fill_n(all.randomisation.begin() + static_cast<std::ptrdiff_t>(first), count, static_cast<std::uint8_t>(r));
+    to_disk(count, shift, direction_at(to_unit_float(hash(scramble, 4u))), u_.data() + first, v_.data() + first,
+            stratum_.data() + first);
     first += count;
   }
-  const auto place = [&](auto lift) {
-    to_world(size, pixel, all.u.data(), all.v.data(), all.x.data(), all.y.data(), all.z.data(), all.cosine.data(),
-             lift);
-  };
+  order(range, before);
+  const Lifted lifted{x.data(), y.data(), z.data(), cosine.data()};
   if (params.ao_weight == AoWeight::cosine) {
-    place([](vec2 disk) { return lift_cosine(disk); });
+    to_world_cosine(size_, pixel.frame, ordered_u_.data(), ordered_v_.data(), lifted);
   } else {
-    place([](vec2 disk) { return lift_uniform(disk); });
+    to_world_uniform(size_, pixel.frame, ordered_u_.data(), ordered_v_.data(), lifted);
   }
-
-  to_strata(size, all.u.data(), all.v.data(), all.stratum.data());
-  std::array<std::uint32_t, strata * strata + 1> next{};
-  for (const std::int32_t stratum : all.stratum) ++next[static_cast<std::size_t>(stratum) + 1u];
-  for (std::size_t s = 1; s < next.size(); ++s) next[s] += next[s - 1];
-  const auto l = static_cast<std::size_t>(lane);
-  for (std::size_t i = 0; i < size; ++i) {
-    SampleRank& rank = ranks_[next[static_cast<std::size_t>(all.stratum[i])]++];
-    rank.directions.x[l] = all.x[i];
-    rank.directions.y[l] = all.y[i];
-    rank.directions.z[l] = all.z[i];
-    rank.cosine[l] = all.cosine[i];
-    rank.randomisation[l] = all.randomisation[i];
-  }
+  if (pixel.frame[2] != pixel.normal) to_cosines(size_, pixel.normal, lifted);
+  to_reaches(size_, static_cast<float>(pixel.offset), pixel.reach, cosine.data(), step.data(), reach.data());
 }
 
 }  // namespace umbrameter

@@ -1,52 +1,50 @@
-// The directions of sixteen pixels, in an order that keeps equal ranks' rays together. For raytrace/*.cpp alone.
+// The directions of a pixel, in an order that keeps those that look alike together. For raytrace/*.cpp and tests.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "core/math.h"
-#include "raytrace/packet.h"
 #include "raytrace/parameters.h"
 #include "raytrace/sampler.h"
 #include "raytrace/stopping.h"
 
 namespace umbrameter {
 
-/// Where a pixel looks.
+/// Where a pixel looks from.
 struct PixelDirections {
   SampleRange range;
   mat3 frame{1.0f};          ///< of the hemisphere
   vec3 normal{0, 0, 1};      ///< of the triangle
+  double offset = 0;         ///< metres along the normal at which the rays start
+  double reach = 0;          ///< metres from the surface up to which a hit counts
   std::uint32_t stream = 0;  ///< a stream is a set of points that is independent of every other stream's
 };
 
-/// One ray of each pixel.
-struct alignas(64) SampleRank {
-  Directions directions;
-  std::array<float, Packet::width> cosine{};  ///< with the triangle's normal
-  std::array<std::uint8_t, Packet::width> randomisation{};
-};
-
-/// Ranges of equal size of sixteen pixels' points, each ordered by the part of the disk that they fall in, so that
-/// equal ranks of neighbouring pixels look in about the same direction. Which points there are does not depend on the
-/// order.
-class PacketSamples {
+/// Rays of one pixel, ordered by the part of the hemisphere's disk that they go through, so that successive ones meet
+/// about the same things. Which rays there are does not depend on the order.
+class PixelSamples {
  public:
-  void make(const TruthParams& params, int lane, const PixelDirections& pixel);
-  const SampleRank& operator[](std::size_t rank) const { return ranks_[rank]; }
+  /// Arrays are this much longer than their content, with zeros: packets may read on.
+  static constexpr std::size_t padding = 16;
+
+  void make(const TruthParams& params, const PixelDirections& pixel);
+
+  std::size_t size() const { return size_; }
+  std::vector<float> x, y, z;  ///< directions
+  std::vector<float> cosine;   ///< with the triangle's normal
+  std::vector<float> step;     ///< metres by which the ray starts beyond the surface point, along itself
+  std::vector<float> reach;    ///< metres; negative below the triangle's plane
+  std::vector<std::uint8_t> randomisation;
 
  private:
-  struct Unsorted {
-    std::vector<float> u, v;  // the square, then the disk
-    std::vector<float> x, y, z, cosine;
-    std::vector<std::int32_t> stratum;
-    std::vector<std::uint8_t> randomisation;
-    void resize(std::size_t size);
-  };
+  void resize(std::size_t size);
+  void order(const SampleRange& range, const Randomisations& before);
 
-  Unsorted unsorted_;
-  std::vector<SampleRank> ranks_;
+  std::size_t size_ = 0;
+  std::vector<float> u_, v_;  // the square, then the disk
+  std::vector<float> ordered_u_, ordered_v_;
+  std::vector<std::int32_t> stratum_;
 };
 
 }  // namespace umbrameter

@@ -130,7 +130,7 @@ class TileTracer {
 
  private:
   void add(std::size_t i, TracedVisibility& result) {
-    const RayOrigin origin = ray_origin(tracer_, gbuffer_, i, last_);
+    const RayOrigin origin = ray_origin(tracer_, gbuffer_, i, triangles_);
     const auto slant = [&](std::uint32_t axis) {
       return 0.5f + to_unit_float(hash(static_cast<std::uint32_t>(i), axis, sampling_.seed, purpose));
     };
@@ -212,7 +212,7 @@ class TileTracer {
   const Light& light_;
   const TruthSampling& sampling_;
   Packet packet_;
-  SurfelTriangle last_;
+  SurfelCache triangles_;
   std::vector<Pixel> pixels_;
   std::vector<int> pending_;
   TraceStatistics statistics_;

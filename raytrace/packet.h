@@ -1,7 +1,9 @@
-// Sixteen occlusion rays traced together. For raytrace/*.cpp alone.
+// Occlusion rays traced together. For raytrace/*.cpp alone.
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
 
 #include "raytrace/tracer_state.h"
 
@@ -14,22 +16,27 @@ struct ShadowRay {
   bool is_clear = false;    ///< it cannot meet its own triangle
 };
 
-/// Of the sixteen rays of a packet.
-struct alignas(64) Directions {
-  float x[16] = {};
-  float y[16] = {};
-  float z[16] = {};
+/// Rays from one place, each of the arrays at least as long as a packet.
+struct RaysFrom {
+  const float* x = nullptr;  ///< directions
+  const float* y = nullptr;
+  const float* z = nullptr;
+  const float* reach = nullptr;  ///< metres; a negative one is blocked where it starts
+  int count = 0;                 ///< up to a packet's width
+  bool are_clear = false;        ///< none can meet its own triangle
 };
 
-/// What all packets do with their rays, lane by lane.
-inline void prepare_lane(RTCRay16& rays, int lane) {
+/// What all packets do with Embree's lanes.
+template <class Rays>
+void prepare_lane(Rays& rays, int lane) {
   rays.tnear[lane] = 0.0f;
   rays.time[lane] = 0.0f;
   rays.mask[lane] = 0xffffffffu;
   rays.id[lane] = static_cast<unsigned>(lane);
   rays.flags[lane] = 0;
 }
-inline void aim_lane(RTCRay16& rays, int lane, const ShadowRay& ray) {
+template <class Rays>
+void aim_lane(Rays& rays, int lane, const ShadowRay& ray) {
   rays.org_x[lane] = ray.origin.x;
   rays.org_y[lane] = ray.origin.y;
   rays.org_z[lane] = ray.origin.z;
@@ -38,25 +45,29 @@ inline void aim_lane(RTCRay16& rays, int lane, const ShadowRay& ray) {
   rays.dir_z[lane] = ray.direction.z;
   rays.tfar[lane] = ray.reach;
 }
-inline void aim_lanes(RTCRay16& rays, const Directions& directions, const float* reach) {
-  std::copy_n(directions.x, 16, rays.dir_x);
-  std::copy_n(directions.y, 16, rays.dir_y);
-  std::copy_n(directions.z, 16, rays.dir_z);
-  std::copy_n(reach, 16, rays.tfar);
+template <int width, class Rays>
+void aim_lanes(Rays& rays, const RaysFrom& from) {
+  constexpr std::size_t size = static_cast<std::size_t>(width) * sizeof(float);
+  std::memcpy(rays.dir_x, from.x, size);
+  std::memcpy(rays.dir_y, from.y, size);
+  std::memcpy(rays.dir_z, from.z, size);
+  std::memcpy(rays.tfar, from.reach, size);
 }
 
-class Packet {
+/// 4, 8 or 16 rays.
+template <int lanes>
+class OcclusionPacket {
  public:
-  static constexpr int width = 16;
+  static constexpr int width = lanes;
+  static constexpr bool knows_distance = false;
 
-  explicit Packet(const Tracer::State& state) : state_(&state) {
+  explicit OcclusionPacket(const Tracer::State& state) : state_(&state) {
     prepare(query_, state, false);
     for (int lane = 0; lane < width; ++lane) {
       aim(lane, {});  // idle lanes too: no garbage is traced along
       prepare_lane(rays_, lane);
-      valid_[lane] = 0;
     }
-    is_clear_ = true;
+    clear();
   }
 
   int size() const { return size_; }
@@ -64,7 +75,7 @@ class Packet {
   void clear() {
     size_ = 0;
     is_clear_ = true;
-    for (int& valid : valid_) valid = 0;
+    std::fill_n(valid_, width, 0);
   }
 
   /// Takes the next lane; own is the triangle that the ray leaves and never hits.
@@ -82,16 +93,20 @@ class Packet {
     is_clear_ = is_clear_ && ray.is_clear;
   }
 
-  /// Gives every lane in use another ray from the same place. A negative reach is blocked where it starts.
-  void aim(const Directions& directions, const float* reach, bool is_clear) {
-    aim_lanes(rays_, directions, reach);
-    is_clear_ = is_clear;
+  /// Gives the first lanes rays from where they are and leaves the others idle.
+  void aim(const RaysFrom& from) {
+    aim_lanes<width>(rays_, from);
+    if (size_ != from.count) {
+      for (int lane = 0; lane < width; ++lane) valid_[lane] = lane < from.count ? -1 : 0;
+      size_ = from.count;
+    }
+    is_clear_ = from.are_clear;
   }
 
   void trace() {
     if (size_ == 0) return;
     filter_every_hit(query_, !is_clear_);
-    embree::occluded(valid_, state_->top.get(), rays_, query_.query);
+    embree::occluded<width>(valid_, state_->top.get(), rays_, query_.query);
     is_clear_ = true;
   }
   /// After trace(). Embree marks a blocked ray by tfar = −∞.
@@ -100,10 +115,12 @@ class Packet {
  private:
   const Tracer::State* state_;
   RayQuery query_;
-  RTCRay16 rays_;
-  alignas(64) int valid_[width];
+  typename embree::Lanes<width>::Rays rays_;
+  alignas(64) int valid_[static_cast<std::size_t>(width)];
   int size_ = 0;
   bool is_clear_ = true;
 };
+
+using Packet = OcclusionPacket<16>;
 
 }  // namespace umbrameter

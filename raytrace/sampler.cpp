@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/random.h"
+#include "raytrace/vectors.h"
 
 namespace umbrameter {
 namespace {
@@ -57,22 +58,29 @@ vec2 random_point(std::uint32_t index, std::uint32_t scramble) {
   return {to_unit_float(hash(scramble, index, 0u)), to_unit_float(hash(scramble, index, 1u))};
 }
 
-void make_points(bool is_sobol, std::uint32_t begin, std::uint32_t scramble, std::span<float> x, std::span<float> y) {
-  const auto size = static_cast<std::uint32_t>(x.size());
-  if (!is_sobol) {
-    for (std::uint32_t i = 0; i < size; ++i) {
-      const vec2 point = random_point(begin + i, scramble);
-      x[i] = point.x;
-      y[i] = point.y;
-    }
-    return;
-  }
+namespace {
+
+UMBRAMETER_VECTORS void make_sobol_points(std::uint32_t begin, std::uint32_t scramble, std::uint32_t size, float* x,
+                                          float* y) {
   const std::uint32_t first = hash(scramble, 0u);
   const std::uint32_t second = hash(scramble, 1u);
-  float* const u = x.data();
-  float* const v = y.data();
-  for (std::uint32_t i = 0; i < size; ++i) u[i] = unit_from(begin + i, first);
-  for (std::uint32_t i = 0; i < size; ++i) v[i] = unit_from(reversed_second_dimension(begin + i), second);
+  for (std::uint32_t i = 0; i < size; ++i) x[i] = unit_from(begin + i, first);
+  for (std::uint32_t i = 0; i < size; ++i) y[i] = unit_from(reversed_second_dimension(begin + i), second);
+}
+
+}  // namespace
+
+void make_points(bool is_sobol, std::uint32_t begin, std::uint32_t scramble, std::span<float> x, std::span<float> y) {
+  const auto size = static_cast<std::uint32_t>(x.size());
+  if (is_sobol) {
+    make_sobol_points(begin, scramble, size, x.data(), y.data());
+    return;
+  }
+  for (std::uint32_t i = 0; i < size; ++i) {
+    const vec2 point = random_point(begin + i, scramble);
+    x[i] = point.x;
+    y[i] = point.y;
+  }
 }
 
 mat3 frame_about(vec3 n) {

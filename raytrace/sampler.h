@@ -21,6 +21,24 @@ vec2 random_point(std::uint32_t index, std::uint32_t scramble);
 /// Points `begin` and on of either kind into x and y, which are of one size: the same ones, faster.
 void make_points(bool is_sobol, std::uint32_t begin, std::uint32_t scramble, std::span<float> x, std::span<float> y);
 
+/// Cosine and sine of an angle of up to 45 degrees by Taylor's series, off by less than 3e-8: without branches or
+/// calls, loops become vectors, and every processor and C library gives the same.
+inline vec2 direction_near_x(float angle) {
+  const float square = angle * angle;
+  return {
+      1.0f + square * (-1.0f / 2.0f + square * (1.0f / 24.0f + square * (-1.0f / 720.0f + square * (1.0f / 40320.0f)))),
+      angle * (1.0f + square * (-1.0f / 6.0f +
+                                square * (1.0f / 120.0f + square * (-1.0f / 5040.0f + square * (1.0f / 362880.0f)))))};
+}
+
+/// Once around the unit circle from +X on, at even speed, as `turn` goes from 0 to 1.
+inline vec2 direction_at(float turn) {
+  const auto quarter = static_cast<int>(4.0f * turn + 0.5f);
+  const vec2 near = direction_near_x(static_cast<float>(pi / 2.0) * (4.0f * turn - static_cast<float>(quarter)));
+  const vec2 half = (quarter & 1) == 0 ? near : vec2(-near.y, near.x);
+  return (quarter & 2) == 0 ? half : -half;
+}
+
 /// The unit square onto the open unit disk, areas in proportion, squares about the middle onto circles (Shirley and
 /// Chiu, A Low Distortion Map Between Disk and Square, 1997).
 inline vec2 concentric_disk(vec2 point) {
@@ -31,16 +49,9 @@ inline vec2 concentric_disk(vec2 point) {
   const bool is_wide = std::abs(px) > std::abs(py);
   const float radius = is_wide ? px : py;
   const float part = (is_wide ? py : px) / (radius == 0.0f ? 1.0f : radius);
-  const float angle = static_cast<float>(pi / 4.0) * part;
-  // Taylor's series, off by less than 3e-8 up to 45 degrees: without branches or calls, loops become vectors.
-  const float square = angle * angle;
-  const float cosine =
-      1.0f + square * (-1.0f / 2.0f + square * (1.0f / 24.0f + square * (-1.0f / 720.0f + square * (1.0f / 40320.0f))));
-  const float sine =
-      angle * (1.0f + square * (-1.0f / 6.0f +
-                                square * (1.0f / 120.0f + square * (-1.0f / 5040.0f + square * (1.0f / 362880.0f)))));
-  const float along = radius * cosine;
-  const float across = radius * sine;
+  const vec2 direction = direction_near_x(static_cast<float>(pi / 4.0) * part);
+  const float along = radius * direction.x;
+  const float across = radius * direction.y;
   return {is_wide ? along : across, is_wide ? across : along};
 }
 

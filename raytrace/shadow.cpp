@@ -1,10 +1,13 @@
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <chrono>
 #include <limits>
 #include <mutex>
 
 #include "raytrace/area_shadow.h"
 #include "raytrace/packet.h"
+#include "raytrace/packet_width.h"
 #include "raytrace/surfel.h"
 #include "scenes/emitter.h"
 #include "scenes/light_frame.h"
@@ -12,30 +15,164 @@
 namespace umbrameter {
 namespace {
 
-constexpr int tile_size = 32;
+constexpr int tile_size = 64;
+// A packet of eight takes two columns of a strip: the nearer its rays, the more of their way they go together.
+constexpr int strip_height = 4;
 
-bool is_clear(const RayOrigin& origin, const vec3& direction) {
-  return glm::dot(origin.normal, dvec3(direction)) > origin.clear_cosine;
-}
+// The ways from surfels to a light without extent.
+class Ways {
+ public:
+  explicit Ways(const Light& light)
+      : is_distant_(std::holds_alternative<DirectionalLight>(light.shape)),
+        position_(light.position()),
+        to_distant_(-light.axis()),
+        light_(light) {}
 
-// A ray to the light and how far it may go. The light itself is no blocker: the ray stops short of it by the rounding
-// of its own length.
-ShadowRay towards(const Light& light, const RayOrigin& origin) {
-  ShadowRay ray;
-  ray.origin = vec3(origin.point());
-  if (std::holds_alternative<DirectionalLight>(light.shape)) {
-    ray.direction = vec3(-light.axis());
-    ray.reach = std::numeric_limits<float>::infinity();
-    ray.is_clear = is_clear(origin, ray.direction);
+  /// Whether the surfel is turned to the light.
+  bool begin_at(const GBuffer& gbuffer, std::size_t pixel) const {
+    const dvec3 way = is_distant_ ? to_distant_ : to_light(light_, dvec3(gbuffer.position[pixel]));
+    return glm::dot(dvec3(gbuffer.geometric_normal[pixel]), way) > 0.0;
+  }
+
+  /// The light itself is no blocker: the ray stops short of it by the rounding of its own length.
+  ShadowRay from(const RayOrigin& origin) const {
+    ShadowRay ray;
+    ray.origin = vec3(origin.point());
+    if (is_distant_) {
+      ray.direction = vec3(to_distant_);
+      ray.reach = std::numeric_limits<float>::infinity();
+    } else {
+      const dvec3 way = position_ - dvec3(ray.origin);
+      const double distance = glm::length(way);
+      if (!(distance > 0.0)) return ray;  // the light is at the surfel: nothing lies between
+      ray.direction = vec3(way / distance);
+      ray.reach = static_cast<float>(distance * (1.0 - 0x1p-22));
+    }
+    ray.is_clear = glm::dot(origin.normal, dvec3(ray.direction)) > origin.clear_cosine;
     return ray;
   }
-  const dvec3 way = light.position() - dvec3(ray.origin);
-  const double distance = glm::length(way);
-  if (!(distance > 0.0)) return ray;  // the light is at the surfel: nothing lies between
-  ray.direction = vec3(way / distance);
-  ray.reach = static_cast<float>(distance * (1.0 - 0x1p-22));
-  ray.is_clear = is_clear(origin, ray.direction);
-  return ray;
+
+ private:
+  bool is_distant_;
+  dvec3 position_;
+  dvec3 to_distant_;
+  const Light& light_;
+};
+
+constexpr int cache_line = 64;
+
+// Asks for `count` values ahead of their use. Always inline: GCC takes a function that does nothing but this for one
+// without effect, and drops its calls.
+template <class T>
+[[gnu::always_inline]] inline void fetch(const Image<T>& image, std::size_t first, std::size_t count) {
+  const char* const bytes = reinterpret_cast<const char*>(image.pixels.data() + first);
+  for (std::size_t i = 0; i < count * sizeof(T); i += cache_line) __builtin_prefetch(bytes + i);
+}
+
+template <int width>
+class ShadowTile {
+ public:
+  ShadowTile(const Tracer& tracer, const GBuffer& gbuffer, const Ways& ways, Image<float>& visibility)
+      : tracer_(tracer), gbuffer_(gbuffer), ways_(ways), visibility_(visibility), packet_(tracer.state()) {}
+
+  void trace(const Tile& tile) {
+    const auto width_of_image = static_cast<std::size_t>(gbuffer_.width);
+
+    fetch_ids(tile, tile.y_begin);
+    fetch_ids(tile, tile.y_begin + strip_height);
+    fetch_surfels(tile, tile.y_begin);
+    for (int top = tile.y_begin; top < tile.y_end; top += strip_height) {
+      fetch_ids(tile, top + 2 * strip_height);
+      fetch_surfels(tile, top + strip_height);
+
+      const auto height = static_cast<std::size_t>(std::min(strip_height, tile.y_end - top));
+      const std::size_t end =
+          gbuffer_.instance.index(tile.x_begin, top) + static_cast<std::size_t>(tile.x_end - tile.x_begin);
+      for (std::size_t column = gbuffer_.instance.index(tile.x_begin, top); column < end; ++column) {
+        for (std::size_t row = 0; row < height; ++row) add(column + row * width_of_image);
+      }
+    }
+    flush();
+  }
+
+  const TraceStatistics& statistics() const { return statistics_; }
+
+ private:
+  // The G-buffer is larger than the processor's nearer caches, and a tile's rows are too short for it to see ahead. A
+  // line of ids comes first and tells whether the rest is wanted.
+  [[gnu::always_inline]] void fetch_ids(const Tile& tile, int top) const {
+    for (int y = top; y < std::min(top + strip_height, tile.y_end); ++y) {
+      fetch(gbuffer_.instance, gbuffer_.instance.index(tile.x_begin, y),
+            static_cast<std::size_t>(tile.x_end - tile.x_begin));
+    }
+  }
+  [[gnu::always_inline]] void fetch_surfels(const Tile& tile, int top) const {
+    constexpr int ids = cache_line / static_cast<int>(sizeof(std::uint32_t));
+    for (int y = top; y < std::min(top + strip_height, tile.y_end); ++y) {
+      for (int x = tile.x_begin; x < tile.x_end; x += ids) {
+        const std::size_t first = gbuffer_.instance.index(x, y);
+        const auto count = static_cast<std::size_t>(std::min(ids, tile.x_end - x));
+        if (!gbuffer_.is_surface(first) && !gbuffer_.is_surface(first + count - 1)) continue;
+        fetch(gbuffer_.triangle, first, count);
+        fetch(gbuffer_.geometric_normal, first, count);
+        fetch(gbuffer_.position, first, count);
+      }
+    }
+  }
+
+  void add(std::size_t i) {
+    if (!gbuffer_.is_surface(i)) return;
+    if (!ways_.begin_at(gbuffer_, i)) {
+      visibility_[i] = 0.0f;
+      return;
+    }
+    const RayOrigin origin = ray_origin(tracer_, gbuffer_, i, triangles_);
+    statistics_.largest_offset = std::max(statistics_.largest_offset, origin.offset);
+    ++statistics_.rays;
+    pixels_[static_cast<std::size_t>(packet_.size())] = i;
+    packet_.add(ways_.from(origin), gbuffer_.instance[i], gbuffer_.triangle[i]);
+    if (packet_.is_full()) flush();
+  }
+
+  void flush() {
+    packet_.trace();
+    for (int lane = 0; lane < packet_.size(); ++lane) {
+      visibility_[pixels_[static_cast<std::size_t>(lane)]] = packet_.is_blocked(lane) ? 0.0f : 1.0f;
+    }
+    packet_.clear();
+  }
+
+  const Tracer& tracer_;
+  const GBuffer& gbuffer_;
+  const Ways& ways_;
+  Image<float>& visibility_;
+  OcclusionPacket<width> packet_;
+  std::array<std::size_t, static_cast<std::size_t>(width)> pixels_{};
+  SurfelCache triangles_;
+  TraceStatistics statistics_;
+};
+
+template <int width>
+TracedVisibility trace(const ShadowTask& task, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  TracedVisibility traced;
+  traced.visibility = Image<float>(task.gbuffer.width, task.gbuffer.height, 1.0f);
+  const Ways ways(task.light);
+  std::mutex mutex;
+  parallel_tiles(
+      task.gbuffer.width, task.gbuffer.height, tile_size,
+      [&](const Tile& tile) {
+        ShadowTile<width> pixels(task.tracer, task.gbuffer, ways, traced.visibility);
+        pixels.trace(tile);
+        task.tracer.state().rays_traced += pixels.statistics().rays;
+        const std::lock_guard lock(mutex);
+        traced.statistics.rays += pixels.statistics().rays;
+        traced.statistics.largest_offset =
+            std::max(traced.statistics.largest_offset, pixels.statistics().largest_offset);
+      },
+      progress);
+  traced.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return traced;
 }
 
 }  // namespace
@@ -43,52 +180,14 @@ ShadowRay towards(const Light& light, const RayOrigin& origin) {
 TracedVisibility trace_visibility(const Tracer& tracer, const GBuffer& gbuffer, const Light& light,
                                   const TruthSampling& sampling, const Progress& progress) {
   if (is_area(light)) return trace_area_visibility(tracer, gbuffer, light, sampling, progress);
-  const auto start = std::chrono::steady_clock::now();
-  const Image<float> none(gbuffer.width, gbuffer.height, 0.0f);
-  TracedVisibility traced{Image<float>(gbuffer.width, gbuffer.height, 1.0f), {}, none, none, none};
-  std::mutex mutex;
-  parallel_tiles(
-      gbuffer.width, gbuffer.height, tile_size,
-      [&](const Tile& tile) {
-        TraceStatistics statistics;
-        Packet packet(tracer.state());
-        SurfelTriangle last;
-        std::size_t pixels[Packet::width];
-        const auto flush = [&] {
-          packet.trace();
-          for (int lane = 0; lane < packet.size(); ++lane) {
-            traced.visibility[pixels[lane]] = packet.is_blocked(lane) ? 0.0f : 1.0f;
-          }
-          packet.clear();
-        };
-        const auto add = [&](std::size_t i) {
-          if (!gbuffer.is_surface(i)) return;
-          if (!(glm::dot(dvec3(gbuffer.geometric_normal[i]), to_light(light, dvec3(gbuffer.position[i]))) > 0.0)) {
-            traced.visibility[i] = 0.0f;
-            return;
-          }
-          const RayOrigin origin = ray_origin(tracer, gbuffer, i, last);
-          statistics.largest_offset = std::max(statistics.largest_offset, origin.offset);
-          ++statistics.rays;
-          pixels[packet.size()] = i;
-          packet.add(towards(light, origin), gbuffer.instance[i], gbuffer.triangle[i]);
-          if (packet.is_full()) flush();
-        };
-        // In strips of four rows, so that the rays of a packet are near one another.
-        for (int top = tile.y_begin; top < tile.y_end; top += 4) {
-          for (int x = tile.x_begin; x < tile.x_end; ++x) {
-            for (int y = top; y < std::min(top + 4, tile.y_end); ++y) add(gbuffer.instance.index(x, y));
-          }
-        }
-        flush();
-        tracer.state().rays_traced += statistics.rays;
-        const std::lock_guard lock(mutex);
-        traced.statistics.rays += statistics.rays;
-        traced.statistics.largest_offset = std::max(traced.statistics.largest_offset, statistics.largest_offset);
-      },
-      progress);
-  traced.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return traced;
+  return trace_sharp_visibility_in_packets(best_packet_width, {tracer, gbuffer, light}, progress);
+}
+
+TracedVisibility trace_sharp_visibility_in_packets(int width, const ShadowTask& task, const Progress& progress) {
+  if (width == 4) return trace<4>(task, progress);
+  if (width == 16) return trace<16>(task, progress);
+  assert(width == 8);
+  return trace<8>(task, progress);
 }
 
 }  // namespace umbrameter

@@ -24,39 +24,17 @@ double vertex_error(const Scene& scene, std::uint32_t instance, std::uint32_t tr
   const Mesh& mesh = scene.meshes[placed.mesh];
   const dmat3 linear = absolute(dmat3(placed.world_from_mesh));
   const dvec3 translation = absolute(dvec3(placed.world_from_mesh[3]));
-  double error = 0.0;
+  double squared = 0.0;
   for (int c = 0; c < 3; ++c) {
-    const dvec3 p = absolute(dvec3(mesh.positions[mesh.triangles[triangle][c]]));
-    error = std::max(error, glm::length(linear * p + translation));
+    const dvec3 error = linear * absolute(dvec3(mesh.positions[mesh.triangles[triangle][c]])) + translation;
+    squared = std::max(squared, glm::dot(error, error));
   }
-  return 2.0 * u * error;
+  return 2.0 * u * std::sqrt(squared);
 }
 
-// Embree takes a ray into the space of a shared mesh with a float matrix that it inverts itself. Cofactors are two
-// products and a difference, the determinant three products of them, then a division: with B the cofactors' terms by
-// magnitude over |det|, and D the determinant's over |det|, an entry of the inverse is off by at most γ(10)·D·B. The
-// point's transform and the translation's add four roundings, so that 14 in all, seen from the world through |M|,
-// bound the origin; the rounded matrix itself moves the mesh by u·(|M|·|x| + |t|), which vertex_error counts.
-double transform_error(const Instance& placed, const dvec3& position) {
-  const dmat3 linear = absolute(dmat3(placed.world_from_mesh));
-  dmat3 cofactors(0.0);
-  for (int column = 0; column < 3; ++column) {
-    const dvec3& v = linear[(column + 1) % 3];
-    const dvec3& w = linear[(column + 2) % 3];
-    cofactors[column] = {v.y * w.z + v.z * w.y, v.z * w.x + v.x * w.z, v.x * w.y + v.y * w.x};
-  }
-  const double determinant = std::abs(glm::determinant(dmat3(placed.world_from_mesh)));
-  if (!(determinant > 0.0)) return 0.0;  // flat: no ray meets it
-  const double spread = glm::dot(linear[0], cofactors[0]) / determinant;
-  const dvec3 way = absolute(position) + absolute(dvec3(placed.world_from_mesh[3]));
-  const dvec3 local = glm::transpose(cofactors) * way / determinant;
-  return 14.0 * u * spread * glm::length(linear * local);
-}
-
-// Moves a point that stands on an edge of its triangle inwards, until it is `inset` away from each edge, or a third of
-// the way to the opposite corner where the triangle is thin: at a crease the rounded origin must not fall behind the
-// neighbour that rises there.
-dvec3 inset_from_edges(const SurfelTriangle& t, dvec3 point, double inset) {
+// Moves a point that stands on an edge of its triangle inwards, until it keeps `insets` off each edge: at a crease the
+// rounded origin must not fall behind the neighbour that rises there.
+dvec3 inset_from_edges(const SurfelTriangle& t, dvec3 point) {
   // Each push may bring the point nearer to another edge: it ends when three in a row have nothing to do. In a corner
   // of angle α two pushes leave cos² α of what was missing.
   constexpr int most_pushes = 120;
@@ -65,9 +43,9 @@ dvec3 inset_from_edges(const SurfelTriangle& t, dvec3 point, double inset) {
   int idle = 0;
   for (int i = 0; i < most_pushes && idle < 3; ++i) {
     const auto edge = static_cast<std::size_t>(i % 3);
-    const double missing = std::min(inset, t.heights[edge] / 3.0) - glm::dot(point - *starts[edge], t.inwards[edge]);
+    const double missing = t.insets[edge] - glm::dot(point - *starts[edge], t.inwards[edge]);
     ++idle;
-    if (missing <= 1e-3 * inset) continue;
+    if (missing <= 1e-3 * t.insets[edge]) continue;
     idle = 0;
     point += missing * t.inwards[edge];
     moved = true;
@@ -91,8 +69,7 @@ struct SideError {
 //   edges and their cross product are rounded: 2u·s·L and 3u·s·L of N (γ(n) as in Higham, as above)
 //   the dot product: 4u of its factors' lengths
 // A quarter more is for an origin beside the triangle by an eighth of its least height.
-SideError side_error(const Triangle& t, double twice_area) {
-  const double edges[] = {glm::length(t.b - t.a), glm::length(t.c - t.b), glm::length(t.a - t.c)};
+SideError side_error(const std::array<double, 3>& edges, double twice_area) {
   const double s = std::min({edges[0], edges[1], edges[2]});
   SideError error;
   error.longest = std::max({edges[0], edges[1], edges[2]});
@@ -105,17 +82,18 @@ SideError side_error(const Triangle& t, double twice_area) {
   return error;
 }
 
-// Lengths of one direction in a mesh are lengths of every direction in the world times one factor.
-bool is_similarity(const dmat4& world_from_mesh) {
-  const dmat3 gram = glm::transpose(dmat3(world_from_mesh)) * dmat3(world_from_mesh);
-  const double scale = (gram[0][0] + gram[1][1] + gram[2][2]) / 3.0;
-  double skew = 0.0;
-  for (int column = 0; column < 3; ++column) {
-    for (int row = 0; row < 3; ++row) {
-      skew = std::max(skew, std::abs(gram[column][row] - (row == column ? scale : 0.0)));
-    }
+// The errors that grow with the origin's place, on any point of the triangle: both are lengths of functions that are
+// convex along any line, and so nowhere more than at one of the corners.
+double place_error(const Triangle& t, const InstanceInfo& info) {
+  double rounded = 0.0;
+  double moved = 0.0;
+  for (const dvec3& corner : {t.a, t.b, t.c}) {
+    rounded = std::max(rounded, glm::dot(corner, corner));
+    if (!info.is_shared) continue;
+    const dvec3 error = info.origin_error.of_place * absolute(corner) + info.origin_error.constant;
+    moved = std::max(moved, glm::dot(error, error));
   }
-  return skew <= 1e-5 * scale;
+  return u * std::sqrt(rounded) + std::sqrt(moved);
 }
 
 }  // namespace
@@ -146,11 +124,13 @@ dvec3 nearest_point(const Triangle& triangle, const dvec3& position) {
   return a + ab * (vb * scale) + ac * (vc * scale);
 }
 
+namespace {
+
 // The step along the normal is for triangles in the same plane, which must not be hit although they, the ray and the
 // test are rounded. Along the normal these errors add up:
 //   vertices of the neighbour and of the own triangle            2 · vertex_error
-//   the origin, rounded to floats                                u · |p|
-//   the origin, taken into a shared mesh's space                 transform_error
+//   the origin p, rounded to floats                              u · |p|
+//   the origin, taken into a shared mesh's space                 InstanceInfo::origin_error
 //   Embree's distance to the neighbour's plane, (v − o)·N / |N|: differences, a dot product of three terms and the
 //   normal's own rounding, at most eight roundings of lengths up to an edge       8u · longest edge
 //   or, where it is more and the triangle no sliver, its own side_error
@@ -166,53 +146,70 @@ SurfelTriangle surfel_triangle(const Tracer& tracer, std::uint32_t instance, std
   const Triangle& t = known.corners;
   const dvec3 normal = glm::cross(t.b - t.a, t.c - t.a);
   known.twice_area = glm::length(normal);
+  const dvec3 edges[] = {t.b - t.a, t.c - t.b, t.a - t.c};
+  const std::array<double, 3> lengths{glm::length(edges[0]), glm::length(edges[1]), glm::length(edges[2])};
   if (known.twice_area > 0.0) {
-    known.normal = normal / known.twice_area;
-    const dvec3 corners[] = {t.a, t.b, t.c};
+    known.normal = normal * (1.0 / known.twice_area);
     for (std::size_t i = 0; i < 3; ++i) {
-      const dvec3 edge = corners[(i + 1) % 3] - corners[i];
-      known.inwards[i] = glm::cross(known.normal, edge) / glm::length(edge);
-      known.heights[i] = glm::dot(corners[(i + 2) % 3] - corners[i], known.inwards[i]);
+      known.inwards[i] = glm::cross(known.normal, edges[i]) * (1.0 / lengths[i]);
+      known.heights[i] = known.twice_area / lengths[i];
     }
   }
   // Where it takes more than this, in parts of an edge, the triangle is flat, and a hit on it is told by its id.
   constexpr double most_side_error = 96.0 * u;
-  const SideError side = side_error(t, known.twice_area);
+  const SideError side = side_error(lengths, known.twice_area);
   const bool is_told = side.height < std::max(8.0 * u * info.longest_edge, most_side_error * side.longest) &&
-                       (!info.is_shared || is_similarity(scene.instances[instance].world_from_mesh));
+                       (!info.is_shared || info.is_similar);
   const double rounding = std::max(8.0 * u * info.longest_edge, is_told ? side.height : 0.0);
-  known.offset = 2.0 * vertex_error(scene, instance, id) + rounding;
-  if (is_told) {
-    known.clear_offset = side.thickness / 8.0;
-    known.clear_cosine = 2.0 * side.cosine;
-  }
+  known.offset = 2.0 * vertex_error(scene, instance, id) + rounding + place_error(t, info);
+  if (is_told && known.offset < side.thickness / 8.0) known.clear_cosine = 2.0 * side.cosine;
+  // Room for an origin that stands `offset` high and is off by as much, under neighbours that rise at 28 degrees or
+  // more: 4 ≥ cot(28° / 2). Where the triangle is thin, a third of the way to the opposite corner.
+  for (std::size_t i = 0; i < 3; ++i) known.insets[i] = std::min(4.0 * known.offset, known.heights[i] / 3.0);
   return known;
 }
 
-RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel, SurfelTriangle& last) {
-  const std::uint32_t instance = gbuffer.instance[pixel];
-  const std::uint32_t id = gbuffer.triangle[pixel];
-  if (last.instance != instance || last.id != id) last = surfel_triangle(tracer, instance, id);
-  const bool has_area = last.twice_area > 0.0;
+// Whether a point, seen from corner a, stands over the triangle and as far in from its edges as an origin keeps.
+bool is_well_within(const SurfelTriangle& t, const dvec3& from_a) {
+  const bool over_ab = glm::dot(from_a, t.inwards[0]) >= t.insets[0];
+  const bool over_bc = glm::dot(from_a, t.inwards[1]) + t.heights[1] >= t.insets[1];
+  const bool over_ca = glm::dot(from_a, t.inwards[2]) >= t.insets[2];
+  return over_ab && over_bc && over_ca;
+}
+
+inline RayOrigin origin_on(const SurfelTriangle& t, const GBuffer& gbuffer, std::size_t pixel) {
+  const dvec3 position(gbuffer.position[pixel]);
   const dvec3 seen(gbuffer.geometric_normal[pixel]);
-  const dvec3 unit = has_area ? last.normal : seen;
-  const dvec3 nearest = nearest_point(last.corners, dvec3(gbuffer.position[pixel]));
   RayOrigin origin;
-  origin.normal = glm::dot(unit, seen) < 0.0 ? -unit : unit;
-  origin.offset = last.offset + u * glm::length(nearest);
-  if (tracer.state().instances[instance].is_shared) {
-    origin.offset += transform_error(tracer.scene().instances[instance], nearest);
+  origin.offset = t.offset;
+  origin.clear_cosine = t.clear_cosine;
+  if (!(t.twice_area > 0.0)) {
+    origin.normal = seen;
+    origin.surface = nearest_point(t.corners, position);
+    return origin;
   }
-  if (origin.offset < last.clear_offset) origin.clear_cosine = last.clear_cosine;
-  // Room for an origin that stands `offset` high and is off by as much, under neighbours that rise at 28 degrees or
-  // more: 4 ≥ cot(28° / 2).
-  origin.surface = has_area ? inset_from_edges(last, nearest, 4.0 * origin.offset) : nearest;
+  const dvec3 from_a = position - t.corners.a;
+  origin.normal = glm::dot(t.normal, seen) < 0.0 ? -t.normal : t.normal;
+  // Most surfels: then the triangle's nearest point is the foot of the perpendicular.
+  origin.surface = is_well_within(t, from_a) ? position - glm::dot(from_a, t.normal) * t.normal
+                                             : inset_from_edges(t, nearest_point(t.corners, position));
   return origin;
 }
 
+}  // namespace
+
+const SurfelTriangle& SurfelCache::get(const Tracer& tracer, std::uint32_t instance, std::uint32_t id) {
+  SurfelTriangle& slot = slots_[(id + 29u * instance) % slots_.size()];
+  if (slot.instance != instance || slot.id != id) slot = surfel_triangle(tracer, instance, id);
+  return slot;
+}
+
+RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel, SurfelCache& cache) {
+  return origin_on(cache.get(tracer, gbuffer.instance[pixel], gbuffer.triangle[pixel]), gbuffer, pixel);
+}
+
 RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel) {
-  SurfelTriangle none;
-  return ray_origin(tracer, gbuffer, pixel, none);
+  return origin_on(surfel_triangle(tracer, gbuffer.instance[pixel], gbuffer.triangle[pixel]), gbuffer, pixel);
 }
 
 }  // namespace umbrameter

@@ -31,14 +31,23 @@ struct SurfelTriangle {
   dvec3 normal{0};                  ///< unit; zero where the triangle has no area
   std::array<dvec3, 3> inwards{};   ///< unit, in the plane, off the edges that start at a, b and c
   std::array<double, 3> heights{};  ///< metres over those edges
-  double offset = 0;                ///< metres: the part of the step that does not depend on the place
-  double clear_offset = 0;          ///< metres: with a smaller step a ray can be known to miss the triangle
-  double clear_cosine = 2;
+  std::array<double, 3> insets{};   ///< metres that an origin keeps off those edges
+  double offset = 0;                ///< metres: RayOrigin::offset
+  double clear_cosine = 2;          ///< RayOrigin::clear_cosine
+};
+
+/// The triangles that the pixels of a tile have met, of one scene.
+class SurfelCache {
+ public:
+  const SurfelTriangle& get(const Tracer& tracer, std::uint32_t instance, std::uint32_t id);
+
+ private:
+  std::array<SurfelTriangle, 64> slots_;
 };
 
 /// The least step along the normal after which rounding cannot put a ray behind the surface that it leaves.
 RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel);
-/// The same, faster where the last pixel was on the same triangle of the same scene.
-RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel, SurfelTriangle& last);
+/// The same, faster where pixels share triangles.
+RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel, SurfelCache& cache);
 
 }  // namespace umbrameter

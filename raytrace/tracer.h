@@ -77,7 +77,7 @@ struct SamplingPrecision {
 struct TracedVisibility {
   Image<float> visibility;  ///< 1 lit, 0 blocked or turned away (geometric N·L ≤ 0), 1 on background
   TraceStatistics statistics;
-  /// Of a light with extent as TracedAo has them; all 0 where nothing was sampled.
+  /// Of a light with extent as TracedAo has them, 0 where nothing was sampled; empty of one without.
   Image<float> standard_error{};
   Image<float> variance{};
   Image<float> samples{};

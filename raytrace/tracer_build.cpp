@@ -170,8 +170,12 @@ void build(Tracer::State& state, const Progress& progress) {
     const RTCScene shared = state.mesh_scenes[instance.mesh].get();
     const auto id = static_cast<unsigned>(i);
     InstanceInfo& info = state.instances[i];
-    info = {shared != nullptr, material.alpha_mode == AlphaMode::mask, !material.double_sided, 0.0};
+    info.is_shared = shared != nullptr;
+    info.is_masked = material.alpha_mode == AlphaMode::mask;
+    info.culls_back = !material.double_sided;
     if (shared != nullptr) {
+      info.is_similar = is_similarity(instance.world_from_mesh);
+      info.origin_error = origin_error(instance.world_from_mesh);
       info.longest_edge = edges[instance.mesh] * largest_stretch(instance.world_from_mesh);
       attach_instance(device, state.top.get(), id, shared, instance.world_from_mesh);
     } else {

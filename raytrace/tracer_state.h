@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "raytrace/embree.h"
+#include "raytrace/placement.h"
 #include "raytrace/tracer.h"
 
 namespace umbrameter {
@@ -24,7 +25,9 @@ struct InstanceInfo {
   bool is_shared = false;  ///< its mesh has an acceleration structure of its own; else it is stored in world space
   bool is_masked = false;
   bool culls_back = false;    ///< primary rays pass through its back faces
+  bool is_similar = true;     ///< the mesh is scaled alike in every direction
   double longest_edge = 0.0;  ///< of its triangles, world, metres; of a shared mesh an upper bound
+  OriginError origin_error;   ///< zero unless is_shared
 };
 
 struct Tracer::State {

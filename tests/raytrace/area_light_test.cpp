@@ -51,7 +51,7 @@ TEST(AreaShadow, A_light_shrunk_to_nothing_is_hard) {
 TEST(AreaShadow, A_hard_light_has_no_standard_error) {
   const Edge edge;
   const TracedVisibility traced = trace_visibility(Tracer(edge.scene), edge.surfels({{1, 0, 0}}), lamp({}));
-  EXPECT_EQ(traced.standard_error, Image<float>(1, 1, 0.0f));
+  EXPECT_TRUE(traced.standard_error.empty());
 }
 
 // A floor alone and a light that faces along −x towards a surfel in the middle, its own middle `height` above the

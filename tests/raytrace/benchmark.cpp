@@ -46,21 +46,6 @@ using Rays = std::vector<Ready>;
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // Embree's own entry points, without a filter but that of masked geometry.
-template <class Packet>
-struct Width;
-template <>
-struct Width<RTCRay4> {
-  static constexpr int lanes = 4;
-};
-template <>
-struct Width<RTCRay8> {
-  static constexpr int lanes = 8;
-};
-template <>
-struct Width<RTCRay16> {
-  static constexpr int lanes = 16;
-};
-
 std::uint64_t count_open(const Tracer::State& state, RTCScene scene, const Ready* rays, std::size_t size) {
   RayQuery query;
   prepare(query, state, false);
@@ -89,13 +74,12 @@ std::uint64_t count_open(const Tracer::State& state, RTCScene scene, const Ready
   return open;
 }
 
-template <class Lanes>
+template <int lanes>
 std::uint64_t count_open_in_packets(const Tracer::State& state, RTCScene scene, const Ready* rays, std::size_t size) {
-  constexpr int lanes = Width<Lanes>::lanes;
   RayQuery query;
   prepare(query, state, false);
   filter_every_hit(query, false);
-  Lanes packet;
+  typename embree::Lanes<lanes>::Rays packet;
   alignas(64) int valid[static_cast<std::size_t>(lanes)];
   std::uint64_t open = 0;
   for (std::size_t first = 0; first < size; first += lanes) {
@@ -118,7 +102,7 @@ std::uint64_t count_open_in_packets(const Tracer::State& state, RTCScene scene, 
       query.own_triangle[l] = from.triangle;
       valid[l] = is_used ? -1 : 0;
     }
-    embree::occluded(valid, scene, packet, query.query);
+    embree::occluded<lanes>(valid, scene, packet, query.query);
     for (int l = 0; l < lanes; ++l) open += valid[l] != 0 && !(packet.tfar[l] < 0.0f) ? 1u : 0u;
   }
   return open;
@@ -289,9 +273,9 @@ void run(const std::string& name, const Setup& setup) {
     const RTCScene top = state.top.get();
     std::vector<Way> ao{plain("one ray at a time, ready-made", &count_open, state, top, hemisphere),
                         plain("  the same, Embree's default flags", &count_open, state, defaults.get(), hemisphere),
-                        plain("packets of 4, ready-made", &count_open_in_packets<RTCRay4>, state, top, hemisphere),
-                        plain("packets of 8, ready-made", &count_open_in_packets<RTCRay8>, state, top, hemisphere),
-                        plain("packets of 16, ready-made", &count_open_in_packets<RTCRay16>, state, top, hemisphere),
+                        plain("packets of 4, ready-made", &count_open_in_packets<4>, state, top, hemisphere),
+                        plain("packets of 8, ready-made", &count_open_in_packets<8>, state, top, hemisphere),
+                        plain("packets of 16, ready-made", &count_open_in_packets<16>, state, top, hemisphere),
                         {"ambient occlusion, everything", ours, {}, 0}};
     report("ambient occlusion", ao, static_cast<double>(hemisphere.size()), setup.turns, on_all_threads);
     std::vector<Way> lit{plain("one ray at a time, ready-made", &count_open, state, top, shadow),

@@ -1,0 +1,45 @@
+#include "raytrace/placement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace umbrameter {
+
+// Embree takes a ray into the space of a shared mesh with a float matrix that it inverts itself. Cofactors are two
+// products and a difference, the determinant three products of them, then a division: with B the cofactors' terms by
+// magnitude over |det|, and D the determinant's over |det|, an entry of the inverse is off by at most γ(10)·D·B. The
+// point's transform and the translation's add four roundings, so that 14 in all, seen from the world through |M|,
+// bound the origin: 14u · D · |M|·B·(|p| + |t|). The rounded matrix itself moves the mesh by u·(|M|·|x| + |t|), which
+// vertex_error() in surfel.cpp counts. (u and γ as there.)
+OriginError origin_error(const dmat4& world_from_mesh) {
+  constexpr double u = 0x1p-24;
+  const dmat3 placed(world_from_mesh);
+  const dmat3 linear(glm::abs(placed[0]), glm::abs(placed[1]), glm::abs(placed[2]));
+  dmat3 cofactors(0.0);
+  for (int column = 0; column < 3; ++column) {
+    const dvec3& v = linear[(column + 1) % 3];
+    const dvec3& w = linear[(column + 2) % 3];
+    cofactors[column] = {v.y * w.z + v.z * w.y, v.z * w.x + v.x * w.z, v.x * w.y + v.y * w.x};
+  }
+  const double determinant = std::abs(glm::determinant(placed));
+  if (!(determinant > 0.0)) return {};  // flat: no ray meets it
+  const double spread = glm::dot(linear[0], cofactors[0]) / determinant;
+  OriginError error;
+  error.of_place = 14.0 * u * spread / determinant * (linear * glm::transpose(cofactors));
+  error.constant = error.of_place * glm::abs(dvec3(world_from_mesh[3]));
+  return error;
+}
+
+bool is_similarity(const dmat4& world_from_mesh) {
+  const dmat3 gram = glm::transpose(dmat3(world_from_mesh)) * dmat3(world_from_mesh);
+  const double scale = (gram[0][0] + gram[1][1] + gram[2][2]) / 3.0;
+  double skew = 0.0;
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      skew = std::max(skew, std::abs(gram[column][row] - (row == column ? scale : 0.0)));
+    }
+  }
+  return skew <= 1e-5 * scale;
+}
+
+}  // namespace umbrameter

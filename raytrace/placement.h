@@ -1,0 +1,19 @@
+// What an instance's place in the world does to the errors of the rays that start on it. For raytrace/*.cpp alone.
+#pragma once
+
+#include "core/math.h"
+
+namespace umbrameter {
+
+/// How far the origin of a ray at p may be off in the space of a shared mesh, seen from the world: the length of
+/// of_place · |p| + constant, metres.
+struct OriginError {
+  dmat3 of_place{0.0};
+  dvec3 constant{0.0};
+};
+OriginError origin_error(const dmat4& world_from_mesh);
+
+/// Whether lengths of one direction in a mesh are lengths of every direction in the world times one factor.
+bool is_similarity(const dmat4& world_from_mesh);
+
+}  // namespace umbrameter
