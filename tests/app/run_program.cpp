@@ -41,12 +41,17 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const Progr
   if (posix_spawn(&child, "/bin/sh", nullptr, nullptr, const_cast<char* const*>(words), environ) != 0) {
     throw std::runtime_error("cannot start a shell");
   }
-  if (options.signal != 0) {
+  int status = 0;
+  bool has_ended = false;
+  while (options.signal_counts_from && !options.signal_counts_from() && !has_ended) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    has_ended = waitpid(child, &status, WNOHANG) != 0;
+  }
+  if (options.signal != 0 && !has_ended) {
     std::this_thread::sleep_for(std::chrono::duration<double>(options.signal_after_seconds));
     kill(child, options.signal);
   }
-  int status = 0;
-  waitpid(child, &status, 0);
+  if (!has_ended) waitpid(child, &status, 0);
   ProgramResult result;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   result.out = text_of(folder.path() / "out");

@@ -24,6 +24,8 @@ struct ProgramOptions {
   /// Signal sent this long after the start; 0 for none.
   int signal = 0;
   double signal_after_seconds = 0.0;
+  /// Where given, the seconds count from when this holds.
+  std::function<bool()> signal_counts_from{};
 };
 
 ProgramResult run_program(const std::vector<std::string>& arguments, const ProgramOptions& options = {});
