@@ -49,7 +49,7 @@ RowSums sum_row(int y, const Image<float>& raster, const SampledImage& truth, co
     const std::size_t i = raster.index(x, y);
     if (!is_counted(i)) continue;
     const double error = static_cast<double>(raster[i]) - static_cast<double>(truth.value[i]);
-    const double variance = truth.variance[i];
+    const double variance = truth.variance.empty() ? 0.0 : static_cast<double>(truth.variance[i]);
     const double s = std::sqrt(variance);
     ++sums.pixels;
     sums.raster += raster[i];
@@ -63,7 +63,7 @@ RowSums sum_row(int y, const Image<float>& raster, const SampledImage& truth, co
     sums.variance += variance;
     sums.scatter += s;
     sums.variance_squared += variance * variance;
-    const double samples = truth.samples[i];
+    const double samples = truth.samples.empty() ? 0.0 : static_cast<double>(truth.samples[i]);
     if (samples > 0.0) sums.least_samples = std::min(sums.least_samples, samples);
     if (std::abs(error) > sums.max_error) {
       sums.max_error = std::abs(error);
@@ -81,8 +81,9 @@ double total_quantile(const RowSums& total, int degrees_of_freedom) {
 }  // namespace
 
 SampledError analyze_sampled(const Image<float>& raster, const SampledImage& truth, const IsCounted& is_counted) {
-  assert(raster.size() == truth.value.size() && raster.size() == truth.variance.size() &&
-         raster.size() == truth.samples.size());
+  assert(raster.size() == truth.value.size());
+  assert(truth.variance.empty() || raster.size() == truth.variance.size());
+  assert(truth.samples.empty() || raster.size() == truth.samples.size());
   std::vector<RowSums> rows(static_cast<std::size_t>(raster.height));
   parallel_for(rows.size(), [&](std::size_t y) { rows[y] = sum_row(static_cast<int>(y), raster, truth, is_counted); });
   RowSums total;

@@ -34,8 +34,8 @@ struct SampledError {
 /// A quantity by sampling: images of one size, independent between pixels.
 struct SampledImage {
   const Image<float>& value;
-  const Image<float>& variance;  ///< unbiased estimate of each pixel's
-  const Image<float>& samples;   ///< rays of each pixel; 0 where the value is exact
+  const Image<float>& variance;  ///< unbiased estimate of each pixel's; empty where all values are exact
+  const Image<float>& samples;   ///< rays of each pixel; 0 where the value is exact; empty where all are
   int degrees_of_freedom = 0;    ///< of each pixel's variance
 };
 
