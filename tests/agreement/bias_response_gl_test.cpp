@@ -1,26 +1,15 @@
 // One pass over all biases against the processor's and against each bias drawn on its own.
 #include <gtest/gtest.h>
 
-#include <memory>
-
-#include "core/error.h"
 #include "scenes/builtin.h"
 #include "tests/agreement/bias_agreement.h"
+#include "tests/support/gl_fixture.h"
 
 namespace umbrameter::test {
 namespace {
 
-class BiasResponseGl : public testing::Test {
+class BiasResponseGl : public GlFixture {
  protected:
-  void SetUp() override {
-    try {
-      context_ = std::make_unique<gl::Context>(gl::Context::make());
-    } catch (const Error& error) {
-      GTEST_SKIP() << error.what();
-    }
-  }
-  const gl::Context& context() const { return *context_; }
-
   /// The sun with every filter, the other lights with every other one.
   void expect_agreement(BiasGrid grid) {
     const Scene scene = load_scene("contact-box");
@@ -36,9 +25,6 @@ class BiasResponseGl : public testing::Test {
       grid.filters = std::move(fewer);
     }
   }
-
- private:
-  std::unique_ptr<gl::Context> context_;
 };
 
 TEST_F(BiasResponseGl, One_pass_counts_what_the_processor_and_each_cell_count) {

@@ -3,11 +3,10 @@
 
 #include <cmath>
 #include <limits>
-#include <memory>
 
-#include "core/error.h"
 #include "raster/rasterizer.h"
 #include "raytrace/tracer.h"
+#include "tests/support/gl_fixture.h"
 #include "tests/support/gltf_constructs.h"
 #include "tests/support/reference_caster.h"
 #include "tests/support/shapes.h"
@@ -46,17 +45,8 @@ Agreement compare(const Image<float>& drawn, const Image<float>& traced) {
   return agreement;
 }
 
-class ConstructsGl : public testing::Test {
+class ConstructsGl : public GlFixture {
  protected:
-  void SetUp() override {
-    try {
-      context_ = std::make_unique<gl::Context>(gl::Context::make());
-    } catch (const Error& error) {
-      GTEST_SKIP() << error.what();
-    }
-  }
-  const gl::Context& context() const { return *context_; }
-
   /// Every construct that can be loaded.
   template <class Check>
   void for_each_scene(const Check& check) const {
@@ -69,9 +59,6 @@ class ConstructsGl : public testing::Test {
       check(construct, scene);
     }
   }
-
- private:
-  std::unique_ptr<gl::Context> context_;
 };
 
 bool is_hidden_whole(const Construct& construct) { return construct.name == "a mask that hides all"; }

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "core/error.h"
-
 namespace umbrameter::testing_scenes {
 
 std::uint32_t add_mesh(Scene& scene, Mesh mesh, const dmat4& world_from_mesh) {
@@ -136,20 +134,6 @@ vec4 mean(const WrongTaps& wrong) {
   glm::dvec4 sum(0.0);
   for (std::size_t i = 0; i < wrong.weights.size(); ++i) sum += glm::dvec4(wrong.weights[i]);
   return vec4(sum / (static_cast<double>(wrong.weights.size()) * wrong.weight_sum));
-}
-
-void GlTest::SetUp() {
-  try {
-    context_ = std::make_unique<gl::Context>(gl::Context::make());
-  } catch (const Error& error) {
-    GTEST_SKIP() << error.what();
-  }
-}
-
-void GlTest::TearDown() {
-  if (context_) {
-    EXPECT_NO_THROW(context_->check("end of the test"));
-  }
 }
 
 }  // namespace umbrameter::testing_scenes

@@ -1,7 +1,5 @@
-// Small scenes, lights and surfels whose answers are known, and a context for those tests that draw.
+// Small scenes, lights and surfels whose answers are known.
 #pragma once
-
-#include <gtest/gtest.h>
 
 #include <cstdint>
 #include <string>
@@ -11,6 +9,7 @@
 #include "raster/rasterizer.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
+#include "tests/support/gl_fixture.h"
 
 namespace umbrameter::testing_scenes {
 
@@ -52,16 +51,6 @@ double mean(const Image<float>& image);
 vec4 shares(const WrongTaps& wrong, std::size_t pixel);
 vec4 mean(const WrongTaps& wrong);
 
-/// A context, or a skip where there is no driver.
-class GlTest : public testing::Test {
- protected:
-  void SetUp() override;
-  /// No test may leave an error message behind.
-  void TearDown() override;
-  const gl::Context& context() const { return *context_; }
-
- private:
-  std::unique_ptr<gl::Context> context_;
-};
+using GlTest = test::GlFixture;
 
 }  // namespace umbrameter::testing_scenes
