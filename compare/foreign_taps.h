@@ -14,7 +14,7 @@ namespace umbrameter {
 
 /// How the two-plane rule and the judge agree, in weights of taps.
 struct ClassAgreement {
-  std::uint64_t wrong = 0;       ///< all wrong taps; of a bias response those of its most wrong bias do not add up: 0
+  std::uint64_t wrong = 0;       ///< all wrong taps
   std::uint64_t foreign = 0;     ///< of them false occlusion by the two-plane rule
   std::uint64_t judged_own = 0;  ///< of those acne by the judge
   std::uint64_t taps = 0;        ///< how many were judged

@@ -41,9 +41,9 @@ class Judge {
     has_masks_ = std::any_of(instances.begin(), instances.end(), [](const auto& info) { return info.is_masked; });
   }
 
-  // Own exactly when depth does not jump where the steps are largest. With truth on the light's side of the receiver
-  // nothing stands before it, so that a sample on its surface is seen all along the way; where the truth is blocked the
-  // light sees something else at the receiver's very place, and no judge is needed to know that depth jumps.
+  // Asked of receivers that the truth calls lit: the light sees the receiver, so that a sample on its surface is joined
+  // to it by depths that the light sees. Where the truth is blocked the light sees something else at the receiver's
+  // very place: a jump is certain, and the two-plane rule's split stands.
   bool is_own(const TapSurfaces& tap) const {
     SeenPoint a = seen(tap.receiver);
     SeenPoint b = seen(tap.sample);
@@ -53,8 +53,7 @@ class Judge {
       if (distance_across(a, b) <= a.width + b.width) break;
       const std::optional<SeenPoint> middle = first_seen(between(a, b));
       if (!middle) return false;
-      const bool nearer_a = std::abs(middle->depth - a.depth) >= std::abs(b.depth - middle->depth);
-      (nearer_a ? b : a) = *middle;
+      (step_between(a, *middle) >= step_between(*middle, b) ? b : a) = *middle;
     }
     return is_continuous(a, b);
   }
@@ -165,18 +164,26 @@ class Judge {
     return point;
   }
 
-  // How much depth changes on a point's plane from its own ray to another's.
-  double change_on(const SeenPoint& plane, const SeenPoint& other) const {
+  // Depth of a point's plane on the ray of another.
+  double depth_on(const SeenPoint& plane, const SeenPoint& other) const {
     const LightRay ray = ray_through(other.in_light);
-    const double distance = distance_to_plane(plane, ray);
-    return std::abs(depth(ray.origin + ray.direction * distance) - plane.depth);
+    return depth(ray.origin + ray.direction * distance_to_plane(plane, ray));
+  }
+
+  // The step of depth that neither plane explains: nothing on a plane, however it slopes or is foreshortened, less and
+  // less with the square of the way on a curve, and all of a jump. The bare step would be led astray by slopes.
+  double step_between(const SeenPoint& a, const SeenPoint& b) const {
+    const double from_a = std::abs(depth_on(a, b) - b.depth);
+    const double from_b = std::abs(depth_on(b, a) - a.depth);
+    return std::min(from_a, from_b);
   }
 
   // The way is as short as rays can tell: on one surface the step is no more than what the steeper of the two planes
   // makes of it, and what rounding does.
   bool is_continuous(const SeenPoint& a, const SeenPoint& b) const {
     const double step = std::abs(b.depth - a.depth);
-    return step <= std::max(change_on(a, b), change_on(b, a)) + a.error + b.error;
+    const double slope = std::max(std::abs(depth_on(a, b) - a.depth), std::abs(depth_on(b, a) - b.depth));
+    return step <= slope + a.error + b.error;
   }
 
   const Tracer& tracer_;
