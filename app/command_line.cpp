@@ -45,11 +45,9 @@ constexpr CommandDescription image_commands[] = {
      "Example: umbrameter raster courtyard -o out --shadow.filter box --shadow.filter-size 5"},
 };
 
-constexpr std::pair<const char*, const char*> short_names[] = {{"view.size", "--size"},
-                                                               {"view.scene", "--scene"},
-                                                               {"view.camera", "--camera"},
-                                                               {"view.light", "--light"},
-                                                               {"run.seed", "--seed"}};
+constexpr std::pair<const char*, const char*> short_names[] = {
+    {"view.size", "--size"},   {"view.scene", "--scene"}, {"view.camera", "--camera"},
+    {"view.light", "--light"}, {"run.seed", "--seed"},    {"run.classes", "--classes"}};
 
 constexpr std::pair<const char*, const char*> group_titles[] = {{"view", "View"},
                                                                 {"light", "Extent of the measured lights"},

@@ -1,14 +1,26 @@
 #include "app/experiment.h"
 
+#include <array>
 #include <filesystem>
 #include <limits>
+#include <string_view>
 
 namespace umbrameter {
+namespace {
+
+constexpr std::array<std::string_view, 2> class_rule_names{"fast", "exact"};
+
+}  // namespace
 
 Parameters describe(RunParams& params) {
   return Description("run")
       .field("seed", params.seed,
              {"", "seed of every random number: equal seeds give equal bits", 0, std::numeric_limits<int>::max()})
+      .choice(
+          "classes", params.classes, class_rule_names,
+          {.unit = {},
+           .meaning = "what decides whether a wrongly blocked tap is acne or false occlusion: planes of triangles, or "
+                      "rays where those see two surfaces"})
       .take();
 }
 

@@ -14,9 +14,13 @@
 
 namespace umbrameter {
 
+/// Who settles the taps that the two-plane rule takes for another surface's: the rule itself, or rays.
+enum class ClassRule : int { fast, exact };
+
 /// The run.* parameters.
 struct RunParams {
   int seed = 1;
+  ClassRule classes = ClassRule::exact;
 };
 Parameters describe(RunParams& params);
 

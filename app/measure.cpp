@@ -19,7 +19,15 @@ ShadowMeasurement measure_shadow(Workbench& workbench, const Experiment& experim
   if (is_soft) {
     measurement.soft_statistics = analyze_soft_visibility(drawn, sampled(truth), measurement.counted);
   } else {
-    measurement.statistics = analyze_visibility(measurement.raster->wrong, truth.visibility, measurement.counted);
+    WrongTaps& wrong = measurement.raster->wrong;
+    if (experiment.run.classes == ClassRule::exact) measurement.agreement = workbench.judge(experiment, light, wrong);
+    measurement.statistics = analyze_visibility(wrong, truth.visibility, measurement.counted);
+    const GBuffer& gbuffer = workbench.surfels(experiment.view).gbuffer;
+    const auto by_part = [&](PartKind kind) {
+      return errors_by_part(workbench.scene(), kind, gbuffer, wrong, measurement.counted);
+    };
+    measurement.objects = by_part(PartKind::object);
+    measurement.materials = by_part(PartKind::material);
   }
   return measurement;
 }

@@ -6,6 +6,7 @@
 
 #include "app/workbench.h"
 #include "compare/ao.h"
+#include "compare/by_object.h"
 #include "compare/soft_visibility.h"
 #include "compare/visibility.h"
 
@@ -27,6 +28,10 @@ struct ShadowMeasurement {
   /// Where both sides are: of a light without extent, and of one with.
   std::optional<VisibilityStatistics> statistics;
   std::optional<SoftVisibilityStatistics> soft_statistics;
+  std::optional<ClassAgreement> agreement{};  ///< where the classes are exact
+  /// By the receiver's object and material, by falling weight; where statistics are.
+  std::vector<PartError> objects{};
+  std::vector<PartError> materials{};
 };
 
 /// Whether the light has extent: its truth is then sampled, and its error has no causes.

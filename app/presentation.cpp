@@ -195,6 +195,27 @@ Table bias_table(const ShadowMeasurement& shadow, const Experiment& experiment) 
   return table;
 }
 
+std::string agreement_text(const ClassAgreement& agreement) {
+  return fmt::format(
+      "\n\nThe two-plane rule took {:.3f} % of the wrong taps for another surface's in front of a lit point; rays "
+      "found "
+      "{:.3f} % of those, {:.4f} % of all wrong taps, on the receiver's own surface, and they count as acne.",
+      agreement.wrong > 0 ? 100.0 * static_cast<double>(agreement.foreign) / static_cast<double>(agreement.wrong) : 0.0,
+      100.0 * share_of_foreign(agreement), 100.0 * share_of_wrong(agreement));
+}
+
+// The parts with the most error, shares in percent.
+Table worst_parts(PartKind kind, const std::vector<PartError>& parts, std::uint32_t weight_sum) {
+  constexpr std::size_t most = 10;
+  Table table = part_table(kind, parts, weight_sum, most);
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    if (table.columns[c].unit != "1") continue;
+    table.columns[c].unit = "%";
+    for (std::vector<Value>& row : table.rows) row[c] = fmt::format("{:.4f}", 100.0 * to_number(row[c]));
+  }
+  return table;
+}
+
 Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement& shadow, const Experiment& experiment) {
   const std::string& layer = workbench.layer(shadow.light);
   const std::string title = workbench.title(shadow.light);
@@ -241,7 +262,11 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
       {"peter-panning", percent(s.peter_panning), "the bias erased the blocker"},
       {"light leak", percent(s.leak), "the map holds no blocker"},
   };
-  section.tables = {statistics_table(visibility_columns(), to_row(s)), bias_table(shadow, experiment)};
+  const std::uint32_t weight_sum = shadow.raster->wrong.weight_sum;
+  section.tables = {statistics_table(visibility_columns(), to_row(s)), bias_table(shadow, experiment),
+                    worst_parts(PartKind::object, shadow.objects, weight_sum),
+                    worst_parts(PartKind::material, shadow.materials, weight_sum)};
+  if (shadow.agreement) section.text += agreement_text(*shadow.agreement);
   if (s.max_x >= 0) {
     section.text +=
         fmt::format("\n\nThe largest error is {:.3g}, first at pixel ({}, {}).", s.max_error, s.max_x, s.max_y);
@@ -250,6 +275,10 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
       fmt::format("{:<10} error {}: acne {}, false occlusion {}, peter-panning {}, leak {}  (texel {}, bias {})", title,
                   percent(s.mae), percent(s.acne), percent(s.false_occlusion), percent(s.peter_panning),
                   percent(s.leak), length(s.mean_texel), length(experiment.shadow.constant_bias)));
+  if (shadow.agreement) {
+    presentation.lines.push_back(fmt::format("{:<10} of {} taps that planes called foreign, rays called {:.3f} % own",
+                                             "", shadow.agreement->taps, 100.0 * share_of_foreign(*shadow.agreement)));
+  }
   return presentation;
 }
 

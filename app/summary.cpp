@@ -44,6 +44,22 @@ Json truth_json(const TraceStatistics& statistics, const SamplingPrecision& prec
   return object;
 }
 
+Json parts_json(PartKind kind, const std::vector<PartError>& parts, std::uint32_t weight_sum) {
+  const Table table = part_table(kind, parts, weight_sum);
+  Json list = Json::array();
+  for (const std::vector<Value>& row : table.rows) list.push_back(row_json(table.columns, row));
+  return list;
+}
+
+Json agreement_json(const ClassAgreement& agreement) {
+  return {{"judged_taps", agreement.taps},
+          {"wrong_weight", agreement.wrong},
+          {"foreign_weight", agreement.foreign},
+          {"judged_own_weight", agreement.judged_own},
+          {"judged_own_of_foreign", share_of_foreign(agreement)},
+          {"judged_own_of_wrong", share_of_wrong(agreement)}};
+}
+
 Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow, const Experiment& experiment) {
   Json object;
   object["light"] = workbench.layer(shadow.light);
@@ -79,6 +95,10 @@ Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow, co
                            {"truth_lit_raster_blocked", s.false_blocked},
                            {"truth_blocked_raster_lit", s.false_lit},
                            {"truth_blocked_raster_blocked", s.blocked - s.false_lit}};
+    if (shadow.agreement) object["class_agreement"] = agreement_json(*shadow.agreement);
+    const std::uint32_t weight_sum = shadow.raster->wrong.weight_sum;
+    object["objects"] = parts_json(PartKind::object, shadow.objects, weight_sum);
+    object["materials"] = parts_json(PartKind::material, shadow.materials, weight_sum);
   }
   return object;
 }

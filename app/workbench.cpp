@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "raytrace/surface_judge.h"
 
 namespace umbrameter {
 namespace {
@@ -15,6 +16,8 @@ std::string surfel_key(const ViewParams& params) {
   copy.light.clear();
   return key_of(describe(copy));
 }
+
+std::uint64_t sum_of(const uvec4& v) { return std::uint64_t{v.x} + v.y + v.z + v.w; }
 
 // Both sides multiply three lengths in single precision, whose largest and smallest numbers are about 1e38 and 1e-38.
 void require_measurable(const Bounds& bounds, const std::string& name) {
@@ -214,7 +217,37 @@ RasterVisibility Workbench::draw(const Experiment& experiment, std::uint32_t lig
 }
 
 BiasHistogram Workbench::bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes) {
-  return draw_bias_response(context(), shadow_lookup(experiment, light, true), axes);
+  BiasHistogram histogram = draw_bias_response(context(), shadow_lookup(experiment, light, true), axes);
+  if (experiment.run.classes == ClassRule::fast) return histogram;
+  judge_taps(experiment, light, axes, [&](std::span<const ForeignTap> taps, std::span<const std::uint8_t> own) {
+    apply_judgement(histogram, taps, own);
+  });
+  return histogram;
+}
+
+void Workbench::judge_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes,
+                           const JudgedTaps& take) {
+  const ShadowLookup lookup = shadow_lookup(experiment, light, true);
+  const LightFrame& frame = lookup.map.frame;
+  const GBuffer& gbuffer = surfels(experiment.view).gbuffer;
+  const Tracer& rays = tracer();
+  ProgressBar bar(console_, "classes");
+  list_foreign_taps(context(), lookup, axes, [&](std::span<const ForeignTap> taps) {
+    take(taps, judge_own(rays, frame, surfaces_of(scene_, frame, gbuffer, taps), bar.callback()));
+  });
+}
+
+ClassAgreement Workbench::judge(const Experiment& experiment, std::uint32_t light, WrongTaps& wrong) {
+  ClassAgreement agreement;
+  for (const uvec4& weights : wrong.weights.pixels) agreement.wrong += sum_of(weights);
+  const GBuffer& gbuffer = surfels(experiment.view).gbuffer;
+  const BiasAxes biases{{static_cast<float>(experiment.shadow.constant_bias)},
+                        {static_cast<float>(experiment.shadow.slope_bias)}};
+  judge_taps(experiment, light, biases, [&](std::span<const ForeignTap> taps, std::span<const std::uint8_t> own) {
+    apply_judgement(wrong, gbuffer, taps, own);
+    add_judgement(agreement, taps, own);
+  });
+  return agreement;
 }
 
 Image<float> Workbench::draw_ao(const Experiment& experiment) {

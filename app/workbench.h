@@ -5,12 +5,14 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "app/console.h"
 #include "app/costs.h"
 #include "app/experiment.h"
 #include "app/reference_cache.h"
+#include "compare/foreign_taps.h"
 #include "compare/visibility.h"
 #include "raster/rasterizer.h"
 #include "raytrace/tracer.h"
@@ -82,9 +84,11 @@ class Workbench {
 
   const TracedVisibility& truth(const Experiment& experiment, std::uint32_t light);
   const TracedAo& ao_truth(const Experiment& experiment);
-  /// With classes where with_truth.
+  /// With classes by the two-plane rule where with_truth.
   RasterVisibility draw(const Experiment& experiment, std::uint32_t light, bool with_truth);
-  /// The error at every bias of the axes, which take the place of the experiment's.
+  /// Settles by rays what the rule called false occlusion, in classes that draw() made of the same experiment.
+  ClassAgreement judge(const Experiment& experiment, std::uint32_t light, WrongTaps& wrong);
+  /// The error at every bias of the axes, which take the place of the experiment's; run.classes says by which classes.
   BiasHistogram bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes);
   Image<float> draw_ao(const Experiment& experiment);
 
@@ -94,6 +98,8 @@ class Workbench {
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
+  using JudgedTaps = std::function<void(std::span<const ForeignTap>, std::span<const std::uint8_t>)>;
+  void judge_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes, const JudgedTaps& take);
   ShadowLookup shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth);
   void add_notes(const std::vector<std::string>& notes);
   ReferenceKey reference_key(const Experiment& experiment, const std::string& kind);

@@ -69,7 +69,7 @@ class RowCounter {
     for (std::size_t s = 0; s < axes_.slope.size(); ++s) {
       flipping_.clear();
       for (std::size_t i = 0; i < taps_.size(); ++i) {
-        const std::size_t bin = bin_of(flip_of(taps_[i].critical_bias, surfel.slope, axes_.slope[s]));
+        const std::size_t bin = bin_of(axes_, flip_of(taps_[i].critical_bias, surfel.slope, axes_.slope[s]));
         if (taps_[i].weight == 0 || bin == never) continue;
         if (causes_[i] == unknown) causes_[i] = cause_of(taps_[i], surfel.receiver, pixel, is_lit);
         flipping_.push_back({bin, taps_[i].weight, causes_[i]});
@@ -81,29 +81,11 @@ class RowCounter {
  private:
   static constexpr std::size_t unknown = cause_count;
 
-  // How many biases leave the tap blocked; all of them where the flip is not a number.
-  std::size_t bin_of(float flip) const {
-    const auto found = std::partition_point(axes_.constant.begin(), axes_.constant.end(),
-                                            [flip](float bias) { return !(bias >= flip); });
-    return static_cast<std::size_t>(found - axes_.constant.begin());
-  }
-
   std::size_t cause_of(const Tap& tap, const Receiver& receiver, std::size_t pixel, bool is_lit) const {
-    const bool is_foreign = tap.has_blocker && (is_lit || tap.critical_bias > 0.0f) && !is_own(tap, receiver, pixel);
+    const bool is_foreign =
+        tap.has_blocker && (is_lit || tap.critical_bias > 0.0f) && !is_own_tap(scene_, lookup_, tap, receiver, pixel);
     if (is_lit) return static_cast<std::size_t>(is_foreign ? Cause::false_occlusion : Cause::acne);
     return static_cast<std::size_t>(is_foreign ? Cause::peter_panning : Cause::light_leak);
-  }
-
-  bool is_own(const Tap& tap, const Receiver& receiver, std::size_t pixel) const {
-    const LightFrame& frame = lookup_.frame;
-    const auto face = static_cast<std::size_t>(tap.face);
-    const std::size_t texel = lookup_.map.depth[face].index(tap.texel.x, frame.resolution - 1 - tap.texel.y);
-    const std::uint32_t instance = lookup_.map.instance[face][texel];
-    const std::uint32_t triangle = lookup_.map.triangle[face][texel];
-    const GBuffer& gbuffer = lookup_.gbuffer;
-    if (instance == gbuffer.instance[pixel] && triangle == gbuffer.triangle[pixel]) return true;
-    return is_own_surface(frame, receiver, facet_of(scene_, frame, gbuffer.instance[pixel], gbuffer.triangle[pixel]),
-                          tap, facet_of(scene_, frame, instance, triangle));
   }
 
   const Scene& scene_;
@@ -115,6 +97,12 @@ class RowCounter {
 };
 
 }  // namespace
+
+std::size_t bin_of(const BiasAxes& axes, float flip) {
+  const auto found =
+      std::partition_point(axes.constant.begin(), axes.constant.end(), [flip](float bias) { return !(bias >= flip); });
+  return static_cast<std::size_t>(found - axes.constant.begin());
+}
 
 BiasHistogram count_bias_response(const Scene& scene, const MapLookup& lookup, const Image<float>& truth,
                                   const Image<Counting>& counting, const BiasAxes& axes) {

@@ -21,18 +21,6 @@ double rounding_bound(const Facet& f, const dvec3& point, double point_error) {
   return point_error + f.vertex_error * (std::abs(1.0 - v - w) + std::abs(v) + std::abs(w));
 }
 
-dvec3 sample_on(const Facet& f, const TexelRay& ray) {
-  const dvec3 p = cross_of(ray.direction, f.ac);
-  const double determinant = dot_of(f.ab, p);
-  const dvec3 q = cross_of(ray.origin - f.a, f.ab);
-  dvec2 weight = std::abs(determinant) > 0.0
-                     ? dvec2(dot_of(ray.origin - f.a, p), dot_of(ray.direction, q)) / determinant
-                     : dvec2(1.0 / 3.0);
-  weight = glm::max(weight, 0.0);
-  weight /= std::max(1.0, weight.x + weight.y);
-  return f.a + weight.x * f.ab + weight.y * f.ac;
-}
-
 }  // namespace
 
 Facet facet_of(const Scene& scene, const LightFrame& frame, std::uint32_t instance, std::uint32_t triangle) {
@@ -67,12 +55,41 @@ Facet facet_of(const Scene& scene, const LightFrame& frame, std::uint32_t instan
   return f;
 }
 
+dvec3 foot_on(const Facet& facet, const dvec3& position) {
+  return position - facet.normal * signed_distance(facet, position);
+}
+
+dvec3 sample_on(const Facet& f, const TexelRay& ray) {
+  const dvec3 p = cross_of(ray.direction, f.ac);
+  const double determinant = dot_of(f.ab, p);
+  const dvec3 q = cross_of(ray.origin - f.a, f.ab);
+  dvec2 weight = std::abs(determinant) > 0.0
+                     ? dvec2(dot_of(ray.origin - f.a, p), dot_of(ray.direction, q)) / determinant
+                     : dvec2(1.0 / 3.0);
+  weight = glm::max(weight, 0.0);
+  weight /= std::max(1.0, weight.x + weight.y);
+  return f.a + weight.x * f.ab + weight.y * f.ac;
+}
+
 bool is_own_surface(const LightFrame& frame, const Receiver& receiver, const Facet& own, const Tap& tap,
                     const Facet& blocker) {
-  const dvec3 r = receiver.in_light - own.normal * signed_distance(own, receiver.in_light);
+  const dvec3 r = foot_on(own, receiver.in_light);
   if (signed_distance(blocker, r) >= -rounding_bound(blocker, r, own.vertex_error)) return true;
   const dvec3 s = sample_on(blocker, texel_ray(frame, tap.texel, tap.face));
   return signed_distance(own, s) <= rounding_bound(own, s, blocker.vertex_error);
+}
+
+bool is_own_tap(const Scene& scene, const MapLookup& lookup, const Tap& tap, const Receiver& receiver,
+                std::size_t pixel) {
+  const LightFrame& frame = lookup.frame;
+  const GBuffer& gbuffer = lookup.gbuffer;
+  const auto face = static_cast<std::size_t>(tap.face);
+  const std::size_t texel = lookup.map.depth[face].index(tap.texel.x, frame.resolution - 1 - tap.texel.y);
+  const std::uint32_t instance = lookup.map.instance[face][texel];
+  const std::uint32_t triangle = lookup.map.triangle[face][texel];
+  if (instance == gbuffer.instance[pixel] && triangle == gbuffer.triangle[pixel]) return true;
+  return is_own_surface(frame, receiver, facet_of(scene, frame, gbuffer.instance[pixel], gbuffer.triangle[pixel]), tap,
+                        facet_of(scene, frame, instance, triangle));
 }
 
 }  // namespace umbrameter

@@ -17,8 +17,18 @@ struct Facet {
 };
 Facet facet_of(const Scene& scene, const LightFrame& frame, std::uint32_t instance, std::uint32_t triangle);
 
+/// The point of a facet's plane that is nearest to a position, light space.
+dvec3 foot_on(const Facet& facet, const dvec3& position);
+
+/// Where the light's ray meets the facet, light space; on its edge where rasterisation reached past it.
+dvec3 sample_on(const Facet& facet, const TexelRay& ray);
+
 /// `own` is the receiver's facet, `blocker` that of the tap.
 bool is_own_surface(const LightFrame& frame, const Receiver& receiver, const Facet& own, const Tap& tap,
                     const Facet& blocker);
+
+/// The same of a tap that has a blocker, from the map's own triangle.
+bool is_own_tap(const Scene& scene, const MapLookup& lookup, const Tap& tap, const Receiver& receiver,
+                std::size_t pixel);
 
 }  // namespace umbrameter

@@ -21,6 +21,32 @@ struct WrongTaps {
   std::uint32_t weight_sum = 1;
 };
 
+/// A point of a triangle.
+struct SurfacePoint {
+  dvec3 in_light{0.0};  ///< light space, metres
+  std::uint32_t instance = 0;
+  std::uint32_t triangle = 0;
+};
+
+/// What a tap compares: the receiver, and the point that the map holds in the tap's texel.
+struct TapSurfaces {
+  SurfacePoint receiver;
+  SurfacePoint sample;
+};
+
+/// A wrong tap of a pixel that the truth calls lit, whose sample the two-plane rule takes for another surface. Laid out
+/// as shaders/foreign_taps.comp writes it.
+struct ForeignTap {
+  std::uint32_t pixel = 0;  ///< x, and y from the bottom in the upper half
+  std::uint32_t texel = 0;  ///< x, and y from the bottom in the upper half
+  std::uint32_t face = 0;
+  std::uint32_t weight = 0;
+  float critical_bias = 0.0f;  ///< metres
+  float slope = 0.0f;          ///< of the pixel: texel size times tan of the angle to the light, metres
+  std::uint32_t instance = 0;  ///< of the sample
+  std::uint32_t triangle = 0;
+};
+
 /// A shadow map in memory, one image a face, top row (v = 1) first.
 struct ShadowMapImages {
   std::vector<Image<float>> depth;  ///< as stored: a share of LightFrame::far_depth; 1 where the light meets nothing

@@ -6,35 +6,15 @@
 #include <span>
 
 #include "raster/gl/api.h"
+#include "raster/response_axes.h"
 #include "raster/shader_interface.h"
 #include "raster/shadow_filter.h"
 
 namespace umbrameter {
 namespace {
 
-/// As ResponseBlock in shaders/response.glsl, layout std140.
-struct ResponseBlock {
-  float least_bias = 0.0f;
-  float largest_bias = 0.0f;
-  float least_slope = 0.0f;
-  float largest_slope = 0.0f;
-  int bias_count = 0;
-  int slope_count = 0;
-  int unused[2] = {};
-};
-
 // Slope factors that one pass takes, so that its histogram stays within this many bytes.
 constexpr std::size_t most_histogram_bytes = std::size_t{64} << 20;
-
-ResponseBlock make_block(const BiasAxes& axes) {
-  const auto [least, largest] = std::minmax_element(axes.slope.begin(), axes.slope.end());
-  return {axes.constant.front(),
-          axes.constant.back(),
-          *least,
-          *largest,
-          static_cast<int>(axes.constant.size()),
-          static_cast<int>(axes.slope.size())};
-}
 
 WideCount wide(std::span<const std::uint32_t> words) {
   WideCount value = 0;
@@ -57,14 +37,9 @@ BiasHistogram::Bin read_bin(std::span<const std::uint32_t> words) {
 void draw_part(const gl::Context& context, const ShadowLookup& lookup, const std::string& defines, const BiasAxes& axes,
                BiasHistogram& histogram) {
   const gl::Buffer light = bind(lookup);
-  const gl::Buffer block = gl::make_block("response axes", make_block(axes));
-  glBindBufferBase(GL_UNIFORM_BUFFER, slot("BLOCK_RESPONSE"), block.name());
-  std::vector<float> both = axes.constant;
-  both.insert(both.end(), axes.slope.begin(), axes.slope.end());
-  const gl::Buffer values = gl::make_buffer("biases", std::span<const float>(both));
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot("BUFFER_AXES"), values.name());
+  const ResponseAxes bound = bind_axes(axes);
   const gl::Buffer pixels = bind_pixel_list(lookup.gbuffer);
-  dispatch_pixels(context.program({{"response_pixels.comp"}, defines}), lookup.gbuffer);
+  dispatch_pixels(context.program({{"response_pixels.comp"}, defines + define("LIT_ALONE", 0)}), lookup.gbuffer);
 
   const std::size_t bins = axes.constant.size() + 1;
   std::vector<std::uint32_t> words(axes.slope.size() * bins * slot("HISTOGRAM_WORDS"));

@@ -16,22 +16,6 @@ constexpr double u = 0x1p-24;
 dvec3 absolute(const dvec3& v) { return glm::abs(v); }
 dmat3 absolute(const dmat3& m) { return {glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2])}; }
 
-// Largest distance by which a vertex of the triangle may stand off its ideal place: file coordinates p and the
-// translation t are floats that were rounded once, |M|·|p| + |t| to first order; storing the world position as a
-// float rounds once more.
-double vertex_error(const Scene& scene, std::uint32_t instance, std::uint32_t triangle) {
-  const Instance& placed = scene.instances[instance];
-  const Mesh& mesh = scene.meshes[placed.mesh];
-  const dmat3 linear = absolute(dmat3(placed.world_from_mesh));
-  const dvec3 translation = absolute(dvec3(placed.world_from_mesh[3]));
-  double squared = 0.0;
-  for (int c = 0; c < 3; ++c) {
-    const dvec3 error = linear * absolute(dvec3(mesh.positions[mesh.triangles[triangle][c]])) + translation;
-    squared = std::max(squared, glm::dot(error, error));
-  }
-  return 2.0 * u * std::sqrt(squared);
-}
-
 // Moves a point that stands on an edge of its triangle inwards, until it keeps `insets` off each edge: at a crease the
 // rounded origin must not fall behind the neighbour that rises there.
 dvec3 inset_from_edges(const SurfelTriangle& t, dvec3 point) {
@@ -97,6 +81,21 @@ double place_error(const Triangle& t, const InstanceInfo& info) {
 }
 
 }  // namespace
+
+// File coordinates p and the translation t are floats that were rounded once, |M|·|p| + |t| to first order; storing the
+// world position as a float rounds once more.
+double vertex_error(const Scene& scene, std::uint32_t instance, std::uint32_t triangle) {
+  const Instance& placed = scene.instances[instance];
+  const Mesh& mesh = scene.meshes[placed.mesh];
+  const dmat3 linear = absolute(dmat3(placed.world_from_mesh));
+  const dvec3 translation = absolute(dvec3(placed.world_from_mesh[3]));
+  double squared = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    const dvec3 error = linear * absolute(dvec3(mesh.positions[mesh.triangles[triangle][c]])) + translation;
+    squared = std::max(squared, glm::dot(error, error));
+  }
+  return 2.0 * u * std::sqrt(squared);
+}
 
 dvec3 nearest_point(const Triangle& triangle, const dvec3& position) {
   const auto& [a, b, c] = triangle;

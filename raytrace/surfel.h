@@ -22,6 +22,9 @@ struct RayOrigin {
 /// The point of a triangle that is nearest to a position (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
 dvec3 nearest_point(const Triangle& triangle, const dvec3& position);
 
+/// Largest distance by which a vertex of the triangle may stand off its ideal place, metres, world.
+double vertex_error(const Scene& scene, std::uint32_t instance, std::uint32_t triangle);
+
 /// What is the same for every pixel of a triangle.
 struct SurfelTriangle {
   std::uint32_t instance = no_id;

@@ -11,6 +11,9 @@ void main() {
   Lookup surfel = look_up(pixel);
   if (!surfel.faces_light) return;
   bool is_lit_in_truth = is_truly_lit(pixel);
+#if LIT_ALONE
+  if (!is_lit_in_truth) return;
+#endif
   // A flip falls as the slope factor grows: a tap is most easily blocked by the least bias of all, lit by the largest.
   float bias = is_lit_in_truth ? least_bias : largest_bias;
   float factor = is_lit_in_truth ? least_slope : largest_slope;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "raster/shadow_filter.h"
+#include "raytrace/surface_judge.h"
 #include "raytrace/tracer.h"
 
 namespace umbrameter::test {
@@ -31,6 +33,21 @@ double mean_error(const Image<float>& raster, const Image<float>& truth, const C
 
 bool has_wrong(const VisibilitySums& sums) {
   return std::any_of(sums.wrong.begin(), sums.wrong.end(), [](std::uint64_t weight) { return weight > 0; });
+}
+
+auto fields_of(const ForeignTap& t) {
+  return std::tie(t.pixel, t.texel, t.face, t.weight, t.critical_bias, t.slope, t.instance, t.triangle);
+}
+
+bool comes_before(const ForeignTap& a, const ForeignTap& b) { return fields_of(a) < fields_of(b); }
+
+// In one order, whatever order they were found in.
+std::vector<ForeignTap> listed(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes) {
+  std::vector<ForeignTap> all;
+  list_foreign_taps(context, lookup, axes,
+                    [&](std::span<const ForeignTap> taps) { all.insert(all.end(), taps.begin(), taps.end()); });
+  std::sort(all.begin(), all.end(), comes_before);
+  return all;
 }
 
 }  // namespace
@@ -65,7 +82,8 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
   const UploadedScene uploaded = upload(context, scene);
   const GpuGBuffer surfels = draw_gbuffer(context, uploaded, view);
   const GBuffer gbuffer = read_back(context, surfels);
-  const Image<float> visibility = trace_visibility(Tracer(scene), gbuffer, light).visibility;
+  const Tracer tracer(scene);
+  const Image<float> visibility = trace_visibility(tracer, gbuffer, light).visibility;
   for (const int resolution : grid.resolutions) {
     const LightFrame frame = fit_light(light, bounds_of(scene), resolution);
     const CountedPixels counted = count_pixels(gbuffer, light, frame);
@@ -73,27 +91,45 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
     const gl::Texture truth = upload_truth(context, visibility, counted.counting);
     const ShadowMap map = draw_shadow_map(context, uploaded, light, frame, {});
     const ShadowMapImages images = read_back(context, map);
+    const auto judged = [&](const std::vector<ForeignTap>& taps) {
+      return judge_own(tracer, frame, surfaces_of(scene, frame, gbuffer, taps));
+    };
     for (const NamedFilter& filter : grid.filters) {
+      const bool is_judged = static_cast<std::size_t>(&filter - grid.filters.data()) < grid.judged_filters;
       for (const double normal_offset : grid.normal_offsets) {
         ShadowParams params = filter.params;
         params.normal_offset = normal_offset;
         const ShadowLookup lookup{uploaded, surfels, map, light, params, &truth};
         const BiasHistogram drawn = draw_bias_response(context, lookup, grid.axes);
         const FilterKernel kernel = make_filter(params);
+        const MapLookup on_processor{gbuffer, frame, light, images, kernel, static_cast<float>(normal_offset)};
         const BiasHistogram computed =
-            count_bias_response(scene, {gbuffer, frame, light, images, kernel, static_cast<float>(normal_offset)},
-                                visibility, counted.counting, grid.axes);
+            count_bias_response(scene, on_processor, visibility, counted.counting, grid.axes);
         const std::string where =
             filter.name + ", " + std::to_string(resolution) + " texels, normal offset " + std::to_string(normal_offset);
         if (drawn.by_slope != computed.by_slope) {
           agreement.disagreements.push_back(where + ": device and processor differ");
         }
+        const std::vector<ForeignTap> foreign =
+            is_judged ? listed(context, lookup, grid.axes) : std::vector<ForeignTap>{};
+        std::vector<ForeignTap> found = find_foreign_taps(scene, on_processor, visibility, counted.counting, grid.axes);
+        std::sort(found.begin(), found.end(), comes_before);
+        const auto is_equal = [](const ForeignTap& a, const ForeignTap& b) { return fields_of(a) == fields_of(b); };
+        if (is_judged && !std::equal(foreign.begin(), foreign.end(), found.begin(), found.end(), is_equal)) {
+          agreement.disagreements.push_back(where + ": device and processor list different foreign taps");
+        }
+        const std::vector<std::uint8_t> own = judged(foreign);
+        BiasHistogram exact = drawn;
+        apply_judgement(exact, foreign, own);
+        agreement.judged_taps += own.size();
+        agreement.own_taps += static_cast<std::size_t>(std::count(own.begin(), own.end(), 1));
         for (std::size_t s = 0; s < grid.axes.slope.size(); ++s) {
           const std::vector<VisibilitySums> at = sums_at_biases(drawn, s);
+          const std::vector<VisibilitySums> exact_at = sums_at_biases(exact, s);
           for (std::size_t k = 0; k < at.size(); ++k) {
             params.constant_bias = static_cast<double>(grid.axes.constant[k]);
             params.slope_bias = static_cast<double>(grid.axes.slope[s]);
-            const RasterVisibility cell = draw_visibility(context, lookup);
+            RasterVisibility cell = draw_visibility(context, lookup);
             const VisibilitySums sums = sum_wrong_taps(cell.wrong, counted);
             ++agreement.cells;
             if (has_wrong(sums)) ++agreement.wrong_cells;
@@ -105,6 +141,15 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
             agreement.identity_gap =
                 std::max(agreement.identity_gap,
                          std::abs(mean_error(cell.visibility, visibility, counted) - to_statistics(sums, counts).mae));
+            if (!is_judged) continue;
+            const std::vector<ForeignTap> of_cell =
+                listed(context, lookup, {{grid.axes.constant[k]}, {grid.axes.slope[s]}});
+            apply_judgement(cell.wrong, gbuffer, of_cell, judged(of_cell));
+            if (!(sum_wrong_taps(cell.wrong, counted) == exact_at[k])) {
+              agreement.disagreements.push_back(where + ": by the judge one pass and the cell differ at bias " +
+                                                std::to_string(params.constant_bias) + ", slope " +
+                                                std::to_string(params.slope_bias));
+            }
           }
         }
       }

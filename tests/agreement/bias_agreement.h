@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compare/bias_response.h"
+#include "compare/foreign_taps.h"
 #include "raster/rasterizer.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
@@ -27,16 +28,20 @@ struct BiasGrid {
   std::vector<int> resolutions;
   std::vector<NamedFilter> filters;
   std::vector<double> normal_offsets = {0.0};
+  std::size_t judged_filters = 2;  ///< of the first ones the classes are compared by the judge, too
 };
 
 struct Agreement {
   std::size_t cells = 0;
   std::size_t wrong_cells = 0;             ///< cells with any wrong tap
+  std::size_t judged_taps = 0;             ///< that the two-plane rule called false occlusion
+  std::size_t own_taps = 0;                ///< of those, by the judge
   std::vector<std::string> disagreements;  ///< one line each
   double identity_gap = 0.0;               ///< largest |mean |raster − truth| − sum of the causes| of a cell
 };
 
-/// One pass on the device, the same on the processor from the map read back, and each cell drawn on its own.
+/// One pass on the device, the same on the processor from the map read back, and each cell drawn on its own; by the
+/// two-plane rule and, of some filters, by the judge.
 Agreement compare_ways(const gl::Context& context, const Scene& scene, const View& view, const Light& light,
                        const BiasGrid& grid);
 

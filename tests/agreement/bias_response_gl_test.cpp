@@ -19,6 +19,7 @@ class BiasResponseGl : public GlFixture {
       const Agreement found = compare_ways(context(), scene, view, light, grid);
       for (const std::string& line : found.disagreements) ADD_FAILURE() << line;
       EXPECT_EQ(found.wrong_cells, found.cells) << "every cell should have something to count";
+      EXPECT_GT(found.judged_taps, 0u);
       EXPECT_LT(found.identity_gap, 1e-7);
       std::vector<NamedFilter> fewer;
       for (std::size_t i = 0; i < grid.filters.size(); i += 2) fewer.push_back(grid.filters[i]);
@@ -34,6 +35,7 @@ TEST_F(BiasResponseGl, One_pass_counts_what_the_processor_and_each_cell_count) {
 TEST_F(BiasResponseGl, A_normal_offset_and_slopes_below_zero_agree_too) {
   BiasGrid grid{{{0.0f, 0.05f}, {-0.5f, 0.5f, 0.0f}}, {64, 130}, usual_filters(), {0.7}};
   grid.filters.resize(3);
+  grid.judged_filters = 1;
   expect_agreement(grid);
 }
 

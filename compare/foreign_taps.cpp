@@ -1,0 +1,120 @@
+#include "compare/foreign_taps.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "compare/bias_response.h"
+#include "compare/ordered.h"
+#include "compare/own_surface.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr auto acne = static_cast<std::size_t>(Cause::acne);
+constexpr auto false_occlusion = static_cast<std::size_t>(Cause::false_occlusion);
+
+std::uint32_t packed(std::size_t x, std::size_t y) { return static_cast<std::uint32_t>(x | y << 16u); }
+
+ivec2 unpacked(std::uint32_t pair) { return {static_cast<int>(pair & 0xffffu), static_cast<int>(pair >> 16u)}; }
+
+double share(std::uint64_t part, std::uint64_t whole) {
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+}
+
+}  // namespace
+
+double share_of_foreign(const ClassAgreement& agreement) { return share(agreement.judged_own, agreement.foreign); }
+double share_of_wrong(const ClassAgreement& agreement) { return share(agreement.judged_own, agreement.wrong); }
+
+std::size_t pixel_of(const ForeignTap& tap, const GBuffer& gbuffer) {
+  const ivec2 at = unpacked(tap.pixel);
+  return gbuffer.instance.index(at.x, gbuffer.height - 1 - at.y);
+}
+
+TapSurfaces surfaces_of(const Scene& scene, const LightFrame& frame, const GBuffer& gbuffer, const ForeignTap& tap) {
+  const std::size_t pixel = pixel_of(tap, gbuffer);
+  TapSurfaces surfaces;
+  surfaces.receiver = {{}, gbuffer.instance[pixel], gbuffer.triangle[pixel]};
+  surfaces.sample = {{}, tap.instance, tap.triangle};
+  const Facet own = facet_of(scene, frame, surfaces.receiver.instance, surfaces.receiver.triangle);
+  const Facet blocker = facet_of(scene, frame, tap.instance, tap.triangle);
+  surfaces.receiver.in_light = foot_on(own, moved_by(frame.light_from_world, dvec3(gbuffer.position[pixel])));
+  surfaces.sample.in_light = sample_on(blocker, texel_ray(frame, unpacked(tap.texel), static_cast<int>(tap.face)));
+  return surfaces;
+}
+
+std::vector<TapSurfaces> surfaces_of(const Scene& scene, const LightFrame& frame, const GBuffer& gbuffer,
+                                     std::span<const ForeignTap> taps) {
+  std::vector<TapSurfaces> surfaces;
+  surfaces.reserve(taps.size());
+  for (const ForeignTap& tap : taps) surfaces.push_back(surfaces_of(scene, frame, gbuffer, tap));
+  return surfaces;
+}
+
+void apply_judgement(WrongTaps& wrong, const GBuffer& gbuffer, std::span<const ForeignTap> taps,
+                     std::span<const std::uint8_t> own) {
+  assert(taps.size() == own.size());
+  for (std::size_t i = 0; i < taps.size(); ++i) {
+    if (own[i] == 0) continue;
+    uvec4& weights = wrong.weights[pixel_of(taps[i], gbuffer)];
+    assert(weights[static_cast<int>(false_occlusion)] >= taps[i].weight);
+    weights[static_cast<int>(false_occlusion)] -= taps[i].weight;
+    weights[static_cast<int>(acne)] += taps[i].weight;
+  }
+}
+
+void apply_judgement(BiasHistogram& histogram, std::span<const ForeignTap> taps, std::span<const std::uint8_t> own) {
+  assert(taps.size() == own.size());
+  for (std::size_t s = 0; s < histogram.axes.slope.size(); ++s) {
+    for (std::size_t i = 0; i < taps.size(); ++i) {
+      if (own[i] == 0) continue;
+      const std::size_t bin =
+          bin_of(histogram.axes, flip_of(taps[i].critical_bias, taps[i].slope, histogram.axes.slope[s]));
+      if (bin == 0) continue;  // lit at every bias, and right
+      std::array<std::uint64_t, cause_count>& weights = histogram.by_slope[s][bin].weights;
+      assert(weights[false_occlusion] >= taps[i].weight);
+      weights[false_occlusion] -= taps[i].weight;
+      weights[acne] += taps[i].weight;
+    }
+  }
+}
+
+void add_judgement(ClassAgreement& agreement, std::span<const ForeignTap> taps, std::span<const std::uint8_t> own) {
+  assert(taps.size() == own.size());
+  for (std::size_t i = 0; i < taps.size(); ++i) {
+    ++agreement.taps;
+    agreement.foreign += taps[i].weight;
+    if (own[i] != 0) agreement.judged_own += taps[i].weight;
+  }
+}
+
+std::vector<ForeignTap> find_foreign_taps(const Scene& scene, const MapLookup& lookup, const Image<float>& truth,
+                                          const Image<Counting>& counting, const BiasAxes& axes) {
+  const float least_slope = *std::min_element(axes.slope.begin(), axes.slope.end());
+  const GBuffer& gbuffer = lookup.gbuffer;
+  const int resolution = lookup.frame.resolution;
+  std::vector<ForeignTap> found;
+  std::vector<Tap> taps;
+  for (std::size_t pixel = 0; pixel < truth.size(); ++pixel) {
+    if (counting[pixel] != Counting::counted || !(truth[pixel] >= 0.5f)) continue;
+    const SurfelLookup surfel = look_up(lookup, pixel);
+    if (!surfel.faces_light) continue;
+    const auto width = static_cast<std::size_t>(gbuffer.width);
+    const std::uint32_t at = packed(pixel % width, static_cast<std::size_t>(gbuffer.height) - 1 - pixel / width);
+    fetch_taps(lookup, surfel, pixel, taps);
+    for (const Tap& tap : taps) {
+      const bool says_lit = axes.constant.front() >= flip_of(tap.critical_bias, surfel.slope, least_slope);
+      if (tap.weight == 0 || says_lit || !tap.has_blocker || is_own_tap(scene, lookup, tap, surfel.receiver, pixel)) {
+        continue;
+      }
+      const auto face = static_cast<std::size_t>(tap.face);
+      const std::size_t texel = lookup.map.depth[face].index(tap.texel.x, resolution - 1 - tap.texel.y);
+      found.push_back({at, packed(static_cast<std::size_t>(tap.texel.x), static_cast<std::size_t>(tap.texel.y)),
+                       static_cast<std::uint32_t>(tap.face), tap.weight, tap.critical_bias, surfel.slope,
+                       lookup.map.instance[face][texel], lookup.map.triangle[face][texel]});
+    }
+  }
+  return found;
+}
+
+}  // namespace umbrameter

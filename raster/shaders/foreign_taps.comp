@@ -1,0 +1,37 @@
+// The taps that are wrong at some bias of the axes and false occlusion by the two-plane rule: ForeignTap of
+// core/shadow_taps.h, in any order. The listed pixels are lit in truth.
+#include "cause.glsl"
+#include "pixel_list.glsl"
+#include "response.glsl"
+layout(local_size_x = LIST_GROUP_SIZE) in;
+layout(location = UNIFORM_FIRST_PIXEL) uniform uint first_pixel;
+layout(std430, binding = BUFFER_FOREIGN) restrict buffer ForeignTaps {
+  uint foreign_count;
+  uint pixels_end;  // of the list's pixels that this run takes
+  uint words[];
+};
+
+void main() {
+  uint index = first_pixel + gl_GlobalInvocationID.x;
+  if (index >= pixels_end) return;
+  ivec2 pixel = listed_pixel(index);
+  uvec2 id = texelFetch(ids, pixel, 0).rg;
+  Lookup surfel = look_up(pixel);
+  Pattern pattern = make_pattern(surfel.receiver, pixel);
+  Facet own = fetch_facet(id);
+  for (int i = 0; i < tap_count; ++i) {
+    WeightedTap tap = filter_tap(surfel.receiver, pattern, i);
+    if (tap.weight == 0u || least_bias >= flip_of(tap.tap.critical_bias, surfel.slope, least_slope)) continue;
+    if (cause_of(tap.tap, true, surfel.receiver, id, own) != CAUSE_FALSE_OCCLUSION) continue;
+    uint word = FOREIGN_WORDS * atomicAdd(foreign_count, 1u);
+    uvec2 sample_id = texelFetch(shadow_ids, tap.tap.texel, 0).rg;
+    words[word] = uint(pixel.x) | uint(pixel.y) << 16u;
+    words[word + 1u] = uint(tap.tap.texel.x) | uint(tap.tap.texel.y) << 16u;
+    words[word + 2u] = uint(tap.tap.texel.z);
+    words[word + 3u] = tap.weight;
+    words[word + 4u] = floatBitsToUint(tap.tap.critical_bias);
+    words[word + 5u] = floatBitsToUint(surfel.slope);
+    words[word + 6u] = sample_id.x;
+    words[word + 7u] = sample_id.y;
+  }
+}

@@ -1,0 +1,215 @@
+#include "raytrace/surface_judge.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <optional>
+
+#include "raytrace/surfel.h"
+#include "raytrace/tracer_state.h"
+
+namespace umbrameter {
+namespace {
+
+// Half a unit in the last place of a float, as in surfel.cpp.
+constexpr double u = 0x1p-24;
+
+// A point that the light sees, on the plane of its triangle.
+struct SeenPoint {
+  dvec3 in_light{0.0};
+  double depth = 0.0;  // metres, as the map counts it
+  dvec3 corner{0.0};   // of the triangle, light space
+  dvec3 normal{0.0};   // unit, light space; zero where the triangle has no area
+  std::uint32_t instance = no_id;
+  std::uint32_t triangle = no_id;
+  double width = 0.0;  // metres across the ray, within which rays cannot tell places apart
+  double error = 0.0;  // metres of depth, by which rounding may have moved it
+};
+
+struct LightRay {
+  dvec3 origin{0.0};
+  dvec3 direction{0.0, 0.0, -1.0};  // unit
+};
+
+class Judge {
+ public:
+  Judge(const Tracer& tracer, const LightFrame& frame)
+      : tracer_(tracer), frame_(frame), world_from_light_(glm::inverse(frame.light_from_world)) {
+    const std::vector<InstanceInfo>& instances = tracer.state().instances;
+    has_masks_ = std::any_of(instances.begin(), instances.end(), [](const auto& info) { return info.is_masked; });
+  }
+
+  // Asked of receivers that the truth calls lit: the light sees the receiver, so that a sample on its surface is joined
+  // to it by depths that the light sees. Where the truth is blocked the light sees something else at the receiver's
+  // very place: a jump is certain, and the two-plane rule's split stands.
+  bool is_own(const TapSurfaces& tap) const {
+    SeenPoint a = seen(tap.receiver);
+    SeenPoint b = seen(tap.sample);
+    // Each halving is exact to the places' own width; a segment has no more halves than a double has digits.
+    for (int i = 0; i < std::numeric_limits<double>::digits; ++i) {
+      if (a.instance == b.instance && a.triangle == b.triangle) return true;
+      if (distance_across(a, b) <= a.width + b.width) break;
+      const std::optional<SeenPoint> middle = first_seen(between(a, b));
+      if (!middle) return false;
+      (step_between(a, *middle) >= step_between(*middle, b) ? b : a) = *middle;
+    }
+    return is_continuous(a, b);
+  }
+
+ private:
+  bool is_orthographic() const { return frame_.kind == MapKind::orthographic; }
+
+  double depth(const dvec3& p) const { return frame_.kind == MapKind::cube ? glm::length(p) : -p.z; }
+
+  LightRay ray_through(const dvec3& p) const {
+    if (is_orthographic()) return {{p.x, p.y, 0.0}, {0.0, 0.0, -1.0}};
+    return {dvec3(0.0), glm::normalize(p)};
+  }
+
+  // Straight lines on a map's plane, and from face to face of a cube, are planes through the light: halving the angle
+  // stays on them.
+  LightRay between(const SeenPoint& a, const SeenPoint& b) const {
+    if (is_orthographic()) return ray_through(0.5 * (a.in_light + b.in_light));
+    return ray_through(glm::normalize(a.in_light) + glm::normalize(b.in_light));
+  }
+
+  // Metres across the light's rays, at the nearer of the two.
+  double distance_across(const SeenPoint& a, const SeenPoint& b) const {
+    if (is_orthographic()) return glm::length(dvec2(a.in_light - b.in_light));
+    const double reach = std::min(glm::length(a.in_light), glm::length(b.in_light));
+    return reach * glm::length(glm::normalize(a.in_light) - glm::normalize(b.in_light));
+  }
+
+  static double distance_to_plane(const SeenPoint& plane, const LightRay& ray) {
+    return glm::dot(plane.normal, plane.corner - ray.origin) / glm::dot(plane.normal, ray.direction);
+  }
+
+  // What a ray cannot tell, across it: its origin and direction, each number rounded once, and Embree's differences to
+  // the corners, dot products and normal, at most eight roundings of lengths up to the distance (as surfel.cpp counts
+  // them); of a shared mesh the way into its space, too. What a vertex may be off moves the plane; either, over the
+  // cosine to the light, is the most by which depth on that plane can be off, since a place on a plane that moves by w
+  // across the ray moves by no more than w / cosine, and depth by no more than its place.
+  void set_errors(SeenPoint& point, const LightRay& ray) const {
+    const InstanceInfo& info = tracer_.state().instances[point.instance];
+    const dvec3 origin = glm::abs(dvec3(world_from_light_ * dvec4(ray.origin, 1.0)));
+    const double distance = glm::length(point.in_light - ray.origin);
+    point.width = u * (glm::length(origin) + 8.0 * distance);
+    if (info.is_shared) {
+      const dvec3 along = distance * glm::abs(dmat3(world_from_light_) * ray.direction);
+      point.width += glm::length(info.origin_error.of_place * (origin + along) + info.origin_error.constant);
+    }
+    const double cosine = std::abs(glm::dot(point.normal, ray.direction));
+    const double moved = point.width + vertex_error(tracer_.scene(), point.instance, point.triangle);
+    point.error = cosine > 0.0 ? moved / cosine : std::numeric_limits<double>::infinity();
+  }
+
+  SeenPoint on_triangle(std::uint32_t instance, std::uint32_t id) const {
+    SeenPoint point;
+    point.instance = instance;
+    point.triangle = id;
+    const Triangle t = world_triangle(tracer_.scene(), instance, id);
+    const dmat3 turn(frame_.light_from_world);
+    point.corner = dvec3(frame_.light_from_world * dvec4(t.a, 1.0));
+    const dvec3 across = glm::cross(turn * (t.b - t.a), turn * (t.c - t.a));
+    const double twice_area = glm::length(across);
+    if (twice_area > 0.0) point.normal = across / twice_area;
+    return point;
+  }
+
+  SeenPoint seen(const SurfacePoint& given) const {
+    SeenPoint point = on_triangle(given.instance, given.triangle);
+    point.in_light = given.in_light;
+    point.depth = depth(given.in_light);
+    set_errors(point, ray_through(given.in_light));
+    return point;
+  }
+
+  // The nearest point along a ray of the light; none where it meets nothing. The place is where the ray that was
+  // really traced, in floats, meets the plane of the triangle, in double precision.
+  std::optional<SeenPoint> first_seen(const LightRay& ideal) const {
+    RayQuery query;
+    prepare(query, tracer_.state(), false);
+    query.own_instance[0] = no_id;
+    query.own_triangle[0] = no_id;
+    if (!has_masks_) filter_every_hit(query, false);
+    const vec3 origin(dvec3(world_from_light_ * dvec4(ideal.origin, 1.0)));
+    const vec3 direction(dmat3(world_from_light_) * ideal.direction);
+    RTCRayHit hit;
+    hit.ray.org_x = origin.x;
+    hit.ray.org_y = origin.y;
+    hit.ray.org_z = origin.z;
+    hit.ray.dir_x = direction.x;
+    hit.ray.dir_y = direction.y;
+    hit.ray.dir_z = direction.z;
+    hit.ray.tnear = 0.0f;
+    hit.ray.tfar = std::numeric_limits<float>::infinity();
+    hit.ray.time = 0.0f;
+    hit.ray.mask = 0xffffffffu;
+    hit.ray.id = 0;
+    hit.ray.flags = 0;
+    hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    embree::intersect1(tracer_.state().top.get(), hit, query.query);
+    if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    SeenPoint point =
+        on_triangle(hit.hit.instID[0] != RTC_INVALID_GEOMETRY_ID ? hit.hit.instID[0] : hit.hit.geomID, hit.hit.primID);
+    const LightRay ray{dvec3(frame_.light_from_world * dvec4(dvec3(origin), 1.0)),
+                       glm::normalize(dmat3(frame_.light_from_world) * dvec3(direction))};
+    const double exact = distance_to_plane(point, ray);
+    point.in_light = ray.origin + ray.direction * (std::isfinite(exact) ? exact : static_cast<double>(hit.ray.tfar));
+    point.depth = depth(point.in_light);
+    set_errors(point, ray);
+    return point;
+  }
+
+  // Depth of a point's plane on the ray of another.
+  double depth_on(const SeenPoint& plane, const SeenPoint& other) const {
+    const LightRay ray = ray_through(other.in_light);
+    return depth(ray.origin + ray.direction * distance_to_plane(plane, ray));
+  }
+
+  // The step of depth that neither plane explains: nothing on a plane, however it slopes or is foreshortened, less and
+  // less with the square of the way on a curve, and all of a jump. The bare step would be led astray by slopes.
+  double step_between(const SeenPoint& a, const SeenPoint& b) const {
+    const double from_a = std::abs(depth_on(a, b) - b.depth);
+    const double from_b = std::abs(depth_on(b, a) - a.depth);
+    return std::min(from_a, from_b);
+  }
+
+  // The way is as short as rays can tell: on one surface the step is no more than what the steeper of the two planes
+  // makes of it, and what rounding does.
+  bool is_continuous(const SeenPoint& a, const SeenPoint& b) const {
+    const double step = std::abs(b.depth - a.depth);
+    const double slope = std::max(std::abs(depth_on(a, b) - a.depth), std::abs(depth_on(b, a) - b.depth));
+    return step <= slope + a.error + b.error;
+  }
+
+  const Tracer& tracer_;
+  const LightFrame& frame_;
+  dmat4 world_from_light_;
+  bool has_masks_ = false;
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> judge_own(const Tracer& tracer, const LightFrame& frame, std::span<const TapSurfaces> taps,
+                                    const Progress& progress) {
+  constexpr std::size_t batch = 256;
+  const Judge judge(tracer, frame);
+  std::vector<std::uint8_t> own(taps.size());
+  const std::size_t batches = (taps.size() + batch - 1) / batch;
+  std::size_t done = 0;
+  std::mutex mutex;
+  parallel_for(batches, [&](std::size_t b) {
+    const std::size_t end = std::min(taps.size(), (b + 1) * batch);
+    for (std::size_t i = b * batch; i < end; ++i) own[i] = judge.is_own(taps[i]) ? 1 : 0;
+    if (!progress) return;
+    const std::lock_guard lock(mutex);
+    progress(static_cast<double>(++done) / static_cast<double>(batches));
+  });
+  return own;
+}
+
+}  // namespace umbrameter
