@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/shadow_shape.h"
 #include "app/workbench.h"
 #include "compare/ao.h"
 #include "compare/soft_visibility.h"
@@ -27,6 +28,7 @@ struct ShadowMeasurement {
   /// Where both sides are: of a light without extent, and of one with.
   std::optional<VisibilityStatistics> statistics;
   std::optional<SoftVisibilityStatistics> soft_statistics;
+  std::optional<ShadowShape> shape;  ///< where it was asked for
 };
 
 /// Whether the light has extent: its truth is then sampled, and its error has no causes.

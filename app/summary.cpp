@@ -80,6 +80,7 @@ Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow, co
                            {"truth_blocked_raster_lit", s.false_lit},
                            {"truth_blocked_raster_blocked", s.blocked - s.false_lit}};
   }
+  if (shadow.shape) object["shape"] = to_json(workbench, *shadow.shape);
   return object;
 }
 
