@@ -64,7 +64,9 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   Measurement measurement;
   measurement.surfels = workbench.surfels(experiment.view);
   for (const std::uint32_t light : lights) {
-    measurement.shadows.push_back(measure_shadow(workbench, experiment, light, sides));
+    ShadowMeasurement shadow = measure_shadow(workbench, experiment, light, sides);
+    if (sides.raster && sides.truth) shadow.shape = measure_shape(workbench, experiment, shadow);
+    measurement.shadows.push_back(std::move(shadow));
   }
   measurement.ao = measure_ao(workbench, experiment, sides);
 
@@ -77,6 +79,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   output.parts.push_back(present_picture(workbench, measurement));
   for (const ShadowMeasurement& shadow : measurement.shadows) {
     output.parts.push_back(present_shadow(workbench, shadow, experiment));
+    if (shadow.shape) present_shape(output.parts.back(), workbench, shadow);
   }
   output.parts.push_back(present_ao(*measurement.ao, experiment));
   output.summary = {line.command, experiment, &workbench, &measurement, {}, {}, {}, {}};

@@ -100,6 +100,7 @@ Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow, co
     object["objects"] = parts_json(PartKind::object, shadow.objects, weight_sum);
     object["materials"] = parts_json(PartKind::material, shadow.materials, weight_sum);
   }
+  if (shadow.shape) object["shape"] = to_json(workbench, *shadow.shape);
   return object;
 }
 

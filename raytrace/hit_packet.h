@@ -31,6 +31,9 @@ class HitPacket {
     query_.own_instance[size_] = own_instance;
     query_.own_triangle[size_] = own_triangle;
     aim_lane(rays_.ray, size_, ray);
+    rays_.hit.geomID[size_] = RTC_INVALID_GEOMETRY_ID;
+    rays_.hit.instID[0][size_] = RTC_INVALID_GEOMETRY_ID;
+    valid_[size_] = -1;
     ++size_;
   }
 
@@ -54,6 +57,12 @@ class HitPacket {
   }
   /// Of a blocked ray, metres from its origin.
   float distance(int lane) const { return rays_.ray.tfar[lane] < 0.0f ? 0.0f : rays_.ray.tfar[lane]; }
+  /// Of a blocked ray whose reach was not negative, index into Scene::instances.
+  std::uint32_t instance(int lane) const {
+    return rays_.hit.instID[0][lane] != RTC_INVALID_GEOMETRY_ID ? rays_.hit.instID[0][lane] : rays_.hit.geomID[lane];
+  }
+  int size() const { return size_; }
+  bool is_full() const { return size_ == width; }
 
  private:
   const Tracer::State* state_;

@@ -1,0 +1,32 @@
+// The shape of one light's shadow error in a run: measured, as rows of the page, and for summary.json.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "compare/caster_shape.h"
+#include "compare/error_shape.h"
+
+namespace umbrameter {
+
+struct ShadowMeasurement;
+struct Experiment;
+struct Presentation;
+class Workbench;
+
+struct ShadowShape {
+  ErrorShape error;
+  std::vector<CasterShape> casters;  ///< of a light without extent
+};
+
+/// Of a measurement with both sides.
+ShadowShape measure_shape(Workbench& workbench, const Experiment& experiment, const ShadowMeasurement& shadow);
+
+/// The value of "shape".
+nlohmann::ordered_json to_json(const Workbench& workbench, const ShadowShape& shape);
+
+/// Adds the tables and the figure to a light's section.
+void present_shape(Presentation& presentation, const Workbench& workbench, const ShadowMeasurement& shadow);
+
+}  // namespace umbrameter

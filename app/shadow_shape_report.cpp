@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/measure.h"
+#include "app/presentation.h"
+#include "app/shadow_shape.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::size_t most_casters = 12;  // that the page lists
+
+constexpr std::array<std::string_view, 4> hard_titles = {"acne", "false occlusion", "peter-panning", "light leak"};
+constexpr std::array<std::string_view, 2> soft_titles = {"too dark", "too bright"};
+
+std::string_view title_of(const ErrorShape& shape, std::size_t part) {
+  return shape.components ? hard_titles[part] : soft_titles[part];
+}
+
+class Rows {
+ public:
+  Rows() : table_{{{"quantity", "", ""}, {"value", "", ""}, {"unit", "", ""}, {"meaning", "", ""}}, {}} {}
+  void add(std::string quantity, std::string value, std::string unit, std::string meaning) {
+    table_.rows.push_back({std::move(quantity), std::move(value), std::move(unit), std::move(meaning)});
+  }
+  Table take() { return std::move(table_); }
+
+ private:
+  Table table_;
+};
+
+void add_distances(Rows& rows, const std::string& part, const EdgeDistances& distances) {
+  if (!distances.texels) return;
+  const auto spread = [](const Spread& s) {
+    return fmt::format("{:.3g} / {:.3g} / {:.3g}", s.median, s.upper, s.largest);
+  };
+  const std::string meaning = "distance to the nearest edge of the reference: median / 95 % / largest";
+  rows.add(part + ": edge distance", spread(*distances.texels), "texels", meaning + ", across the light's way");
+  rows.add(part + ": edge distance", spread(*distances.pixels), "px", meaning + ", in the image");
+  rows.add(part + ": edge distance", spread(*distances.metres), "m", meaning + ", in the world");
+  rows.add(part + ": within 1 texel", fmt::format("{:.2f}", 100.0 * distances.within[one_texel]), "%",
+           "share of this error at most one texel from an edge");
+  rows.add(part + ": within 2 texels", fmt::format("{:.2f}", 100.0 * distances.within[two_texels]), "%",
+           "share of this error at most two texels from an edge");
+}
+
+Table distance_table(const ErrorShape& shape) {
+  Rows rows;
+  rows.add("reference edges", fmt::format("{}", shape.edges), "px", "pairs of pixels on one surface, one lit, one not");
+  add_distances(rows, "all", shape.all);
+  for (std::size_t p = 0; p < shape.parts.size(); ++p) {
+    add_distances(rows, std::string(title_of(shape, p)), shape.parts[p]);
+  }
+  if (!shape.components) {
+    rows.add("outside the penumbra", fmt::format("{:.2f}", 100.0 * shape.outside_penumbra), "%",
+             "share of the error where the reference is 0 or 1");
+  }
+  return rows.take();
+}
+
+Table component_table(const ErrorShape& shape) {
+  Table table{{{"wrong pixels", "", "those that hang together over sides or corners"},
+               {"pieces", "1", "how many"},
+               {"mean area", "px", "pixels a piece"},
+               {"largest", "px", "pixels of the largest piece"},
+               {"share of largest", "%", "of the wrong weight, what the largest piece holds"},
+               {"centre x", "px", "of the largest piece"},
+               {"centre y", "px", "of the largest piece"}},
+              {}};
+  const auto add = [&](std::string_view name, const ComponentStatistics& s) {
+    if (s.count == 0) return;
+    table.rows.push_back({std::string(name), static_cast<std::int64_t>(s.count), fmt::format("{:.2f}", s.mean_area),
+                          static_cast<std::int64_t>(s.largest_area), fmt::format("{:.2f}", 100.0 * s.largest_share),
+                          fmt::format("{:.1f}", s.largest_x), fmt::format("{:.1f}", s.largest_y)});
+  };
+  add("all", *shape.components);
+  for (std::size_t c = 0; c < cause_count; ++c) add(hard_titles[c], shape.class_components[c]);
+  return table;
+}
+
+std::string units_text(const ReceiverLength& size) {
+  return fmt::format("{:.4g} m, {:.3g} texels, {:.3g} px", size.metres, size.texels, size.pixels);
+}
+
+Table caster_table(const Workbench& workbench, const std::vector<CasterShape>& casters) {
+  std::vector<CasterShape> listed = casters;
+  std::stable_sort(listed.begin(), listed.end(), [](const CasterShape& a, const CasterShape& b) {
+    return a.contacts + a.edges > b.contacts + b.edges;
+  });
+  if (listed.size() > most_casters) listed.resize(most_casters);
+  Table table{{{"caster", "", "object whose shadow it is; those with most pixels first"},
+               {"contacts", "px", "pixels where its true shadow touches its foot"},
+               {"contact gap", "", "lit strip from the foot to where the raster shadow begins, median"},
+               {"largest gap", "", "the same, largest"},
+               {"edges", "px", "of its true shadow"},
+               {"shadow inset", "", "how far the raster outline lies inside the true one, median; below 0 outside"}},
+              {}};
+  for (const CasterShape& caster : listed) {
+    const bool touches = caster.contacts > 0;
+    table.rows.push_back({workbench.scene().objects[caster.object].name, static_cast<std::int64_t>(caster.contacts),
+                          touches ? units_text(caster.gap_median) : "—", touches ? units_text(caster.gap_largest) : "—",
+                          static_cast<std::int64_t>(caster.edges),
+                          caster.edges > 0 ? units_text(caster.inset_median) : "—"});
+  }
+  return table;
+}
+
+PlotFigure distance_figure(const std::string& layer, const std::string& title, const ErrorShape& shape) {
+  PlotFigure figure;
+  figure.stem = "edge_distance_" + layer;
+  figure.title = "Distance to the reference's edges: " + title;
+  figure.caption =
+      "Share of each part of the error that lies within a distance of an edge of the true shadow. Jagged edges end "
+      "within a texel or two, fields of acne go on.";
+  figure.x = {"distance", "distance to the nearest edge [texels]", true};
+  figure.y = {"share", "share of the error [%]", false};
+  figure.series = "part";
+  figure.series_label = "error";
+  figure.data.columns = {{"part", "", "which error"},
+                         {"distance", "texels", "across the light's way"},
+                         {"share", "%", "of this error, at most that far from an edge"}};
+  for (std::size_t p = 0; p < shape.parts.size(); ++p) {
+    if (!shape.parts[p].texels) continue;
+    for (std::size_t k = 0; k < edge_reaches.size(); ++k) {
+      figure.data.rows.push_back({std::string(title_of(shape, p)), edge_reaches[k], 100.0 * shape.parts[p].within[k]});
+    }
+  }
+  return figure;
+}
+
+}  // namespace
+
+void present_shape(Presentation& presentation, const Workbench& workbench, const ShadowMeasurement& shadow) {
+  const ShadowShape& shape = *shadow.shape;
+  ReportSection& section = presentation.section;
+  section.tables.push_back(distance_table(shape.error));
+  if (shape.error.components && shape.error.components->count > 0) {
+    section.tables.push_back(component_table(shape.error));
+  }
+  if (!shape.casters.empty()) section.tables.push_back(caster_table(workbench, shape.casters));
+  if (shape.error.all.texels) {
+    add_figure(presentation,
+               distance_figure(workbench.layer(shadow.light), workbench.title(shadow.light), shape.error));
+  }
+}
+
+}  // namespace umbrameter

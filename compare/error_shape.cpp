@@ -1,0 +1,144 @@
+#include "compare/error_shape.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace umbrameter {
+namespace {
+
+using Weights = std::array<float, cause_count>;  // of the parts; those that are not there are 0
+
+struct WrongPixel {
+  std::array<float, 3> distance{};  // px, texels, metres
+  Weights weights{};
+};
+constexpr std::size_t unit_count = 3;
+
+std::array<float, unit_count> distances_at(const ShapeInput& input, const NearestEdges& nearest, std::size_t pixel) {
+  const dvec3 edge = position_of(nearest.edge[pixel], input.gbuffer);
+  const dvec3 way = dvec3(input.gbuffer.position[pixel]) - edge;
+  const dvec3 light = to_light(input.light, edge);
+  const dvec3 across = way - glm::dot(way, light) * light;
+  const double texel = texel_at(input.frame, edge);
+  const double texels = texel > 0.0 ? glm::length(across) / texel : 0.0;
+  return {nearest.distance[pixel], static_cast<float>(texels), static_cast<float>(glm::length(way))};
+}
+
+// Fills one unit's spreads of all parts and of their sum, the last.
+void spread_over(const std::vector<WrongPixel>& wrong, std::size_t unit, std::vector<EdgeDistances>& parts) {
+  std::vector<std::pair<float, std::uint32_t>> order(wrong.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = {wrong[i].distance[unit], i};
+  std::sort(order.begin(), order.end());
+  const std::size_t all = parts.size() - 1;
+  std::vector<double> sums(parts.size(), 0.0);
+  std::vector<Spread> spreads(parts.size());
+  std::vector<double> totals(parts.size(), 0.0);
+  for (const auto& [distance, i] : order) {
+    for (std::size_t p = 0; p < all; ++p) {
+      totals[p] += wrong[i].weights[p];
+      totals[all] += wrong[i].weights[p];
+    }
+  }
+  const auto pass = [&](std::size_t p, double distance, double weight) {
+    if (weight == 0.0) return;
+    const double before = sums[p];
+    sums[p] += weight;
+    if (before < 0.5 * totals[p]) spreads[p].median = distance;
+    if (before < 0.95 * totals[p]) spreads[p].upper = distance;
+    spreads[p].largest = distance;
+    if (unit != 1) return;
+    for (std::size_t k = 0; k < edge_reaches.size(); ++k) {
+      if (distance <= edge_reaches[k]) parts[p].within[k] = sums[p] / totals[p];
+    }
+  };
+  for (const auto& [distance, i] : order) {
+    double sum = 0.0;
+    for (std::size_t p = 0; p < all; ++p) {
+      pass(p, distance, wrong[i].weights[p]);
+      sum += wrong[i].weights[p];
+    }
+    pass(all, distance, sum);
+  }
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    if (totals[p] == 0.0) continue;
+    std::optional<Spread>& spread = unit == 0 ? parts[p].pixels : unit == 1 ? parts[p].texels : parts[p].metres;
+    spread = spreads[p];
+  }
+}
+
+// weights_at(pixel) yields the parts' weights; they count `unit_weight` to the pixel.
+template <class WeightsAt>
+ErrorShape measure_distances(const ShapeInput& input, std::size_t part_count, double unit_weight,
+                             const WeightsAt& weights_at) {
+  const ShadowEdges edges = find_shadow_edges(input.truth, input.gbuffer, input.counted);
+  const NearestEdges nearest = nearest_edges(edges);
+  std::vector<EdgeDistances> parts(part_count + 1);
+  std::vector<WrongPixel> wrong;
+  for (std::size_t i = 0; i < input.truth.size(); ++i) {
+    if (input.counted.counting[i] != Counting::counted) continue;
+    const Weights weights = weights_at(i);
+    double sum = 0.0;
+    for (std::size_t p = 0; p < part_count; ++p) {
+      parts[p].weight += weights[p];
+      sum += weights[p];
+    }
+    if (sum == 0.0) continue;
+    parts[part_count].weight += sum;
+    if (edges.count > 0) wrong.push_back({distances_at(input, nearest, i), weights});
+  }
+  for (EdgeDistances& part : parts) part.weight /= unit_weight;
+  for (std::size_t unit = 0; unit < unit_count && !wrong.empty(); ++unit) spread_over(wrong, unit, parts);
+  ErrorShape shape;
+  shape.edges = edges.count;
+  shape.all = parts.back();
+  parts.pop_back();
+  shape.parts = std::move(parts);
+  return shape;
+}
+
+void add_components(ErrorShape& shape, const WrongTaps& wrong, const CountedPixels& counted) {
+  const Image<PixelClass> classes = classify(wrong, counted);
+  Image<std::uint8_t> by_class(classes.width, classes.height, 0);
+  Image<std::uint8_t> any(classes.width, classes.height, 0);
+  Image<std::uint32_t> weights(classes.width, classes.height, 0);
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    if (classes[i] < PixelClass::acne || classes[i] > PixelClass::light_leak) continue;
+    by_class[i] = static_cast<std::uint8_t>(classes[i]);
+    any[i] = 1;
+    const uvec4& w = wrong.weights[i];
+    weights[i] = w.x + w.y + w.z + w.w;
+  }
+  shape.components = summarize(find_components(any, weights), 1);
+  const std::vector<Component> components = find_components(by_class, weights);
+  for (std::size_t c = 0; c < cause_count; ++c) {
+    shape.class_components[c] =
+        summarize(components, static_cast<std::uint8_t>(static_cast<std::size_t>(PixelClass::acne) + c));
+  }
+}
+
+}  // namespace
+
+ErrorShape analyze_error_shape(const ShapeInput& input, const WrongTaps& wrong) {
+  assert(wrong.weights.size() == input.truth.size());
+  ErrorShape shape = measure_distances(input, hard_part_names.size(), wrong.weight_sum, [&](std::size_t i) {
+    const uvec4& w = wrong.weights[i];
+    return Weights{static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z), static_cast<float>(w.w)};
+  });
+  add_components(shape, wrong, input.counted);
+  return shape;
+}
+
+ErrorShape analyze_error_shape(const ShapeInput& input, const Image<float>& raster) {
+  assert(raster.size() == input.truth.size());
+  double outside = 0.0;
+  ErrorShape shape = measure_distances(input, soft_part_names.size(), 1.0, [&](std::size_t i) {
+    const float error = raster[i] - input.truth[i];
+    if (!(input.truth[i] > 0.0f && input.truth[i] < 1.0f)) outside += std::abs(error);
+    return Weights{std::max(-error, 0.0f), std::max(error, 0.0f)};
+  });
+  shape.outside_penumbra = shape.all.weight > 0.0 ? outside / shape.all.weight : 0.0;
+  return shape;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,51 @@
+// Where an image of visibility has shadow edges, and how far every pixel is from the nearest one. Silhouettes, where a
+// near surface ends before a far one, are no edges of shadows.
+#pragma once
+
+#include <cstdint>
+
+#include "compare/visibility.h"
+#include "core/gbuffer.h"
+#include "core/image.h"
+
+namespace umbrameter {
+
+/// An edge lies between a pixel and its neighbour: 2 · pixel + 0 for the one to the right, + 1 for the one below.
+using EdgeId = std::uint32_t;
+
+struct EdgePixels {
+  std::size_t first = 0;
+  std::size_t second = 0;
+};
+inline EdgePixels pixels_of(EdgeId edge, int image_width) {
+  const std::size_t first = edge / 2;
+  return {first, first + (edge % 2 == 0 ? 1 : static_cast<std::size_t>(image_width))};
+}
+
+/// The middle between both surfels, world, metres.
+dvec3 position_of(EdgeId edge, const GBuffer& gbuffer);
+
+/// Bit 0: an edge to the right of the pixel; bit 1: one below it.
+struct ShadowEdges {
+  Image<std::uint8_t> bits;
+  std::uint64_t count = 0;
+};
+
+/// Whether two neighbouring pixels see one surface without a jump in depth between them: they belong to one instance,
+/// and the line from surfel to surfel is within 45° of both tangent planes. Of a step in depth it runs along the view.
+bool is_one_surface(const GBuffer& gbuffer, std::size_t pixel, std::size_t neighbour);
+
+/// Between neighbours on one surface, both counted, of which one is lit (visibility at least ½) and the other is not.
+/// Images of one size, of less than 2³¹ pixels.
+ShadowEdges find_shadow_edges(const Image<float>& visibility, const GBuffer& gbuffer, const CountedPixels& counted);
+
+struct NearestEdges {
+  Image<float>
+      distance;        ///< px, from a pixel's centre to the middle between an edge's two pixels; infinite without one
+  Image<EdgeId> edge;  ///< the nearest in the image; no_id without one
+};
+
+/// The exact Euclidean distance transform (Felzenszwalb and Huttenlocher, Theory of Computing 8, 2012).
+NearestEdges nearest_edges(const ShadowEdges& edges);
+
+}  // namespace umbrameter

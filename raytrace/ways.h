@@ -1,0 +1,52 @@
+// Rays from surfels to a light's place. For raytrace/*.cpp alone.
+#pragma once
+
+#include <limits>
+
+#include "raytrace/packet.h"
+#include "raytrace/surfel.h"
+#include "scenes/light_frame.h"
+
+namespace umbrameter {
+
+/// The ways from surfels to a light without extent, or to the middle of one with.
+class Ways {
+ public:
+  explicit Ways(const Light& light)
+      : is_distant_(std::holds_alternative<DirectionalLight>(light.shape)),
+        position_(light.position()),
+        to_distant_(-light.axis()),
+        light_(light) {}
+
+  /// Whether the surfel is turned to the light.
+  bool begin_at(const GBuffer& gbuffer, std::size_t pixel) const {
+    const dvec3 way = is_distant_ ? to_distant_ : to_light(light_, dvec3(gbuffer.position[pixel]));
+    return glm::dot(dvec3(gbuffer.geometric_normal[pixel]), way) > 0.0;
+  }
+
+  /// The light itself is no blocker: the ray stops short of it by the rounding of its own length.
+  ShadowRay from(const RayOrigin& origin) const {
+    ShadowRay ray;
+    ray.origin = vec3(origin.point());
+    if (is_distant_) {
+      ray.direction = vec3(to_distant_);
+      ray.reach = std::numeric_limits<float>::infinity();
+    } else {
+      const dvec3 way = position_ - dvec3(ray.origin);
+      const double distance = glm::length(way);
+      if (!(distance > 0.0)) return ray;  // the light is at the surfel: nothing lies between
+      ray.direction = vec3(way / distance);
+      ray.reach = static_cast<float>(distance * (1.0 - 0x1p-22));
+    }
+    ray.is_clear = glm::dot(origin.normal, dvec3(ray.direction)) > origin.clear_cosine;
+    return ray;
+  }
+
+ private:
+  bool is_distant_;
+  dvec3 position_;
+  dvec3 to_distant_;
+  const Light& light_;
+};
+
+}  // namespace umbrameter

@@ -1,0 +1,154 @@
+#include "compare/caster_shape.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "flat_ground.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr double pixel = 0.005;  // metres
+constexpr double texel = 0.02;   // metres
+constexpr double elevation = 40.0 * pi / 180.0;
+constexpr int foot = 20;            // the first column of ground behind the wall
+constexpr int shadow_end = 180;     // the first lit column behind its shadow
+constexpr double thickness = 0.05;  // metres, of the wall
+
+// Level ground seen from above behind a wall that stands on it, with the sun before the wall.
+struct BehindWall {
+  FlatGround ground{240, 8, pixel, dvec3(-std::cos(elevation), std::sin(elevation), 0), texel};
+  Scene scene;
+  View view{240, 8, {}};
+  Image<float> truth{240, 8, 1.0f};
+  Image<float> raster{240, 8, 1.0f};
+  WrongTaps wrong{Image<uvec4>(240, 8, uvec4(0)), 1};
+  Image<std::uint32_t> caster{240, 8, no_id};
+  Image<float> distance{240, 8, 0.0f};
+
+  BehindWall() {
+    scene.objects = {{"ground"}, {"wall"}};
+    scene.instances = {{0, 0}, {1, 1}};
+    view.camera.world_from_camera =
+        dmat4(dvec4(1, 0, 0, 0), dvec4(0, 0, -1, 0), dvec4(0, 1, 0, 0), dvec4(119.5 * pixel, 10, 3.5 * pixel, 1));
+    view.camera.projection = OrthographicProjection{120 * pixel, 4 * pixel, 0.0, 100.0};
+    for (int y = 0; y < 8; ++y) {
+      for (int x = 0; x < foot; ++x) {
+        ground.gbuffer.instance.at(x, y) = 1;
+        ground.gbuffer.position.at(x, y).y = 0.67f;
+      }
+      for (int x = foot; x < shadow_end; ++x) {
+        truth.at(x, y) = 0.0f;
+        caster.at(x, y) = 1;
+        distance.at(x, y) = static_cast<float>(behind(x) / std::cos(elevation));
+      }
+    }
+    draw(shadow_end, 0.0);
+  }
+  // Metres from the wall to a column's middle.
+  static double behind(int x) { return (x - foot + 0.5) * pixel; }
+  // The map's depth is that of the wall's front: the bias erases it where (behind + thickness) / cos e is no more.
+  void draw(int end, double bias) {
+    for (int y = 0; y < 8; ++y) {
+      for (int x = 0; x < 240; ++x) {
+        const bool is_blocked = x >= foot && x < end && (behind(x) + thickness) / std::cos(elevation) > bias;
+        raster.at(x, y) = is_blocked ? 0.0f : 1.0f;
+      }
+    }
+  }
+  std::vector<CasterShape> measure() const {
+    return analyze_casters({{ground.gbuffer, truth, ground.counted, ground.light, ground.frame},
+                            raster,
+                            wrong,
+                            caster,
+                            distance,
+                            scene,
+                            view});
+  }
+};
+
+// A lit strip of width max(0, b cos e − w).
+TEST(CasterShape, The_contact_gap_behind_a_wall_is_what_its_thickness_leaves_of_the_bias) {
+  BehindWall wall;
+  for (const double bias : {0.0, 0.05, 0.0652, 0.1, 0.2, 0.35, 0.6}) {
+    wall.draw(shadow_end, bias);
+    const std::vector<CasterShape> found = wall.measure();
+    ASSERT_EQ(found.size(), 1u);
+    const double strip = std::max(0.0, bias * std::cos(elevation) - thickness);
+    EXPECT_EQ(found[0].object, 1u);
+    EXPECT_GE(found[0].contacts, 8u) << bias;
+    EXPECT_NEAR(found[0].gap_median.metres, strip, 0.5001 * pixel) << bias;
+    EXPECT_NEAR(found[0].gap_largest.metres, strip, 0.5001 * pixel) << bias;
+    EXPECT_NEAR(found[0].gap_median.pixels, found[0].gap_median.metres / pixel, 1e-6);
+    EXPECT_NEAR(found[0].gap_median.texels, found[0].gap_median.metres * std::sin(elevation) / texel, 1e-6);
+    EXPECT_EQ(found[0].lost, 0u);
+  }
+}
+
+TEST(CasterShape, A_shadow_that_is_gone_leaves_a_gap_as_long_as_itself) {
+  BehindWall wall;
+  wall.draw(foot, 0.0);
+  const std::vector<CasterShape> found = wall.measure();
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].lost, found[0].contacts);
+  EXPECT_NEAR(found[0].gap_median.pixels, shadow_end - foot, 0.5001);
+  EXPECT_EQ(found[0].edges, 0u);
+  EXPECT_EQ(found[0].unmatched, 8u);
+}
+
+TEST(CasterShape, The_inset_is_positive_where_the_raster_shadow_is_smaller) {
+  BehindWall wall;
+  for (const int inside : {-7, 0, 1, 12}) {
+    wall.draw(shadow_end - inside, 0.0);
+    const std::vector<CasterShape> found = wall.measure();
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].edges, 8u);
+    EXPECT_NEAR(found[0].inset_median.pixels, inside, 1e-6);
+    EXPECT_NEAR(found[0].inset_median.metres, inside * pixel, 1e-6);
+    EXPECT_NEAR(found[0].inset_median.texels, inside * pixel * std::sin(elevation) / texel, 1e-5);
+  }
+}
+
+TEST(CasterShape, Acne_beside_a_shadow_does_not_move_its_outline) {
+  BehindWall wall;
+  wall.draw(shadow_end - 5, 0.0);
+  for (int y = 0; y < 8; ++y) {
+    wall.raster.at(shadow_end + 1, y) = 0.0f;
+    wall.wrong.weights.at(shadow_end + 1, y).x = 1;
+  }
+  EXPECT_NEAR(wall.measure().at(0).inset_median.pixels, 5.0, 1e-6);
+}
+
+TEST(CasterShape, A_caster_that_floats_has_no_contact) {
+  BehindWall wall;
+  for (float& distance : wall.distance.pixels) distance += 0.1f;
+  EXPECT_EQ(wall.measure().at(0).contacts, 0u);
+}
+
+TEST(CasterShape, Hidden_ways_do_not_count) {
+  BehindWall wall;
+  wall.draw(shadow_end, 0.3);
+  for (int y = 0; y < 8; ++y) wall.ground.gbuffer.instance.at(foot + 4, y) = 1;
+  EXPECT_EQ(wall.measure().at(0).contacts, 0u);
+}
+
+TEST(CasterShape, Without_a_shadow_there_is_no_caster) {
+  BehindWall wall;
+  wall.truth = Image<float>(240, 8, 1.0f);
+  wall.caster = Image<std::uint32_t>(240, 8, no_id);
+  EXPECT_TRUE(wall.measure().empty());
+}
+
+TEST(CasterShape, Everything_blocked_has_no_outline) {
+  BehindWall wall;
+  wall.truth = Image<float>(240, 8, 0.0f);
+  wall.raster = wall.truth;
+  for (const CasterShape& caster : wall.measure()) {
+    EXPECT_EQ(caster.edges, 0u);
+    EXPECT_EQ(caster.gap_largest.metres, 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace umbrameter
