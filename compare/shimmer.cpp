@@ -1,0 +1,71 @@
+#include "compare/shimmer.h"
+
+#include <cassert>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace umbrameter {
+namespace {
+
+const dvec3 x_axis(1, 0, 0);
+const dvec3 y_axis(0, 1, 0);
+const dvec3 z_axis(0, 0, 1);
+
+dmat4 turn(double angle, const dvec3& axis) { return glm::rotate(dmat4(1.0), angle, axis); }
+
+template <class Takes>
+Flips count(const Image<float>& before, const Image<float>& after, const Takes& takes) {
+  assert(before.size() == after.size());
+  Flips flips;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (!takes(i)) continue;
+    ++flips.pixels;
+    sum += std::abs(static_cast<double>(after[i]) - static_cast<double>(before[i]));
+  }
+  if (flips.pixels > 0) flips.share = sum / static_cast<double>(flips.pixels);
+  return flips;
+}
+
+}  // namespace
+
+LightFrame shift_grid(const LightFrame& frame, const dvec2& texels) {
+  const dvec2 shift = texels * (2.0 * frame.half_extent / frame.resolution);
+  LightFrame shifted = frame;
+  dmat4 change = glm::translate(dmat4(1.0), dvec3(shift, 0.0));
+  if (frame.kind != MapKind::orthographic) {
+    change = turn(std::atan(shift.y), x_axis) * turn(-std::atan(shift.x), y_axis);
+    if (frame.kind == MapKind::cube) change = turn(std::atan(shift.x), z_axis) * change;
+  }
+  shifted.light_from_world = change * frame.light_from_world;
+  return shifted;
+}
+
+View shift_view(const View& view, const dvec2& pixels) {
+  View shifted = view;
+  dmat4 change(1.0);
+  if (const auto* flat = std::get_if<OrthographicProjection>(&view.camera.projection)) {
+    const double pixel = 2.0 * flat->half_height / view.height;
+    change = glm::translate(change, dvec3(pixels.x * pixel, -pixels.y * pixel, 0.0));
+  } else {
+    const double fov = std::get<PerspectiveProjection>(view.camera.projection).vertical_fov;
+    const double pixel = 2.0 * std::tan(0.5 * fov) / view.height;
+    change = turn(-std::atan(pixels.x * pixel), y_axis) * turn(-std::atan(pixels.y * pixel), x_axis);
+  }
+  shifted.camera.world_from_camera = view.camera.world_from_camera * change;
+  return shifted;
+}
+
+Flips count_flips(const Image<float>& before, const Image<float>& after, const CountedPixels& counted) {
+  return count(before, after, [&](std::size_t i) { return counted.counting[i] == Counting::counted; });
+}
+
+Flips count_flips(const Image<float>& before, const Image<float>& after, const CountedPixels& counted,
+                  const GBuffer& gbuffer_before, const GBuffer& gbuffer_after) {
+  return count(before, after, [&](std::size_t i) {
+    return counted.counting[i] == Counting::counted && gbuffer_before.instance[i] == gbuffer_after.instance[i] &&
+           gbuffer_before.triangle[i] == gbuffer_after.triangle[i];
+  });
+}
+
+}  // namespace umbrameter
