@@ -171,6 +171,13 @@ void add_figure(Presentation& presentation, PlotFigure figure) {
   presentation.plots.push_back(std::move(figure));
 }
 
+void add_figure(Presentation& presentation, HeatMapFigure figure) {
+  presentation.section.figures.push_back(figure.stem);
+  presentation.section.figure_titles.push_back(figure.title);
+  presentation.section.captions.push_back(figure.caption);
+  presentation.heat_maps.push_back(std::move(figure));
+}
+
 Presentation present_picture(const Workbench& workbench, const Measurement& measurement) {
   Presentation presentation;
   presentation.section.title = "The view";

@@ -22,6 +22,7 @@ struct Presentation {
   ReportSection section;
   std::vector<ImageFigure> images;
   std::vector<PlotFigure> plots;
+  std::vector<HeatMapFigure> heat_maps;
   std::vector<std::string> lines;  ///< for the console
 };
 
@@ -35,5 +36,6 @@ Table bias_table(const ShadowMeasurement& shadow, const Experiment& experiment);
 /// Adds a figure to a presentation's section and image list.
 void add_figure(Presentation& presentation, ImageFigure figure);
 void add_figure(Presentation& presentation, PlotFigure figure);
+void add_figure(Presentation& presentation, HeatMapFigure figure);
 
 }  // namespace umbrameter

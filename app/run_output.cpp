@@ -26,12 +26,14 @@ Report make_report(const RunOutput& output) {
 void write_figures_of(const std::filesystem::path& folder, const Console& console, RunOutput& output) {
   std::vector<ImageFigure> images;
   std::vector<PlotFigure> plots;
+  std::vector<HeatMapFigure> heat_maps;
   for (Presentation& part : output.parts) {
     std::move(part.images.begin(), part.images.end(), std::back_inserter(images));
     std::move(part.plots.begin(), part.plots.end(), std::back_inserter(plots));
+    std::move(part.heat_maps.begin(), part.heat_maps.end(), std::back_inserter(heat_maps));
   }
-  note(console, fmt::format("drawing {} figures", images.size() + plots.size()));
-  output.summary.problems = write_figures(folder / "figures", images, plots).problems;
+  note(console, fmt::format("drawing {} figures", images.size() + plots.size() + heat_maps.size()));
+  output.summary.problems = write_figures(folder / "figures", images, plots, heat_maps).problems;
 }
 
 void write_rows(const std::filesystem::path& path, const ResultsStore& results) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/bias_report.h"
 #include "app/measure.h"
 
 namespace umbrameter {
@@ -14,6 +15,7 @@ namespace umbrameter {
 struct SweepSummary {
   std::size_t cells = 0;
   Table best;  ///< the rows of least error
+  std::optional<BiasCurves> curves{};
 };
 
 /// Everything that summary.json is made from; empty parts are left out.

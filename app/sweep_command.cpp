@@ -125,8 +125,16 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
     measure_missing(plan, store, make_evaluator(workbench, experiment, axes, measure), console);
   }
 
-  const SweepResults results{parameters, plan, store, measure};
+  // The view does not move the map's range: with the view at hand nothing has to be drawn for it.
+  const auto depth_range = [&](const std::vector<Value>& values) {
+    Experiment cell = at_cell(experiment, axes, values);
+    const std::uint32_t light = workbench.lights(cell.view.light).front();
+    cell.view = experiment.view;
+    return workbench.fit(cell, light).frame.far_depth;
+  };
+  const SweepResults results{parameters, plan, store, measure, depth_range};
   const Table best_of_lines = best_rows(results);
+  const std::optional<BiasCurves> curves = read_bias_curves(results);
   const std::vector<Value> least = least_row(results);
   const Experiment best =
       at_cell(experiment, axes, {least.begin(), least.begin() + static_cast<std::ptrdiff_t>(axes.size())});
@@ -135,7 +143,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   RunOutput output;
   output.title = fmt::format("{}: sweep", scene_title(experiment));
   output.subtitle = subtitle_of(workbench, measurement.surfels.view);
-  output.parts.push_back(present_sweep(results, best_of_lines));
+  output.parts.push_back(present_sweep(results, best_of_lines, curves));
   if (measure == Measure::ao) {
     measurement.ao = measure_ao(workbench, best, {});
     output.parts.push_back(present_ao(*measurement.ao, best));
@@ -150,7 +158,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
                     experiment,
                     &workbench,
                     &measurement,
-                    SweepSummary{plan.cells, best_of_lines},
+                    SweepSummary{plan.cells, best_of_lines, curves},
                     workbench.context().device().renderer,
                     {},
                     {}};

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <span>
 
+#include "app/bias_figures.h"
+#include "app/plot_axes.h"
+
 namespace umbrameter {
 namespace {
 
@@ -40,14 +43,6 @@ Layout lay_out(const Parameters& parameters, const std::vector<SweepAxis>& axes)
   return layout;
 }
 
-// "shadow.constant-bias" in metres is "constant bias [m]".
-std::string label_of(const Parameters& parameters, const std::string& key) {
-  const std::string& unit = require(parameters, key).description.unit;
-  std::string label = key.substr(key.find('.') + 1);
-  std::replace(label.begin(), label.end(), '-', ' ');
-  return label + (unit.empty() ? "" : " [" + unit + "]");
-}
-
 struct Curve {
   const char* column;
   const char* title;
@@ -78,20 +73,6 @@ std::span<const Curve> curves_of(Measure measure) {
 
 bool is_geometric(const SweepAxis& axis) { return axis.text.size() > 4 && axis.text.ends_with(":log"); }
 
-// Every so many of `count` indices, the last one too.
-struct Thinned {
-  std::vector<std::size_t> indices;
-  std::size_t step = 1;
-};
-
-Thinned thin(std::size_t count, std::size_t most) {
-  Thinned thinned;
-  while (count > 1 && (count - 2) / thinned.step + 2 > most) ++thinned.step;
-  for (std::size_t i = 0; i < count; i += thinned.step) thinned.indices.push_back(i);
-  if (thinned.indices.back() != count - 1) thinned.indices.push_back(count - 1);
-  return thinned;
-}
-
 // The cells of one plot: a combination of the axes that are neither x nor series.
 struct PlotCells {
   std::vector<std::size_t> cells;  ///< in the order of rows
@@ -99,11 +80,6 @@ struct PlotCells {
 };
 
 std::size_t count_values(const SweepPlan& plan, std::size_t axis) { return plan.axes[axis].values.size(); }
-
-std::string thinning_text(const Thinned& thinned, const std::string& key) {
-  if (thinned.step == 1) return "";
-  return fmt::format(" Every {}th value of {} is drawn; all are in sweep.csv.", thinned.step, key);
-}
 
 PlotCells cells_of_plot(const SweepPlan& plan, const Layout& layout, std::size_t part) {
   PlotCells plot;
@@ -199,7 +175,7 @@ Table best_rows(const SweepResults& sweep) {
 
 std::vector<Value> least_row(const SweepResults& sweep) { return sweep.store.least("mae", {}, 1).rows.front(); }
 
-Presentation present_sweep(const SweepResults& sweep, const Table& best) {
+Presentation present_sweep(const SweepResults& sweep, const Table& best, const std::optional<BiasCurves>& curves) {
   Presentation presentation;
   const std::size_t axes = sweep.plan.axes.size();
   ReportSection& section = presentation.section;
@@ -210,7 +186,11 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best) {
   section.headlines = {{"least mean absolute error", error, row_text(best, least, axes)},
                        {"cells", std::to_string(sweep.plan.cells), "a row each in sweep.csv"}};
   const Layout layout = lay_out(sweep.parameters, sweep.plan.axes);
-  for (PlotFigure& plot : make_plots(sweep, layout)) add_figure(presentation, std::move(plot));
+  if (curves && curves->varies_constant) {
+    add_bias_figures(presentation, sweep, *curves, most_plots);
+  } else {
+    for (PlotFigure& plot : make_plots(sweep, layout)) add_figure(presentation, std::move(plot));
+  }
   section.text = "The table holds the cell of least error for every line of the figures; all cells are in sweep.csv.";
   if (best.rows.size() == most_best_rows) {
     section.text = fmt::format(
@@ -219,6 +199,10 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best) {
   section.tables = {best};
   presentation.lines.push_back(fmt::format("{} cells; least mean absolute error {} at {}", sweep.plan.cells, error,
                                            row_text(best, least, axes)));
+  if (curves) {
+    present_bias(presentation, *curves);
+    return presentation;
+  }
   for (const std::vector<Value>& row : best.rows) {
     if (presentation.lines.size() > 8) break;
     if (std::equal(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(axes), least.begin())) continue;

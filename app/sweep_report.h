@@ -1,20 +1,11 @@
 // How a sweep is shown: its best rows and its curves, read from the store by what each needs.
 #pragma once
 
+#include "app/bias_report.h"
 #include "app/presentation.h"
-#include "app/sweep_evaluator.h"
-#include "compare/sweep_plan.h"
-#include "reports/results_store.h"
+#include "app/sweep_results.h"
 
 namespace umbrameter {
-
-/// A complete sweep.
-struct SweepResults {
-  const Parameters& parameters;
-  const SweepPlan& plan;
-  const ResultsStore& store;
-  Measure measure;
-};
 
 /// For each line of the plots its row of least error, by the values that tell the lines apart; at most 1,000.
 Table best_rows(const SweepResults& sweep);
@@ -22,6 +13,6 @@ Table best_rows(const SweepResults& sweep);
 /// The row of least error.
 std::vector<Value> least_row(const SweepResults& sweep);
 
-Presentation present_sweep(const SweepResults& sweep, const Table& best);
+Presentation present_sweep(const SweepResults& sweep, const Table& best, const std::optional<BiasCurves>& curves);
 
 }  // namespace umbrameter

@@ -13,5 +13,6 @@ std::string to_svg(const ImageFigure& figure);
 
 /// JSON text. Throws Error (partial) when the table lacks a column that the figure names.
 std::string to_plot_specification(const PlotFigure& figure);
+std::string to_plot_specification(const HeatMapFigure& figure);
 
 }  // namespace umbrameter

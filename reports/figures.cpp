@@ -43,10 +43,11 @@ void draw_images(const std::vector<ImageFigure>& images, std::vector<Drawing>& d
 }
 
 // All plots in one run of Node: its start takes longer than a plot.
-void draw_plots(const std::vector<PlotFigure>& plots, std::vector<Drawing>& drawings, FigureOutcome& outcome) {
+void draw_plots(const std::vector<PlotFigure>& plots, const std::vector<HeatMapFigure>& heat_maps,
+                std::vector<Drawing>& drawings, FigureOutcome& outcome) {
   std::string specifications;
   std::vector<std::string> stems;
-  for (const PlotFigure& plot : plots) {
+  const auto add = [&](const auto& plot) {
     try {
       const std::string specification = to_plot_specification(plot);
       specifications += stems.empty() ? '[' : ',';
@@ -55,7 +56,9 @@ void draw_plots(const std::vector<PlotFigure>& plots, std::vector<Drawing>& draw
     } catch (const Error& error) {
       outcome.problems.emplace_back(error.what());
     }
-  }
+  };
+  for (const PlotFigure& plot : plots) add(plot);
+  for (const HeatMapFigure& heat_map : heat_maps) add(heat_map);
   if (stems.empty()) return;
   const fs::path script = data_folder() / "figures.cjs";
   std::error_code error;
@@ -112,14 +115,14 @@ void convert(const fs::path& folder, const std::vector<Drawing>& drawings, Figur
 }  // namespace
 
 FigureOutcome write_figures(const fs::path& folder, const std::vector<ImageFigure>& images,
-                            const std::vector<PlotFigure>& plots) {
+                            const std::vector<PlotFigure>& plots, const std::vector<HeatMapFigure>& heat_maps) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw Error(ExitCode::partial, "cannot make " + folder.string(), error.message());
   FigureOutcome outcome;
   std::vector<Drawing> drawings;
   draw_images(images, drawings, outcome);
-  draw_plots(plots, drawings, outcome);
+  draw_plots(plots, heat_maps, drawings, outcome);
   std::erase_if(drawings, [&](const Drawing& drawing) {
     if (is_plain_name(drawing.stem)) return false;
     outcome.problems.push_back(fmt::format("figure '{}': not a name for a file", drawing.stem));

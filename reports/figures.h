@@ -48,6 +48,7 @@ struct Axis {
   std::string column;  ///< of the table
   std::string label;   ///< quantity and unit: "constant bias [m]"
   bool logarithmic = false;
+  bool square_root = false;  ///< spreads small shares out and has a place for 0
 };
 
 /// Lines of y against x, one for each value of the series column, with a band where both bounds are given.
@@ -60,6 +61,26 @@ struct PlotFigure {
   std::optional<std::string> series;        ///< column that tells the lines apart
   std::string series_label;                 ///< legend title with unit: "resolution [texels]"
   std::optional<std::string> lower, upper;  ///< columns of the 95 % interval
+  std::optional<std::string> style;         ///< column that tells solid from dashed lines; colour then tells the series
+  std::string style_label;                  ///< legend title
+  std::optional<std::string> mark;          ///< column of truths: these rows are rings and no part of a line
+  Table data;
+};
+
+/// A number over two parameters, x within a panel as a scale, y as rows, the largest on top. Colours run evenly over
+/// the logarithm of the value from `first` to `last`, the same in every run; what lies beyond takes the end's colour.
+struct HeatMapFigure {
+  std::string stem;
+  std::string title;
+  std::string caption;
+  Axis x;
+  Axis y;
+  std::optional<std::string> panel;  ///< column that tells the panels apart
+  std::string panel_label;
+  Axis value;
+  double first = 0.01;
+  double last = 100.0;
+  std::optional<std::string> mark;  ///< column of truths: these cells get a ring
   Table data;
 };
 
@@ -76,6 +97,6 @@ struct FigureOutcome {
   std::vector<std::string> problems;
 };
 FigureOutcome write_figures(const std::filesystem::path& folder, const std::vector<ImageFigure>& images,
-                            const std::vector<PlotFigure>& plots);
+                            const std::vector<PlotFigure>& plots, const std::vector<HeatMapFigure>& heat_maps = {});
 
 }  // namespace umbrameter

@@ -4,22 +4,18 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "core/error.h"
 #include "reports/figure_parts.h"
 #include "reports/markup.h"
+#include "reports/plot_parts.h"
 
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr int plot_width = 440;
 constexpr int plot_height = 280;
 constexpr std::size_t most_points_with_markers = 12;
-constexpr std::size_t line_length = 72;  // characters of a subtitle line
 
 // Okabe and Ito, Color universal design, 2008; without yellow, which is too light for a line on white, black last.
 constexpr std::array<const char*, 7> distinct_colors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
@@ -42,56 +38,29 @@ std::string ordered_color(std::size_t i, std::size_t count) {
   return fmt::format("#{:02x}{:02x}{:02x}", std::lround(color.x), std::lround(color.y), std::lround(color.z));
 }
 
-std::optional<double> number(const Value& value) {
-  if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
-  if (const auto* real = std::get_if<double>(&value)) return *real;
-  return std::nullopt;
-}
-
-std::size_t column_of(const PlotFigure& figure, const std::string& name) {
-  const std::vector<Column>& columns = figure.data.columns;
-  const auto found =
-      std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
-  if (found == columns.end()) {
-    throw Error(ExitCode::partial, "figure " + figure.stem, "its table has no column '" + name + "'");
-  }
-  return static_cast<std::size_t>(found - columns.begin());
-}
-
-bool is_numeric(const Table& table, std::size_t column) {
-  return std::all_of(table.rows.begin(), table.rows.end(),
-                     [&](const std::vector<Value>& row) { return number(row[column]).has_value(); });
-}
-
-// The different values of a column as text: numbers by size, all else in the order of the rows.
-std::vector<std::string> different_values(const Table& table, std::size_t column) {
-  std::vector<Value> values;
-  for (const std::vector<Value>& row : table.rows) {
-    if (std::find(values.begin(), values.end(), row[column]) == values.end()) values.push_back(row[column]);
-  }
-  if (is_numeric(table, column)) {
-    std::sort(values.begin(), values.end(), [](const Value& a, const Value& b) { return *number(a) < *number(b); });
-  }
-  std::vector<std::string> texts;
-  for (const Value& value : values) texts.push_back(to_string(value));
-  return texts;
-}
-
-// The rows under the short names x, y, s, lo, hi, without points that the axes cannot show.
+// The rows under the short names x, y, s (series), d (style), k (mark), lo, hi, without points that the axes cannot
+// show.
 struct Points {
   Json rows = Json::array();
   std::size_t dropped = 0;
   std::size_t longest_line = 0;
 };
 
+std::optional<std::size_t> optional_column(const PlotFigure& figure, const std::optional<std::string>& name) {
+  if (!name) return std::nullopt;
+  return column_of(figure.data, figure.stem, *name);
+}
+
 Points collect_points(const PlotFigure& figure, bool has_numeric_x) {
-  const std::size_t x = column_of(figure, figure.x.column);
-  const std::size_t y = column_of(figure, figure.y.column);
+  const std::size_t x = column_of(figure.data, figure.stem, figure.x.column);
+  const std::size_t y = column_of(figure.data, figure.stem, figure.y.column);
   const bool has_series = figure.series.has_value();
-  const std::size_t series = has_series ? column_of(figure, *figure.series) : 0;
+  const std::size_t series = has_series ? column_of(figure.data, figure.stem, *figure.series) : 0;
   const bool has_band = figure.lower && figure.upper;
-  const std::size_t lower = has_band ? column_of(figure, *figure.lower) : 0;
-  const std::size_t upper = has_band ? column_of(figure, *figure.upper) : 0;
+  const std::size_t lower = has_band ? column_of(figure.data, figure.stem, *figure.lower) : 0;
+  const std::size_t upper = has_band ? column_of(figure.data, figure.stem, *figure.upper) : 0;
+  const std::optional<std::size_t> style = optional_column(figure, figure.style);
+  const std::optional<std::size_t> mark = optional_column(figure, figure.mark);
   const auto fits = [](const std::optional<double>& value, const Axis& axis) {
     return value && std::isfinite(*value) && (!axis.logarithmic || *value > 0.0);
   };
@@ -112,29 +81,17 @@ Points collect_points(const PlotFigure& figure, bool has_numeric_x) {
     point["y"] = *y_value;
     const std::string line = has_series ? to_string(row[series]) : "";
     if (has_series) point["s"] = line;
+    if (style) point["d"] = to_string(row[*style]);
+    if (mark) point["k"] = std::get<bool>(row[*mark]);
     if (has_band && fits(number(row[lower]), figure.y) && fits(number(row[upper]), figure.y)) {
       point["lo"] = *number(row[lower]);
       point["hi"] = *number(row[upper]);
     }
-    points.longest_line = std::max(points.longest_line, ++lengths[line]);
+    const std::string styled = style ? line + '\n' + to_string(row[*style]) : line;
+    points.longest_line = std::max(points.longest_line, ++lengths[styled]);
     points.rows.push_back(std::move(point));
   }
   return points;
-}
-
-std::vector<std::string> wrap(const std::string& text) {
-  std::vector<std::string> lines;
-  std::string line;
-  std::size_t begin = 0;
-  while (begin < text.size()) {
-    const std::size_t end = std::min(text.find_first_of(" \n", begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    if (!line.empty() && line.size() + 1 + word.size() > line_length) lines.push_back(std::exchange(line, ""));
-    line += (line.empty() || word.empty() ? "" : " ") + word;
-    begin = end + 1;
-  }
-  if (!line.empty()) lines.push_back(line);
-  return lines;
 }
 
 Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Json& rows) {
@@ -152,6 +109,9 @@ Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Js
   result["scale"] = {{"nice", !is_x}};
   if (axis.logarithmic) {
     result["scale"]["type"] = "log";
+  } else if (axis.square_root) {
+    result["scale"]["type"] = "sqrt";
+    result["scale"]["zero"] = true;
   } else {
     result["scale"]["zero"] = !is_x;
   }
@@ -182,7 +142,7 @@ struct Series {
 // Colour and dash tell lines apart, and colour and shape the markers, each alone enough. Markers that stand on lines
 // leave the legend to these.
 Series make_series(const PlotFigure& figure, bool has_lines) {
-  const std::size_t column = column_of(figure, *figure.series);
+  const std::size_t column = column_of(figure.data, figure.stem, *figure.series);
   const std::vector<std::string> domain = different_values(figure.data, column);
   const bool is_ordered = is_numeric(figure.data, column);
   Json colors = Json::array();
@@ -212,10 +172,24 @@ Series make_series(const PlotFigure& figure, bool has_lines) {
   return series;
 }
 
+// Solid and dashed by the style column.
+Json make_style(const PlotFigure& figure) {
+  Json patterns = Json::array();
+  const std::vector<std::string> domain =
+      different_values(figure.data, column_of(figure.data, figure.stem, *figure.style));
+  for (std::size_t i = 0; i < domain.size(); ++i) patterns.push_back(dashes[i % dashes.size()]);
+  return {{"field", "d"},
+          {"type", "nominal"},
+          {"scale", {{"domain", domain}, {"range", patterns}}},
+          {"sort", nullptr},
+          {"legend", {{"title", figure.style_label}, {"columns", legend_columns(domain)}}}};
+}
+
 // The layers from back to front: zero line, intervals, lines, markers. Categories on the x axis get no lines, since
 // there is nothing between them, and their series stand side by side.
 Json make_layers(const PlotFigure& figure, const Points& points, bool has_numeric_x) {
-  const bool has_markers = !has_numeric_x || points.longest_line <= most_points_with_markers;
+  const bool has_markers =
+      !figure.style && !figure.mark && (!has_numeric_x || points.longest_line <= most_points_with_markers);
   const bool has_band = has_numeric_x && points.longest_line > 1;
   std::optional<Series> series;
   if (figure.series) series = make_series(figure, has_numeric_x);
@@ -244,9 +218,12 @@ Json make_layers(const PlotFigure& figure, const Points& points, bool has_numeri
     interval["encoding"]["y2"] = {{"field", "hi"}};
     layers.push_back(std::move(interval));
   }
+  const Json is_joined = {{{"filter", "!datum.k"}}};
   if (has_numeric_x) {
     Json line = layer({{"type", "line"}, {"strokeWidth", 2.2}});
-    if (series) line["encoding"]["strokeDash"] = series->dash;
+    if (series && !figure.style) line["encoding"]["strokeDash"] = series->dash;
+    if (figure.style) line["encoding"]["strokeDash"] = make_style(figure);
+    if (figure.mark) line["transform"] = is_joined;
     layers.push_back(std::move(line));
   }
   if (has_markers) {
@@ -255,63 +232,21 @@ Json make_layers(const PlotFigure& figure, const Points& points, bool has_numeri
       marker["transform"] = {{{"calculate", "datum.s"}, {"as", "m"}}};
       marker["encoding"]["shape"] = series->shape;
     }
+    if (figure.mark) marker["transform"].push_back(is_joined.front());
     layers.push_back(std::move(marker));
   }
+  if (figure.mark) {
+    Json ring = layer({{"type", "point"}, {"size", 130}, {"strokeWidth", 2.4}, {"fill", "white"}, {"opacity", 1}});
+    ring["transform"] = {{{"filter", "datum.k"}}};
+    layers.push_back(std::move(ring));
+  }
   return layers;
-}
-
-Json look() {
-  const char* font = "DejaVu Sans";
-  const char* ink = "#1a1a1a";
-  return {{"font", font},
-          {"background", "white"},
-          {"padding", 8},
-          {"view", {{"stroke", nullptr}}},
-          {"mark", {{"color", distinct_colors.front()}}},
-          {"title",
-           {{"anchor", "start"},
-            {"frame", "group"},
-            {"fontSize", 16},
-            {"fontWeight", "bold"},
-            {"color", ink},
-            {"subtitleFontSize", 12},
-            {"subtitleColor", "#444444"},
-            {"subtitlePadding", 4},
-            {"subtitleLineHeight", 15},
-            {"offset", 12}}},
-          {"axis",
-           {{"labelFontSize", 13},
-            {"titleFontSize", 14},
-            {"titleFontWeight", "normal"},
-            {"titleColor", ink},
-            {"labelColor", ink},
-            {"titlePadding", 8},
-            {"gridColor", "#e7e7e7"},
-            {"domainColor", "#666666"},
-            {"tickColor", "#666666"},
-            {"labelFlush", false},
-            {"labelOverlap", true}}},
-          {"legend",
-           {{"orient", "bottom"},
-            {"direction", "horizontal"},
-            {"labelFontSize", 13},
-            {"titleFontSize", 13},
-            {"titleFontWeight", "normal"},
-            {"titleColor", ink},
-            {"labelColor", ink},
-            {"symbolType", "stroke"},
-            {"symbolSize", 600},
-            {"symbolStrokeWidth", 2.2},
-            {"columnPadding", 16},
-            {"titleLimit", 0},
-            {"labelLimit", 240},
-            {"offset", 8}}}};
 }
 
 }  // namespace
 
 std::string to_plot_specification(const PlotFigure& figure) {
-  const bool has_numeric_x = is_numeric(figure.data, column_of(figure, figure.x.column));
+  const bool has_numeric_x = is_numeric(figure.data, column_of(figure.data, figure.stem, figure.x.column));
   Points points = collect_points(figure, has_numeric_x);
   Json spec;
   spec["$schema"] = "https://vega.github.io/schema/vega-lite/v6.json";
@@ -319,7 +254,7 @@ std::string to_plot_specification(const PlotFigure& figure) {
   spec["width"] = plot_width;
   spec["height"] = plot_height;
   spec["title"]["text"] = figure.title;
-  std::vector<std::string> subtitle = wrap(figure.caption);
+  std::vector<std::string> subtitle = wrap_caption(figure.caption);
   if (points.dropped > 0) {
     const bool has_log = figure.x.logarithmic || figure.y.logarithmic;
     subtitle.push_back(
@@ -332,7 +267,7 @@ std::string to_plot_specification(const PlotFigure& figure) {
   spec["encoding"]["x"] = axis_of("x", figure.x, has_numeric_x, points.rows);
   spec["layer"] = make_layers(figure, points, has_numeric_x);
   spec["data"]["values"] = std::move(points.rows);
-  spec["config"] = look();
+  spec["config"] = plot_look();
   return spec.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

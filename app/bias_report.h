@@ -1,0 +1,57 @@
+// What a sweep says about the bias: read from its rows one by one, told in tables, lines, figures and summary.json.
+// Only for hard shadows: it asks for the causes of wrong taps.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/presentation.h"
+#include "app/sweep_results.h"
+#include "compare/bias_curves.h"
+#include "compare/bias_law.h"
+
+namespace umbrameter {
+
+/// All biases at one combination of the other axes.
+struct BiasCurve {
+  std::vector<Value> others;  ///< values of the other axes
+  BiasReading reading;
+  double depth_range = 0.0;  ///< of the map, metres
+};
+
+/// The law over the resolutions, at one combination of all else.
+struct CurveLaw {
+  std::string bias;           ///< which one: "least error", "no acne"
+  std::vector<Value> others;  ///< values of the other axes but the resolution
+  std::optional<BiasLaw> law;
+  std::size_t left_out = 0;  ///< lines that have no such bias, or have it at an end of the axis
+};
+
+struct BiasCurves {
+  std::vector<Column> others;    ///< the axes that are no bias
+  std::vector<Column> of_a_law;  ///< those that are no resolution either
+  bool varies_constant = false;
+  bool varies_slope = false;
+  std::vector<BiasCurve> curves;  ///< in the order of cells
+  std::vector<CurveLaw> laws;     ///< none where the resolution is not varied
+  std::size_t combinations = 0;   ///< how many curves there are; at most 200 are read
+};
+
+/// Nothing where no bias is varied, the truth is no binary visibility, or there are more than 4,096 slope-scaled
+/// biases.
+std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep);
+
+/// Adds the tables, a paragraph and lines for the console.
+void present_bias(Presentation& presentation, const BiasCurves& curves);
+
+/// A bias as people read it: "12.5 mm (0.43 texels)".
+std::string bias_text(const BiasCell& cell, double texel, bool with_slope);
+/// "bias = 1.2 mm + 0.87 texels".
+std::string law_text(const BiasLaw& law);
+
+/// "curves" of summary.json.
+nlohmann::ordered_json to_json(const BiasCurves& curves);
+
+}  // namespace umbrameter

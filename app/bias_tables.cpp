@@ -1,0 +1,227 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/bias_report.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::size_t most_console_curves = 6;
+constexpr std::size_t most_console_laws = 2;
+constexpr std::size_t most_rows_by_slope = 400;
+
+const Value nothing = std::string();
+
+Value in_texels(double metres, double texel) { return texel > 0.0 ? Value(metres / texel) : nothing; }
+
+std::string setting_text(const std::vector<Column>& columns, const std::vector<Value>& values) {
+  std::string text;
+  for (std::size_t i = 0; i < columns.size() && i < values.size(); ++i) {
+    text += (i > 0 ? ", " : "") + columns[i].name.substr(columns[i].name.find('.') + 1) + " " + to_string(values[i]);
+  }
+  return text;
+}
+
+// A bias that is worth a name, of one curve.
+struct Choice {
+  const char* name;
+  std::optional<BiasCell> cell;
+};
+
+std::vector<Choice> choices_of(const BiasCurve& curve, const BiasCurves& curves) {
+  const BiasReading& reading = curve.reading;
+  const BiasLine& line = flattest(reading);
+  std::vector<Choice> choices = {{"least error", least_error(reading)},
+                                 {"acne at most 0.1 %", line.little_acne},
+                                 {"no acne", line.acne_free},
+                                 {"no acne, least error", best_without_acne(reading)},
+                                 {"knee of acne against peter-panning", knee(reading.front)}};
+  if (!curves.varies_constant) choices.erase(choices.begin() + 1, choices.begin() + 3);
+  return choices;
+}
+
+Table choices_table(const BiasCurves& curves) {
+  Table table;
+  table.columns = curves.others;
+  const std::vector<Column> rest = {
+      {"choice", "", "which bias; those without acne at the slope-scaled bias nearest to none"},
+      {"constant bias", "m", "along the light"},
+      {"in texels", "texels", "the same at the mean texel"},
+      {"in depth", "1", "the same as normalised depth: a share of the map's range"},
+      {"slope bias", "texels", "the slope-scaled bias"},
+      {"error", "%", "mean absolute error of visibility"},
+      {"acne", "%", "wrongly blocked by the surface's own depth"},
+      {"false occlusion", "%", "wrongly blocked by another surface"},
+      {"peter-panning", "%", "wrongly lit: the bias erased the blocker"},
+      {"leak", "%", "wrongly lit: the map holds no blocker"},
+      {"error more", "%", "what this choice errs more than that of least error"},
+      {"peter-panning more", "%", "what this choice has of peter-panning more than that of least error"}};
+  table.columns.insert(table.columns.end(), rest.begin(), rest.end());
+  for (const BiasCurve& curve : curves.curves) {
+    const BiasCell least = *least_error(curve.reading);
+    for (const Choice& choice : choices_of(curve, curves)) {
+      std::vector<Value> row = curve.others;
+      row.push_back(std::string(choice.name));
+      if (!choice.cell) {
+        row.resize(table.columns.size(), nothing);
+        table.rows.push_back(std::move(row));
+        continue;
+      }
+      const BiasCell& cell = *choice.cell;
+      const std::vector<Value> values = {cell.constant,
+                                         in_texels(cell.constant, curve.reading.mean_texel),
+                                         in_texels(cell.constant, curve.depth_range),
+                                         cell.slope,
+                                         100.0 * cell.mae,
+                                         100.0 * cell.acne,
+                                         100.0 * cell.false_occlusion,
+                                         100.0 * cell.peter_panning,
+                                         100.0 * cell.leak,
+                                         100.0 * (cell.mae - least.mae),
+                                         100.0 * (cell.peter_panning - least.peter_panning)};
+      row.insert(row.end(), values.begin(), values.end());
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+Table slopes_table(const BiasCurves& curves) {
+  Table table;
+  table.columns = curves.others;
+  const std::vector<Column> rest = {{"slope bias", "texels", "the slope-scaled bias"},
+                                    {"least error", "%", "of all constant biases"},
+                                    {"at", "m", "the constant bias of least error"},
+                                    {"at, in texels", "texels", "the same at the mean texel"},
+                                    {"acne at most 0.1 % from", "m", "the least such constant bias"},
+                                    {"from, in texels", "texels", "the same at the mean texel"},
+                                    {"no acne from", "m", "the least such constant bias"},
+                                    {"none from, in texels", "texels", "the same at the mean texel"}};
+  table.columns.insert(table.columns.end(), rest.begin(), rest.end());
+  for (const BiasCurve& curve : curves.curves) {
+    const double texel = curve.reading.mean_texel;
+    for (const BiasLine& line : curve.reading.lines) {
+      if (!line.least_error || table.rows.size() >= most_rows_by_slope) continue;
+      std::vector<Value> row = curve.others;
+      row.insert(row.end(), {line.slope, 100.0 * line.least_error->mae, line.least_error->constant,
+                             in_texels(line.least_error->constant, texel)});
+      for (const std::optional<BiasCell>& cell : {line.little_acne, line.acne_free}) {
+        row.push_back(cell ? Value(cell->constant) : nothing);
+        row.push_back(cell ? in_texels(cell->constant, texel) : nothing);
+      }
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+Value value_of(const std::optional<Fitted>& fitted) { return fitted ? Value(fitted->value) : nothing; }
+Value error_of(const std::optional<Fitted>& fitted) {
+  return fitted && fitted->standard_error ? Value(*fitted->standard_error) : nothing;
+}
+
+Table laws_table(const BiasCurves& curves) {
+  Table table;
+  table.columns = curves.of_a_law;
+  const std::vector<Column> rest = {{"law of", "", "the bias that is fitted"},
+                                    {"points", "1", "fitted: one a resolution and slope-scaled bias"},
+                                    {"left out", "1", "without such a bias within the axis"},
+                                    {"c0", "m", "the part that does not depend on the texel"},
+                                    {"error of c0", "m", "standard error"},
+                                    {"c1·tan θ", "texels", "the part that is in proportion to the texel"},
+                                    {"error of c1·tan θ", "texels", "standard error"},
+                                    {"tan θ", "1", "of the surface that decides; needs several slope-scaled biases"},
+                                    {"error of tan θ", "1", "standard error"},
+                                    {"c1", "texels", "the slope-scaled bias that does it alone, besides c0"},
+                                    {"error of c1", "texels", "standard error, to first order"},
+                                    {"residual", "m", "root mean square of what the law misses"},
+                                    {"residual in texels", "texels", "the same, each point in its own texels"}};
+  table.columns.insert(table.columns.end(), rest.begin(), rest.end());
+  for (const CurveLaw& law : curves.laws) {
+    std::vector<Value> row = law.others;
+    row.push_back(law.bias);
+    const auto points = static_cast<std::int64_t>(law.law ? law.law->points : 0);
+    row.emplace_back(points);
+    row.emplace_back(static_cast<std::int64_t>(law.left_out));
+    if (law.law) {
+      const BiasLaw& fit = *law.law;
+      for (const std::optional<Fitted>& fitted :
+           {std::optional(fit.constant), std::optional(fit.per_texel), fit.tangent, fit.slope_factor}) {
+        row.push_back(value_of(fitted));
+        row.push_back(error_of(fitted));
+      }
+      row.insert(row.end(), {fit.residual, fit.residual_texels});
+    }
+    row.resize(table.columns.size(), nothing);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::string explanation(const BiasCurves& curves) {
+  std::string text =
+      "\n\nBiases are constant ones along the light, in metres, texels of the mean size and normalised depth. What a "
+      "bias without acne costs elsewhere stands in the last two columns. ";
+  text += curves.laws.empty() ? "The law of bias against texel cannot be fitted: constant bias and resolution are not "
+                                "both varied."
+                              : "The law bias = c0 + c1·texel·tan θ is fitted over the resolutions, each point "
+                                "weighted by its interval on the axis.";
+  if (curves.curves.size() < curves.combinations) {
+    text +=
+        fmt::format(" Told are {} of {} combinations of the other axes.", curves.curves.size(), curves.combinations);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string bias_text(const BiasCell& cell, double texel, bool with_slope) {
+  std::string text = length(cell.constant);
+  if (texel > 0.0) text += fmt::format(" ({:.3g} texels)", cell.constant / texel);
+  if (with_slope) text += fmt::format(", slope {:.3g} texels", cell.slope);
+  return text;
+}
+
+std::string law_text(const BiasLaw& law) {
+  std::string text = fmt::format("bias = {} {} {:.3g} texels", length(law.constant.value),
+                                 law.per_texel.value < 0.0 ? "−" : "+", std::abs(law.per_texel.value));
+  if (law.slope_factor) {
+    text += fmt::format(" = c0 + {:.3g}·texel·tan θ with tan θ = {:.3g}", law.slope_factor->value, law.tangent->value);
+  }
+  return text;
+}
+
+void present_bias(Presentation& presentation, const BiasCurves& curves) {
+  ReportSection& section = presentation.section;
+  section.text += explanation(curves);
+  section.tables.push_back(choices_table(curves));
+  if (curves.varies_slope && curves.varies_constant) section.tables.push_back(slopes_table(curves));
+  if (!curves.laws.empty()) section.tables.push_back(laws_table(curves));
+
+  std::size_t told = 0;
+  for (const BiasCurve& curve : curves.curves) {
+    if (told++ == most_console_curves) break;
+    const BiasCell least = *least_error(curve.reading);
+    const std::string setting = setting_text(curves.others, curve.others);
+    std::string line = fmt::format("  {}{}least error {} at {}", setting, setting.empty() ? "" : ": ",
+                                   percent(least.mae), bias_text(least, curve.reading.mean_texel, curves.varies_slope));
+    if (const std::optional<BiasCell> safe = best_without_acne(curve.reading)) {
+      line += fmt::format("; without acne {} at {}", percent(safe->mae),
+                          bias_text(*safe, curve.reading.mean_texel, curves.varies_slope));
+    }
+    presentation.lines.push_back(std::move(line));
+  }
+  told = 0;
+  for (const CurveLaw& law : curves.laws) {
+    if (!law.law || told == most_console_laws || law.bias == "no acne") continue;
+    ++told;
+    const std::string setting = setting_text(curves.of_a_law, law.others);
+    presentation.lines.push_back(fmt::format("  law of {}{}{}: {}; misses {} ({:.2g} texels)", law.bias,
+                                             setting.empty() ? "" : " at ", setting, law_text(*law.law),
+                                             length(law.law->residual), law.law->residual_texels));
+  }
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,29 @@
+#include "app/plot_axes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace umbrameter {
+
+std::string label_of(const Parameters& parameters, const std::string& key) {
+  const std::string& unit = require(parameters, key).description.unit;
+  std::string label = key.substr(key.find('.') + 1);
+  std::replace(label.begin(), label.end(), '-', ' ');
+  return label + (unit.empty() ? "" : " [" + unit + "]");
+}
+
+Thinned thin(std::size_t count, std::size_t most) {
+  Thinned thinned;
+  while (count > 1 && (count - 2) / thinned.step + 2 > most) ++thinned.step;
+  for (std::size_t i = 0; i < count; i += thinned.step) thinned.indices.push_back(i);
+  if (thinned.indices.back() != count - 1) thinned.indices.push_back(count - 1);
+  return thinned;
+}
+
+std::string thinning_text(const Thinned& thinned, const std::string& key) {
+  if (thinned.step == 1) return "";
+  return fmt::format(" Every {}th value of {} is drawn; all are in sweep.csv.", thinned.step, key);
+}
+
+}  // namespace umbrameter

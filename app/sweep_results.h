@@ -1,0 +1,22 @@
+// A complete sweep, as those who tell of it are given it.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "app/sweep_evaluator.h"
+#include "compare/sweep_plan.h"
+#include "reports/results_store.h"
+
+namespace umbrameter {
+
+struct SweepResults {
+  const Parameters& parameters;
+  const SweepPlan& plan;
+  const ResultsStore& store;
+  Measure measure;
+  /// The depth that the shadow map's 1 stands for at these values of the axes, metres; none for ambient occlusion.
+  std::function<double(const std::vector<Value>& values)> depth_range;
+};
+
+}  // namespace umbrameter

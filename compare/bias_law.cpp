@@ -1,0 +1,148 @@
+#include "compare/bias_law.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace umbrameter {
+namespace {
+
+constexpr std::size_t most_coefficients = 3;
+// What is left of a column once the others are taken out, as a share of it, below which it tells nothing new.
+constexpr double least_share = 1e-9;
+constexpr double least_tangent = 1e-6;
+
+using Row = std::array<double, most_coefficients>;
+
+// Weighted least squares by modified Gram-Schmidt: Björck, Solving linear least squares problems by Gram-Schmidt
+// orthogonalization, BIT 7, 1967.
+struct Solution {
+  Row value{};
+  std::array<Row, most_coefficients> covariance{};  ///< for residuals of variance 1
+};
+
+double inner(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+std::optional<Solution> solve(const std::vector<Row>& rows, const std::vector<double>& right, std::size_t count) {
+  std::array<std::vector<double>, most_coefficients> q;
+  std::array<Row, most_coefficients> r{};
+  Row projected{};
+  std::vector<double> rest = right;
+  for (std::size_t j = 0; j < count; ++j) {
+    for (const Row& row : rows) q[j].push_back(row[j]);
+  }
+  for (std::size_t j = 0; j < count; ++j) {
+    const double whole = std::sqrt(inner(q[j], q[j]));
+    for (std::size_t k = 0; k < j; ++k) {
+      r[k][j] = inner(q[k], q[j]);
+      for (std::size_t i = 0; i < rows.size(); ++i) q[j][i] -= r[k][j] * q[k][i];
+    }
+    r[j][j] = std::sqrt(inner(q[j], q[j]));
+    if (!(r[j][j] > least_share * whole)) return std::nullopt;
+    for (double& value : q[j]) value /= r[j][j];
+    projected[j] = inner(q[j], rest);
+    for (std::size_t i = 0; i < rows.size(); ++i) rest[i] -= projected[j] * q[j][i];
+  }
+  Solution solution;
+  std::array<Row, most_coefficients> inverse{};  // of r, upper triangular
+  for (std::size_t column = 0; column < count; ++column) {
+    for (std::size_t row = column + 1; row-- > 0;) {
+      double value = row == column ? 1.0 : 0.0;
+      for (std::size_t k = row + 1; k <= column; ++k) value -= r[row][k] * inverse[k][column];
+      inverse[row][column] = value / r[row][row];
+    }
+  }
+  for (std::size_t a = 0; a < count; ++a) {
+    for (std::size_t k = a; k < count; ++k) solution.value[a] += inverse[a][k] * projected[k];
+    for (std::size_t b = 0; b < count; ++b) {
+      for (std::size_t k = std::max(a, b); k < count; ++k) {
+        solution.covariance[a][b] += inverse[a][k] * inverse[b][k];
+      }
+    }
+  }
+  return solution;
+}
+
+std::optional<LawPoint> point_at(const BiasCell& cell, double texel, std::span<const double> axis, bool two_sided) {
+  const auto place = std::lower_bound(axis.begin(), axis.end(), cell.constant);
+  if (place == axis.end() || *place != cell.constant || place == axis.begin()) return std::nullopt;
+  if (two_sided && std::next(place) == axis.end()) return std::nullopt;
+  // The least error lies within half an interval on each side.
+  const double step = two_sided ? 0.5 * (*std::next(place) - *std::prev(place)) : *place - *std::prev(place);
+  return LawPoint{texel, cell.slope, cell.constant, step};
+}
+
+double predict(const BiasLaw& law, const LawPoint& point) {
+  const double tangent = law.tangent ? law.tangent->value : 0.0;
+  return law.constant.value + (law.per_texel.value - tangent * point.slope) * point.texel;
+}
+
+}  // namespace
+
+std::optional<LawPoint> point_of_least_error(const BiasCell& cell, double texel, std::span<const double> axis) {
+  return point_at(cell, texel, axis, true);
+}
+
+std::optional<LawPoint> point_of_least_free(const BiasCell& cell, double texel, std::span<const double> axis) {
+  return point_at(cell, texel, axis, false);
+}
+
+std::optional<BiasLaw> fit_law(std::span<const LawPoint> points) {
+  if (points.empty()) return std::nullopt;
+  const auto slopes_differ = [&](const LawPoint& point) { return point.slope != points.front().slope; };
+  const std::size_t count = std::any_of(points.begin(), points.end(), slopes_differ) ? 3 : 2;
+  if (points.size() < count) return std::nullopt;
+  std::vector<Row> rows;
+  std::vector<double> right;
+  for (const LawPoint& point : points) {
+    const double weight = 1.0 / point.step;
+    rows.push_back({weight, weight * point.texel, -weight * point.slope * point.texel});
+    right.push_back(weight * point.bias);
+  }
+  const std::optional<Solution> solution = solve(rows, right, count);
+  if (!solution) return std::nullopt;
+
+  BiasLaw law;
+  law.points = points.size();
+  law.constant.value = solution->value[0];
+  law.per_texel.value = solution->value[1];
+  if (count == 3) law.tangent = Fitted{solution->value[2], {}};
+  double weighted = 0.0;
+  for (const LawPoint& point : points) {
+    const double miss = point.bias - predict(law, point);
+    weighted += miss * miss / (point.step * point.step);
+    law.residual += miss * miss;
+    law.residual_texels += miss * miss / (point.texel * point.texel);
+  }
+  const auto size = static_cast<double>(points.size());
+  law.residual = std::sqrt(law.residual / size);
+  law.residual_texels = std::sqrt(law.residual_texels / size);
+
+  const bool has_spread = points.size() > count;
+  const double variance = has_spread ? weighted / static_cast<double>(points.size() - count) : 0.0;
+  const auto& covariance = solution->covariance;
+  const auto error = [&](double unit_variance) -> std::optional<double> {
+    if (!has_spread) return std::nullopt;
+    return std::sqrt(std::max(unit_variance, 0.0) * variance);
+  };
+  law.constant.standard_error = error(covariance[0][0]);
+  law.per_texel.standard_error = error(covariance[1][1]);
+  if (law.tangent) {
+    law.tangent->standard_error = error(covariance[2][2]);
+    // A surface that needs a bias slopes; without a slope the factor means nothing. Its error to first order.
+    if (const double tangent = law.tangent->value; tangent > least_tangent) {
+      const double factor = law.per_texel.value / tangent;
+      law.slope_factor = Fitted{
+          factor, error((covariance[1][1] + factor * factor * covariance[2][2] - 2.0 * factor * covariance[1][2]) /
+                        (tangent * tangent))};
+    }
+  }
+  return law;
+}
+
+}  // namespace umbrameter

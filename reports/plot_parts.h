@@ -1,0 +1,34 @@
+// What the specifications of all plots share: columns by name, captions in lines, one look.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/table.h"
+
+namespace umbrameter {
+
+using Json = nlohmann::ordered_json;
+
+inline constexpr int plot_width = 440;
+
+/// Nothing for a value that is no number.
+std::optional<double> number(const Value& value);
+
+/// Throws Error (partial) that names the figure when there is no column of that name.
+std::size_t column_of(const Table& table, const std::string& stem, const std::string& name);
+
+bool is_numeric(const Table& table, std::size_t column);
+
+/// The different values of a column as text: numbers by size, all else in the order of the rows.
+std::vector<std::string> different_values(const Table& table, std::size_t column);
+
+/// The lines below a title.
+std::vector<std::string> wrap_caption(const std::string& text);
+
+/// Fonts, inks, axes and legends.
+Json plot_look();
+
+}  // namespace umbrameter

@@ -1,0 +1,146 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "reports/figure_parts.h"
+#include "tests/support/temporary_folder.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::json;
+
+// 17 biases × 4 slopes × 3 resolutions; the cell of least error of each resolution is marked.
+HeatMapFigure bias_map() {
+  HeatMapFigure figure;
+  figure.stem = "heat";
+  figure.title = "Mean absolute error";
+  figure.x = {"bias", "constant bias [m]"};
+  figure.y = {"slope", "slope bias [texels]"};
+  figure.value = {"mae", "mean absolute error [%]"};
+  figure.panel = "resolution";
+  figure.panel_label = "resolution [texels]";
+  figure.mark = "least";
+  figure.data.columns = {
+      {"bias", "m", ""}, {"slope", "texels", ""}, {"resolution", "texels", ""}, {"mae", "%", ""}, {"least", "", ""}};
+  for (const int resolution : {512, 1024, 2048}) {
+    for (int slope = 0; slope < 4; ++slope) {
+      for (int i = 0; i < 17; ++i) {
+        const double miss = 0.01 * i - 20.0 / resolution + 0.01 * slope;
+        figure.data.rows.push_back(
+            {0.01 * i, std::int64_t{slope}, std::int64_t{resolution}, 5000.0 * miss * miss, i == 2 && slope == 1});
+      }
+    }
+  }
+  return figure;
+}
+
+PlotFigure causes_plot() {
+  PlotFigure figure;
+  figure.stem = "causes";
+  figure.title = "Acne and peter-panning";
+  figure.x = {"bias", "constant bias [m]", true};
+  figure.y = {"share", "share [%]", false, true};
+  figure.series = "resolution";
+  figure.series_label = "resolution [texels]";
+  figure.style = "cause";
+  figure.style_label = "cause";
+  figure.mark = "knee";
+  figure.data.columns = {
+      {"bias", "m", ""}, {"share", "%", ""}, {"resolution", "texels", ""}, {"cause", "", ""}, {"knee", "", ""}};
+  for (const int resolution : {512, 1024}) {
+    for (int i = 0; i < 30; ++i) {
+      const double bias = 0.01 * i;
+      figure.data.rows.push_back(
+          {bias, 40.0 * std::exp(-0.02 * bias * resolution), std::int64_t{resolution}, std::string("acne"), false});
+      figure.data.rows.push_back({bias, 3.0 * bias, std::int64_t{resolution}, std::string("peter-panning"), i == 9});
+    }
+  }
+  return figure;
+}
+
+TEST(HeatMap, Is_drawn_with_and_without_panels_and_beside_plots) {
+  const TemporaryFolder folder;
+  HeatMapFigure single = bias_map();
+  single.stem = "single";
+  single.panel.reset();
+  single.x.logarithmic = true;
+  std::erase_if(single.data.rows, [](const std::vector<Value>& row) { return to_string(row[2]) != "512"; });
+  const FigureOutcome outcome = write_figures(folder / "figures", {}, {causes_plot()}, {bias_map(), single});
+  EXPECT_TRUE(outcome.problems.empty()) << outcome.problems.front();
+  EXPECT_EQ(count_files(folder / "figures"), 9u);
+}
+
+TEST(HeatMap, Cells_meet_half_way_and_the_first_begins_at_zero) {
+  HeatMapFigure figure = bias_map();
+  figure.panel.reset();
+  figure.mark.reset();
+  figure.data.rows = {{0.0, std::int64_t{1}, std::int64_t{1}, 1.0, false},
+                      {0.2, std::int64_t{1}, std::int64_t{1}, 1.0, false},
+                      {0.6, std::int64_t{1}, std::int64_t{1}, 1.0, false}};
+  const Json cells = Json::parse(to_plot_specification(figure))["data"]["values"];
+  ASSERT_EQ(cells.size(), 3u);
+  EXPECT_DOUBLE_EQ(cells[0]["x"], 0.0);
+  EXPECT_DOUBLE_EQ(cells[0]["x2"], 0.1);
+  EXPECT_DOUBLE_EQ(cells[1]["x2"], 0.4);
+  EXPECT_DOUBLE_EQ(cells[2]["x2"], 0.8);
+  figure.x.logarithmic = true;
+  figure.data.rows[2][0] = 0.8;
+  const Json specification = Json::parse(to_plot_specification(figure));
+  // Between 0.2 and 0.8 the geometric middle is 0.4, as far below 0.8 as 1.6 is above it.
+  ASSERT_EQ(specification["data"]["values"].size(), 2u);
+  EXPECT_NEAR(specification["data"]["values"][0]["x"].get<double>(), 0.1, 1e-12);
+  EXPECT_NEAR(specification["data"]["values"][0]["x2"].get<double>(), 0.4, 1e-12);
+  EXPECT_NEAR(specification["data"]["values"][1]["x2"].get<double>(), 1.6, 1e-12);
+  EXPECT_EQ(specification["title"]["subtitle"].back(), "Not shown: 1 of 3 cells at 0 or without a number.");
+}
+
+TEST(HeatMap, Colours_mean_the_same_in_every_run) {
+  HeatMapFigure figure = bias_map();
+  figure.data.rows[0][3] = 0.0;
+  figure.data.rows[1][3] = 1e6;
+  const Json specification = Json::parse(to_plot_specification(figure));
+  const Json& scale = specification["spec"]["layer"][0]["encoding"]["color"]["scale"];
+  EXPECT_EQ(scale["domain"], Json({0.01, 100.0}));
+  EXPECT_EQ(scale["type"], "log");
+  EXPECT_DOUBLE_EQ(specification["data"]["values"][0]["v"], 0.01);
+  EXPECT_DOUBLE_EQ(specification["data"]["values"][1]["v"], 100.0);
+}
+
+TEST(HeatMap, Rows_stand_with_the_largest_on_top) {
+  const Json specification = Json::parse(to_plot_specification(bias_map()));
+  EXPECT_EQ(specification["spec"]["layer"][0]["encoding"]["y"]["scale"]["domain"], Json({"3", "2", "1", "0"}));
+  EXPECT_EQ(specification["facet"]["sort"], Json({"512", "1024", "2048"}));
+}
+
+TEST(HeatMap, One_value_and_none_are_drawn_too) {
+  const TemporaryFolder folder;
+  HeatMapFigure one = bias_map();
+  one.data.rows.resize(1);
+  HeatMapFigure none = bias_map();
+  none.stem = "none";
+  none.data.rows.clear();
+  const FigureOutcome outcome = write_figures(folder / "figures", {}, {}, {one, none});
+  EXPECT_TRUE(outcome.problems.empty()) << outcome.problems.front();
+  EXPECT_EQ(count_files(folder / "figures"), 6u);
+}
+
+TEST(HeatMap, A_missing_column_is_named) {
+  HeatMapFigure figure = bias_map();
+  figure.value.column = "rmse";
+  EXPECT_THROW(to_plot_specification(figure), Error);
+}
+
+TEST(PlotMarks, Are_rings_and_no_part_of_a_line) {
+  const Json layers = Json::parse(to_plot_specification(causes_plot()))["layer"];
+  ASSERT_EQ(layers.size(), 2u);
+  EXPECT_EQ(layers[0]["mark"]["type"], "line");
+  EXPECT_EQ(layers[0]["transform"][0]["filter"], "!datum.k");
+  EXPECT_EQ(layers[1]["transform"][0]["filter"], "datum.k");
+  EXPECT_EQ(layers[0]["encoding"]["strokeDash"]["scale"]["domain"], Json({"acne", "peter-panning"}));
+}
+
+}  // namespace
+}  // namespace umbrameter
