@@ -10,7 +10,11 @@ ShadowMeasurement measure_shadow(Workbench& workbench, const Experiment& experim
   const LightFit& fit = workbench.fit(experiment, light);
   const Light lamp = workbench.light(experiment, light);
   const bool is_soft = is_area(lamp);
-  ShadowMeasurement measurement{.light = light, .frame = fit.frame, .counted = fit.counted, .emitter = lamp.emitter};
+  ShadowMeasurement measurement;
+  measurement.light = light;
+  measurement.frame = fit.frame;
+  measurement.counted = fit.counted;
+  measurement.emitter = lamp.emitter;
   if (sides.truth) measurement.truth = workbench.truth(experiment, light);
   if (sides.raster) measurement.raster = workbench.draw(experiment, light, sides.truth && !is_soft);
   if (!sides.raster || !sides.truth) return measurement;
