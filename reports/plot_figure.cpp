@@ -219,7 +219,9 @@ Json make_layers(const PlotFigure& figure, const Points& points, bool has_numeri
     layers.push_back(std::move(interval));
   }
   const Json is_joined = {{{"filter", "!datum.k"}}};
-  if (has_numeric_x) {
+  const auto is_of_line = [](const Json& row) { return !row.contains("k") || !row.at("k").get<bool>(); };
+  const bool has_line = points.rows.empty() || std::any_of(points.rows.begin(), points.rows.end(), is_of_line);
+  if (has_numeric_x && has_line) {
     Json line = layer({{"type", "line"}, {"strokeWidth", 2.2}});
     if (series && !figure.style) line["encoding"]["strokeDash"] = series->dash;
     if (figure.style) line["encoding"]["strokeDash"] = make_style(figure);
@@ -235,7 +237,9 @@ Json make_layers(const PlotFigure& figure, const Points& points, bool has_numeri
     if (figure.mark) marker["transform"].push_back(is_joined.front());
     layers.push_back(std::move(marker));
   }
-  if (figure.mark) {
+  // A layer without points would have no extent, which the drawer calls a mistake.
+  const auto is_marked = [](const Json& row) { return row.contains("k") && row.at("k").get<bool>(); };
+  if (std::any_of(points.rows.begin(), points.rows.end(), is_marked)) {
     Json ring = layer({{"type", "point"}, {"size", 130}, {"strokeWidth", 2.4}, {"fill", "white"}, {"opacity", 1}});
     ring["transform"] = {{{"filter", "datum.k"}}};
     layers.push_back(std::move(ring));
