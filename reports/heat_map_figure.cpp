@@ -82,9 +82,14 @@ Cells collect_cells(const HeatMapFigure& figure) {
 
 Json x_axis(const HeatMapFigure& figure, const Cells& cells, int width) {
   Json axis = {{"title", figure.x.label}, {"grid", false}, {"tickCount", width < plot_width / 2 ? 3 : 6}};
-  Json scale = {{"nice", false}, {"zero", false}};
-  if (!cells.edges.empty()) scale["domain"] = {cells.edges.front(), cells.edges.back()};
-  if (figure.x.logarithmic) scale["type"] = "log";
+  Json scale = {{"nice", false}};
+  if (figure.x.logarithmic) {
+    scale["type"] = "log";
+  } else {
+    scale["zero"] = false;
+  }
+  // An axis without cells has no extent of its own.
+  scale["domain"] = cells.edges.empty() ? Json{1.0, 10.0} : Json{cells.edges.front(), cells.edges.back()};
   return {{"field", "x"}, {"type", "quantitative"}, {"axis", axis}, {"scale", scale}};
 }
 
