@@ -101,6 +101,11 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   command.add_option("SCENE", line.scene, "A .gltf or .glb file, or the name of a built-in scene");
   command.add_option("-o,--output", line.output, "Folder for the results; made if it is not there")->required();
   command.add_option("-c,--config", line.experiment_file, "Experiment file (TOML); flags override it");
+  if (std::string(description.name) == "compare") {
+    command.add_flag(
+        "--shimmer", line.shimmer,
+        "Measure how much shadows change when the map's grid or the camera moves by half a texel or pixel");
+  }
   if (std::string(description.name) == "sweep") {
     command.add_option("--vary", line.vary, "Axis: parameter=first:last:count[:log] or parameter=a,b,c; repeatable")
         ->take_all();

@@ -24,6 +24,7 @@ struct CommandLine {
   bool json = false;
   bool markdown = false;
   bool no_cache = false;           ///< references are traced anew and not kept
+  bool shimmer = false;            ///< measure how much shadows shimmer, too
   bool force = false;              ///< what a sweep finds in its folder is measured anew
   bool clear = false;              ///< empty the cache of references
   std::vector<std::string> names;  ///< of built-in scenes to list or draw; empty for all

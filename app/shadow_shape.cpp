@@ -52,6 +52,12 @@ Json caster_json(const Workbench& workbench, const CasterShape& caster) {
   return object;
 }
 
+Json shimmer_json(const Shimmer& shimmer) {
+  Json camera = {{"pixels", shimmer.camera.pixels}, {"raster", shimmer.camera.share}};
+  if (shimmer.camera_truth) camera["truth"] = shimmer.camera_truth->share;
+  return {{"grid", {{"mean", shimmer.grid_mean}, {"largest", shimmer.grid_largest}}}, {"camera", camera}};
+}
+
 }  // namespace
 
 ShadowShape measure_shape(Workbench& workbench, const Experiment& experiment, const ShadowMeasurement& shadow) {
@@ -69,6 +75,7 @@ ShadowShape measure_shape(Workbench& workbench, const Experiment& experiment, co
 nlohmann::ordered_json to_json(const Workbench& workbench, const ShadowShape& shape) {
   Json object = {{"reference_edges_px", shape.error.edges}};
   object["edge_distance"] = {{"all", distances_json(shape.error.all)}};
+  if (shape.shimmer) object["shimmer"] = shimmer_json(*shape.shimmer);
   const bool is_hard = shape.error.components.has_value();
   for (std::size_t p = 0; p < shape.error.parts.size(); ++p) {
     const std::string_view name = is_hard ? hard_part_names[p] : soft_part_names[p];

@@ -5,19 +5,18 @@
 #include <optional>
 #include <vector>
 
+#include "app/shimmer.h"
 #include "compare/caster_shape.h"
 #include "compare/error_shape.h"
 
 namespace umbrameter {
 
-struct ShadowMeasurement;
-struct Experiment;
 struct Presentation;
-class Workbench;
 
 struct ShadowShape {
   ErrorShape error;
   std::vector<CasterShape> casters;  ///< of a light without extent
+  std::optional<Shimmer> shimmer{};  ///< where it was asked for
 };
 
 /// Of a measurement with both sides.

@@ -107,6 +107,20 @@ Table caster_table(const Workbench& workbench, const std::vector<CasterShape>& c
   return table;
 }
 
+Table shimmer_table(const Shimmer& shimmer) {
+  Rows rows;
+  rows.add("map's grid moved", fmt::format("{:.4f}", 100.0 * shimmer.grid_mean), "%",
+           "mean change of visibility at the counted pixels, over four moves by a quarter or half a texel");
+  rows.add("map's grid moved, worst", fmt::format("{:.4f}", 100.0 * shimmer.grid_largest), "%", "of the four moves");
+  rows.add("camera moved", fmt::format("{:.4f}", 100.0 * shimmer.camera.share), "%",
+           "the same over four moves by a quarter or half a pixel, where the pixel sees the same triangle");
+  if (shimmer.camera_truth) {
+    rows.add("camera moved, truth", fmt::format("{:.4f}", 100.0 * shimmer.camera_truth->share), "%",
+             "what the true shadow changes there");
+  }
+  return rows.take();
+}
+
 PlotFigure distance_figure(const std::string& layer, const std::string& title, const ErrorShape& shape) {
   PlotFigure figure;
   figure.stem = "edge_distance_" + layer;
@@ -140,6 +154,7 @@ void present_shape(Presentation& presentation, const Workbench& workbench, const
     section.tables.push_back(component_table(shape.error));
   }
   if (!shape.casters.empty()) section.tables.push_back(caster_table(workbench, shape.casters));
+  if (shape.shimmer) section.tables.push_back(shimmer_table(*shape.shimmer));
   if (shape.error.all.texels) {
     add_figure(presentation,
                distance_figure(workbench.layer(shadow.light), workbench.title(shadow.light), shape.error));

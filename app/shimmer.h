@@ -1,0 +1,25 @@
+// How much one light's shadow shimmers in a run.
+#pragma once
+
+#include <optional>
+
+#include "compare/shimmer.h"
+
+namespace umbrameter {
+
+struct ShadowMeasurement;
+struct Experiment;
+class Workbench;
+
+struct Shimmer {
+  double grid_mean = 0.0;     ///< share of the counted pixels, over the moves of the map's grid
+  double grid_largest = 0.0;  ///< the same, of the worst move
+  Flips camera;               ///< mean over the moves of the camera
+  /// What the truth itself changed at the pixels of the same moves; of a light without extent.
+  std::optional<Flips> camera_truth;
+};
+
+/// Draws the map and the visibility anew for four moves of the map's grid and four of the camera.
+Shimmer measure_shimmer(Workbench& workbench, const Experiment& experiment, const ShadowMeasurement& shadow);
+
+}  // namespace umbrameter
