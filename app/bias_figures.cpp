@@ -26,7 +26,7 @@ struct Part {
   std::optional<std::size_t> line_axis;
   std::size_t first_cell = 0;
   std::vector<Value> values;  ///< of all axes at the first cell
-  std::string text;           ///< "At shadow.filter = box." or nothing
+  std::string conditions;     ///< "shadow.filter = box" or nothing
   std::string suffix;         ///< of file names
 };
 
@@ -37,8 +37,8 @@ struct Drawing {
   std::string constant_key = std::string(constant_bias_key);
   std::string slope_key = std::string(slope_bias_key);
   std::string line_key{};
-  std::size_t slope = 0;  ///< the index of the slope-scaled bias that lines are drawn at
-  std::string caption{};
+  std::size_t slope = 0;     ///< the index of the slope-scaled bias that lines are drawn at
+  std::string conditions{};  ///< of the part and the slope
 
   const SweepPlan& plan() const { return sweep.plan; }
   std::size_t lines() const { return part.line_axis ? plan().axes[*part.line_axis].values.size() : 1; }
@@ -51,15 +51,9 @@ struct Drawing {
   }
 };
 
-std::vector<std::size_t> other_axes(const SweepPlan& plan) {
-  std::vector<std::size_t> axes = plan.outer;
-  std::sort(axes.begin(), axes.end());
-  return axes;
-}
-
 const BiasCurve* curve_at(const Drawing& drawing, std::size_t line) {
   std::vector<Value> wanted;
-  for (const std::size_t a : other_axes(drawing.plan())) {
+  for (const std::size_t a : outer_axes_as_given(drawing.plan())) {
     wanted.push_back(a == drawing.part.line_axis ? drawing.line_value(line) : drawing.part.values[a]);
   }
   for (const BiasCurve& curve : drawing.curves.curves) {
@@ -78,7 +72,7 @@ PlotFigure make_plot(const Drawing& drawing, const char* stem, const char* title
   PlotFigure plot;
   plot.stem = stem + drawing.part.suffix;
   plot.title = title;
-  plot.caption = drawing.caption;
+  plot.conditions = drawing.conditions;
   plot.x = std::move(x);
   plot.y = std::move(y);
   if (drawing.part.line_axis) {
@@ -88,10 +82,15 @@ PlotFigure make_plot(const Drawing& drawing, const char* stem, const char* title
   return plot;
 }
 
+// A bias below 0 would have no place.
+bool suits_logarithm(const std::vector<double>& values) {
+  return std::none_of(values.begin(), values.end(), [](double v) { return v < 0.0; }) &&
+         std::count_if(values.begin(), values.end(), [](double v) { return v > 0.0; }) > 1;
+}
+
 Axis constant_axis(const Drawing& drawing) {
-  const std::vector<double>& values = drawing.plan().constant_bias.values;
-  const bool logarithmic = std::count_if(values.begin(), values.end(), [](double v) { return v > 0.0; }) > 1;
-  return {"bias", label_of(drawing.sweep.parameters, drawing.constant_key), logarithmic};
+  return {"bias", label_of(drawing.sweep.parameters, drawing.constant_key),
+          suits_logarithm(drawing.plan().constant_bias.values)};
 }
 
 // Rows of lines of y against the constant bias; columns as asked.
@@ -124,6 +123,8 @@ PlotFigure causes_plot(const Drawing& drawing, const char* stem, const char* tit
   plot.style = "cause";
   plot.style_label = "cause";
   plot.data.columns = plain_columns({"bias", "share", "line", "cause"});
+  plot.caption =
+      fmt::format("Solid {}, dashed {}, as shares of the counted pixels.", causes[0].second, causes[1].second);
   if (plot.x.logarithmic && has_zero(drawing)) plot.caption += no_zero;
   std::vector<Value> lines;
   const Table rows = read_lines(drawing, {drawing.constant_key, causes[0].first, causes[1].first}, lines, plot.caption);
@@ -140,7 +141,7 @@ PlotFigure causes_plot(const Drawing& drawing, const char* stem, const char* tit
 PlotFigure error_plot(const Drawing& drawing) {
   PlotFigure plot = make_plot(drawing, "mae", "Mean absolute error of visibility", constant_axis(drawing),
                               {"mae", error_label, true});
-  plot.caption += " Rings: the bias of least error.";
+  plot.caption = "The mean over all counted pixels; rings mark the bias of least error.";
   if (plot.x.logarithmic && has_zero(drawing)) plot.caption += no_zero;
   plot.mark = "least";
   plot.data.columns = plain_columns({"bias", "mae", "line", "least"});
@@ -172,9 +173,11 @@ HeatMapFigure heat_map(const Drawing& drawing, HeatRows kind) {
                      ? "Mean absolute error over both biases"
                      : "Mean absolute error over bias and " + drawing.line_key.substr(drawing.line_key.find('.') + 1);
   figure.stem = (by_slope ? "mae_biases" : "mae_lines") + drawing.part.suffix;
-  figure.caption = (by_slope ? drawing.part.text : drawing.caption) + " Rings: the cells of least error.";
+  figure.conditions = by_slope ? drawing.part.conditions : drawing.conditions;
+  figure.caption = "Rings mark the cells of least error; steps of colour are the same in every run.";
   const SweepAxis& constant = plan.axes[*plan.constant_bias.axis];
-  figure.x = {"bias", label_of(drawing.sweep.parameters, drawing.constant_key), constant.text.ends_with(":log")};
+  figure.x = {"bias", label_of(drawing.sweep.parameters, drawing.constant_key),
+              constant.text.ends_with(":log") && suits_logarithm(plan.constant_bias.values)};
   figure.y = {"row", label_of(drawing.sweep.parameters, by_slope ? drawing.slope_key : drawing.line_key)};
   figure.value = {"mae", error_label};
   figure.mark = "least";
@@ -195,21 +198,25 @@ HeatMapFigure heat_map(const Drawing& drawing, HeatRows kind) {
   };
   // The cells of least error are drawn whatever else is left out.
   std::set<std::size_t> shown(biases.indices.begin(), biases.indices.end());
+  std::set<std::size_t> shown_slopes(slopes.indices.begin(), slopes.indices.end());
+  const auto index_in = [](const std::vector<double>& values, double value) {
+    return static_cast<std::size_t>(std::find(values.begin(), values.end(), value) - values.begin());
+  };
   for (const std::size_t line : lines.indices) {
     const std::optional<BiasCell> least = least_of(line);
-    const std::vector<double>& values = plan.constant_bias.values;
     if (!least) continue;
-    shown.insert(static_cast<std::size_t>(std::find(values.begin(), values.end(), least->constant) - values.begin()));
+    shown.insert(index_in(plan.constant_bias.values, least->constant));
+    if (by_slope) shown_slopes.insert(index_in(plan.slope_bias.values, least->slope));
   }
   for (const std::size_t line : lines.indices) {
     const std::optional<BiasCell> least = least_of(line);
     std::vector<std::size_t> cells;
-    for (const std::size_t slope : slopes.indices) {
+    for (const std::size_t slope : shown_slopes) {
       for (const std::size_t bias : shown) cells.push_back(drawing.cell(line, bias, slope));
     }
     const Table rows = drawing.sweep.store.rows(cells, {"mae"});
     std::size_t next = 0;
-    for (const std::size_t slope : slopes.indices) {
+    for (const std::size_t slope : shown_slopes) {
       for (const std::size_t bias : shown) {
         const double at = plan.constant_bias.values[bias];
         const double slope_value = plan.slope_bias.values[slope];
@@ -226,12 +233,16 @@ PlotFigure front_plot(const Drawing& drawing) {
   PlotFigure plot =
       make_plot(drawing, "front", "Acne against peter-panning", {"acne", "acne [%], square-root scale", false, true},
                 {"peter_panning", "peter-panning [%], square-root scale", false, true});
-  plot.caption = drawing.part.text +
-                 " The biases that no other one beats in both; each line is one front. Rings: the knee, farthest below "
-                 "the chord between a front's ends. Shares are of the counted pixels.";
+  plot.conditions = drawing.part.conditions;
+  plot.caption =
+      "The biases that no other one beats in both; each line is one front. Rings mark the knee, farthest below the "
+      "chord between a front's ends on even scales. Shares are of the counted pixels.";
   plot.mark = "knee";
   plot.data.columns = plain_columns({"acne", "peter_panning", "line", "knee"});
-  for (const std::size_t line : thin(drawing.lines(), most_lines).indices) {
+  const Thinned lines = thin(drawing.lines(), most_lines);
+  if (drawing.part.line_axis) plot.caption += thinning_text(lines, drawing.line_key);
+  bool is_thinned = false;
+  for (const std::size_t line : lines.indices) {
     const BiasCurve* curve = curve_at(drawing, line);
     if (curve == nullptr) continue;
     const auto add_row = [&](const BiasCell& cell, bool is_knee) {
@@ -239,16 +250,19 @@ PlotFigure front_plot(const Drawing& drawing) {
     };
     std::vector<const BiasCell*> cells;
     for (const auto& [acne, cell] : curve->reading.front.by_acne) cells.push_back(&cell);
-    for (const std::size_t i : thin(cells.size(), most_biases).indices) add_row(*cells[i], false);
+    const Thinned drawn = thin(cells.size(), most_biases);
+    is_thinned = is_thinned || drawn.step > 1 || curve->reading.front.thinned;
+    for (const std::size_t i : drawn.indices) add_row(*cells[i], false);
     if (const std::optional<BiasCell> found = knee(curve->reading.front)) add_row(*found, true);
   }
+  if (is_thinned) plot.caption += " Long fronts are drawn with fewer cells than they have.";
   return plot;
 }
 
 // Nothing where no law was fitted.
 std::optional<PlotFigure> law_plot(const Drawing& drawing) {
   std::vector<Value> others;
-  for (const std::size_t a : other_axes(drawing.plan())) {
+  for (const std::size_t a : outer_axes_as_given(drawing.plan())) {
     if (a != drawing.part.line_axis) others.push_back(drawing.part.values[a]);
   }
   PlotFigure plot = make_plot(drawing, "law", "Bias against the size of a texel", {"texel", "mean texel size [m]"},
@@ -257,49 +271,39 @@ std::optional<PlotFigure> law_plot(const Drawing& drawing) {
   plot.series_label = "bias of";
   plot.mark = "read";
   plot.data.columns = plain_columns({"texel", "bias", "line", "read"});
-  plot.caption += " Rings: as read off the sweep.";
-  const double slope = drawing.plan().slope_bias.values[drawing.slope];
+  plot.caption = "Lines are the laws, rings the biases that they are fitted to.";
   double largest = 0.0;
   for (const BiasCurve& curve : drawing.curves.curves) largest = std::max(largest, curve.reading.mean_texel);
-  bool any = false;
   for (const CurveLaw& law : drawing.curves.laws) {
     if (!law.law || law.others != others) continue;
-    std::vector<std::vector<Value>> read;
+    const std::string name = law_names[static_cast<std::size_t>(law.of)];
+    for (const double texel : {0.0, largest}) {
+      plot.data.rows.push_back({texel, bias_of(*law.law, texel, law.law->first_slope), name, false});
+    }
     for (std::size_t line = 0; line < drawing.lines(); ++line) {
       const BiasCurve* curve = curve_at(drawing, line);
       if (curve == nullptr) continue;
-      const BiasLine& of_slope = curve->reading.lines[drawing.slope];
-      const std::optional<BiasCell>& cell = law.bias == "no acne"       ? of_slope.acne_free
-                                            : law.bias == "least error" ? of_slope.least_error
-                                                                        : of_slope.little_acne;
-      if (cell) read.push_back({curve->reading.mean_texel, cell->constant, law.bias, true});
+      const auto point =
+          law_point(law.of, curve->reading.lines[drawing.slope], curve->reading.mean_texel, drawing.curves.constants);
+      if (point) plot.data.rows.push_back({point->texel, point->bias, name, true});
     }
-    if (read.size() < 2) continue;  // a line that other slope-scaled biases tell of
-    any = true;
-    const double tangent = law.law->tangent ? law.law->tangent->value : 0.0;
-    const double per_texel = law.law->per_texel.value - tangent * slope;
-    for (const double texel : {0.0, largest}) {
-      plot.data.rows.push_back({texel, law.law->constant.value + per_texel * texel, law.bias, false});
-    }
-    plot.data.rows.insert(plot.data.rows.end(), read.begin(), read.end());
-    plot.caption +=
-        fmt::format(" Of {}: {} + {:.3g} texels, misses {} ({:.2g} texels).", law.bias, length(law.law->constant.value),
-                    per_texel, length(law.law->residual), law.law->residual_texels);
+    plot.caption += fmt::format(" Of {}: {}; misses {} ({:.2g} texels).", name, law_text(*law.law),
+                                length(law.law->residual), law.law->residual_texels);
   }
-  if (!any) return std::nullopt;
+  if (plot.data.rows.empty()) return std::nullopt;
   return plot;
 }
 
 // The axes that figures show none of: each combination has figures of its own.
 std::vector<std::size_t> still_axes(const SweepPlan& plan, std::optional<std::size_t> line_axis) {
-  std::vector<std::size_t> axes = other_axes(plan);
+  std::vector<std::size_t> axes = outer_axes_as_given(plan);
   std::erase_if(axes, [&](std::size_t a) { return a == line_axis; });
   return axes;
 }
 
 std::optional<std::size_t> choose_line_axis(const SweepPlan& plan) {
   std::optional<std::size_t> chosen;
-  for (const std::size_t a : other_axes(plan)) {
+  for (const std::size_t a : outer_axes_as_given(plan)) {
     if (plan.axes[a].key == "shadow.resolution") return a;
     if (!chosen || plan.axes[a].values.size() > plan.axes[*chosen].values.size()) chosen = a;
   }
@@ -318,9 +322,8 @@ Part make_part(const SweepPlan& plan, std::optional<std::size_t> line_axis, std:
   }
   part.values = values_at(plan, part.first_cell);
   for (const std::size_t a : still) {
-    part.text += (part.text.empty() ? "At " : ", ") + plan.axes[a].key + " = " + to_string(part.values[a]);
+    part.conditions += (part.conditions.empty() ? "" : ", ") + plan.axes[a].key + " = " + to_string(part.values[a]);
   }
-  if (!part.text.empty()) part.text += ".";
   return part;
 }
 
@@ -342,10 +345,10 @@ void add_bias_figures(Presentation& presentation, const SweepResults& sweep, con
     Drawing drawing{sweep, curves, part};
     if (line_axis) drawing.line_key = plan.axes[*line_axis].key;
     drawing.slope = static_cast<std::size_t>(flattest_slope - slopes.begin());
-    drawing.caption = part.text;
+    drawing.conditions = part.conditions;
     if (curves.varies_slope) {
-      drawing.caption +=
-          fmt::format("{}{} = {:g} texels.", part.text.empty() ? "At " : " ", drawing.slope_key, slopes[drawing.slope]);
+      drawing.conditions += fmt::format("{}{} = {:g} texels", part.conditions.empty() ? "" : ", ", drawing.slope_key,
+                                        slopes[drawing.slope]);
     }
     add_figure(presentation, causes_plot(drawing, "causes", "Acne and peter-panning against bias",
                                          {{{"acne", "acne"}, {"peter_panning", "peter-panning"}}}));

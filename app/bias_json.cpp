@@ -51,16 +51,30 @@ Json fitted_json(const Fitted& fitted) {
           {"standard_error", fitted.standard_error ? Json(*fitted.standard_error) : Json(nullptr)}};
 }
 
+void add_law(Json& object, const BiasLaw& law) {
+  object["points"] = law.points;
+  object["c0_m"] = fitted_json(law.constant);
+  object["c1_tangent_texels"] = fitted_json(law.per_texel);
+  object["residual_m"] = law.residual;
+  object["residual_texels"] = law.residual_texels;
+}
+
 Json law_json(const BiasCurves& curves, const CurveLaw& law) {
-  Json object = {{"bias", law.bias}, {"at", setting_json(curves.of_a_law, law.others)}, {"left_out", law.left_out}};
-  object["points"] = law.law ? law.law->points : 0;
-  if (!law.law) return object;
-  object["c0_m"] = fitted_json(law.law->constant);
-  object["c1_tangent_texels"] = fitted_json(law.law->per_texel);
-  if (law.law->tangent) object["tangent"] = fitted_json(*law.law->tangent);
-  if (law.law->slope_factor) object["c1_texels"] = fitted_json(*law.law->slope_factor);
-  object["residual_m"] = law.law->residual;
-  object["residual_texels"] = law.law->residual_texels;
+  Json object = {{"bias", law_names[static_cast<std::size_t>(law.of)]},
+                 {"at", setting_json(curves.of_a_law, law.others)},
+                 {"left_out", law.left_out}};
+  if (law.law) {
+    object["slope_bias_texels"] = law.law->first_slope;
+    add_law(object, *law.law);
+  }
+  if (law.over_slopes) {
+    Json over = Json::object();
+    add_law(over, *law.over_slopes);
+    over["from_slope_bias_texels"] = law.over_slopes->first_slope;
+    if (law.over_slopes->tangent) over["tangent"] = fitted_json(*law.over_slopes->tangent);
+    if (law.over_slopes->slope_factor) over["c1_texels"] = fitted_json(*law.over_slopes->slope_factor);
+    object["over_slope_biases"] = over;
+  }
   return object;
 }
 

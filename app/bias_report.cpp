@@ -16,13 +16,6 @@ std::size_t index_of(std::size_t cell, std::size_t stride, std::size_t count) {
   return stride == 0 ? 0 : cell / stride % count;
 }
 
-// The axes that are no bias, in the order of rows.
-std::vector<std::size_t> other_axes(const SweepPlan& plan) {
-  std::vector<std::size_t> axes = plan.outer;
-  std::sort(axes.begin(), axes.end());
-  return axes;
-}
-
 std::size_t curve_of(const SweepPlan& plan, const std::vector<std::size_t>& others, std::size_t cell) {
   std::size_t curve = 0;
   for (const std::size_t a : others) {
@@ -30,11 +23,6 @@ std::size_t curve_of(const SweepPlan& plan, const std::vector<std::size_t>& othe
     curve = curve * count + index_of(cell, plan.strides[a], count);
   }
   return curve;
-}
-
-std::vector<double> sorted(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values;
 }
 
 void fill(BiasCurves& curves, const SweepResults& sweep, const std::vector<std::size_t>& others) {
@@ -72,21 +60,7 @@ void fill(BiasCurves& curves, const SweepResults& sweep, const std::vector<std::
   std::erase_if(curves.curves, [](const BiasCurve& curve) { return !least_error(curve.reading); });
 }
 
-using ReadPoint = std::optional<LawPoint> (*)(const BiasLine&, double texel, std::span<const double> axis);
-
-std::optional<LawPoint> least_error_point(const BiasLine& line, double texel, std::span<const double> axis) {
-  return line.least_error ? point_of_least_error(*line.least_error, texel, axis) : std::nullopt;
-}
-
-std::optional<LawPoint> little_acne_point(const BiasLine& line, double texel, std::span<const double> axis) {
-  return line.little_acne ? point_of_least_free(*line.little_acne, texel, axis) : std::nullopt;
-}
-
-std::optional<LawPoint> acne_free_point(const BiasLine& line, double texel, std::span<const double> axis) {
-  return line.acne_free ? point_of_least_free(*line.acne_free, texel, axis) : std::nullopt;
-}
-
-void add_laws(BiasCurves& curves, const std::vector<double>& axis, std::size_t resolution) {
+void add_laws(BiasCurves& curves, std::size_t resolution) {
   const auto without_resolution = [&](std::vector<Value> values) {
     values.erase(values.begin() + static_cast<std::ptrdiff_t>(resolution));
     return values;
@@ -99,26 +73,36 @@ void add_laws(BiasCurves& curves, const std::vector<double>& axis, std::size_t r
     }
   }
   for (const std::vector<Value>& others : combinations) {
-    for (const auto& [name, read] : {std::pair<const char*, ReadPoint>{"least error", least_error_point},
-                                     {"acne at most 0.1 %", little_acne_point},
-                                     {"no acne", acne_free_point}}) {
-      CurveLaw law{name, others, {}, 0};
-      std::vector<LawPoint> points;
+    for (const LawOf of : {LawOf::least_error, LawOf::little_acne, LawOf::no_acne}) {
+      CurveLaw law{of, others, {}, 0, {}};
+      std::vector<LawPoint> flat;
+      std::vector<LawPoint> all;
       for (const BiasCurve& curve : curves.curves) {
         if (without_resolution(curve.others) != others) continue;
+        const double texel = curve.reading.mean_texel;
         for (const BiasLine& line : curve.reading.lines) {
-          const std::optional<LawPoint> point = read(line, curve.reading.mean_texel, axis);
-          if (point) points.push_back(*point);
-          if (!point) ++law.left_out;
+          if (const auto point = law_point(of, line, texel, curves.constants)) all.push_back(*point);
         }
+        const auto point = law_point(of, flattest(curve.reading), texel, curves.constants);
+        if (point) flat.push_back(*point);
+        if (!point) ++law.left_out;
       }
-      law.law = fit_law(points);
+      law.law = fit_law(flat);
+      if (curves.varies_slope) law.over_slopes = fit_law(all);
       curves.laws.push_back(std::move(law));
     }
   }
 }
 
 }  // namespace
+
+std::optional<LawPoint> law_point(LawOf of, const BiasLine& line, double texel, std::span<const double> axis) {
+  if (of == LawOf::least_error) {
+    return line.least_error ? point_of_least_error(*line.least_error, texel, axis) : std::nullopt;
+  }
+  const std::optional<BiasCell>& cell = of == LawOf::no_acne ? line.acne_free : line.little_acne;
+  return cell ? point_of_least_free(*cell, texel, axis) : std::nullopt;
+}
 
 std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep) {
   const SweepPlan& plan = sweep.plan;
@@ -129,7 +113,7 @@ std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep) {
   if (sweep.measure != Measure::visibility || slopes > most_slopes) return std::nullopt;
   if (!curves.varies_constant && !curves.varies_slope) return std::nullopt;
 
-  const std::vector<std::size_t> others = other_axes(plan);
+  const std::vector<std::size_t> others = outer_axes_as_given(plan);
   std::optional<std::size_t> resolution;
   curves.combinations = 1;
   for (const std::size_t a : others) {
@@ -148,7 +132,9 @@ std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep) {
   curves.curves.assign(std::min({curves.combinations, most_curves, most_lines / slopes}), empty);
   fill(curves, sweep, others);
   if (curves.curves.empty()) return std::nullopt;
-  if (resolution && curves.varies_constant) add_laws(curves, sorted(plan.constant_bias.values), *resolution);
+  curves.constants = plan.constant_bias.values;
+  std::sort(curves.constants.begin(), curves.constants.end());
+  if (resolution && curves.varies_constant) add_laws(curves, *resolution);
   return curves;
 }
 

@@ -2,8 +2,10 @@
 // Only for hard shadows: it asks for the causes of wrong taps.
 #pragma once
 
+#include <array>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,12 +23,20 @@ struct BiasCurve {
   double depth_range = 0.0;  ///< of the map, metres
 };
 
+/// Biases of a line that laws are fitted to.
+enum class LawOf : int { least_error, little_acne, no_acne };
+inline constexpr std::array<const char*, 3> law_names = {"least error", "acne at most 0.1 %", "no acne"};
+
+/// Nothing where the line has no such bias, or has it at an end of the ascending axis beyond which it may lie.
+std::optional<LawPoint> law_point(LawOf of, const BiasLine& line, double texel, std::span<const double> axis);
+
 /// The law over the resolutions, at one combination of all else.
 struct CurveLaw {
-  std::string bias;           ///< which one: "least error", "no acne"
-  std::vector<Value> others;  ///< values of the other axes but the resolution
-  std::optional<BiasLaw> law;
-  std::size_t left_out = 0;  ///< lines that have no such bias, or have it at an end of the axis
+  LawOf of = LawOf::least_error;
+  std::vector<Value> others;           ///< values of the other axes but the resolution
+  std::optional<BiasLaw> law;          ///< at the slope-scaled bias nearest to 0
+  std::size_t left_out = 0;            ///< resolutions without a point for it
+  std::optional<BiasLaw> over_slopes;  ///< at all of them, where there are several
 };
 
 struct BiasCurves {
@@ -36,6 +46,7 @@ struct BiasCurves {
   bool varies_slope = false;
   std::vector<BiasCurve> curves;  ///< in the order of cells
   std::vector<CurveLaw> laws;     ///< none where the resolution is not varied
+  std::vector<double> constants;  ///< the axis of constant biases, ascending, metres
   std::size_t combinations = 0;   ///< how many curves there are; at most 200 are read
 };
 
@@ -48,7 +59,7 @@ void present_bias(Presentation& presentation, const BiasCurves& curves);
 
 /// A bias as people read it: "12.5 mm (0.43 texels)".
 std::string bias_text(const BiasCell& cell, double texel, bool with_slope);
-/// "bias = 1.2 mm + 0.87 texels".
+/// "1.2 mm + 0.87 texels".
 std::string law_text(const BiasLaw& law);
 
 /// "curves" of summary.json.

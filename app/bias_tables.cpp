@@ -33,9 +33,9 @@ struct Choice {
 std::vector<Choice> choices_of(const BiasCurve& curve, const BiasCurves& curves) {
   const BiasReading& reading = curve.reading;
   const BiasLine& line = flattest(reading);
-  std::vector<Choice> choices = {{"least error", least_error(reading)},
-                                 {"acne at most 0.1 %", line.little_acne},
-                                 {"no acne", line.acne_free},
+  std::vector<Choice> choices = {{law_names[0], least_error(reading)},
+                                 {law_names[1], line.little_acne},
+                                 {law_names[2], line.acne_free},
                                  {"no acne, least error", best_without_acne(reading)},
                                  {"knee of acne against peter-panning", knee(reading.front)}};
   if (!curves.varies_constant) choices.erase(choices.begin() + 1, choices.begin() + 3);
@@ -125,34 +125,43 @@ Value error_of(const std::optional<Fitted>& fitted) {
 Table laws_table(const BiasCurves& curves) {
   Table table;
   table.columns = curves.of_a_law;
-  const std::vector<Column> rest = {{"law of", "", "the bias that is fitted"},
-                                    {"points", "1", "fitted: one a resolution and slope-scaled bias"},
-                                    {"left out", "1", "without such a bias within the axis"},
-                                    {"c0", "m", "the part that does not depend on the texel"},
-                                    {"error of c0", "m", "standard error"},
-                                    {"c1·tan θ", "texels", "the part that is in proportion to the texel"},
-                                    {"error of c1·tan θ", "texels", "standard error"},
-                                    {"tan θ", "1", "of the surface that decides; needs several slope-scaled biases"},
-                                    {"error of tan θ", "1", "standard error"},
-                                    {"c1", "texels", "the slope-scaled bias that does it alone, besides c0"},
-                                    {"error of c1", "texels", "standard error, to first order"},
-                                    {"residual", "m", "root mean square of what the law misses"},
-                                    {"residual in texels", "texels", "the same, each point in its own texels"}};
+  std::vector<Column> rest = {{"law of", "", "the bias that is fitted, at the slope-scaled bias nearest to none"},
+                              {"points", "1", "fitted: one a resolution"},
+                              {"left out", "1", "resolutions without such a bias within the axis"},
+                              {"c0", "m", "the part that does not depend on the texel"},
+                              {"error of c0", "m", "standard error"},
+                              {"c1·tan θ", "texels", "the part in proportion to the texel"},
+                              {"error of c1·tan θ", "texels", "standard error"},
+                              {"residual", "m", "root mean square of what the law misses"},
+                              {"residual in texels", "texels", "the same, each point in its own texels"}};
+  const std::size_t columns_of_a_law = rest.size();
+  if (curves.varies_slope) {
+    rest.insert(rest.end(), {{"tan θ", "1", "of the surface that decides, by a fit over all slope-scaled biases"},
+                             {"error of tan θ", "1", "standard error"},
+                             {"c1", "texels", "the slope-scaled bias that does it alone, besides c0, by the same fit"},
+                             {"error of c1", "texels", "standard error, to first order"},
+                             {"residual over slopes", "texels", "root mean square of what that fit misses"}});
+  }
   table.columns.insert(table.columns.end(), rest.begin(), rest.end());
   for (const CurveLaw& law : curves.laws) {
     std::vector<Value> row = law.others;
-    row.push_back(law.bias);
-    const auto points = static_cast<std::int64_t>(law.law ? law.law->points : 0);
-    row.emplace_back(points);
+    row.push_back(std::string(law_names[static_cast<std::size_t>(law.of)]));
+    row.emplace_back(static_cast<std::int64_t>(law.law ? law.law->points : 0));
     row.emplace_back(static_cast<std::int64_t>(law.left_out));
     if (law.law) {
-      const BiasLaw& fit = *law.law;
-      for (const std::optional<Fitted>& fitted :
-           {std::optional(fit.constant), std::optional(fit.per_texel), fit.tangent, fit.slope_factor}) {
+      for (const Fitted& fitted : {law.law->constant, law.law->per_texel}) {
         row.push_back(value_of(fitted));
         row.push_back(error_of(fitted));
       }
-      row.insert(row.end(), {fit.residual, fit.residual_texels});
+      row.insert(row.end(), {law.law->residual, law.law->residual_texels});
+    }
+    row.resize(curves.of_a_law.size() + columns_of_a_law, nothing);
+    if (law.over_slopes) {
+      for (const std::optional<Fitted>& fitted : {law.over_slopes->tangent, law.over_slopes->slope_factor}) {
+        row.push_back(value_of(fitted));
+        row.push_back(error_of(fitted));
+      }
+      row.emplace_back(law.over_slopes->residual_texels);
     }
     row.resize(table.columns.size(), nothing);
     table.rows.push_back(std::move(row));
@@ -185,20 +194,17 @@ std::string bias_text(const BiasCell& cell, double texel, bool with_slope) {
 }
 
 std::string law_text(const BiasLaw& law) {
-  std::string text = fmt::format("bias = {} {} {:.3g} texels", length(law.constant.value),
-                                 law.per_texel.value < 0.0 ? "−" : "+", std::abs(law.per_texel.value));
-  if (law.slope_factor) {
-    text += fmt::format(" = c0 + {:.3g}·texel·tan θ with tan θ = {:.3g}", law.slope_factor->value, law.tangent->value);
-  }
-  return text;
+  return fmt::format("{} {} {:.3g} texels", length(law.constant.value), law.per_texel.value < 0.0 ? "−" : "+",
+                     std::abs(law.per_texel.value));
 }
 
 void present_bias(Presentation& presentation, const BiasCurves& curves) {
   ReportSection& section = presentation.section;
   section.text += explanation(curves);
-  section.tables.push_back(choices_table(curves));
-  if (curves.varies_slope && curves.varies_constant) section.tables.push_back(slopes_table(curves));
-  if (!curves.laws.empty()) section.tables.push_back(laws_table(curves));
+  section.tables.push_back({"Biases worth a name", choices_table(curves)});
+  if (curves.varies_slope && curves.varies_constant)
+    section.tables.push_back({"Constant biases by slope-scaled bias", slopes_table(curves)});
+  if (!curves.laws.empty()) section.tables.push_back({"Laws of bias against texel", laws_table(curves)});
 
   std::size_t told = 0;
   for (const BiasCurve& curve : curves.curves) {
@@ -215,12 +221,13 @@ void present_bias(Presentation& presentation, const BiasCurves& curves) {
   }
   told = 0;
   for (const CurveLaw& law : curves.laws) {
-    if (!law.law || told == most_console_laws || law.bias == "no acne") continue;
+    if (!law.law || told == most_console_laws || law.of == LawOf::no_acne) continue;
     ++told;
     const std::string setting = setting_text(curves.of_a_law, law.others);
-    presentation.lines.push_back(fmt::format("  law of {}{}{}: {}; misses {} ({:.2g} texels)", law.bias,
-                                             setting.empty() ? "" : " at ", setting, law_text(*law.law),
-                                             length(law.law->residual), law.law->residual_texels));
+    presentation.lines.push_back(fmt::format("  law of {}{}{}: bias = {}; misses {} ({:.2g} texels)",
+                                             law_names[static_cast<std::size_t>(law.of)], setting.empty() ? "" : " at ",
+                                             setting, law_text(*law.law), length(law.law->residual),
+                                             law.law->residual_texels));
   }
 }
 

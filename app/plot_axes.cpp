@@ -23,7 +23,7 @@ Thinned thin(std::size_t count, std::size_t most) {
 
 std::string thinning_text(const Thinned& thinned, const std::string& key) {
   if (thinned.step == 1) return "";
-  return fmt::format(" Every {}th value of {} is drawn; all are in sweep.csv.", thinned.step, key);
+  return fmt::format(" One value of {} in {} is drawn; all are in sweep.csv.", key, thinned.step);
 }
 
 }  // namespace umbrameter

@@ -17,10 +17,6 @@ const ColorScale visibility_error_scale{ColorMap::error, -1.0, 1.0, "raster − 
 const ColorScale ao_scale{ColorMap::visibility, 0.0, 1.0, "accessibility [1]: 1 open"};
 const ColorScale ao_error_scale{ColorMap::error, -0.5, 0.5, "raster − truth [1]: below 0 too dark"};
 
-// Okabe and Ito's palette for the causes, in an order whose lightness differs, on greys for what is not an error.
-const std::vector<glm::u8vec3> class_colors = {{236, 236, 236}, {213, 94, 0},    {240, 228, 66}, {0, 114, 178},
-                                               {86, 180, 233},  {176, 176, 176}, {255, 255, 255}};
-
 std::string value_text(Experiment experiment, std::string_view key) {
   return to_string(require(describe(experiment), key).value());
 }
@@ -44,13 +40,11 @@ ImageFigure class_figure(const std::string& layer, const std::string& title, con
   const Image<PixelClass> classes = classify(shadow.raster->wrong, shadow.counted);
   figure.category = Image<std::uint8_t>(classes.width, classes.height);
   for (std::size_t i = 0; i < classes.size(); ++i) figure.category[i] = static_cast<std::uint8_t>(classes[i]);
-  for (std::size_t i = 0; i < pixel_class_names.size(); ++i) {
-    figure.categories.push_back({std::string(pixel_class_names[i]), class_colors[i]});
-  }
+  figure.categories = class_colors();
   return figure;
 }
 
-Table statistics_table(const std::vector<Column>& columns, const std::vector<Value>& row) {
+ReportTable statistics_table(std::string title, const std::vector<Column>& columns, const std::vector<Value>& row) {
   Table table{{{"quantity", "", ""}, {"value", "", ""}, {"unit", "", ""}, {"meaning", "", ""}}, {}};
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const bool is_share = columns[i].unit == "1";
@@ -59,7 +53,7 @@ Table statistics_table(const std::vector<Column>& columns, const std::vector<Val
                                                        : to_string(row[i]);
     table.rows.push_back({columns[i].name, value, std::string(is_share ? "%" : columns[i].unit), columns[i].meaning});
   }
-  return table;
+  return {std::move(title), std::move(table)};
 }
 
 std::string counted_text(const CountedPixels& counted, bool is_soft) {
@@ -132,13 +126,41 @@ void present_soft_error(Presentation& presentation, const Workbench& workbench, 
       {"RMS error", percent(s.error.rmse), "corrected for the reference's variance"},
       {"penumbra", percent(s.penumbra), "of the counted pixels"},
   };
-  section.tables = {statistics_table(soft_visibility_columns(), to_row(s)), bias_table(shadow, experiment)};
+  section.tables = {statistics_table("Error of the visibility of " + title, soft_visibility_columns(), to_row(s)),
+                    bias_table(shadow, experiment)};
   presentation.lines.push_back(fmt::format("{:<10} error {}: too dark {}, too bright {}  (penumbra {}, {})", title,
                                            percent(s.error.mae), percent(s.error.too_dark), percent(s.error.too_bright),
                                            percent(s.penumbra), extent_text(shadow.emitter)));
 }
 
 }  // namespace
+
+Table in_percent(Table table) {
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    if (table.columns[c].unit != "1") continue;
+    table.columns[c].unit = "%";
+    for (std::vector<Value>& row : table.rows) row[c] = fmt::format("{:.4f}", 100.0 * to_number(row[c]));
+  }
+  return table;
+}
+
+const std::vector<CategoryColor>& class_colors() {
+  // Okabe and Ito's palette without its yellow, which is lost on white. On paper printed grey CIE L* is 53, 61, 46 and
+  // 70 for the causes; what is no error is lighter.
+  static const std::vector<CategoryColor> colors = [] {
+    constexpr std::array<glm::u8vec3, 7> inks = {{{240, 240, 240},
+                                                  {213, 94, 0},
+                                                  {204, 121, 167},
+                                                  {0, 114, 178},
+                                                  {86, 180, 233},
+                                                  {200, 200, 200},
+                                                  {255, 255, 255}}};
+    std::vector<CategoryColor> named;
+    for (std::size_t i = 0; i < inks.size(); ++i) named.push_back({std::string(pixel_class_names[i]), inks[i]});
+    return named;
+  }();
+  return colors;
+}
 
 std::string percent(double share) {
   const double value = 100.0 * share;
@@ -190,7 +212,7 @@ Presentation present_picture(const Workbench& workbench, const Measurement& meas
   return presentation;
 }
 
-Table bias_table(const ShadowMeasurement& shadow, const Experiment& experiment) {
+ReportTable bias_table(const ShadowMeasurement& shadow, const Experiment& experiment) {
   Table table{{{"constant bias", "", ""}, {"value", "", ""}, {"unit", "", ""}}, {}};
   const double bias = experiment.shadow.constant_bias;
   const double texel = shadow.counted.mean_texel;
@@ -199,7 +221,7 @@ Table bias_table(const ShadowMeasurement& shadow, const Experiment& experiment) 
                         texel > 0.0 ? fmt::format("{:.4g}", bias / texel) : "—", std::string("texels")});
   table.rows.push_back({std::string("of the map's depth range of ") + length(shadow.frame.far_depth),
                         fmt::format("{:.6g}", bias / shadow.frame.far_depth), std::string("normalised depth")});
-  return table;
+  return {"The constant bias", std::move(table)};
 }
 
 std::string agreement_text(const ClassAgreement& agreement) {
@@ -211,16 +233,12 @@ std::string agreement_text(const ClassAgreement& agreement) {
       100.0 * share_of_foreign(agreement), 100.0 * share_of_wrong(agreement));
 }
 
-// The parts with the most error, shares in percent.
-Table worst_parts(PartKind kind, const std::vector<PartError>& parts, std::uint32_t weight_sum) {
+ReportTable worst_parts(const char* what, PartKind kind, const std::vector<PartError>& parts,
+                        std::uint32_t weight_sum) {
   constexpr std::size_t most = 10;
-  Table table = part_table(kind, parts, weight_sum, most);
-  for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    if (table.columns[c].unit != "1") continue;
-    table.columns[c].unit = "%";
-    for (std::vector<Value>& row : table.rows) row[c] = fmt::format("{:.4f}", 100.0 * to_number(row[c]));
-  }
-  return table;
+  const bool are_more = parts.size() > most;
+  return {fmt::format("Error by {}{}", what, are_more ? fmt::format(", the {} with most of it", most) : ""),
+          in_percent(part_table(kind, parts, weight_sum, most))};
 }
 
 Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement& shadow, const Experiment& experiment) {
@@ -270,9 +288,10 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
       {"light leak", percent(s.leak), "the map holds no blocker"},
   };
   const std::uint32_t weight_sum = shadow.raster->wrong.weight_sum;
-  section.tables = {statistics_table(visibility_columns(), to_row(s)), bias_table(shadow, experiment),
-                    worst_parts(PartKind::object, shadow.objects, weight_sum),
-                    worst_parts(PartKind::material, shadow.materials, weight_sum)};
+  section.tables = {statistics_table("Error of the visibility of " + title, visibility_columns(), to_row(s)),
+                    bias_table(shadow, experiment),
+                    worst_parts("objects", PartKind::object, shadow.objects, weight_sum),
+                    worst_parts("materials", PartKind::material, shadow.materials, weight_sum)};
   if (shadow.agreement) section.text += agreement_text(*shadow.agreement);
   if (s.max_x >= 0) {
     section.text +=
@@ -328,7 +347,7 @@ Presentation present_ao(const AoMeasurement& ao, const Experiment& experiment) {
       {"RMS error", percent(s.rmse), "corrected for the reference's variance"},
       {"mean error", percent(s.mean_error), "below 0: too dark"},
   };
-  section.tables = {statistics_table(ao_columns(), to_row(s))};
+  section.tables = {statistics_table("Error of the ambient occlusion", ao_columns(), to_row(s))};
   presentation.lines.push_back(fmt::format("{:<10} error {}, mean {} (SSAO radius {}, truth {})", "AO", percent(s.mae),
                                            percent(s.mean_error), length(experiment.ao.radius), limit));
   return presentation;

@@ -17,6 +17,12 @@ std::string percent(const Estimate& share);
 /// Three significant digits in the unit that suits: "12.5 mm", "1.2 m".
 std::string length(double metres);
 
+/// Shares (unit 1) as per cent with four decimals.
+Table in_percent(Table table);
+
+/// Every class of pixels with its colour, the same in all figures; by PixelClass.
+const std::vector<CategoryColor>& class_colors();
+
 /// Section, figures and text lines of one part of a run.
 struct Presentation {
   ReportSection section;
@@ -31,7 +37,7 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
 Presentation present_ao(const AoMeasurement& ao, const Experiment& experiment);
 
 /// The constant bias in metres, in texels of the mean size, and as normalised depth.
-Table bias_table(const ShadowMeasurement& shadow, const Experiment& experiment);
+ReportTable bias_table(const ShadowMeasurement& shadow, const Experiment& experiment);
 
 /// Adds a figure to a presentation's section and image list.
 void add_figure(Presentation& presentation, ImageFigure figure);

@@ -12,11 +12,14 @@ namespace {
 
 constexpr std::size_t most_casters = 12;  // that the page lists
 
-constexpr std::array<std::string_view, 4> hard_titles = {"acne", "false occlusion", "peter-panning", "light leak"};
 constexpr std::array<std::string_view, 2> soft_titles = {"too dark", "too bright"};
 
+std::string_view cause_title(std::size_t cause) {
+  return pixel_class_names[static_cast<std::size_t>(PixelClass::acne) + cause];
+}
+
 std::string_view title_of(const ErrorShape& shape, std::size_t part) {
-  return shape.components ? hard_titles[part] : soft_titles[part];
+  return shape.components ? cause_title(part) : soft_titles[part];
 }
 
 class Rows {
@@ -31,33 +34,43 @@ class Rows {
   Table table_;
 };
 
-void add_distances(Rows& rows, const std::string& part, const EdgeDistances& distances) {
-  if (!distances.texels) return;
-  const auto spread = [](const Spread& s) {
-    return fmt::format("{:.3g} / {:.3g} / {:.3g}", s.median, s.upper, s.largest);
+Table distance_table(const ErrorShape& shape) {
+  Table table;
+  table.columns = {{"error", "", "which part of it"}};
+  for (const auto& [unit, where] :
+       {std::pair{"texels", "across the light's way"}, {"px", "in the image"}, {"m", "in the world"}}) {
+    for (const char* which : {"median", "95 %", "largest"}) {
+      table.columns.push_back({which, unit, std::string("distance to the nearest edge of the reference, ") + where});
+    }
+  }
+  table.columns.push_back({"within 1 texel", "%", "share of this error at most one texel from an edge"});
+  table.columns.push_back({"within 2 texels", "%", "share of this error at most two texels from an edge"});
+  const auto add = [&](std::string_view part, const EdgeDistances& distances) {
+    if (!distances.texels) return;
+    std::vector<Value> row = {std::string(part)};
+    for (const Spread* spread : {&*distances.texels, &*distances.pixels, &*distances.metres}) {
+      for (const double value : {spread->median, spread->upper, spread->largest}) {
+        row.emplace_back(fmt::format("{:.3g}", value));
+      }
+    }
+    for (const std::size_t reach : {one_texel, two_texels}) {
+      row.emplace_back(fmt::format("{:.2f}", 100.0 * distances.within[reach]));
+    }
+    table.rows.push_back(std::move(row));
   };
-  const std::string meaning = "distance to the nearest edge of the reference: median / 95 % / largest";
-  rows.add(part + ": edge distance", spread(*distances.texels), "texels", meaning + ", across the light's way");
-  rows.add(part + ": edge distance", spread(*distances.pixels), "px", meaning + ", in the image");
-  rows.add(part + ": edge distance", spread(*distances.metres), "m", meaning + ", in the world");
-  rows.add(part + ": within 1 texel", fmt::format("{:.2f}", 100.0 * distances.within[one_texel]), "%",
-           "share of this error at most one texel from an edge");
-  rows.add(part + ": within 2 texels", fmt::format("{:.2f}", 100.0 * distances.within[two_texels]), "%",
-           "share of this error at most two texels from an edge");
+  add("all", shape.all);
+  for (std::size_t p = 0; p < shape.parts.size(); ++p) add(title_of(shape, p), shape.parts[p]);
+  return table;
 }
 
-Table distance_table(const ErrorShape& shape) {
-  Rows rows;
-  rows.add("reference edges", fmt::format("{}", shape.edges), "px", "pairs of pixels on one surface, one lit, one not");
-  add_distances(rows, "all", shape.all);
-  for (std::size_t p = 0; p < shape.parts.size(); ++p) {
-    add_distances(rows, std::string(title_of(shape, p)), shape.parts[p]);
-  }
+std::string edges_text(const ErrorShape& shape) {
+  std::string text = fmt::format(
+      "\n\nThe true shadow's edges are {} pairs of pixels on one surface, one lit and one not.", shape.edges);
   if (!shape.components) {
-    rows.add("outside the penumbra", fmt::format("{:.2f}", 100.0 * shape.outside_penumbra), "%",
-             "share of the error where the reference is 0 or 1");
+    text += fmt::format(" Of the error, {:.2f} % lies where the reference is 0 or 1, outside the penumbra.",
+                        100.0 * shape.outside_penumbra);
   }
-  return rows.take();
+  return text;
 }
 
 Table component_table(const ErrorShape& shape) {
@@ -76,12 +89,8 @@ Table component_table(const ErrorShape& shape) {
                           fmt::format("{:.1f}", s.largest_x), fmt::format("{:.1f}", s.largest_y)});
   };
   add("all", *shape.components);
-  for (std::size_t c = 0; c < cause_count; ++c) add(hard_titles[c], shape.class_components[c]);
+  for (std::size_t c = 0; c < cause_count; ++c) add(cause_title(c), shape.class_components[c]);
   return table;
-}
-
-std::string units_text(const ReceiverLength& size) {
-  return fmt::format("{:.4g} m, {:.3g} texels, {:.3g} px", size.metres, size.texels, size.pixels);
 }
 
 Table caster_table(const Workbench& workbench, const std::vector<CasterShape>& casters) {
@@ -90,19 +99,28 @@ Table caster_table(const Workbench& workbench, const std::vector<CasterShape>& c
     return a.contacts + a.edges > b.contacts + b.edges;
   });
   if (listed.size() > most_casters) listed.resize(most_casters);
+  const std::string gap = "lit strip from the foot to where the raster shadow begins, ";
+  const std::string inset = "how far the raster outline lies inside the true one, below 0 outside; median";
   Table table{{{"caster", "", "object whose shadow it is; those with most pixels first"},
                {"contacts", "px", "pixels where its true shadow touches its foot"},
-               {"contact gap", "", "lit strip from the foot to where the raster shadow begins, median"},
-               {"largest gap", "", "the same, largest"},
+               {"contact gap", "m", gap + "median"},
+               {"contact gap", "texels", gap + "median"},
+               {"contact gap", "px", gap + "median"},
+               {"largest gap", "m", gap + "largest"},
                {"edges", "px", "of its true shadow"},
-               {"shadow inset", "", "how far the raster outline lies inside the true one, median; below 0 outside"}},
+               {"shadow inset", "m", inset},
+               {"shadow inset", "texels", inset},
+               {"shadow inset", "px", inset}},
               {}};
   for (const CasterShape& caster : listed) {
+    const auto cell = [](bool is_known, double value) { return is_known ? fmt::format("{:.3g}", value) : "—"; };
     const bool touches = caster.contacts > 0;
+    const bool has_edges = caster.edges > 0;
     table.rows.push_back({workbench.scene().objects[caster.object].name, static_cast<std::int64_t>(caster.contacts),
-                          touches ? units_text(caster.gap_median) : "—", touches ? units_text(caster.gap_largest) : "—",
-                          static_cast<std::int64_t>(caster.edges),
-                          caster.edges > 0 ? units_text(caster.inset_median) : "—"});
+                          cell(touches, caster.gap_median.metres), cell(touches, caster.gap_median.texels),
+                          cell(touches, caster.gap_median.pixels), cell(touches, caster.gap_largest.metres),
+                          static_cast<std::int64_t>(caster.edges), cell(has_edges, caster.inset_median.metres),
+                          cell(has_edges, caster.inset_median.texels), cell(has_edges, caster.inset_median.pixels)});
   }
   return table;
 }
@@ -131,7 +149,8 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
   figure.x = {"distance", "distance to the nearest edge [texels]", true};
   figure.y = {"share", "share of the error [%]", false};
   figure.series = "part";
-  figure.series_label = "error";
+  figure.series_label = "part of the error";
+  figure.series_colors = class_colors();
   figure.data.columns = {{"part", "", "which error"},
                          {"distance", "texels", "across the light's way"},
                          {"share", "%", "of this error, at most that far from an edge"}};
@@ -149,12 +168,15 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
 void present_shape(Presentation& presentation, const Workbench& workbench, const ShadowMeasurement& shadow) {
   const ShadowShape& shape = *shadow.shape;
   ReportSection& section = presentation.section;
-  section.tables.push_back(distance_table(shape.error));
+  section.text += edges_text(shape.error);
+  section.tables.push_back({"Distance of the error to the edges of the true shadow", distance_table(shape.error)});
   if (shape.error.components && shape.error.components->count > 0) {
-    section.tables.push_back(component_table(shape.error));
+    section.tables.push_back({"Wrong pixels that hang together", component_table(shape.error)});
   }
-  if (!shape.casters.empty()) section.tables.push_back(caster_table(workbench, shape.casters));
-  if (shape.shimmer) section.tables.push_back(shimmer_table(*shape.shimmer));
+  if (!shape.casters.empty()) {
+    section.tables.push_back({"Contact gap and shadow inset by caster", caster_table(workbench, shape.casters)});
+  }
+  if (shape.shimmer) section.tables.push_back({"Shimmer", shimmer_table(*shape.shimmer)});
   if (shape.error.all.texels) {
     add_figure(presentation,
                distance_figure(workbench.layer(shadow.light), workbench.title(shadow.light), shape.error));

@@ -76,6 +76,7 @@ bool is_geometric(const SweepAxis& axis) { return axis.text.size() > 4 && axis.t
 // The cells of one plot: a combination of the axes that are neither x nor series.
 struct PlotCells {
   std::vector<std::size_t> cells;  ///< in the order of rows
+  std::string conditions;
   std::string caption;
 };
 
@@ -89,10 +90,9 @@ PlotCells cells_of_plot(const SweepPlan& plan, const Layout& layout, std::size_t
     const std::size_t index = rest % count_values(plan, *a);
     rest /= count_values(plan, *a);
     first += index * plan.strides[*a];
-    plot.caption = plan.axes[*a].key + " = " + to_string(plan.axes[*a].values[index]) +
-                   (plot.caption.empty() ? "" : ", ") + plot.caption;
+    plot.conditions = plan.axes[*a].key + " = " + to_string(plan.axes[*a].values[index]) +
+                      (plot.conditions.empty() ? "" : ", ") + plot.conditions;
   }
-  if (!plot.caption.empty()) plot.caption = "At " + plot.caption + ".";
   const Thinned lines = thin(layout.series ? count_values(plan, *layout.series) : 1, most_lines);
   const Thinned points =
       thin(count_values(plan, layout.x), std::min(most_points_of_line, most_points / lines.indices.size()));
@@ -110,6 +110,7 @@ PlotFigure make_plot(const SweepResults& sweep, const Layout& layout, const Plot
   const SweepAxis& x = sweep.plan.axes[layout.x];
   PlotFigure plot;
   plot.title = curve.title;
+  plot.conditions = cells.conditions;
   plot.caption = cells.caption;
   plot.x = {x.key, label_of(sweep.parameters, x.key), is_geometric(x)};
   plot.y = {curve.column, curve.label, curve.logarithmic};
@@ -151,17 +152,24 @@ std::vector<PlotFigure> make_plots(const SweepResults& sweep, const Layout& layo
   return plots;
 }
 
-std::vector<std::string> line_keys(const SweepResults& sweep, const Layout& layout) {
-  std::vector<std::string> keys;
-  if (layout.series) keys.push_back(sweep.plan.axes[*layout.series].key);
-  for (const std::size_t a : layout.rest) keys.push_back(sweep.plan.axes[a].key);
-  return keys;
+// What rows of least error are told for. Where biases are varied one bias is chosen for each combination of the rest,
+// else one cell for each line of the figures.
+std::vector<std::size_t> told_axes(const SweepResults& sweep) {
+  const SweepPlan& plan = sweep.plan;
+  if (plan.constant_bias.axis || plan.slope_bias.axis) return outer_axes_as_given(plan);
+  const Layout layout = lay_out(sweep.parameters, plan.axes);
+  std::vector<std::size_t> axes;
+  if (layout.series) axes.push_back(*layout.series);
+  for (const std::size_t a : layout.rest) axes.push_back(a);
+  return axes;
 }
 
 std::string row_text(const Table& table, const std::vector<Value>& row, std::size_t axes) {
   std::string text;
   for (std::size_t a = 0; a < axes; ++a) {
-    text += (a > 0 ? ", " : "") + table.columns[a].name + " " + to_string(row[a]);
+    const auto* real = std::get_if<double>(&row[a]);
+    text +=
+        (a > 0 ? ", " : "") + table.columns[a].name + " " + (real ? fmt::format("{:.6g}", *real) : to_string(row[a]));
     if (!table.columns[a].unit.empty()) text += " " + table.columns[a].unit;
   }
   return text;
@@ -170,7 +178,9 @@ std::string row_text(const Table& table, const std::vector<Value>& row, std::siz
 }  // namespace
 
 Table best_rows(const SweepResults& sweep) {
-  return sweep.store.least("mae", line_keys(sweep, lay_out(sweep.parameters, sweep.plan.axes)), most_best_rows);
+  std::vector<std::string> keys;
+  for (const std::size_t a : told_axes(sweep)) keys.push_back(sweep.plan.axes[a].key);
+  return sweep.store.least("mae", keys, most_best_rows);
 }
 
 std::vector<Value> least_row(const SweepResults& sweep) { return sweep.store.least("mae", {}, 1).rows.front(); }
@@ -191,12 +201,17 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   } else {
     for (PlotFigure& plot : make_plots(sweep, layout)) add_figure(presentation, std::move(plot));
   }
-  section.text = "The table holds the cell of least error for every line of the figures; all cells are in sweep.csv.";
-  if (best.rows.size() == most_best_rows) {
+  section.text = "All cells are in sweep.csv.";
+  if (!curves) {
+    std::size_t lines = 1;
+    for (const std::size_t a : told_axes(sweep)) lines *= count_values(sweep.plan, a);
     section.text = fmt::format(
-        "The table holds the cells of least error for the first {} lines; all cells are in sweep.csv.", most_best_rows);
+        "The table holds the cell of least error for {} line{} of the figures; all cells are in "
+        "sweep.csv.",
+        best.rows.size() < lines ? fmt::format("the first {}", best.rows.size()) : "every",
+        best.rows.size() < lines ? "s" : "");
+    section.tables.push_back({"Cells of least error", in_percent(best)});
   }
-  section.tables = {best};
   presentation.lines.push_back(fmt::format("{} cells; least mean absolute error {} at {}", sweep.plan.cells, error,
                                            row_text(best, least, axes)));
   if (curves) {

@@ -28,6 +28,12 @@ double inner(const std::vector<double>& a, const std::vector<double>& b) {
   return sum;
 }
 
+double inner(const Row& a, const Row& b, std::size_t count) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < count; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
 std::optional<Solution> solve(const std::vector<Row>& rows, const std::vector<double>& right, std::size_t count) {
   std::array<std::vector<double>, most_coefficients> q;
   std::array<Row, most_coefficients> r{};
@@ -77,9 +83,53 @@ std::optional<LawPoint> point_at(const BiasCell& cell, double texel, std::span<c
   return LawPoint{texel, cell.slope, cell.constant, step};
 }
 
-double predict(const BiasLaw& law, const LawPoint& point) {
-  const double tangent = law.tangent ? law.tangent->value : 0.0;
-  return law.constant.value + (law.per_texel.value - tangent * point.slope) * point.texel;
+// Of every point, those in front of the bend first.
+struct Bend {
+  std::span<const LawPoint> points;  ///< by slope-scaled bias
+  std::size_t sloping = 0;           ///< points in front of it
+  std::size_t slopes = 0;            ///< different slope-scaled biases of these
+};
+
+struct Fit {
+  Bend bend;
+  Solution solution;
+  std::size_t coefficients = 0;
+  double misses = 0.0;  ///< weighted sum of squares
+};
+
+double slope_factor(const Fit& fit) {
+  return fit.bend.points.front().slope + fit.solution.value[1] / fit.solution.value[2];
+}
+
+std::optional<Fit> fit_bend(const Bend& bend) {
+  const auto sloping = bend.points.first(bend.sloping);
+  const auto texel_differs = [&](const LawPoint& point) { return point.texel != sloping.front().texel; };
+  if (std::none_of(sloping.begin(), sloping.end(), texel_differs)) return std::nullopt;
+  Fit fit{bend, {}, bend.slopes > 1 ? std::size_t{3} : std::size_t{2}};
+  if (bend.points.size() < fit.coefficients) return std::nullopt;
+  const double first = bend.points.front().slope;
+  std::vector<Row> rows;
+  std::vector<double> right;
+  for (std::size_t i = 0; i < bend.points.size(); ++i) {
+    const LawPoint& point = bend.points[i];
+    const double weight = 1.0 / point.step;
+    const double texel = i < bend.sloping ? point.texel : 0.0;
+    rows.push_back({weight, weight * texel, -weight * (point.slope - first) * texel});
+    right.push_back(weight * point.bias);
+  }
+  const std::optional<Solution> solution = solve(rows, right, fit.coefficients);
+  if (!solution) return std::nullopt;
+  fit.solution = *solution;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double miss = inner(rows[i], fit.solution.value, fit.coefficients) - right[i];
+    fit.misses += miss * miss;
+  }
+  // In front of the bend all slope-scaled biases are below c1. A surface that does not slope has no bend.
+  if (fit.coefficients < 3) return fit;
+  const bool is_flat = !(fit.solution.value[2] > least_tangent);
+  const bool has_bend = bend.sloping < bend.points.size();
+  if (is_flat ? has_bend : slope_factor(fit) < sloping.back().slope) return std::nullopt;
+  return fit;
 }
 
 }  // namespace
@@ -92,40 +142,47 @@ std::optional<LawPoint> point_of_least_free(const BiasCell& cell, double texel, 
   return point_at(cell, texel, axis, false);
 }
 
-std::optional<BiasLaw> fit_law(std::span<const LawPoint> points) {
-  if (points.empty()) return std::nullopt;
-  const auto slopes_differ = [&](const LawPoint& point) { return point.slope != points.front().slope; };
-  const std::size_t count = std::any_of(points.begin(), points.end(), slopes_differ) ? 3 : 2;
-  if (points.size() < count) return std::nullopt;
-  std::vector<Row> rows;
-  std::vector<double> right;
-  for (const LawPoint& point : points) {
-    const double weight = 1.0 / point.step;
-    rows.push_back({weight, weight * point.texel, -weight * point.slope * point.texel});
-    right.push_back(weight * point.bias);
-  }
-  const std::optional<Solution> solution = solve(rows, right, count);
-  if (!solution) return std::nullopt;
+double bias_of(const BiasLaw& law, double texel, double slope) {
+  if (slope >= law.flat_from) return law.constant.value;
+  const double tangent = law.tangent ? law.tangent->value : 0.0;
+  return law.constant.value + (law.per_texel.value - tangent * (slope - law.first_slope)) * texel;
+}
 
+std::optional<BiasLaw> fit_law(std::span<const LawPoint> points) {
+  std::vector<LawPoint> sorted(points.begin(), points.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const LawPoint& a, const LawPoint& b) { return a.slope < b.slope; });
+  std::optional<Fit> best;
+  Bend bend{sorted};
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    if (i + 1 < sorted.size() && sorted[i + 1].slope == sorted[i].slope) continue;
+    bend.sloping = i + 1;
+    ++bend.slopes;
+    const std::optional<Fit> fit = fit_bend(bend);
+    if (fit && (!best || fit->misses <= best->misses)) best = fit;
+  }
+  if (!best) return std::nullopt;
+
+  const Solution& solution = best->solution;
   BiasLaw law;
-  law.points = points.size();
-  law.constant.value = solution->value[0];
-  law.per_texel.value = solution->value[1];
-  if (count == 3) law.tangent = Fitted{solution->value[2], {}};
-  double weighted = 0.0;
-  for (const LawPoint& point : points) {
-    const double miss = point.bias - predict(law, point);
-    weighted += miss * miss / (point.step * point.step);
+  law.points = sorted.size();
+  law.first_slope = sorted.front().slope;
+  law.constant.value = solution.value[0];
+  law.per_texel.value = solution.value[1];
+  if (best->coefficients == 3) law.tangent = Fitted{solution.value[2], {}};
+  if (best->bend.sloping < sorted.size()) law.flat_from = sorted[best->bend.sloping].slope;
+  for (const LawPoint& point : sorted) {
+    const double miss = point.bias - bias_of(law, point.texel, point.slope);
     law.residual += miss * miss;
     law.residual_texels += miss * miss / (point.texel * point.texel);
   }
-  const auto size = static_cast<double>(points.size());
+  const auto size = static_cast<double>(sorted.size());
   law.residual = std::sqrt(law.residual / size);
   law.residual_texels = std::sqrt(law.residual_texels / size);
 
-  const bool has_spread = points.size() > count;
-  const double variance = has_spread ? weighted / static_cast<double>(points.size() - count) : 0.0;
-  const auto& covariance = solution->covariance;
+  const bool has_spread = sorted.size() > best->coefficients;
+  const double variance = has_spread ? best->misses / static_cast<double>(sorted.size() - best->coefficients) : 0.0;
+  const auto& covariance = solution.covariance;
   const auto error = [&](double unit_variance) -> std::optional<double> {
     if (!has_spread) return std::nullopt;
     return std::sqrt(std::max(unit_variance, 0.0) * variance);
@@ -136,10 +193,11 @@ std::optional<BiasLaw> fit_law(std::span<const LawPoint> points) {
     law.tangent->standard_error = error(covariance[2][2]);
     // A surface that needs a bias slopes; without a slope the factor means nothing. Its error to first order.
     if (const double tangent = law.tangent->value; tangent > least_tangent) {
-      const double factor = law.per_texel.value / tangent;
-      law.slope_factor = Fitted{
-          factor, error((covariance[1][1] + factor * factor * covariance[2][2] - 2.0 * factor * covariance[1][2]) /
-                        (tangent * tangent))};
+      const double ratio = law.per_texel.value / tangent;
+      law.slope_factor =
+          Fitted{law.first_slope + ratio,
+                 error((covariance[1][1] + ratio * ratio * covariance[2][2] - 2.0 * ratio * covariance[1][2]) /
+                       (tangent * tangent))};
     }
   }
   return law;

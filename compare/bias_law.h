@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -29,19 +30,25 @@ struct Fitted {
 };
 
 /// bias = c0 + c1·texel·tan θ, for one light and view at several resolutions. Constant biases alone cannot tell c1 from
-/// tan θ and give their product, per_texel. A slope-scaled bias s takes s·texel·tan θ off the constant one that is
-/// needed, so that over several of them bias = c0 + (c1 − s)·texel·tan θ gives both.
+/// tan θ and give their product. A slope-scaled bias s takes s·texel·tan θ off the constant one that is needed until
+/// nothing but c0 is left, so that over several of them bias = c0 + max(c1 − s, 0)·texel·tan θ gives both.
 struct BiasLaw {
   std::size_t points = 0;
+  double first_slope = 0.0;              ///< s₀, the least slope-scaled bias of the points, texels
   Fitted constant{};                     ///< c0, metres
-  Fitted per_texel{};                    ///< c1·tan θ, texels
-  std::optional<Fitted> tangent{};       ///< tan θ where the bias is decided, 1
+  Fitted per_texel{};                    ///< (c1 − s₀)·tan θ, texels
+  std::optional<Fitted> tangent{};       ///< tan θ where the bias is decided, 1; needs two s below c1
   std::optional<Fitted> slope_factor{};  ///< c1, texels of slope-scaled bias
-  double residual = 0.0;                 ///< root mean square of what the law misses, metres
-  double residual_texels = 0.0;          ///< the same, each point's in its own texels
+  double flat_from = std::numeric_limits<double>::infinity();  ///< the least s taken to be c1 or more, texels
+  double residual = 0.0;                                       ///< root mean square of what the law misses, metres
+  double residual_texels = 0.0;                                ///< the same, each point's in its own texels
 };
 
-/// Least squares, each point weighted by 1/step². Nothing where the texels do not differ.
+/// The constant bias that a law tells for a texel (metres) and a slope-scaled bias (texels), metres.
+double bias_of(const BiasLaw& law, double texel, double slope);
+
+/// Least squares, each point weighted by 1/step²; of all places of the bend among the slope-scaled biases the one that
+/// misses least. Nothing where the texels do not differ.
 std::optional<BiasLaw> fit_law(std::span<const LawPoint> points);
 
 }  // namespace umbrameter

@@ -96,6 +96,12 @@ std::vector<Value> values_at(const SweepPlan& plan, std::size_t cell) {
   return values;
 }
 
+std::vector<std::size_t> outer_axes_as_given(const SweepPlan& plan) {
+  std::vector<std::size_t> axes = plan.outer;
+  std::sort(axes.begin(), axes.end());
+  return axes;
+}
+
 std::size_t count_groups(const SweepPlan& plan) {
   const std::size_t inner = plan.constant_bias.values.size() * plan.slope_bias.values.size();
   return plan.cells / inner * divide_up(plan.constant_bias.values.size(), constants_in_group(plan)) *

@@ -42,6 +42,9 @@ SweepPlan plan_sweep(const Parameters& parameters, std::vector<SweepAxis> axes);
 /// The values of all axes at a cell.
 std::vector<Value> values_at(const SweepPlan& plan, std::size_t cell);
 
+/// The outer axes in the order in which they were given.
+std::vector<std::size_t> outer_axes_as_given(const SweepPlan& plan);
+
 /// One combination of the outer values with all combinations of the inner ones, or a part of these.
 struct CellGroup {
   std::size_t first_cell = 0;

@@ -55,31 +55,33 @@ struct Axis {
 struct PlotFigure {
   std::string stem;
   std::string title;
-  std::string caption;
+  std::string conditions;  ///< what holds for all of it, drawn below the title: "shadow.filter = nearest"
+  std::string caption;     ///< what it shows; stands beside it on the page
   Axis x;
   Axis y;
-  std::optional<std::string> series;        ///< column that tells the lines apart
-  std::string series_label;                 ///< legend title with unit: "resolution [texels]"
-  std::optional<std::string> lower, upper;  ///< columns of the 95 % interval
-  std::optional<std::string> style;         ///< column that tells solid from dashed lines; colour then tells the series
-  std::string style_label;                  ///< legend title
-  std::optional<std::string> mark;          ///< column of truths: these rows are rings and no part of a line
+  std::optional<std::string> series;           ///< column that tells the lines apart
+  std::string series_label;                    ///< legend title with unit: "resolution [texels]"
+  std::vector<CategoryColor> series_colors{};  ///< of values that have a colour of their own in other figures, too
+  std::optional<std::string> lower, upper;     ///< columns of the 95 % interval
+  std::optional<std::string> style;  ///< column that tells solid from dashed lines; colour then tells the series
+  std::string style_label;           ///< legend title
+  std::optional<std::string> mark;   ///< column of truths: these rows are rings and no part of a line
   Table data;
 };
 
-/// A number over two parameters, x within a panel as a scale, y as rows, the largest on top. Colours run evenly over
-/// the logarithm of the value from `first` to `last`, the same in every run; what lies beyond takes the end's colour.
+/// A number over two parameters, x within a panel as a scale, y as rows, the largest on top. Its colours go in steps
+/// that are the same in every run, so that values can be read off.
 struct HeatMapFigure {
   std::string stem;
   std::string title;
+  std::string conditions;  ///< as PlotFigure has them
   std::string caption;
   Axis x;
   Axis y;
   std::optional<std::string> panel;  ///< column that tells the panels apart
   std::string panel_label;
   Axis value;
-  double first = 0.01;
-  double last = 100.0;
+  std::vector<double> steps = {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0};  ///< where the next colour begins
   std::optional<std::string> mark;  ///< column of truths: these cells get a ring
   Table data;
 };

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "reports/figure_parts.h"
 #include "reports/plot_parts.h"
@@ -11,12 +13,12 @@ namespace {
 
 constexpr std::size_t most_panels_in_a_row = 3;
 constexpr int panel_gap = 16;
+constexpr int legend_length = 380;
 constexpr int row_height = 24;
 constexpr int least_panel_height = 96;
 constexpr int most_panel_height = 300;
-// Cividis: Nuñez, Anderton and Renslow, Optimizing colormaps with consideration for color vision deficiency, PLOS ONE
-// 13(7), 2018. Its lightness rises evenly.
-constexpr const char* color_scheme = "cividis";
+// Its lightness rises evenly (van der Walt and Smith, A Better Default Colormap for Matplotlib, SciPy 2015).
+constexpr const char* color_scheme = "viridis";
 
 std::vector<double> different_numbers(const Table& table, std::size_t column, bool positive) {
   std::vector<double> values;
@@ -47,10 +49,15 @@ std::vector<double> cell_edges(const std::vector<double>& values, bool logarithm
 }
 
 struct Cells {
-  Json rows = Json::array();  ///< x and x2 the cell's edges, xm its value, y, p (panel), v, k (mark)
+  Json rows = Json::array();  ///< x and x2 the cell's edges, xm its value, y, p (panel), v (step), k (mark)
   std::vector<double> edges;
   std::size_t dropped = 0;
 };
+
+// How many of the steps the value reaches.
+std::ptrdiff_t step_of(const HeatMapFigure& figure, double value) {
+  return std::upper_bound(figure.steps.begin(), figure.steps.end(), value) - figure.steps.begin();
+}
 
 Cells collect_cells(const HeatMapFigure& figure) {
   const auto column = [&](const std::string& name) { return column_of(figure.data, figure.stem, name); };
@@ -72,7 +79,7 @@ Cells collect_cells(const HeatMapFigure& figure) {
     }
     const auto i = static_cast<std::size_t>(place - values.begin());
     Json cell = {{"x", cells.edges[i]}, {"x2", cells.edges[i + 1]}, {"xm", *at}, {"y", to_string(row[y])}};
-    cell["v"] = std::clamp(*height, figure.first, figure.last);
+    cell["v"] = step_of(figure, *height);
     if (figure.panel) cell["p"] = to_string(row[panel]);
     if (figure.mark) cell["k"] = std::get<bool>(row[mark]);
     cells.rows.push_back(std::move(cell));
@@ -93,14 +100,31 @@ Json x_axis(const HeatMapFigure& figure, const Cells& cells, int width) {
   return {{"field", "x"}, {"type", "quantitative"}, {"axis", axis}, {"scale", scale}};
 }
 
+// The legend gives every step the same room.
 Json color_of(const HeatMapFigure& figure) {
-  Json ticks = Json::array();
-  for (double tick = figure.first; tick <= 1.001 * figure.last; tick *= 10.0) ticks.push_back(tick);
-  return {
-      {"field", "v"},
-      {"type", "quantitative"},
-      {"scale", {{"type", "log"}, {"domain", {figure.first, figure.last}}, {"scheme", color_scheme}, {"nice", false}}},
-      {"legend", {{"title", figure.value.label}, {"gradientLength", 300}, {"values", ticks}, {"format", "~g"}}}};
+  std::vector<int> numbers(figure.steps.size() + 1);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  const std::string label = fmt::format("['', {:g}][datum.value]", fmt::join(figure.steps, ", "));
+  return {{"field", "v"},
+          {"type", "quantitative"},
+          {"scale",
+           {{"type", "threshold"},
+            {"domain", std::vector<int>(numbers.begin() + 1, numbers.end())},
+            {"scheme", color_scheme}}},
+          {"legend",
+           {{"type", "gradient"},
+            {"title", figure.value.label},
+            {"gradientLength", legend_length},
+            {"values", numbers},
+            {"labelExpr", label}}}};
+}
+
+// Side by side, in rows of the same length where that can be.
+int panel_columns(std::size_t panels) {
+  for (std::size_t columns = std::min(panels, most_panels_in_a_row); columns > 1; --columns) {
+    if (panels % columns == 0) return static_cast<int>(columns);
+  }
+  return static_cast<int>(std::clamp<std::size_t>(panels, 1, most_panels_in_a_row));
 }
 
 Json make_panel(const HeatMapFigure& figure, const Cells& cells, int width) {
@@ -113,10 +137,12 @@ Json make_panel(const HeatMapFigure& figure, const Cells& cells, int width) {
                   {"sort", nullptr},
                   {"scale", {{"domain", rows}}},
                   {"axis", {{"title", figure.y.label}}}};
-  const Json color = color_of(figure);
+  // Cells are outlined in their own colour, which closes the seams between them.
+  const Json mark = {{"type", "rect"}, {"strokeWidth", 0.7}, {"stroke", {{"expr", "scale('color', datum.v)"}}}};
   const Json rectangle = {
-      {"mark", {{"type", "rect"}}},
-      {"encoding", {{"x", x_axis(figure, cells, width)}, {"x2", {{"field", "x2"}}}, {"y", y}, {"color", color}}}};
+      {"mark", mark},
+      {"encoding",
+       {{"x", x_axis(figure, cells, width)}, {"x2", {{"field", "x2"}}}, {"y", y}, {"color", color_of(figure)}}}};
   Json panel;
   panel["width"] = width;
   panel["height"] = std::clamp(row_height * static_cast<int>(rows.size()), least_panel_height, most_panel_height);
@@ -146,7 +172,7 @@ std::string to_plot_specification(const HeatMapFigure& figure) {
   spec["$schema"] = "https://vega.github.io/schema/vega-lite/v6.json";
   spec["description"] = figure.title;
   spec["title"]["text"] = figure.title;
-  std::vector<std::string> subtitle = wrap_caption(figure.caption);
+  std::vector<std::string> subtitle = wrap_text(figure.conditions);
   if (cells.dropped > 0) {
     subtitle.push_back(fmt::format("Not shown: {} of {} cells {}.", cells.dropped, figure.data.rows.size(),
                                    figure.x.logarithmic ? "at 0 or without a number" : "without a number"));
@@ -159,8 +185,8 @@ std::string to_plot_specification(const HeatMapFigure& figure) {
   } else {
     const std::vector<std::string> panels =
         different_values(figure.data, column_of(figure.data, figure.stem, *figure.panel));
-    const auto columns = static_cast<int>(std::clamp<std::size_t>(panels.size(), 1, most_panels_in_a_row));
-    const int width = (plot_width + 100 - panel_gap * (columns - 1)) / columns;
+    const int columns = panel_columns(panels.size());
+    const int width = (plot_width - panel_gap * (columns - 1)) / columns;
     spec["columns"] = columns;
     spec["spacing"] = panel_gap;
     spec["facet"] = {{"field", "p"},
@@ -168,6 +194,8 @@ std::string to_plot_specification(const HeatMapFigure& figure) {
                      {"sort", panels},
                      {"header", {{"title", figure.panel_label}, {"labelFontSize", 13}, {"titleFontSize", 13}}}};
     spec["spec"] = make_panel(figure, cells, width);
+    // A shared axis would stand under places without a panel, too.
+    if (panels.size() % static_cast<std::size_t>(columns) != 0) spec["resolve"]["axis"]["x"] = "independent";
   }
   spec["data"]["values"] = cells.rows;
   spec["config"] = plot_look();

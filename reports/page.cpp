@@ -127,9 +127,9 @@ std::string section_markup(const fs::path& folder, const ReportSection& section,
   std::string result = fmt::format("<section aria-labelledby=\"section-{0}\">\n<h2 id=\"section-{0}\">{1}</h2>\n",
                                    numbers.sections, escape_markup(section.title));
   result += headlines_markup(section.headlines) + paragraphs(section.text) + figures_markup(folder, section, numbers);
-  for (const Table& table : section.tables) {
+  for (const auto& [title, table] : section.tables) {
     if (table.columns.empty()) continue;
-    result += table_markup(table, fmt::format("Table {}. {}", ++numbers.tables, section.title));
+    result += table_markup(table, fmt::format("Table {}. {}", ++numbers.tables, title));
   }
   return result + "</section>\n";
 }

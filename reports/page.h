@@ -16,6 +16,11 @@ struct Headline {
   std::string note;   ///< "of 402,113 counted pixels"
 };
 
+struct ReportTable {
+  std::string title;  ///< "Error by object"
+  Table table;
+};
+
 struct ReportSection {
   std::string title;
   std::string text;  ///< plain paragraphs, separated by blank lines
@@ -23,7 +28,7 @@ struct ReportSection {
   std::vector<std::string> figures;   ///< stems in DIR/figures, shown in this order
   std::vector<std::string> captions;  ///< one for each figure
   std::vector<std::string> figure_titles;
-  std::vector<Table> tables;
+  std::vector<ReportTable> tables;
 };
 
 struct Report {

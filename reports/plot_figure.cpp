@@ -38,6 +38,13 @@ std::string ordered_color(std::size_t i, std::size_t count) {
   return fmt::format("#{:02x}{:02x}{:02x}", std::lround(color.x), std::lround(color.y), std::lround(color.z));
 }
 
+std::optional<std::string> own_color(const PlotFigure& figure, const std::string& name) {
+  for (const CategoryColor& own : figure.series_colors) {
+    if (own.name == name) return fmt::format("#{:02x}{:02x}{:02x}", own.color.x, own.color.y, own.color.z);
+  }
+  return std::nullopt;
+}
+
 // The rows under the short names x, y, s (series), d (style), k (mark), lo, hi, without points that the axes cannot
 // show.
 struct Points {
@@ -149,7 +156,8 @@ Series make_series(const PlotFigure& figure, bool has_lines) {
   Json patterns = Json::array();
   Json markers = Json::array();
   for (std::size_t i = 0; i < domain.size(); ++i) {
-    colors.push_back(is_ordered ? ordered_color(i, domain.size()) : distinct_colors[i % distinct_colors.size()]);
+    colors.push_back(is_ordered ? ordered_color(i, domain.size())
+                                : own_color(figure, domain[i]).value_or(distinct_colors[i % distinct_colors.size()]));
     patterns.push_back(dashes[i % dashes.size()]);
     markers.push_back(shapes[i % shapes.size()]);
   }
@@ -258,7 +266,7 @@ std::string to_plot_specification(const PlotFigure& figure) {
   spec["width"] = plot_width;
   spec["height"] = plot_height;
   spec["title"]["text"] = figure.title;
-  std::vector<std::string> subtitle = wrap_caption(figure.caption);
+  std::vector<std::string> subtitle = wrap_text(figure.conditions);
   if (points.dropped > 0) {
     const bool has_log = figure.x.logarithmic || figure.y.logarithmic;
     subtitle.push_back(

@@ -47,7 +47,7 @@ std::vector<std::string> different_values(const Table& table, std::size_t column
   return texts;
 }
 
-std::vector<std::string> wrap_caption(const std::string& text) {
+std::vector<std::string> wrap_text(const std::string& text) {
   std::vector<std::string> lines;
   std::string line;
   std::size_t begin = 0;
@@ -107,6 +107,7 @@ Json plot_look() {
             {"columnPadding", 16},
             {"titleLimit", 0},
             {"labelLimit", 240},
+            {"layout", {{"bottom", {{"anchor", "start"}, {"direction", "vertical"}}}}},
             {"offset", 8}}}};
 }
 

@@ -26,7 +26,7 @@ bool is_numeric(const Table& table, std::size_t column);
 std::vector<std::string> different_values(const Table& table, std::size_t column);
 
 /// The lines below a title.
-std::vector<std::string> wrap_caption(const std::string& text);
+std::vector<std::string> wrap_text(const std::string& text);
 
 /// Fonts, inks, axes and legends.
 Json plot_look();

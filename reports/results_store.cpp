@@ -276,12 +276,4 @@ Table ResultsStore::least(const std::string& column, const std::vector<std::stri
   return table;
 }
 
-std::size_t ResultsStore::count_combinations(const std::vector<std::string>& per) const {
-  state_->kinds(per);
-  return guarded(state_->path, [&] {
-    const std::string query = "SELECT COUNT(*) FROM (SELECT DISTINCT " + list_of(per) + " FROM cells)";
-    return static_cast<std::size_t>(state_->database->execAndGet(query).getInt64());
-  });
-}
-
 }  // namespace umbrameter

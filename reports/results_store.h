@@ -76,8 +76,6 @@ class ResultsStore {
   /// For each combination of values of the columns `per`, the row with the least `column`, the first of equals;
   /// ordered by that combination, at most `limit` rows. Without `per` the least row of all.
   Table least(const std::string& column, const std::vector<std::string>& per, std::size_t limit) const;
-  /// Number of combinations that least() would give without a limit.
-  std::size_t count_combinations(const std::vector<std::string>& per) const;
 
  private:
   struct State;

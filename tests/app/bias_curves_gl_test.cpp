@@ -34,10 +34,14 @@ TEST_F(BiasCurvesRun, The_law_of_a_plane_is_half_a_texel_of_slope) {
   }
   const Json& law = curves.at("laws").back();
   EXPECT_EQ(law.at("bias"), "no acne");
-  EXPECT_EQ(law.at("points"), 9);
-  EXPECT_NEAR(law.at("tangent").at("value").get<double>(), 1.7320508, 0.1);
-  EXPECT_NEAR(law.at("c1_texels").at("value").get<double>(), 0.5, 0.025);
+  EXPECT_EQ(law.at("points"), 3);
+  EXPECT_NEAR(law.at("c1_tangent_texels").at("value").get<double>(), 0.8660254, 0.05);
   EXPECT_LT(law.at("residual_m").get<double>(), 0.001);
+  const Json& over_slopes = law.at("over_slope_biases");
+  EXPECT_EQ(over_slopes.at("points"), 9);
+  EXPECT_NEAR(over_slopes.at("tangent").at("value").get<double>(), 1.7320508, 0.1);
+  EXPECT_NEAR(over_slopes.at("c1_texels").at("value").get<double>(), 0.5, 0.025);
+  EXPECT_LT(over_slopes.at("residual_m").get<double>(), 0.001);
 }
 
 }  // namespace

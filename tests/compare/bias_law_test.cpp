@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -42,6 +43,26 @@ TEST(BiasLaw, Several_slope_biases_tell_the_factor_from_the_tangent) {
   EXPECT_NEAR(law->slope_factor->value, 2.1213203435596424, 1e-12);
   EXPECT_NEAR(law->tangent->value, 0.5773502691896258, 1e-12);
   EXPECT_NEAR(law->per_texel.value, 2.1213203435596424 * 0.5773502691896258, 1e-12);
+}
+
+TEST(BiasLaw, Slope_biases_beyond_what_is_needed_leave_the_constant_alone) {
+  // c0 = 2 mm, c1 = 1.2 texels, tan θ = 3: a slope-scaled bias of 1.5 or 2 is more than enough.
+  std::vector<LawPoint> points;
+  for (const double texel : {0.04, 0.02, 0.01}) {
+    for (const double slope : {2.0, 0.5, 0.0, 1.5, 1.0}) {
+      points.push_back({texel, slope, 0.002 + std::max(1.2 - slope, 0.0) * texel * 3.0, 0.001});
+    }
+  }
+  const auto law = fit_law(points);
+  ASSERT_TRUE(law && law->tangent && law->slope_factor);
+  EXPECT_NEAR(law->constant.value, 0.002, 1e-14);
+  EXPECT_NEAR(law->tangent->value, 3.0, 1e-11);
+  EXPECT_NEAR(law->slope_factor->value, 1.2, 1e-12);
+  EXPECT_EQ(law->flat_from, 1.5);
+  EXPECT_NEAR(law->residual, 0.0, 1e-14);
+  EXPECT_NEAR(bias_of(*law, 0.03, 0.0), 0.002 + 1.2 * 0.03 * 3.0, 1e-13);
+  EXPECT_NEAR(bias_of(*law, 0.03, 1.0), 0.002 + 0.2 * 0.03 * 3.0, 1e-13);
+  EXPECT_NEAR(bias_of(*law, 0.03, 1.7), 0.002, 1e-14);
 }
 
 TEST(BiasLaw, Residual_and_standard_errors_are_those_of_a_straight_line) {

@@ -103,10 +103,37 @@ TEST(HeatMap, Colours_mean_the_same_in_every_run) {
   figure.data.rows[1][3] = 1e6;
   const Json specification = Json::parse(to_plot_specification(figure));
   const Json& scale = specification["spec"]["layer"][0]["encoding"]["color"]["scale"];
-  EXPECT_EQ(scale["domain"], Json({0.01, 100.0}));
-  EXPECT_EQ(scale["type"], "log");
-  EXPECT_DOUBLE_EQ(specification["data"]["values"][0]["v"], 0.01);
-  EXPECT_DOUBLE_EQ(specification["data"]["values"][1]["v"], 100.0);
+  // Steps at 0.1, 0.2, 0.5, 1, 2, 5, 10, 20 and 50 %.
+  EXPECT_EQ(scale["type"], "threshold");
+  EXPECT_EQ(scale["domain"], Json({1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  EXPECT_EQ(specification["data"]["values"][0]["v"], 0);
+  EXPECT_EQ(specification["data"]["values"][1]["v"], 9);
+  const std::string label = specification["spec"]["layer"][0]["encoding"]["color"]["legend"]["labelExpr"];
+  EXPECT_EQ(label, "['', 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50][datum.value]");
+}
+
+TEST(HeatMap, A_step_begins_at_its_value) {
+  HeatMapFigure figure = bias_map();
+  figure.steps = {1.0, 3.0};
+  figure.data.rows[0][3] = 0.999;
+  figure.data.rows[1][3] = 1.0;
+  figure.data.rows[2][3] = 3.0;
+  const Json specification = Json::parse(to_plot_specification(figure));
+  const Json& cells = specification["data"]["values"];
+  EXPECT_EQ(cells[0]["v"], 0);
+  EXPECT_EQ(cells[1]["v"], 1);
+  EXPECT_EQ(cells[2]["v"], 2);
+}
+
+TEST(HeatMap, Panels_fill_their_rows_where_they_can) {
+  HeatMapFigure figure = bias_map();
+  EXPECT_EQ(Json::parse(to_plot_specification(figure))["columns"], 3);
+  std::vector<Value> row = figure.data.rows.front();
+  row[static_cast<std::size_t>(column_index(figure.data, *figure.panel))] = std::int64_t{4096};
+  figure.data.rows.push_back(row);
+  const Json specification = Json::parse(to_plot_specification(figure));
+  EXPECT_EQ(specification["columns"], 2);
+  EXPECT_FALSE(specification.contains("resolve"));
 }
 
 TEST(HeatMap, Rows_stand_with_the_largest_on_top) {

@@ -49,7 +49,7 @@ Report sample(const std::string& text) {
   section.figures = {"drawn", "absent", "../secret", text};
   section.captions = {text, text};
   section.figure_titles = {text};
-  section.tables = {{{{text, text, text}, {"mae", "1", ""}}, {{text, 0.125}}}};
+  section.tables = {{text, {{{text, text, text}, {"mae", "1", ""}}, {{text, 0.125}}}}};
   report.sections = {section, section};
   return report;
 }
