@@ -46,8 +46,8 @@ constexpr CommandDescription image_commands[] = {
 };
 
 constexpr std::pair<const char*, const char*> short_names[] = {
-    {"view.size", "--size"},   {"view.scene", "--scene"}, {"view.camera", "--camera"},
-    {"view.light", "--light"}, {"run.seed", "--seed"},    {"run.classes", "--classes"}};
+    {"view.size", "--size"}, {"view.scene", "--scene"},    {"view.camera", "--camera"}, {"view.light", "--light"},
+    {"run.seed", "--seed"},  {"run.classes", "--classes"}, {"run.measure", "--measure"}};
 
 constexpr std::pair<const char*, const char*> group_titles[] = {{"view", "View"},
                                                                 {"light", "Extent of the measured lights"},
@@ -102,15 +102,13 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   command.add_option("-o,--output", line.output, "Folder for the results; made if it is not there")->required();
   command.add_option("-c,--config", line.experiment_file, "Experiment file (TOML); flags override it");
   if (std::string(description.name) == "compare") {
-    command.add_flag(
-        "--shimmer", line.shimmer,
-        "Measure how much shadows change when the map's grid or the camera moves by half a texel or pixel");
+    command.add_flag_callback(
+        "--shimmer", [&line] { line.settings.emplace_back("run.shimmer", "true"); }, "The same as --run.shimmer true");
   }
   if (std::string(description.name) == "sweep") {
     command.add_option("--vary", line.vary, "Axis: parameter=first:last:count[:log] or parameter=a,b,c; repeatable")
         ->take_all();
     command.add_flag("--force", line.force, "Measure anew: replace the results that are in the folder");
-    command.add_option("--measure", line.measure, "visibility or ao; found from the axes when not given");
   }
   if (std::string(description.name) != "trace") {
     command.add_option("--gl-device", line.gl_device, "OpenGL device: index, part of its name, or 'software'");

@@ -17,14 +17,12 @@ struct CommandLine {
   std::filesystem::path experiment_file;
   std::vector<std::pair<std::string, std::string>> settings;  ///< full parameter name, text, in order
   std::vector<std::string> vary;                              ///< "name=axis"
-  std::string measure;                                        ///< "visibility", "ao", or empty to infer it
   std::string gl_device;
   int threads = 0;
   bool quiet = false;
   bool json = false;
   bool markdown = false;
   bool no_cache = false;           ///< references are traced anew and not kept
-  bool shimmer = false;            ///< measure how much shadows shimmer, too
   bool force = false;              ///< what a sweep finds in its folder is measured anew
   bool clear = false;              ///< empty the cache of references
   std::vector<std::string> names;  ///< of built-in scenes to list or draw; empty for all

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "core/parallel.h"
@@ -24,9 +25,17 @@ void note(const Console& console, const std::string& line);
 /// Whether stderr may carry colours: a terminal, and NO_COLOR unset or empty (no-color.org).
 bool use_color();
 
+/// How far some work is.
+struct Advance {
+  double share = 0.0;        ///< done of it all
+  double first_share = 0.0;  ///< was done before these seconds began, by an earlier run perhaps
+  double seconds = 0.0;
+  std::uint64_t rays = 0;  ///< traced in these seconds; 0 where none are counted
+};
+
 /// "shadow rays ####.... 42 %, 12.3 Mray/s, 8 s left": the rate where rays are counted, the time left once it can be
-/// told. `seconds` have passed since the start.
-std::string progress_text(const std::string& label, double share, double seconds, std::uint64_t rays, bool color);
+/// told.
+std::string progress_text(const std::string& label, const Advance& advance, bool color);
 
 /// A bar with percentage, rate and time left on stderr while it lives; silent where stderr is no terminal, and with
 /// --quiet.
@@ -48,7 +57,8 @@ class ProgressBar {
   std::function<std::uint64_t()> count_rays_;
   std::uint64_t rays_before_ = 0;
   bool visible_ = false;
-  Clock::time_point start_;
+  Clock::time_point start_;  ///< when the first share was told
+  std::optional<double> first_share_;
   Clock::time_point shown_;
 };
 

@@ -9,6 +9,7 @@ namespace umbrameter {
 namespace {
 
 constexpr std::array<std::string_view, 2> class_rule_names{"fast", "exact"};
+constexpr std::array<std::string_view, 3> sweep_measure_names{"auto", "visibility", "ao"};
 
 }  // namespace
 
@@ -21,6 +22,12 @@ Parameters describe(RunParams& params) {
           {.unit = {},
            .meaning = "what decides whether a wrongly blocked tap is acne or false occlusion: planes of triangles, or "
                       "rays where those see two surfaces"})
+      .choice("measure", params.measure, sweep_measure_names,
+              {.unit = {}, .meaning = "what a sweep measures; auto is what its axes belong to"})
+      .field("shimmer", params.shimmer,
+             {"",
+              "compare also measures how much shadows change when the map's grid or the camera moves by a fraction "
+              "of a texel or pixel"})
       .take();
 }
 

@@ -17,10 +17,15 @@ namespace umbrameter {
 /// Who settles the taps that the two-plane rule takes for another surface's: the rule itself, or rays.
 enum class ClassRule : int { fast, exact };
 
+/// What a sweep measures: what its axes belong to, shadows, or ambient occlusion.
+enum class SweepMeasure : int { automatic, visibility, ao };
+
 /// The run.* parameters.
 struct RunParams {
   int seed = 1;
   ClassRule classes = ClassRule::exact;
+  SweepMeasure measure = SweepMeasure::automatic;
+  bool shimmer = false;
 };
 Parameters describe(RunParams& params);
 

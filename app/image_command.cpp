@@ -66,7 +66,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   for (const std::uint32_t light : lights) {
     ShadowMeasurement shadow = measure_shadow(workbench, experiment, light, sides);
     if (sides.raster && sides.truth) shadow.shape = measure_shape(workbench, experiment, shadow);
-    if (shadow.shape && line.shimmer) shadow.shape->shimmer = measure_shimmer(workbench, experiment, shadow);
+    if (shadow.shape && experiment.run.shimmer) shadow.shape->shimmer = measure_shimmer(workbench, experiment, shadow);
     measurement.shadows.push_back(std::move(shadow));
   }
   measurement.ao = measure_ao(workbench, experiment, sides);

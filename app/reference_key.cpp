@@ -58,6 +58,15 @@ void add_extent(ContentHash& hash, const RectangleEmitter& rectangle) {
 }
 void add_extent(ContentHash& hash, const DistantEmitter& sun) { hash.add(sun.angular_diameter); }
 
+void add_projection(ContentHash& hash, const PerspectiveProjection& perspective) {
+  const auto& [vertical_fov, near_plane, far_plane] = perspective;
+  hash.add(vertical_fov).add(near_plane).add(far_plane);
+}
+void add_projection(ContentHash& hash, const OrthographicProjection& orthographic) {
+  const auto& [half_width, half_height, near_plane, far_plane] = orthographic;
+  hash.add(half_width).add(half_height).add(near_plane).add(far_plane);
+}
+
 std::string content_of_file(const char* path) {
   std::ifstream file(path, std::ios::binary);
   ContentHash hash;
@@ -115,6 +124,14 @@ std::string light_content(const Light& light) {
   std::visit([&](const auto& form) { add_shape(hash, form); }, shape);
   hash.add(emitter.index());
   std::visit([&](const auto& extent) { add_extent(hash, extent); }, emitter);
+  return hash.hex();
+}
+
+std::string camera_content(const Camera& camera) {
+  const auto& [name, world_from_camera, projection] = camera;
+  ContentHash hash;
+  hash.add(world_from_camera).add(projection.index());
+  std::visit([&](const auto& form) { add_projection(hash, form); }, projection);
   return hash.hex();
 }
 

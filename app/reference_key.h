@@ -33,6 +33,9 @@ std::string surfel_content(const GBuffer& gbuffer);
 /// Kind, place and form of a light, as a hash. Its name, colour and intensity do not count.
 std::string light_content(const Light& light);
 
+/// Place and projection of a camera, as a hash.
+std::string camera_content(const Camera& camera);
+
 /// Who traces: a hash of this program's own file and of the processor's abilities, and Embree's version. The processor
 /// counts because Embree and the mathematics library choose their code by it.
 std::string tracer_identity();

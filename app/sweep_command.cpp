@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/reference_key.h"
@@ -41,6 +42,15 @@ std::vector<SweepAxis> make_axes(const CommandLine& line, Experiment& experiment
   return axes;
 }
 
+// How far a light reaches decides which pixels are counted, and how its map is fitted.
+std::string bounds_text(const Light& light) {
+  if (const auto* spot = std::get_if<SpotLight>(&light.shape)) {
+    return fmt::format(" ({}, {}, {})", spot->range, spot->inner_cone_angle, spot->outer_cone_angle);
+  }
+  const auto* point = std::get_if<PointLight>(&light.shape);
+  return point != nullptr ? fmt::format(" ({})", point->range) : "";
+}
+
 // All that the rows depend on besides the axes: who asks again with one of these changed gets no old row.
 std::vector<std::pair<std::string, std::string>> settings_of(Workbench& workbench, Experiment experiment,
                                                              Measure measure) {
@@ -49,27 +59,41 @@ std::vector<std::pair<std::string, std::string>> settings_of(Workbench& workbenc
   for (const Parameter& parameter : describe(experiment)) {
     settings.emplace_back(parameter.key, to_string(parameter.value()));
   }
-  settings.emplace_back("--measure", measure == Measure::ao ? "ao" : "visibility");
+  settings.emplace_back("measured", measure == Measure::ao ? "ao" : "visibility");
   settings.emplace_back("content of the scene", scene_content(workbench.scene()));
   std::string lights;
   for (std::uint32_t i = 0; i < workbench.scene().lights.size(); ++i) {
-    lights += light_content(workbench.light(experiment, i)) + " ";
+    const Light light = workbench.light(experiment, i);
+    lights += light_content(light) + bounds_text(light) + " ";
   }
   settings.emplace_back("content of the lights", lights);
   settings.emplace_back("content of the view", surfel_content(workbench.surfels(experiment.view).gbuffer));
+  std::string cameras;
+  for (const Camera& camera : workbench.scene().cameras) cameras += camera_content(camera) + " ";
+  settings.emplace_back("content of the cameras", cameras);
   settings.emplace_back("OpenGL", workbench.context().device().renderer);
   settings.emplace_back("program", tracer_identity());
   return settings;
 }
 
+bool is_figure(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  return extension == ".svg" || extension == ".pdf" || extension == ".png";
+}
+
 // Those of an earlier run in this folder would look like this one's.
 void remove_results(const std::filesystem::path& folder) {
-  for (const char* name : {"sweep.csv", "summary.json", "index.html", "images.exr"}) {
-    std::error_code error;
-    std::filesystem::remove(folder / name, error);
+  std::vector<std::filesystem::path> paths;
+  for (const char* name : {"sweep.csv", "summary.json", "index.html", "images.exr"}) paths.push_back(folder / name);
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "figures", error)) {
+    if (is_figure(entry.path())) paths.push_back(entry.path());
+  }
+  remove_abandoned(folder / "figures");
+  for (const std::filesystem::path& path : paths) {
+    std::filesystem::remove(path, error);
     if (error) {
-      throw Error(ExitCode::usage, "cannot remove " + (folder / name).string(), error.message(),
-                  "choose another folder with -o");
+      throw Error(ExitCode::usage, "cannot remove " + path.string(), error.message(), "choose another folder with -o");
     }
   }
 }
@@ -94,7 +118,7 @@ void measure_missing(const SweepPlan& plan, ResultsStore& store, const EvaluateG
 ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   Experiment experiment = make_experiment(line);
   const std::vector<SweepAxis> axes = make_axes(line, experiment);
-  Measure measure = choose_measure(line.measure, axes);
+  Measure measure = choose_measure(experiment.run.measure, axes);
   const Parameters parameters = describe(experiment);
   const SweepPlan plan = plan_sweep(parameters, axes);
   prepare_output_folder(line.output);
@@ -108,6 +132,9 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
     note(console, fmt::format("the scene has {} lights; sweeping light '{}'; choose with --light", lights.size(),
                               workbench.title(lights.front())));
   }
+  if (!varies_group(axes, "light.")) {
+    workbench.require_sense_for(experiment, swept_lights(workbench, experiment, axes));
+  }
   if (measure == Measure::visibility && has_soft_cells(workbench, experiment, axes)) measure = Measure::soft_visibility;
 
   const std::string toml = to_toml(experiment.scene, parameters, experiment.axes);
@@ -120,9 +147,18 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   if (store.complete()) {
     note(console, fmt::format("all {} cells are there already; --force measures them anew", plan.cells));
   } else {
-    remove_results(line.output);
-    write_text(line.output / "experiment.toml", toml);
-    measure_missing(plan, store, make_evaluator(workbench, experiment, axes, measure), console);
+    const EvaluateGroup evaluate = make_evaluator(workbench, experiment, axes, measure);
+    bool is_begun = false;
+    measure_missing(
+        plan, store,
+        [&](const CellGroup& group, const RowSink& keep) {
+          evaluate(group, keep);
+          if (std::exchange(is_begun, true)) return;
+          // What makes no sense has shown by now: only then earlier results give way.
+          remove_results(line.output);
+          write_text(line.output / "experiment.toml", toml);
+        },
+        console);
   }
 
   // The view does not move the map's range: with the view at hand nothing has to be drawn for it.

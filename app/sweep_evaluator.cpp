@@ -13,7 +13,6 @@ namespace {
 std::vector<Value> measure_cell(Workbench& workbench, const Experiment& experiment, Measure measure) {
   if (measure == Measure::ao) return to_row(*measure_ao(workbench, experiment, {}).statistics);
   const std::uint32_t light = workbench.lights(experiment.view.light).front();
-  workbench.require_sense_for(experiment, {light});
   const TracedVisibility& truth = workbench.truth(experiment, light);
   const RasterVisibility raster = workbench.draw(experiment, light, false);
   return to_row(analyze_soft_visibility(raster.visibility, sampled(truth), workbench.fit(experiment, light).counted));
@@ -21,6 +20,9 @@ std::vector<Value> measure_cell(Workbench& workbench, const Experiment& experime
 
 void measure_cells(Workbench& workbench, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                    Measure measure, const CellGroup& group, const RowSink& keep) {
+  // Extents are varied: not every combination of them need make sense.
+  const Experiment of_group = at_cell(experiment, axes, group.values);
+  if (measure != Measure::ao) workbench.require_sense_for(of_group, swept_lights(workbench, experiment, axes));
   for (std::size_t c = 0; c < group.constant_bias.values.size(); ++c) {
     for (std::size_t s = 0; s < group.slope_bias.values.size(); ++s) {
       throw_if_interrupted();
@@ -60,12 +62,9 @@ bool varies_group(const std::vector<SweepAxis>& axes, std::string_view group) {
   return std::any_of(axes.begin(), axes.end(), [&](const SweepAxis& axis) { return axis.key.rfind(group, 0) == 0; });
 }
 
-Measure choose_measure(const std::string& given, const std::vector<SweepAxis>& axes) {
-  if (given == "visibility") return Measure::visibility;
-  if (given == "ao") return Measure::ao;
-  if (!given.empty()) {
-    throw Error(ExitCode::usage, "--measure", "'" + given + "' is not allowed", "expected visibility or ao");
-  }
+Measure choose_measure(SweepMeasure given, const std::vector<SweepAxis>& axes) {
+  if (given == SweepMeasure::visibility) return Measure::visibility;
+  if (given == SweepMeasure::ao) return Measure::ao;
   const bool ao = varies_group(axes, "ao.") || varies_group(axes, "truth.");
   if (ao && (varies_group(axes, "shadow.") || varies_group(axes, "light."))) {
     throw Error(ExitCode::usage, "sweep", "the axes belong to shadows and to ambient occlusion",
@@ -74,17 +73,24 @@ Measure choose_measure(const std::string& given, const std::vector<SweepAxis>& a
   return ao ? Measure::ao : Measure::visibility;
 }
 
-bool has_soft_cells(const Workbench& workbench, const Experiment& experiment, const std::vector<SweepAxis>& axes) {
-  if (varies_group(axes, "light.")) return true;
+std::vector<std::uint32_t> swept_lights(const Workbench& workbench, const Experiment& experiment,
+                                        const std::vector<SweepAxis>& axes) {
   std::vector<std::string> names = {experiment.view.light};
   for (const SweepAxis& axis : axes) {
     if (axis.key != "view.light") continue;
     names.clear();
     for (const Value& value : axis.values) names.push_back(to_string(value));
   }
-  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-    return is_area(workbench.light(experiment, workbench.lights(name).front()));
-  });
+  std::vector<std::uint32_t> lights;
+  for (const std::string& name : names) lights.push_back(workbench.lights(name).front());
+  return lights;
+}
+
+bool has_soft_cells(const Workbench& workbench, const Experiment& experiment, const std::vector<SweepAxis>& axes) {
+  if (varies_group(axes, "light.")) return true;
+  const std::vector<std::uint32_t> lights = swept_lights(workbench, experiment, axes);
+  return std::any_of(lights.begin(), lights.end(),
+                     [&](std::uint32_t light) { return is_area(workbench.light(experiment, light)); });
 }
 
 std::vector<Column> columns_of(Measure measure) {

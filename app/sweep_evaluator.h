@@ -17,9 +17,12 @@ enum class Measure { visibility, soft_visibility, ao };
 /// Whether a parameter of that group, or of that name, is varied: "ao.", "view.scene".
 bool varies_group(const std::vector<SweepAxis>& axes, std::string_view group);
 
-/// What --measure says, or what the axes belong to when it is empty; never soft_visibility, which depends on the scene.
-/// Throws Error (usage) where it is neither.
-Measure choose_measure(const std::string& given, const std::vector<SweepAxis>& axes);
+/// Never soft_visibility, which depends on the scene. Throws Error (usage) where the axes belong to both.
+Measure choose_measure(SweepMeasure given, const std::vector<SweepAxis>& axes);
+
+/// The lights that any cell is about.
+std::vector<std::uint32_t> swept_lights(const Workbench& workbench, const Experiment& experiment,
+                                        const std::vector<SweepAxis>& axes);
 
 /// Whether any cell's light has extent.
 bool has_soft_cells(const Workbench& workbench, const Experiment& experiment, const std::vector<SweepAxis>& axes);

@@ -132,6 +132,12 @@ bool is_empty_store(SQLite::Database& database, const fs::path& path) {
   return false;
 }
 
+void drop_tables(SQLite::Database& database) {
+  for (const char* table : {"experiment", "settings", "axes", "columns", "groups", "cells"}) {
+    database.exec(fmt::format("DROP TABLE {}", table));
+  }
+}
+
 void create_tables(SQLite::Database& database, const StoreDescription& description, StoreForm form) {
   database.exec(fmt::format("PRAGMA application_id = {}", application_id));
   database.exec(fmt::format("PRAGMA user_version = {}", format_version));

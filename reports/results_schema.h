@@ -41,6 +41,8 @@ bool is_empty_store(SQLite::Database& database, const std::filesystem::path& pat
 enum class StoreForm { growing, finished };
 /// To be called within a transaction.
 void create_tables(SQLite::Database& database, const StoreDescription& description, StoreForm form);
+/// All that create_tables() made of a growing store. To be called within a transaction.
+void drop_tables(SQLite::Database& database);
 /// For all columns of the table of cells.
 SQLite::Statement make_insert(SQLite::Database& database, const StoreDescription& description);
 void insert_row(SQLite::Database& database, SQLite::Statement& insert, std::size_t cell, std::span<const Value> values);

@@ -157,13 +157,20 @@ ResultsStore ResultsStore::open(const fs::path& folder, const StoreDescription& 
   return guarded(partial, [&] {
     auto state = std::make_unique<State>(State{folder, partial, false, open_exclusively(partial), description});
     SQLite::Database& database = *state->database;
-    if (is_empty_store(database, partial)) {
-      SQLite::Transaction transaction(database);
-      create_tables(database, description, StoreForm::growing);
-      transaction.commit();
-    } else {
-      require_same(partial, read_description(database, partial), description);
+    bool is_empty = is_empty_store(database, partial);
+    SQLite::Transaction transaction(database);
+    if (!is_empty) {
+      const StoreDescription there = read_description(database, partial);
+      // One that was begun and holds no group is in nobody's way.
+      is_empty = database.execAndGet("SELECT EXISTS (SELECT 1 FROM groups)").getInt() == 0;
+      if (is_empty) {
+        drop_tables(database);
+      } else {
+        require_same(partial, there, description);
+      }
     }
+    if (is_empty) create_tables(database, description, StoreForm::growing);
+    transaction.commit();
     return ResultsStore(std::move(state));
   });
 }

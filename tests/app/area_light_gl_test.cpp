@@ -132,12 +132,17 @@ TEST_F(AreaLightRun, The_extent_of_a_file_and_the_same_by_flag_give_the_same_ans
 
 TEST(AreaLight, A_size_that_makes_no_sense_is_one_line_that_names_it) {
   const TemporaryFolder folder;
+  const std::vector<std::vector<std::string>> commands = {
+      {"trace", "contact-box"},
+      {"sweep", "contact-box", "--light", "sun", "--vary", "shadow.resolution=16,32", "--quiet"}};
   const auto refused = [&](const std::vector<std::string>& flags, const std::string& word) {
-    const ProgramResult result =
-        run_program(words(words({"trace", "contact-box", "-o", folder / "out"}, flags), small));
-    EXPECT_EQ(result.exit_code, 2) << result.err;
-    EXPECT_TRUE(is_one_line(result.err)) << result.err;
-    EXPECT_NE(result.err.find(word), std::string::npos) << result.err;
+    for (const std::vector<std::string>& command : commands) {
+      const ProgramResult result = run_program(words(words(words(command, {"-o", folder / "out"}), flags), small));
+      EXPECT_EQ(result.exit_code, 2) << result.err;
+      EXPECT_TRUE(is_one_line(result.err)) << result.err;
+      EXPECT_NE(result.err.find(word), std::string::npos) << result.err;
+      EXPECT_FALSE(std::filesystem::exists(folder / "out/results.partial.sqlite")) << command.front();
+    }
   };
   refused({"--light.radius", "1"}, "light.radius");
   refused({"--light.angle", "180"}, "light.angle");

@@ -16,12 +16,15 @@ namespace {
 
 TEST(Progress, Tells_share_rate_and_time_left) {
   // A quarter in 10 s leaves 30 s; 50 million rays in 10 s are 5 Mray/s; 6 of the 24 cells are filled.
-  EXPECT_EQ(progress_text("rays", 0.25, 10.0, 50'000'000, false),
+  EXPECT_EQ(progress_text("rays", {0.25, 0.0, 10.0, 50'000'000}, false),
             "rays ######..................  25 %, 5 Mray/s, 30 s left");
   // The same pace with a thousandth done cannot be told; half an hour is told in minutes.
-  EXPECT_EQ(progress_text("rays", 0.001, 10.0, 0, false), "rays ........................   0 %");
-  EXPECT_EQ(progress_text("rays", 0.5, 1800.0, 0, false), "rays ############............  50 %, 30 min left");
-  EXPECT_EQ(progress_text("rays", 1.0, 1.0, 0, true), "rays \x1b[36m########################\x1b[0m 100 %, 0 s left");
+  EXPECT_EQ(progress_text("rays", {0.001, 0.0, 10.0, 0}, false), "rays ........................   0 %");
+  EXPECT_EQ(progress_text("rays", {0.5, 0.0, 1800.0, 0}, false), "rays ############............  50 %, 30 min left");
+  // What an earlier run had done took none of these seconds: 9 % left, 3 % in 10 s.
+  EXPECT_EQ(progress_text("cells", {0.91, 0.88, 10.0, 0}, false), "cells #####################...  91 %, 30 s left");
+  EXPECT_EQ(progress_text("rays", {1.0, 0.0, 1.0, 0}, true),
+            "rays \x1b[36m########################\x1b[0m 100 %, 0 s left");
 }
 
 // The test's end of a terminal, and what a program on the other end writes to it.

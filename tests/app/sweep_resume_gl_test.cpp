@@ -196,6 +196,86 @@ TEST_F(SweepResume, Another_sweep_in_the_folder_is_refused_and_can_be_replaced) 
   EXPECT_TRUE(is_done(by_file("--force")));
 }
 
+// Changes a hundredth of the number that follows the word, the occurrence-th time.
+void change_number(const fs::path& file, const std::string& word, std::size_t occurrence) {
+  std::string bytes = text_of(file);
+  std::size_t place = 0;
+  for (std::size_t i = 0; i <= occurrence; ++i) {
+    place = bytes.find('"' + word + "\":", place) + word.size() + 3;
+    ASSERT_LT(place, bytes.size()) << word;
+  }
+  const std::size_t digit = bytes.find('.', place) + 2;
+  ASSERT_TRUE(bytes[digit] >= '0' && bytes[digit] <= '9') << bytes.substr(place, 20);
+  bytes[digit] = bytes[digit] == '5' ? '4' : '5';
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+TEST_F(SweepResume, What_decides_which_pixels_count_is_part_of_the_sweep) {
+  const fs::path file = folder_ / "scene.glb";
+  ASSERT_EQ(run({"scene", "courtyard", "-o", file}).exit_code, 0);
+  const auto sweep_file = [&](const fs::path& out, const std::string& axis) {
+    return run({"sweep", file, "-o", out, "--size", "32x18", "--light", "spot", "--vary", axis, "--quiet",
+                "--truth.spp", "4", "--no-cache"});
+  };
+  ASSERT_TRUE(is_done(sweep_file(folder_ / "cone", "shadow.resolution=16,32")));
+  ASSERT_TRUE(is_done(sweep_file(folder_ / "views", "view.camera=0,1")));
+  change_number(file, "outerConeAngle", 0);
+  const ProgramResult cone = sweep_file(folder_ / "cone", "shadow.resolution=16,32");
+  EXPECT_EQ(cone.exit_code, 2);
+  EXPECT_NE(cone.err.find("content of the lights"), std::string::npos) << cone.err;
+  ASSERT_EQ(run({"scene", "courtyard", "-o", file}).exit_code, 0);
+  change_number(file, "yfov", 1);
+  const ProgramResult views = sweep_file(folder_ / "views", "view.camera=0,1");
+  EXPECT_EQ(views.exit_code, 2);
+  EXPECT_NE(views.err.find("content of the cameras"), std::string::npos) << views.err;
+}
+
+TEST_F(SweepResume, A_command_that_makes_no_sense_is_in_nobodys_way) {
+  const fs::path folder = folder_ / "out";
+  ASSERT_EQ(run({"compare", "corner", "-o", folder, "--size", "32x18", "--truth.spp", "4", "--quiet"}).exit_code, 0);
+  const std::string summary = text_of(folder / "summary.json");
+  const std::vector<std::string> command = {"sweep",
+                                            "corner",
+                                            "-o",
+                                            folder,
+                                            "--size",
+                                            "32x18",
+                                            "--quiet",
+                                            "--truth.spp",
+                                            "4",
+                                            "--vary",
+                                            "ao.radius=0.2,0.5",
+                                            "--truth.ao-falloff",
+                                            "linear"};
+  EXPECT_EQ(run(command).exit_code, 2) << "a falloff needs a distance";
+  EXPECT_EQ(text_of(folder / "summary.json"), summary);
+  EXPECT_TRUE(is_done(run(words(command, {"--truth.ao-distance", "1"}))));
+  EXPECT_NE(text_of(folder / "summary.json"), summary);
+}
+
+TEST_F(SweepResume, Figures_of_the_sweep_before_are_gone) {
+  const fs::path folder = folder_ / "out";
+  fs::create_directories(folder / "figures");
+  for (const char* name : {"front.svg", "front.pdf", "front.png", "notes.txt"}) {
+    std::ofstream(folder / "figures" / name) << "old";
+  }
+  ASSERT_TRUE(is_done(run(sweep(folder, 2))));
+  EXPECT_FALSE(fs::exists(folder / "figures/front.svg"));
+  EXPECT_FALSE(fs::exists(folder / "figures/front.pdf"));
+  EXPECT_FALSE(fs::exists(folder / "figures/front.png"));
+  EXPECT_TRUE(fs::exists(folder / "figures/notes.txt"));
+}
+
+TEST_F(SweepResume, What_is_measured_comes_back_from_the_experiment_file) {
+  const std::vector<std::string> small = {"--size", "32x18", "--quiet", "--truth.spp", "4"};
+  ASSERT_TRUE(is_done(
+      run(words({"sweep", "corner", "-o", folder_ / "first", "--measure", "ao", "--vary", "view.camera=0,1"}, small))));
+  const ProgramResult again =
+      run({"sweep", "-c", folder_ / "first/experiment.toml", "-o", folder_ / "second", "--quiet"});
+  ASSERT_TRUE(is_done(again)) << again.err;
+  EXPECT_EQ(text_of(folder_ / "second/sweep.csv"), text_of(folder_ / "first/sweep.csv"));
+}
+
 TEST_F(SweepResume, A_damaged_store_is_unreadable_input) {
   const fs::path folder = folder_ / "out";
   fs::create_directory(folder);
