@@ -1,19 +1,11 @@
 #include <nlohmann/json.hpp>
 
-#include "app/bias_report.h"
+#include "app/summary.h"
 
 namespace umbrameter {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json setting_json(const std::vector<Column>& columns, const std::vector<Value>& values) {
-  Json object = Json::object();
-  for (std::size_t i = 0; i < columns.size() && i < values.size(); ++i) {
-    object[columns[i].name] = std::visit([](const auto& value) { return Json(value); }, values[i]);
-  }
-  return object;
-}
 
 Json cell_json(const std::optional<BiasCell>& cell, const BiasCurve& curve) {
   if (!cell) return nullptr;
@@ -32,7 +24,7 @@ Json cell_json(const std::optional<BiasCell>& cell, const BiasCurve& curve) {
 Json curve_json(const BiasCurves& curves, const BiasCurve& curve) {
   const BiasReading& reading = curve.reading;
   const BiasLine& line = flattest(reading);
-  Json object = {{"at", setting_json(curves.others, curve.others)},
+  Json object = {{"at", row_json(curves.others, curve.others)},
                  {"mean_texel_m", reading.mean_texel},
                  {"least_error", cell_json(least_error(reading), curve)}};
   if (curves.varies_constant) {
@@ -61,7 +53,7 @@ void add_law(Json& object, const BiasLaw& law) {
 
 Json law_json(const BiasCurves& curves, const CurveLaw& law) {
   Json object = {{"bias", law_names[static_cast<std::size_t>(law.of)]},
-                 {"at", setting_json(curves.of_a_law, law.others)},
+                 {"at", row_json(curves.of_a_law, law.others)},
                  {"left_out", law.left_out}};
   if (law.law) {
     object["slope_bias_texels"] = law.law->first_slope;

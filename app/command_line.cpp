@@ -188,7 +188,7 @@ std::variant<CommandLine, Information> parse_command_line(int argc, const char* 
   CLI::App& cache = *app.add_subcommand("cache", "List the references that are kept between runs, or remove them");
   cache.footer(
       "Example: umbrameter cache --clear\n"
-      "The limit is 2 GB; UMBRAMETER_CACHE_SIZE sets another one (500M, 10G, 0 for none).");
+      "The limit is 2 GB; UMBRAMETER_CACHE_SIZE sets another one (500M, 10G; 0 keeps nothing).");
   cache.add_flag("--clear", line.clear, "Remove all of them");
   add_output_flags(cache, line);
 

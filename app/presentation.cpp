@@ -301,9 +301,10 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
       fmt::format("{:<10} error {}: acne {}, false occlusion {}, peter-panning {}, leak {}  (texel {}, bias {})", title,
                   percent(s.mae), percent(s.acne), percent(s.false_occlusion), percent(s.peter_panning),
                   percent(s.leak), length(s.mean_texel), length(experiment.shadow.constant_bias)));
-  if (shadow.agreement) {
-    presentation.lines.push_back(fmt::format("{:<10} of {} taps that planes called foreign, rays called {:.3f} % own",
-                                             "", shadow.agreement->taps, 100.0 * share_of_foreign(*shadow.agreement)));
+  if (shadow.agreement && shadow.agreement->taps > 0) {
+    presentation.lines.push_back(
+        fmt::format("{:<10} of {} taps that planes called foreign, rays called {:.3f} % own, by weight", "",
+                    shadow.agreement->taps, 100.0 * share_of_foreign(*shadow.agreement)));
   }
   return presentation;
 }

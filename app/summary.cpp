@@ -14,12 +14,6 @@ Json to_json(const Value& value) {
   return std::visit([](const auto& v) { return Json(v); }, value);
 }
 
-Json row_json(const std::vector<Column>& columns, const std::vector<Value>& row) {
-  Json object = Json::object();
-  for (std::size_t i = 0; i < columns.size(); ++i) object[columns[i].name] = to_json(row[i]);
-  return object;
-}
-
 const char* kind_name(MapKind kind) {
   switch (kind) {
     case MapKind::orthographic:
@@ -116,6 +110,12 @@ Json ao_json(const AoMeasurement& ao) {
 }
 
 }  // namespace
+
+Json row_json(const std::vector<Column>& columns, const std::vector<Value>& row) {
+  Json object = Json::object();
+  for (std::size_t i = 0; i < columns.size(); ++i) object[columns[i].name] = to_json(row[i]);
+  return object;
+}
 
 std::string to_summary_json(const SummaryInput& input) {
   Json summary;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,9 @@ struct SummaryInput {
   std::vector<std::string> files;     ///< written, relative to the output folder
   std::vector<std::string> problems;  ///< what could not be made
 };
+
+/// A row by the names of its columns.
+nlohmann::ordered_json row_json(const std::vector<Column>& columns, const std::vector<Value>& row);
 
 /// The JSON text. Holds no times or paths, so that equal runs give equal bytes.
 std::string to_summary_json(const SummaryInput& input);

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "reports/text_layout.h"
 
 namespace umbrameter {
 namespace {
@@ -44,19 +45,15 @@ Pairs read_pairs(SQLite::Database& database, const char* table) {
   return pairs;
 }
 
-std::string shortened(const std::string& text) {
-  constexpr std::size_t longest = 60;
-  return text.size() <= longest ? "'" + text + "'" : "'" + text.substr(0, longest) + "…'";
-}
-
 std::string difference(const Pairs& there, const Pairs& here) {
   for (std::size_t i = 0; i < std::max(there.size(), here.size()); ++i) {
     if (i >= here.size()) return there[i].first + " is set there only";
     if (i >= there.size()) return here[i].first + " is set here only";
     if (there[i].first != here[i].first) return there[i].first + " stands there where here is " + here[i].first;
     if (there[i].second == here[i].second) continue;
-    return fmt::format("{} is {} there and {} here", there[i].first, shortened(there[i].second),
-                       shortened(here[i].second));
+    constexpr std::size_t characters = 60;
+    return fmt::format("{} is '{}' there and '{}' here", there[i].first, shortened(there[i].second, characters),
+                       shortened(here[i].second, characters));
   }
   return {};
 }

@@ -44,5 +44,59 @@ TEST_F(BiasCurvesRun, The_law_of_a_plane_is_half_a_texel_of_slope) {
   EXPECT_LT(over_slopes.at("residual_m").get<double>(), 0.001);
 }
 
+// Rings of a figure: points in that ink.
+std::size_t count_rings(const std::filesystem::path& svg, const std::string& ink) {
+  const std::string text = text_of(svg);
+  std::size_t rings = 0;
+  for (std::size_t at = text.find("<path"); at != std::string::npos; at = text.find("<path", at + 1)) {
+    const std::string element = text.substr(at, text.find('>', at) - at);
+    const bool is_point = element.find("roledescription=\"point\"") != std::string::npos;
+    rings += is_point && element.find(ink) != std::string::npos ? 1u : 0u;
+  }
+  return rings;
+}
+
+TEST_F(BiasCurvesRun, Figures_ring_what_was_read_and_the_page_tells_it) {
+  const std::filesystem::path out = folder_ / "out";
+  const ProgramResult result = run_program({"sweep", "contact-box", "-o", out, "--light", "sun", "--size", "160x90",
+                                            "--quiet", "--json", "--vary", "shadow.constant-bias=0:0.1:11", "--vary",
+                                            "shadow.slope-bias=0:2:33", "--vary", "shadow.resolution=64,128,256,512"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json curves = Json::parse(result.out).at("curves");
+  const std::filesystem::path figures = out / "figures";
+  // One a resolution, also where its slope-scaled bias is one of those that are left out of the map's rows.
+  EXPECT_EQ(count_rings(figures / "mae_biases.svg", "stroke=\"white\""), 4u);
+  EXPECT_EQ(count_rings(figures / "mae_lines.svg", "stroke=\"white\""), 4u);
+  std::size_t fitted = 0;
+  for (const Json& law : curves.at("laws")) {
+    if (!law.contains("points")) continue;
+    fitted += law.at("points").get<std::size_t>();
+    EXPECT_EQ(law.at("points").get<int>() + law.at("left_out").get<int>(), 4) << law;
+  }
+  ASSERT_GT(fitted, 0u);
+  EXPECT_EQ(count_rings(figures / "law.svg", "fill=\"white\""), fitted) << "biases that were left out are not drawn";
+  std::size_t knees = 0;
+  for (const Json& curve : curves.at("biases")) knees += curve.at("knee").is_null() ? 0u : 1u;
+  EXPECT_EQ(count_rings(figures / "front.svg", "fill=\"white\""), knees);
+
+  const std::string page = text_of(out / "index.html");
+  EXPECT_NE(page.find("One value of shadow.slope-bias in 2 is drawn"), std::string::npos);
+  EXPECT_NE(page.find("A bias of 0 has no place on this axis"), std::string::npos);
+  for (const char* title :
+       {"Biases worth a name", "Constant biases by slope-scaled bias", "Laws of bias against texel"}) {
+    EXPECT_NE(page.find(title), std::string::npos) << title;
+  }
+}
+
+TEST_F(BiasCurvesRun, Biases_below_0_have_their_place) {
+  const std::filesystem::path out = folder_ / "out";
+  const ProgramResult result = run_program({"sweep", "corner", "-o", out, "--light", "0", "--size", "64x36", "--quiet",
+                                            "--vary", "shadow.constant-bias=-0.1:0.1:21"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string figure = text_of(out / "figures/mae.svg");
+  EXPECT_NE(figure.find("−0.1"), std::string::npos) << "the axis begins there";
+  EXPECT_EQ(text_of(out / "index.html").find("has no place on this axis"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace umbrameter

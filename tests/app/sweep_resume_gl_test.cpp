@@ -119,16 +119,19 @@ TEST_F(SweepResume, A_kill_while_results_are_written_leaves_each_whole_or_absent
   const fs::path undisturbed = folder_ / "undisturbed";
   ASSERT_TRUE(is_done(run(sweep(undisturbed, groups))));
   std::mt19937 random(2);
+  int killed = 0;
   for (int i = 0; i < 8; ++i) {
     const fs::path folder = folder_ / ("killed-" + std::to_string(i));
     ProgramOptions options;
     options.signal = SIGKILL;
-    options.signal_after_seconds = std::uniform_real_distribution<double>(0.3, 1.2)(random);
-    run(sweep(folder, groups), options);
+    options.signal_counts_from = [&] { return fs::exists(folder / "results.sqlite"); };
+    options.signal_after_seconds = std::uniform_real_distribution<double>(0.0, 0.3)(random);
+    killed += run(sweep(folder, groups), options).exit_code == 128 + SIGKILL ? 1 : 0;
     expect_whole_or_absent(folder, undisturbed);
     ASSERT_TRUE(is_done(run(sweep(folder, groups))));
     expect_same_results(folder, undisturbed);
   }
+  EXPECT_GE(killed, 1) << "kills must strike while results are written";
 }
 
 TEST_F(SweepResume, Ctrl_c_says_what_is_kept_and_the_same_command_continues) {
