@@ -19,6 +19,11 @@ struct RayOrigin {
   dvec3 point() const { return surface + offset * normal; }
 };
 
+/// Whether a ray of that direction cannot meet its own triangle, by normal and clear_cosine of its RayOrigin.
+inline bool is_clear(const dvec3& normal, double clear_cosine, const vec3& direction) {
+  return glm::dot(normal, dvec3(direction)) > clear_cosine;
+}
+
 /// The point of a triangle that is nearest to a position (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
 dvec3 nearest_point(const Triangle& triangle, const dvec3& position);
 
