@@ -4,7 +4,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <mutex>
 #include <tuple>
 #include <utility>
@@ -28,6 +27,7 @@ static_assert(block_size * block_size == Packet::width);
 // Keep the points apart from those of other quantities at the same pixel.
 constexpr std::uint32_t purpose = 0x11947u;
 constexpr std::uint32_t pilot_purpose = 0x21947u;
+constexpr std::uint32_t slant_purpose = 0x31947u;
 
 // Weighted points of one randomisation.
 struct Sums {
@@ -49,10 +49,6 @@ void add_even(AoEstimate& even, const AllSums& sums, int first, int last) {
     total.all += s.all;
     total.squares += s.squares;
     points += even.split.size(r);
-  }
-  if (!(total.all > 0.0)) {  // seen edge on: no part of it is visible, for sure
-    even.worth = std::numeric_limits<double>::infinity();
-    return;
   }
   const double share = total.lit / total.all;
   for (int r = first; r < last; ++r) {
@@ -134,7 +130,7 @@ class TileTracer {
   void add(std::size_t i, TracedVisibility& result) {
     const RayOrigin origin = ray_origin(tracer_, gbuffer_, i, triangles_);
     const auto slant = [&](std::uint32_t axis) {
-      return 0.5f + to_unit_float(hash(static_cast<std::uint32_t>(i), axis, sampling_.seed, purpose));
+      return 0.5f + to_unit_float(hash(static_cast<std::uint32_t>(i), axis, sampling_.seed, slant_purpose));
     };
     Pixel pixel{i,
                 vec3(origin.point()),

@@ -16,6 +16,33 @@ constexpr double u = 0x1p-24;
 dvec3 absolute(const dvec3& v) { return glm::abs(v); }
 dmat3 absolute(const dmat3& m) { return {glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2])}; }
 
+// The point of a triangle that is nearest to a position (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
+dvec3 nearest_point(const Triangle& triangle, const dvec3& position) {
+  const auto& [a, b, c] = triangle;
+  const dvec3 ab = b - a;
+  const dvec3 ac = c - a;
+  const dvec3 ap = position - a;
+  const double d1 = glm::dot(ab, ap);
+  const double d2 = glm::dot(ac, ap);
+  if (d1 <= 0.0 && d2 <= 0.0) return a;
+  const dvec3 bp = position - b;
+  const double d3 = glm::dot(ab, bp);
+  const double d4 = glm::dot(ac, bp);
+  if (d3 >= 0.0 && d4 <= d3) return b;
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + ab * (d1 / (d1 - d3));
+  const dvec3 cp = position - c;
+  const double d5 = glm::dot(ab, cp);
+  const double d6 = glm::dot(ac, cp);
+  if (d6 >= 0.0 && d5 <= d6) return c;
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + ac * (d2 / (d2 - d6));
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0.0 && d4 >= d3 && d5 >= d6) return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
+  const double scale = 1.0 / (va + vb + vc);
+  return a + ab * (vb * scale) + ac * (vc * scale);
+}
+
 // Moves a point that stands on an edge of its triangle inwards, until it keeps `insets` off each edge: at a crease the
 // rounded origin must not fall behind the neighbour that rises there.
 dvec3 inset_from_edges(const SurfelTriangle& t, dvec3 point) {
@@ -95,32 +122,6 @@ double vertex_error(const Scene& scene, std::uint32_t instance, std::uint32_t tr
     squared = std::max(squared, glm::dot(error, error));
   }
   return 2.0 * u * std::sqrt(squared);
-}
-
-dvec3 nearest_point(const Triangle& triangle, const dvec3& position) {
-  const auto& [a, b, c] = triangle;
-  const dvec3 ab = b - a;
-  const dvec3 ac = c - a;
-  const dvec3 ap = position - a;
-  const double d1 = glm::dot(ab, ap);
-  const double d2 = glm::dot(ac, ap);
-  if (d1 <= 0.0 && d2 <= 0.0) return a;
-  const dvec3 bp = position - b;
-  const double d3 = glm::dot(ab, bp);
-  const double d4 = glm::dot(ac, bp);
-  if (d3 >= 0.0 && d4 <= d3) return b;
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + ab * (d1 / (d1 - d3));
-  const dvec3 cp = position - c;
-  const double d5 = glm::dot(ab, cp);
-  const double d6 = glm::dot(ac, cp);
-  if (d6 >= 0.0 && d5 <= d6) return c;
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + ac * (d2 / (d2 - d6));
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0.0 && d4 >= d3 && d5 >= d6) return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
-  const double scale = 1.0 / (va + vb + vc);
-  return a + ab * (vb * scale) + ac * (vc * scale);
 }
 
 namespace {
