@@ -18,7 +18,8 @@ class Ways {
         to_distant_(-light.axis()),
         light_(light) {}
 
-  /// Whether the surfel is turned to the light.
+  /// Whether the surfel is turned to the light: what faces() tells without extent. Asking that of every surfel finds
+  /// the way to a distant light anew, which is a tenth of all time in simple scenes.
   bool begin_at(const GBuffer& gbuffer, std::size_t pixel) const {
     const dvec3 way = is_distant_ ? to_distant_ : to_light(light_, dvec3(gbuffer.position[pixel]));
     return glm::dot(dvec3(gbuffer.geometric_normal[pixel]), way) > 0.0;

@@ -6,7 +6,6 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <ctime>
 #include <functional>
 #include <limits>
@@ -20,6 +19,7 @@
 #include "raytrace/surfel.h"
 #include "scenes/builtin.h"
 #include "scenes/view.h"
+#include "tests/support/benchmark_main.h"
 
 namespace umbrameter {
 namespace {
@@ -290,20 +290,5 @@ void run(const std::string& name, const Setup& setup) {
 }  // namespace umbrameter
 
 int main(int argc, char** argv) {
-  std::string scene = "courtyard";
-  umbrameter::Setup setup;
-  for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--quick") == 0) {
-      setup = {96, 54, 16, 1, 4};
-    } else {
-      scene = argv[i];
-    }
-  }
-  try {
-    umbrameter::run(scene, setup);
-  } catch (const umbrameter::Error& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return static_cast<int>(error.code());
-  }
-  return 0;
+  return umbrameter::benchmark_main<umbrameter::Setup>(argc, argv, {96, 54, 16, 1, 4}, &umbrameter::run);
 }
