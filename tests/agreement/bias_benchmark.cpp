@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "compare/bias_response.h"
-#include "core/error.h"
 #include "raster/rasterizer.h"
 #include "raytrace/tracer.h"
 #include "scenes/builtin.h"
