@@ -9,7 +9,7 @@
 namespace umbrameter {
 namespace {
 
-// −ln 0.05: see half_width_95().
+// −ln 0.05: see least_half_width().
 constexpr double rule_of_three = 2.995732273553991;
 
 // Scatters of 7 degrees of freedom must come below the tolerance, from what a pilot of 15 has told: by chance their
@@ -65,12 +65,9 @@ double least_half_width(const AoEstimate& estimate) {
   return std::min(rule_of_three / (estimate.worth * estimate.split.points), 1.0);
 }
 
-double half_width_95(const AoEstimate& estimate) {
-  return std::max(student_95(estimate.split.count - 1.0) * std::sqrt(estimate.variance()), least_half_width(estimate));
-}
-
 double standard_error(const AoEstimate& estimate) {
-  return half_width_95(estimate) / student_95(estimate.split.count - 1.0);
+  const double quantile = student_95(estimate.split.count - 1.0);
+  return std::max(quantile * std::sqrt(estimate.variance()), least_half_width(estimate)) / quantile;
 }
 
 int rays_needed(const AoEstimate& seen, const TruthParams& params) {

@@ -20,19 +20,17 @@ struct AoEstimate {
   double variance() const;
 };
 
-/// Half width of the interval about the mean that holds the true accessibility in 95 % of cases: Student's t quantile
-/// times the standard error. An occluder too small to be met, or an opening, is not in the scatter: N rays that miss a
-/// share p of the hemisphere do so with probability (1 − p)^N ≈ exp(−N·p), below 5 % from p = 3/N on, and stratified
-/// points less often. The half width is never below that (the rule of three: Hanley and Lippman-Hand 1983).
-double half_width_95(const AoEstimate& estimate);
-
-/// half_width_95() over the quantile: what a reader multiplies by it.
+/// Half width of the interval about the mean that holds the true accessibility in 95 % of cases, over Student's t
+/// quantile, which a reader multiplies by it. The half width is the quantile times the root of variance(), and never
+/// below least_half_width().
 double standard_error(const AoEstimate& estimate);
 
 /// Half 0 or 1 of its randomisations, whose number must be even.
 AoEstimate half_of(const AoEstimate& estimate, int half);
 
-/// The least half width that this many points can claim: see half_width_95().
+/// The least half width that this many points can claim. An occluder too small to be met, or an opening, is not in the
+/// scatter: N rays that miss a share p of the hemisphere do so with probability (1 − p)^N ≈ exp(−N·p), below 5 % from
+/// p = 3/N on, and stratified points less often (the rule of three: Hanley and Lippman-Hand 1983).
 double least_half_width(const AoEstimate& estimate);
 
 /// How many rays a pixel's estimate needs to meet params.tolerance, judged from what another estimate has shown.

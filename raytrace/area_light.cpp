@@ -6,6 +6,7 @@
 
 #include "raytrace/sampler.h"
 #include "scenes/emitter.h"
+#include "scenes/light_frame.h"
 
 namespace umbrameter {
 namespace {
@@ -25,9 +26,10 @@ vec2 slanted(vec2 point, vec2 slants) {
 
 LightView::LightView(const Light& light, LightSampling sampling, const dvec3& from) : sampling_(sampling) {
   assert(is_area(light));
-  z_ = -light.axis();
-  x_ = glm::normalize(glm::cross(dvec3(light.world_from_light[1]), z_));
-  y_ = glm::cross(z_, x_);
+  const dmat3 axes = axes_of(light);
+  x_ = axes[0];
+  y_ = axes[1];
+  z_ = axes[2];
   way_ = light.position() - from;
   is_round_ = true;
   if (const auto* rectangle = std::get_if<RectangleEmitter>(&light.emitter)) {
@@ -62,12 +64,13 @@ LightView::Sample LightView::sample(vec2 point) const {
   Sample sample;
   const dvec3 way = way_ + p.x * x_ + p.y * y_;
   const double distance = glm::length(way);
-  if (!(distance > 0.0)) return {z_, 0.0, 0.0};
+  if (!(distance > std::numeric_limits<float>::min())) return {z_, 0.0, 1.0};  // at the surfel itself
   sample.direction = way / distance;
   sample.reach = distance;
-  if (sampling_ == LightSampling::solid_angle) {
-    sample.weight = std::abs(glm::dot(sample.direction, z_)) / (distance * distance);
-  }
+  // The solid angle of a piece is its area times cosine over squared distance. The cosine is the surfel's height over
+  // the light's plane over the distance; that height is the same for all points, and so has no part in a share. Nor is
+  // there a 0/0 where the light is seen edge on.
+  if (sampling_ == LightSampling::solid_angle) sample.weight = 1.0 / (distance * distance * distance);
   return sample;
 }
 

@@ -24,7 +24,7 @@ class LightView {
   struct Sample {
     dvec3 direction;      ///< unit
     double reach = 0.0;   ///< metres to the light, infinite to a distant one
-    double weight = 1.0;  ///< of this point in the share
+    double weight = 1.0;  ///< of this point in the share, above 0, up to a factor that all points have in common
   };
   Sample sample(vec2 point) const;
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <mutex>
 #include <tuple>
 #include <utility>
@@ -28,6 +27,7 @@ static_assert(block_size * block_size == Packet::width);
 // Keep the points apart from those of other quantities at the same pixel.
 constexpr std::uint32_t purpose = 0x11947u;
 constexpr std::uint32_t pilot_purpose = 0x21947u;
+constexpr std::uint32_t slant_purpose = 0x31947u;
 
 // Weighted points of one randomisation.
 struct Sums {
@@ -50,10 +50,6 @@ void add_even(AoEstimate& even, const AllSums& sums, int first, int last) {
     total.squares += s.squares;
     points += even.split.size(r);
   }
-  if (!(total.all > 0.0)) {  // seen edge on: no part of it is visible, for sure
-    even.worth = std::numeric_limits<double>::infinity();
-    return;
-  }
   const double share = total.lit / total.all;
   for (int r = first; r < last; ++r) {
     const Sums& s = sums[static_cast<std::size_t>(r)];
@@ -65,7 +61,9 @@ void add_even(AoEstimate& even, const AllSums& sums, int first, int last) {
 struct Pixel {
   std::size_t index = 0;
   vec3 origin{0};
-  dvec3 normal{0.0};
+  dvec3 normal{0.0};           // of the surfel
+  dvec3 triangle_normal{0.0};  // RayOrigin::normal
+  double clear_cosine = 2.0;
   LightView view;
   vec2 slants{1.0f};
   Stopping stopping;
@@ -132,11 +130,13 @@ class TileTracer {
   void add(std::size_t i, TracedVisibility& result) {
     const RayOrigin origin = ray_origin(tracer_, gbuffer_, i, triangles_);
     const auto slant = [&](std::uint32_t axis) {
-      return 0.5f + to_unit_float(hash(static_cast<std::uint32_t>(i), axis, sampling_.seed, purpose));
+      return 0.5f + to_unit_float(hash(static_cast<std::uint32_t>(i), axis, sampling_.seed, slant_purpose));
     };
     Pixel pixel{i,
                 vec3(origin.point()),
                 dvec3(gbuffer_.geometric_normal[i]),
+                origin.normal,
+                origin.clear_cosine,
                 {light_, sampling_.params.light_sampling, dvec3(vec3(origin.point()))},
                 {slant(0u), slant(1u)},
                 Stopping(sampling_.params)};
@@ -156,7 +156,8 @@ class TileTracer {
     packet_.clear();
     for (std::size_t i = first; i < last; ++i) {
       const Pixel& pixel = pending(i);
-      packet_.add({pixel.origin, vec3(0, 0, 1), 0.0f}, gbuffer_.instance[pixel.index], gbuffer_.triangle[pixel.index]);
+      packet_.add({pixel.origin, vec3(0, 0, 1), 0.0f, true}, gbuffer_.instance[pixel.index],
+                  gbuffer_.triangle[pixel.index]);
     }
     const SampleRange range = pending(first).stopping.next();
     const Randomisations before{range.split.count, range.begin};
@@ -176,14 +177,14 @@ class TileTracer {
       const std::uint32_t scramble = hash(static_cast<std::uint32_t>(pixel.index), randomisation, sampling_.seed,
                                           pixel.stopping.is_pilot() ? pilot_purpose : purpose);
       const LightView::Sample sample = pixel.view.sample(slanted(point_of(index, scramble), pixel.slants));
-      is_traced[static_cast<std::size_t>(l)] = glm::dot(pixel.normal, sample.direction) > 0.0;
+      const bool is_above = glm::dot(pixel.normal, sample.direction) > 0.0;
+      is_traced[static_cast<std::size_t>(l)] = is_above;
       weights[static_cast<std::size_t>(l)] = sample.weight;
-      // The light is no blocker: the ray stops short of it by the rounding of its own length. Nothing is hit by a ray
-      // without length.
-      const float reach =
-          is_traced[static_cast<std::size_t>(l)] ? static_cast<float>(sample.reach * (1.0 - 0x1p-22)) : 0.0f;
-      packet_.aim(l, {pixel.origin, vec3(sample.direction), reach});
-      statistics_.rays += is_traced[static_cast<std::size_t>(l)] ? 1u : 0u;
+      const vec3 direction(sample.direction);
+      // Nothing is hit by a ray without length.
+      packet_.aim(l, {pixel.origin, direction, is_above ? reach_to_light(sample.reach) : 0.0f,
+                      !is_above || is_clear(pixel.triangle_normal, pixel.clear_cosine, direction)});
+      statistics_.rays += is_above ? 1u : 0u;
     }
     packet_.trace();
     for (int l = 0; l < packet_.size(); ++l) {

@@ -8,7 +8,7 @@ namespace umbrameter {
 
 struct TracedCasters {
   Image<std::uint32_t> instance;  ///< no_id on background, where turned away and where nothing is in the way
-  Image<float> distance;          ///< metres from the surfel to the caster; 0 where there is none
+  Image<float> distance;  ///< metres from the ray's start, a step off the surfel, to the caster; 0 where none is
   std::uint64_t rays = 0;
 };
 

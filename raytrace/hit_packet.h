@@ -31,8 +31,7 @@ class HitPacket {
     query_.own_instance[size_] = own_instance;
     query_.own_triangle[size_] = own_triangle;
     aim_lane(rays_.ray, size_, ray);
-    rays_.hit.geomID[size_] = RTC_INVALID_GEOMETRY_ID;
-    rays_.hit.instID[0][size_] = RTC_INVALID_GEOMETRY_ID;
+    forget_hit(size_);
     valid_[size_] = -1;
     ++size_;
   }
@@ -42,8 +41,7 @@ class HitPacket {
     aim_lanes<width>(rays_.ray, from);
     size_ = from.count;
     for (int lane = 0; lane < width; ++lane) {
-      rays_.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
-      rays_.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+      forget_hit(lane);
       valid_[lane] = lane < size_ && !(from.reach[lane] < 0.0f) ? -1 : 0;
     }
   }
@@ -58,13 +56,16 @@ class HitPacket {
   /// Of a blocked ray, metres from its origin.
   float distance(int lane) const { return rays_.ray.tfar[lane] < 0.0f ? 0.0f : rays_.ray.tfar[lane]; }
   /// Of a blocked ray whose reach was not negative, index into Scene::instances.
-  std::uint32_t instance(int lane) const {
-    return rays_.hit.instID[0][lane] != RTC_INVALID_GEOMETRY_ID ? rays_.hit.instID[0][lane] : rays_.hit.geomID[lane];
-  }
+  std::uint32_t instance(int lane) const { return instance_of(rays_.hit.instID[0][lane], rays_.hit.geomID[lane]); }
   int size() const { return size_; }
   bool is_full() const { return size_ == width; }
 
  private:
+  void forget_hit(int lane) {
+    rays_.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+    rays_.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+  }
+
   const Tracer::State* state_;
   RayQuery query_;
   typename embree::Lanes<width>::Hits rays_;

@@ -16,6 +16,10 @@ struct ShadowRay {
   bool is_clear = false;    ///< it cannot meet its own triangle
 };
 
+/// Reach of a ray to a light that far off, metres. The light itself is no blocker: the ray stops short of it by the
+/// rounding of its own length.
+inline float reach_to_light(double distance) { return static_cast<float>(distance * (1.0 - 0x1p-22)); }
+
 /// Rays from one place, each of the arrays at least as long as a packet.
 struct RaysFrom {
   const float* x = nullptr;  ///< directions

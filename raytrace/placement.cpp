@@ -10,9 +10,8 @@ namespace umbrameter {
 // magnitude over |det|, and D the determinant's over |det|, an entry of the inverse is off by at most γ(10)·D·B. The
 // point's transform and the translation's add four roundings, so that 14 in all, seen from the world through |M|,
 // bound the origin: 14u · D · |M|·B·(|p| + |t|). The rounded matrix itself moves the mesh by u·(|M|·|x| + |t|), which
-// vertex_error() in surfel.cpp counts. (u and γ as there.)
+// vertex_error() in surfel.cpp counts. (u and γ as at half_ulp.)
 OriginError origin_error(const dmat4& world_from_mesh) {
-  constexpr double u = 0x1p-24;
   const dmat3 placed(world_from_mesh);
   const dmat3 linear(glm::abs(placed[0]), glm::abs(placed[1]), glm::abs(placed[2]));
   dmat3 cofactors(0.0);
@@ -25,7 +24,7 @@ OriginError origin_error(const dmat4& world_from_mesh) {
   if (!(determinant > 0.0)) return {};  // flat: no ray meets it
   const double spread = glm::dot(linear[0], cofactors[0]) / determinant;
   OriginError error;
-  error.of_place = 14.0 * u * spread / determinant * (linear * glm::transpose(cofactors));
+  error.of_place = 14.0 * half_ulp * spread / determinant * (linear * glm::transpose(cofactors));
   error.constant = error.of_place * glm::abs(dvec3(world_from_mesh[3]));
   return error;
 }

@@ -5,6 +5,11 @@
 
 namespace umbrameter {
 
+/// Half a unit in the last place of a float: the relative error of one rounding, u in the derivations, where γ(n), that
+/// of n roundings, is n·u/(1 − n·u) (Higham, Accuracy and Stability of Numerical Algorithms, 2002, theorem 2.2,
+/// lemma 3.1).
+inline constexpr double half_ulp = 0x1p-24;
+
 /// How far the origin of a ray at p may be off in the space of a shared mesh, seen from the world: the length of
 /// of_place · |p| + constant, metres.
 struct OriginError {

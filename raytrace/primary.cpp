@@ -9,11 +9,6 @@ namespace {
 
 constexpr int tile_size = 32;
 
-struct Hit {
-  std::uint32_t instance = no_id;
-  std::uint32_t triangle = no_id;
-};
-
 // Metres from the near plane to the far plane along a ray.
 double reach(const View& view, const dvec3& direction) {
   const auto [near_plane, far_plane] =
@@ -24,30 +19,12 @@ double reach(const View& view, const dvec3& direction) {
   return (far_plane - near_plane) / glm::dot(axis, direction);
 }
 
-Hit first_hit(const Tracer::State& state, const Ray& ray, double reach) {
+NearestHit first_hit(const Tracer::State& state, const Ray& ray, double reach) {
   RayQuery query;
   prepare(query, state, true);
   query.primary_direction = ray.direction;
-  const vec3 origin(ray.origin);
-  const vec3 direction(ray.direction);
-  RTCRayHit hit;
-  hit.ray.org_x = origin.x;
-  hit.ray.org_y = origin.y;
-  hit.ray.org_z = origin.z;
-  hit.ray.dir_x = direction.x;
-  hit.ray.dir_y = direction.y;
-  hit.ray.dir_z = direction.z;
-  hit.ray.tnear = 0.0f;
-  hit.ray.tfar = static_cast<float>(std::min(reach, static_cast<double>(std::numeric_limits<float>::max())));
-  hit.ray.time = 0.0f;
-  hit.ray.mask = 0xffffffffu;
-  hit.ray.id = 0;
-  hit.ray.flags = 0;
-  hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  embree::intersect1(state.top.get(), hit, query.query);
-  if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-  return {hit.hit.instID[0] != RTC_INVALID_GEOMETRY_ID ? hit.hit.instID[0] : hit.hit.geomID, hit.hit.primID};
+  const double finite = std::min(reach, static_cast<double>(std::numeric_limits<float>::max()));
+  return nearest_hit(query, vec3(ray.origin), vec3(ray.direction), static_cast<float>(finite));
 }
 
 // Where the ray meets the triangle, as weights of its second and third corner, in double precision; clamped to the
@@ -72,7 +49,7 @@ auto interpolate(const std::vector<Attribute>& values, const uvec3& vertices, co
 }
 
 void write_surfel(GBuffer& gbuffer, std::size_t i, const Scene& scene, const View& view, const Ray& ray,
-                  const Hit& hit) {
+                  const NearestHit& hit) {
   const Instance& placed = scene.instances[hit.instance];
   const Mesh& mesh = scene.meshes[placed.mesh];
   const uvec3 vertices = mesh.triangles[hit.triangle];
@@ -112,7 +89,7 @@ GBuffer trace_gbuffer(const Tracer& tracer, const View& view, const Progress& pr
         for (int y = tile.y_begin; y < tile.y_end; ++y) {
           for (int x = tile.x_begin; x < tile.x_end; ++x) {
             const Ray ray = pixel_ray(view, x, y);
-            const Hit hit = first_hit(tracer.state(), ray, reach(view, ray.direction));
+            const NearestHit hit = first_hit(tracer.state(), ray, reach(view, ray.direction));
             if (hit.instance == no_id) continue;
             write_surfel(gbuffer, gbuffer.instance.index(x, y), tracer.scene(), view, ray, hit);
           }

@@ -68,16 +68,13 @@ int degrees_of_freedom(const TruthParams& params) {
   return is_adaptive(params) ? adaptive_freedom : split(params.spp).count - 1;
 }
 
-double half_width_of(float standard_error, int degrees_of_freedom) {
-  return student_95(degrees_of_freedom) * static_cast<double>(standard_error);
-}
-
 SamplingPrecision precision_of(const Image<float>& standard_error, const Image<float>& samples,
                                const TruthParams& params) {
   SamplingPrecision precision;
+  const double quantile = student_95(degrees_of_freedom(params));
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!(samples[i] > 0.0f)) continue;
-    const double half_width = half_width_of(standard_error[i], degrees_of_freedom(params));
+    const double half_width = quantile * static_cast<double>(standard_error[i]);
     ++precision.pixels;
     precision.worst_half_width = std::max(precision.worst_half_width, half_width);
     precision.mean_half_width += half_width;

@@ -61,9 +61,6 @@ class Stopping {
 /// Degrees of freedom of the standard errors.
 int degrees_of_freedom(const TruthParams& params);
 
-/// The half width that a stored standard error stands for.
-double half_width_of(float standard_error, int degrees_of_freedom);
-
 /// Over the pixels that have samples.
 SamplingPrecision precision_of(const Image<float>& standard_error, const Image<float>& samples,
                                const TruthParams& params);

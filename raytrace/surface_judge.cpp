@@ -13,9 +13,6 @@
 namespace umbrameter {
 namespace {
 
-// Half a unit in the last place of a float, as in surfel.cpp.
-constexpr double u = 0x1p-24;
-
 // A point that the light sees, on the plane of its triangle.
 struct SeenPoint {
   dvec3 in_light{0.0};
@@ -95,7 +92,7 @@ class Judge {
     const InstanceInfo& info = tracer_.state().instances[point.instance];
     const dvec3 origin = glm::abs(dvec3(world_from_light_ * dvec4(ray.origin, 1.0)));
     const double distance = glm::length(point.in_light - ray.origin);
-    point.width = u * (glm::length(origin) + 8.0 * distance);
+    point.width = half_ulp * (glm::length(origin) + 8.0 * distance);
     if (info.is_shared) {
       const dvec3 along = distance * glm::abs(dmat3(world_from_light_) * ray.direction);
       point.width += glm::length(info.origin_error.of_place * (origin + along) + info.origin_error.constant);
@@ -136,29 +133,13 @@ class Judge {
     if (!has_masks_) filter_every_hit(query, false);
     const vec3 origin(dvec3(world_from_light_ * dvec4(ideal.origin, 1.0)));
     const vec3 direction(dmat3(world_from_light_) * ideal.direction);
-    RTCRayHit hit;
-    hit.ray.org_x = origin.x;
-    hit.ray.org_y = origin.y;
-    hit.ray.org_z = origin.z;
-    hit.ray.dir_x = direction.x;
-    hit.ray.dir_y = direction.y;
-    hit.ray.dir_z = direction.z;
-    hit.ray.tnear = 0.0f;
-    hit.ray.tfar = std::numeric_limits<float>::infinity();
-    hit.ray.time = 0.0f;
-    hit.ray.mask = 0xffffffffu;
-    hit.ray.id = 0;
-    hit.ray.flags = 0;
-    hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    embree::intersect1(tracer_.state().top.get(), hit, query.query);
-    if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-    SeenPoint point =
-        on_triangle(hit.hit.instID[0] != RTC_INVALID_GEOMETRY_ID ? hit.hit.instID[0] : hit.hit.geomID, hit.hit.primID);
+    const NearestHit hit = nearest_hit(query, origin, direction, std::numeric_limits<float>::infinity());
+    if (hit.instance == no_id) return std::nullopt;
+    SeenPoint point = on_triangle(hit.instance, hit.triangle);
     const LightRay ray{dvec3(frame_.light_from_world * dvec4(dvec3(origin), 1.0)),
                        glm::normalize(dmat3(frame_.light_from_world) * dvec3(direction))};
     const double exact = distance_to_plane(point, ray);
-    point.in_light = ray.origin + ray.direction * (std::isfinite(exact) ? exact : static_cast<double>(hit.ray.tfar));
+    point.in_light = ray.origin + ray.direction * (std::isfinite(exact) ? exact : static_cast<double>(hit.distance));
     point.depth = depth(point.in_light);
     set_errors(point, ray);
     return point;

@@ -9,12 +9,35 @@
 namespace umbrameter {
 namespace {
 
-// Half a unit in the last place of a float: the relative error of one rounding (Higham, Accuracy and Stability of
-// Numerical Algorithms, 2002, theorem 2.2).
-constexpr double u = 0x1p-24;
-
 dvec3 absolute(const dvec3& v) { return glm::abs(v); }
 dmat3 absolute(const dmat3& m) { return {glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2])}; }
+
+// The point of a triangle that is nearest to a position (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
+dvec3 nearest_point(const Triangle& triangle, const dvec3& position) {
+  const auto& [a, b, c] = triangle;
+  const dvec3 ab = b - a;
+  const dvec3 ac = c - a;
+  const dvec3 ap = position - a;
+  const double d1 = glm::dot(ab, ap);
+  const double d2 = glm::dot(ac, ap);
+  if (d1 <= 0.0 && d2 <= 0.0) return a;
+  const dvec3 bp = position - b;
+  const double d3 = glm::dot(ab, bp);
+  const double d4 = glm::dot(ac, bp);
+  if (d3 >= 0.0 && d4 <= d3) return b;
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + ab * (d1 / (d1 - d3));
+  const dvec3 cp = position - c;
+  const double d5 = glm::dot(ab, cp);
+  const double d6 = glm::dot(ac, cp);
+  if (d6 >= 0.0 && d5 <= d6) return c;
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + ac * (d2 / (d2 - d6));
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0.0 && d4 >= d3 && d5 >= d6) return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
+  const double scale = 1.0 / (va + vb + vc);
+  return a + ab * (vb * scale) + ac * (vc * scale);
+}
 
 // Moves a point that stands on an edge of its triangle inwards, until it keeps `insets` off each edge: at a crease the
 // rounded origin must not fall behind the neighbour that rises there.
@@ -50,7 +73,7 @@ struct SideError {
 // With s the shortest edge:
 //   corners seen from the origin are rounded: the plane moves by u·L under an origin that stands over the triangle, and
 //   turns by 2u·L over the triangle's least height |N| / L
-//   edges and their cross product are rounded: 2u·s·L and 3u·s·L of N (γ(n) as in Higham, as above)
+//   edges and their cross product are rounded: 2u·s·L and 3u·s·L of N (u and γ(n) as at half_ulp)
 //   the dot product: 4u of its factors' lengths
 // A quarter more is for an origin beside the triangle by an eighth of its least height.
 SideError side_error(const std::array<double, 3>& edges, double twice_area) {
@@ -59,9 +82,9 @@ SideError side_error(const std::array<double, 3>& edges, double twice_area) {
   error.longest = std::max({edges[0], edges[1], edges[2]});
   if (!(twice_area > 0.0)) return error;
   const double l = error.longest;
-  const double turn = 5.0 * u * s * l / twice_area + 4.0 * u;
-  error.height = 1.25 * (turn * l + u * l);
-  error.cosine = 1.25 * (turn + 2.0 * u * l * l / twice_area);
+  const double turn = 5.0 * half_ulp * s * l / twice_area + 4.0 * half_ulp;
+  error.height = 1.25 * (turn * l + half_ulp * l);
+  error.cosine = 1.25 * (turn + 2.0 * half_ulp * l * l / twice_area);
   error.thickness = twice_area / l;
   return error;
 }
@@ -77,7 +100,7 @@ double place_error(const Triangle& t, const InstanceInfo& info) {
     const dvec3 error = info.origin_error.of_place * absolute(corner) + info.origin_error.constant;
     moved = std::max(moved, glm::dot(error, error));
   }
-  return u * std::sqrt(rounded) + std::sqrt(moved);
+  return half_ulp * std::sqrt(rounded) + std::sqrt(moved);
 }
 
 }  // namespace
@@ -94,33 +117,7 @@ double vertex_error(const Scene& scene, std::uint32_t instance, std::uint32_t tr
     const dvec3 error = linear * absolute(dvec3(mesh.positions[mesh.triangles[triangle][c]])) + translation;
     squared = std::max(squared, glm::dot(error, error));
   }
-  return 2.0 * u * std::sqrt(squared);
-}
-
-dvec3 nearest_point(const Triangle& triangle, const dvec3& position) {
-  const auto& [a, b, c] = triangle;
-  const dvec3 ab = b - a;
-  const dvec3 ac = c - a;
-  const dvec3 ap = position - a;
-  const double d1 = glm::dot(ab, ap);
-  const double d2 = glm::dot(ac, ap);
-  if (d1 <= 0.0 && d2 <= 0.0) return a;
-  const dvec3 bp = position - b;
-  const double d3 = glm::dot(ab, bp);
-  const double d4 = glm::dot(ac, bp);
-  if (d3 >= 0.0 && d4 <= d3) return b;
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + ab * (d1 / (d1 - d3));
-  const dvec3 cp = position - c;
-  const double d5 = glm::dot(ab, cp);
-  const double d6 = glm::dot(ac, cp);
-  if (d6 >= 0.0 && d5 <= d6) return c;
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + ac * (d2 / (d2 - d6));
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0.0 && d4 >= d3 && d5 >= d6) return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
-  const double scale = 1.0 / (va + vb + vc);
-  return a + ab * (vb * scale) + ac * (vc * scale);
+  return 2.0 * half_ulp * std::sqrt(squared);
 }
 
 namespace {
@@ -155,11 +152,11 @@ SurfelTriangle surfel_triangle(const Tracer& tracer, std::uint32_t instance, std
     }
   }
   // Where it takes more than this, in parts of an edge, the triangle is flat, and a hit on it is told by its id.
-  constexpr double most_side_error = 96.0 * u;
+  constexpr double most_side_error = 96.0 * half_ulp;
   const SideError side = side_error(lengths, known.twice_area);
-  const bool is_told = side.height < std::max(8.0 * u * info.longest_edge, most_side_error * side.longest) &&
+  const bool is_told = side.height < std::max(8.0 * half_ulp * info.longest_edge, most_side_error * side.longest) &&
                        (!info.is_shared || info.is_similar);
-  const double rounding = std::max(8.0 * u * info.longest_edge, is_told ? side.height : 0.0);
+  const double rounding = std::max(8.0 * half_ulp * info.longest_edge, is_told ? side.height : 0.0);
   known.offset = 2.0 * vertex_error(scene, instance, id) + rounding + place_error(t, info);
   if (is_told && known.offset < side.thickness / 8.0) known.clear_cosine = 2.0 * side.cosine;
   // Room for an origin that stands `offset` high and is off by as much, under neighbours that rise at 28 degrees or

@@ -19,8 +19,10 @@ struct RayOrigin {
   dvec3 point() const { return surface + offset * normal; }
 };
 
-/// The point of a triangle that is nearest to a position (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
-dvec3 nearest_point(const Triangle& triangle, const dvec3& position);
+/// Whether a ray of that direction cannot meet its own triangle, by normal and clear_cosine of its RayOrigin.
+inline bool is_clear(const dvec3& normal, double clear_cosine, const vec3& direction) {
+  return glm::dot(normal, dvec3(direction)) > clear_cosine;
+}
 
 /// Largest distance by which a vertex of the triangle may stand off its ideal place, metres, world.
 double vertex_error(const Scene& scene, std::uint32_t instance, std::uint32_t triangle);
@@ -48,7 +50,8 @@ class SurfelCache {
   std::array<SurfelTriangle, 64> slots_;
 };
 
-/// The least step along the normal after which rounding cannot put a ray behind the surface that it leaves.
+/// With a step after which rounding cannot put a ray behind the surface that it leaves: one bound for all points of a
+/// triangle.
 RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel);
 /// The same, faster where pixels share triangles.
 RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel, SurfelCache& cache);

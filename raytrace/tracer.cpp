@@ -47,8 +47,7 @@ void filter_hit(const RTCFilterFunctionNArguments* arguments) {
   const unsigned n = arguments->N;
   for (unsigned i = 0; i < n; ++i) {
     if (arguments->valid[i] != -1) continue;
-    const unsigned shared = RTCHitN_instID(arguments->hit, n, i, 0);
-    const FilteredHit hit{shared != RTC_INVALID_GEOMETRY_ID ? shared : RTCHitN_geomID(arguments->hit, n, i),
+    const FilteredHit hit{instance_of(RTCHitN_instID(arguments->hit, n, i, 0), RTCHitN_geomID(arguments->hit, n, i)),
                           RTCHitN_primID(arguments->hit, n, i),
                           {RTCHitN_u(arguments->hit, n, i), RTCHitN_v(arguments->hit, n, i)}};
     const InstanceInfo& info = state.instances[hit.instance];
@@ -69,6 +68,27 @@ void prepare(RayQuery& query, const Tracer::State& state, bool is_primary) {
   embree::prepare(query.query, filter_hit);
   query.state = &state;
   query.is_primary = is_primary;
+}
+
+NearestHit nearest_hit(RayQuery& query, const vec3& origin, const vec3& direction, float reach) {
+  RTCRayHit hit;
+  hit.ray.org_x = origin.x;
+  hit.ray.org_y = origin.y;
+  hit.ray.org_z = origin.z;
+  hit.ray.dir_x = direction.x;
+  hit.ray.dir_y = direction.y;
+  hit.ray.dir_z = direction.z;
+  hit.ray.tnear = 0.0f;
+  hit.ray.tfar = reach;
+  hit.ray.time = 0.0f;
+  hit.ray.mask = 0xffffffffu;
+  hit.ray.id = 0;
+  hit.ray.flags = 0;
+  hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  embree::intersect1(query.state->top.get(), hit, query.query);
+  if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  return {instance_of(hit.hit.instID[0], hit.hit.geomID), hit.hit.primID, hit.ray.tfar};
 }
 
 std::string embree_version() { return RTC_VERSION_STRING; }

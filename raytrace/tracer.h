@@ -70,17 +70,18 @@ struct SamplingPrecision {
   std::uint64_t pixels = 0;       ///< sampled ones
   double worst_half_width = 0.0;  ///< of the pixels' 95 % intervals
   double mean_half_width = 0.0;
-  double mean_samples = 0.0;          ///< rays a pixel
+  double mean_samples = 0.0;          ///< a pixel, as TracedAo and TracedVisibility count them
   std::uint64_t pixels_at_limit = 0;  ///< stopped by truth.max-spp above the tolerance; 0 without a tolerance
 };
 
 struct TracedVisibility {
   Image<float> visibility;  ///< 1 lit, 0 blocked or turned away (geometric N·L ≤ 0), 1 on background
   TraceStatistics statistics;
-  /// Of a light with extent as TracedAo has them, 0 where nothing was sampled; empty of one without.
+  /// Of a light with extent as TracedAo has them, 0 where nothing was sampled: on background, turned away and within a
+  /// sphere light. Empty of a light without.
   Image<float> standard_error{};
   Image<float> variance{};
-  Image<float> samples{};
+  Image<float> samples{};  ///< points on the light, the pilot's too; those below the horizon take no ray
   int degrees_of_freedom = 0;
   SamplingPrecision precision{};
 };
@@ -94,7 +95,7 @@ TracedVisibility trace_visibility(const Tracer& tracer, const GBuffer& gbuffer, 
 struct TracedAo {
   Image<float> ao;  ///< accessibility, 1 open and on background
   /// Half width of each pixel's 95 % interval over student_95(degrees_of_freedom). Never 0 on a surface: rays that all
-  /// agree may have missed something (half_width_95() says how much). 0 on background.
+  /// agree may have missed something (docs/reference.md says how much). 0 on background.
   Image<float> standard_error;
   Image<float> variance;       ///< unbiased estimate of each pixel's, for sums over many pixels; 0 where its rays agree
   Image<float> samples;        ///< rays of each pixel, the pilot's too

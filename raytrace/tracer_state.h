@@ -65,6 +65,19 @@ void filter_hit(const RTCFilterFunctionNArguments* arguments);
 /// Lets a hit count unless it is the ray's own triangle, a masked-out point, or a culled back face of a primary ray.
 void prepare(RayQuery& query, const Tracer::State& state, bool is_primary);
 
+/// Index into Scene::instances by the two ids of a hit: a shared mesh is hit as an instance, any other as a geometry.
+inline std::uint32_t instance_of(unsigned instance_id, unsigned geometry_id) {
+  return instance_id != RTC_INVALID_GEOMETRY_ID ? instance_id : geometry_id;
+}
+
+struct NearestHit {
+  std::uint32_t instance = no_id;  ///< no_id where nothing is hit
+  std::uint32_t triangle = no_id;
+  float distance = 0.0f;  ///< metres
+};
+/// Of one ray, as lane 0 of the query.
+NearestHit nearest_hit(RayQuery& query, const vec3& origin, const vec3& direction, float reach);
+
 /// Without, occlusion rays are asked about masked geometry alone: the caller knows that none meets its own triangle.
 /// Calls back cost about as much as half the traversal.
 inline void filter_every_hit(RayQuery& query, bool every) {

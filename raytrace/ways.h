@@ -18,13 +18,13 @@ class Ways {
         to_distant_(-light.axis()),
         light_(light) {}
 
-  /// Whether the surfel is turned to the light.
+  /// Whether the surfel is turned to the light: what faces() tells without extent. Asking that of every surfel finds
+  /// the way to a distant light anew, which is a tenth of all time in simple scenes.
   bool begin_at(const GBuffer& gbuffer, std::size_t pixel) const {
     const dvec3 way = is_distant_ ? to_distant_ : to_light(light_, dvec3(gbuffer.position[pixel]));
     return glm::dot(dvec3(gbuffer.geometric_normal[pixel]), way) > 0.0;
   }
 
-  /// The light itself is no blocker: the ray stops short of it by the rounding of its own length.
   ShadowRay from(const RayOrigin& origin) const {
     ShadowRay ray;
     ray.origin = vec3(origin.point());
@@ -36,9 +36,9 @@ class Ways {
       const double distance = glm::length(way);
       if (!(distance > 0.0)) return ray;  // the light is at the surfel: nothing lies between
       ray.direction = vec3(way / distance);
-      ray.reach = static_cast<float>(distance * (1.0 - 0x1p-22));
+      ray.reach = reach_to_light(distance);
     }
-    ray.is_clear = glm::dot(origin.normal, dvec3(ray.direction)) > origin.clear_cosine;
+    ray.is_clear = is_clear(origin.normal, origin.clear_cosine, ray.direction);
     return ray;
   }
 

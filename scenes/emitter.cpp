@@ -9,7 +9,8 @@ namespace umbrameter {
 namespace {
 
 constexpr double degrees = pi / 180.0;
-constexpr double widest_angle = 179.0;  // degrees; the tangent of half of it is 115
+constexpr double widest_angle = 179.0;    // degrees; the tangent of half of it is 115
+constexpr double largest_emitter = 1e12;  // metres, radius or side
 
 std::optional<double> if_given(double value) { return value < 0.0 ? std::nullopt : std::optional(value); }
 
@@ -20,6 +21,13 @@ EmitterSizes sizes_of(const LightParams& params) {
 }
 
 bool is_directional(const Light& light) { return std::holds_alternative<DirectionalLight>(light.shape); }
+
+// Metres, of a sphere or a disk.
+std::optional<double> radius_of(const Emitter& emitter) {
+  if (const auto* sphere = std::get_if<SphereEmitter>(&emitter)) return sphere->radius;
+  if (const auto* disk = std::get_if<DiskEmitter>(&emitter)) return disk->radius;
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -46,11 +54,14 @@ std::string objection(const EmitterSizes& sizes) {
   const auto is_bad = [](const std::optional<double>& size, double most) {
     return size && !(*size >= 0.0 && *size <= most);
   };
-  if (is_bad(sizes.radius, largest_emitter)) return "its radius is below 0 or above 1e12 m";
-  if (is_bad(sizes.width, largest_emitter)) return "its width is below 0 or above 1e12 m";
-  if (is_bad(sizes.height, largest_emitter)) return "its height is below 0 or above 1e12 m";
+  const auto out_of_range = [](const char* what, double most, const char* unit) {
+    return std::string("its ") + what + " is below 0 or above " + to_string(most) + " " + unit;
+  };
+  if (is_bad(sizes.radius, largest_emitter)) return out_of_range("radius", largest_emitter, "m");
+  if (is_bad(sizes.width, largest_emitter)) return out_of_range("width", largest_emitter, "m");
+  if (is_bad(sizes.height, largest_emitter)) return out_of_range("height", largest_emitter, "m");
   if (is_bad(sizes.angular_diameter, widest_angle * degrees * (1.0 + 1e-12))) {
-    return "its angular diameter is below 0 or above 179 degrees";
+    return out_of_range("angular diameter", widest_angle, "degrees");
   }
   if (sizes.radius && (sizes.width || sizes.height)) return "it has a radius and the sides of a rectangle";
   if (sizes.width.has_value() != sizes.height.has_value()) return "it has one side of a rectangle and not the other";
@@ -74,7 +85,9 @@ Emitter make_emitter(const Light& light, const EmitterSizes& sizes) {
 bool is_area(const Light& light) { return !std::holds_alternative<std::monostate>(light.emitter); }
 
 Light with_extent(Light light, const LightParams& params) {
-  const EmitterSizes sizes = sizes_of(params);
+  EmitterSizes sizes = sizes_of(params);
+  // A shape alone is one of the radius that the scene gives.
+  if (sizes.shape != EmitterShape::usual && !sizes.has_lengths()) sizes.radius = radius_of(light.emitter);
   if (is_directional(light) ? sizes.angular_diameter.has_value() : sizes.has_lengths()) {
     light.emitter = make_emitter(light, sizes);
   }
@@ -95,6 +108,12 @@ void require_sense(const LightParams& params, std::span<const Light> lights) {
     throw Error(ExitCode::usage, sizes.radius ? "light.radius" : "light.width",
                 "every measured light is directional, and has no place that could have a size",
                 "give it a light.angle");
+  }
+  const bool any_radius =
+      std::any_of(lights.begin(), lights.end(), [](const Light& light) { return radius_of(light.emitter); });
+  if (sizes.shape != EmitterShape::usual && !sizes.radius && (sizes.has_lengths() || !any_radius)) {
+    throw Error(ExitCode::usage, "light.shape", "no radius is given that it could be the shape of",
+                "give light.radius");
   }
 }
 

@@ -15,7 +15,7 @@ namespace umbrameter {
 enum class EmitterShape : int { usual, sphere, disk };
 
 /// The light.* parameters: the extent of the measured lights. A value below 0 leaves what the scene says, 0 makes the
-/// light a point or a direction.
+/// light a point or a direction. A shape without a radius is that of the radius which the scene gives.
 struct LightParams {
   double radius = -1.0;
   double width = -1.0;
@@ -24,9 +24,6 @@ struct LightParams {
   EmitterShape shape = EmitterShape::usual;
 };
 Parameters describe(LightParams& params);
-
-/// Longest radius or side, metres.
-inline constexpr double largest_emitter = 1e12;
 
 /// What is given of an extent, in the terms of a file; nothing for what is not given.
 struct EmitterSizes {
@@ -52,7 +49,7 @@ bool is_area(const Light& light);
 /// The light with the extent that the parameters give it.
 Light with_extent(Light light, const LightParams& params);
 
-/// Throws Error (usage) for sizes that cannot be, and for a size that none of the lights heeds.
+/// Throws Error (usage) for sizes that cannot be, and for a size or a shape that none of the lights heeds.
 void require_sense(const LightParams& params, std::span<const Light> lights);
 
 /// "sphere", "disk", "rectangle", "distant disk"; empty without extent.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/gltf_emitter.h"
 #include "scenes/gltf_nodes.h"
 
 namespace umbrameter::gltf {
@@ -82,7 +81,6 @@ Light read_light(const tinygltf::Light& source, const dmat4& transform, const Do
   } else {
     fail(document.path, object, "unknown light type '" + source.type.substr(0, 60) + "'");
   }
-  light.emitter = read_emitter(source.extras, light, document, object, notes);
   return light;
 }
 

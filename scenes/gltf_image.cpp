@@ -34,13 +34,15 @@ bool are_tables_sane(std::span<const unsigned char> bytes, std::size_t length) {
   return true;
 }
 
-// Walks the segments of a JPEG, those between its scans as well. Of anything else: true.
+// Walks the segments of a JPEG, those between its scans as well, to the end of the image, where the decoder stops too.
+// Of anything else: true.
 bool has_sane_jpeg_tables(std::span<const unsigned char> bytes) {
-  if (bytes.size() < 2 || bytes[0] != 0xff || bytes[1] != 0xd8) return true;
-  std::size_t at = 2;
+  if (bytes.empty() || bytes[0] != 0xff) return true;
+  std::size_t at = 0;
   while (at + 3 < bytes.size()) {
     const unsigned marker = bytes[at] == 0xff ? bytes[at + 1] : 0u;
-    const bool is_alone = marker <= 0x01 || (marker >= 0xd0 && marker <= 0xd9) || marker == 0xff;
+    if (marker == 0xd9) return true;
+    const bool is_alone = marker <= 0x01 || (marker >= 0xd0 && marker <= 0xd8) || marker == 0xff;
     if (is_alone) {
       ++at;
       continue;

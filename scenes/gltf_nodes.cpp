@@ -101,6 +101,19 @@ std::vector<int> root_nodes(const Document& document, const std::string& part, s
   return parentless_nodes(model);
 }
 
+// A node that is its own ancestor, of those that have no ancestor without a parent.
+std::size_t on_cycle_above(const tinygltf::Model& model, std::size_t node) {
+  std::vector<std::size_t> parents(model.nodes.size(), node);
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    for (const int child : model.nodes[i].children) {
+      if (child >= 0 && static_cast<std::size_t>(child) < parents.size()) parents[static_cast<std::size_t>(child)] = i;
+    }
+  }
+  // As many steps up as there are nodes end on the cycle.
+  for (std::size_t step = 0; step < model.nodes.size(); ++step) node = parents[node];
+  return node;
+}
+
 bool is_finite(const dmat4& matrix) {
   for (int column = 0; column < 4; ++column) {
     if (!std::isfinite(glm::dot(matrix[column], dvec4(1.0)))) return false;
@@ -144,10 +157,12 @@ std::vector<Placed> place_nodes(const Document& document, const std::string& par
     push(node.children, static_cast<std::ptrdiff_t>(placed.size()));
     placed.push_back({index, world});
   }
-  // Without scenes every node belongs to the one that there is; those of a cycle have no root to be reached from.
+  // Without scenes every node belongs to the one that there is; those of a cycle, and below it, have no root to be
+  // reached from.
   if (model.scenes.empty() && placed.size() < model.nodes.size()) {
-    fail(document.path,
-         label("node", static_cast<std::size_t>(std::find(visited.begin(), visited.end(), 0) - visited.begin()), ""),
+    const auto left = static_cast<std::size_t>(std::find(visited.begin(), visited.end(), 0) - visited.begin());
+    const std::size_t index = on_cycle_above(model, left);
+    fail(document.path, label("node", index, model.nodes[index].name),
          "it is its own ancestor: nodes must form a tree without cycles");
   }
   return placed;
@@ -276,9 +291,7 @@ struct NodeReader {
     const tinygltf::Light& light = model().lights[index];
     const std::string name = label("light", index, light.name) + " at " + object;
     Light& placed_light = scene.lights.emplace_back(read_light(light, at.world, document(), name, scene.notes));
-    if (tells_emitter(node.extras)) {
-      placed_light.emitter = read_emitter(node.extras, placed_light, document(), name, scene.notes);
-    }
+    placed_light.emitter = read_emitter(light.extras, node.extras, placed_light, document(), name, scene.notes);
   }
 };
 

@@ -18,12 +18,6 @@ dmat4 rigid_inverse(const dmat3& rotation, const dvec3& translation) {
   return inverse;
 }
 
-dmat3 axes_of(const Light& light) {
-  const dvec3 z = -light.axis();
-  const dvec3 x = glm::normalize(glm::cross(dvec3(light.world_from_light[1]), z));
-  return {x, glm::cross(z, x), z};
-}
-
 dvec3 in_light_space(const LightFrame& frame, const dvec3& position) {
   return dvec3(frame.light_from_world * dvec4(position, 1.0));
 }
@@ -44,6 +38,12 @@ LightFrame fit_directional(const dmat3& axes, const Bounds& bounds, int resoluti
 }
 
 }  // namespace
+
+dmat3 axes_of(const Light& light) {
+  const dvec3 z = -light.axis();
+  const dvec3 x = glm::normalize(glm::cross(dvec3(light.world_from_light[1]), z));
+  return {x, glm::cross(z, x), z};
+}
 
 dmat3 cube_face(int face) {
   dvec3 forward(0.0);
@@ -110,24 +110,22 @@ dvec3 to_light(const Light& light, const dvec3& position) {
 bool faces(const Light& light, const dvec3& position, const dvec3& normal) {
   // How far the light's rim rises above its middle, along the normal.
   struct Rise {
-    const Light& light;
-    const dvec3& normal;
-    double along(int axis) const { return glm::dot(normal, glm::normalize(dvec3(light.world_from_light[axis]))); }
+    dvec3 along;  // x, y and z of the light
     double operator()(const std::monostate&) const { return 0.0; }
     double operator()(const SphereEmitter& sphere) const { return sphere.radius; }
-    double operator()(const DiskEmitter& disk) const { return disk.radius * std::hypot(along(0), along(1)); }
+    double operator()(const DiskEmitter& disk) const { return disk.radius * std::hypot(along.x, along.y); }
     double operator()(const RectangleEmitter& rectangle) const {
-      return 0.5 * (rectangle.width * std::abs(along(0)) + rectangle.height * std::abs(along(1)));
+      return 0.5 * (rectangle.width * std::abs(along.x) + rectangle.height * std::abs(along.y));
     }
     double operator()(const DistantEmitter& distant) const {
-      return std::tan(0.5 * distant.angular_diameter) * std::hypot(along(0), along(1));
+      return std::tan(0.5 * distant.angular_diameter) * std::hypot(along.x, along.y);
     }
   };
   const double cosine = glm::dot(normal, to_light(light, position));
   if (std::holds_alternative<std::monostate>(light.emitter)) return cosine > 0.0;
   const bool is_distant = std::holds_alternative<DirectionalLight>(light.shape);
   const double distance = is_distant ? 1.0 : glm::length(light.position() - position);
-  return cosine * distance + std::visit(Rise{light, normal}, light.emitter) > 0.0;
+  return cosine * distance + std::visit(Rise{glm::transpose(axes_of(light)) * normal}, light.emitter) > 0.0;
 }
 
 Counting counting_of(const Light& light, const LightFrame& frame, const dvec3& position,

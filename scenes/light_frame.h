@@ -24,6 +24,9 @@ struct LightFrame {
   double far_depth = 1.0;       ///< metres; every surface is nearer. What the stored depth is divided by.
 };
 
+/// The light's own x, y and z as columns, unit and at right angles: it shines along −z, and +y fixes the roll.
+dmat3 axes_of(const Light& light);
+
 /// Right, up and forward, as columns, of a cube map's face 0 to 5 (+x −x +y −y +z −z), light space.
 dmat3 cube_face(int face);
 

@@ -3,16 +3,15 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstring>
 #include <string>
 #include <vector>
 
 #include "compare/bias_response.h"
-#include "core/error.h"
 #include "raster/rasterizer.h"
 #include "raytrace/tracer.h"
 #include "scenes/builtin.h"
 #include "scenes/view.h"
+#include "tests/support/benchmark_main.h"
 
 namespace umbrameter {
 namespace {
@@ -96,20 +95,5 @@ void run(const std::string& name, const Setup& setup) {
 }  // namespace umbrameter
 
 int main(int argc, char** argv) {
-  std::string scene = "courtyard";
-  umbrameter::Setup setup;
-  for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--quick") == 0) {
-      setup = {96, 54, 64, 16, 2, 1};
-    } else {
-      scene = argv[i];
-    }
-  }
-  try {
-    umbrameter::run(scene, setup);
-  } catch (const umbrameter::Error& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return static_cast<int>(error.code());
-  }
-  return 0;
+  return umbrameter::benchmark_main<umbrameter::Setup>(argc, argv, {96, 54, 64, 16, 2, 1}, &umbrameter::run);
 }

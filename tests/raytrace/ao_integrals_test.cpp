@@ -139,9 +139,10 @@ TEST(AoNormals, About_a_tilted_shading_normal_directions_into_the_surface_are_bl
 }
 
 TEST(AoLayers, The_bent_normal_is_the_mean_open_direction) {
-  // Open plane: the normal. A wall of 200 m beside a point at 1 mm leaves half the hemisphere, whose mean direction by
-  // the cosine has components ∫ sin θ cos φ cos θ/π = 2/3π·… = 1/3 · 4/(2π)·… along x and 1/3 along y: per solid angle
-  // x: ∫₀^{π/2} sin²θ cos θ dθ · ∫ cos φ dφ / π = (1/3)(2)/π, y: ∫ sin θ cos²θ dθ · π / π = 1/3.
+  // Open plane: the normal. A wall of 200 m beside a point at 1 mm leaves the half of the hemisphere with x > 0, whose
+  // mean direction by cos θ/π is, before it is normalised,
+  // along x ∫₀^{π/2} sin²θ cos θ dθ · ∫_{−π/2}^{π/2} cos φ dφ / π = (1/3)(2)/π,
+  // along y ∫₀^{π/2} cos²θ sin θ dθ · π / π = 1/3.
   Scene scene = floor_under(0.0f);
   TruthParams params = with_rays(4096);
   params.ao_layers = AoLayers::bent_normal;

@@ -54,6 +54,27 @@ TEST(Emitter, Extras_of_the_light_itself_count_where_its_node_says_nothing) {
   EXPECT_EQ(emitter_of("point", R"("radius":0)", R"("radius":0.25)").index(), 0u);
 }
 
+TEST(Emitter, Extras_of_the_node_win_member_by_member) {
+  EXPECT_EQ(std::get<DiskEmitter>(emitter_of("point", R"("shape":"disk")", R"("radius":0.25)")).radius, 0.25);
+  EXPECT_EQ(std::get<DiskEmitter>(emitter_of("point", R"("radius":0.5)", R"("radius":1,"shape":"disk")")).radius, 0.5);
+  EXPECT_EQ(std::get<RectangleEmitter>(emitter_of("spot", R"("height":3)", R"("width":2,"height":1)")).height, 3.0);
+}
+
+TEST(Emitter, An_extent_of_the_node_rules_out_another_of_the_light) {
+  const char* const round = R"("radius":0.25,"shape":"sphere")";
+  const char* const flat = R"("width":2,"height":1)";
+  EXPECT_EQ(std::get<RectangleEmitter>(emitter_of("point", flat, round)).width, 2.0);
+  EXPECT_EQ(std::get<SphereEmitter>(emitter_of("point", round, flat)).radius, 0.25);
+  EXPECT_EQ(emitter_of("point", R"("radius":0)", flat).index(), 0u);
+}
+
+TEST(Emitter, A_shape_without_a_radius_is_an_error) {
+  const std::vector<std::string> words = {"light 0", "node 1", "a shape and no radius"};
+  expect_unreadable(with_light("point", "", R"("shape":"disk")"), words);
+  expect_unreadable(with_light("spot", R"("shape":"sphere")", ""), words);
+  expect_unreadable(with_light("point", R"("width":2,"height":1)", R"("shape":"disk")"), words);
+}
+
 TEST(Emitter, Lights_without_sizes_or_with_sizes_of_nothing_have_no_extent) {
   for (const char* type : {"point", "spot", "directional"}) EXPECT_EQ(emitter_of(type, "").index(), 0u);
   EXPECT_EQ(emitter_of("point", R"("radius":0)").index(), 0u);
@@ -66,6 +87,9 @@ TEST(Emitter, A_size_that_a_kind_of_light_cannot_have_is_a_note) {
   EXPECT_EQ(sun.lights.at(0).emitter.index(), 0u);
   ASSERT_EQ(sun.notes.size(), 1u);
   EXPECT_NE(sun.notes[0].find("angularDiameter"), std::string::npos);
+  const Scene shaped = read("directional", "", R"("angularDiameter":0.1,"shape":"disk")");
+  EXPECT_EQ(std::get<DistantEmitter>(shaped.lights.at(0).emitter).angular_diameter, 0.1);
+  EXPECT_EQ(shaped.notes.size(), 1u);
   const Scene bulb = read("point", "", R"("angularDiameter":0.1)");
   EXPECT_EQ(bulb.lights.at(0).emitter.index(), 0u);
   EXPECT_EQ(bulb.notes.size(), 1u);
@@ -163,6 +187,22 @@ TEST(LightParams, A_given_size_replaces_the_one_of_the_scene_and_0_takes_it_away
   EXPECT_FALSE(is_area(with_extent(sun, angle)));
 }
 
+TEST(LightParams, A_shape_alone_is_that_of_the_radius_in_the_scene) {
+  const LightParams disk{.shape = EmitterShape::disk};
+  const LightParams sphere{.shape = EmitterShape::sphere};
+  const Light bulb = of_kind(PointLight{}, SphereEmitter{0.25});
+  const Light spot = of_kind(SpotLight{}, DiskEmitter{0.5});
+  EXPECT_EQ(std::get<DiskEmitter>(with_extent(bulb, disk).emitter).radius, 0.25);
+  EXPECT_EQ(std::get<SphereEmitter>(with_extent(spot, sphere).emitter).radius, 0.5);
+  // Nothing else has a radius.
+  EXPECT_EQ(std::get<RectangleEmitter>(with_extent(of_kind(SpotLight{}, RectangleEmitter{1, 2}), disk).emitter).height,
+            2.0);
+  EXPECT_EQ(std::get<DistantEmitter>(with_extent(of_kind(DirectionalLight{}, DistantEmitter{0.1}), disk).emitter)
+                .angular_diameter,
+            0.1);
+  EXPECT_FALSE(is_area(with_extent(of_kind(PointLight{}), disk)));
+}
+
 TEST(LightParams, Sizes_without_sense_are_errors_that_name_them) {
   const std::vector<Light> suns = {of_kind(DirectionalLight{})};
   const std::vector<Light> bulbs = {of_kind(PointLight{})};
@@ -178,6 +218,16 @@ TEST(LightParams, Sizes_without_sense_are_errors_that_name_them) {
   require_sense({}, suns);
   require_sense({.radius = 1.0}, bulbs);
   require_sense({.angle = 179.0}, suns);
+  require_sense({.shape = EmitterShape::disk},
+                std::vector{of_kind(PointLight{}), of_kind(PointLight{}, SphereEmitter{1})});
+  require_sense({.radius = 1.0, .shape = EmitterShape::disk}, bulbs);
+  expect_refused({.shape = EmitterShape::disk}, bulbs, "light.shape");
+  expect_refused({.shape = EmitterShape::disk}, suns, "light.shape");
+  expect_refused({.shape = EmitterShape::disk}, {of_kind(PointLight{}, RectangleEmitter{1, 1})}, "light.shape");
+  expect_refused({.width = 1.0, .height = 1.0, .shape = EmitterShape::disk}, {of_kind(PointLight{}, SphereEmitter{1})},
+                 "light.shape");
+  expect_refused({.radius = 2e12}, bulbs, "above 1e+12 m");
+  expect_refused({.angle = 180.0}, suns, "above 179 degrees");
   expect_refused({.radius = 1.0}, suns, "light.radius");
   expect_refused({.width = 1.0, .height = 1.0}, suns, "light.width");
   expect_refused({.angle = 1.0}, bulbs, "light.angle");

@@ -9,6 +9,8 @@
 #include <string>
 
 #include "core/error.h"
+#include "scenes/gltf.h"
+#include "tests/support/gltf_hostile.h"
 #include "tests/support/temporary_folder.h"
 
 namespace umbrameter::test {
@@ -210,6 +212,22 @@ TEST(GltfConstructs, Masks_are_probed_at_points_that_exist_and_at_points_that_do
     EXPECT_GE(exists, 1) << construct.name;
     EXPECT_GE(std::ssize(construct.probes) - exists, 3) << construct.name;
   }
+}
+
+TEST(GltfHostile, A_JPEG_of_too_many_codes_is_refused_before_it_is_decoded) {
+  const TemporaryFolder folder;
+  int refused = 0;
+  for (const HostileFile& file : hostile_files()) {
+    if (file.name.find("too many codes") == std::string::npos) continue;
+    try {
+      load_gltf(folder.write("test.glb", file.bytes));
+      ADD_FAILURE() << file.name << " was read";
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("more than 256 codes"), std::string::npos) << error.what();
+      ++refused;
+    }
+  }
+  EXPECT_EQ(refused, 2);
 }
 
 }  // namespace

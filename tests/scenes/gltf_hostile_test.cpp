@@ -193,6 +193,16 @@ TEST(GltfReferences, Cycles_and_shared_nodes_are_refused) {
   expect_unreadable(with_nodes(R"("scenes":[{"nodes":[0]}],"nodes":[{"children":[0]}])"), {"node 0"});
 }
 
+TEST(GltfReferences, Of_nodes_without_a_root_one_of_the_cycle_is_named) {
+  // A leaf and its parent hang on the cycle of nodes 2 and 3.
+  const std::string below = R"({"name":"leaf","mesh":0},{"name":"twig","children":[0]},)";
+  expect_unreadable(
+      with_nodes(R"("nodes":[)" + below + R"({"name":"knot","children":[1,3]},{"name":"knot","children":[2]}])"),
+      {"'knot'", "its own ancestor"});
+  expect_unreadable(with_nodes(R"("nodes":[{"mesh":0},{"name":"knot","children":[1]}])"),
+                    {"node 1 'knot'", "its own ancestor"});
+}
+
 TEST(GltfValues, Positions_that_are_no_numbers_are_named) {
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     expect_unreadable(glb(triangle_json(), bytes_of<float>({0, 0, 0, 1, 0, 0, 0, bad, 0})),

@@ -88,5 +88,7 @@ std::string join(const std::vector<std::string>& items);  ///< with commas
 Bytes png(int width, int height, const Bytes& rgba);
 /// A grey image whose 8×8 blocks have one value each, top row of blocks first (ITU-T T.81, baseline sequential).
 Bytes grey_jpeg(int blocks_across, int blocks_down, const Bytes& values);
+/// A JPEG's segment for a Huffman table with `codes` codes of each of the 16 lengths.
+Bytes huffman_table(unsigned char codes);
 
 }  // namespace umbrameter::test

@@ -202,13 +202,15 @@ Construct specular_glossiness_mask() {
   return construct;
 }
 
-Construct jpeg_texture() {
+Construct jpeg_texture(const std::string& name, const Bytes& behind_its_end) {
   GltfBuilder builder;
   const Sheet sheet;
-  add_texture(builder, grey_jpeg(2, 1, {200, 200}), "jpeg");
+  Bytes image = grey_jpeg(2, 1, {200, 200});
+  image.insert(image.end(), behind_its_end.begin(), behind_its_end.end());
+  add_texture(builder, image, "jpeg");
   add(builder, "materials", masked(R"({"index":0})"));
   add_sheet(builder, sheet, texcoord(0, add_values(builder, "VEC2", floats_of(sheet.texcoords()))));
-  Construct construct = finished("a JPEG texture is opaque", builder, placed(sheet.solid()));
+  Construct construct = finished(name, builder, placed(sheet.solid()));
   construct.base_color = dvec4(dvec3(linear(200)), 1.0);
   construct.probes = {{sheet.point({0.3, 0.6}), true}};
   return construct;
@@ -251,7 +253,9 @@ std::vector<Construct> material_constructs() {
                    R"("KHR_materials_pbrSpecularGlossiness":{"diffuseFactor":[0.5,0.25,0.125,1],)"
                    R"("specularFactor":[0.5,0.25,0.125],"glossinessFactor":0.75}}})",
                    {0.5, 0.25, 0.125, 1}, {0.5, 0.25, 0.125}),
-          jpeg_texture(), png_data_uri()};
+          jpeg_texture("a JPEG texture is opaque", {}),
+          // What would be a table of 4080 codes, were it part of the image.
+          jpeg_texture("bytes behind the end of a JPEG", huffman_table(0xff)), png_data_uri()};
 }
 
 std::vector<Construct> mask_constructs() {

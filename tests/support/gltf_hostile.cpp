@@ -74,14 +74,12 @@ Bytes wide_png() {
   return image;
 }
 
-// 255 codes of each of the 16 lengths, where 256 is the most of all.
-Bytes jpeg_of_too_many_codes() {
+// Where 256 codes are the most. Fill bytes may stand before any marker (T.81, section B.1.1.2).
+Bytes jpeg_of_too_many_codes(std::size_t fill_bytes) {
   Bytes image = grey_jpeg(1, 1, {128});
-  for (std::size_t i = 0; i + 21 < image.size(); ++i) {
-    if (image[i] != 0xff || image[i + 1] != 0xc4) continue;
-    for (std::size_t k = 0; k < 16; ++k) image[i + 5 + k] = 0xff;
-    break;
-  }
+  const Bytes table = huffman_table(0xff);
+  image.insert(image.begin() + 2, table.begin(), table.end());
+  image.insert(image.begin(), fill_bytes, 0xff);
   return image;
 }
 
@@ -232,7 +230,8 @@ std::vector<HostileFile> hostile_files() {
       skinned("weights that are zero", 0.0f, 0.0f),
       skinned("a skin that leads to infinity", 1.0f, 3e38f),
       skinned("a skin that is no number", 1.0f, std::numeric_limits<float>::quiet_NaN()),
-      textured("a JPEG of too many codes", jpeg_of_too_many_codes()),
+      textured("a JPEG of too many codes", jpeg_of_too_many_codes(0)),
+      textured("a JPEG of too many codes behind fill bytes", jpeg_of_too_many_codes(3)),
       deep_metadata(),
       forged_meshopt("a meshopt stride beyond all vertices", 260, 3),
       forged_meshopt("a meshopt stride of half a word", 6, 16),

@@ -128,4 +128,12 @@ Bytes grey_jpeg(int blocks_across, int blocks_down, const Bytes& values) {
   return file;
 }
 
+Bytes huffman_table(unsigned char codes) {
+  Bytes table(17 + 16 * std::size_t{codes}, codes);
+  table[0] = 0;
+  Bytes segment;
+  append_segment(segment, 0xc4, table);
+  return segment;
+}
+
 }  // namespace umbrameter::test
