@@ -106,8 +106,7 @@ void add_components(ErrorShape& shape, const WrongTaps& wrong, const CountedPixe
     if (classes[i] < PixelClass::acne || classes[i] > PixelClass::light_leak) continue;
     by_class[i] = static_cast<std::uint8_t>(classes[i]);
     any[i] = 1;
-    const uvec4& w = wrong.weights[i];
-    weights[i] = w.x + w.y + w.z + w.w;
+    weights[i] = wrong_weight(wrong.weights[i]);
   }
   shape.components = summarize(find_components(any, weights), 1);
   const std::vector<Component> components = find_components(by_class, weights);
@@ -121,7 +120,7 @@ void add_components(ErrorShape& shape, const WrongTaps& wrong, const CountedPixe
 
 ErrorShape analyze_error_shape(const ShapeInput& input, const WrongTaps& wrong) {
   assert(wrong.weights.size() == input.truth.size());
-  ErrorShape shape = measure_distances(input, hard_part_names.size(), wrong.weight_sum, [&](std::size_t i) {
+  ErrorShape shape = measure_distances(input, cause_count, wrong.weight_sum, [&](std::size_t i) {
     const uvec4& w = wrong.weights[i];
     return Weights{static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z), static_cast<float>(w.w)};
   });
