@@ -18,14 +18,14 @@
 namespace umbrameter {
 namespace {
 
-// Desktops take a device back from a dispatch of some seconds. So many steps are a fraction of a second on a slow GPU,
-// even where each classifies a tap: some 600 operations in double precision, of which it does 10^11 a second.
+// A desktop ends a dispatch that holds the device for some seconds. So many steps are a fraction of a second on a slow
+// GPU, even where each classifies a tap: some 600 operations in double precision, of which it does 10^11 a second.
 constexpr std::size_t most_steps_at_once = std::size_t{1} << 26;
 
 // Fewer pixels would leave most of a GPU idle.
 constexpr std::size_t least_at_once = 4096;
 
-// OpenGL promises no more than 65535 work groups (4.5 core, table 23.64).
+// OpenGL promises no more than 65535 work groups (GL_MAX_COMPUTE_WORK_GROUP_COUNT).
 constexpr std::size_t most_at_once = std::size_t{65535} * slot("LIST_GROUP_SIZE");
 
 }  // namespace
