@@ -78,7 +78,7 @@ nlohmann::ordered_json to_json(const Workbench& workbench, const ShadowShape& sh
   if (shape.shimmer) object["shimmer"] = shimmer_json(*shape.shimmer);
   const bool is_hard = shape.error.components.has_value();
   for (std::size_t p = 0; p < shape.error.parts.size(); ++p) {
-    const std::string_view name = is_hard ? hard_part_names[p] : soft_part_names[p];
+    const std::string_view name = is_hard ? cause_names[p] : soft_part_names[p];
     object["edge_distance"][std::string(name)] = distances_json(shape.error.parts[p]);
   }
   if (!is_hard) {
@@ -87,7 +87,7 @@ nlohmann::ordered_json to_json(const Workbench& workbench, const ShadowShape& sh
   }
   object["components"] = {{"all", components_json(*shape.error.components)}};
   for (std::size_t c = 0; c < cause_count; ++c) {
-    object["components"][std::string(hard_part_names[c])] = components_json(shape.error.class_components[c]);
+    object["components"][std::string(cause_names[c])] = components_json(shape.error.class_components[c]);
   }
   object["casters"] = Json::array();
   for (const CasterShape& caster : shape.casters) object["casters"].push_back(caster_json(workbench, caster));

@@ -36,7 +36,7 @@ Shimmer measure_shimmer(Workbench& workbench, const Experiment& experiment, cons
 
   Shimmer shimmer;
   for (const dvec2& move : moves) {
-    const Image<float> after = look_up(gpu_surfels, draw_map(shift_grid(shadow.frame, move)));
+    const Image<float> after = look_up(gpu_surfels, draw_map(shift_grid(shadow.frame, move, workbench.bounds())));
     const double share = count_flips(before, after, shadow.counted).share;
     shimmer.grid_mean += share / static_cast<double>(moves.size());
     shimmer.grid_largest = std::max(shimmer.grid_largest, share);

@@ -10,41 +10,25 @@ AoStatistics analyze_ao(const Image<float>& raster, const SampledImage& truth, c
 }
 
 std::vector<Column> ao_columns() {
-  return {
-      {"pixels", "px", "pixels that see a surface"},
-      {"mae", "1", "mean absolute error of accessibility"},
-      {"mae_lo", "1", "lower end of its 95 % interval"},
-      {"mae_hi", "1", "upper end of its 95 % interval"},
-      {"rmse", "1", "root mean square error, corrected for the variance of the reference"},
-      {"rmse_lo", "1", "lower end of its 95 % interval"},
-      {"rmse_hi", "1", "upper end of its 95 % interval"},
-      {"mean_error", "1", "mean of raster − truth"},
-      {"mean_error_lo", "1", "lower end of its 95 % interval"},
-      {"mean_error_hi", "1", "upper end of its 95 % interval"},
-      {"mean_raster", "1", "mean accessibility by the rasteriser"},
-      {"mean_truth", "1", "mean accessibility by the reference"},
-      {"mean_truth_lo", "1", "lower end of its 95 % interval"},
-      {"mean_truth_hi", "1", "upper end of its 95 % interval"},
-      {"max_error", "1", "largest absolute error, noise of the reference included"},
-  };
+  std::vector<Column> columns = {{"pixels", "px", "pixels that see a surface"}};
+  add_estimate(columns, "mae", "mean absolute error of accessibility");
+  add_estimate(columns, "rmse", "root mean square error, corrected for the variance of the reference");
+  add_estimate(columns, "mean_error", "mean of raster − truth");
+  columns.push_back({"mean_raster", "1", "mean accessibility by the rasteriser"});
+  add_estimate(columns, "mean_truth", "mean accessibility by the reference");
+  columns.push_back({"max_error", "1", "largest absolute error, noise of the reference included"});
+  return columns;
 }
 
 std::vector<Value> to_row(const AoStatistics& s) {
-  return {static_cast<std::int64_t>(s.pixels),
-          s.mae.value,
-          s.mae.lower,
-          s.mae.upper,
-          s.rmse.value,
-          s.rmse.lower,
-          s.rmse.upper,
-          s.mean_error.value,
-          s.mean_error.lower,
-          s.mean_error.upper,
-          s.mean_raster,
-          s.mean_truth.value,
-          s.mean_truth.lower,
-          s.mean_truth.upper,
-          s.max_error};
+  std::vector<Value> row = {static_cast<std::int64_t>(s.pixels)};
+  add_estimate(row, s.mae);
+  add_estimate(row, s.rmse);
+  add_estimate(row, s.mean_error);
+  row.emplace_back(s.mean_raster);
+  add_estimate(row, s.mean_truth);
+  row.emplace_back(s.max_error);
+  return row;
 }
 
 }  // namespace umbrameter

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <tuple>
 
 namespace umbrameter {
@@ -59,12 +60,18 @@ std::optional<BiasCell> knee(const ParetoFront& front) {
   if (front.by_acne.size() < 3) return std::nullopt;
   const BiasCell& first = front.by_acne.begin()->second;
   const BiasCell& last = front.by_acne.rbegin()->second;
+  const double acne_extent = last.acne - first.acne;
+  const double panning_extent = first.peter_panning - last.peter_panning;
+  // Shares and their differences are each known to an ulp of the largest share, which moves a scaled place by no more
+  // than six ulps over the extent, three of its numerator and three of its denominator. Below the chord is what no such
+  // rounding takes for it.
+  const double rounding =
+      6.0 * std::numeric_limits<double>::epsilon() * (last.acne / acne_extent + first.peter_panning / panning_extent);
   // The chord runs from (0, 1) to (1, 0); the distance from it is (1 − sum) / √2.
-  double least = 1.0;
+  double least = 1.0 - rounding;
   std::optional<BiasCell> found;
   for (const auto& [acne, cell] : front.by_acne) {
-    const double sum = (acne - first.acne) / (last.acne - first.acne) +
-                       (cell.peter_panning - last.peter_panning) / (first.peter_panning - last.peter_panning);
+    const double sum = (acne - first.acne) / acne_extent + (cell.peter_panning - last.peter_panning) / panning_extent;
     if (sum >= least) continue;
     least = sum;
     found = cell;

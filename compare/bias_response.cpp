@@ -55,9 +55,9 @@ void add(BiasHistogram::Bin& sum, const BiasHistogram::Bin& part) {
   }
 }
 
-class RowCounter {
+class PixelCounter {
  public:
-  RowCounter(const Scene& scene, const MapLookup& lookup, const BiasAxes& axes)
+  PixelCounter(const Scene& scene, const MapLookup& lookup, const BiasAxes& axes)
       : scene_(scene), lookup_(lookup), axes_(axes) {}
 
   void count(std::size_t pixel, bool is_lit, std::vector<std::vector<BiasHistogram::Bin>>& by_slope) {
@@ -82,10 +82,9 @@ class RowCounter {
   static constexpr std::size_t unknown = cause_count;
 
   std::size_t cause_of(const Tap& tap, const Receiver& receiver, std::size_t pixel, bool is_lit) const {
-    const bool is_foreign =
-        tap.has_blocker && (is_lit || tap.critical_bias > 0.0f) && !is_own_tap(scene_, lookup_, tap, receiver, pixel);
-    if (is_lit) return static_cast<std::size_t>(is_foreign ? Cause::false_occlusion : Cause::acne);
-    return static_cast<std::size_t>(is_foreign ? Cause::peter_panning : Cause::light_leak);
+    const bool is_other = is_foreign(scene_, lookup_, tap, receiver, pixel, is_lit);
+    if (is_lit) return static_cast<std::size_t>(is_other ? Cause::false_occlusion : Cause::acne);
+    return static_cast<std::size_t>(is_other ? Cause::peter_panning : Cause::light_leak);
   }
 
   const Scene& scene_;
@@ -113,7 +112,7 @@ BiasHistogram count_bias_response(const Scene& scene, const MapLookup& lookup, c
                                                            std::vector<BiasHistogram::Bin>(axes.constant.size() + 1));
   std::vector parts(part_count, empty);
   parallel_for(part_count, [&](std::size_t part) {
-    RowCounter counter(scene, lookup, axes);
+    PixelCounter counter(scene, lookup, axes);
     for (std::size_t i = part * truth.size() / part_count; i < (part + 1) * truth.size() / part_count; ++i) {
       if (counting[i] == Counting::counted) counter.count(i, truth[i] >= 0.5f, parts[part]);
     }

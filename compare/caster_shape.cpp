@@ -11,7 +11,6 @@ namespace {
 
 constexpr double contact_pixels = 1.5;
 constexpr double step_pixels = 0.5;
-constexpr int most_steps = 20'000;  // across the largest images
 
 // Where world positions fall on the image.
 class ImagePlane {
@@ -140,6 +139,10 @@ class Casters {
     double lit = 0.0;
     double way = 0.0;
     std::size_t last = first;
+    // A step is chosen by the scale where it starts. In perspective it covers 0.5 / (1 + 0.5 / v) pixels, v pixels
+    // before its vanishing point: at least a quarter of a pixel until that is half a pixel away. A straight way across
+    // the image is shorter than its width and height together.
+    const int most_steps = 4 * (gbuffer_.width + gbuffer_.height);
     for (int step = 0; step < most_steps; ++step) {
       const double scale = image_.scale(start + way * away, away);
       if (!(scale > 0.0)) return {};

@@ -50,9 +50,9 @@ struct CasterInput {
 /// the ray's length, and is 0 where the first pixel is blocked. Where the true shadow ends first, the gap is as long as
 /// that. Contacts from which the way is hidden do not count.
 ///
-/// Inset: from each edge of the true shadow to the nearest edge of the raster visibility without its acne; above 0
-/// within the true shadow, below 0 outside, 0 on another edge of it. An edge that lies in another caster's shadow is
-/// none to go with.
+/// Inset: from each edge of the true shadow to the nearer of those edges of the raster visibility, without its acne,
+/// that are nearest to its two pixels; above 0 within the true shadow, below 0 outside, 0 on another edge of it. An
+/// edge that lies in another caster's shadow is none to go with.
 std::vector<CasterShape> analyze_casters(const CasterInput& input);
 
 }  // namespace umbrameter

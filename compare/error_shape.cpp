@@ -1,8 +1,12 @@
 #include "compare/error_shape.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <numeric>
+
+#include "core/parallel.h"
 
 namespace umbrameter {
 namespace {
@@ -25,45 +29,82 @@ std::array<float, unit_count> distances_at(const ShapeInput& input, const Neares
   return {nearest.distance[pixel], static_cast<float>(texels), static_cast<float>(glm::length(way))};
 }
 
+struct Placed {
+  float distance = 0.0f;  // in one of the units
+  Weights weights{};
+};
+
+// The pixels by rising distance, equal ones as they were. A float that is not negative rises with its bits: sorted by
+// their eleven lowest, the next, and the rest (Knuth, The Art of Computer Programming 3, 5.2.5, algorithm R).
+std::vector<Placed> by_distance(const std::vector<WrongPixel>& wrong, std::size_t unit) {
+  constexpr std::uint32_t digit_bits = 11;
+  struct Keyed {
+    std::uint32_t key = 0;
+    std::uint32_t pixel = 0;
+  };
+  std::vector<Keyed> from(wrong.size());
+  for (std::uint32_t i = 0; i < from.size(); ++i) from[i] = {std::bit_cast<std::uint32_t>(wrong[i].distance[unit]), i};
+  std::vector<Keyed> to(from.size());
+  for (std::uint32_t shift = 0; shift < 32; shift += digit_bits) {
+    const auto digit = [shift](const Keyed& keyed) { return keyed.key >> shift & ((1u << digit_bits) - 1u); };
+    std::array<std::size_t, std::size_t{1} << digit_bits> place{};
+    for (const Keyed& keyed : from) ++place[digit(keyed)];
+    std::exclusive_scan(place.begin(), place.end(), place.begin(), std::size_t{0});
+    for (const Keyed& keyed : from) to[place[digit(keyed)]++] = keyed;
+    from.swap(to);
+  }
+  std::vector<Placed> placed;
+  placed.reserve(from.size());
+  for (const Keyed& keyed : from) placed.push_back({wrong[keyed.pixel].distance[unit], wrong[keyed.pixel].weights});
+  return placed;
+}
+
+// What one unit's spread of a part is made of.
+struct Tally {
+  double total = 0.0;
+  double sum = 0.0;  // of the weights so far
+  Spread spread;
+
+  void add(double distance, double weight) {
+    if (weight == 0.0) return;
+    if (sum < 0.5 * total) spread.median = distance;
+    if (sum < 0.95 * total) spread.upper = distance;
+    spread.largest = distance;
+    sum += weight;
+  }
+  double share() const { return total > 0.0 ? sum / total : 0.0; }
+};
+
 // Fills one unit's spreads of all parts and of their sum, the last.
 void spread_over(const std::vector<WrongPixel>& wrong, std::size_t unit, std::vector<EdgeDistances>& parts) {
-  std::vector<std::pair<float, std::uint32_t>> order(wrong.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = {wrong[i].distance[unit], i};
-  std::sort(order.begin(), order.end());
+  const std::vector<Placed> placed = by_distance(wrong, unit);
   const std::size_t all = parts.size() - 1;
-  std::vector<double> sums(parts.size(), 0.0);
-  std::vector<Spread> spreads(parts.size());
-  std::vector<double> totals(parts.size(), 0.0);
-  for (const auto& [distance, i] : order) {
+  std::vector<Tally> tallies(parts.size());
+  for (const Placed& pixel : placed) {
     for (std::size_t p = 0; p < all; ++p) {
-      totals[p] += wrong[i].weights[p];
-      totals[all] += wrong[i].weights[p];
+      tallies[p].total += pixel.weights[p];
+      tallies[all].total += pixel.weights[p];
     }
   }
-  const auto pass = [&](std::size_t p, double distance, double weight) {
-    if (weight == 0.0) return;
-    const double before = sums[p];
-    sums[p] += weight;
-    if (before < 0.5 * totals[p]) spreads[p].median = distance;
-    if (before < 0.95 * totals[p]) spreads[p].upper = distance;
-    spreads[p].largest = distance;
-    if (unit != 1) return;
-    for (std::size_t k = 0; k < edge_reaches.size(); ++k) {
-      if (distance <= edge_reaches[k]) parts[p].within[k] = sums[p] / totals[p];
-    }
+  std::size_t reach = 0;
+  const auto end_reach = [&] {
+    for (std::size_t p = 0; unit == 1 && p < parts.size(); ++p) parts[p].within[reach] = tallies[p].share();
+    ++reach;
   };
-  for (const auto& [distance, i] : order) {
+  for (const Placed& pixel : placed) {
+    while (reach < edge_reaches.size() && edge_reaches[reach] < pixel.distance) end_reach();
     double sum = 0.0;
     for (std::size_t p = 0; p < all; ++p) {
-      pass(p, distance, wrong[i].weights[p]);
-      sum += wrong[i].weights[p];
+      tallies[p].add(pixel.distance, pixel.weights[p]);
+      sum += pixel.weights[p];
     }
-    pass(all, distance, sum);
+    tallies[all].add(pixel.distance, sum);
   }
+  while (reach < edge_reaches.size()) end_reach();
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    if (totals[p] == 0.0) continue;
+    if (tallies[p].total == 0.0) continue;
     std::optional<Spread>& spread = unit == 0 ? parts[p].pixels : unit == 1 ? parts[p].texels : parts[p].metres;
-    spread = spreads[p];
+    spread = tallies[p].spread;
   }
 }
 
@@ -88,7 +129,7 @@ ErrorShape measure_distances(const ShapeInput& input, std::size_t part_count, do
     if (edges.count > 0) wrong.push_back({distances_at(input, nearest, i), weights});
   }
   for (EdgeDistances& part : parts) part.weight /= unit_weight;
-  for (std::size_t unit = 0; unit < unit_count && !wrong.empty(); ++unit) spread_over(wrong, unit, parts);
+  if (!wrong.empty()) parallel_for(unit_count, [&](std::size_t unit) { spread_over(wrong, unit, parts); });
   ErrorShape shape;
   shape.edges = edges.count;
   shape.all = parts.back();
@@ -106,8 +147,7 @@ void add_components(ErrorShape& shape, const WrongTaps& wrong, const CountedPixe
     if (classes[i] < PixelClass::acne || classes[i] > PixelClass::light_leak) continue;
     by_class[i] = static_cast<std::uint8_t>(classes[i]);
     any[i] = 1;
-    const uvec4& w = wrong.weights[i];
-    weights[i] = w.x + w.y + w.z + w.w;
+    weights[i] = wrong_weight(wrong.weights[i]);
   }
   shape.components = summarize(find_components(any, weights), 1);
   const std::vector<Component> components = find_components(by_class, weights);
@@ -121,7 +161,7 @@ void add_components(ErrorShape& shape, const WrongTaps& wrong, const CountedPixe
 
 ErrorShape analyze_error_shape(const ShapeInput& input, const WrongTaps& wrong) {
   assert(wrong.weights.size() == input.truth.size());
-  ErrorShape shape = measure_distances(input, hard_part_names.size(), wrong.weight_sum, [&](std::size_t i) {
+  ErrorShape shape = measure_distances(input, cause_count, wrong.weight_sum, [&](std::size_t i) {
     const uvec4& w = wrong.weights[i];
     return Weights{static_cast<float>(w.x), static_cast<float>(w.y), static_cast<float>(w.z), static_cast<float>(w.w)};
   });

@@ -37,8 +37,7 @@ struct EdgeDistances {
   std::array<double, edge_reaches.size()> within{};
 };
 
-/// Names of the parts, in order: the causes of a hard shadow's error, the signs of a soft one's.
-inline constexpr std::array<std::string_view, 4> hard_part_names = {"acne", "false_occlusion", "peter_panning", "leak"};
+/// Names of a soft shadow's parts, in order: the signs of its error. A hard one's are cause_names.
 inline constexpr std::array<std::string_view, 2> soft_part_names = {"too_dark", "too_bright"};
 
 struct ErrorShape {

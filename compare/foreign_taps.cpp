@@ -6,6 +6,7 @@
 #include "compare/bias_response.h"
 #include "compare/ordered.h"
 #include "compare/own_surface.h"
+#include "core/error.h"
 
 namespace umbrameter {
 namespace {
@@ -19,6 +20,18 @@ ivec2 unpacked(std::uint32_t pair) { return {static_cast<int>(pair & 0xffffu), s
 
 double share(std::uint64_t part, std::uint64_t whole) {
   return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+}
+
+// The device lists taps and counts them in two passes, the processor finds their place among what was counted.
+template <class Weight>
+void turn_to_acne(Weight& occluded, Weight& shadowed, std::uint32_t weight) {
+  if (occluded < weight) {
+    throw Error(ExitCode::no_backend, "exact classes",
+                "a tap that was judged is not among those that were counted: the device rounds unlike the processor",
+                "use --classes fast or choose another device with --gl-device");
+  }
+  occluded -= weight;
+  shadowed += weight;
 }
 
 }  // namespace
@@ -57,9 +70,7 @@ void apply_judgement(WrongTaps& wrong, const GBuffer& gbuffer, std::span<const F
   for (std::size_t i = 0; i < taps.size(); ++i) {
     if (own[i] == 0) continue;
     uvec4& weights = wrong.weights[pixel_of(taps[i], gbuffer)];
-    assert(weights[static_cast<int>(false_occlusion)] >= taps[i].weight);
-    weights[static_cast<int>(false_occlusion)] -= taps[i].weight;
-    weights[static_cast<int>(acne)] += taps[i].weight;
+    turn_to_acne(weights[static_cast<int>(false_occlusion)], weights[static_cast<int>(acne)], taps[i].weight);
   }
 }
 
@@ -72,9 +83,7 @@ void apply_judgement(BiasHistogram& histogram, std::span<const ForeignTap> taps,
           bin_of(histogram.axes, flip_of(taps[i].critical_bias, taps[i].slope, histogram.axes.slope[s]));
       if (bin == 0) continue;  // lit at every bias, and right
       std::array<std::uint64_t, cause_count>& weights = histogram.by_slope[s][bin].weights;
-      assert(weights[false_occlusion] >= taps[i].weight);
-      weights[false_occlusion] -= taps[i].weight;
-      weights[acne] += taps[i].weight;
+      turn_to_acne(weights[false_occlusion], weights[acne], taps[i].weight);
     }
   }
 }
@@ -92,7 +101,6 @@ std::vector<ForeignTap> find_foreign_taps(const Scene& scene, const MapLookup& l
                                           const Image<Counting>& counting, const BiasAxes& axes) {
   const float least_slope = *std::min_element(axes.slope.begin(), axes.slope.end());
   const GBuffer& gbuffer = lookup.gbuffer;
-  const int resolution = lookup.frame.resolution;
   std::vector<ForeignTap> found;
   std::vector<Tap> taps;
   for (std::size_t pixel = 0; pixel < truth.size(); ++pixel) {
@@ -104,11 +112,9 @@ std::vector<ForeignTap> find_foreign_taps(const Scene& scene, const MapLookup& l
     fetch_taps(lookup, surfel, pixel, taps);
     for (const Tap& tap : taps) {
       const bool says_lit = axes.constant.front() >= flip_of(tap.critical_bias, surfel.slope, least_slope);
-      if (tap.weight == 0 || says_lit || !tap.has_blocker || is_own_tap(scene, lookup, tap, surfel.receiver, pixel)) {
-        continue;
-      }
+      if (tap.weight == 0 || says_lit || !is_foreign(scene, lookup, tap, surfel.receiver, pixel, true)) continue;
       const auto face = static_cast<std::size_t>(tap.face);
-      const std::size_t texel = lookup.map.depth[face].index(tap.texel.x, resolution - 1 - tap.texel.y);
+      const std::size_t texel = texel_index(lookup.frame, tap.texel);
       found.push_back({at, packed(static_cast<std::size_t>(tap.texel.x), static_cast<std::size_t>(tap.texel.y)),
                        static_cast<std::uint32_t>(tap.face), tap.weight, tap.critical_bias, surfel.slope,
                        lookup.map.instance[face][texel], lookup.map.triangle[face][texel]});

@@ -33,7 +33,7 @@ std::vector<TapSurfaces> surfaces_of(const Scene& scene, const LightFrame& frame
 
 /// Turns the taps that are judged own (1, one entry a tap) from false occlusion to acne: at their pixels, or in the
 /// bins of their flips. A pixel's error does not change by its causes, so that squares and largest errors stay. Each
-/// tap must have been counted, and may be judged once.
+/// tap may be judged once. Throws Error (no_backend) when one was not counted where its numbers say.
 void apply_judgement(WrongTaps& wrong, const GBuffer& gbuffer, std::span<const ForeignTap> taps,
                      std::span<const std::uint8_t> own);
 void apply_judgement(BiasHistogram& histogram, std::span<const ForeignTap> taps, std::span<const std::uint8_t> own);

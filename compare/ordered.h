@@ -1,4 +1,5 @@
-// Sums and products in the order of raster/shaders/arithmetic.glsl. Internal to compare.
+// Sums and products in the order of raster/shaders/arithmetic.glsl. Internal to compare, whose compiler options keep
+// them from being contracted.
 #pragma once
 
 #include <cmath>

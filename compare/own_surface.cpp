@@ -79,17 +79,18 @@ bool is_own_surface(const LightFrame& frame, const Receiver& receiver, const Fac
   return signed_distance(own, s) <= rounding_bound(own, s, blocker.vertex_error);
 }
 
-bool is_own_tap(const Scene& scene, const MapLookup& lookup, const Tap& tap, const Receiver& receiver,
-                std::size_t pixel) {
+bool is_foreign(const Scene& scene, const MapLookup& lookup, const Tap& tap, const Receiver& receiver,
+                std::size_t pixel, bool is_lit_in_truth) {
+  if (!tap.has_blocker || !(is_lit_in_truth || tap.critical_bias > 0.0f)) return false;
   const LightFrame& frame = lookup.frame;
   const GBuffer& gbuffer = lookup.gbuffer;
   const auto face = static_cast<std::size_t>(tap.face);
-  const std::size_t texel = lookup.map.depth[face].index(tap.texel.x, frame.resolution - 1 - tap.texel.y);
+  const std::size_t texel = texel_index(frame, tap.texel);
   const std::uint32_t instance = lookup.map.instance[face][texel];
   const std::uint32_t triangle = lookup.map.triangle[face][texel];
-  if (instance == gbuffer.instance[pixel] && triangle == gbuffer.triangle[pixel]) return true;
-  return is_own_surface(frame, receiver, facet_of(scene, frame, gbuffer.instance[pixel], gbuffer.triangle[pixel]), tap,
-                        facet_of(scene, frame, instance, triangle));
+  if (instance == gbuffer.instance[pixel] && triangle == gbuffer.triangle[pixel]) return false;
+  return !is_own_surface(frame, receiver, facet_of(scene, frame, gbuffer.instance[pixel], gbuffer.triangle[pixel]), tap,
+                         facet_of(scene, frame, instance, triangle));
 }
 
 }  // namespace umbrameter

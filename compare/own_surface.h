@@ -27,8 +27,9 @@ dvec3 sample_on(const Facet& facet, const TexelRay& ray);
 bool is_own_surface(const LightFrame& frame, const Receiver& receiver, const Facet& own, const Tap& tap,
                     const Facet& blocker);
 
-/// The same of a tap that has a blocker, from the map's own triangle.
-bool is_own_tap(const Scene& scene, const MapLookup& lookup, const Tap& tap, const Receiver& receiver,
-                std::size_t pixel);
+/// Whether a tap that differs from the truth is due to another surface, nearer to the light, than the receiver's own:
+/// false occlusion where the truth is lit, else peter-panning. Only a nearer sample can have been erased by the bias.
+bool is_foreign(const Scene& scene, const MapLookup& lookup, const Tap& tap, const Receiver& receiver,
+                std::size_t pixel, bool is_lit_in_truth);
 
 }  // namespace umbrameter

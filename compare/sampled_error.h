@@ -4,7 +4,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
+#include <vector>
 
+#include "compare/table.h"
 #include "core/image.h"
 
 namespace umbrameter {
@@ -15,6 +18,10 @@ struct Estimate {
   double lower = 0.0;
   double upper = 0.0;
 };
+
+/// Its share and the ends of its interval as three columns of a table, and as three cells of a row.
+void add_estimate(std::vector<Column>& columns, const std::string& name, const std::string& meaning);
+void add_estimate(std::vector<Value>& row, const Estimate& estimate);
 
 struct SampledError {
   std::uint64_t pixels = 0;

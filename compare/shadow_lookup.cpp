@@ -43,8 +43,7 @@ Tap fetch_tap(const MapLookup& lookup, const Receiver& receiver, const ivec2& of
     is_there = true;
   }
   if (!receiver.is_inside || !is_there) return tap;
-  const float stored =
-      lookup.map.depth[static_cast<std::size_t>(tap.face)].at(tap.texel.x, resolution - 1 - tap.texel.y);
+  const float stored = lookup.map.depth[static_cast<std::size_t>(tap.face)][texel_index(frame, tap.texel)];
   tap.has_blocker = stored < 1.0f;
   if (tap.has_blocker) {
     tap.critical_bias = static_cast<float>(receiver.depth - static_cast<double>(stored) * frame.far_depth);
@@ -140,6 +139,8 @@ TexelRay texel_ray(const LightFrame& frame, const ivec2& texel, int face) {
   const dmat3 basis = cube_face(face);
   return {dvec3(0.0), basis[0] * c.x + basis[1] * c.y + basis[2]};
 }
+
+float flip_of(float critical_bias, float slope, float slope_factor) { return critical_bias - slope_factor * slope; }
 
 SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel) {
   SurfelLookup result;

@@ -51,6 +51,12 @@ struct TexelRay {
 };
 TexelRay texel_ray(const LightFrame& frame, const ivec2& texel, int face);
 
+/// Where a texel stands in a face of ShadowMapImages, whose top row is the first.
+inline std::size_t texel_index(const LightFrame& frame, const ivec2& texel) {
+  return static_cast<std::size_t>(frame.resolution - 1 - texel.y) * static_cast<std::size_t>(frame.resolution) +
+         static_cast<std::size_t>(texel.x);
+}
+
 /// A surfel as the map sees it.
 struct SurfelLookup {
   bool faces_light = false;  ///< geometric N·L > 0
@@ -62,9 +68,7 @@ SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel);
 /// All taps of the filter at a surfel; those without weight among them.
 void fetch_taps(const MapLookup& lookup, const SurfelLookup& surfel, std::size_t pixel, std::vector<Tap>& taps);
 
-/// The constant bias from which on a tap is lit.
-inline float flip_of(float critical_bias, float slope, float slope_factor) {
-  return critical_bias - slope_factor * slope;
-}
+/// The constant bias from which on a tap is lit. Not inline: other modules may be compiled to contract it.
+float flip_of(float critical_bias, float slope, float slope_factor);
 
 }  // namespace umbrameter

@@ -1,5 +1,6 @@
 #include "compare/shimmer.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -12,6 +13,13 @@ const dvec3 y_axis(0, 1, 0);
 const dvec3 z_axis(0, 0, 1);
 
 dmat4 turn(double angle, const dvec3& axis) { return glm::rotate(dmat4(1.0), angle, axis); }
+
+// A depth along an axis is largest at a corner.
+double largest_depth(const LightFrame& frame, const Bounds& bounds) {
+  double largest = depth_of(frame, bounds.corner(0));
+  for (int i = 1; i < 8; ++i) largest = std::max(largest, depth_of(frame, bounds.corner(i)));
+  return largest;
+}
 
 template <class Takes>
 Flips count(const Image<float>& before, const Image<float>& after, const Takes& takes) {
@@ -29,7 +37,7 @@ Flips count(const Image<float>& before, const Image<float>& after, const Takes& 
 
 }  // namespace
 
-LightFrame shift_grid(const LightFrame& frame, const dvec2& texels) {
+LightFrame shift_grid(const LightFrame& frame, const dvec2& texels, const Bounds& bounds) {
   const dvec2 shift = texels * (2.0 * frame.half_extent / frame.resolution);
   LightFrame shifted = frame;
   dmat4 change = glm::translate(dmat4(1.0), dvec3(shift, 0.0));
@@ -38,6 +46,11 @@ LightFrame shift_grid(const LightFrame& frame, const dvec2& texels) {
     if (frame.kind == MapKind::cube) change = turn(std::atan(shift.x), z_axis) * change;
   }
   shifted.light_from_world = change * frame.light_from_world;
+  // A cube's radial distances do not turn, and what moves across the light's axis keeps its depth.
+  if (frame.kind == MapKind::perspective) {
+    const double farther = largest_depth(shifted, bounds) - largest_depth(frame, bounds);
+    shifted.far_depth += std::max(farther, 0.0);
+  }
   return shifted;
 }
 

@@ -1,21 +1,6 @@
 #include "compare/soft_visibility.h"
 
-#include <string>
-
 namespace umbrameter {
-namespace {
-
-void add_estimate(std::vector<Column>& columns, const std::string& name, const std::string& meaning) {
-  columns.push_back({name, "1", meaning});
-  columns.push_back({name + "_lo", "1", "lower end of its 95 % interval"});
-  columns.push_back({name + "_hi", "1", "upper end of its 95 % interval"});
-}
-
-void add_estimate(std::vector<Value>& row, const Estimate& estimate) {
-  row.insert(row.end(), {Value(estimate.value), Value(estimate.lower), Value(estimate.upper)});
-}
-
-}  // namespace
 
 SoftVisibilityStatistics analyze_soft_visibility(const Image<float>& raster, const SampledImage& truth,
                                                  const CountedPixels& counted) {
@@ -44,7 +29,7 @@ std::vector<Column> soft_visibility_columns() {
   add_estimate(columns, "false_lit", "the part of the mean absolute error where raster is too bright");
   columns.push_back({"mean_raster", "1", "mean visibility by the rasteriser"});
   columns.push_back({"max_error", "1", "largest absolute error, noise of the reference included"});
-  columns.push_back({"mean_texel", "m", "mean side of a shadow-map texel at the counted surfels"});
+  columns.push_back(mean_texel_column());
   return columns;
 }
 

@@ -9,9 +9,13 @@
 namespace umbrameter {
 namespace {
 
-std::uint32_t wrong_weight(const uvec4& by_cause) { return by_cause.x + by_cause.y + by_cause.z + by_cause.w; }
+constexpr std::array<const char*, cause_count> cause_meanings = {
+    "wrongly blocked by the surface's own depth", "wrongly blocked by another surface",
+    "wrongly lit: the map saw the blocker, the bias erased it", "wrongly lit: the map holds no blocker there"};
 
 }  // namespace
+
+std::uint32_t wrong_weight(const uvec4& by_cause) { return by_cause.x + by_cause.y + by_cause.z + by_cause.w; }
 
 CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const LightFrame& frame) {
   CountedPixels counted{Image<Counting>(gbuffer.width, gbuffer.height, Counting::background)};
@@ -123,23 +127,25 @@ Image<PixelClass> classify(const WrongTaps& wrong, const CountedPixels& counted)
 }
 
 std::vector<Column> visibility_columns() {
-  return {
+  std::vector<Column> columns = {
       {"pixels", "px", "pixels counted: facing the light, inside its map, cone and range"},
       {"lit", "1", "share that the reference calls lit"},
       {"blocked", "1", "share that the reference calls blocked"},
       {"mae", "1", "mean absolute error of visibility"},
       {"rmse", "1", "root mean square error of visibility"},
-      {"acne", "1", "wrongly blocked by the surface's own depth"},
-      {"false_occlusion", "1", "wrongly blocked by another surface"},
-      {"peter_panning", "1", "wrongly lit: the map saw the blocker, the bias erased it"},
-      {"leak", "1", "wrongly lit: the map holds no blocker there"},
-      {"mean_error", "1", "mean of raster − truth"},
-      {"max_error", "1", "largest absolute error"},
-      {"false_blocked", "1", "truth lit, raster blocked"},
-      {"false_lit", "1", "truth blocked, raster lit"},
-      {"mean_texel", "m", "mean side of a shadow-map texel at the counted surfels"},
   };
+  for (std::size_t c = 0; c < cause_count; ++c) {
+    columns.push_back({std::string(cause_names[c]), "1", cause_meanings[c]});
+  }
+  columns.insert(columns.end(), {{"mean_error", "1", "mean of raster − truth"},
+                                 {"max_error", "1", "largest absolute error"},
+                                 {"false_blocked", "1", "truth lit, raster blocked"},
+                                 {"false_lit", "1", "truth blocked, raster lit"},
+                                 mean_texel_column()});
+  return columns;
 }
+
+Column mean_texel_column() { return {"mean_texel", "m", "mean side of a shadow-map texel at the counted surfels"}; }
 
 std::vector<Value> to_row(const VisibilityStatistics& s) {
   return {static_cast<std::int64_t>(s.pixels),

@@ -79,6 +79,9 @@ struct VisibilitySums {
   friend bool operator==(const VisibilitySums&, const VisibilitySums&) = default;
 };
 
+/// Of all causes together.
+std::uint32_t wrong_weight(const uvec4& by_cause);
+
 /// Images of one size.
 VisibilitySums sum_wrong_taps(const WrongTaps& wrong, const CountedPixels& counted);
 VisibilityStatistics to_statistics(const VisibilitySums& sums, const TruthCounts& truth);
@@ -95,6 +98,7 @@ Image<PixelClass> classify(const WrongTaps& wrong, const CountedPixels& counted)
 
 /// The statistics as one row, in the order of visibility_columns(): the measured columns of sweep.csv.
 std::vector<Column> visibility_columns();
+Column mean_texel_column();
 std::vector<Value> to_row(const VisibilityStatistics& statistics);
 
 }  // namespace umbrameter

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "core/image.h"
@@ -14,6 +15,9 @@ namespace umbrameter {
 /// Why a tap is wrong, in the order of every array over causes.
 enum class Cause : std::uint8_t { acne, false_occlusion, peter_panning, light_leak };
 inline constexpr std::size_t cause_count = 4;
+/// As columns and keys write them.
+inline constexpr std::array<std::string_view, cause_count> cause_names = {"acne", "false_occlusion", "peter_panning",
+                                                                          "leak"};
 
 /// The weights of each pixel's wrong taps by cause, x to w in Cause's order. All taps of a pixel weigh weight_sum.
 struct WrongTaps {
@@ -60,6 +64,8 @@ struct ShadowMapImages {
 struct FilterKernel {
   /// Parts of a texel to which a bilinear tap's place is rounded, as graphics hardware does (eight bits).
   static constexpr std::uint32_t texel_parts = 256;
+  /// Taps along a side of a grid: with the next odd size a tent of linear taps outweighs 32 bits.
+  static constexpr int largest_size = 29;
 
   std::vector<std::uint32_t> kernel;  ///< of a grid: whole weights along one side, an odd number of them
   bool linear_taps = false;
@@ -79,6 +85,13 @@ struct FilterKernel {
     return sum * sum;
   }
 };
+
+/// A tent, the heaviest kernel, weighs ((n + 1)/2)² along a side.
+constexpr std::uint64_t largest_weight_sum(std::uint64_t size) {
+  const std::uint64_t side = (size + 1) / 2 * ((size + 1) / 2) * FilterKernel::texel_parts;
+  return side * side;
+}
+static_assert(largest_weight_sum(FilterKernel::largest_size) < std::uint64_t{1} << 32);
 
 __extension__ using WideCount = unsigned __int128;
 

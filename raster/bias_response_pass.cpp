@@ -38,14 +38,15 @@ void draw_part(const gl::Context& context, const ShadowLookup& lookup, const std
                BiasHistogram& histogram) {
   const gl::Buffer light = bind(lookup);
   const ResponseAxes bound = bind_axes(axes);
-  const gl::Buffer pixels = bind_pixel_list(lookup.gbuffer);
+  const gl::Buffer pixels = bind_pixel_list(context, lookup.gbuffer);
   dispatch_pixels(context.program({{"response_pixels.comp"}, defines + define("LIT_ALONE", 0)}), lookup.gbuffer);
 
   const std::size_t bins = axes.constant.size() + 1;
   std::vector<std::uint32_t> words(axes.slope.size() * bins * slot("HISTOGRAM_WORDS"));
   const gl::Buffer counts = gl::make_buffer("bias histogram", std::span<const std::uint32_t>(words));
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot("BUFFER_HISTOGRAM"), counts.name());
-  dispatch_list(context.program({{"bias_response.comp"}, defines}), pixels);
+  const auto taps = static_cast<std::size_t>(make_filter(lookup.params).tap_count());
+  dispatch_whole_list(context, context.program({{"bias_response.comp"}, defines}), pixels, taps * axes.slope.size());
   gl::read_buffer(counts, std::as_writable_bytes(std::span(words)));
   context.check("bias response");
   for (std::size_t s = 0; s < axes.slope.size(); ++s) {

@@ -3,6 +3,8 @@
 #include <array>
 #include <string_view>
 
+#include "core/shadow_taps.h"
+
 namespace umbrameter {
 namespace {
 
@@ -31,7 +33,7 @@ Parameters describe(ShadowParams& params) {
              {.unit = "texels",
               .meaning = "taps along a side of a box, tent or Gaussian",
               .min = 1,
-              .max = 29,
+              .max = FilterKernel::largest_size,
               .odd = true})
       .choice("filter-taps", params.filter_taps, filter_taps_names,
               {.unit = {}, .meaning = "whether each tap of a box, tent or Gaussian is nearest or a bilinear 2×2"})

@@ -40,6 +40,7 @@ inline constexpr ShaderSlot shader_slots[] = {
     {"UNIFORM_HAS_TEXTURE", 3},
     {"UNIFORM_BLUR", 4},
     {"UNIFORM_FIRST_PIXEL", 5},
+    {"UNIFORM_END_PIXEL", 6},
     {"TEXTURE_BASE_COLOR", 0},
     {"TEXTURE_IDS", 1},
     {"TEXTURE_POSITION_DEPTH", 2},

@@ -117,7 +117,7 @@ FilterKernel make_filter(const ShadowParams& params) {
 
 std::string filter_defines(const FilterKernel& filter) {
   std::string text = define("FILTER_IS_GRID", filter.is_grid() ? 1 : 0) +
-                     define("FILTER_WEIGHT_SUM", filter.weight_sum()) +
+                     fmt::format("#define FILTER_WEIGHT_SUM {}u\n", filter.weight_sum()) +
                      define("FILTER_TAPS", static_cast<unsigned>(filter.tap_count()));
   if (filter.is_grid()) {
     text += define("FILTER_KERNEL_SIZE", static_cast<unsigned>(filter.kernel.size())) +

@@ -1,6 +1,7 @@
 // What every pass over a shadow map's taps reads, and how it is bound.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "core/image.h"
@@ -36,12 +37,27 @@ std::string lookup_defines(const ShadowLookup& lookup);
 [[nodiscard]] gl::Buffer bind(const ShadowLookup& lookup);
 
 /// Room for every pixel, empty, bound: PixelList in shaders/pixel_list.glsl.
-[[nodiscard]] gl::Buffer bind_pixel_list(const GpuGBuffer& gbuffer);
+/// Throws Error (usage) naming view.size when the device's buffers are too small for it.
+[[nodiscard]] gl::Buffer bind_pixel_list(const gl::Context& context, const GpuGBuffer& gbuffer);
 
 /// Runs the program over every pixel, and makes what it wrote visible.
 void dispatch_pixels(const gl::Program& program, const GpuGBuffer& gbuffer);
 
-/// Runs the program over a list's pixels.
-void dispatch_list(const gl::Program& program, const gl::Buffer& pixel_list);
+/// How many pixels a program has listed.
+std::uint32_t count_listed(const gl::Context& context, const gl::Buffer& pixel_list);
+
+/// A part of a list's pixels: [first, end).
+struct ListedPixels {
+  std::uint32_t first = 0;
+  std::uint32_t end = 0;
+};
+
+/// Runs the program over a part of the bound list, four million pixels at most, and makes what it wrote visible.
+void dispatch_list(const gl::Program& program, const ListedPixels& pixels);
+
+/// Runs it over all of the list, in parts that are short work: `steps` is how often a pixel goes through the program's
+/// innermost loop.
+void dispatch_whole_list(const gl::Context& context, const gl::Program& program, const gl::Buffer& pixel_list,
+                         std::size_t steps);
 
 }  // namespace umbrameter

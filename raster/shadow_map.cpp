@@ -1,6 +1,6 @@
 #include "raster/shadow_map.h"
 
-#include <limits>
+#include <cstdint>
 #include <string>
 
 #include "core/error.h"
@@ -97,24 +97,6 @@ ShadowMapImages read_back(const gl::Context& context, const ShadowMap& map) {
   }
   context.check("shadow map read back");
   return images;
-}
-
-std::vector<Image<float>> to_metres(const ShadowMapImages& images, const LightFrame& frame) {
-  std::vector<Image<float>> faces = images.depth;
-  for (Image<float>& face : faces) {
-    for (float& depth : face.pixels) {
-      depth = depth < 1.0f ? static_cast<float>(static_cast<double>(depth) * frame.far_depth)
-                           : std::numeric_limits<float>::infinity();
-    }
-  }
-  return faces;
-}
-
-dvec3 cube_direction(const LightFrame& frame, int face, int x, int y) {
-  const double step = 2.0 * frame.half_extent / frame.resolution;
-  const double u = (x + 0.5) * step - frame.half_extent;
-  const double v = frame.half_extent - (y + 0.5) * step;
-  return glm::normalize(cube_face(face) * dvec3(u, v, 1.0));
 }
 
 }  // namespace umbrameter

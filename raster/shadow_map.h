@@ -1,10 +1,6 @@
 // A light's shadow map: linear depth and the triangle that each texel's centre sees.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
-#include "core/image.h"
 #include "core/shadow_taps.h"
 #include "raster/gl/context.h"
 #include "raster/gl/objects.h"
@@ -27,12 +23,5 @@ ShadowMap draw_shadow_map(const gl::Context& context, const UploadedScene& scene
                           const LightFrame& frame, const ShadowParams& params);
 
 ShadowMapImages read_back(const gl::Context& context, const ShadowMap& map);
-
-/// Of each face, metres, as depth_of(); infinity where the light meets nothing.
-std::vector<Image<float>> to_metres(const ShadowMapImages& images, const LightFrame& frame);
-
-/// Unit direction, light space, from the light through the centre of a texel of a cube map's face; column x, row y
-/// from the top, as in ShadowMapImages.
-dvec3 cube_direction(const LightFrame& frame, int face, int x, int y);
 
 }  // namespace umbrameter

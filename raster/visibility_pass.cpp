@@ -8,12 +8,13 @@
 namespace umbrameter {
 namespace {
 
-Image<uvec4> draw_wrong(const gl::Program& program, const GpuGBuffer& gbuffer, const gl::Buffer& pixels) {
+Image<uvec4> draw_wrong(const gl::Context& context, const gl::Program& program, const GpuGBuffer& gbuffer,
+                        const gl::Buffer& pixels, int taps) {
   const gl::Texture wrong = gl::make_texture("wrong taps", gl::Format::rgba32ui, gbuffer.width, gbuffer.height);
   const unsigned zero[] = {0, 0, 0, 0};
   glClearTexImage(wrong.name(), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, zero);
   glBindImageTexture(slot("IMAGE_WRONG"), wrong.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32UI);
-  dispatch_list(program, pixels);
+  dispatch_whole_list(context, program, pixels, static_cast<std::size_t>(taps));
   return read_image<uvec4>(wrong, gl::Format::rgba32ui);
 }
 
@@ -28,13 +29,17 @@ RasterVisibility draw_visibility(const gl::Context& context, const ShadowLookup&
   const gl::Texture visibility = gl::make_texture("visibility", gl::Format::r32f, gbuffer.width, gbuffer.height);
   glBindImageTexture(slot("IMAGE_VISIBILITY"), visibility.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
   gl::Buffer pixels;
-  if (has_truth) pixels = bind_pixel_list(gbuffer);
+  if (has_truth) pixels = bind_pixel_list(context, gbuffer);
   dispatch_pixels(program, gbuffer);
 
   RasterVisibility result;
   result.visibility = read_image<float>(visibility, gl::Format::r32f);
-  result.wrong = {Image<uvec4>(gbuffer.width, gbuffer.height, uvec4(0)), make_filter(lookup.params).weight_sum()};
-  if (has_truth) result.wrong.weights = draw_wrong(context.program({{"classify.comp"}, defines}), gbuffer, pixels);
+  const FilterKernel filter = make_filter(lookup.params);
+  result.wrong = {Image<uvec4>(gbuffer.width, gbuffer.height, uvec4(0)), filter.weight_sum()};
+  if (has_truth) {
+    const gl::Program& classify = context.program({{"classify.comp"}, defines});
+    result.wrong.weights = draw_wrong(context, classify, gbuffer, pixels, filter.tap_count());
+  }
   context.check("visibility");
   return result;
 }

@@ -11,8 +11,8 @@ namespace umbrameter {
 /// What a light's map says of each surfel.
 struct RasterVisibility {
   Image<float> visibility;  ///< 1 lit, 0 blocked; 0 where turned away, 1 on background; lit off the map
-  /// 0 on background, where turned away and where the truth is below 0, and everywhere without a truth. Their sum is
-  /// |visibility − truth| where the truth is binary.
+  /// 0 on background, where turned away and where the truth is below 0, and everywhere without a truth. Their sum
+  /// over weight_sum is |visibility − truth| where the truth is binary.
   WrongTaps wrong;
 };
 

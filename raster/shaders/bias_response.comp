@@ -41,9 +41,41 @@ uint bin_of(float flip) {
   return uint(first);
 }
 
+struct WrongTap {
+  float critical_bias;
+  uint weight;
+  bool is_foreign;
+};
+WrongTap wrong_taps[most_taps];  // wrong at some bias
+int wrong_count = 0;
+
+// Into the order in which taps turn wrong as the bias moves away from where it is easiest to be right, which is one for
+// all slope factors: the bin of a flip never falls as the critical bias grows. (Knuth, The Art of Computer Programming
+// 3, 5.2.1, algorithm D, with his increments 1, 4, 13, ….)
+void sort_taps(bool is_lit_in_truth) {
+  int gap = 1;
+  while (3 * gap + 1 < wrong_count) gap = 3 * gap + 1;
+  for (; gap > 0; gap /= 3) {
+    for (int i = gap; i < wrong_count; ++i) {
+      WrongTap tap = wrong_taps[i];
+      int place = i;
+      while (place >= gap) {
+        WrongTap other = wrong_taps[place - gap];
+        bool stays = is_lit_in_truth ? other.critical_bias >= tap.critical_bias
+                                     : other.critical_bias <= tap.critical_bias;
+        if (stays) break;
+        wrong_taps[place] = other;
+        place -= gap;
+      }
+      wrong_taps[place] = tap;
+    }
+  }
+}
+
 void main() {
-  if (gl_GlobalInvocationID.x >= pixel_count) return;
-  ivec2 pixel = listed_pixel(gl_GlobalInvocationID.x);
+  uint index = first_pixel + gl_GlobalInvocationID.x;
+  if (index >= end_pixel) return;
+  ivec2 pixel = listed_pixel(index);
   uvec2 id = texelFetch(ids, pixel, 0).rg;
   Lookup surfel = look_up(pixel);
   Pattern pattern = make_pattern(surfel.receiver, pixel);
@@ -51,40 +83,46 @@ void main() {
   float easiest_bias = is_lit_in_truth ? least_bias : largest_bias;
   float easiest_factor = is_lit_in_truth ? least_slope : largest_slope;
   Facet own = fetch_facet(id);
-  float critical_biases[most_taps];
-  uint weights[most_taps];
-  int causes[most_taps];
   for (int i = 0; i < tap_count; ++i) {
     WeightedTap tap = filter_tap(surfel.receiver, pattern, i);
-    critical_biases[i] = tap.tap.critical_bias;
-    weights[i] = tap.weight;
-    causes[i] = -1;
     bool says_lit = easiest_bias >= flip_of(tap.tap.critical_bias, surfel.slope, easiest_factor);
-    if (tap.weight > 0u && says_lit != is_lit_in_truth) {
-      causes[i] = cause_of(tap.tap, is_lit_in_truth, surfel.receiver, id, own);
-    }
+    if (tap.weight == 0u || says_lit == is_lit_in_truth) continue;
+    int cause = cause_of(tap.tap, is_lit_in_truth, surfel.receiver, id, own);
+    bool is_foreign = cause == (is_lit_in_truth ? CAUSE_FALSE_OCCLUSION : CAUSE_PETER_PANNING);
+    wrong_taps[wrong_count++] = WrongTap(tap.tap.critical_bias, tap.weight, is_foreign);
   }
+  sort_taps(is_lit_in_truth);
   uint side = is_lit_in_truth ? 0u : 1u;
+  uint own_word = 2u * uint(is_lit_in_truth ? CAUSE_ACNE : CAUSE_LIGHT_LEAK);
+  uint foreign_word = 2u * uint(is_lit_in_truth ? CAUSE_FALSE_OCCLUSION : CAUSE_PETER_PANNING);
+  // Bin 0 is lit at every bias, the last one blocked at every one: right all along where the truth says so.
+  uint never = is_lit_in_truth ? 0u : uint(bias_count);
   for (int s = 0; s < slope_count; ++s) {
-    uint bins[most_taps];
-    for (int i = 0; i < tap_count; ++i) {
-      bins[i] = bin_of(flip_of(critical_biases[i], surfel.slope, axis_values[bias_count + s]));
-    }
-    for (int i = 0; i < tap_count; ++i) {
-      // Bin 0 is lit at every bias, the last one blocked at every one: right all along where the truth says so.
-      if (causes[i] < 0 || bins[i] == (is_lit_in_truth ? 0u : uint(bias_count))) continue;
-      uint bin = HISTOGRAM_WORDS * (uint(s) * uint(bias_count + 1) + bins[i]);
-      add_wide(bin + 2u * uint(causes[i]), weights[i]);
-      // Taps in the order in which they turn wrong as the bias moves; equal ones by number. As tap i joins, the squared
-      // error grows by w(w + sum) + w·sum, the sum being that of the taps before it.
-      uint sum = 0u;
-      for (int j = 0; j < tap_count; ++j) {
-        bool comes_before = bins[j] == bins[i] ? j < i : (bins[j] > bins[i]) == is_lit_in_truth;
-        if (comes_before) sum += weights[j];
-      }
-      add_product(bin + HISTOGRAM_SQUARES + 3u * side, weights[i], weights[i] + sum);
-      if (sum > 0u) add_product(bin + HISTOGRAM_SQUARES + 3u * side, weights[i], sum);
-      atomicMax(words[bin + HISTOGRAM_LARGEST + side], sum + weights[i]);
+    float factor = axis_values[bias_count + s];
+    uint sum = 0u;  // of the taps in earlier bins
+    int i = 0;
+    while (i < wrong_count) {
+      uint bin = bin_of(flip_of(wrong_taps[i].critical_bias, surfel.slope, factor));
+      if (bin == never) break;
+      // Blocked just below the bin's biases where the truth is lit, lit just at them where it is blocked.
+      float bound = axis_values[is_lit_in_truth ? bin - 1u : bin];
+      uint own_weight = 0u;
+      uint foreign_weight = 0u;
+      do {
+        own_weight += wrong_taps[i].is_foreign ? 0u : wrong_taps[i].weight;
+        foreign_weight += wrong_taps[i].is_foreign ? wrong_taps[i].weight : 0u;
+        ++i;
+      } while (i < wrong_count &&
+               (bound >= flip_of(wrong_taps[i].critical_bias, surfel.slope, factor)) != is_lit_in_truth);
+      uint first = HISTOGRAM_WORDS * (uint(s) * uint(bias_count + 1) + bin);
+      if (own_weight > 0u) add_wide(first + own_word, own_weight);
+      if (foreign_weight > 0u) add_wide(first + foreign_word, foreign_weight);
+      // As taps of weight w join those of an earlier sum, the squared error grows by w(w + sum) + w·sum.
+      uint weight = own_weight + foreign_weight;
+      add_product(first + HISTOGRAM_SQUARES + 3u * side, weight, weight + sum);
+      if (sum > 0u) add_product(first + HISTOGRAM_SQUARES + 3u * side, weight, sum);
+      sum += weight;
+      atomicMax(words[first + HISTOGRAM_LARGEST + side], sum);
     }
   }
 }

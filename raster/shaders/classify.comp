@@ -5,8 +5,9 @@ layout(local_size_x = LIST_GROUP_SIZE) in;
 layout(binding = IMAGE_WRONG, rgba32ui) writeonly uniform uimage2D wrong_image;
 
 void main() {
-  if (gl_GlobalInvocationID.x >= pixel_count) return;
-  ivec2 pixel = listed_pixel(gl_GlobalInvocationID.x);
+  uint index = first_pixel + gl_GlobalInvocationID.x;
+  if (index >= end_pixel) return;
+  ivec2 pixel = listed_pixel(index);
   uvec2 id = texelFetch(ids, pixel, 0).rg;
   Lookup surfel = look_up(pixel);
   Pattern pattern = make_pattern(surfel.receiver, pixel);

@@ -4,16 +4,14 @@
 #include "pixel_list.glsl"
 #include "response.glsl"
 layout(local_size_x = LIST_GROUP_SIZE) in;
-layout(location = UNIFORM_FIRST_PIXEL) uniform uint first_pixel;
 layout(std430, binding = BUFFER_FOREIGN) restrict buffer ForeignTaps {
   uint foreign_count;
-  uint pixels_end;  // of the list's pixels that this run takes
   uint words[];
 };
 
 void main() {
   uint index = first_pixel + gl_GlobalInvocationID.x;
-  if (index >= pixels_end) return;
+  if (index >= end_pixel) return;
   ivec2 pixel = listed_pixel(index);
   uvec2 id = texelFetch(ids, pixel, 0).rg;
   Lookup surfel = look_up(pixel);

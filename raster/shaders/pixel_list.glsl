@@ -1,15 +1,12 @@
-// A list of pixels, in any order, and the work groups that a pass over it needs. A list, because software rasterisers
-// execute what a branch skips.
+// A list of pixels, in any order, and the part of it that a pass takes at once. A list, because software rasterisers
+// execute what a branch skips; in parts, because a desktop ends work that holds the device for seconds.
+layout(location = UNIFORM_FIRST_PIXEL) uniform uint first_pixel;
+layout(location = UNIFORM_END_PIXEL) uniform uint end_pixel;
 layout(std430, binding = BUFFER_PIXELS) restrict buffer PixelList {
-  uvec3 group_count;  // what glDispatchComputeIndirect reads
   uint pixel_count;
   uint pixels[];  // x, and y in the upper half
 };
 
-void append(ivec2 pixel) {
-  uint index = atomicAdd(pixel_count, 1u);
-  atomicMax(group_count.x, index / LIST_GROUP_SIZE + 1u);
-  pixels[index] = uint(pixel.x) | uint(pixel.y) << 16u;
-}
+void append(ivec2 pixel) { pixels[atomicAdd(pixel_count, 1u)] = uint(pixel.x) | uint(pixel.y) << 16u; }
 
 ivec2 listed_pixel(uint index) { return ivec2(pixels[index] & 0xffffu, pixels[index] >> 16u); }

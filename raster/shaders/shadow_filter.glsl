@@ -3,7 +3,7 @@
 #include "surfel_lookup.glsl"
 
 const int most_taps = FILTER_TAPS;  // tap_count of them are there
-const uint weight_sum = uint(FILTER_WEIGHT_SUM);
+const uint weight_sum = FILTER_WEIGHT_SUM;
 
 struct WeightedTap {
   Tap tap;

@@ -1,4 +1,4 @@
-// A surfel of the G-buffer as the light's map sees it, and the taps of the filter.
+// A surfel of the G-buffer as the light's map sees it.
 #include "light_map.glsl"
 layout(binding = TEXTURE_IDS) uniform usampler2D ids;
 layout(binding = TEXTURE_POSITION_DEPTH) uniform sampler2D position_depth;

@@ -9,6 +9,7 @@
 #include "tests/support/gl_fixture.h"
 #include "tests/support/gltf_constructs.h"
 #include "tests/support/reference_caster.h"
+#include "tests/support/shadow_depths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
 

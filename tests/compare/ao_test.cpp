@@ -6,6 +6,7 @@
 
 #include "compare/sweep.h"
 #include "core/random.h"
+#include "row_check.h"
 
 namespace umbrameter {
 namespace {
@@ -99,8 +100,33 @@ TEST(Ao, Rays_that_all_agree_still_leave_an_interval) {
   EXPECT_NEAR(s.mean_truth.lower, 1.0 - 2.99573 / 6400.0, 1e-8);
 }
 
-TEST(Ao, Every_column_has_a_unit_and_a_value) {
-  EXPECT_EQ(ao_columns().size(), to_row(AoStatistics{}).size());
+TEST(Ao, Rows_stand_under_their_column) {
+  AoStatistics s;
+  s.pixels = 1;
+  s.mae = {2, 3, 4};
+  s.rmse = {5, 6, 7};
+  s.mean_error = {8, 9, 10};
+  s.mean_raster = 11;
+  s.mean_truth = {12, 13, 14};
+  s.max_error = 15;
+  test::expect_row({ao_columns(), {to_row(s)}}, {{"pixels", 1},
+                                                 {"mae", 2},
+                                                 {"mae_lo", 3},
+                                                 {"mae_hi", 4},
+                                                 {"rmse", 5},
+                                                 {"rmse_lo", 6},
+                                                 {"rmse_hi", 7},
+                                                 {"mean_error", 8},
+                                                 {"mean_error_lo", 9},
+                                                 {"mean_error_hi", 10},
+                                                 {"mean_raster", 11},
+                                                 {"mean_truth", 12},
+                                                 {"mean_truth_lo", 13},
+                                                 {"mean_truth_hi", 14},
+                                                 {"max_error", 15}});
+}
+
+TEST(Ao, Every_column_has_a_unit) {
   for (const Column& column : ao_columns()) EXPECT_FALSE(column.unit.empty()) << column.name;
 }
 

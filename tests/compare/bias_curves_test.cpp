@@ -174,6 +174,19 @@ TEST(Knee, Does_not_depend_on_the_scale_of_either_axis) {
   }
 }
 
+TEST(Knee, A_straight_front_of_tenths_has_none) {
+  // 0.1, 0.2 and 0.3 are no binary fractions: their sums miss 1 by an ulp.
+  for (const double first : {0.0, 0.1, 0.7}) {
+    for (const double scale : {1.0, 0.001}) {
+      ParetoFront front;
+      for (int i = 0; i <= 10; ++i) add(front, cell(i, first + scale * (0.1 * i), first + scale * (0.1 * (10 - i))));
+      ASSERT_EQ(front.by_acne.size(), 11u);
+      EXPECT_FALSE(knee(front)) << first << " " << scale;
+    }
+  }
+  EXPECT_TRUE(knee(front_of({cell(0, 0.0, 1.0), cell(1, 0.5 - 1e-12, 0.5), cell(2, 1.0, 0.0)})));
+}
+
 TEST(Knee, A_front_that_does_not_bend_towards_the_origin_has_none) {
   EXPECT_FALSE(knee(ParetoFront{}));
   EXPECT_FALSE(knee(front_of({cell(1, 0.2, 0.1)})));

@@ -18,40 +18,42 @@ constexpr double thickness = 0.05;  // metres, of the wall
 
 // Level ground seen from above behind a wall that stands on it, with the sun before the wall.
 struct BehindWall {
-  FlatGround ground{240, 8, pixel, dvec3(-std::cos(elevation), std::sin(elevation), 0), texel};
+  int width;
+  FlatGround ground{width, 8, pixel, dvec3(-std::cos(elevation), std::sin(elevation), 0), texel};
   Scene scene;
-  View view{240, 8, {}};
-  Image<float> truth{240, 8, 1.0f};
-  Image<float> raster{240, 8, 1.0f};
-  WrongTaps wrong{Image<uvec4>(240, 8, uvec4(0)), 1};
-  Image<std::uint32_t> caster{240, 8, no_id};
-  Image<float> distance{240, 8, 0.0f};
+  View view{width, 8, {}};
+  Image<float> truth{width, 8, 1.0f};
+  Image<float> raster{width, 8, 1.0f};
+  WrongTaps wrong{Image<uvec4>(width, 8, uvec4(0)), 1};
+  Image<std::uint32_t> caster{width, 8, no_id};
+  Image<float> distance{width, 8, 0.0f};
 
-  BehindWall() {
+  /// The image is that many pixels wide, and the shadow ends in that column.
+  explicit BehindWall(int columns = 240, int end = shadow_end) : width(columns) {
     scene.objects = {{"ground"}, {"wall"}};
     scene.instances = {{0, 0}, {1, 1}};
-    view.camera.world_from_camera =
-        dmat4(dvec4(1, 0, 0, 0), dvec4(0, 0, -1, 0), dvec4(0, 1, 0, 0), dvec4(119.5 * pixel, 10, 3.5 * pixel, 1));
-    view.camera.projection = OrthographicProjection{120 * pixel, 4 * pixel, 0.0, 100.0};
+    view.camera.world_from_camera = dmat4(dvec4(1, 0, 0, 0), dvec4(0, 0, -1, 0), dvec4(0, 1, 0, 0),
+                                          dvec4(0.5 * (width - 1) * pixel, 10, 3.5 * pixel, 1));
+    view.camera.projection = OrthographicProjection{0.5 * width * pixel, 4 * pixel, 0.0, 100.0};
     for (int y = 0; y < 8; ++y) {
       for (int x = 0; x < foot; ++x) {
         ground.gbuffer.instance.at(x, y) = 1;
         ground.gbuffer.position.at(x, y).y = 0.67f;
       }
-      for (int x = foot; x < shadow_end; ++x) {
+      for (int x = foot; x < end; ++x) {
         truth.at(x, y) = 0.0f;
         caster.at(x, y) = 1;
         distance.at(x, y) = static_cast<float>(behind(x) / std::cos(elevation));
       }
     }
-    draw(shadow_end, 0.0);
+    draw(end, 0.0);
   }
   // Metres from the wall to a column's middle.
   static double behind(int x) { return (x - foot + 0.5) * pixel; }
   // The map's depth is that of the wall's front: the bias erases it where (behind + thickness) / cos e is no more.
   void draw(int end, double bias) {
     for (int y = 0; y < 8; ++y) {
-      for (int x = 0; x < 240; ++x) {
+      for (int x = 0; x < width; ++x) {
         const bool is_blocked = x >= foot && x < end && (behind(x) + thickness) / std::cos(elevation) > bias;
         raster.at(x, y) = is_blocked ? 0.0f : 1.0f;
       }
@@ -95,6 +97,15 @@ TEST(CasterShape, A_shadow_that_is_gone_leaves_a_gap_as_long_as_itself) {
   EXPECT_NEAR(found[0].gap_median.pixels, shadow_end - foot, 0.5001);
   EXPECT_EQ(found[0].edges, 0u);
   EXPECT_EQ(found[0].unmatched, 8u);
+}
+
+TEST(CasterShape, A_gap_is_followed_across_the_widest_images) {
+  BehindWall wall(16384, 16000);
+  wall.draw(foot, 0.0);
+  const std::vector<CasterShape> found = wall.measure();
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_GE(found[0].contacts, 8u);
+  EXPECT_NEAR(found[0].gap_median.pixels, 16000 - foot, 0.01);  // positions are floats, 80 m off the origin
 }
 
 TEST(CasterShape, The_inset_is_positive_where_the_raster_shadow_is_smaller) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/error.h"
+
 namespace umbrameter {
 namespace {
 
@@ -43,6 +45,21 @@ TEST(ForeignTaps, In_a_histogram_it_turns_in_the_bin_of_its_flip_at_every_slope)
   EXPECT_EQ(histogram.by_slope[0][1].weights, (std::array<std::uint64_t, 4>{5, 1, 0, 0}));
   EXPECT_EQ(histogram.by_slope[0][1].squares, before.by_slope[0][1].squares);
   EXPECT_EQ(histogram.by_slope[1], before.by_slope[1]);
+}
+
+TEST(ForeignTaps, A_tap_that_was_not_counted_is_an_error_and_wraps_no_weight) {
+  const GBuffer gbuffer(1, 1);
+  WrongTaps wrong{Image<uvec4>(1, 1, uvec4(0, 2, 0, 0)), 8};
+  const std::vector<ForeignTap> taps = {{0, 0, 0, 3, 0.25f, 0.1f}};
+  const std::vector<std::uint8_t> own = {1};
+  EXPECT_THROW(apply_judgement(wrong, gbuffer, taps, own), Error);
+  EXPECT_EQ(wrong.weights[0], uvec4(0, 2, 0, 0));
+
+  BiasHistogram histogram;
+  histogram.axes = {{0.1f}, {0.0f}};
+  histogram.by_slope.assign(1, std::vector<BiasHistogram::Bin>(2));
+  EXPECT_THROW(apply_judgement(histogram, taps, own), Error);
+  EXPECT_EQ(histogram.by_slope[0][1].weights, (std::array<std::uint64_t, 4>{}));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "compare/sweep.h"
 #include "core/random.h"
+#include "row_check.h"
 
 namespace umbrameter {
 namespace {
@@ -62,6 +63,44 @@ TEST(SoftVisibility, The_intervals_hold_the_errors_against_a_noisy_reference) {
   }
   // The interval is that of all pixels, of which only half are noise here: it holds at least 95 % less four √(.0475/n).
   EXPECT_GE(held, seeds * (0.95 - 4.0 * std::sqrt(0.0475 / seeds)));
+}
+
+TEST(SoftVisibility, Rows_stand_under_their_column) {
+  SoftVisibilityStatistics s;
+  s.error.pixels = 1;
+  s.error.mean_truth = {2, 3, 4};
+  s.penumbra = 5;
+  s.error.mae = {6, 7, 8};
+  s.error.rmse = {9, 10, 11};
+  s.error.mean_error = {12, 13, 14};
+  s.error.too_dark = {15, 16, 17};
+  s.error.too_bright = {18, 19, 20};
+  s.error.mean_raster = 21;
+  s.error.max_error = 22;
+  s.mean_texel = 23;
+  test::expect_row({soft_visibility_columns(), {to_row(s)}}, {{"pixels", 1},
+                                                              {"lit", 2},
+                                                              {"lit_lo", 3},
+                                                              {"lit_hi", 4},
+                                                              {"penumbra", 5},
+                                                              {"mae", 6},
+                                                              {"mae_lo", 7},
+                                                              {"mae_hi", 8},
+                                                              {"rmse", 9},
+                                                              {"rmse_lo", 10},
+                                                              {"rmse_hi", 11},
+                                                              {"mean_error", 12},
+                                                              {"mean_error_lo", 13},
+                                                              {"mean_error_hi", 14},
+                                                              {"false_blocked", 15},
+                                                              {"false_blocked_lo", 16},
+                                                              {"false_blocked_hi", 17},
+                                                              {"false_lit", 18},
+                                                              {"false_lit_lo", 19},
+                                                              {"false_lit_hi", 20},
+                                                              {"mean_raster", 21},
+                                                              {"max_error", 22},
+                                                              {"mean_texel", 23}});
 }
 
 TEST(SoftVisibility, Rows_fit_their_columns_and_are_zero_without_pixels) {

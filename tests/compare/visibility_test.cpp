@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "compare/sweep.h"
+#include "row_check.h"
 
 namespace umbrameter {
 namespace {
@@ -81,13 +82,34 @@ TEST(Visibility, Every_column_has_a_unit_and_a_value) {
 
 TEST(Visibility, Rows_stand_under_their_column) {
   VisibilityStatistics s;
-  s.acne = 0.25;
-  s.leak = 0.125;
-  s.mean_texel = 0.5;
-  const Table table{visibility_columns(), {to_row(s)}};
-  EXPECT_EQ(to_number(table.rows[0][column_index(table, "acne")]), 0.25);
-  EXPECT_EQ(to_number(table.rows[0][column_index(table, "leak")]), 0.125);
-  EXPECT_EQ(to_number(table.rows[0][column_index(table, "mean_texel")]), 0.5);
+  s.pixels = 1;
+  s.lit = 2;
+  s.blocked = 3;
+  s.mae = 4;
+  s.rmse = 5;
+  s.acne = 6;
+  s.false_occlusion = 7;
+  s.peter_panning = 8;
+  s.leak = 9;
+  s.mean_error = 10;
+  s.max_error = 11;
+  s.false_blocked = 12;
+  s.false_lit = 13;
+  s.mean_texel = 14;
+  test::expect_row({visibility_columns(), {to_row(s)}}, {{"pixels", 1},
+                                                         {"lit", 2},
+                                                         {"blocked", 3},
+                                                         {"mae", 4},
+                                                         {"rmse", 5},
+                                                         {"acne", 6},
+                                                         {"false_occlusion", 7},
+                                                         {"peter_panning", 8},
+                                                         {"leak", 9},
+                                                         {"mean_error", 10},
+                                                         {"max_error", 11},
+                                                         {"false_blocked", 12},
+                                                         {"false_lit", 13},
+                                                         {"mean_texel", 14}});
 }
 
 TEST(Visibility, Pixels_are_counted_by_facing_map_cone_and_range) {

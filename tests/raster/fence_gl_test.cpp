@@ -1,6 +1,7 @@
 // An alpha mask against the same bars as geometry, drawn.
 #include <variant>
 
+#include "compare/shadow_lookup.h"
 #include "test_scenes.h"
 #include "tests/support/fence_twins.h"
 
@@ -21,16 +22,11 @@ class DrawnFence : public GlTest {
 };
 
 // The ray that a texel's centre stands for.
-Ray texel_ray(const LightFrame& frame, int face, int x, int y) {
+Ray world_ray(const LightFrame& frame, int face, int x, int y) {
   const dmat4 world_from_light = glm::inverse(frame.light_from_world);
-  dvec3 origin(0.0), direction(0.0, 0.0, -1.0);
-  const double step = 2.0 * frame.half_extent / frame.resolution;
-  const dvec2 center{(x + 0.5) * step - frame.half_extent, frame.half_extent - (y + 0.5) * step};
-  if (frame.kind == MapKind::orthographic) origin = dvec3(center, 0.0);
-  if (frame.kind == MapKind::perspective) direction = dvec3(center, -1.0);
-  if (frame.kind == MapKind::cube) direction = cube_direction(frame, face, x, y);
-  return {dvec3(world_from_light * dvec4(origin, 1.0)),
-          glm::normalize(dvec3(world_from_light * dvec4(direction, 0.0)))};
+  const TexelRay ray = texel_ray(frame, {x, frame.resolution - 1 - y}, face);
+  return {dvec3(world_from_light * dvec4(ray.origin, 1.0)),
+          glm::normalize(dvec3(world_from_light * dvec4(ray.direction, 0.0)))};
 }
 
 TEST_F(DrawnFence, The_mask_and_its_geometric_twin_have_the_same_shadow_map_off_the_mask_s_edges) {
@@ -48,7 +44,7 @@ TEST_F(DrawnFence, The_mask_and_its_geometric_twin_have_the_same_shadow_map_off_
       const auto layer = static_cast<std::size_t>(face);
       for (int y = 0; y < resolution; ++y) {
         for (int x = 0; x < resolution; ++x) {
-          const Ray ray = texel_ray(frame, face, x, y);
+          const Ray ray = world_ray(frame, face, x, y);
           const FencePoint where = fence_point(twins_, ray.origin, ray.direction, margin);
           const std::uint32_t id = a.instance[layer].at(x, y);
           // 32-bit depth resolves 6e-8 of far_depth; the two are interpolated over different triangles.

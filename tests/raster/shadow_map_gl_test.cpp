@@ -1,13 +1,16 @@
 #include <cmath>
 #include <limits>
 
+#include "compare/shadow_lookup.h"
 #include "core/error.h"
 #include "test_scenes.h"
+#include "tests/support/shadow_depths.h"
 
 namespace umbrameter {
 namespace {
 
 using namespace testing_scenes;
+using test::to_metres;
 
 class ShadowMapGl : public GlTest {
  protected:
@@ -80,7 +83,8 @@ TEST_F(ShadowMapGl, A_cube_map_holds_radial_distance_on_all_six_faces) {
   for (int face = 0; face < 6; ++face) {
     for (int y = 0; y < 64; ++y) {
       for (int x = 0; x < 64; ++x) {
-        const dvec3 d(world_from_light * dvec4(cube_direction(frame, face, x, y), 0));
+        const dvec3 direction = glm::normalize(texel_ray(frame, {x, 63 - y}, face).direction);
+        const dvec3 d(world_from_light * dvec4(direction, 0));
         double expected = std::numeric_limits<double>::infinity();
         for (int axis = 0; axis < 3; ++axis) {
           if (d[axis] != 0) {
