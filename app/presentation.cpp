@@ -74,7 +74,7 @@ std::string precision_text(const SamplingPrecision& precision, const TruthParams
   if (precision.pixels == 0) return {};
   std::string text = fmt::format(
       "Intervals are 95 % and come from the reference's sampling. Half widths of its pixels' own intervals: mean "
-      "{:.5f}, worst {:.5f}, from {:.0f} rays a pixel on average.",
+      "{:.5f}, worst {:.5f}, from {:.0f} samples a pixel on average.",
       precision.mean_half_width, precision.worst_half_width, precision.mean_samples);
   if (truth.tolerance > 0.0) {
     text += fmt::format(" {} of {} pixels reached the limit of {} rays before the tolerance of {:g}.",
@@ -84,7 +84,7 @@ std::string precision_text(const SamplingPrecision& precision, const TruthParams
 }
 
 std::string precision_line(const SamplingPrecision& precision) {
-  std::string line = fmt::format("{:.0f} rays a pixel, half width of its 95 % interval {:.5f}, at worst {:.5f}",
+  std::string line = fmt::format("{:.0f} samples a pixel, half width of its 95 % interval {:.5f}, at worst {:.5f}",
                                  precision.mean_samples, precision.mean_half_width, precision.worst_half_width);
   if (precision.pixels_at_limit > 0) {
     line += fmt::format("; {} of {} pixels at the limit", precision.pixels_at_limit, precision.pixels);
@@ -96,7 +96,7 @@ std::string precision_line(const SamplingPrecision& precision) {
 std::string truth_caption(const ShadowMeasurement& shadow, const Experiment& experiment) {
   const std::string common = "Shadow rays against the exact geometry; turned-away surfels count as 0.";
   if (!is_soft(shadow)) return common;
-  return fmt::format("{} The light is {}{}; {:.0f} rays a pixel; the visible share of its {}.", common,
+  return fmt::format("{} The light is {}{}; {:.0f} samples a pixel; the visible share of its {}.", common,
                      std::holds_alternative<DistantEmitter>(shadow.emitter) ? "" : "a ", extent_text(shadow.emitter),
                      shadow.truth->precision.mean_samples,
                      experiment.truth.light_sampling == LightSampling::area ? "area" : "solid angle");
