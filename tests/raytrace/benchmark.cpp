@@ -9,7 +9,9 @@
 #include <ctime>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
@@ -111,7 +113,8 @@ std::uint64_t count_open_in_packets(const Tracer::State& state, RTCScene scene, 
 /// One way to trace the rays of a task.
 struct Way {
   std::string name;
-  std::function<std::uint64_t()> count_open;  ///< the rays that meet nothing
+  std::function<void()> trace;                ///< is timed
+  std::function<std::uint64_t()> count_open;  ///< the rays that met nothing; is not
   std::vector<double> seconds;
   std::uint64_t open = 0;
 };
@@ -119,15 +122,15 @@ struct Way {
 using Count = std::uint64_t (*)(const Tracer::State&, RTCScene, const Ready*, std::size_t);
 
 Way plain(std::string name, Count count, const Tracer::State& state, RTCScene scene, const Rays& rays) {
-  const auto run = [count, &state, scene, &rays] {
+  const auto open = std::make_shared<std::atomic<std::uint64_t>>(0);
+  const auto run = [open, count, &state, scene, &rays] {
     constexpr std::size_t chunk = 1u << 14u;
-    std::atomic<std::uint64_t> open{0};
+    *open = 0;
     parallel_for((rays.size() + chunk - 1) / chunk, [&](std::size_t i) {
-      open += count(state, scene, rays.data() + i * chunk, std::min(chunk, rays.size() - i * chunk));
+      *open += count(state, scene, rays.data() + i * chunk, std::min(chunk, rays.size() - i * chunk));
     });
-    return open.load();
   };
-  return {std::move(name), run, {}, 0};
+  return {std::move(name), run, [open] { return open->load(); }, {}, 0};
 }
 
 double median(std::vector<double> values) {
@@ -147,10 +150,11 @@ void report(const std::string& task, std::vector<Way>& ways, double rays, int tu
     for (Way& way : ways) {
       const auto start = std::chrono::steady_clock::now();
       const double cpu = cpu_seconds();
-      way.open = way.count_open();
+      way.trace();
       const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
       // One thread is timed by what it ran, whatever else the machine does.
       way.seconds.push_back(on_all_threads ? wall.count() : cpu_seconds() - cpu);
+      way.open = way.count_open();
     }
   }
   fmt::print("{}, {:.1f} M rays, {}\n", task, rays * 1e-6, on_all_threads ? "all threads" : "one thread");
@@ -181,15 +185,34 @@ ScenePtr default_scene(const Tracer::State& state) {
   return scene;
 }
 
-// Without the pixels of all but some tiles.
-GBuffer some_tiles(GBuffer gbuffer, std::size_t every) {
-  for (int y = 0; y < gbuffer.height; ++y) {
-    for (int x = 0; x < gbuffer.width; ++x) {
-      const auto tile = static_cast<std::uint32_t>((y / 16) * ((gbuffer.width + 15) / 16) + x / 16);
-      if (hash(tile) % every != 0) gbuffer.instance[gbuffer.instance.index(x, y)] = no_id;
+constexpr int tile_side = 16;
+
+// One tile of this many, one below the other: as dense as in the whole image, without pixels that cost and trace
+// nothing.
+GBuffer some_tiles(const GBuffer& gbuffer, std::size_t every) {
+  std::vector<std::pair<int, int>> corners;
+  const int tiles_in_row = (gbuffer.width + tile_side - 1) / tile_side;
+  for (int y = 0; y + tile_side <= gbuffer.height; y += tile_side) {
+    for (int x = 0; x + tile_side <= gbuffer.width; x += tile_side) {
+      const auto tile = static_cast<std::uint32_t>(y / tile_side * tiles_in_row + x / tile_side);
+      if (hash(tile) % every == 0) corners.emplace_back(x, y);
     }
   }
-  return gbuffer;
+  GBuffer tiles(tile_side, tile_side * static_cast<int>(corners.size()));
+  for (std::size_t t = 0; t < corners.size(); ++t) {
+    for (int y = 0; y < tile_side; ++y) {
+      for (int x = 0; x < tile_side; ++x) {
+        const std::size_t to = tiles.instance.index(x, y + tile_side * static_cast<int>(t));
+        const std::size_t from = gbuffer.instance.index(corners[t].first + x, corners[t].second + y);
+        tiles.instance[to] = gbuffer.instance[from];
+        tiles.triangle[to] = gbuffer.triangle[from];
+        tiles.position[to] = gbuffer.position[from];
+        tiles.geometric_normal[to] = gbuffer.geometric_normal[from];
+        tiles.shading_normal[to] = gbuffer.shading_normal[from];
+      }
+    }
+  }
+  return tiles;
 }
 
 Ready leaving(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel, RayOrigin& origin) {
@@ -244,45 +267,52 @@ void run(const std::string& name, const Setup& setup) {
   const Tracer::State& state = tracer.state();
   const ScenePtr defaults = default_scene(state);
   const GBuffer gbuffer = trace_gbuffer(tracer, {setup.width, setup.height, select_camera(scene, "", aspect, notes)});
+  fmt::print("{}: {} triangles, Embree {}\n", name, tracer.build_statistics().triangles, embree_version());
+  const Rays shadow = towards_light(tracer, gbuffer, scene.lights.front());
+  TracedVisibility lit;
+  const auto count_lit = [&] {
+    std::uint64_t count = 0;
+    for (std::size_t i = 0; i < lit.visibility.size(); ++i) {
+      if (gbuffer.is_surface(i) && lit.visibility[i] > 0.5f) ++count;
+    }
+    return count;
+  };
+  for (const bool on_all_threads : {false, true}) {
+    const ThreadLimit limit(on_all_threads ? 0 : 1);
+    std::vector<Way> ways{plain("one ray at a time, ready-made", &count_open, state, state.top.get(), shadow),
+                          plain("  the same, Embree's default flags", &count_open, state, defaults.get(), shadow),
+                          {"shadow rays, everything",
+                           [&] { lit = trace_visibility(tracer, gbuffer, scene.lights.front()); },
+                           count_lit,
+                           {},
+                           0}};
+    report("shadow rays", ways, static_cast<double>(shadow.size()), setup.turns, on_all_threads);
+  }
+
   const GBuffer tiles = some_tiles(gbuffer, setup.every_tile);
   const Rays hemisphere = random_directions(tracer, tiles, setup.spp);
-  const Rays shadow = towards_light(tracer, gbuffer, scene.lights.front());
-  fmt::print("{}: {} triangles, Embree {}\n", name, tracer.build_statistics().triangles, embree_version());
-
   TruthParams params;
   params.spp = setup.spp;
   params.tolerance = 0.0;
-  const auto ours = [&] {
-    const TracedAo traced = trace_ao(tracer, tiles, params, 1);
+  TracedAo traced;
+  const auto count_rays = [&] {
     double open = 0.0;
     for (std::size_t i = 0; i < traced.ao.size(); ++i) {
       if (tiles.is_surface(i)) open += static_cast<double>(traced.ao[i]) * setup.spp;
     }
     return static_cast<std::uint64_t>(open + 0.5);
   };
-  const auto our_shadow = [&] {
-    const TracedVisibility traced = trace_visibility(tracer, gbuffer, scene.lights.front());
-    std::uint64_t lit = 0;
-    for (std::size_t i = 0; i < traced.visibility.size(); ++i) {
-      if (gbuffer.is_surface(i) && traced.visibility[i] > 0.5f) ++lit;
-    }
-    return lit;
-  };
-
   for (const bool on_all_threads : {false, true}) {
     const ThreadLimit limit(on_all_threads ? 0 : 1);
     const RTCScene top = state.top.get();
-    std::vector<Way> ao{plain("one ray at a time, ready-made", &count_open, state, top, hemisphere),
-                        plain("  the same, Embree's default flags", &count_open, state, defaults.get(), hemisphere),
-                        plain("packets of 4, ready-made", &count_open_in_packets<4>, state, top, hemisphere),
-                        plain("packets of 8, ready-made", &count_open_in_packets<8>, state, top, hemisphere),
-                        plain("packets of 16, ready-made", &count_open_in_packets<16>, state, top, hemisphere),
-                        {"ambient occlusion, everything", ours, {}, 0}};
-    report("ambient occlusion", ao, static_cast<double>(hemisphere.size()), setup.turns, on_all_threads);
-    std::vector<Way> lit{plain("one ray at a time, ready-made", &count_open, state, top, shadow),
-                         plain("  the same, Embree's default flags", &count_open, state, defaults.get(), shadow),
-                         {"shadow rays, everything", our_shadow, {}, 0}};
-    report("shadow rays", lit, static_cast<double>(shadow.size()), setup.turns, on_all_threads);
+    std::vector<Way> ways{
+        plain("one ray at a time, ready-made", &count_open, state, top, hemisphere),
+        plain("  the same, Embree's default flags", &count_open, state, defaults.get(), hemisphere),
+        plain("packets of 4, ready-made", &count_open_in_packets<4>, state, top, hemisphere),
+        plain("packets of 8, ready-made", &count_open_in_packets<8>, state, top, hemisphere),
+        plain("packets of 16, ready-made", &count_open_in_packets<16>, state, top, hemisphere),
+        {"ambient occlusion, everything", [&] { traced = trace_ao(tracer, tiles, params, 1); }, count_rays, {}, 0}};
+    report("ambient occlusion", ways, static_cast<double>(hemisphere.size()), setup.turns, on_all_threads);
   }
 }
 
