@@ -217,13 +217,18 @@ StoreDescription read_description(SQLite::Database& database, const fs::path& pa
   return description;
 }
 
-void require_same(const fs::path& path, const StoreDescription& there, const StoreDescription& here) {
+std::string first_difference(const StoreDescription& there, const StoreDescription& here) {
   std::string first = difference(there.axes, here.axes);
   if (first.empty()) first = difference(there.settings, here.settings);
   if (first.empty()) first = difference(column_pairs(there), column_pairs(here));
   if (first.empty() && there.cells != here.cells) {
     first = fmt::format("it has {} cells there and {} here", there.cells, here.cells);
   }
+  return first;
+}
+
+void require_same(const fs::path& path, const StoreDescription& there, const StoreDescription& here) {
+  const std::string first = first_difference(there, here);
   if (!first.empty()) throw Error(ExitCode::usage, path.string(), "it holds another sweep: " + first, store_remedy);
 }
 

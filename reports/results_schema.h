@@ -50,6 +50,9 @@ void insert_row(SQLite::Database& database, SQLite::Statement& insert, std::size
 /// Throws Error (unreadable_input) when the file is damaged.
 StoreDescription read_description(SQLite::Database& database, const std::filesystem::path& path);
 
+/// Of two stores that are not the same, in words; else empty.
+std::string first_difference(const StoreDescription& there, const StoreDescription& here);
+
 /// Throws Error (usage) with the first difference.
 void require_same(const std::filesystem::path& path, const StoreDescription& there, const StoreDescription& here);
 

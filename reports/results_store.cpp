@@ -161,13 +161,11 @@ ResultsStore ResultsStore::open(const fs::path& folder, const StoreDescription& 
     SQLite::Transaction transaction(database);
     if (!is_empty) {
       const StoreDescription there = read_description(database, partial);
-      // One that was begun and holds no group is in nobody's way.
-      is_empty = database.execAndGet("SELECT EXISTS (SELECT 1 FROM groups)").getInt() == 0;
-      if (is_empty) {
-        drop_tables(database);
-      } else {
-        require_same(partial, there, description);
-      }
+      // Another sweep that was begun and holds no group is in nobody's way.
+      is_empty = !first_difference(there, description).empty() &&
+                 database.execAndGet("SELECT EXISTS (SELECT 1 FROM groups)").getInt() == 0;
+      if (is_empty) drop_tables(database);
+      if (!is_empty) require_same(partial, there, description);
     }
     if (is_empty) create_tables(database, description, StoreForm::growing);
     transaction.commit();

@@ -140,7 +140,10 @@ TEST_F(SweepResume, Ctrl_c_says_what_is_kept_and_the_same_command_continues) {
     const fs::path folder = folder_ / std::to_string(signal);
     ProgramOptions options;
     options.signal = signal;
-    options.signal_counts_from = [&] { return size_of_journal(folder) > few_pages; };
+    const auto is_storing = [&] {
+      return fs::exists(folder / "experiment.toml") && size_of_journal(folder) > few_pages;
+    };
+    options.signal_counts_from = is_storing;
     const ProgramResult stopped = run(sweep(folder, groups, {"--quiet"}), options);
     EXPECT_EQ(stopped.exit_code, code);
     EXPECT_TRUE(is_one_line(stopped.err)) << stopped.err;
@@ -295,7 +298,7 @@ TEST_F(SweepResume, An_unfinished_sweep_leaves_no_older_results_that_look_like_i
   ASSERT_TRUE(is_done(run(sweep(folder, 3))));
   ProgramOptions options;
   options.signal = SIGINT;
-  options.signal_counts_from = [&] { return size_of_journal(folder) > few_pages; };
+  options.signal_counts_from = [&] { return !fs::exists(folder / "sweep.csv") && size_of_journal(folder) > few_pages; };
   EXPECT_EQ(run(sweep(folder, 2000, {"--force"}), options).exit_code, 130);
   EXPECT_TRUE(fs::exists(folder / "results.partial.sqlite"));
   for (const std::string& name : results) EXPECT_FALSE(fs::exists(folder / name)) << name;
