@@ -12,6 +12,7 @@ namespace {
 // glTF 2.0, section 3.8.4.5.
 std::size_t wrapped(std::int64_t texel, int size, Wrap wrap) {
   const std::int64_t n = size;
+  if (texel >= 0 && texel < n) return static_cast<std::size_t>(texel);
   switch (wrap) {
     case Wrap::clamp_to_edge:
       return static_cast<std::size_t>(std::clamp<std::int64_t>(texel, 0, n - 1));
@@ -43,18 +44,19 @@ Footprint footprint(const Texture& texture, vec2 texcoord) {
   const int height = texture.texels.height;
   const double x = continuous(texcoord.x, width);
   const double y = continuous(texcoord.y, height);
-  const auto left = static_cast<std::int64_t>(std::floor(x));
-  const auto top = static_cast<std::int64_t>(std::floor(y));
-  Footprint result;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto column = static_cast<std::int64_t>(i % 2);
-    const auto row = static_cast<std::int64_t>(i / 2);
-    result.index[i] = wrapped(top + row, height, texture.wrap_v) * static_cast<std::size_t>(width) +
-                      wrapped(left + column, width, texture.wrap_u);
-  }
-  result.right = static_cast<float>(x - std::floor(x));
-  result.down = static_cast<float>(y - std::floor(y));
-  return result;
+  const double left = std::floor(x);
+  const double top = std::floor(y);
+  const auto column = [&](std::int64_t i) {
+    return wrapped(static_cast<std::int64_t>(left) + i, width, texture.wrap_u);
+  };
+  const auto row = [&](std::int64_t i) {
+    return wrapped(static_cast<std::int64_t>(top) + i, height, texture.wrap_v) * static_cast<std::size_t>(width);
+  };
+  const std::array<std::size_t, 2> columns{column(0), column(1)};
+  const std::array<std::size_t, 2> rows{row(0), row(1)};
+  return {{rows[0] + columns[0], rows[0] + columns[1], rows[1] + columns[0], rows[1] + columns[1]},
+          static_cast<float>(x - left),
+          static_cast<float>(y - top)};
 }
 
 template <class T>
