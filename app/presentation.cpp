@@ -135,8 +135,8 @@ void present_soft_error(Presentation& presentation, const Workbench& workbench, 
 
 }  // namespace
 
-Table in_percent(Table table) {
-  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+Table in_percent(Table table, std::size_t first_column) {
+  for (std::size_t c = first_column; c < table.columns.size(); ++c) {
     if (table.columns[c].unit != "1") continue;
     table.columns[c].unit = "%";
     for (std::vector<Value>& row : table.rows) row[c] = fmt::format("{:.4f}", 100.0 * to_number(row[c]));

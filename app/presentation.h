@@ -17,8 +17,8 @@ std::string percent(const Estimate& share);
 /// Three significant digits in the unit that suits: "12.5 mm", "1.2 m".
 std::string length(double metres);
 
-/// Shares (unit 1) as per cent with four decimals.
-Table in_percent(Table table);
+/// Shares (unit 1) as per cent with four decimals, from this column on.
+Table in_percent(Table table, std::size_t first_column = 0);
 
 /// Every class of pixels with its colour, the same in all figures; by PixelClass.
 const std::vector<CategoryColor>& class_colors();

@@ -170,7 +170,7 @@ std::string row_text(const Table& table, const std::vector<Value>& row, std::siz
     const auto* real = std::get_if<double>(&row[a]);
     text +=
         (a > 0 ? ", " : "") + table.columns[a].name + " " + (real ? fmt::format("{:.6g}", *real) : to_string(row[a]));
-    if (!table.columns[a].unit.empty()) text += " " + table.columns[a].unit;
+    if (!table.columns[a].unit.empty() && table.columns[a].unit != "1") text += " " + table.columns[a].unit;
   }
   return text;
 }
@@ -210,7 +210,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
         "sweep.csv.",
         best.rows.size() < lines ? fmt::format("the first {}", best.rows.size()) : "every",
         best.rows.size() < lines ? "s" : "");
-    section.tables.push_back({"Cells of least error", in_percent(best)});
+    section.tables.push_back({"Cells of least error", in_percent(best, axes)});
   }
   presentation.lines.push_back(fmt::format("{} cells; least mean absolute error {} at {}", sweep.plan.cells, error,
                                            row_text(best, least, axes)));

@@ -204,6 +204,11 @@ TEST_F(Run, An_ao_sweep_states_its_interval) {
       {"sweep", "corner", "-o", folder_ / "out", "--vary", "ao.radius=0.25,0.5", "--vary", "ao.samples=8,16"}, small));
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(text_of(folder_ / "out/sweep.csv").rfind("ao.radius,ao.samples,pixels,mae,mae_lo,mae_hi,", 0), 0u);
+  // Values of axes stay what they are, where measured shares become per cent.
+  const std::string page = text_of(folder_ / "out/index.html");
+  EXPECT_NE(page.find("Cells of least error"), std::string::npos);
+  EXPECT_EQ(page.find("800.0000"), std::string::npos);
+  EXPECT_EQ(page.find("1600.0000"), std::string::npos);
 }
 
 TEST_F(Run, Trace_and_raster_write_the_layers_that_they_have) {
