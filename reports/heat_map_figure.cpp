@@ -37,7 +37,10 @@ std::vector<double> cell_edges(const std::vector<double>& values, bool logarithm
   const auto mirrored = [&](double at, double other) { return logarithmic ? at * at / other : 2.0 * at - other; };
   std::vector<double> edges;
   if (values.size() < 2) {
-    for (const double value : values) edges = {0.5 * value, value == 0.0 ? 1.0 : 1.5 * value};
+    for (const double value : values) {
+      edges.push_back(0.5 * value);
+      edges.push_back(value == 0.0 ? 1.0 : 1.5 * value);
+    }
     std::sort(edges.begin(), edges.end());
     return edges;
   }

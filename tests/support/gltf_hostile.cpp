@@ -76,10 +76,15 @@ Bytes wide_png() {
 
 // Where 256 codes are the most. Fill bytes may stand before any marker (T.81, section B.1.1.2).
 Bytes jpeg_of_too_many_codes(std::size_t fill_bytes) {
-  Bytes image = grey_jpeg(1, 1, {128});
+  const Bytes plain = grey_jpeg(1, 1, {128});
+  Bytes image(fill_bytes, 0xff);
+  const auto append = [&](const Bytes& bytes, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) image.push_back(bytes[i]);
+  };
   const Bytes table = huffman_table(0xff);
-  image.insert(image.begin() + 2, table.begin(), table.end());
-  image.insert(image.begin(), fill_bytes, 0xff);
+  append(plain, 0, 2);
+  append(table, 0, table.size());
+  append(plain, 2, plain.size());
   return image;
 }
 
