@@ -27,13 +27,19 @@ thread_local std::ptrdiff_t most_bytes = 0;
 // The size stands before the block.
 constexpr std::size_t head = alignof(std::max_align_t);
 
-void* counted(std::size_t size) {
+void* counted_or_null(std::size_t size) noexcept {
   void* block = std::malloc(size + head);
-  if (block == nullptr) throw std::bad_alloc();
+  if (block == nullptr) return nullptr;
   *static_cast<std::size_t*>(block) = size;
   held_bytes += static_cast<std::ptrdiff_t>(size);
   most_bytes = std::max(most_bytes, held_bytes);
   return static_cast<std::byte*>(block) + head;
+}
+
+void* counted(std::size_t size) {
+  void* memory = counted_or_null(size);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
 }
 
 void uncounted(void* memory) noexcept {
@@ -47,10 +53,15 @@ void uncounted(void* memory) noexcept {
 
 void* operator new(std::size_t size) { return counted(size); }
 void* operator new[](std::size_t size) { return counted(size); }
+// A sanitizer brings forms of its own that throw nothing, and do not call those above.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return counted_or_null(size); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return counted_or_null(size); }
 void operator delete(void* memory) noexcept { uncounted(memory); }
 void operator delete[](void* memory) noexcept { uncounted(memory); }
 void operator delete(void* memory, std::size_t) noexcept { uncounted(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { uncounted(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { uncounted(memory); }
+void operator delete[](void* memory, const std::nothrow_t&) noexcept { uncounted(memory); }
 
 namespace umbrameter::test {
 namespace {
