@@ -219,7 +219,8 @@ TEST_F(ReferenceCache, Ctrl_c_during_a_trace_keeps_no_entry) {
   options.signal_after_seconds = 1.5;
   const ProgramResult result = trace("out", {"--size", "1920x1080", "--truth.spp", "65536"}, options);
   EXPECT_EQ(result.exit_code, 130) << result.err;
-  for (const Json& entry : list()["entries"]) EXPECT_EQ(entry["what"], "visibility of sun");
+  const Json listed = list();
+  for (const Json& entry : listed["entries"]) EXPECT_EQ(entry["what"], "visibility of sun");
   if (!fs::exists(home_)) return;
   for (const auto& file : fs::recursive_directory_iterator(home_)) EXPECT_NE(file.path().extension(), ".tmp");
 }
