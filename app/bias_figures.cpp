@@ -322,7 +322,7 @@ Part make_part(const SweepPlan& plan, std::optional<std::size_t> line_axis, std:
   }
   part.values = values_at(plan, part.first_cell);
   for (const std::size_t a : still) {
-    part.conditions += (part.conditions.empty() ? "" : ", ") + plan.axes[a].key + " = " + to_string(part.values[a]);
+    part.conditions += (part.conditions.empty() ? "" : ", ") + plan.axes[a].key + " = " + short_text(part.values[a]);
   }
   return part;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/bias_report.h"
+#include "app/plot_axes.h"
 
 namespace umbrameter {
 namespace {
@@ -19,7 +20,7 @@ Value in_texels(double metres, double texel) { return texel > 0.0 ? Value(metres
 std::string setting_text(const std::vector<Column>& columns, const std::vector<Value>& values) {
   std::string text;
   for (std::size_t i = 0; i < columns.size() && i < values.size(); ++i) {
-    text += (i > 0 ? ", " : "") + columns[i].name.substr(columns[i].name.find('.') + 1) + " " + to_string(values[i]);
+    text += (i > 0 ? ", " : "") + columns[i].name.substr(columns[i].name.find('.') + 1) + " " + short_text(values[i]);
   }
   return text;
 }

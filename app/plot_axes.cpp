@@ -13,6 +13,11 @@ std::string label_of(const Parameters& parameters, const std::string& key) {
   return label + (unit.empty() ? "" : " [" + unit + "]");
 }
 
+std::string short_text(const Value& value) {
+  const auto* real = std::get_if<double>(&value);
+  return real != nullptr ? fmt::format("{:.6g}", *real) : to_string(value);
+}
+
 Thinned thin(std::size_t count, std::size_t most) {
   Thinned thinned;
   while (count > 1 && (count - 2) / thinned.step + 2 > most) ++thinned.step;

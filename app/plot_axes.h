@@ -12,6 +12,9 @@ namespace umbrameter {
 /// "shadow.constant-bias" in metres is "constant bias [m]".
 std::string label_of(const Parameters& parameters, const std::string& key);
 
+/// A value for people: numbers with six significant digits.
+std::string short_text(const Value& value);
+
 /// Every so many of `count` indices, the last one too.
 struct Thinned {
   std::vector<std::size_t> indices;

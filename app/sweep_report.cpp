@@ -90,7 +90,7 @@ PlotCells cells_of_plot(const SweepPlan& plan, const Layout& layout, std::size_t
     const std::size_t index = rest % count_values(plan, *a);
     rest /= count_values(plan, *a);
     first += index * plan.strides[*a];
-    plot.conditions = plan.axes[*a].key + " = " + to_string(plan.axes[*a].values[index]) +
+    plot.conditions = plan.axes[*a].key + " = " + short_text(plan.axes[*a].values[index]) +
                       (plot.conditions.empty() ? "" : ", ") + plot.conditions;
   }
   const Thinned lines = thin(layout.series ? count_values(plan, *layout.series) : 1, most_lines);
@@ -167,9 +167,7 @@ std::vector<std::size_t> told_axes(const SweepResults& sweep) {
 std::string row_text(const Table& table, const std::vector<Value>& row, std::size_t axes) {
   std::string text;
   for (std::size_t a = 0; a < axes; ++a) {
-    const auto* real = std::get_if<double>(&row[a]);
-    text +=
-        (a > 0 ? ", " : "") + table.columns[a].name + " " + (real ? fmt::format("{:.6g}", *real) : to_string(row[a]));
+    text += (a > 0 ? ", " : "") + table.columns[a].name + " " + short_text(row[a]);
     if (!table.columns[a].unit.empty() && table.columns[a].unit != "1") text += " " + table.columns[a].unit;
   }
   return text;

@@ -139,7 +139,7 @@ Json make_panel(const HeatMapFigure& figure, const Cells& cells, int width) {
                   {"type", "nominal"},
                   {"sort", nullptr},
                   {"scale", {{"domain", rows}}},
-                  {"axis", {{"title", figure.y.label}}}};
+                  {"axis", {{"title", figure.y.label}, {"labelExpr", short_labels}}}};
   // Cells are outlined in their own colour, which closes the seams between them.
   const Json mark = {{"type", "rect"}, {"strokeWidth", 0.7}, {"stroke", {{"expr", "scale('color', datum.v)"}}}};
   const Json rectangle = {
@@ -192,10 +192,12 @@ std::string to_plot_specification(const HeatMapFigure& figure) {
     const int width = (plot_width - panel_gap * (columns - 1)) / columns;
     spec["columns"] = columns;
     spec["spacing"] = panel_gap;
-    spec["facet"] = {{"field", "p"},
-                     {"type", "nominal"},
-                     {"sort", panels},
-                     {"header", {{"title", figure.panel_label}, {"labelFontSize", 13}, {"titleFontSize", 13}}}};
+    spec["facet"] = {
+        {"field", "p"},
+        {"type", "nominal"},
+        {"sort", panels},
+        {"header",
+         {{"title", figure.panel_label}, {"labelExpr", short_labels}, {"labelFontSize", 13}, {"titleFontSize", 13}}}};
     spec["spec"] = make_panel(figure, cells, width);
     // A shared axis would stand under places without a panel, too.
     if (panels.size() % static_cast<std::size_t>(columns) != 0) spec["resolve"]["axis"]["x"] = "independent";

@@ -36,6 +36,8 @@ bool is_numeric(const Table& table, std::size_t column) {
   return any;
 }
 
+constexpr std::size_t longest_short_text = 40;
+
 const char* number_class(bool numeric) { return numeric ? " class=\"number\"" : ""; }
 
 std::string header_markup(const Table& table, const std::vector<bool>& numeric) {
@@ -57,8 +59,10 @@ std::string row_markup(const std::vector<Value>& row, const std::vector<bool>& n
   for (std::size_t c = 0; c < numeric.size(); ++c) {
     const std::string text = c < row.size() ? escape_markup(cell_text(row[c])) : std::string();
     const bool is_header = c == 0 && !numeric[c];
+    // Short words stay on one line: a wide table scrolls.
+    const bool is_short = !numeric[c] && !text.empty() && text.size() <= longest_short_text;
     cells += is_header ? "<th scope=\"row\">" + text + "</th>"
-                       : fmt::format("<td{}>{}</td>", number_class(numeric[c]), text);
+                       : fmt::format("<td{}>{}</td>", is_short ? " class=\"short\"" : number_class(numeric[c]), text);
   }
   return "<tr>" + cells + "</tr>\n";
 }

@@ -162,7 +162,8 @@ Series make_series(const PlotFigure& figure, bool has_lines) {
     markers.push_back(shapes[i % shapes.size()]);
   }
   Json legend = {{"title", figure.series_label.empty() ? *figure.series : figure.series_label},
-                 {"columns", legend_columns(domain)}};
+                 {"columns", legend_columns(domain)},
+                 {"labelExpr", short_labels}};
   if (!has_lines) legend["symbolSize"] = 110;
   const auto channel = [&](const Json& range) {
     return Json{{"field", "s"},
