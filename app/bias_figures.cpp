@@ -117,22 +117,24 @@ bool has_zero(const Drawing& drawing) {
 
 // Two causes in one figure, the first solid, the second dashed.
 PlotFigure causes_plot(const Drawing& drawing, const char* stem, const char* title,
-                       const std::array<std::pair<const char*, const char*>, 2>& causes) {
+                       const std::array<Cause, 2>& causes) {
   PlotFigure plot = make_plot(drawing, stem, title, constant_axis(drawing),
                               {"share", "share [% of counted pixels], square-root scale", false, true});
   plot.style = "cause";
   plot.style_label = "cause";
   plot.data.columns = plain_columns({"bias", "share", "line", "cause"});
-  plot.caption =
-      fmt::format("Solid {}, dashed {}, as shares of the counted pixels.", causes[0].second, causes[1].second);
+  plot.caption = fmt::format("Solid {}, dashed {}, as shares of the counted pixels.", cause_title(causes[0]),
+                             cause_title(causes[1]));
   if (plot.x.logarithmic && has_zero(drawing)) plot.caption += no_zero;
   std::vector<Value> lines;
-  const Table rows = read_lines(drawing, {drawing.constant_key, causes[0].first, causes[1].first}, lines, plot.caption);
+  const auto column = [&](std::size_t c) { return std::string(cause_names[static_cast<std::size_t>(causes[c])]); };
+  const Table rows = read_lines(drawing, {drawing.constant_key, column(0), column(1)}, lines, plot.caption);
   for (std::size_t c = 0; c < causes.size(); ++c) {
     for (std::size_t i = 0; i < rows.rows.size(); ++i) {
       const double bias = to_number(rows.rows[i][0]);
       if (plot.x.logarithmic && bias <= 0.0) continue;
-      plot.data.rows.push_back({bias, 100.0 * to_number(rows.rows[i][c + 1]), lines[i], std::string(causes[c].second)});
+      plot.data.rows.push_back(
+          {bias, 100.0 * to_number(rows.rows[i][c + 1]), lines[i], std::string(cause_title(causes[c]))});
     }
   }
   return plot;
@@ -351,7 +353,7 @@ void add_bias_figures(Presentation& presentation, const SweepResults& sweep, con
                                         slopes[drawing.slope]);
     }
     add_figure(presentation, causes_plot(drawing, "causes", "Acne and peter-panning against bias",
-                                         {{{"acne", "acne"}, {"peter_panning", "peter-panning"}}}));
+                                         {Cause::acne, Cause::peter_panning}));
     if (is_room()) add_figure(presentation, error_plot(drawing));
     if (is_room() && curves.varies_slope) add_figure(presentation, heat_map(drawing, HeatRows::slopes));
     if (is_room() && drawing.lines() >= least_resolutions) add_figure(presentation, heat_map(drawing, HeatRows::lines));
@@ -359,7 +361,7 @@ void add_bias_figures(Presentation& presentation, const SweepResults& sweep, con
     if (std::optional<PlotFigure> law = law_plot(drawing); law && is_room()) add_figure(presentation, *law);
     if (is_room()) {
       add_figure(presentation, causes_plot(drawing, "other_causes", "False occlusion and light leak against bias",
-                                           {{{"false_occlusion", "false occlusion"}, {"leak", "light leak"}}}));
+                                           {Cause::false_occlusion, Cause::light_leak}));
     }
   }
 }

@@ -52,14 +52,15 @@ Table choices_table(const BiasCurves& curves) {
       {"in texels", "texels", "the same at the mean texel"},
       {"in depth", "1", "the same as normalised depth: a share of the map's range"},
       {"slope bias", "texels", "the slope-scaled bias"},
-      {"error", "%", "mean absolute error of visibility"},
-      {"acne", "%", "wrongly blocked by the surface's own depth"},
-      {"false occlusion", "%", "wrongly blocked by another surface"},
-      {"peter-panning", "%", "wrongly lit: the bias erased the blocker"},
-      {"leak", "%", "wrongly lit: the map holds no blocker"},
-      {"error more", "%", "what this choice errs more than that of least error"},
-      {"peter-panning more", "%", "what this choice has of peter-panning more than that of least error"}};
+      {"error", "%", "mean absolute error of visibility"}};
   table.columns.insert(table.columns.end(), rest.begin(), rest.end());
+  for (std::size_t c = 0; c < cause_count; ++c) {
+    const auto cause = static_cast<Cause>(c);
+    table.columns.push_back({std::string(cause_title(cause)), "%", std::string(cause_meaning(cause))});
+  }
+  table.columns.push_back({"error more", "%", "what this choice errs more than that of least error"});
+  table.columns.push_back(
+      {"peter-panning more", "%", "what this choice has of peter-panning more than that of least error"});
   for (const BiasCurve& curve : curves.curves) {
     const BiasCell least = *least_error(curve.reading);
     for (const Choice& choice : choices_of(curve, curves)) {

@@ -48,7 +48,7 @@ ReportTable statistics_table(std::string title, const std::vector<Column>& colum
   Table table{{{"quantity", "", ""}, {"value", "", ""}, {"unit", "", ""}, {"meaning", "", ""}}, {}};
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const bool is_share = columns[i].unit == "1";
-    const std::string value = is_share                 ? fmt::format("{:.4f}", 100.0 * to_number(row[i]))
+    const std::string value = is_share                 ? share_text(to_number(row[i]))
                               : columns[i].unit == "m" ? fmt::format("{:.5g}", to_number(row[i]))
                                                        : to_string(row[i]);
     table.rows.push_back({columns[i].name, value, std::string(is_share ? "%" : columns[i].unit), columns[i].meaning});
@@ -135,11 +135,13 @@ void present_soft_error(Presentation& presentation, const Workbench& workbench, 
 
 }  // namespace
 
+std::string share_text(double share) { return fmt::format("{:.4f}", 100.0 * share); }
+
 Table in_percent(Table table, std::size_t first_column) {
   for (std::size_t c = first_column; c < table.columns.size(); ++c) {
     if (table.columns[c].unit != "1") continue;
     table.columns[c].unit = "%";
-    for (std::vector<Value>& row : table.rows) row[c] = fmt::format("{:.4f}", 100.0 * to_number(row[c]));
+    for (std::vector<Value>& row : table.rows) row[c] = share_text(to_number(row[c]));
   }
   return table;
 }
@@ -280,13 +282,13 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
              scalar_figure("error_visibility_" + layer, "Error: " + title, "Blue is too dark, red is too bright.",
                            signed_error(shadow.raster->visibility, shadow.truth->visibility), visibility_error_scale));
   add_figure(presentation, class_figure(layer, title, shadow));
-  section.headlines = {
-      {"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", s.pixels)},
-      {"acne", percent(s.acne), "blocked by the surface's own depth"},
-      {"false occlusion", percent(s.false_occlusion), "blocked by a neighbour's shadow"},
-      {"peter-panning", percent(s.peter_panning), "the bias erased the blocker"},
-      {"light leak", percent(s.leak), "the map holds no blocker"},
-  };
+  section.headlines = {{"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", s.pixels)}};
+  const std::array<double, cause_count> shares = {s.acne, s.false_occlusion, s.peter_panning, s.leak};
+  for (std::size_t c = 0; c < cause_count; ++c) {
+    const auto cause = static_cast<Cause>(c);
+    section.headlines.push_back(
+        {std::string(cause_title(cause)), percent(shares[c]), std::string(cause_meaning(cause))});
+  }
   const std::uint32_t weight_sum = shadow.raster->wrong.weight_sum;
   section.tables = {statistics_table("Error of the visibility of " + title, visibility_columns(), to_row(s)),
                     bias_table(shadow, experiment),

@@ -17,6 +17,8 @@ std::string percent(const Estimate& share);
 /// Three significant digits in the unit that suits: "12.5 mm", "1.2 m".
 std::string length(double metres);
 
+/// A share as a number in per cent with four decimals, for tables.
+std::string share_text(double share);
 /// Shares (unit 1) as per cent with four decimals, from this column on.
 Table in_percent(Table table, std::size_t first_column = 0);
 

@@ -14,25 +14,9 @@ constexpr std::size_t most_casters = 12;  // that the page lists
 
 constexpr std::array<std::string_view, 2> soft_titles = {"too dark", "too bright"};
 
-std::string_view cause_title(std::size_t cause) {
-  return pixel_class_names[static_cast<std::size_t>(PixelClass::acne) + cause];
-}
-
 std::string_view title_of(const ErrorShape& shape, std::size_t part) {
-  return shape.components ? cause_title(part) : soft_titles[part];
+  return shape.components ? cause_title(static_cast<Cause>(part)) : soft_titles[part];
 }
-
-class Rows {
- public:
-  Rows() : table_{{{"quantity", "", ""}, {"value", "", ""}, {"unit", "", ""}, {"meaning", "", ""}}, {}} {}
-  void add(std::string quantity, std::string value, std::string unit, std::string meaning) {
-    table_.rows.push_back({std::move(quantity), std::move(value), std::move(unit), std::move(meaning)});
-  }
-  Table take() { return std::move(table_); }
-
- private:
-  Table table_;
-};
 
 Table distance_table(const ErrorShape& shape) {
   Table table;
@@ -89,7 +73,7 @@ Table component_table(const ErrorShape& shape) {
                           fmt::format("{:.1f}", s.largest_x), fmt::format("{:.1f}", s.largest_y)});
   };
   add("all", *shape.components);
-  for (std::size_t c = 0; c < cause_count; ++c) add(cause_title(c), shape.class_components[c]);
+  for (std::size_t c = 0; c < cause_count; ++c) add(cause_title(static_cast<Cause>(c)), shape.class_components[c]);
   return table;
 }
 
@@ -126,17 +110,16 @@ Table caster_table(const Workbench& workbench, const std::vector<CasterShape>& c
 }
 
 Table shimmer_table(const Shimmer& shimmer) {
-  Rows rows;
-  rows.add("map's grid moved", fmt::format("{:.4f}", 100.0 * shimmer.grid_mean), "%",
-           "mean change of visibility at the counted pixels, over four moves by a quarter or half a texel");
-  rows.add("map's grid moved, worst", fmt::format("{:.4f}", 100.0 * shimmer.grid_largest), "%", "of the four moves");
-  rows.add("camera moved", fmt::format("{:.4f}", 100.0 * shimmer.camera.share), "%",
-           "the same over four moves by a quarter or half a pixel, where the pixel sees the same triangle");
-  if (shimmer.camera_truth) {
-    rows.add("camera moved, truth", fmt::format("{:.4f}", 100.0 * shimmer.camera_truth->share), "%",
-             "what the true shadow changes there");
-  }
-  return rows.take();
+  Table table{{{"what moved", "", ""}, {"change", "%", "of visibility, mean"}, {"over", "", ""}}, {}};
+  const auto add = [&](const char* what, double share, const char* over) {
+    table.rows.push_back({std::string(what), share_text(share), std::string(over)});
+  };
+  add("map's grid", shimmer.grid_mean, "the counted pixels, four moves by a quarter or half a texel");
+  add("map's grid, worst", shimmer.grid_largest, "the same, of the four moves");
+  add("camera", shimmer.camera.share,
+      "the counted pixels that see the same triangle, four moves by a quarter or half a pixel");
+  if (shimmer.camera_truth) add("camera, truth", shimmer.camera_truth->share, "the same: what the true shadow changes");
+  return table;
 }
 
 PlotFigure distance_figure(const std::string& layer, const std::string& title, const ErrorShape& shape) {

@@ -7,13 +7,13 @@
 #include "core/parallel.h"
 
 namespace umbrameter {
-namespace {
 
-constexpr std::array<const char*, cause_count> cause_meanings = {
-    "wrongly blocked by the surface's own depth", "wrongly blocked by another surface",
-    "wrongly lit: the map saw the blocker, the bias erased it", "wrongly lit: the map holds no blocker there"};
-
-}  // namespace
+std::string_view cause_meaning(Cause cause) {
+  constexpr std::array<std::string_view, cause_count> meanings = {
+      "wrongly blocked by the surface's own depth", "wrongly blocked by another surface",
+      "wrongly lit: the map saw the blocker, the bias erased it", "wrongly lit: the map holds no blocker there"};
+  return meanings[static_cast<std::size_t>(cause)];
+}
 
 std::uint32_t wrong_weight(const uvec4& by_cause) { return by_cause.x + by_cause.y + by_cause.z + by_cause.w; }
 
@@ -135,7 +135,7 @@ std::vector<Column> visibility_columns() {
       {"rmse", "1", "root mean square error of visibility"},
   };
   for (std::size_t c = 0; c < cause_count; ++c) {
-    columns.push_back({std::string(cause_names[c]), "1", cause_meanings[c]});
+    columns.push_back({std::string(cause_names[c]), "1", std::string(cause_meaning(static_cast<Cause>(c)))});
   }
   columns.insert(columns.end(), {{"mean_error", "1", "mean of raster − truth"},
                                  {"max_error", "1", "largest absolute error"},

@@ -27,6 +27,12 @@ enum class PixelClass : std::uint8_t {
 inline constexpr std::array<std::string_view, 7> pixel_class_names = {
     "correct", "acne", "false occlusion", "peter-panning", "light leak", "not counted", "background"};
 
+/// Of the causes, for people: the name, and what it means.
+constexpr std::string_view cause_title(Cause cause) {
+  return pixel_class_names[static_cast<std::size_t>(PixelClass::acne) + static_cast<std::size_t>(cause)];
+}
+std::string_view cause_meaning(Cause cause);
+
 /// All shares are of the counted pixels, 0 to 1. With a binary truth mae = acne + false_occlusion + peter_panning +
 /// leak.
 struct VisibilityStatistics {

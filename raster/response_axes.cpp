@@ -20,6 +20,7 @@ struct ResponseBlock {
   int slope_count = 0;
   int unused[2] = {};
 };
+static_assert(sizeof(ResponseBlock) == 32);
 
 ResponseBlock make_block(const BiasAxes& axes) {
   const auto [least, largest] = std::minmax_element(axes.slope.begin(), axes.slope.end());
