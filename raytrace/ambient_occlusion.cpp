@@ -11,6 +11,10 @@ namespace {
 
 constexpr int tile_size = 16;
 
+bool needs_hits(const TruthParams& params) {
+  return params.ao_falloff != AoFalloff::none || params.ao_layers != AoLayers::none;
+}
+
 template <class Rays>
 void trace_tiles(const AoTask& task, TracedAo& traced, const Progress& progress) {
   std::mutex mutex;
@@ -45,7 +49,7 @@ TracedAo trace(const AoTask& task, const Progress& progress) {
     traced.hit_distance = Image<float>(gbuffer.width, gbuffer.height, std::numeric_limits<float>::infinity());
   }
   traced.degrees_of_freedom = degrees_of_freedom(params);
-  if (params.ao_falloff != AoFalloff::none || layers != AoLayers::none) {
+  if (needs_hits(params)) {
     trace_tiles<HitPacket<width>>(task, traced, progress);
   } else {
     trace_tiles<OcclusionPacket<width>>(task, traced, progress);
@@ -59,7 +63,8 @@ TracedAo trace(const AoTask& task, const Progress& progress) {
 
 TracedAo trace_ao(const Tracer& tracer, const GBuffer& gbuffer, const TruthParams& params, std::uint32_t seed,
                   const Progress& progress) {
-  return trace_ao_in_packets(best_packet_width, {tracer, gbuffer, params, seed}, progress);
+  const int width = needs_hits(params) ? hit_packet_width : occlusion_packet_width(tracer);
+  return trace_ao_in_packets(width, {tracer, gbuffer, params, seed}, progress);
 }
 
 TracedAo trace_ao_in_packets(int width, const AoTask& task, const Progress& progress) {

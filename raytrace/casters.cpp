@@ -11,7 +11,7 @@ namespace umbrameter {
 namespace {
 
 constexpr int tile_size = 64;
-constexpr int width = best_packet_width;
+constexpr int width = hit_packet_width;
 
 class CasterTile {
  public:

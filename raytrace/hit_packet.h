@@ -23,6 +23,7 @@ class HitPacket {
 
   void clear() {
     size_ = 0;
+    is_clear_ = true;
     std::fill_n(valid_, width, 0);
   }
 
@@ -33,6 +34,7 @@ class HitPacket {
     aim_lane(rays_.ray, size_, ray);
     forget_hit(size_);
     valid_[size_] = -1;
+    is_clear_ = is_clear_ && ray.is_clear;
     ++size_;
   }
 
@@ -40,6 +42,7 @@ class HitPacket {
   void aim(const RaysFrom& from) {
     aim_lanes<width>(rays_.ray, from);
     size_ = from.count;
+    is_clear_ = from.are_clear;
     for (int lane = 0; lane < width; ++lane) {
       forget_hit(lane);
       valid_[lane] = lane < size_ && !(from.reach[lane] < 0.0f) ? -1 : 0;
@@ -47,7 +50,9 @@ class HitPacket {
   }
 
   void trace() {
-    if (size_ > 0) embree::intersect<width>(valid_, state_->top.get(), rays_, query_.query);
+    if (size_ == 0) return;
+    filter_every_hit(query_, !is_clear_);
+    embree::intersect<width>(valid_, state_->top.get(), rays_, query_.query);
   }
   /// After trace(). A ray of negative reach is blocked where it starts.
   bool is_blocked(int lane) const {
@@ -71,6 +76,7 @@ class HitPacket {
   typename embree::Lanes<width>::Hits rays_;
   alignas(64) int valid_[static_cast<std::size_t>(width)];
   int size_ = 0;
+  bool is_clear_ = true;
 };
 
 }  // namespace umbrameter

@@ -5,8 +5,10 @@
 
 namespace umbrameter {
 
-/// Rays a packet: the fastest (docs/decisions/packets-of-one-pixel.md).
-inline constexpr int best_packet_width = 8;
+/// The fastest numbers of rays a packet (docs/decisions/packets-of-one-pixel.md): of occlusion rays on this processor,
+/// and of rays to their nearest hits.
+int occlusion_packet_width(const Tracer& tracer);
+inline constexpr int hit_packet_width = 8;
 
 /// What every tile of one image has in common.
 struct AoTask {

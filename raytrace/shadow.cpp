@@ -15,7 +15,7 @@ namespace umbrameter {
 namespace {
 
 constexpr int tile_size = 64;
-// A packet of eight takes two columns of a strip: the nearer its rays, the more of their way they go together.
+// A packet takes a few whole columns of a strip: the nearer its rays, the more of their way they go together.
 constexpr int strip_height = 4;
 
 constexpr int cache_line = 64;
@@ -139,7 +139,7 @@ TracedVisibility trace(const ShadowTask& task, const Progress& progress) {
 TracedVisibility trace_visibility(const Tracer& tracer, const GBuffer& gbuffer, const Light& light,
                                   const TruthSampling& sampling, const Progress& progress) {
   if (is_area(light)) return trace_area_visibility(tracer, gbuffer, light, sampling, progress);
-  return trace_sharp_visibility_in_packets(best_packet_width, {tracer, gbuffer, light}, progress);
+  return trace_sharp_visibility_in_packets(occlusion_packet_width(tracer), {tracer, gbuffer, light}, progress);
 }
 
 TracedVisibility trace_sharp_visibility_in_packets(int width, const ShadowTask& task, const Progress& progress) {

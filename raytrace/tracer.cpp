@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "raytrace/packet_width.h"
 #include "raytrace/tracer_state.h"
 
 namespace umbrameter {
@@ -89,6 +90,11 @@ NearestHit nearest_hit(RayQuery& query, const vec3& origin, const vec3& directio
   embree::intersect1(query.state->top.get(), hit, query.query);
   if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
   return {instance_of(hit.hit.instID[0], hit.hit.geomID), hit.hit.primID, hit.ray.tfar};
+}
+
+int occlusion_packet_width(const Tracer& tracer) {
+  const RTCDevice device = tracer.state().device.get();
+  return rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0 ? 16 : 8;
 }
 
 std::string embree_version() { return RTC_VERSION_STRING; }

@@ -99,6 +99,7 @@ void attach_mesh(const Tracer::State& state, RTCScene target, unsigned id, const
                              sizeof(uvec3), mesh.triangles.size());
   if (state.scene.materials[mesh.material].alpha_mode == AlphaMode::mask) {
     rtcSetGeometryOccludedFilterFunction(geometry.get(), filter_hit);
+    rtcSetGeometryIntersectFilterFunction(geometry.get(), filter_hit);
   }
   attach(device, target, id, geometry.get());
 }

@@ -59,7 +59,7 @@ struct RayQuery {
   dvec3 primary_direction{0.0};
 };
 
-/// What prepare() sets, and what masked geometry runs for every occlusion ray.
+/// What prepare() sets, and what masked geometry runs for every ray.
 void filter_hit(const RTCFilterFunctionNArguments* arguments);
 
 /// Lets a hit count unless it is the ray's own triangle, a masked-out point, or a culled back face of a primary ray.
@@ -78,7 +78,7 @@ struct NearestHit {
 /// Of one ray, as lane 0 of the query.
 NearestHit nearest_hit(RayQuery& query, const vec3& origin, const vec3& direction, float reach);
 
-/// Without, occlusion rays are asked about masked geometry alone: the caller knows that none meets its own triangle.
+/// Without, rays are asked about masked geometry alone: the caller knows that none meets its own triangle.
 /// Calls back cost about as much as half the traversal.
 inline void filter_every_hit(RayQuery& query, bool every) {
   embree::set_filter(query.query, every ? &filter_hit : nullptr);
