@@ -165,43 +165,15 @@ SurfelTriangle surfel_triangle(const Tracer& tracer, std::uint32_t instance, std
   return known;
 }
 
-// Whether a point, seen from corner a, stands over the triangle and as far in from its edges as an origin keeps.
-bool is_well_within(const SurfelTriangle& t, const dvec3& from_a) {
-  const bool over_ab = glm::dot(from_a, t.inwards[0]) >= t.insets[0];
-  const bool over_bc = glm::dot(from_a, t.inwards[1]) + t.heights[1] >= t.insets[1];
-  const bool over_ca = glm::dot(from_a, t.inwards[2]) >= t.insets[2];
-  return over_ab && over_bc && over_ca;
-}
-
-inline RayOrigin origin_on(const SurfelTriangle& t, const GBuffer& gbuffer, std::size_t pixel) {
-  const dvec3 position(gbuffer.position[pixel]);
-  const dvec3 seen(gbuffer.geometric_normal[pixel]);
-  RayOrigin origin;
-  origin.offset = t.offset;
-  origin.clear_cosine = t.clear_cosine;
-  if (!(t.twice_area > 0.0)) {
-    origin.normal = seen;
-    origin.surface = nearest_point(t.corners, position);
-    return origin;
-  }
-  const dvec3 from_a = position - t.corners.a;
-  origin.normal = glm::dot(t.normal, seen) < 0.0 ? -t.normal : t.normal;
-  // Most surfels: then the triangle's nearest point is the foot of the perpendicular.
-  origin.surface = is_well_within(t, from_a) ? position - glm::dot(from_a, t.normal) * t.normal
-                                             : inset_from_edges(t, nearest_point(t.corners, position));
-  return origin;
-}
-
 }  // namespace
 
-const SurfelTriangle& SurfelCache::get(const Tracer& tracer, std::uint32_t instance, std::uint32_t id) {
-  SurfelTriangle& slot = slots_[(id + 29u * instance) % slots_.size()];
-  if (slot.instance != instance || slot.id != id) slot = surfel_triangle(tracer, instance, id);
-  return slot;
+void SurfelCache::fill(SurfelTriangle& slot, const Tracer& tracer, std::uint32_t instance, std::uint32_t id) {
+  slot = surfel_triangle(tracer, instance, id);
 }
 
-RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel, SurfelCache& cache) {
-  return origin_on(cache.get(tracer, gbuffer.instance[pixel], gbuffer.triangle[pixel]), gbuffer, pixel);
+dvec3 surface_point(const SurfelTriangle& t, const dvec3& position) {
+  const dvec3 nearest = nearest_point(t.corners, position);
+  return t.twice_area > 0.0 ? inset_from_edges(t, nearest) : nearest;
 }
 
 RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel) {

@@ -44,16 +44,55 @@ struct SurfelTriangle {
 /// The triangles that the pixels of a tile have met, of one scene.
 class SurfelCache {
  public:
-  const SurfelTriangle& get(const Tracer& tracer, std::uint32_t instance, std::uint32_t id);
+  const SurfelTriangle& get(const Tracer& tracer, std::uint32_t instance, std::uint32_t id) {
+    SurfelTriangle& slot = slots_[(id + 29u * instance) % slots_.size()];
+    if (slot.instance != instance || slot.id != id) fill(slot, tracer, instance, id);
+    return slot;
+  }
 
  private:
+  static void fill(SurfelTriangle& slot, const Tracer& tracer, std::uint32_t instance, std::uint32_t id);
+
   std::array<SurfelTriangle, 64> slots_;
 };
+
+/// The point of the triangle that is nearest to a position, and as far in from its edges as an origin keeps.
+dvec3 surface_point(const SurfelTriangle& t, const dvec3& position);
+
+/// Whether a point, seen from corner a, stands over the triangle and that far in.
+inline bool is_well_within(const SurfelTriangle& t, const dvec3& from_a) {
+  const bool over_ab = glm::dot(from_a, t.inwards[0]) >= t.insets[0];
+  const bool over_bc = glm::dot(from_a, t.inwards[1]) + t.heights[1] >= t.insets[1];
+  const bool over_ca = glm::dot(from_a, t.inwards[2]) >= t.insets[2];
+  return over_ab & over_bc & over_ca;
+}
+
+/// In the header for speed: it is asked for every ray of a shadow.
+inline RayOrigin origin_on(const SurfelTriangle& t, const GBuffer& gbuffer, std::size_t pixel) {
+  const dvec3 position(gbuffer.position[pixel]);
+  const dvec3 seen(gbuffer.geometric_normal[pixel]);
+  RayOrigin origin;
+  origin.offset = t.offset;
+  origin.clear_cosine = t.clear_cosine;
+  if (!(t.twice_area > 0.0)) {
+    origin.normal = seen;
+    origin.surface = surface_point(t, position);
+    return origin;
+  }
+  const dvec3 from_a = position - t.corners.a;
+  origin.normal = glm::dot(t.normal, seen) < 0.0 ? -t.normal : t.normal;
+  // Most surfels: then the triangle's nearest point is the foot of the perpendicular.
+  origin.surface =
+      is_well_within(t, from_a) ? position - glm::dot(from_a, t.normal) * t.normal : surface_point(t, position);
+  return origin;
+}
 
 /// With a step after which rounding cannot put a ray behind the surface that it leaves: one bound for all points of a
 /// triangle.
 RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel);
 /// The same, faster where pixels share triangles.
-RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel, SurfelCache& cache);
+inline RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel, SurfelCache& cache) {
+  return origin_on(cache.get(tracer, gbuffer.instance[pixel], gbuffer.triangle[pixel]), gbuffer, pixel);
+}
 
 }  // namespace umbrameter
