@@ -11,6 +11,9 @@
 namespace umbrameter {
 namespace {
 
+// Of SphericalRectangle: where it is more, a rectangle is small or seen nearly edge on.
+constexpr double most_error = 0x1p-20;
+
 float fraction(float value) { return value - std::floor(value); }
 
 dvec3 across(const dvec3& n) {
@@ -37,6 +40,10 @@ LightView::LightView(const Light& light, LightSampling sampling, const dvec3& fr
     is_round_ = false;
     x_ *= 0.5 * rectangle->width;
     y_ *= 0.5 * rectangle->height;
+    if (sampling == LightSampling::solid_angle) {
+      const SphericalRectangle spherical(way_, x_, y_);
+      if (spherical.error() < most_error) spherical_ = spherical;
+    }
   } else if (const auto* disk = std::get_if<DiskEmitter>(&light.emitter)) {
     is_flat_ = true;
     x_ *= disk->radius;
@@ -62,7 +69,7 @@ LightView::Sample LightView::sample(vec2 point) const {
   const dvec2 p = is_round_ ? dvec2(concentric_disk(point)) : 2.0 * dvec2(point) - 1.0;
   if (!is_flat_) return in_cone(p);
   Sample sample;
-  const dvec3 way = way_ + p.x * x_ + p.y * y_;
+  const dvec3 way = spherical_ ? spherical_->sample(dvec2(point)) : way_ + p.x * x_ + p.y * y_;
   const double distance = glm::length(way);
   if (!(distance > std::numeric_limits<float>::min())) return {z_, 0.0, 1.0};  // at the surfel itself
   sample.direction = way / distance;
@@ -70,7 +77,7 @@ LightView::Sample LightView::sample(vec2 point) const {
   // The solid angle of a piece is its area times cosine over squared distance. The cosine is the surfel's height over
   // the light's plane over the distance; that height is the same for all points, and so has no part in a share. Nor is
   // there a 0/0 where the light is seen edge on.
-  if (sampling_ == LightSampling::solid_angle) sample.weight = 1.0 / (distance * distance * distance);
+  if (sampling_ == LightSampling::solid_angle && !spherical_) sample.weight = 1.0 / (distance * distance * distance);
   return sample;
 }
 

@@ -1,8 +1,11 @@
 // Points of a light with extent, as a surfel sees them. For raytrace/*.cpp and tests.
 #pragma once
 
+#include <optional>
+
 #include "core/math.h"
 #include "raytrace/parameters.h"
+#include "raytrace/spherical_rectangle.h"
 #include "scenes/scene.h"
 
 namespace umbrameter {
@@ -41,7 +44,8 @@ class LightView {
   dvec3 way_{0.0};     // to the middle, metres; of a distant light a unit vector
   double radius_ = 0;  // of a sphere; 0 of a distant light
   double tangent_ = 0;
-  double cap_ = 0;  // 1 − cos of the half angle
+  double cap_ = 0;                               // 1 − cos of the half angle
+  std::optional<SphericalRectangle> spherical_;  // what points are drawn from, where that is the solid angle
 };
 
 }  // namespace umbrameter

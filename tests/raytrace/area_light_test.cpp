@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "core/parallel.h"
 #include "core/quantiles.h"
 #include "core/random.h"
 #include "edge_scene.h"
+#include "raytrace/spherical_rectangle.h"
 #include "raytrace/tracer.h"
 #include "scenes/light_frame.h"
 
@@ -244,6 +246,50 @@ TEST(LightView, A_surface_that_faces_no_part_of_a_light_is_known_without_rays) {
   }
   EXPECT_GT(turned, 500);
   EXPECT_LT(missed, 4000 / 100);
+}
+
+// Half sides a and b, straight up at distance d: Ω = 4 atan(ab / (d √(a² + b² + d²))).
+TEST(SphericalRectangle, Knows_its_solid_angle) {
+  for (const double distance : {1e-3, 0.5, 2.0, 700.0}) {
+    for (const double side : {0.3, 2.0}) {
+      const double away = std::sqrt(side * side + 1.0 + distance * distance);
+      const double closed = 4.0 * std::atan(side / (distance * away));
+      const SphericalRectangle rectangle({0, distance, 0}, {0, 0, side}, {1, 0, 0});
+      EXPECT_NEAR(rectangle.solid_angle(), closed, 1e-14) << distance << ", " << side;
+    }
+  }
+  const SphericalRectangle edge_on({3, 0, 0}, {1, 0, 0}, {0, 0, 1});
+  EXPECT_EQ(edge_on.solid_angle(), 0.0);
+  EXPECT_EQ(edge_on.error(), std::numeric_limits<double>::infinity());
+}
+
+TEST(SphericalRectangle, Its_points_are_even_over_the_solid_angle) {
+  // A large light near by, off to one side, from the front, from behind and nearly edge on.
+  for (const dvec3 middle : {dvec3(1.5, 0.4, 0.3), dvec3(1.5, -0.4, 0.3), dvec3(3, 2e-3, -1), dvec3(0, 5, 0)}) {
+    const double all = SphericalRectangle(middle, {2, 0, 0}, {0, 0, 1}).solid_angle();
+    const SphericalRectangle rectangle(middle, {2, 0, 0}, {0, 0, 1});
+    // The part up to a point's x has the share of the solid angle that the point's first coordinate says.
+    for (const double share : {0.01, 0.3, 0.5, 0.9}) {
+      const double x = rectangle.sample({share, 0.7}).x;
+      const double half = 0.5 * (x - (middle.x - 2.0));
+      const SphericalRectangle part({x - half, middle.y, middle.z}, {half, 0, 0}, {0, 0, 1});
+      EXPECT_NEAR(part.solid_angle() / all, share, rectangle.error() + part.error()) << middle.x << ", " << middle.y;
+    }
+    // Any part has its share of points.
+    constexpr int steps = 400;
+    int within = 0;
+    for (int i = 0; i < steps; ++i) {
+      for (int k = 0; k < steps; ++k) {
+        const dvec3 p = rectangle.sample({(i + 0.5) / steps, (k + 0.5) / steps});
+        EXPECT_NEAR(p.y, middle.y, 1e-12);
+        ASSERT_LE(std::abs(p.x - middle.x), 2.0 + 1e-12);
+        ASSERT_LE(std::abs(p.z - middle.z), 1.0 + 1e-12);
+        within += std::abs(p.x - middle.x) < 0.8 && p.z < middle.z + 0.2 ? 1 : 0;
+      }
+    }
+    const SphericalRectangle part(middle - dvec3(0, 0, 0.4), {0.8, 0, 0}, {0, 0, 0.6});
+    EXPECT_NEAR(within / static_cast<double>(steps * steps), part.solid_angle() / all, 3.0 / steps);
+  }
 }
 
 TEST(LightView, Slanting_keeps_points_even_over_the_square) {
