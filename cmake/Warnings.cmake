@@ -5,9 +5,10 @@ target_compile_options(umbrameter_warnings INTERFACE
   -Wcast-align -Woverloaded-virtual -Wnull-dereference -Wimplicit-fallthrough
   $<$<BOOL:${UMBRAMETER_WERROR}>:-Werror>)
 if(UMBRAMETER_SANITIZE)
-  # GCC's flow analysis is thrown off by the instrumentation: it suspects <regex> of uninitialised reads.
+  # GCC's flow analysis is thrown off by the instrumentation: it suspects <regex> of uninitialised reads and strings of
+  # null pointers.
   target_compile_options(umbrameter_warnings INTERFACE
     -fsanitize=${UMBRAMETER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-null-dereference>)
   target_link_options(umbrameter_warnings INTERFACE -fsanitize=${UMBRAMETER_SANITIZE})
 endif()
