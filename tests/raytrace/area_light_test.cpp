@@ -266,8 +266,8 @@ TEST(SphericalRectangle, Knows_its_solid_angle) {
 TEST(SphericalRectangle, Its_points_are_even_over_the_solid_angle) {
   // A large light near by, off to one side, from the front, from behind and nearly edge on.
   for (const dvec3 middle : {dvec3(1.5, 0.4, 0.3), dvec3(1.5, -0.4, 0.3), dvec3(3, 2e-3, -1), dvec3(0, 5, 0)}) {
-    const double all = SphericalRectangle(middle, {2, 0, 0}, {0, 0, 1}).solid_angle();
     const SphericalRectangle rectangle(middle, {2, 0, 0}, {0, 0, 1});
+    const double all = rectangle.solid_angle();
     // The part up to a point's x has the share of the solid angle that the point's first coordinate says.
     for (const double share : {0.01, 0.3, 0.5, 0.9}) {
       const double x = rectangle.sample({share, 0.7}).x;

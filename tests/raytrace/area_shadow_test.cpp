@@ -265,7 +265,7 @@ TEST(AreaShadow, Points_of_uneven_weights_claim_no_more_than_the_even_ones_that_
     }
   }
   const double worth = sum * sum / (squares * area);
-  EXPECT_LT(worth, 0.75);
+  EXPECT_LT(worth, 0.5);
   constexpr std::uint32_t points = 65536;
   const auto half_width_of = [](const Emitter& emitter) {
     const TracedVisibility traced = of_upright(emitter, 0.5, 1.0, points);

@@ -188,11 +188,10 @@ ScenePtr default_scene(const Tracer::State& state) {
 
 constexpr int tile_side = 16;
 
-// One tile of each so many in reading order, one below the other: as dense as in the whole image, and without the tiles
-// that show no surface, which cost and trace nothing.
+// One tile of each so many in reading order, one below the other: as dense as in the whole image.
 GBuffer some_tiles(const GBuffer& gbuffer, std::size_t every) {
   std::vector<std::pair<int, int>> corners;
-  std::uint32_t tile = 0;
+  std::size_t tile = 0;
   for (int y = 0; y + tile_side <= gbuffer.height; y += tile_side) {
     for (int x = 0; x + tile_side <= gbuffer.width; x += tile_side, ++tile) {
       if (tile % every == hash(static_cast<std::uint32_t>(tile / every)) % every) corners.emplace_back(x, y);
