@@ -79,9 +79,9 @@ class Terminal {
 
 TEST(Progress, Is_shown_on_a_terminal_only) {
   const TemporaryFolder folder;
-  // Some 30 million rays on one thread: no processor is done before the bar appears.
+  // Some 160 million rays on one thread: no processor is done before the bar has told how fast they are.
   const std::vector<std::string> words = {"trace",      "corner",    "-o",  folder / "out", "--size",
-                                          "320x180",    "--light",   "sun", "--truth.spp",  "512",
+                                          "320x180",    "--light",   "sun", "--truth.spp",  "4096",
                                           "--no-cache", "--threads", "1"};
   Terminal terminal;
   if (terminal.name().empty()) GTEST_SKIP() << "no terminal can be made here";
