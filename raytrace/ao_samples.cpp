@@ -97,15 +97,22 @@ UMBRAMETER_VECTORS void to_reaches(std::size_t size, float offset, double reach,
 // A counting sort that keeps the points of a stratum as they were.
 void PixelSamples::order(const SampleRange& range, const Randomisations& before) {
   std::array<std::uint32_t, strata * strata + 1> next{};
-  for (const std::int32_t stratum : stratum_) ++next[static_cast<std::size_t>(stratum) + 1u];
+  // The compiler cannot tell that bytes are written to one of these arrays only.
+  const std::int32_t* __restrict const stratum = stratum_.data();
+  const float* __restrict const from_u = u_.data();
+  const float* __restrict const from_v = v_.data();
+  float* __restrict const to_u = ordered_u_.data();
+  float* __restrict const to_v = ordered_v_.data();
+  std::uint8_t* __restrict const to_randomisation = randomisation.data();
+  for (std::size_t i = 0; i < size_; ++i) ++next[static_cast<std::size_t>(stratum[i]) + 1u];
   for (std::size_t s = 1; s < next.size(); ++s) next[s] += next[s - 1];
   std::size_t i = 0;
   for (int r = 0; r < range.split.count; ++r) {
     for (const std::size_t end = i + static_cast<std::size_t>(range.split.size(r) - before.size(r)); i < end; ++i) {
-      const std::uint32_t place = next[static_cast<std::size_t>(stratum_[i])]++;
-      ordered_u_[place] = u_[i];
-      ordered_v_[place] = v_[i];
-      randomisation[place] = static_cast<std::uint8_t>(r);
+      const std::uint32_t place = next[static_cast<std::size_t>(stratum[i])]++;
+      to_u[place] = from_u[i];
+      to_v[place] = from_v[i];
+      to_randomisation[place] = static_cast<std::uint8_t>(r);
     }
   }
 }

@@ -20,7 +20,8 @@ namespace umbrameter {
 template <class Rays>
 class AoTile {
  public:
-  explicit AoTile(const AoTask& task) : task_(task), reach_(reach_of(task.params)), packet_(task.tracer.state()) {}
+  explicit AoTile(const AoTask& task)
+      : task_(task), reach_(reach_of(task.params)), packet_(task.tracer.state()), triangles_(task.tracer) {}
 
   void trace(const Tile& tile, TracedAo& result) {
     for (int y = tile.y_begin; y < tile.y_end; ++y) {
@@ -52,10 +53,10 @@ class AoTile {
   };
 
   Pixel start(std::size_t i) {
-    const RayOrigin origin = ray_origin(task_.tracer, task_.gbuffer, i, triangles_);
+    const RayOrigin origin = ray_origin(task_.gbuffer, i, triangles_);
     packet_.clear();
     for (int lane = 0; lane < Rays::width; ++lane) {
-      packet_.add({vec3(origin.point()), vec3(0, 0, 1), 0.0f, true}, task_.gbuffer.instance[i],
+      packet_.add({vec3(origin.point), vec3(0, 0, 1), 0.0f, true}, task_.gbuffer.instance[i],
                   task_.gbuffer.triangle[i]);
     }
     Pixel pixel(task_.params);
@@ -151,7 +152,7 @@ class AoTile {
   const AoTask& task_;
   double reach_;
   Rays packet_;
-  SurfelCache triangles_;
+  SurfelTable triangles_;
   PixelSamples samples_;
   TraceStatistics statistics_;
 };

@@ -90,7 +90,12 @@ struct Pixel {
 class TileTracer {
  public:
   TileTracer(const Tracer& tracer, const GBuffer& gbuffer, const Light& light, const TruthSampling& sampling)
-      : tracer_(tracer), gbuffer_(gbuffer), light_(light), sampling_(sampling), packet_(tracer.state()) {}
+      : tracer_(tracer),
+        gbuffer_(gbuffer),
+        light_(light),
+        sampling_(sampling),
+        packet_(tracer.state()),
+        triangles_(tracer) {}
 
   void trace(const Tile& tile, TracedVisibility& result) {
     for (int y = tile.y_begin; y < tile.y_end; y += block_size) {
@@ -128,16 +133,16 @@ class TileTracer {
 
  private:
   void add(std::size_t i, TracedVisibility& result) {
-    const RayOrigin origin = ray_origin(tracer_, gbuffer_, i, triangles_);
+    const RayOrigin origin = ray_origin(gbuffer_, i, triangles_);
     const auto slant = [&](std::uint32_t axis) {
       return 0.5f + to_unit_float(hash(static_cast<std::uint32_t>(i), axis, sampling_.seed, slant_purpose));
     };
     Pixel pixel{i,
-                vec3(origin.point()),
+                vec3(origin.point),
                 dvec3(gbuffer_.geometric_normal[i]),
                 origin.normal,
                 origin.clear_cosine,
-                {light_, sampling_.params.light_sampling, dvec3(vec3(origin.point()))},
+                {light_, sampling_.params.light_sampling, dvec3(vec3(origin.point))},
                 {slant(0u), slant(1u)},
                 Stopping(sampling_.params)};
     if (pixel.view.is_within()) return;
@@ -213,7 +218,7 @@ class TileTracer {
   const Light& light_;
   const TruthSampling& sampling_;
   Packet packet_;
-  SurfelCache triangles_;
+  SurfelTable triangles_;
   std::vector<Pixel> pixels_;
   std::vector<int> pending_;
   TraceStatistics statistics_;

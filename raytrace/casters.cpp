@@ -16,7 +16,12 @@ constexpr int width = hit_packet_width;
 class CasterTile {
  public:
   CasterTile(const Tracer& tracer, const GBuffer& gbuffer, const Ways& ways, TracedCasters& casters)
-      : tracer_(tracer), gbuffer_(gbuffer), ways_(ways), casters_(casters), packet_(tracer.state()) {}
+      : tracer_(tracer),
+        gbuffer_(gbuffer),
+        ways_(ways),
+        casters_(casters),
+        packet_(tracer.state()),
+        triangles_(tracer) {}
 
   std::uint64_t trace(const Tile& tile) {
     for (int y = tile.y_begin; y < tile.y_end; ++y) {
@@ -29,7 +34,7 @@ class CasterTile {
  private:
   void add(std::size_t i) {
     if (!gbuffer_.is_surface(i) || !ways_.begin_at(gbuffer_, i)) return;
-    const RayOrigin origin = ray_origin(tracer_, gbuffer_, i, triangles_);
+    const RayOrigin origin = ray_origin(gbuffer_, i, triangles_);
     pixels_[static_cast<std::size_t>(packet_.size())] = i;
     packet_.add(ways_.from(origin), gbuffer_.instance[i], gbuffer_.triangle[i]);
     ++rays_;
@@ -53,7 +58,7 @@ class CasterTile {
   TracedCasters& casters_;
   HitPacket<width> packet_;
   std::array<std::size_t, static_cast<std::size_t>(width)> pixels_{};
-  SurfelCache triangles_;
+  SurfelTable triangles_;
   std::uint64_t rays_ = 0;
 };
 

@@ -23,10 +23,11 @@ inline constexpr RTCSceneFlags query_filter_flag = RTC_SCENE_FLAG_CONTEXT_FILTER
 struct Query {
   Context context;
   RTCFilterFunctionN filter = nullptr;
+#if UMBRAMETER_EMBREE_MAJOR >= 4
+  RTCRayQueryFlags coherence = RTC_RAY_QUERY_FLAG_INCOHERENT;
+#endif
 };
 
-// No hint for coherent rays: it is no faster here, and with it Embree 3.13.5 may loop for ever
-// (docs/decisions/no-coherence-hint.md).
 inline void set_filter(Query& query, RTCFilterFunctionN filter) {
 #if UMBRAMETER_EMBREE_MAJOR < 4
   query.context.filter = filter;
@@ -44,11 +45,21 @@ inline void prepare(Query& query, RTCFilterFunctionN filter) {
   set_filter(query, filter);
 }
 
+/// Packets of this query hold rays that look in about the same direction. May never return where Embree takes packets
+/// of sixteen natively (docs/decisions/coherence-hint.md).
+inline void hint_coherence(Query& query) {
+#if UMBRAMETER_EMBREE_MAJOR >= 4
+  query.coherence = RTC_RAY_QUERY_FLAG_COHERENT;
+#else
+  query.context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+#endif
+}
+
 #if UMBRAMETER_EMBREE_MAJOR >= 4
 template <class Arguments>
 void fill(Arguments& arguments, Query& query) {
   arguments.flags = static_cast<RTCRayQueryFlags>(
-      RTC_RAY_QUERY_FLAG_INCOHERENT | (query.filter != nullptr ? RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER : 0));
+      query.coherence | (query.filter != nullptr ? RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER : 0));
   arguments.context = &query.context;
   arguments.filter = query.filter;
 }

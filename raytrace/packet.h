@@ -58,6 +58,9 @@ void aim_lanes(Rays& rays, const RaysFrom& from) {
   std::memcpy(rays.tfar, from.reach, size);
 }
 
+/// How much of their way the rays of a packet go together: `high` where they leave from nearby in one direction.
+enum class Coherence { low, high };
+
 /// 4, 8 or 16 rays.
 template <int lanes>
 class OcclusionPacket {
@@ -65,8 +68,9 @@ class OcclusionPacket {
   static constexpr int width = lanes;
   static constexpr bool knows_distance = false;
 
-  explicit OcclusionPacket(const Tracer::State& state) : state_(&state) {
+  explicit OcclusionPacket(const Tracer::State& state, Coherence coherence = Coherence::low) : state_(&state) {
     prepare(query_, state, false);
+    if (coherence == Coherence::high && !state.takes_16_lanes) embree::hint_coherence(query_.query);
     for (int lane = 0; lane < width; ++lane) {
       aim(lane, {});  // idle lanes too: no garbage is traced along
       prepare_lane(rays_, lane);

@@ -32,24 +32,20 @@ template <int width>
 class ShadowTile {
  public:
   ShadowTile(const Tracer& tracer, const GBuffer& gbuffer, const Ways& ways, Image<float>& visibility)
-      : tracer_(tracer), gbuffer_(gbuffer), ways_(ways), visibility_(visibility), packet_(tracer.state()) {}
+      : gbuffer_(gbuffer),
+        ways_(ways),
+        visibility_(visibility),
+        packet_(tracer.state(), Coherence::high),
+        triangles_(tracer) {}
 
   void trace(const Tile& tile) {
-    const auto width_of_image = static_cast<std::size_t>(gbuffer_.width);
-
     fetch_ids(tile, tile.y_begin);
     fetch_ids(tile, tile.y_begin + strip_height);
     fetch_surfels(tile, tile.y_begin);
     for (int top = tile.y_begin; top < tile.y_end; top += strip_height) {
       fetch_ids(tile, top + 2 * strip_height);
       fetch_surfels(tile, top + strip_height);
-
-      const auto height = static_cast<std::size_t>(std::min(strip_height, tile.y_end - top));
-      const std::size_t end =
-          gbuffer_.instance.index(tile.x_begin, top) + static_cast<std::size_t>(tile.x_end - tile.x_begin);
-      for (std::size_t column = gbuffer_.instance.index(tile.x_begin, top); column < end; ++column) {
-        for (std::size_t row = 0; row < height; ++row) add(column + row * width_of_image);
-      }
+      trace_strip(tile, top);
     }
     flush();
   }
@@ -79,17 +75,39 @@ class ShadowTile {
     }
   }
 
-  void add(std::size_t i) {
-    if (!gbuffer_.is_surface(i)) return;
-    if (!ways_.begin_at(gbuffer_, i)) {
-      visibility_[i] = 0.0f;
-      return;
+  struct Pixel {
+    std::size_t index;
+    SurfelTable::Place triangle;
+  };
+
+  void trace_strip(const Tile& tile, int top) {
+    const auto width_of_image = static_cast<std::size_t>(gbuffer_.width);
+    const auto height = static_cast<std::size_t>(std::min(strip_height, tile.y_end - top));
+    const std::size_t begin = gbuffer_.instance.index(tile.x_begin, top);
+    const std::size_t end = begin + static_cast<std::size_t>(tile.x_end - tile.x_begin);
+    triangles_.make_room(strip_.size());
+    std::size_t count = 0;
+    for (std::size_t column = begin; column < end; ++column) {
+      for (std::size_t i = column; i < column + height * width_of_image; i += width_of_image) {
+        if (!gbuffer_.is_surface(i)) continue;
+        if (ways_.begin_at(gbuffer_, i)) {
+          strip_[count++] = {i, triangles_.place_of(gbuffer_.instance[i], gbuffer_.triangle[i])};
+        } else {
+          visibility_[i] = 0.0f;
+        }
+      }
     }
-    const RayOrigin origin = ray_origin(tracer_, gbuffer_, i, triangles_);
+    triangles_.describe();
+    for (std::size_t i = 0; i < count; ++i) add(strip_[i]);
+    statistics_.rays += count;
+  }
+
+  void add(const Pixel& pixel) {
+    const SurfelTriangle& triangle = triangles_[pixel.triangle];
+    const RayOrigin origin = origin_on(triangle, gbuffer_, pixel.index);
     statistics_.largest_offset = std::max(statistics_.largest_offset, origin.offset);
-    ++statistics_.rays;
-    pixels_[static_cast<std::size_t>(packet_.size())] = i;
-    packet_.add(ways_.from(origin), gbuffer_.instance[i], gbuffer_.triangle[i]);
+    pixels_[static_cast<std::size_t>(packet_.size())] = pixel.index;
+    packet_.add(ways_.from(origin), triangle.instance, triangle.id);
     if (packet_.is_full()) flush();
   }
 
@@ -101,13 +119,13 @@ class ShadowTile {
     packet_.clear();
   }
 
-  const Tracer& tracer_;
   const GBuffer& gbuffer_;
   const Ways& ways_;
   Image<float>& visibility_;
   OcclusionPacket<width> packet_;
   std::array<std::size_t, static_cast<std::size_t>(width)> pixels_{};
-  SurfelCache triangles_;
+  SurfelTable triangles_;
+  std::array<Pixel, static_cast<std::size_t>(strip_height) * tile_size> strip_;  // those that rays leave from
   TraceStatistics statistics_;
 };
 

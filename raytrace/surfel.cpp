@@ -5,12 +5,10 @@
 #include <limits>
 
 #include "raytrace/tracer_state.h"
+#include "raytrace/vectors.h"
 
 namespace umbrameter {
 namespace {
-
-dvec3 absolute(const dvec3& v) { return glm::abs(v); }
-dmat3 absolute(const dmat3& m) { return {glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2])}; }
 
 // The point of a triangle that is nearest to a position (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
 dvec3 nearest_point(const Triangle& triangle, const dvec3& position) {
@@ -60,14 +58,83 @@ dvec3 inset_from_edges(const SurfelTriangle& t, dvec3 point) {
   return moved ? nearest_point(t.corners, point) : point;
 }
 
+// The triangles below are worked on four at a time: a number stands for four.
+using Four = double __attribute__((vector_size(32)));
+#define UMBRAMETER_INLINE [[gnu::always_inline]] inline
+
+UMBRAMETER_INLINE double absolute(double v) { return std::abs(v); }
+UMBRAMETER_INLINE double root(double v) { return std::sqrt(v); }
+UMBRAMETER_INLINE Four absolute(const Four& v) { return v < 0.0 ? -v : v; }
+UMBRAMETER_INLINE Four root(const Four& v) {
+  Four result;
+  for (int i = 0; i < 4; ++i) result[i] = std::sqrt(v[i]);
+  return result;
+}
+template <class Real>
+UMBRAMETER_INLINE Real least(const Real& v, const Real& w) {
+  return w < v ? w : v;
+}
+template <class Real>
+UMBRAMETER_INLINE Real greatest(const Real& v, const Real& w) {
+  return v < w ? w : v;
+}
+
+// One vector, or four.
+template <class Real>
+struct Vector {
+  Real x, y, z;
+};
+template <class Real>
+UMBRAMETER_INLINE Vector<Real> operator-(const Vector<Real>& v, const Vector<Real>& w) {
+  return {v.x - w.x, v.y - w.y, v.z - w.z};
+}
+template <class Real>
+UMBRAMETER_INLINE Vector<Real> operator*(const Real& s, const Vector<Real>& v) {
+  return {s * v.x, s * v.y, s * v.z};
+}
+template <class Real>
+UMBRAMETER_INLINE Real dot(const Vector<Real>& v, const Vector<Real>& w) {
+  return v.x * w.x + v.y * w.y + v.z * w.z;
+}
+template <class Real>
+UMBRAMETER_INLINE Vector<Real> cross(const Vector<Real>& v, const Vector<Real>& w) {
+  return {v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
+}
+template <class Real>
+UMBRAMETER_INLINE Vector<Real> absolute(const Vector<Real>& v) {
+  return {absolute(v.x), absolute(v.y), absolute(v.z)};
+}
+
+// By columns, the last of them the translation.
+template <class Real>
+struct Transform {
+  Vector<Real> x, y, z, constant;
+};
+template <class Real>
+UMBRAMETER_INLINE Transform<Real> absolute(const Transform<Real>& m) {
+  return {absolute(m.x), absolute(m.y), absolute(m.z), absolute(m.constant)};
+}
+template <class Real>
+UMBRAMETER_INLINE Vector<Real> operator*(const Transform<Real>& m, const Vector<Real>& v) {
+  return {m.x.x * v.x + m.y.x * v.y + (m.z.x * v.z + m.constant.x),
+          m.x.y * v.x + m.y.y * v.y + (m.z.y * v.z + m.constant.y),
+          m.x.z * v.x + m.y.z * v.y + (m.z.z * v.z + m.constant.z)};
+}
+
+template <class Real>
+using Corners = std::array<Vector<Real>, 3>;
+
+template <class Real>
+UMBRAMETER_INLINE Real greatest_length(const Corners<Real>& c) {
+  return root(greatest(greatest(dot(c[0], c[0]), dot(c[1], c[1])), dot(c[2], c[2])));
+}
+
 // Embree tells on which side of a triangle's plane a ray starts by T = v·N, and whether it rises by N·d: v goes from
 // the origin to a corner, N is the cross product of two edges that include the shortest, all in floats. No edge is
 // longer than L, nor v while the origin stands over the triangle.
 struct SideError {
-  double longest = 0;                                       ///< L, metres
-  double height = std::numeric_limits<double>::infinity();  ///< error of T / |N|, metres
-  double cosine = std::numeric_limits<double>::infinity();  ///< error of N·d / |N|
-  double thickness = 0;                                     ///< the least height of the triangle, metres
+  Four height;  // error of T / |N|, metres
+  Four cosine;  // error of N·d / |N|
 };
 
 // With s the shortest edge:
@@ -75,52 +142,60 @@ struct SideError {
 //   turns by 2u·L over the triangle's least height |N| / L
 //   edges and their cross product are rounded: 2u·s·L and 3u·s·L of N (u and γ(n) as at half_ulp)
 //   the dot product: 4u of its factors' lengths
-// A quarter more is for an origin beside the triangle by an eighth of its least height.
-SideError side_error(const std::array<double, 3>& edges, double twice_area) {
-  const double s = std::min({edges[0], edges[1], edges[2]});
-  SideError error;
-  error.longest = std::max({edges[0], edges[1], edges[2]});
-  if (!(twice_area > 0.0)) return error;
-  const double l = error.longest;
-  const double turn = 5.0 * half_ulp * s * l / twice_area + 4.0 * half_ulp;
-  error.height = 1.25 * (turn * l + half_ulp * l);
-  error.cosine = 1.25 * (turn + 2.0 * half_ulp * l * l / twice_area);
-  error.thickness = twice_area / l;
-  return error;
+// A quarter more is for an origin beside the triangle by an eighth of its least height. Infinite without an area.
+UMBRAMETER_INLINE SideError side_error(const Four& shortest, const Four& longest, const Four& twice_area) {
+  const Four by_height = longest / twice_area;
+  const Four turn = 5.0 * half_ulp * shortest * by_height + 4.0 * half_ulp;
+  return {1.25 * (turn * longest + half_ulp * longest), 1.25 * (turn + 2.0 * half_ulp * longest * by_height)};
 }
 
 // The errors that grow with the origin's place, on any point of the triangle: both are lengths of functions that are
 // convex along any line, and so nowhere more than at one of the corners.
-double place_error(const Triangle& t, const InstanceInfo& info) {
-  double rounded = 0.0;
-  double moved = 0.0;
-  for (const dvec3& corner : {t.a, t.b, t.c}) {
-    rounded = std::max(rounded, glm::dot(corner, corner));
-    if (!info.is_shared) continue;
-    const dvec3 error = info.origin_error.of_place * absolute(corner) + info.origin_error.constant;
-    moved = std::max(moved, glm::dot(error, error));
-  }
-  return half_ulp * std::sqrt(rounded) + std::sqrt(moved);
+UMBRAMETER_INLINE Four place_error(const Corners<Four>& world, const Transform<Four>& origin_error) {
+  const Corners<Four> moved{origin_error * absolute(world[0]), origin_error * absolute(world[1]),
+                            origin_error * absolute(world[2])};
+  return half_ulp * greatest_length(world) + greatest_length(moved);
 }
-
-}  // namespace
 
 // File coordinates p and the translation t are floats that were rounded once, |M|·|p| + |t| to first order; storing the
 // world position as a float rounds once more.
+template <class Real>
+UMBRAMETER_INLINE Real vertex_error(const Transform<Real>& world_from_mesh, const Corners<Real>& in_mesh) {
+  const Transform<Real> m = absolute(world_from_mesh);
+  return 2.0 * half_ulp *
+         greatest_length(Corners<Real>{m * absolute(in_mesh[0]), m * absolute(in_mesh[1]), m * absolute(in_mesh[2])});
+}
+
+Vector<double> of(const dvec3& v) { return {v.x, v.y, v.z}; }
+Transform<double> of(const dmat4& m) { return {of(dvec3(m[0])), of(dvec3(m[1])), of(dvec3(m[2])), of(dvec3(m[3]))}; }
+
+}  // namespace
+
 double vertex_error(const Scene& scene, std::uint32_t instance, std::uint32_t triangle) {
   const Instance& placed = scene.instances[instance];
   const Mesh& mesh = scene.meshes[placed.mesh];
-  const dmat3 linear = absolute(dmat3(placed.world_from_mesh));
-  const dvec3 translation = absolute(dvec3(placed.world_from_mesh[3]));
-  double squared = 0.0;
-  for (int c = 0; c < 3; ++c) {
-    const dvec3 error = linear * absolute(dvec3(mesh.positions[mesh.triangles[triangle][c]])) + translation;
-    squared = std::max(squared, glm::dot(error, error));
-  }
-  return 2.0 * half_ulp * std::sqrt(squared);
+  const uvec3 corners = mesh.triangles[triangle];
+  return vertex_error(of(placed.world_from_mesh),
+                      Corners<double>{of(dvec3(mesh.positions[corners.x])), of(dvec3(mesh.positions[corners.y])),
+                                      of(dvec3(mesh.positions[corners.z]))});
 }
 
 namespace {
+
+// What describe() reads and writes of four triangles.
+struct Asked {
+  Corners<Four> in_mesh;
+  Transform<Four> world_from_mesh;
+  Transform<Four> origin_error;
+  Four longest_edge;  // of all triangles of the mesh
+  Four can_be_told;   // 1, or 0 where the mesh is scaled unlike in space of its own
+};
+struct Told {
+  Corners<Four> corners, inwards;
+  Vector<Four> normal;
+  std::array<Four, 3> heights, insets;
+  Four offset, clear_cosine;
+};
 
 // The step along the normal is for triangles in the same plane, which must not be hit although they, the ray and the
 // test are rounded. Along the normal these errors add up:
@@ -132,52 +207,114 @@ namespace {
 //   or, where it is more and the triangle no sliver, its own side_error
 // (Waechter and Binder, A Fast and Robust Method for Avoiding Self-Intersection, Ray Tracing Gems, 2019, chapter 6,
 // measure the same sources; Pharr, Jakob and Humphreys, Physically Based Rendering, 4th ed., 6.8, bound them this way.)
-SurfelTriangle surfel_triangle(const Tracer& tracer, std::uint32_t instance, std::uint32_t id) {
-  const Scene& scene = tracer.scene();
-  const InstanceInfo& info = tracer.state().instances[instance];
-  SurfelTriangle known;
-  known.instance = instance;
-  known.id = id;
-  known.corners = world_triangle(scene, instance, id);
-  const Triangle& t = known.corners;
-  const dvec3 normal = glm::cross(t.b - t.a, t.c - t.a);
-  known.twice_area = glm::length(normal);
-  const dvec3 edges[] = {t.b - t.a, t.c - t.b, t.a - t.c};
-  const std::array<double, 3> lengths{glm::length(edges[0]), glm::length(edges[1]), glm::length(edges[2])};
-  if (known.twice_area > 0.0) {
-    known.normal = normal * (1.0 / known.twice_area);
-    for (std::size_t i = 0; i < 3; ++i) {
-      known.inwards[i] = glm::cross(known.normal, edges[i]) * (1.0 / lengths[i]);
-      known.heights[i] = known.twice_area / lengths[i];
-    }
-  }
+UMBRAMETER_VECTORS void describe_four(const Asked& asked, Told& told) {
+  const Four zero{};
+  const Corners<Four> corners{asked.world_from_mesh * asked.in_mesh[0], asked.world_from_mesh * asked.in_mesh[1],
+                              asked.world_from_mesh * asked.in_mesh[2]};
+  const Corners<Four> edges{corners[1] - corners[0], corners[2] - corners[1], corners[0] - corners[2]};
+  const std::array<Four, 3> lengths{root(dot(edges[0], edges[0])), root(dot(edges[1], edges[1])),
+                                    root(dot(edges[2], edges[2]))};
+  const Four longest = greatest(greatest(lengths[0], lengths[1]), lengths[2]);
+  const Four shortest = least(least(lengths[0], lengths[1]), lengths[2]);
+  const Vector<Four> perpendicular = cross(edges[2], edges[0]);
+  const Four twice_area = root(dot(perpendicular, perpendicular));
+
   // Where it takes more than this, in parts of an edge, the triangle is flat, and a hit on it is told by its id.
   constexpr double most_side_error = 96.0 * half_ulp;
-  const SideError side = side_error(lengths, known.twice_area);
-  const bool is_told = side.height < std::max(8.0 * half_ulp * info.longest_edge, most_side_error * side.longest) &&
-                       (!info.is_shared || info.is_similar);
-  const double rounding = std::max(8.0 * half_ulp * info.longest_edge, is_told ? side.height : 0.0);
-  known.offset = 2.0 * vertex_error(scene, instance, id) + rounding + place_error(t, info);
-  if (is_told && known.offset < side.thickness / 8.0) known.clear_cosine = 2.0 * side.cosine;
-  // Room for an origin that stands `offset` high and is off by as much, under neighbours that rise at 28 degrees or
-  // more: 4 ≥ cot(28° / 2). Where the triangle is thin, a third of the way to the opposite corner.
-  for (std::size_t i = 0; i < 3; ++i) known.insets[i] = std::min(4.0 * known.offset, known.heights[i] / 3.0);
-  return known;
+  const SideError side = side_error(shortest, longest, twice_area);
+  const Four usual = 8.0 * half_ulp * asked.longest_edge;
+  const Four most = greatest(usual, most_side_error * longest);
+  const auto is_told = (asked.can_be_told > zero) & (twice_area > zero) & (side.height < most);
+  const Four rounding = greatest(usual, is_told ? side.height : zero);
+  const Four offset =
+      2.0 * vertex_error(asked.world_from_mesh, asked.in_mesh) + rounding + place_error(corners, asked.origin_error);
+
+  told.corners = corners;
+  told.offset = offset;
+  // The least height of the triangle is twice its area over its longest edge.
+  const auto keeps_clear = is_told & (8.0 * offset * longest < twice_area);
+  told.clear_cosine = keeps_clear ? 2.0 * side.cosine : zero + 2.0;
+  const auto has_area = twice_area > zero;
+  const Four by_area = has_area ? 1.0 / twice_area : zero;
+  told.normal = by_area * perpendicular;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Four by_length = has_area ? 1.0 / lengths[i] : zero;
+    told.inwards[i] = by_length * cross(told.normal, edges[i]);
+    told.heights[i] = twice_area * by_length;
+    // Room for an origin that stands `offset` high and is off by as much, under neighbours that rise at 28 degrees or
+    // more: 4 ≥ cot(28° / 2). Where the triangle is thin, a third of the way to the opposite corner.
+    told.insets[i] =
+        has_area ? least(4.0 * offset, told.heights[i] * (1.0 / 3.0)) : zero + std::numeric_limits<double>::infinity();
+  }
+}
+
+void set(Vector<Four>& vectors, int lane, const dvec3& v) {
+  vectors.x[lane] = v.x;
+  vectors.y[lane] = v.y;
+  vectors.z[lane] = v.z;
+}
+dvec3 get(const Vector<Four>& vectors, int lane) { return {vectors.x[lane], vectors.y[lane], vectors.z[lane]}; }
+
+void ask(const Tracer& tracer, const SurfelTriangle& triangle, int lane, Asked& asked) {
+  const Instance& placed = tracer.scene().instances[triangle.instance];
+  const InstanceInfo& info = tracer.state().instances[triangle.instance];
+  const Mesh& mesh = tracer.scene().meshes[placed.mesh];
+  const uvec3 corners = mesh.triangles[triangle.id];
+  for (int c = 0; c < 3; ++c) set(asked.in_mesh[static_cast<std::size_t>(c)], lane, dvec3(mesh.positions[corners[c]]));
+  const dmat4& m = placed.world_from_mesh;
+  set(asked.world_from_mesh.x, lane, dvec3(m[0]));
+  set(asked.world_from_mesh.y, lane, dvec3(m[1]));
+  set(asked.world_from_mesh.z, lane, dvec3(m[2]));
+  set(asked.world_from_mesh.constant, lane, dvec3(m[3]));
+  set(asked.origin_error.x, lane, info.origin_error.of_place[0]);
+  set(asked.origin_error.y, lane, info.origin_error.of_place[1]);
+  set(asked.origin_error.z, lane, info.origin_error.of_place[2]);
+  set(asked.origin_error.constant, lane, info.origin_error.constant);
+  asked.longest_edge[lane] = info.longest_edge;
+  asked.can_be_told[lane] = !info.is_shared || info.is_similar ? 1.0 : 0.0;
+}
+
+void tell(const Told& told, int lane, SurfelTriangle& triangle) {
+  triangle.corners = {get(told.corners[0], lane), get(told.corners[1], lane), get(told.corners[2], lane)};
+  triangle.normal = get(told.normal, lane);
+  for (std::size_t i = 0; i < 3; ++i) {
+    triangle.inwards[i] = get(told.inwards[i], lane);
+    triangle.heights[i] = told.heights[i][lane];
+    triangle.insets[i] = told.insets[i][lane];
+  }
+  triangle.offset = told.offset[lane];
+  triangle.clear_cosine = told.clear_cosine[lane];
+}
+
+void describe_up_to_four(const Tracer& tracer, SurfelTriangle* first, std::size_t count) {
+  Asked asked;
+  Told told;
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    ask(tracer, first[std::min(lane, count - 1)], static_cast<int>(lane), asked);
+  }
+  describe_four(asked, told);
+  for (std::size_t lane = 0; lane < count; ++lane) tell(told, static_cast<int>(lane), first[lane]);
 }
 
 }  // namespace
 
-void SurfelCache::fill(SurfelTriangle& slot, const Tracer& tracer, std::uint32_t instance, std::uint32_t id) {
-  slot = surfel_triangle(tracer, instance, id);
+void SurfelTable::describe() {
+  for (; described_ < size_; described_ = std::min(described_ + 4, size_)) {
+    describe_up_to_four(tracer_, &triangles_[described_], std::min<std::size_t>(4, size_ - described_));
+  }
 }
 
 dvec3 surface_point(const SurfelTriangle& t, const dvec3& position) {
   const dvec3 nearest = nearest_point(t.corners, position);
-  return t.twice_area > 0.0 ? inset_from_edges(t, nearest) : nearest;
+  return t.has_area() ? inset_from_edges(t, nearest) : nearest;
 }
 
 RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel) {
-  return origin_on(surfel_triangle(tracer, gbuffer.instance[pixel], gbuffer.triangle[pixel]), gbuffer, pixel);
+  SurfelTriangle triangle;
+  triangle.instance = gbuffer.instance[pixel];
+  triangle.id = gbuffer.triangle[pixel];
+  describe_up_to_four(tracer, &triangle, 1);
+  return origin_on(triangle, gbuffer, pixel);
 }
 
 }  // namespace umbrameter

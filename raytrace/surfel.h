@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "core/gbuffer.h"
 #include "raytrace/tracer.h"
@@ -10,13 +11,13 @@ namespace umbrameter {
 
 /// The exact surface point of a pixel and the step off it.
 struct RayOrigin {
-  dvec3 surface;      ///< the surfel projected onto its own triangle, a few offsets in from its edges, world
+  /// `offset` over the surfel's foot on its own triangle, which is a few offsets in from the edges; world.
+  dvec3 point;
   dvec3 normal;       ///< unit, of the triangle, on the side of the surfel's geometric normal
   double offset = 0;  ///< metres along the normal
   /// A ray at least this cosine off the normal's plane cannot meet its own triangle, however Embree rounds; above 1
   /// when nothing is known.
   double clear_cosine = 2;
-  dvec3 point() const { return surface + offset * normal; }
 };
 
 /// Whether a ray of that direction cannot meet its own triangle, by normal and clear_cosine of its RayOrigin.
@@ -29,31 +30,71 @@ double vertex_error(const Scene& scene, std::uint32_t instance, std::uint32_t tr
 
 /// What is the same for every pixel of a triangle.
 struct SurfelTriangle {
-  std::uint32_t instance = no_id;
-  std::uint32_t id = no_id;
+  std::uint32_t instance;
+  std::uint32_t id;
   Triangle corners;
-  double twice_area = 0;
-  dvec3 normal{0};                  ///< unit; zero where the triangle has no area
-  std::array<dvec3, 3> inwards{};   ///< unit, in the plane, off the edges that start at a, b and c
-  std::array<double, 3> heights{};  ///< metres over those edges
-  std::array<double, 3> insets{};   ///< metres that an origin keeps off those edges
-  double offset = 0;                ///< metres: RayOrigin::offset
-  double clear_cosine = 2;          ///< RayOrigin::clear_cosine
+  dvec3 normal;                   ///< unit; zero where the triangle has no area
+  std::array<dvec3, 3> inwards;   ///< unit, in the plane, off the edges that start at a, b and c
+  std::array<double, 3> heights;  ///< metres over those edges
+  std::array<double, 3> insets;   ///< metres that an origin keeps off those edges; infinite without an area
+  double offset;                  ///< metres: RayOrigin::offset
+  double clear_cosine;            ///< RayOrigin::clear_cosine
+  bool has_area() const { return normal != dvec3(0.0); }
 };
 
-/// The triangles that the pixels of a tile have met, of one scene.
-class SurfelCache {
+/// The triangles that the pixels of a tile have met. They are worked out many at a time where the caller can wait:
+/// most of that time is spent on reaching their corners, and so it is shared.
+class SurfelTable {
  public:
-  const SurfelTriangle& get(const Tracer& tracer, std::uint32_t instance, std::uint32_t id) {
-    SurfelTriangle& slot = slots_[(id + 29u * instance) % slots_.size()];
-    if (slot.instance != instance || slot.id != id) fill(slot, tracer, instance, id);
-    return slot;
+  using Place = std::uint16_t;
+  static constexpr std::size_t capacity = 512;
+
+  explicit SurfelTable(const Tracer& tracer) : tracer_(tracer) { clear(); }
+
+  /// Forgets all unless that many more triangles fit, up to capacity.
+  void make_room(std::size_t triangles) {
+    if (size_ + triangles > capacity) clear();
+  }
+  /// Where the triangle is in the table, after the next describe().
+  Place place_of(std::uint32_t instance, std::uint32_t id) {
+    const std::uint64_t key = (static_cast<std::uint64_t>(instance) << 32u) | id;
+    std::size_t bucket = (id + 29u * instance) % keys_.size();
+    for (; keys_[bucket] != key; bucket = (bucket + 1) % keys_.size()) {
+      if (keys_[bucket] != no_key) continue;
+      keys_[bucket] = key;
+      places_[bucket] = static_cast<Place>(size_);
+      triangles_[size_].instance = instance;
+      triangles_[size_].id = id;
+      ++size_;
+      break;
+    }
+    return places_[bucket];
+  }
+  void describe();
+  const SurfelTriangle& operator[](Place place) const { return triangles_[place]; }
+
+  /// All of that for one triangle.
+  const SurfelTriangle& get(std::uint32_t instance, std::uint32_t id) {
+    make_room(1);
+    const Place place = place_of(instance, id);
+    if (described_ < size_) describe();
+    return triangles_[place];
   }
 
  private:
-  static void fill(SurfelTriangle& slot, const Tracer& tracer, std::uint32_t instance, std::uint32_t id);
+  static constexpr std::uint64_t no_key = ~std::uint64_t{0};  // no_id twice
 
-  std::array<SurfelTriangle, 64> slots_;
+  void clear() {
+    size_ = described_ = 0;
+    keys_.fill(no_key);
+  }
+
+  const Tracer& tracer_;
+  std::size_t size_ = 0;
+  std::size_t described_ = 0;
+  std::array<std::uint64_t, 2 * capacity> keys_;  // at most half in use, so that a search is short
+  std::array<Place, 2 * capacity> places_;
+  std::array<SurfelTriangle, capacity> triangles_;  // the first size_ are in use
 };
 
 /// The point of the triangle that is nearest to a position, and as far in from its edges as an origin keeps.
@@ -74,16 +115,15 @@ inline RayOrigin origin_on(const SurfelTriangle& t, const GBuffer& gbuffer, std:
   RayOrigin origin;
   origin.offset = t.offset;
   origin.clear_cosine = t.clear_cosine;
-  if (!(t.twice_area > 0.0)) {
-    origin.normal = seen;
-    origin.surface = surface_point(t, position);
+  const dvec3 from_a = position - t.corners.a;
+  const double side = std::copysign(1.0, glm::dot(t.normal, seen));
+  origin.normal = side * t.normal;
+  if (is_well_within(t, from_a)) {  // most: then the triangle's nearest point is the foot of the perpendicular
+    origin.point = position + (side * t.offset - glm::dot(from_a, t.normal)) * t.normal;
     return origin;
   }
-  const dvec3 from_a = position - t.corners.a;
-  origin.normal = glm::dot(t.normal, seen) < 0.0 ? -t.normal : t.normal;
-  // Most surfels: then the triangle's nearest point is the foot of the perpendicular.
-  origin.surface =
-      is_well_within(t, from_a) ? position - glm::dot(from_a, t.normal) * t.normal : surface_point(t, position);
+  if (!t.has_area()) origin.normal = seen;
+  origin.point = surface_point(t, position) + t.offset * origin.normal;
   return origin;
 }
 
@@ -91,8 +131,8 @@ inline RayOrigin origin_on(const SurfelTriangle& t, const GBuffer& gbuffer, std:
 /// triangle.
 RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel);
 /// The same, faster where pixels share triangles.
-inline RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel, SurfelCache& cache) {
-  return origin_on(cache.get(tracer, gbuffer.instance[pixel], gbuffer.triangle[pixel]), gbuffer, pixel);
+inline RayOrigin ray_origin(const GBuffer& gbuffer, std::size_t pixel, SurfelTable& table) {
+  return origin_on(table.get(gbuffer.instance[pixel], gbuffer.triangle[pixel]), gbuffer, pixel);
 }
 
 }  // namespace umbrameter

@@ -92,10 +92,7 @@ NearestHit nearest_hit(RayQuery& query, const vec3& origin, const vec3& directio
   return {instance_of(hit.hit.instID[0], hit.hit.geomID), hit.hit.primID, hit.ray.tfar};
 }
 
-int occlusion_packet_width(const Tracer& tracer) {
-  const RTCDevice device = tracer.state().device.get();
-  return rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0 ? 16 : 8;
-}
+int occlusion_packet_width(const Tracer& tracer) { return tracer.state().takes_16_lanes ? 16 : 8; }
 
 std::string embree_version() { return RTC_VERSION_STRING; }
 
@@ -114,6 +111,7 @@ Tracer::Tracer(const Scene& scene, const Progress& progress) : state_(std::make_
   if (state.device == nullptr) {
     throw Error(ExitCode::no_backend, "Embree, start", "no device", "check that Embree fits this processor");
   }
+  state.takes_16_lanes = rtcGetDeviceProperty(state.device.get(), RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
   rtcSetDeviceMemoryMonitorFunction(state.device.get(), on_memory, &state.bytes);
   build(state, progress);
   state.statistics = {count(scene).triangles,

@@ -36,6 +36,7 @@ struct Tracer::State {
   std::atomic<std::int64_t> bytes{0};
   // In this order: scenes go before their device, the device before the counter that it reports to.
   DevicePtr device;
+  bool takes_16_lanes = false;        ///< Embree traces packets of sixteen as they are, not in parts
   std::vector<ScenePtr> mesh_scenes;  ///< by mesh; empty where the mesh is stored in world space
   ScenePtr top;                       ///< geometry id or instance id = index in Scene::instances
   std::vector<InstanceInfo> instances;

@@ -27,7 +27,7 @@ class Ways {
 
   ShadowRay from(const RayOrigin& origin) const {
     ShadowRay ray;
-    ray.origin = vec3(origin.point());
+    ray.origin = vec3(origin.point);
     if (is_distant_) {
       ray.direction = vec3(to_distant_);
       ray.reach = std::numeric_limits<float>::infinity();

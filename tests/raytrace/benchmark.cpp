@@ -217,7 +217,7 @@ GBuffer some_tiles(const GBuffer& gbuffer, std::size_t every) {
 Ready leaving(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel, RayOrigin& origin) {
   origin = ray_origin(tracer, gbuffer, pixel);
   Ready ray;
-  ray.origin = vec3(origin.point());
+  ray.origin = vec3(origin.point);
   ray.reach = std::numeric_limits<float>::infinity();
   ray.instance = gbuffer.instance[pixel];
   ray.triangle = gbuffer.triangle[pixel];
@@ -247,7 +247,7 @@ Rays towards_light(const Tracer& tracer, const GBuffer& gbuffer, const Light& li
     Ready ray = leaving(tracer, gbuffer, i, origin);
     dvec3 way = -light.axis();
     if (!std::holds_alternative<DirectionalLight>(light.shape)) {
-      way = light.position() - origin.point();
+      way = light.position() - origin.point;
       ray.reach = reach_to_light(glm::length(way));
     }
     if (!(glm::dot(dvec3(gbuffer.geometric_normal[i]), way) > 0.0)) continue;
