@@ -60,22 +60,21 @@ dvec3 inset_from_edges(const SurfelTriangle& t, dvec3 point) {
 
 // The triangles below are worked on four at a time: a number stands for four.
 using Four = double __attribute__((vector_size(32)));
-#define UMBRAMETER_INLINE [[gnu::always_inline]] inline
 
-UMBRAMETER_INLINE double absolute(double v) { return std::abs(v); }
-UMBRAMETER_INLINE double root(double v) { return std::sqrt(v); }
-UMBRAMETER_INLINE Four absolute(const Four& v) { return v < 0.0 ? -v : v; }
-UMBRAMETER_INLINE Four root(const Four& v) {
+UMBRAMETER_IN_VECTORS double absolute(double v) { return std::abs(v); }
+UMBRAMETER_IN_VECTORS double root(double v) { return std::sqrt(v); }
+UMBRAMETER_IN_VECTORS Four absolute(const Four& v) { return v < 0.0 ? -v : v; }
+UMBRAMETER_IN_VECTORS Four root(const Four& v) {
   Four result;
   for (int i = 0; i < 4; ++i) result[i] = std::sqrt(v[i]);
   return result;
 }
 template <class Real>
-UMBRAMETER_INLINE Real least(const Real& v, const Real& w) {
+UMBRAMETER_IN_VECTORS Real least(const Real& v, const Real& w) {
   return w < v ? w : v;
 }
 template <class Real>
-UMBRAMETER_INLINE Real greatest(const Real& v, const Real& w) {
+UMBRAMETER_IN_VECTORS Real greatest(const Real& v, const Real& w) {
   return v < w ? w : v;
 }
 
@@ -85,23 +84,23 @@ struct Vector {
   Real x, y, z;
 };
 template <class Real>
-UMBRAMETER_INLINE Vector<Real> operator-(const Vector<Real>& v, const Vector<Real>& w) {
+UMBRAMETER_IN_VECTORS Vector<Real> operator-(const Vector<Real>& v, const Vector<Real>& w) {
   return {v.x - w.x, v.y - w.y, v.z - w.z};
 }
 template <class Real>
-UMBRAMETER_INLINE Vector<Real> operator*(const Real& s, const Vector<Real>& v) {
+UMBRAMETER_IN_VECTORS Vector<Real> operator*(const Real& s, const Vector<Real>& v) {
   return {s * v.x, s * v.y, s * v.z};
 }
 template <class Real>
-UMBRAMETER_INLINE Real dot(const Vector<Real>& v, const Vector<Real>& w) {
+UMBRAMETER_IN_VECTORS Real dot(const Vector<Real>& v, const Vector<Real>& w) {
   return v.x * w.x + v.y * w.y + v.z * w.z;
 }
 template <class Real>
-UMBRAMETER_INLINE Vector<Real> cross(const Vector<Real>& v, const Vector<Real>& w) {
+UMBRAMETER_IN_VECTORS Vector<Real> cross(const Vector<Real>& v, const Vector<Real>& w) {
   return {v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
 }
 template <class Real>
-UMBRAMETER_INLINE Vector<Real> absolute(const Vector<Real>& v) {
+UMBRAMETER_IN_VECTORS Vector<Real> absolute(const Vector<Real>& v) {
   return {absolute(v.x), absolute(v.y), absolute(v.z)};
 }
 
@@ -111,11 +110,11 @@ struct Transform {
   Vector<Real> x, y, z, constant;
 };
 template <class Real>
-UMBRAMETER_INLINE Transform<Real> absolute(const Transform<Real>& m) {
+UMBRAMETER_IN_VECTORS Transform<Real> absolute(const Transform<Real>& m) {
   return {absolute(m.x), absolute(m.y), absolute(m.z), absolute(m.constant)};
 }
 template <class Real>
-UMBRAMETER_INLINE Vector<Real> operator*(const Transform<Real>& m, const Vector<Real>& v) {
+UMBRAMETER_IN_VECTORS Vector<Real> operator*(const Transform<Real>& m, const Vector<Real>& v) {
   return {m.x.x * v.x + m.y.x * v.y + (m.z.x * v.z + m.constant.x),
           m.x.y * v.x + m.y.y * v.y + (m.z.y * v.z + m.constant.y),
           m.x.z * v.x + m.y.z * v.y + (m.z.z * v.z + m.constant.z)};
@@ -125,7 +124,7 @@ template <class Real>
 using Corners = std::array<Vector<Real>, 3>;
 
 template <class Real>
-UMBRAMETER_INLINE Real greatest_length(const Corners<Real>& c) {
+UMBRAMETER_IN_VECTORS Real greatest_length(const Corners<Real>& c) {
   return root(greatest(greatest(dot(c[0], c[0]), dot(c[1], c[1])), dot(c[2], c[2])));
 }
 
@@ -143,7 +142,7 @@ struct SideError {
 //   edges and their cross product are rounded: 2u·s·L and 3u·s·L of N (u and γ(n) as at half_ulp)
 //   the dot product: 4u of its factors' lengths
 // A quarter more is for an origin beside the triangle by an eighth of its least height. Infinite without an area.
-UMBRAMETER_INLINE SideError side_error(const Four& shortest, const Four& longest, const Four& twice_area) {
+UMBRAMETER_IN_VECTORS SideError side_error(const Four& shortest, const Four& longest, const Four& twice_area) {
   const Four by_height = longest / twice_area;
   const Four turn = 5.0 * half_ulp * shortest * by_height + 4.0 * half_ulp;
   return {1.25 * (turn * longest + half_ulp * longest), 1.25 * (turn + 2.0 * half_ulp * longest * by_height)};
@@ -151,7 +150,7 @@ UMBRAMETER_INLINE SideError side_error(const Four& shortest, const Four& longest
 
 // The errors that grow with the origin's place, on any point of the triangle: both are lengths of functions that are
 // convex along any line, and so nowhere more than at one of the corners.
-UMBRAMETER_INLINE Four place_error(const Corners<Four>& world, const Transform<Four>& origin_error) {
+UMBRAMETER_IN_VECTORS Four place_error(const Corners<Four>& world, const Transform<Four>& origin_error) {
   const Corners<Four> moved{origin_error * absolute(world[0]), origin_error * absolute(world[1]),
                             origin_error * absolute(world[2])};
   return half_ulp * greatest_length(world) + greatest_length(moved);
@@ -160,7 +159,7 @@ UMBRAMETER_INLINE Four place_error(const Corners<Four>& world, const Transform<F
 // File coordinates p and the translation t are floats that were rounded once, |M|·|p| + |t| to first order; storing the
 // world position as a float rounds once more.
 template <class Real>
-UMBRAMETER_INLINE Real vertex_error(const Transform<Real>& world_from_mesh, const Corners<Real>& in_mesh) {
+UMBRAMETER_IN_VECTORS Real vertex_error(const Transform<Real>& world_from_mesh, const Corners<Real>& in_mesh) {
   const Transform<Real> m = absolute(world_from_mesh);
   return 2.0 * half_ulp *
          greatest_length(Corners<Real>{m * absolute(in_mesh[0]), m * absolute(in_mesh[1]), m * absolute(in_mesh[2])});
@@ -193,8 +192,8 @@ struct Asked {
 struct Told {
   Corners<Four> corners, inwards;
   Vector<Four> normal;
-  std::array<Four, 3> heights, insets;
-  Four offset, clear_cosine;
+  std::array<Four, 3> insets;
+  Four height, offset, clear_cosine;
 };
 
 // The step along the normal is for triangles in the same plane, which must not be hit although they, the ray and the
@@ -240,11 +239,12 @@ UMBRAMETER_VECTORS void describe_four(const Asked& asked, Told& told) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Four by_length = has_area ? 1.0 / lengths[i] : zero;
     told.inwards[i] = by_length * cross(told.normal, edges[i]);
-    told.heights[i] = twice_area * by_length;
+    const Four height = twice_area * by_length;
+    if (i == 1) told.height = height;
     // Room for an origin that stands `offset` high and is off by as much, under neighbours that rise at 28 degrees or
     // more: 4 ≥ cot(28° / 2). Where the triangle is thin, a third of the way to the opposite corner.
     told.insets[i] =
-        has_area ? least(4.0 * offset, told.heights[i] * (1.0 / 3.0)) : zero + std::numeric_limits<double>::infinity();
+        has_area ? least(4.0 * offset, height * (1.0 / 3.0)) : zero + std::numeric_limits<double>::infinity();
   }
 }
 
@@ -279,9 +279,9 @@ void tell(const Told& told, int lane, SurfelTriangle& triangle) {
   triangle.normal = get(told.normal, lane);
   for (std::size_t i = 0; i < 3; ++i) {
     triangle.inwards[i] = get(told.inwards[i], lane);
-    triangle.heights[i] = told.heights[i][lane];
     triangle.insets[i] = told.insets[i][lane];
   }
+  triangle.height = told.height[lane];
   triangle.offset = told.offset[lane];
   triangle.clear_cosine = told.clear_cosine[lane];
 }

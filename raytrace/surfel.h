@@ -33,17 +33,17 @@ struct SurfelTriangle {
   std::uint32_t instance;
   std::uint32_t id;
   Triangle corners;
-  dvec3 normal;                   ///< unit; zero where the triangle has no area
-  std::array<dvec3, 3> inwards;   ///< unit, in the plane, off the edges that start at a, b and c
-  std::array<double, 3> heights;  ///< metres over those edges
-  std::array<double, 3> insets;   ///< metres that an origin keeps off those edges; infinite without an area
-  double offset;                  ///< metres: RayOrigin::offset
-  double clear_cosine;            ///< RayOrigin::clear_cosine
+  dvec3 normal;                  ///< unit; zero where the triangle has no area
+  std::array<dvec3, 3> inwards;  ///< unit, in the plane, off the edges that start at a, b and c
+  double height;                 ///< of a over the edge that starts at b, metres
+  std::array<double, 3> insets;  ///< metres that an origin keeps off those edges; infinite without an area
+  double offset;                 ///< metres: RayOrigin::offset
+  double clear_cosine;           ///< RayOrigin::clear_cosine
   bool has_area() const { return normal != dvec3(0.0); }
 };
 
-/// The triangles that the pixels of a tile have met. They are worked out many at a time where the caller can wait:
-/// most of that time is spent on reaching their corners, and so it is shared.
+/// The triangles that the pixels of a tile have met. Described many at a time, where the caller can wait, one takes
+/// less than half as long.
 class SurfelTable {
  public:
   using Place = std::uint16_t;
@@ -55,7 +55,7 @@ class SurfelTable {
   void make_room(std::size_t triangles) {
     if (size_ + triangles > capacity) clear();
   }
-  /// Where the triangle is in the table, after the next describe().
+  /// Where the triangle is in the table; there is room, and it is described by the next describe().
   Place place_of(std::uint32_t instance, std::uint32_t id) {
     const std::uint64_t key = (static_cast<std::uint64_t>(instance) << 32u) | id;
     std::size_t bucket = (id + 29u * instance) % keys_.size();
@@ -103,7 +103,7 @@ dvec3 surface_point(const SurfelTriangle& t, const dvec3& position);
 /// Whether a point, seen from corner a, stands over the triangle and that far in.
 inline bool is_well_within(const SurfelTriangle& t, const dvec3& from_a) {
   const bool over_ab = glm::dot(from_a, t.inwards[0]) >= t.insets[0];
-  const bool over_bc = glm::dot(from_a, t.inwards[1]) + t.heights[1] >= t.insets[1];
+  const bool over_bc = glm::dot(from_a, t.inwards[1]) + t.height >= t.insets[1];
   const bool over_ca = glm::dot(from_a, t.inwards[2]) >= t.insets[2];
   return over_ab & over_bc & over_ca;
 }

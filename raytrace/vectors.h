@@ -12,3 +12,6 @@
 #else
 #define UMBRAMETER_VECTORS
 #endif
+
+/// Before what such a function calls: it is compiled with its caller, for the same processor.
+#define UMBRAMETER_IN_VECTORS [[gnu::always_inline]] inline
