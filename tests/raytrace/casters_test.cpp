@@ -2,9 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "raytrace/surfel.h"
+#include "scenes/builtin.h"
+#include "scenes/light_frame.h"
 #include "scenes/view.h"
 #include "tests/support/shapes.h"
 
@@ -41,6 +48,36 @@ TEST(Casters, Are_there_exactly_where_the_truth_is_blocked) {
   EXPECT_GT(blocked, 100u);
   // Floor and lid fill the image, and both are turned to the sun.
   EXPECT_EQ(casters.rays, 64u * 64u);
+}
+
+// Casters are looked for ray by ray, along with what their triangles need; the truth describes the triangles of a strip
+// together, and tells Embree that its rays are alike.
+TEST(Casters, Are_there_exactly_where_the_truth_is_blocked_in_rich_scenes) {
+  std::size_t most_triangles = 0;
+  for (const char* name : {"courtyard", "foliage", "city:100k"}) {
+    const Scene scene = load_scene(name);
+    const Tracer tracer(scene);
+    std::vector<std::string> notes;
+    const GBuffer gbuffer = trace_gbuffer(tracer, {320, 180, select_camera(scene, "", 16.0 / 9.0, notes)});
+    for (const Light& light : scene.lights) {
+      const Image<float> truth = trace_visibility(tracer, gbuffer, light).visibility;
+      const TracedCasters casters = trace_casters(tracer, gbuffer, light);
+      std::size_t different = 0;
+      for (std::size_t i = 0; i < truth.size(); ++i) {
+        if (!gbuffer.is_surface(i) || !faces(light, dvec3(gbuffer.position[i]), dvec3(gbuffer.geometric_normal[i]))) {
+          continue;
+        }
+        different += (casters.instance[i] != no_id) == (truth[i] == 0.0f) ? 0u : 1u;
+      }
+      EXPECT_EQ(different, 0u) << name << ", " << light.name;
+    }
+    std::set<std::pair<std::uint32_t, std::uint32_t>> triangles;
+    for (int y = 64; y < 128; ++y) {
+      for (int x = 64; x < 128; ++x) triangles.emplace(gbuffer.instance.at(x, y), gbuffer.triangle.at(x, y));
+    }
+    most_triangles = std::max(most_triangles, triangles.size());
+  }
+  EXPECT_GT(most_triangles, SurfelTable::capacity);  // or no tile has more than can be remembered
 }
 
 TEST(Casters, What_is_turned_away_takes_no_ray_and_has_no_caster) {
