@@ -141,7 +141,8 @@ struct SideError {
 //   turns by 2u·L over the triangle's least height |N| / L
 //   edges and their cross product are rounded: 2u·s·L and 3u·s·L of N (u and γ(n) as at half_ulp)
 //   the dot product: 4u of its factors' lengths
-// A quarter more is for an origin beside the triangle by an eighth of its least height. Infinite without an area.
+// A quarter more is for an origin beside the triangle by an eighth of its least height. Without an area neither is a
+// number.
 UMBRAMETER_IN_VECTORS SideError side_error(const Four& shortest, const Four& longest, const Four& twice_area) {
   const Four by_height = longest / twice_area;
   const Four turn = 5.0 * half_ulp * shortest * by_height + 4.0 * half_ulp;
@@ -287,11 +288,9 @@ void tell(const Told& told, int lane, SurfelTriangle& triangle) {
 }
 
 void describe_up_to_four(const Tracer& tracer, SurfelTriangle* first, std::size_t count) {
-  Asked asked;
+  Asked asked{};
   Told told;
-  for (std::size_t lane = 0; lane < 4; ++lane) {
-    ask(tracer, first[std::min(lane, count - 1)], static_cast<int>(lane), asked);
-  }
+  for (std::size_t lane = 0; lane < count; ++lane) ask(tracer, first[lane], static_cast<int>(lane), asked);
   describe_four(asked, told);
   for (std::size_t lane = 0; lane < count; ++lane) tell(told, static_cast<int>(lane), first[lane]);
 }

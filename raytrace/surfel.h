@@ -1,4 +1,4 @@
-// From a G-buffer pixel to the point that its rays leave from. For raytrace/*.cpp alone.
+// From a G-buffer pixel to the point that its rays leave from. For raytrace/*.cpp and tests.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Loops over arrays, compiled for several generations of vector units. For raytrace/*.cpp alone.
+// Work on many numbers at once, compiled for several generations of vector units. For raytrace/*.cpp alone.
 #pragma once
 
 #include <cstddef>  // any standard header tells whether this is glibc, which can make the choice

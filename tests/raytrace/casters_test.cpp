@@ -50,8 +50,8 @@ TEST(Casters, Are_there_exactly_where_the_truth_is_blocked) {
   EXPECT_EQ(casters.rays, 64u * 64u);
 }
 
-// Casters are looked for ray by ray, along with what their triangles need; the truth describes the triangles of a strip
-// together, and tells Embree that its rays are alike.
+// Two ways to the same answer: here triangles are described one by one and rays go to their nearest hits; the truth
+// describes all triangles of a strip together, and on some processors tells Embree that its rays are alike.
 TEST(Casters, Are_there_exactly_where_the_truth_is_blocked_in_rich_scenes) {
   std::size_t most_triangles = 0;
   for (const char* name : {"courtyard", "foliage", "city:100k"}) {
