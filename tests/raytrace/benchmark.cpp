@@ -1,5 +1,6 @@
 // How fast the tracer is beside plain use of Embree on the same scene: umbrameter_raytrace_benchmark [SCENE] [--quick].
-// All ways are run in turn, and a ratio is taken within each turn, so that a busy machine slows all of them alike.
+// All ways are run in turn, part by part, and a ratio is taken within each turn, so that a busy machine slows all of
+// them alike. The last ratio is of each part's least times: what is left where others on the machine let us.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +35,7 @@ struct Setup {
   int turns = 5;
   int shadow_turns = 25;        // they are short
   std::size_t every_tile = 16;  // AO is traced in one tile of this many, at the full image's density
+  std::size_t ao_parts = 8;     // on one thread
 };
 
 /// A ray in memory, ready to go.
@@ -114,24 +117,26 @@ std::uint64_t count_open_in_packets(const Tracer::State& state, RTCScene scene, 
 /// One way to trace the rays of a task.
 struct Way {
   std::string name;
-  std::function<void()> trace;                ///< is timed
-  std::function<std::uint64_t()> count_open;  ///< the rays that met nothing; is not
-  std::vector<double> seconds;
+  std::function<void(std::size_t part)> trace;                ///< is timed
+  std::function<std::uint64_t(std::size_t part)> count_open;  ///< the rays just traced that met nothing; is not
+  std::vector<double> seconds{};                              ///< of each turn
+  std::vector<double> least_seconds{};                        ///< of each part
   std::uint64_t open = 0;
 };
 
 using Count = std::uint64_t (*)(const Tracer::State&, RTCScene, const Ready*, std::size_t);
 
-Way plain(std::string name, Count count, const Tracer::State& state, RTCScene scene, const Rays& rays) {
+Way plain(std::string name, Count count, const Tracer::State& state, RTCScene scene, const std::vector<Rays>& parts) {
   const auto open = std::make_shared<std::atomic<std::uint64_t>>(0);
-  const auto run = [open, count, &state, scene, &rays] {
+  const auto run = [open, count, &state, scene, &parts](std::size_t part) {
     constexpr std::size_t chunk = 1u << 14u;
+    const Rays& rays = parts[part];
     *open = 0;
     parallel_for((rays.size() + chunk - 1) / chunk, [&](std::size_t i) {
       *open += count(state, scene, rays.data() + i * chunk, std::min(chunk, rays.size() - i * chunk));
     });
   };
-  return {std::move(name), run, [open] { return open->load(); }, {}, 0};
+  return {std::move(name), run, [open](std::size_t) { return open->load(); }};
 }
 
 double median(std::vector<double> values) {
@@ -145,26 +150,40 @@ std::vector<double> ratios(const Way& slow, const Way& fast) {
   return ratio;
 }
 
+double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
 // The first way is the measure, the last one ours.
-void report(const std::string& task, std::vector<Way>& ways, double rays, int turns, bool on_all_threads) {
+void report(const std::string& task, std::vector<Way>& ways, const std::vector<Rays>& parts, int turns,
+            bool on_all_threads) {
+  for (Way& way : ways) way.least_seconds.assign(parts.size(), std::numeric_limits<double>::infinity());
   for (int turn = 0; turn < turns; ++turn) {
     for (Way& way : ways) {
-      const auto start = std::chrono::steady_clock::now();
-      const double cpu = cpu_seconds();
-      way.trace();
-      const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-      // One thread is timed by what it ran, whatever else the machine does.
-      way.seconds.push_back(on_all_threads ? wall.count() : cpu_seconds() - cpu);
-      way.open = way.count_open();
+      way.seconds.push_back(0.0);
+      way.open = 0;
+    }
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+      for (Way& way : ways) {
+        const auto start = std::chrono::steady_clock::now();
+        const double cpu = cpu_seconds();
+        way.trace(part);
+        const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+        // One thread is timed by what it ran, whatever else the machine does.
+        const double seconds = on_all_threads ? wall.count() : cpu_seconds() - cpu;
+        way.seconds.back() += seconds;
+        way.least_seconds[part] = std::min(way.least_seconds[part], seconds);
+        way.open += way.count_open(part);
+      }
     }
   }
+  double rays = 0.0;
+  for (const Rays& part : parts) rays += static_cast<double>(part.size());
   fmt::print("{}, {:.1f} M rays, {}\n", task, rays * 1e-6, on_all_threads ? "all threads" : "one thread");
   for (const Way& way : ways) {
     const auto against_first = ratios(ways.front(), way);
     const auto [least, most] = std::minmax_element(against_first.begin(), against_first.end());
-    fmt::print("  {:<44} {:8.2f} Mray/s   {:.2f} times the first ({:.2f} to {:.2f})   {:.4f} open\n", way.name,
-               rays * 1e-6 / median(way.seconds), median(against_first), *least, *most,
-               static_cast<double>(way.open) / rays);
+    fmt::print("  {:<44} {:8.2f} Mray/s   {:.2f} times the first ({:.2f} to {:.2f}; at best {:.2f})   {:.4f} open\n",
+               way.name, rays * 1e-6 / median(way.seconds), median(against_first), *least, *most,
+               sum(ways.front().least_seconds) / sum(way.least_seconds), static_cast<double>(way.open) / rays);
   }
   const double first = static_cast<double>(ways.front().open);
   for (const Way& way : ways) {
@@ -188,15 +207,24 @@ ScenePtr default_scene(const Tracer::State& state) {
 
 constexpr int tile_side = 16;
 
-// One tile of each so many in reading order, one below the other: as dense as in the whole image.
-GBuffer some_tiles(const GBuffer& gbuffer, std::size_t every) {
-  std::vector<std::pair<int, int>> corners;
+using Corner = std::pair<int, int>;
+
+// One tile of each so many in reading order, dealt out to so many parts.
+std::vector<std::vector<Corner>> some_tiles(const GBuffer& gbuffer, std::size_t every, std::size_t parts) {
+  std::vector<std::vector<Corner>> corners(parts);
   std::size_t tile = 0;
+  std::size_t taken = 0;
   for (int y = 0; y + tile_side <= gbuffer.height; y += tile_side) {
     for (int x = 0; x + tile_side <= gbuffer.width; x += tile_side, ++tile) {
-      if (tile % every == hash(static_cast<std::uint32_t>(tile / every)) % every) corners.emplace_back(x, y);
+      if (tile % every != hash(static_cast<std::uint32_t>(tile / every)) % every) continue;
+      corners[taken++ % parts].emplace_back(x, y);
     }
   }
+  return corners;
+}
+
+// One below the other: as dense as in the whole image.
+GBuffer cut_out(const GBuffer& gbuffer, const std::vector<Corner>& corners) {
   GBuffer tiles(tile_side, tile_side * static_cast<int>(corners.size()));
   for (std::size_t t = 0; t < corners.size(); ++t) {
     for (int y = 0; y < tile_side; ++y) {
@@ -267,9 +295,9 @@ void run(const std::string& name, const Setup& setup) {
   const ScenePtr defaults = default_scene(state);
   const GBuffer gbuffer = trace_gbuffer(tracer, {setup.width, setup.height, select_camera(scene, "", aspect, notes)});
   fmt::print("{}: {} triangles, Embree {}\n", name, tracer.build_statistics().triangles, embree_version());
-  const Rays shadow = towards_light(tracer, gbuffer, scene.lights.front());
+  const std::vector<Rays> shadow{towards_light(tracer, gbuffer, scene.lights.front())};
   TracedVisibility lit;
-  const auto count_lit = [&] {
+  const auto count_lit = [&](std::size_t) {
     std::uint64_t count = 0;
     for (std::size_t i = 0; i < lit.visibility.size(); ++i) {
       if (gbuffer.is_surface(i) && lit.visibility[i] > 0.5f) ++count;
@@ -278,40 +306,43 @@ void run(const std::string& name, const Setup& setup) {
   };
   for (const bool on_all_threads : {false, true}) {
     const ThreadLimit limit(on_all_threads ? 0 : 1);
-    std::vector<Way> ways{plain("one ray at a time, ready-made", &count_open, state, state.top.get(), shadow),
-                          plain("  the same, Embree's default flags", &count_open, state, defaults.get(), shadow),
-                          {"shadow rays, everything",
-                           [&] { lit = trace_visibility(tracer, gbuffer, scene.lights.front()); },
-                           count_lit,
-                           {},
-                           0}};
-    report("shadow rays", ways, static_cast<double>(shadow.size()), setup.shadow_turns, on_all_threads);
+    std::vector<Way> ways{
+        plain("one ray at a time, ready-made", &count_open, state, state.top.get(), shadow),
+        plain("  the same, Embree's default flags", &count_open, state, defaults.get(), shadow),
+        {"shadow rays, everything", [&](std::size_t) { lit = trace_visibility(tracer, gbuffer, scene.lights.front()); },
+         count_lit}};
+    report("shadow rays", ways, shadow, setup.shadow_turns, on_all_threads);
   }
 
-  const GBuffer tiles = some_tiles(gbuffer, setup.every_tile);
-  const Rays hemisphere = random_directions(tracer, tiles, setup.spp);
   TruthParams params;
   params.spp = setup.spp;
   params.tolerance = 0.0;
-  TracedAo traced;
-  const auto count_rays = [&] {
-    double open = 0.0;
-    for (std::size_t i = 0; i < traced.ao.size(); ++i) {
-      if (tiles.is_surface(i)) open += static_cast<double>(traced.ao[i]) * setup.spp;
-    }
-    return static_cast<std::uint64_t>(open + 0.5);
-  };
   for (const bool on_all_threads : {false, true}) {
     const ThreadLimit limit(on_all_threads ? 0 : 1);
+    std::vector<GBuffer> tiles;
+    std::vector<Rays> hemisphere;
+    // All threads need many tiles at a time.
+    for (const auto& corners : some_tiles(gbuffer, setup.every_tile, on_all_threads ? 1 : setup.ao_parts)) {
+      tiles.push_back(cut_out(gbuffer, corners));
+      hemisphere.push_back(random_directions(tracer, tiles.back(), setup.spp));
+    }
+    TracedAo traced;
+    const auto count_rays = [&](std::size_t part) {
+      double open = 0.0;
+      for (std::size_t i = 0; i < traced.ao.size(); ++i) {
+        if (tiles[part].is_surface(i)) open += static_cast<double>(traced.ao[i]) * setup.spp;
+      }
+      return static_cast<std::uint64_t>(open + 0.5);
+    };
     const RTCScene top = state.top.get();
-    std::vector<Way> ways{
-        plain("one ray at a time, ready-made", &count_open, state, top, hemisphere),
-        plain("  the same, Embree's default flags", &count_open, state, defaults.get(), hemisphere),
-        plain("packets of 4, ready-made", &count_open_in_packets<4>, state, top, hemisphere),
-        plain("packets of 8, ready-made", &count_open_in_packets<8>, state, top, hemisphere),
-        plain("packets of 16, ready-made", &count_open_in_packets<16>, state, top, hemisphere),
-        {"ambient occlusion, everything", [&] { traced = trace_ao(tracer, tiles, params, 1); }, count_rays, {}, 0}};
-    report("ambient occlusion", ways, static_cast<double>(hemisphere.size()), setup.turns, on_all_threads);
+    std::vector<Way> ways{plain("one ray at a time, ready-made", &count_open, state, top, hemisphere),
+                          plain("  the same, Embree's default flags", &count_open, state, defaults.get(), hemisphere),
+                          plain("packets of 4, ready-made", &count_open_in_packets<4>, state, top, hemisphere),
+                          plain("packets of 8, ready-made", &count_open_in_packets<8>, state, top, hemisphere),
+                          plain("packets of 16, ready-made", &count_open_in_packets<16>, state, top, hemisphere),
+                          {"ambient occlusion, everything",
+                           [&](std::size_t part) { traced = trace_ao(tracer, tiles[part], params, 1); }, count_rays}};
+    report("ambient occlusion", ways, hemisphere, setup.turns, on_all_threads);
   }
 }
 
@@ -319,5 +350,5 @@ void run(const std::string& name, const Setup& setup) {
 }  // namespace umbrameter
 
 int main(int argc, char** argv) {
-  return umbrameter::benchmark_main<umbrameter::Setup>(argc, argv, {96, 54, 16, 1, 1, 4}, &umbrameter::run);
+  return umbrameter::benchmark_main<umbrameter::Setup>(argc, argv, {96, 54, 16, 1, 1, 4, 2}, &umbrameter::run);
 }
