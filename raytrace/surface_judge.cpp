@@ -35,7 +35,7 @@ class Judge {
   Judge(const Tracer& tracer, const LightFrame& frame)
       : tracer_(tracer), frame_(frame), world_from_light_(glm::inverse(frame.light_from_world)) {
     const std::vector<InstanceInfo>& instances = tracer.state().instances;
-    has_masks_ = std::any_of(instances.begin(), instances.end(), [](const auto& info) { return info.is_masked; });
+    has_masks_ = std::any_of(instances.begin(), instances.end(), [](const auto& info) { return info.mask != nullptr; });
   }
 
   // Asked of receivers that the truth calls lit: the light sees the receiver, so that a sample on its surface is joined

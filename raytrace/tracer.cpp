@@ -1,7 +1,9 @@
 #include "raytrace/tracer.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "core/error.h"
@@ -16,51 +18,46 @@ bool on_memory(void* counter, ssize_t bytes, bool /*after*/) {
   return true;
 }
 
-struct FilteredHit {
-  std::uint32_t instance;
-  std::uint32_t triangle;
-  vec2 barycentric;
-};
-
-bool is_masked_out(const Scene& scene, const FilteredHit& hit) {
-  const Mesh& mesh = scene.meshes[scene.instances[hit.instance].mesh];
-  const Material& material = scene.materials[mesh.material];
-  vec2 texcoord(0);
-  if (!mesh.texcoords.empty()) {
-    const uvec3 v = mesh.triangles[hit.triangle];
-    texcoord = (1.0f - hit.barycentric.x - hit.barycentric.y) * mesh.texcoords[v.x] +
-               hit.barycentric.x * mesh.texcoords[v.y] + hit.barycentric.y * mesh.texcoords[v.z];
-  }
-  return alpha_at(scene, material, texcoord) < material.alpha_cutoff;
+bool shows_back(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, const dvec3& direction) {
+  const Triangle t = world_triangle(scene, instance, triangle);
+  const bool turns_away = glm::dot(glm::cross(t.b - t.a, t.c - t.a), direction) > 0.0;
+  return turns_away != is_mirrored(scene.instances[instance].world_from_mesh);
 }
 
-bool shows_back(const Scene& scene, const FilteredHit& hit, const dvec3& direction) {
-  const Triangle t = world_triangle(scene, hit.instance, hit.triangle);
-  const bool turns_away = glm::dot(glm::cross(t.b - t.a, t.c - t.a), direction) > 0.0;
-  return turns_away != is_mirrored(scene.instances[hit.instance].world_from_mesh);
+bool counts(const RTCFilterFunctionNArguments& arguments, const RayQuery& query, unsigned i) {
+  const unsigned n = arguments.N;
+  const std::uint32_t instance =
+      instance_of(RTCHitN_instID(arguments.hit, n, i, 0), RTCHitN_geomID(arguments.hit, n, i));
+  const std::uint32_t triangle = RTCHitN_primID(arguments.hit, n, i);
+  const InstanceInfo& info = query.state->instances[instance];
+  if (query.is_primary) {
+    if (info.culls_back && shows_back(query.state->scene, instance, triangle, query.primary_direction)) return false;
+  } else {
+    const unsigned lane = RTCRayN_id(arguments.ray, n, i);
+    if (instance == query.own_instance[lane] && triangle == query.own_triangle[lane]) return false;
+  }
+  return info.mask == nullptr ||
+         info.mask->is_there(triangle, {RTCHitN_u(arguments.hit, n, i), RTCHitN_v(arguments.hit, n, i)});
+}
+
+// Of 4, 8 or 16 lanes Embree mostly asks about one: four at a time are passed over.
+bool are_idle(const int* four) {
+  std::uint64_t halves[2];
+  std::memcpy(halves, four, sizeof(halves));
+  return (halves[0] | halves[1]) == 0;
 }
 
 }  // namespace
 
 void filter_hit(const RTCFilterFunctionNArguments* arguments) {
-  const auto* query = reinterpret_cast<const RayQuery*>(arguments->context);
-  const Tracer::State& state = *query->state;
+  const auto& query = *reinterpret_cast<const RayQuery*>(arguments->context);
   const unsigned n = arguments->N;
-  for (unsigned i = 0; i < n; ++i) {
-    if (arguments->valid[i] != -1) continue;
-    const FilteredHit hit{instance_of(RTCHitN_instID(arguments->hit, n, i, 0), RTCHitN_geomID(arguments->hit, n, i)),
-                          RTCHitN_primID(arguments->hit, n, i),
-                          {RTCHitN_u(arguments->hit, n, i), RTCHitN_v(arguments->hit, n, i)}};
-    const InstanceInfo& info = state.instances[hit.instance];
-    const unsigned lane = RTCRayN_id(arguments->ray, n, i);
-    bool counts = true;
-    if (query->is_primary) {
-      counts = !info.culls_back || !shows_back(state.scene, hit, query->primary_direction);
-    } else {
-      counts = hit.instance != query->own_instance[lane] || hit.triangle != query->own_triangle[lane];
+  constexpr unsigned step = 4;
+  for (unsigned first = 0; first < n; first += step) {
+    if (n >= step && are_idle(arguments->valid + first)) continue;
+    for (unsigned i = first; i < std::min(first + step, n); ++i) {
+      if (arguments->valid[i] == -1 && !counts(*arguments, query, i)) arguments->valid[i] = 0;
     }
-    if (counts && info.is_masked) counts = !is_masked_out(state.scene, hit);
-    if (!counts) arguments->valid[i] = 0;
   }
 }
 

@@ -90,6 +90,23 @@ void attach(RTCDevice device, RTCScene target, unsigned id, RTCGeometry geometry
   check(device, "geometry");
 }
 
+bool is_masked(const Scene& scene, const Mesh& mesh) {
+  return scene.materials[mesh.material].alpha_mode == AlphaMode::mask;
+}
+
+void make_masks(Tracer::State& state) {
+  const Scene& scene = state.scene;
+  state.alpha_masks.resize(scene.materials.size());
+  state.mesh_masks.resize(scene.meshes.size());
+  for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+    const Mesh& mesh = scene.meshes[m];
+    if (!is_masked(scene, mesh)) continue;
+    std::unique_ptr<AlphaMask>& mask = state.alpha_masks[mesh.material];
+    if (mask == nullptr) mask = std::make_unique<AlphaMask>(scene, scene.materials[mesh.material]);
+    state.mesh_masks[m] = std::make_unique<MeshMask>(mesh, *mask);
+  }
+}
+
 void attach_mesh(const Tracer::State& state, RTCScene target, unsigned id, const Mesh& mesh,
                  const dmat4& world_from_mesh) {
   const RTCDevice device = state.device.get();
@@ -97,7 +114,7 @@ void attach_mesh(const Tracer::State& state, RTCScene target, unsigned id, const
   set_vertices(device, geometry.get(), mesh.positions, world_from_mesh);
   rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
                              sizeof(uvec3), mesh.triangles.size());
-  if (state.scene.materials[mesh.material].alpha_mode == AlphaMode::mask) {
+  if (is_masked(state.scene, mesh)) {
     rtcSetGeometryOccludedFilterFunction(geometry.get(), filter_hit);
     rtcSetGeometryIntersectFilterFunction(geometry.get(), filter_hit);
   }
@@ -141,6 +158,7 @@ void check(RTCDevice device, const char* step) {
 void build(Tracer::State& state, const Progress& progress) {
   const Scene& scene = state.scene;
   const RTCDevice device = state.device.get();
+  make_masks(state);
   std::vector<std::uint32_t> uses(scene.meshes.size(), 0);
   for (const Instance& instance : scene.instances) ++uses[instance.mesh];
   BuildProgress all{progress, 0.0, 0.0, {}};
@@ -167,13 +185,12 @@ void build(Tracer::State& state, const Progress& progress) {
     const Instance& instance = scene.instances[i];
     const Mesh& mesh = scene.meshes[instance.mesh];
     if (mesh.triangles.empty()) return;
-    const Material& material = scene.materials[mesh.material];
     const RTCScene shared = state.mesh_scenes[instance.mesh].get();
     const auto id = static_cast<unsigned>(i);
     InstanceInfo& info = state.instances[i];
     info.is_shared = shared != nullptr;
-    info.is_masked = material.alpha_mode == AlphaMode::mask;
-    info.culls_back = !material.double_sided;
+    info.mask = state.mesh_masks[instance.mesh].get();
+    info.culls_back = !scene.materials[mesh.material].double_sided;
     if (shared != nullptr) {
       info.is_similar = is_similarity(instance.world_from_mesh);
       info.origin_error = origin_error(instance.world_from_mesh);

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "raytrace/alpha_mask.h"
 #include "raytrace/embree.h"
 #include "raytrace/placement.h"
 #include "raytrace/tracer.h"
@@ -23,11 +24,11 @@ using ScenePtr = std::unique_ptr<std::remove_pointer_t<RTCScene>, SceneDeleter>;
 
 struct InstanceInfo {
   bool is_shared = false;  ///< its mesh has an acceleration structure of its own; else it is stored in world space
-  bool is_masked = false;
-  bool culls_back = false;    ///< primary rays pass through its back faces
-  bool is_similar = true;     ///< the mesh is scaled alike in every direction
-  double longest_edge = 0.0;  ///< of its triangles, world, metres; of a shared mesh an upper bound
-  OriginError origin_error;   ///< zero unless is_shared
+  const MeshMask* mask = nullptr;  ///< null unless its material is masked
+  bool culls_back = false;         ///< primary rays pass through its back faces
+  bool is_similar = true;          ///< the mesh is scaled alike in every direction
+  double longest_edge = 0.0;       ///< of its triangles, world, metres; of a shared mesh an upper bound
+  OriginError origin_error;        ///< zero unless is_shared
 };
 
 struct Tracer::State {
@@ -36,9 +37,11 @@ struct Tracer::State {
   std::atomic<std::int64_t> bytes{0};
   // In this order: scenes go before their device, the device before the counter that it reports to.
   DevicePtr device;
-  bool takes_16_lanes = false;        ///< Embree traces packets of sixteen as they are, not in parts
-  std::vector<ScenePtr> mesh_scenes;  ///< by mesh; empty where the mesh is stored in world space
-  ScenePtr top;                       ///< geometry id or instance id = index in Scene::instances
+  bool takes_16_lanes = false;                          ///< Embree traces packets of sixteen as they are, not in parts
+  std::vector<std::unique_ptr<AlphaMask>> alpha_masks;  ///< by material; null unless it is masked
+  std::vector<std::unique_ptr<MeshMask>> mesh_masks;    ///< by mesh; likewise
+  std::vector<ScenePtr> mesh_scenes;                    ///< by mesh; empty where the mesh is stored in world space
+  ScenePtr top;                                         ///< geometry id or instance id = index in Scene::instances
   std::vector<InstanceInfo> instances;
   BuildStatistics statistics;
   mutable std::atomic<std::uint64_t> rays_traced{0};

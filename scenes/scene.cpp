@@ -5,26 +5,10 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "scenes/texel_place.h"
 
 namespace umbrameter {
 namespace {
-
-// glTF 2.0, section 3.8.4.5.
-std::size_t wrapped(std::int64_t texel, int size, Wrap wrap) {
-  const std::int64_t n = size;
-  if (texel >= 0 && texel < n) return static_cast<std::size_t>(texel);
-  switch (wrap) {
-    case Wrap::clamp_to_edge:
-      return static_cast<std::size_t>(std::clamp<std::int64_t>(texel, 0, n - 1));
-    case Wrap::mirrored_repeat: {
-      const std::int64_t folded = ((texel % (2 * n)) + 2 * n) % (2 * n);
-      return static_cast<std::size_t>(folded < n ? folded : 2 * n - 1 - folded);
-    }
-    case Wrap::repeat:
-      break;
-  }
-  return static_cast<std::size_t>(((texel % n) + n) % n);
-}
 
 // The four texels about a texture coordinate and the weight of the second in each direction.
 struct Footprint {
@@ -34,29 +18,13 @@ struct Footprint {
 };
 
 Footprint footprint(const Texture& texture, vec2 texcoord) {
-  // Beyond this the coordinate has no fractional texels left, and the integer conversion would overflow.
-  constexpr double limit = 1e9;
-  const auto continuous = [&](float coordinate, int size) {
-    const double texel = static_cast<double>(coordinate) * size - 0.5;
-    return std::isfinite(texel) ? std::clamp(texel, -limit, limit) : 0.0;
-  };
-  const int width = texture.texels.width;
-  const int height = texture.texels.height;
-  const double x = continuous(texcoord.x, width);
-  const double y = continuous(texcoord.y, height);
-  const double left = std::floor(x);
-  const double top = std::floor(y);
-  const auto column = [&](std::int64_t i) {
-    return wrapped(static_cast<std::int64_t>(left) + i, width, texture.wrap_u);
-  };
-  const auto row = [&](std::int64_t i) {
-    return wrapped(static_cast<std::int64_t>(top) + i, height, texture.wrap_v) * static_cast<std::size_t>(width);
-  };
-  const std::array<std::size_t, 2> columns{column(0), column(1)};
-  const std::array<std::size_t, 2> rows{row(0), row(1)};
+  const TexelPlace place = texel_place(texture, texcoord);
+  const auto width = static_cast<std::size_t>(texture.texels.width);
+  const std::array<std::size_t, 2> columns{column_of(texture, place.left), column_of(texture, place.left + 1)};
+  const std::array<std::size_t, 2> rows{row_of(texture, place.top) * width, row_of(texture, place.top + 1) * width};
   return {{rows[0] + columns[0], rows[0] + columns[1], rows[1] + columns[0], rows[1] + columns[1]},
-          static_cast<float>(x - left),
-          static_cast<float>(y - top)};
+          place.right,
+          place.down};
 }
 
 template <class T>
@@ -70,12 +38,6 @@ T bilinear(const std::array<T, 4>& values, float right, float down) {
 float linear_from_srgb(std::uint8_t byte) {
   const float encoded = static_cast<float>(byte) / 255.0f;
   return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
-}
-
-const Texture* texture_of(const Scene& scene, const Material& material) {
-  if (!material.base_color_texture) return nullptr;
-  const Texture& texture = scene.textures.at(*material.base_color_texture);
-  return texture.texels.empty() ? nullptr : &texture;
 }
 
 // Whether no point of the transformed box can widen the bounds. With c and h the box's centre and half extent, its
@@ -163,6 +125,12 @@ double largest_stretch(const dmat4& transform) {
     power = power * power;
   }
   return scale * bound * (1.0 + 1e-14);
+}
+
+const Texture* texture_of(const Scene& scene, const Material& material) {
+  if (!material.base_color_texture) return nullptr;
+  const Texture& texture = scene.textures.at(*material.base_color_texture);
+  return texture.texels.empty() ? nullptr : &texture;
 }
 
 float alpha_at(const Scene& scene, const Material& material, vec2 texcoord) {
