@@ -64,4 +64,13 @@ bool AlphaMask::is_there(vec2 texcoord) const {
   return alpha_at(scene_, material_, texcoord) >= material_.alpha_cutoff;
 }
 
+MeshMask::MeshMask(const Mesh& mesh, const AlphaMask& mask)
+    : texcoords_(mesh.triangles.size(), {vec2(0), vec2(0), vec2(0)}), mask_(mask) {
+  if (mesh.texcoords.empty()) return;
+  for (std::size_t t = 0; t < texcoords_.size(); ++t) {
+    const uvec3 v = mesh.triangles[t];
+    texcoords_[t] = {mesh.texcoords[v.x], mesh.texcoords[v.y], mesh.texcoords[v.z]};
+  }
+}
+
 }  // namespace umbrameter

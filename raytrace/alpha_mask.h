@@ -1,6 +1,7 @@
 // Which points of masked geometry exist, asked for every hit on it. For raytrace/*.cpp and tests.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -35,25 +36,16 @@ class AlphaMask {
 /// Of a mesh whose material is masked.
 class MeshMask {
  public:
-  MeshMask(const Mesh& mesh, const AlphaMask& mask)
-      : triangles_(mesh.triangles.data()),
-        texcoords_(mesh.texcoords.empty() ? nullptr : mesh.texcoords.data()),
-        mask_(mask) {}
+  MeshMask(const Mesh& mesh, const AlphaMask& mask);
 
   /// Whether the point of a triangle exists. Barycentric coordinates are of its second and third corner.
   bool is_there(std::uint32_t triangle, vec2 barycentric) const {
-    vec2 texcoord(0);
-    if (texcoords_ != nullptr) {
-      const uvec3 v = triangles_[triangle];
-      texcoord = (1.0f - barycentric.x - barycentric.y) * texcoords_[v.x] + barycentric.x * texcoords_[v.y] +
-                 barycentric.y * texcoords_[v.z];
-    }
-    return mask_.is_there(texcoord);
+    const auto& [a, b, c] = texcoords_[triangle];
+    return mask_.is_there((1.0f - barycentric.x - barycentric.y) * a + barycentric.x * b + barycentric.y * c);
   }
 
  private:
-  const uvec3* triangles_;
-  const vec2* texcoords_;
+  std::vector<std::array<vec2, 3>> texcoords_;  // of each triangle's corners: one place in memory instead of four
   const AlphaMask& mask_;
 };
 

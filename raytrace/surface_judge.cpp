@@ -34,8 +34,10 @@ class Judge {
  public:
   Judge(const Tracer& tracer, const LightFrame& frame)
       : tracer_(tracer), frame_(frame), world_from_light_(glm::inverse(frame.light_from_world)) {
-    const std::vector<InstanceInfo>& instances = tracer.state().instances;
-    has_masks_ = std::any_of(instances.begin(), instances.end(), [](const auto& info) { return info.mask != nullptr; });
+    const std::vector<Instance>& instances = tracer.scene().instances;
+    const auto& masks = tracer.state().mesh_masks;
+    has_masks_ =
+        std::any_of(instances.begin(), instances.end(), [&](const auto& i) { return masks[i.mesh] != nullptr; });
   }
 
   // Asked of receivers that the truth calls lit: the light sees the receiver, so that a sample on its surface is joined

@@ -107,14 +107,16 @@ void make_masks(Tracer::State& state) {
   }
 }
 
-void attach_mesh(const Tracer::State& state, RTCScene target, unsigned id, const Mesh& mesh,
+void attach_mesh(const Tracer::State& state, RTCScene target, unsigned id, std::size_t index,
                  const dmat4& world_from_mesh) {
   const RTCDevice device = state.device.get();
+  const Mesh& mesh = state.scene.meshes[index];
   const GeometryPtr geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE), &rtcReleaseGeometry);
   set_vertices(device, geometry.get(), mesh.positions, world_from_mesh);
   rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
                              sizeof(uvec3), mesh.triangles.size());
-  if (is_masked(state.scene, mesh)) {
+  if (MeshMask* const mask = state.mesh_masks[index].get(); mask != nullptr) {
+    rtcSetGeometryUserData(geometry.get(), mask);
     rtcSetGeometryOccludedFilterFunction(geometry.get(), filter_hit);
     rtcSetGeometryIntersectFilterFunction(geometry.get(), filter_hit);
   }
@@ -175,7 +177,7 @@ void build(Tracer::State& state, const Progress& progress) {
     if (uses[m] < 2 || mesh.triangles.empty()) return;
     edges[m] = longest_edge(mesh, dmat4(1.0));
     state.mesh_scenes[m] = new_scene(device);
-    attach_mesh(state, state.mesh_scenes[m].get(), 0, mesh, dmat4(1.0));
+    attach_mesh(state, state.mesh_scenes[m].get(), 0, m, dmat4(1.0));
     commit(device, state.mesh_scenes[m].get(), all, mesh.triangles.size());
   });
 
@@ -189,7 +191,6 @@ void build(Tracer::State& state, const Progress& progress) {
     const auto id = static_cast<unsigned>(i);
     InstanceInfo& info = state.instances[i];
     info.is_shared = shared != nullptr;
-    info.mask = state.mesh_masks[instance.mesh].get();
     info.culls_back = !scene.materials[mesh.material].double_sided;
     if (shared != nullptr) {
       info.is_similar = is_similarity(instance.world_from_mesh);
@@ -198,7 +199,7 @@ void build(Tracer::State& state, const Progress& progress) {
       attach_instance(device, state.top.get(), id, shared, instance.world_from_mesh);
     } else {
       info.longest_edge = longest_edge(mesh, instance.world_from_mesh);
-      attach_mesh(state, state.top.get(), id, mesh, instance.world_from_mesh);
+      attach_mesh(state, state.top.get(), id, instance.mesh, instance.world_from_mesh);
     }
   });
   commit(device, state.top.get(), all, in_world);

@@ -23,12 +23,11 @@ using DevicePtr = std::unique_ptr<std::remove_pointer_t<RTCDevice>, DeviceDelete
 using ScenePtr = std::unique_ptr<std::remove_pointer_t<RTCScene>, SceneDeleter>;
 
 struct InstanceInfo {
-  bool is_shared = false;  ///< its mesh has an acceleration structure of its own; else it is stored in world space
-  const MeshMask* mask = nullptr;  ///< null unless its material is masked
-  bool culls_back = false;         ///< primary rays pass through its back faces
-  bool is_similar = true;          ///< the mesh is scaled alike in every direction
-  double longest_edge = 0.0;       ///< of its triangles, world, metres; of a shared mesh an upper bound
-  OriginError origin_error;        ///< zero unless is_shared
+  bool is_shared = false;     ///< its mesh has an acceleration structure of its own; else it is stored in world space
+  bool culls_back = false;    ///< primary rays pass through its back faces
+  bool is_similar = true;     ///< the mesh is scaled alike in every direction
+  double longest_edge = 0.0;  ///< of its triangles, world, metres; of a shared mesh an upper bound
+  OriginError origin_error;   ///< zero unless is_shared
 };
 
 struct Tracer::State {
@@ -63,7 +62,8 @@ struct RayQuery {
   dvec3 primary_direction{0.0};
 };
 
-/// What prepare() sets, and what masked geometry runs for every ray.
+/// What prepare() sets, and what masked geometry runs for every ray. A masked geometry's user data is its MeshMask, any
+/// other's is null.
 void filter_hit(const RTCFilterFunctionNArguments* arguments);
 
 /// Lets a hit count unless it is the ray's own triangle, a masked-out point, or a culled back face of a primary ray.
