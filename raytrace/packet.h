@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstring>
 
@@ -28,6 +29,31 @@ struct RaysFrom {
   const float* reach = nullptr;  ///< metres; a negative one is blocked where it starts
   int count = 0;                 ///< up to a packet's width
   bool are_clear = false;        ///< none can meet its own triangle
+};
+
+/// Rays from places of their own, a column for each of their quantities.
+template <std::size_t capacity>
+struct RayColumns {
+  std::array<float, capacity> x{}, y{}, z{};                   ///< origins
+  std::array<float, capacity> dx{}, dy{}, dz{};                ///< directions, unit
+  std::array<float, capacity> reach{};                         ///< metres
+  std::array<std::uint32_t, capacity> instance{}, triangle{};  ///< that a ray leaves and never hits
+  std::array<std::uint8_t, capacity> is_clear{};               ///< whether it cannot meet that
+
+  void set(std::size_t at, const ShadowRay& ray) {
+    x[at] = ray.origin.x;
+    y[at] = ray.origin.y;
+    z[at] = ray.origin.z;
+    dx[at] = ray.direction.x;
+    dy[at] = ray.direction.y;
+    dz[at] = ray.direction.z;
+    reach[at] = ray.reach;
+    is_clear[at] = ray.is_clear ? 1 : 0;
+  }
+  void move_to_front(std::size_t first, std::size_t count) {
+    const auto move = [=](auto&... columns) { (std::copy_n(columns.data() + first, count, columns.data()), ...); };
+    move(x, y, z, dx, dy, dz, reach, instance, triangle, is_clear);
+  }
 };
 
 /// What all packets do with Embree's lanes.
@@ -94,6 +120,26 @@ class OcclusionPacket {
     ++size_;
   }
 
+  /// Takes `count` rays instead of those it had. The columns go on for a packet's width.
+  template <std::size_t capacity>
+  void take(const RayColumns<capacity>& rays, std::size_t first, int count) {
+    const auto copy = [first](auto& to, const auto& column) {
+      std::memcpy(to, column.data() + first, static_cast<std::size_t>(width) * sizeof(column[0]));
+    };
+    copy(rays_.org_x, rays.x);
+    copy(rays_.org_y, rays.y);
+    copy(rays_.org_z, rays.z);
+    copy(rays_.dir_x, rays.dx);
+    copy(rays_.dir_y, rays.dy);
+    copy(rays_.dir_z, rays.dz);
+    copy(rays_.tfar, rays.reach);
+    copy(query_.own_instance, rays.instance);
+    copy(query_.own_triangle, rays.triangle);
+    const auto clear = rays.is_clear.begin() + static_cast<std::ptrdiff_t>(first);
+    is_clear_ = std::all_of(clear, clear + count, [](std::uint8_t is_clear) { return is_clear != 0; });
+    use_first(count);
+  }
+
   /// Gives a lane in use another ray from the same triangle.
   void aim(int lane, const ShadowRay& ray) {
     aim_lane(rays_, lane, ray);
@@ -104,10 +150,7 @@ class OcclusionPacket {
   /// Gives the first lanes rays from where they are and leaves the others idle.
   void aim(const RaysFrom& from) {
     aim_lanes<width>(rays_, from);
-    if (size_ != from.count) {
-      for (int lane = 0; lane < width; ++lane) valid_[lane] = lane < from.count ? -1 : 0;
-      size_ = from.count;
-    }
+    use_first(from.count);
     is_clear_ = from.are_clear;
   }
 
@@ -121,6 +164,12 @@ class OcclusionPacket {
   bool is_blocked(int lane) const { return rays_.tfar[lane] < 0.0f; }
 
  private:
+  void use_first(int count) {
+    if (size_ == count) return;
+    for (int lane = 0; lane < width; ++lane) valid_[lane] = lane < count ? -1 : 0;
+    size_ = count;
+  }
+
   const Tracer::State* state_;
   RayQuery query_;
   typename embree::Lanes<width>::Rays rays_;

@@ -8,6 +8,7 @@
 #include "raytrace/packet.h"
 #include "raytrace/packet_width.h"
 #include "raytrace/surfel.h"
+#include "raytrace/vectors.h"
 #include "raytrace/ways.h"
 #include "scenes/emitter.h"
 
@@ -18,14 +19,70 @@ constexpr int tile_size = 64;
 // A packet takes a few whole columns of a strip: the nearer its rays, the more of their way they go together.
 constexpr int strip_height = 4;
 
-constexpr int cache_line = 64;
+constexpr int most_in_strip = strip_height * tile_size;
+constexpr std::size_t widest_packet = 16;
+// Those of a strip, and those that did not fill a packet of the strip before.
+using StripRays = RayColumns<most_in_strip + 2 * widest_packet>;
 
-// Asks for `count` values ahead of their use. Always inline: GCC takes a function that does nothing but this for one
-// without effect, and drops its calls.
-template <class T>
-[[gnu::always_inline]] inline void fetch(const Image<T>& image, std::size_t first, std::size_t count) {
-  const char* const bytes = reinterpret_cast<const char*>(image.pixels.data() + first);
-  for (std::size_t i = 0; i < count * sizeof(T); i += cache_line) __builtin_prefetch(bytes + i);
+// Asks for memory ahead of its use, a few cache lines at a time: of many at once the processor waits for the first.
+class Fetcher {
+ public:
+  template <class T>
+  void plan(const Image<T>& image, std::size_t first, std::size_t count) {
+    const char* const bytes = reinterpret_cast<const char*>(image.pixels.data() + first);
+    for (std::size_t i = 0; i < count * sizeof(T); i += line) lines_[planned_++] = bytes + i;
+  }
+  // Always inline: GCC takes a function that does nothing but this for one without effect, and drops its calls.
+  [[gnu::always_inline]] void fetch(std::size_t lines) {
+    const std::size_t end = std::min(fetched_ + lines, planned_);
+    for (; fetched_ < end; ++fetched_) __builtin_prefetch(lines_[fetched_]);
+  }
+  [[gnu::always_inline]] void finish() {
+    fetch(planned_);
+    planned_ = fetched_ = 0;
+  }
+
+  static constexpr std::size_t line = 64;
+  // By pixel of a strip: two ids, a position, a normal and the result.
+  static constexpr std::size_t most =
+      most_in_strip * (2 * sizeof(std::uint32_t) + 2 * sizeof(vec3) + sizeof(float)) / line;
+
+ private:
+  std::size_t planned_ = 0;
+  std::size_t fetched_ = 0;
+  std::array<const char*, most> lines_;
+};
+
+// Whether surfels are turned to a distant light.
+UMBRAMETER_VECTORS void find_turned(const vec3* __restrict normals, std::size_t count, const dvec3 to_light,
+                                    std::uint8_t* __restrict turned) {
+  for (std::size_t i = 0; i < count; ++i) {
+    turned[i] = is_turned(normals[i], to_light) ? 1 : 0;
+  }
+}
+
+// The visibility of a row where no ray is needed: surfels that are turned away see nothing of the light, background is
+// open. Turned ones go on to be those that rays leave from.
+UMBRAMETER_VECTORS void settle(const std::uint32_t* __restrict instances, std::size_t count,
+                               std::uint8_t* __restrict turned, float* __restrict visibility) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint8_t is_surface = instances[i] != no_id ? 1 : 0;
+    turned[i] = turned[i] & is_surface;
+    visibility[i] = turned[i] == is_surface ? 1.0f : 0.0f;
+  }
+}
+
+// Returns the largest offset among their origins.
+UMBRAMETER_VECTORS double aim_rays(const Ways& ways, const GBuffer& gbuffer, const SurfelTable& triangles,
+                                   const SurfelTable::Place* places, const std::size_t* pixels, std::size_t first,
+                                   std::size_t end, StripRays& rays) {
+  double largest = 0.0;
+  for (std::size_t i = first; i < end; ++i) {
+    const RayOrigin origin = origin_on(triangles[places[i]], gbuffer, pixels[i]);
+    largest = std::max(largest, origin.offset);
+    rays.set(i, ways.from(origin));
+  }
+  return largest;
 }
 
 template <int width>
@@ -39,15 +96,18 @@ class ShadowTile {
         triangles_(tracer) {}
 
   void trace(const Tile& tile) {
-    fetch_ids(tile, tile.y_begin);
-    fetch_ids(tile, tile.y_begin + strip_height);
-    fetch_surfels(tile, tile.y_begin);
+    plan_ids(tile, tile.y_begin);
+    fetcher_.finish();
+    plan_ids(tile, tile.y_begin + strip_height);
+    plan_surfels(tile, tile.y_begin);
+    fetcher_.finish();
     for (int top = tile.y_begin; top < tile.y_end; top += strip_height) {
-      fetch_ids(tile, top + 2 * strip_height);
-      fetch_surfels(tile, top + strip_height);
+      plan_ids(tile, top + 2 * strip_height);
+      plan_surfels(tile, top + strip_height);
       trace_strip(tile, top);
+      fetcher_.finish();
     }
-    flush();
+    trace_packet(0, static_cast<int>(waiting_));
   }
 
   const TraceStatistics& statistics() const { return statistics_; }
@@ -55,77 +115,97 @@ class ShadowTile {
  private:
   // The G-buffer is larger than the processor's nearer caches, and a tile's rows are too short for it to see ahead. A
   // line of ids comes first and tells whether the rest is wanted.
-  [[gnu::always_inline]] void fetch_ids(const Tile& tile, int top) const {
+  void plan_ids(const Tile& tile, int top) {
     for (int y = top; y < std::min(top + strip_height, tile.y_end); ++y) {
-      fetch(gbuffer_.instance, gbuffer_.instance.index(tile.x_begin, y),
-            static_cast<std::size_t>(tile.x_end - tile.x_begin));
+      fetcher_.plan(gbuffer_.instance, gbuffer_.instance.index(tile.x_begin, y),
+                    static_cast<std::size_t>(tile.x_end - tile.x_begin));
     }
   }
-  [[gnu::always_inline]] void fetch_surfels(const Tile& tile, int top) const {
-    constexpr int ids = cache_line / static_cast<int>(sizeof(std::uint32_t));
+  void plan_surfels(const Tile& tile, int top) {
+    constexpr int ids = Fetcher::line / sizeof(std::uint32_t);
     for (int y = top; y < std::min(top + strip_height, tile.y_end); ++y) {
       for (int x = tile.x_begin; x < tile.x_end; x += ids) {
         const std::size_t first = gbuffer_.instance.index(x, y);
         const auto count = static_cast<std::size_t>(std::min(ids, tile.x_end - x));
+        fetcher_.plan(visibility_, first, count);
         if (!gbuffer_.is_surface(first) && !gbuffer_.is_surface(first + count - 1)) continue;
-        fetch(gbuffer_.triangle, first, count);
-        fetch(gbuffer_.geometric_normal, first, count);
-        fetch(gbuffer_.position, first, count);
+        fetcher_.plan(gbuffer_.triangle, first, count);
+        fetcher_.plan(gbuffer_.geometric_normal, first, count);
+        fetcher_.plan(gbuffer_.position, first, count);
       }
     }
   }
-
-  struct Pixel {
-    std::size_t index;
-    SurfelTable::Place triangle;
-  };
 
   void trace_strip(const Tile& tile, int top) {
-    const auto width_of_image = static_cast<std::size_t>(gbuffer_.width);
-    const auto height = static_cast<std::size_t>(std::min(strip_height, tile.y_end - top));
-    const std::size_t begin = gbuffer_.instance.index(tile.x_begin, top);
-    const std::size_t end = begin + static_cast<std::size_t>(tile.x_end - tile.x_begin);
-    triangles_.make_room(strip_.size());
-    std::size_t count = 0;
-    for (std::size_t column = begin; column < end; ++column) {
-      for (std::size_t i = column; i < column + height * width_of_image; i += width_of_image) {
-        if (!gbuffer_.is_surface(i)) continue;
-        if (ways_.begin_at(gbuffer_, i)) {
-          strip_[count++] = {i, triangles_.place_of(gbuffer_.instance[i], gbuffer_.triangle[i])};
-        } else {
-          visibility_[i] = 0.0f;
-        }
-      }
+    const std::size_t count = collect(tile, top);
+    triangles_.make_room(count - waiting_);
+    for (std::size_t i = waiting_; i < count; ++i) {
+      rays_.instance[i] = gbuffer_.instance[pixels_[i]];
+      rays_.triangle[i] = gbuffer_.triangle[pixels_[i]];
+      places_[i] = triangles_.place_of(rays_.instance[i], rays_.triangle[i]);
     }
     triangles_.describe();
-    for (std::size_t i = 0; i < count; ++i) add(strip_[i]);
-    statistics_.rays += count;
-  }
+    const double offset = aim_rays(ways_, gbuffer_, triangles_, places_.data(), pixels_.data(), waiting_, count, rays_);
+    statistics_.largest_offset = std::max(statistics_.largest_offset, offset);
+    statistics_.rays += count - waiting_;
 
-  void add(const Pixel& pixel) {
-    const SurfelTriangle& triangle = triangles_[pixel.triangle];
-    const RayOrigin origin = origin_on(triangle, gbuffer_, pixel.index);
-    statistics_.largest_offset = std::max(statistics_.largest_offset, origin.offset);
-    pixels_[static_cast<std::size_t>(packet_.size())] = pixel.index;
-    packet_.add(ways_.from(origin), triangle.instance, triangle.id);
-    if (packet_.is_full()) flush();
-  }
-
-  void flush() {
-    packet_.trace();
-    for (int lane = 0; lane < packet_.size(); ++lane) {
-      visibility_[pixels_[static_cast<std::size_t>(lane)]] = packet_.is_blocked(lane) ? 0.0f : 1.0f;
+    constexpr std::size_t lines_a_packet = Fetcher::most * width / most_in_strip + 1;
+    std::size_t traced = 0;
+    for (; traced + width <= count; traced += width) {
+      fetcher_.fetch(lines_a_packet);
+      trace_packet(traced, width);
     }
-    packet_.clear();
+    waiting_ = count - traced;
+    rays_.move_to_front(traced, waiting_);
+    std::copy_n(pixels_.data() + traced, waiting_, pixels_.data());
+  }
+
+  // Puts the strip's pixels that rays leave from behind those that wait, column by column, and settles all others.
+  // Without branches that depend on a pixel: the processor would guess them wrong.
+  std::size_t collect(const Tile& tile, int top) {
+    const int height = std::min(strip_height, tile.y_end - top);
+    const auto columns = static_cast<std::size_t>(tile.x_end - tile.x_begin);
+    for (int row = 0; row < height; ++row) {
+      const std::size_t first = gbuffer_.instance.index(tile.x_begin, top + row);
+      std::array<std::uint8_t, tile_size>& turned = turned_[static_cast<std::size_t>(row)];
+      if (ways_.is_distant()) {
+        find_turned(&gbuffer_.geometric_normal[first], columns, ways_.to_distant(), turned.data());
+      } else {
+        for (std::size_t x = 0; x < columns; ++x) turned[x] = ways_.begin_at(gbuffer_, first + x) ? 1 : 0;
+      }
+      settle(&gbuffer_.instance[first], columns, turned.data(), &visibility_[first]);
+    }
+    std::size_t count = waiting_;
+    for (std::size_t x = 0; x < columns; ++x) {
+      std::size_t pixel = gbuffer_.instance.index(tile.x_begin, top) + x;
+      for (int row = 0; row < height; ++row, pixel += static_cast<std::size_t>(gbuffer_.width)) {
+        pixels_[count] = pixel;
+        count += turned_[static_cast<std::size_t>(row)][x];
+      }
+    }
+    return count;
+  }
+
+  void trace_packet(std::size_t first, int count) {
+    packet_.take(rays_, first, count);
+    packet_.trace();
+    for (int lane = 0; lane < count; ++lane) {
+      visibility_[pixels_[first + static_cast<std::size_t>(lane)]] = packet_.is_blocked(lane) ? 0.0f : 1.0f;
+    }
   }
 
   const GBuffer& gbuffer_;
   const Ways& ways_;
   Image<float>& visibility_;
   OcclusionPacket<width> packet_;
-  std::array<std::size_t, static_cast<std::size_t>(width)> pixels_{};
+  static_assert(width <= widest_packet);
+  Fetcher fetcher_;
   SurfelTable triangles_;
-  std::array<Pixel, static_cast<std::size_t>(strip_height) * tile_size> strip_;  // those that rays leave from
+  std::array<std::array<std::uint8_t, tile_size>, strip_height> turned_;
+  std::size_t waiting_ = 0;  // rays that did not fill a packet: the first ones
+  StripRays rays_;
+  std::array<std::size_t, most_in_strip + 2 * widest_packet> pixels_;
+  std::array<SurfelTable::Place, most_in_strip + 2 * widest_packet> places_;
   TraceStatistics statistics_;
 };
 

@@ -48,18 +48,18 @@ dvec3 inset_from_edges(const SurfelTriangle& t, dvec3 point) {
   int idle = 0;
   for (int i = 0; i < most_pushes && idle < 3; ++i) {
     const auto edge = static_cast<std::size_t>(i % 3);
-    const double missing = t.insets[edge] - glm::dot(point - *starts[edge], t.inwards[edge]);
+    const dvec3 inwards = t.inwards(i % 3);
+    const double missing = t.insets[edge] - glm::dot(point - *starts[edge], inwards);
     ++idle;
     if (missing <= 1e-3 * t.insets[edge]) continue;
     idle = 0;
-    point += missing * t.inwards[edge];
+    point += missing * inwards;
     moved = true;
   }
   return moved ? nearest_point(t.corners, point) : point;
 }
 
 // The triangles below are worked on four at a time: a number stands for four.
-using Four = double __attribute__((vector_size(32)));
 
 UMBRAMETER_IN_VECTORS double absolute(double v) { return std::abs(v); }
 UMBRAMETER_IN_VECTORS double root(double v) { return std::sqrt(v); }
@@ -275,14 +275,23 @@ void ask(const Tracer& tracer, const SurfelTriangle& triangle, int lane, Asked& 
   asked.can_be_told[lane] = !info.is_shared || info.is_similar ? 1.0 : 0.0;
 }
 
+void set(SurfelTriangle& triangle, int at, const dvec3& v) {
+  triangle.x[at] = v.x;
+  triangle.y[at] = v.y;
+  triangle.z[at] = v.z;
+}
+
 void tell(const Told& told, int lane, SurfelTriangle& triangle) {
   triangle.corners = {get(told.corners[0], lane), get(told.corners[1], lane), get(told.corners[2], lane)};
-  triangle.normal = get(told.normal, lane);
-  for (std::size_t i = 0; i < 3; ++i) {
-    triangle.inwards[i] = get(told.inwards[i], lane);
-    triangle.insets[i] = told.insets[i][lane];
+  for (int i = 0; i < 3; ++i) {
+    const auto edge = static_cast<std::size_t>(i);
+    set(triangle, i, get(told.inwards[edge], lane));
+    triangle.insets[edge] = told.insets[edge][lane];
+    // The edge that starts at b is seen from a, which stands that high over it.
+    triangle.least[i] = i == 1 ? triangle.insets[edge] - told.height[lane] : triangle.insets[edge];
   }
-  triangle.height = told.height[lane];
+  set(triangle, 3, get(told.normal, lane));
+  triangle.least[3] = -std::numeric_limits<double>::infinity();
   triangle.offset = told.offset[lane];
   triangle.clear_cosine = told.clear_cosine[lane];
 }

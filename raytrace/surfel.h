@@ -6,6 +6,7 @@
 
 #include "core/gbuffer.h"
 #include "raytrace/tracer.h"
+#include "raytrace/vectors.h"
 
 namespace umbrameter {
 
@@ -33,13 +34,18 @@ struct SurfelTriangle {
   std::uint32_t instance;
   std::uint32_t id;
   Triangle corners;
-  dvec3 normal;                  ///< unit; zero where the triangle has no area
-  std::array<dvec3, 3> inwards;  ///< unit, in the plane, off the edges that start at a, b and c
-  double height;                 ///< of a over the edge that starts at b, metres
+  /// Unit vectors, side by side: three in the plane, off the edges that start at a, b and c, and the triangle's normal.
+  /// Zero where it has no area.
+  Four x, y, z;
+  /// Metres by which a point must stand from corner a along each of them to be as far in as an origin: −∞ for the
+  /// normal, ∞ for the others without an area.
+  Four least;
   std::array<double, 3> insets;  ///< metres that an origin keeps off those edges; infinite without an area
   double offset;                 ///< metres: RayOrigin::offset
   double clear_cosine;           ///< RayOrigin::clear_cosine
-  bool has_area() const { return normal != dvec3(0.0); }
+  dvec3 inwards(int edge) const { return {x[edge], y[edge], z[edge]}; }
+  dvec3 normal() const { return {x[3], y[3], z[3]}; }
+  bool has_area() const { return normal() != dvec3(0.0); }
 };
 
 /// The triangles that the pixels of a tile have met. Described many at a time, where the caller can wait, one takes
@@ -100,26 +106,22 @@ class SurfelTable {
 /// The point of the triangle that is nearest to a position, and as far in from its edges as an origin keeps.
 dvec3 surface_point(const SurfelTriangle& t, const dvec3& position);
 
-/// Whether a point, seen from corner a, stands over the triangle and that far in.
-inline bool is_well_within(const SurfelTriangle& t, const dvec3& from_a) {
-  const bool over_ab = glm::dot(from_a, t.inwards[0]) >= t.insets[0];
-  const bool over_bc = glm::dot(from_a, t.inwards[1]) + t.height >= t.insets[1];
-  const bool over_ca = glm::dot(from_a, t.inwards[2]) >= t.insets[2];
-  return over_ab & over_bc & over_ca;
-}
-
 /// In the header for speed: it is asked for every ray of a shadow.
-inline RayOrigin origin_on(const SurfelTriangle& t, const GBuffer& gbuffer, std::size_t pixel) {
+UMBRAMETER_IN_VECTORS RayOrigin origin_on(const SurfelTriangle& t, const GBuffer& gbuffer, std::size_t pixel) {
   const dvec3 position(gbuffer.position[pixel]);
   const dvec3 seen(gbuffer.geometric_normal[pixel]);
   RayOrigin origin;
   origin.offset = t.offset;
   origin.clear_cosine = t.clear_cosine;
   const dvec3 from_a = position - t.corners.a;
-  const double side = std::copysign(1.0, glm::dot(t.normal, seen));
-  origin.normal = side * t.normal;
-  if (is_well_within(t, from_a)) {  // most: then the triangle's nearest point is the foot of the perpendicular
-    origin.point = position + (side * t.offset - glm::dot(from_a, t.normal)) * t.normal;
+  const dvec3 normal = t.normal();
+  const double side = std::copysign(1.0, glm::dot(normal, seen));
+  origin.normal = side * normal;
+  const Four along = from_a.x * t.x + from_a.y * t.y + from_a.z * t.z;
+  const auto is_in = along >= t.least;
+  // Most are: then the triangle's nearest point is the foot of the perpendicular.
+  if ((is_in[0] & is_in[1] & is_in[2] & is_in[3]) != 0) {
+    origin.point = position + (side * t.offset - along[3]) * normal;
     return origin;
   }
   if (!t.has_area()) origin.normal = seen;

@@ -9,6 +9,10 @@
 
 namespace umbrameter {
 
+UMBRAMETER_IN_VECTORS bool is_turned(const vec3& normal, const dvec3& way) {
+  return glm::dot(dvec3(normal), way) > 0.0;
+}
+
 /// The ways from surfels to a light without extent, or to the middle of one with.
 class Ways {
  public:
@@ -18,14 +22,18 @@ class Ways {
         to_distant_(-light.axis()),
         light_(light) {}
 
+  bool is_distant() const { return is_distant_; }
+  /// Unit, to a distant light.
+  const dvec3& to_distant() const { return to_distant_; }
+
   /// Whether the surfel is turned to the light: what faces() tells without extent. Asking that of every surfel finds
   /// the way to a distant light anew, which is a tenth of all time in simple scenes.
   bool begin_at(const GBuffer& gbuffer, std::size_t pixel) const {
     const dvec3 way = is_distant_ ? to_distant_ : to_light(light_, dvec3(gbuffer.position[pixel]));
-    return glm::dot(dvec3(gbuffer.geometric_normal[pixel]), way) > 0.0;
+    return is_turned(gbuffer.geometric_normal[pixel], way);
   }
 
-  ShadowRay from(const RayOrigin& origin) const {
+  UMBRAMETER_IN_VECTORS ShadowRay from(const RayOrigin& origin) const {
     ShadowRay ray;
     ray.origin = vec3(origin.point);
     if (is_distant_) {
