@@ -11,6 +11,7 @@ namespace {
 
 // Parts of the disk's square in each direction by which a pixel's points are put in order.
 constexpr int strata = 16;
+static_assert(strata * strata <= 1 << 8, "a stratum is a byte");
 
 int part_of(float coordinate) {
   const int part = static_cast<int>((coordinate + 1.0f) * (0.5f * strata));
@@ -28,14 +29,14 @@ float wrapped(float value) { return value < 1.0f ? value : value - 1.0f; }
 
 // The loops below are plain ones over arrays, so that the compiler makes vectors of them.
 
-UMBRAMETER_VECTORS void to_disk(std::size_t size, vec2 shift, vec2 turn, float* u, float* v, std::int32_t* stratum) {
+UMBRAMETER_VECTORS void to_disk(std::size_t size, vec2 shift, vec2 turn, float* u, float* v, std::uint8_t* stratum) {
   for (std::size_t i = 0; i < size; ++i) {
     const vec2 d = concentric_disk({wrapped(u[i] + shift.x), wrapped(v[i] + shift.y)});
     const float x = d.x * turn.x - d.y * turn.y;
     const float y = d.x * turn.y + d.y * turn.x;
     u[i] = x;
     v[i] = y;
-    stratum[i] = stratum_of(x, y);
+    stratum[i] = static_cast<std::uint8_t>(stratum_of(x, y));
   }
 }
 
@@ -98,11 +99,11 @@ UMBRAMETER_VECTORS void to_reaches(std::size_t size, float offset, double reach,
 void PixelSamples::order(const SampleRange& range, const Randomisations& before) {
   std::array<std::uint32_t, strata * strata + 1> next{};
   // The compiler cannot tell that bytes are written to one of these arrays only.
-  const std::int32_t* __restrict const stratum = stratum_.data();
-  const float* __restrict const from_u = u_.data();
-  const float* __restrict const from_v = v_.data();
-  float* __restrict const to_u = ordered_u_.data();
-  float* __restrict const to_v = ordered_v_.data();
+  const std::uint8_t* __restrict const stratum = stratum_.data();
+  const float* __restrict const from_u = x.data();
+  const float* __restrict const from_v = y.data();
+  float* __restrict const to_u = step.data();
+  float* __restrict const to_v = reach.data();
   std::uint8_t* __restrict const to_randomisation = randomisation.data();
   for (std::size_t i = 0; i < size_; ++i) ++next[static_cast<std::size_t>(stratum[i]) + 1u];
   for (std::size_t s = 1; s < next.size(); ++s) next[s] += next[s - 1];
@@ -119,7 +120,6 @@ void PixelSamples::order(const SampleRange& range, const Randomisations& before)
 
 void PixelSamples::resize(std::size_t size) {
   size_ = size;
-  for (std::vector<float>* values : {&u_, &v_, &ordered_u_, &ordered_v_}) values->resize(size);
   for (std::vector<float>* values : {&x, &y, &z, &cosine, &step, &reach}) {
     values->resize(size + padding);
     std::fill(values->end() - static_cast<std::ptrdiff_t>(padding), values->end(), 0.0f);
@@ -137,22 +137,22 @@ void PixelSamples::make(const TruthParams& params, const PixelDirections& pixel)
     const std::uint32_t scramble = hash(pixel.stream, static_cast<std::uint32_t>(r));
     const auto begin = static_cast<std::uint32_t>(before.size(r));
     const auto count = static_cast<std::size_t>(range.split.size(r)) - begin;
-    make_points(params.sampler == Sampler::owen, begin, scramble, {u_.data() + first, count},
-                {v_.data() + first, count});
+    float* const u = x.data() + first;
+    float* const v = y.data() + first;
+    make_points(params.sampler == Sampler::owen, begin, scramble, {u, count}, {v, count});
     // Shifted and turned at random: edges of occluders that run along the square's or through the middle of the disk
     // would else have the same count in every randomisation, or one of two, and such counts are far from a normal
     // distribution (Cranley and Patterson 1976 for the shift).
     const vec2 shift(to_unit_float(hash(scramble, 2u)), to_unit_float(hash(scramble, 3u)));
-    to_disk(count, shift, direction_at(to_unit_float(hash(scramble, 4u))), u_.data() + first, v_.data() + first,
-            stratum_.data() + first);
+    to_disk(count, shift, direction_at(to_unit_float(hash(scramble, 4u))), u, v, stratum_.data() + first);
     first += count;
   }
   order(range, before);
   const Lifted lifted{x.data(), y.data(), z.data(), cosine.data()};
   if (params.ao_weight == AoWeight::cosine) {
-    to_world_cosine(size_, pixel.frame, ordered_u_.data(), ordered_v_.data(), lifted);
+    to_world_cosine(size_, pixel.frame, step.data(), reach.data(), lifted);
   } else {
-    to_world_uniform(size_, pixel.frame, ordered_u_.data(), ordered_v_.data(), lifted);
+    to_world_uniform(size_, pixel.frame, step.data(), reach.data(), lifted);
   }
   if (pixel.frame[2] != pixel.normal) to_cosines(size_, pixel.normal, lifted);
   to_reaches(size_, static_cast<float>(pixel.offset), pixel.reach, cosine.data(), step.data(), reach.data());

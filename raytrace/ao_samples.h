@@ -31,6 +31,8 @@ class PixelSamples {
   void make(const TruthParams& params, const PixelDirections& pixel);
 
   std::size_t size() const { return size_; }
+  // All of a pixel's points fit in the processor's nearest cache, but not twice: on their way to directions they wait
+  // where other columns will be.
   std::vector<float> x, y, z;  ///< directions
   std::vector<float> cosine;   ///< with the triangle's normal
   std::vector<float> step;     ///< metres by which the ray starts beyond the surface point, along itself
@@ -42,9 +44,7 @@ class PixelSamples {
   void order(const SampleRange& range, const Randomisations& before);
 
   std::size_t size_ = 0;
-  std::vector<float> u_, v_;  // the square, then the disk
-  std::vector<float> ordered_u_, ordered_v_;
-  std::vector<std::int32_t> stratum_;
+  std::vector<std::uint8_t> stratum_;
 };
 
 }  // namespace umbrameter
