@@ -30,8 +30,9 @@ bool counts(const RTCFilterFunctionNArguments& arguments, const RayQuery& query,
   const std::uint32_t triangle = RTCHitN_primID(arguments.hit, n, i);
   if (query.is_primary) {
     if (query.state->instances[instance].culls_back &&
-        shows_back(query.state->scene, instance, triangle, query.primary_direction))
+        shows_back(query.state->scene, instance, triangle, query.primary_direction)) {
       return false;
+    }
   } else {
     const unsigned lane = RTCRayN_id(arguments.ray, n, i);
     if (instance == query.own_instance[lane] && triangle == query.own_triangle[lane]) return false;

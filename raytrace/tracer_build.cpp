@@ -98,13 +98,17 @@ void make_masks(Tracer::State& state) {
   const Scene& scene = state.scene;
   state.alpha_masks.resize(scene.materials.size());
   state.mesh_masks.resize(scene.meshes.size());
-  for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
-    const Mesh& mesh = scene.meshes[m];
-    if (!is_masked(scene, mesh)) continue;
+  for (const Mesh& mesh : scene.meshes) {
     std::unique_ptr<AlphaMask>& mask = state.alpha_masks[mesh.material];
-    if (mask == nullptr) mask = std::make_unique<AlphaMask>(scene, scene.materials[mesh.material]);
-    state.mesh_masks[m] = std::make_unique<MeshMask>(mesh, *mask);
+    if (mask == nullptr && is_masked(scene, mesh)) {
+      mask = std::make_unique<AlphaMask>(scene, scene.materials[mesh.material]);
+    }
   }
+  parallel_for(scene.meshes.size(), [&](std::size_t m) {
+    const Mesh& mesh = scene.meshes[m];
+    const AlphaMask* const mask = state.alpha_masks[mesh.material].get();
+    if (mask != nullptr) state.mesh_masks[m] = std::make_unique<MeshMask>(mesh, *mask);
+  });
 }
 
 void attach_mesh(const Tracer::State& state, RTCScene target, unsigned id, std::size_t index,

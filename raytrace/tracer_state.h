@@ -37,7 +37,7 @@ struct Tracer::State {
   // In this order: scenes go before their device, the device before the counter that it reports to.
   DevicePtr device;
   bool takes_16_lanes = false;                          ///< Embree traces packets of sixteen as they are, not in parts
-  std::vector<std::unique_ptr<AlphaMask>> alpha_masks;  ///< by material; null unless it is masked
+  std::vector<std::unique_ptr<AlphaMask>> alpha_masks;  ///< by material; null unless it masks a mesh
   std::vector<std::unique_ptr<MeshMask>> mesh_masks;    ///< by mesh; likewise
   std::vector<ScenePtr> mesh_scenes;                    ///< by mesh; empty where the mesh is stored in world space
   ScenePtr top;                                         ///< geometry id or instance id = index in Scene::instances
