@@ -31,8 +31,8 @@ class PixelSamples {
   void make(const TruthParams& params, const PixelDirections& pixel);
 
   std::size_t size() const { return size_; }
-  // All of a pixel's points fit in the processor's nearest cache, but not twice: on their way to directions they wait
-  // where other columns will be.
+  // A thousand points fit in the processor's nearest cache, but not twice: on their way to directions they wait where
+  // other columns will be.
   std::vector<float> x, y, z;  ///< directions
   std::vector<float> cosine;   ///< with the triangle's normal
   std::vector<float> step;     ///< metres by which the ray starts beyond the surface point, along itself

@@ -105,7 +105,6 @@ class OcclusionPacket {
   }
 
   int size() const { return size_; }
-  bool is_full() const { return size_ == width; }
   void clear() {
     size_ = 0;
     is_clear_ = true;

@@ -21,8 +21,9 @@ constexpr int strip_height = 4;
 
 constexpr int most_in_strip = strip_height * tile_size;
 constexpr std::size_t widest_packet = 16;
-// Those of a strip, and those that did not fill a packet of the strip before.
-using StripRays = RayColumns<most_in_strip + 2 * widest_packet>;
+// Rays of a strip, and those that did not fill a packet of the strip before.
+constexpr std::size_t most_rays = most_in_strip + widest_packet;
+using StripRays = RayColumns<most_rays>;
 
 // Asks for memory ahead of its use, a few cache lines at a time: of many at once the processor waits for the first.
 class Fetcher {
@@ -87,6 +88,8 @@ UMBRAMETER_VECTORS double aim_rays(const Ways& ways, const GBuffer& gbuffer, con
 
 template <int width>
 class ShadowTile {
+  static_assert(width <= widest_packet);
+
  public:
   ShadowTile(const Tracer& tracer, const GBuffer& gbuffer, const Ways& ways, Image<float>& visibility)
       : gbuffer_(gbuffer),
@@ -198,14 +201,13 @@ class ShadowTile {
   const Ways& ways_;
   Image<float>& visibility_;
   OcclusionPacket<width> packet_;
-  static_assert(width <= widest_packet);
   Fetcher fetcher_;
   SurfelTable triangles_;
   std::array<std::array<std::uint8_t, tile_size>, strip_height> turned_;
   std::size_t waiting_ = 0;  // rays that did not fill a packet: the first ones
   StripRays rays_;
-  std::array<std::size_t, most_in_strip + 2 * widest_packet> pixels_;
-  std::array<SurfelTable::Place, most_in_strip + 2 * widest_packet> places_;
+  std::array<std::size_t, most_rays> pixels_;
+  std::array<SurfelTable::Place, most_rays> places_;
   TraceStatistics statistics_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "raytrace/packet.h"
 #include "raytrace/surfel.h"
+#include "raytrace/vectors.h"
 #include "scenes/light_frame.h"
 
 namespace umbrameter {

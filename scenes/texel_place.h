@@ -52,15 +52,10 @@ inline TexelPlace texel_place(const Texture& texture, vec2 texcoord) {
   };
   const double x = continuous(texcoord.x, texture.texels.width);
   const double y = continuous(texcoord.y, texture.texels.height);
-  // Rounded to zero and then down: without newer instructions std::floor() is a call.
-  const auto down = [](double v) {
-    const auto whole = static_cast<std::int64_t>(v);
-    return whole - (static_cast<double>(whole) > v ? 1 : 0);
-  };
-  const std::int64_t left = down(x);
-  const std::int64_t top = down(y);
-  return {left, top, static_cast<float>(x - static_cast<double>(left)),
-          static_cast<float>(y - static_cast<double>(top))};
+  const double left = std::floor(x);
+  const double top = std::floor(y);
+  return {static_cast<std::int64_t>(left), static_cast<std::int64_t>(top), static_cast<float>(x - left),
+          static_cast<float>(y - top)};
 }
 
 }  // namespace umbrameter
