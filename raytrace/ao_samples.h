@@ -1,50 +1,78 @@
-// The directions of a pixel, in an order that keeps those that look alike together. For raytrace/*.cpp and tests.
+// Rays for ambient occlusion, in an order that keeps those that look alike together. For raytrace/*.cpp and tests.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/math.h"
+#include "raytrace/packet.h"
 #include "raytrace/parameters.h"
 #include "raytrace/sampler.h"
 #include "raytrace/stopping.h"
 
 namespace umbrameter {
 
-/// Where a pixel looks from.
-struct PixelDirections {
+/// Where pixels look from that show the same triangle.
+struct Hemisphere {
+  mat3 frame{1.0f};
+  vec3 normal{0, 0, 1};    ///< of the triangle
+  double offset = 0;       ///< metres along the normal at which the rays start
+  double reach = 0;        ///< metres from the surface up to which a hit counts
+  float clear_cosine = 0;  ///< with the normal, of a direction that cannot meet the triangle
+  bool operator==(const Hemisphere&) const = default;
+};
+
+/// Rays that are wanted of a pixel.
+struct PixelRays {
+  vec3 origin{0};
   SampleRange range;
-  mat3 frame{1.0f};          ///< of the hemisphere
-  vec3 normal{0, 0, 1};      ///< of the triangle
-  double offset = 0;         ///< metres along the normal at which the rays start
-  double reach = 0;          ///< metres from the surface up to which a hit counts
   std::uint32_t stream = 0;  ///< a stream is a set of points that is independent of every other stream's
 };
 
-/// Rays of one pixel, ordered by the part of the hemisphere's disk that they go through, so that successive ones meet
-/// about the same things. Which rays there are does not depend on the order.
-class PixelSamples {
+/// What else is known of a packet's rays.
+struct LiftedLanes {
+  static constexpr std::size_t most = 16;
+  std::array<float, most> step{};  ///< metres by which a ray starts beyond the surface point, along itself
+  bool are_clear = false;          ///< none can meet its own triangle
+};
+
+/// Rays of some pixels, ordered by the part of the hemisphere's disk that they go through, so that successive ones,
+/// whichever pixel's, meet about the same things. Which rays a pixel has does not depend on the others.
+class HemisphereSamples {
  public:
-  /// Arrays are this much longer than their content, with zeros: packets may read on.
-  static constexpr std::size_t padding = 16;
+  static constexpr std::size_t most_pixels = 64;
+  static constexpr std::size_t sources = most_pixels * most_randomisations;
 
-  void make(const TruthParams& params, const PixelDirections& pixel);
+  void make(const TruthParams& params, const Hemisphere& hemisphere, std::span<const PixelRays> pixels);
 
-  std::size_t size() const { return size_; }
-  // A thousand points fit in the processor's nearest cache, but not twice: on their way to directions they wait where
-  // other columns will be.
-  std::vector<float> x, y, z;  ///< directions
-  std::vector<float> cosine;   ///< with the triangle's normal
-  std::vector<float> step;     ///< metres by which the ray starts beyond the surface point, along itself
-  std::vector<float> reach;    ///< metres; negative below the triangle's plane
-  std::vector<std::uint8_t> randomisation;
+  std::size_t size() const { return points_.size() - LiftedLanes::most; }
+  /// Index of the ray's pixel times most_randomisations, plus its randomisation.
+  std::size_t source(std::size_t ray) const { return source_[ray]; }
+  static std::size_t source_of(std::size_t pixel, std::size_t randomisation) {
+    return pixel * most_randomisations + randomisation;
+  }
+
+  /// Rays from `first` on, as many as a packet of 4, 8 or 16 takes. Lanes beyond the last ray look up.
+  template <int width>
+  void lift(std::size_t first, const RayLanes& to, LiftedLanes& lifted) const;
 
  private:
-  void resize(std::size_t size);
-  void order(const SampleRange& range, const Randomisations& before);
+  using Source = std::uint16_t;
+  static_assert(sources <= 1u << 16u);
 
-  std::size_t size_ = 0;
-  std::vector<std::uint8_t> stratum_;
+  void order(std::size_t strata);
+
+  Hemisphere hemisphere_;
+  AoWeight weight_ = AoWeight::cosine;
+  std::array<vec3, most_pixels> origins_{};
+  // As they are made, and in order; the latter are a packet longer.
+  std::vector<vec2> made_points_, points_;  // on the disk
+  std::vector<Source> made_source_, source_;
+  std::vector<std::uint16_t> made_stratum_;
+  std::vector<std::uint32_t> next_;  // place of a stratum's next point
+  std::vector<float> u_, v_;         // on the square, of one randomisation
 };
 
 }  // namespace umbrameter

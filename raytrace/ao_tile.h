@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "core/parallel.h"
 #include "core/random.h"
@@ -15,8 +17,8 @@
 
 namespace umbrameter {
 
-/// Rays is OcclusionPacket, or HitPacket where distances are wanted. A packet holds rays of one pixel: they leave from
-/// one place, and next to one another in PixelSamples' order they meet about the same boxes.
+/// Rays is OcclusionPacket, or HitPacket where distances are wanted. A packet holds rays that look in about the same
+/// direction from pixels next to one another, all of the same triangle.
 template <class Rays>
 class AoTile {
  public:
@@ -24,15 +26,9 @@ class AoTile {
       : task_(task), reach_(reach_of(task.params)), packet_(task.tracer.state()), triangles_(task.tracer) {}
 
   void trace(const Tile& tile, TracedAo& result) {
-    for (int y = tile.y_begin; y < tile.y_end; ++y) {
-      for (int x = tile.x_begin; x < tile.x_end; ++x) {
-        const std::size_t i = task_.gbuffer.instance.index(x, y);
-        if (!task_.gbuffer.is_surface(i)) continue;
-        Pixel pixel = start(i);
-        do {
-          trace_range(pixel);
-        } while (advance(pixel));
-        store(pixel, result);
+    for (int y = tile.y_begin; y < tile.y_end; y += block_size) {
+      for (int x = tile.x_begin; x < tile.x_end; x += block_size) {
+        trace_block({x, y, std::min(x + block_size, tile.x_end), std::min(y + block_size, tile.y_end)}, result);
       }
     }
   }
@@ -40,84 +36,136 @@ class AoTile {
   const TraceStatistics& statistics() const { return statistics_; }
 
  private:
+  static constexpr int block_size = 8;
+  static_assert(block_size * block_size <= HemisphereSamples::most_pixels);
+  // About a third of a megabyte, for the processor's second cache (docs/decisions/packets-of-neighbours.md).
+  static constexpr int most_rays_together = 16384;
+
   struct Pixel {
     explicit Pixel(const TruthParams& params) : stopping(params) {}
     std::size_t index = 0;
-    PixelDirections directions;
-    float clear_cosine = 0;  // with the triangle's normal, of a direction that cannot meet it
+    vec3 origin{0};
+    Hemisphere hemisphere;
     Stopping stopping;
     AoEstimate estimate;
     dvec3 open_direction{0.0};
     double blocked = 0.0;
     double blocked_distance = 0.0;
+    bool wants_more = true;
   };
+
+  void trace_block(const Tile& block, TracedAo& result) {
+    pixels_.clear();
+    for (int y = block.y_begin; y < block.y_end; ++y) {
+      for (int x = block.x_begin; x < block.x_end; ++x) {
+        const std::size_t i = task_.gbuffer.instance.index(x, y);
+        if (task_.gbuffer.is_surface(i)) pixels_.push_back(start(i));
+      }
+    }
+    for (std::size_t first = 0; first < pixels_.size();) {
+      const std::span<Pixel> left = std::span(pixels_).subspan(first);
+      const auto others = std::partition(left.begin() + 1, left.end(),
+                                         [&](const Pixel& pixel) { return may_share(left.front(), pixel); });
+      const auto size = static_cast<std::size_t>(others - left.begin());
+      trace_group(left.first(size));
+      first += size;
+    }
+    for (const Pixel& pixel : pixels_) store(pixel, result);
+  }
 
   Pixel start(std::size_t i) {
     const RayOrigin origin = ray_origin(task_.gbuffer, i, triangles_);
-    packet_.clear();
-    for (int lane = 0; lane < Rays::width; ++lane) {
-      packet_.add({vec3(origin.point), vec3(0, 0, 1), 0.0f, true}, task_.gbuffer.instance[i],
-                  task_.gbuffer.triangle[i]);
-    }
     Pixel pixel(task_.params);
     pixel.index = i;
-    PixelDirections& directions = pixel.directions;
-    directions.normal = vec3(origin.normal);
+    pixel.origin = vec3(origin.point);
+    Hemisphere& hemisphere = pixel.hemisphere;
+    hemisphere.normal = vec3(origin.normal);
     const vec3 shading = task_.gbuffer.shading_normal[i];
     const bool is_turned = task_.params.ao_normal == AoNormal::shading && glm::dot(shading, shading) > 0.0f;
-    directions.frame = frame_about(is_turned ? glm::normalize(shading) : directions.normal);
-    directions.offset = origin.offset;
-    directions.reach = reach_;
+    hemisphere.frame = frame_about(is_turned ? glm::normalize(shading) : hemisphere.normal);
+    hemisphere.offset = origin.offset;
+    hemisphere.reach = reach_;
     // The frame and its product are rounded a few times.
-    pixel.clear_cosine = static_cast<float>(origin.clear_cosine) + 0x1p-20f;
+    hemisphere.clear_cosine = static_cast<float>(origin.clear_cosine) + 0x1p-20f;
     statistics_.largest_offset = std::max(statistics_.largest_offset, origin.offset);
     return pixel;
   }
 
-  void trace_range(Pixel& pixel) {
-    pixel.directions.range = pixel.stopping.next();
-    pixel.directions.stream =
-        hash(static_cast<std::uint32_t>(pixel.index), pixel.stopping.is_pilot() ? 1u : 0u, task_.seed);
-    samples_.make(task_.params, pixel.directions);
+  // Distances are summed in the rays' order, which must not depend on other pixels.
+  bool may_share(const Pixel& a, const Pixel& b) const {
+    const GBuffer& gbuffer = task_.gbuffer;
+    return !Rays::knows_distance && gbuffer.instance[a.index] == gbuffer.instance[b.index] &&
+           gbuffer.triangle[a.index] == gbuffer.triangle[b.index] && a.hemisphere == b.hemisphere;
+  }
+
+  // Pixels of one triangle and hemisphere.
+  void trace_group(std::span<Pixel> pixels) {
+    const std::size_t first = pixels.front().index;
+    packet_.leave(task_.gbuffer.instance[first], task_.gbuffer.triangle[first]);
+    while (!pixels.empty()) {
+      for (std::span<Pixel> left = pixels; !left.empty();) {
+        std::size_t size = 1;
+        int rays = left.front().stopping.next().size();
+        for (; size < left.size() && rays + left[size].stopping.next().size() <= most_rays_together; ++size) {
+          rays += left[size].stopping.next().size();
+        }
+        trace_together(left.first(size));
+        left = left.subspan(size);
+      }
+      for (Pixel& pixel : pixels) pixel.wants_more = advance(pixel);
+      const auto done =
+          std::partition(pixels.begin(), pixels.end(), [](const Pixel& pixel) { return pixel.wants_more; });
+      pixels = {pixels.begin(), done};
+    }
+  }
+
+  void trace_together(std::span<Pixel> pixels) {
+    wanted_.clear();
+    for (const Pixel& pixel : pixels) {
+      const std::uint32_t stream =
+          hash(static_cast<std::uint32_t>(pixel.index), pixel.stopping.is_pilot() ? 1u : 0u, task_.seed);
+      wanted_.push_back({pixel.origin, pixel.stopping.next(), stream});
+    }
+    samples_.make(task_.params, pixels.front().hemisphere, wanted_);
     const std::size_t size = samples_.size();
-    std::array<std::uint32_t, most_randomisations> open{};
+    std::array<std::uint32_t, HemisphereSamples::sources> open{};
     for (std::size_t first = 0; first < size; first += Rays::width) {
       const int count = static_cast<int>(std::min(size - first, static_cast<std::size_t>(Rays::width)));
-      packet_.aim({samples_.x.data() + first, samples_.y.data() + first, samples_.z.data() + first,
-                   samples_.reach.data() + first, count, are_clear(first, pixel.clear_cosine)});
+      samples_.template lift<Rays::width>(first, packet_.lanes_to_write(), lifted_);
+      packet_.use(count, lifted_.are_clear);
       packet_.trace();
       for (int lane = 0; lane < count; ++lane) {
-        const std::size_t ray = first + static_cast<std::size_t>(lane);
+        const std::size_t source = samples_.source(first + static_cast<std::size_t>(lane));
         if constexpr (Rays::knows_distance) {
-          weigh(pixel, ray, lane);
+          weigh(pixels.front(), lane, source);
         } else {
-          open[samples_.randomisation[ray]] += packet_.is_blocked(lane) ? 0u : 1u;
+          open[source] += packet_.is_blocked(lane) ? 0u : 1u;
         }
       }
     }
-    pixel.estimate.split = pixel.directions.range.split;
-    for (std::size_t r = 0; r < open.size(); ++r) pixel.estimate.open[r] += open[r];
+    for (std::size_t p = 0; p < pixels.size(); ++p) {
+      AoEstimate& estimate = pixels[p].estimate;
+      estimate.split = wanted_[p].range.split;
+      for (std::size_t r = 0; r < most_randomisations; ++r) {
+        estimate.open[r] += open[HemisphereSamples::source_of(p, r)];
+      }
+    }
     statistics_.rays += size;
   }
 
-  bool are_clear(std::size_t first, float clear_cosine) const {
-    const float* const cosine = samples_.cosine.data() + first;
-    bool are_clear = true;
-    for (int lane = 0; lane < Rays::width; ++lane) are_clear &= cosine[lane] <= 0.0f || cosine[lane] > clear_cosine;
-    return are_clear;
-  }
-
-  void weigh(Pixel& pixel, std::size_t ray, int lane) {
+  void weigh(Pixel& pixel, int lane, std::size_t randomisation) {
     double open = 1.0;
     if (packet_.is_blocked(lane)) {
-      const double distance =
-          std::max(static_cast<double>(packet_.distance(lane)) + static_cast<double>(samples_.step[ray]), 0.0);
+      const double distance = std::max(static_cast<double>(packet_.distance(lane)) +
+                                           static_cast<double>(lifted_.step[static_cast<std::size_t>(lane)]),
+                                       0.0);
       open = 1.0 - falloff_weight(task_.params.ao_falloff, distance, task_.params.ao_distance);
       pixel.blocked += 1.0;
       pixel.blocked_distance += distance;
     }
-    pixel.estimate.open[samples_.randomisation[ray]] += open;
-    pixel.open_direction += open * dvec3(samples_.x[ray], samples_.y[ray], samples_.z[ray]);
+    pixel.estimate.open[randomisation] += open;
+    const RayLanes rays = packet_.lanes_to_write();
+    pixel.open_direction += open * dvec3(rays.dx[lane], rays.dy[lane], rays.dz[lane]);
   }
 
   // Whether the pixel needs more rays.
@@ -153,7 +201,10 @@ class AoTile {
   double reach_;
   Rays packet_;
   SurfelTable triangles_;
-  PixelSamples samples_;
+  std::vector<Pixel> pixels_;
+  std::vector<PixelRays> wanted_;
+  HemisphereSamples samples_;
+  LiftedLanes lifted_;
   TraceStatistics statistics_;
 };
 

@@ -38,14 +38,15 @@ class HitPacket {
     ++size_;
   }
 
-  /// Gives the first lanes rays from where they are and leaves the others idle.
-  void aim(const RaysFrom& from) {
-    aim_lanes<width>(rays_.ray, from);
-    size_ = from.count;
-    is_clear_ = from.are_clear;
+  /// As OcclusionPacket's.
+  void leave(std::uint32_t instance, std::uint32_t triangle) { own_all(query_, instance, triangle); }
+  RayLanes lanes_to_write() { return lanes_of(rays_.ray); }
+  void use(int count, bool are_clear) {
+    size_ = count;
+    is_clear_ = are_clear;
     for (int lane = 0; lane < width; ++lane) {
       forget_hit(lane);
-      valid_[lane] = lane < size_ && !(from.reach[lane] < 0.0f) ? -1 : 0;
+      valid_[lane] = lane < size_ && !(rays_.ray.tfar[lane] < 0.0f) ? -1 : 0;
     }
   }
 

@@ -21,14 +21,15 @@ struct ShadowRay {
 /// rounding of its own length.
 inline float reach_to_light(double distance) { return static_cast<float>(distance * (1.0 - 0x1p-22)); }
 
-/// Rays from one place, each of the arrays at least as long as a packet.
-struct RaysFrom {
-  const float* x = nullptr;  ///< directions
-  const float* y = nullptr;
-  const float* z = nullptr;
-  const float* reach = nullptr;  ///< metres; a negative one is blocked where it starts
-  int count = 0;                 ///< up to a packet's width
-  bool are_clear = false;        ///< none can meet its own triangle
+/// A packet's rays, to be written: arrays of its width.
+struct RayLanes {
+  float* x = nullptr;  ///< origins
+  float* y = nullptr;
+  float* z = nullptr;
+  float* dx = nullptr;  ///< directions, unit
+  float* dy = nullptr;
+  float* dz = nullptr;
+  float* reach = nullptr;  ///< metres; a negative one is blocked where it starts
 };
 
 /// Rays from places of their own, a column for each of their quantities.
@@ -75,13 +76,9 @@ void aim_lane(Rays& rays, int lane, const ShadowRay& ray) {
   rays.dir_z[lane] = ray.direction.z;
   rays.tfar[lane] = ray.reach;
 }
-template <int width, class Rays>
-void aim_lanes(Rays& rays, const RaysFrom& from) {
-  constexpr std::size_t size = static_cast<std::size_t>(width) * sizeof(float);
-  std::memcpy(rays.dir_x, from.x, size);
-  std::memcpy(rays.dir_y, from.y, size);
-  std::memcpy(rays.dir_z, from.z, size);
-  std::memcpy(rays.tfar, from.reach, size);
+template <class Rays>
+RayLanes lanes_of(Rays& rays) {
+  return {rays.org_x, rays.org_y, rays.org_z, rays.dir_x, rays.dir_y, rays.dir_z, rays.tfar};
 }
 
 /// How much of their way the rays of a packet go together: `high` where they leave from nearby in one direction.
@@ -146,11 +143,14 @@ class OcclusionPacket {
     is_clear_ = is_clear_ && ray.is_clear;
   }
 
-  /// Gives the first lanes rays from where they are and leaves the others idle.
-  void aim(const RaysFrom& from) {
-    aim_lanes<width>(rays_, from);
-    use_first(from.count);
-    is_clear_ = from.are_clear;
+  /// The triangle that the rays of all lanes leave and never hit.
+  void leave(std::uint32_t instance, std::uint32_t triangle) { own_all(query_, instance, triangle); }
+  /// Rays that leave it can be written here, and are taken by use().
+  RayLanes lanes_to_write() { return lanes_of(rays_); }
+  /// Only the first lanes are in use. `are_clear`: none can meet its own triangle.
+  void use(int count, bool are_clear) {
+    use_first(count);
+    is_clear_ = are_clear;
   }
 
   void trace() {

@@ -5,7 +5,7 @@
 
 namespace umbrameter {
 
-/// The fastest numbers of rays a packet (docs/decisions/packets-of-one-pixel.md): of occlusion rays on this processor,
+/// The fastest numbers of rays a packet (docs/decisions/packets-of-neighbours.md): of occlusion rays on this processor,
 /// and of rays to their nearest hits.
 int occlusion_packet_width(const Tracer& tracer);
 inline constexpr int hit_packet_width = 8;

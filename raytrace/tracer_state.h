@@ -1,7 +1,9 @@
 // What a Tracer holds, for raytrace/*.cpp alone.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
+#include <iterator>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -68,6 +70,12 @@ void filter_hit(const RTCFilterFunctionNArguments* arguments);
 
 /// Lets a hit count unless it is the ray's own triangle, a masked-out point, or a culled back face of a primary ray.
 void prepare(RayQuery& query, const Tracer::State& state, bool is_primary);
+
+/// Of all lanes.
+inline void own_all(RayQuery& query, std::uint32_t instance, std::uint32_t triangle) {
+  std::fill(std::begin(query.own_instance), std::end(query.own_instance), instance);
+  std::fill(std::begin(query.own_triangle), std::end(query.own_triangle), triangle);
+}
 
 /// Index into Scene::instances by the two ids of a hit: a shared mesh is hit as an instance, any other as a geometry.
 inline std::uint32_t instance_of(unsigned instance_id, unsigned geometry_id) {
