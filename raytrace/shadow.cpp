@@ -54,6 +54,13 @@ class Fetcher {
   std::array<const char*, most> lines_;
 };
 
+// Whether any of the surfels is one. Without branches, so that it becomes vectors.
+UMBRAMETER_VECTORS bool has_surface(const std::uint32_t* instances, std::size_t count) {
+  unsigned found = 0;
+  for (std::size_t i = 0; i < count; ++i) found |= instances[i] != no_id ? 1u : 0u;
+  return found != 0;
+}
+
 // Whether surfels are turned to a distant light.
 UMBRAMETER_VECTORS void find_turned(const vec3* __restrict normals, std::size_t count, const dvec3 to_light,
                                     std::uint8_t* __restrict turned) {
@@ -168,9 +175,16 @@ class ShadowTile {
   std::size_t collect(const Tile& tile, int top) {
     const int height = std::min(strip_height, tile.y_end - top);
     const auto columns = static_cast<std::size_t>(tile.x_end - tile.x_begin);
+    bool is_any = false;
     for (int row = 0; row < height; ++row) {
       const std::size_t first = gbuffer_.instance.index(tile.x_begin, top + row);
       std::array<std::uint8_t, tile_size>& turned = turned_[static_cast<std::size_t>(row)];
+      if (!has_surface(&gbuffer_.instance[first], columns)) {
+        turned.fill(0);
+        std::fill_n(&visibility_[first], columns, 1.0f);
+        continue;
+      }
+      is_any = true;
       if (ways_.is_distant()) {
         find_turned(&gbuffer_.geometric_normal[first], columns, ways_.to_distant(), turned.data());
       } else {
@@ -179,6 +193,7 @@ class ShadowTile {
       settle(&gbuffer_.instance[first], columns, turned.data(), &visibility_[first]);
     }
     std::size_t count = waiting_;
+    if (!is_any) return count;
     for (std::size_t x = 0; x < columns; ++x) {
       std::size_t pixel = gbuffer_.instance.index(tile.x_begin, top) + x;
       for (int row = 0; row < height; ++row, pixel += static_cast<std::size_t>(gbuffer_.width)) {
