@@ -34,6 +34,10 @@ Strata strata_of(std::size_t points) {
   return {rows, ordered / (4 * rows)};
 }
 
+// Floats of the widest vector. What is left over goes one by one, and would take longer than all the rest.
+constexpr std::size_t widest_vector = 16;
+std::size_t whole_vectors(std::size_t count) { return (count + widest_vector - 1) / widest_vector * widest_vector; }
+
 float wrapped(float value) { return value < 1.0f ? value : value - 1.0f; }
 
 // The loops below are plain ones over arrays, so that the compiler makes vectors of them.
@@ -129,7 +133,7 @@ template void HemisphereSamples::lift<16>(std::size_t, const RayLanes&, LiftedLa
 
 // A counting sort that keeps the points of a stratum as they were.
 void HemisphereSamples::order(std::size_t strata) {
-  const std::size_t size = made_points_.size();
+  const std::size_t size = made_source_.size();
   points_.assign(size + LiftedLanes::most, vec2(0));
   source_.assign(size + LiftedLanes::most, Source{0});
   next_.assign(strata + 1, 0);
@@ -155,8 +159,8 @@ void HemisphereSamples::make(const TruthParams& params, const Hemisphere& hemisp
   weight_ = params.ao_weight;
   std::size_t size = 0;
   for (const PixelRays& pixel : pixels) size += static_cast<std::size_t>(pixel.range.size());
-  made_points_.resize(size);
-  made_stratum_.resize(size);
+  made_points_.resize(size + widest_vector);
+  made_stratum_.resize(size + widest_vector);
   made_source_.resize(size);
   const Strata strata = strata_of(size);
   std::size_t first = 0;
@@ -169,14 +173,15 @@ void HemisphereSamples::make(const TruthParams& params, const Hemisphere& hemisp
       const std::uint32_t scramble = hash(pixel.stream, static_cast<std::uint32_t>(r));
       const auto begin = static_cast<std::uint32_t>(before.size(r));
       const auto count = static_cast<std::size_t>(all.size(r)) - begin;
-      u_.resize(count);
-      v_.resize(count);
+      u_.resize(whole_vectors(count));
+      v_.resize(whole_vectors(count));
       make_points(params.sampler == Sampler::owen, begin, scramble, u_, v_);
       // Shifted and turned at random: edges of occluders that run along the square's or through the middle of the disk
       // would else have the same count in every randomisation, or one of two, and such counts are far from a normal
       // distribution (Cranley and Patterson 1976 for the shift).
       const vec2 shift(to_unit_float(hash(scramble, 2u)), to_unit_float(hash(scramble, 3u)));
-      to_disk(count, shift, direction_at(to_unit_float(hash(scramble, 4u))), strata, u_.data(), v_.data(),
+      // What is too much is overwritten by the next.
+      to_disk(u_.size(), shift, direction_at(to_unit_float(hash(scramble, 4u))), strata, u_.data(), v_.data(),
               made_points_.data() + first, made_stratum_.data() + first);
       const std::size_t source = source_of(p, static_cast<std::size_t>(r));
       std::fill_n(made_source_.data() + first, count, static_cast<Source>(source));

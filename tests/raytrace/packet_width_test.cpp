@@ -118,10 +118,13 @@ TEST(HemisphereSamples, Are_the_same_on_every_processor) {
     hemisphere.normal = hemisphere.frame[2];
     hemisphere.offset = 1e-4;
     hemisphere.reach = 2.0;
-    const PixelRays pixels[] = {{vec3(1, 2, 3), {{16, 1037}, 0}, 99}, {vec3(4, 5, 6), {{8, 301}, 100}, 7}};
+    const PixelRays pixels[] = {{vec3(1, 2, 3), {{16, 1037}, 0}, 99},
+                                {vec3(4, 5, 6), {{8, 301}, 100}, 7},
+                                {vec3(7, 8, 9), {{16, 50}, 0}, 3},  // less than the widest vector of each randomisation
+                                {vec3(7, 8, 9), {{16, 61}, 50}, 3}};
     HemisphereSamples samples;
     samples.make(params, hemisphere, pixels);
-    ASSERT_EQ(samples.size(), 1037u + 201u);
+    ASSERT_EQ(samples.size(), 1037u + 201u + 50u + 11u);
     using Ray = std::array<float, 7>;  // source, origin, direction
     std::vector<Ray> expected;
     for (std::size_t p = 0; p < std::size(pixels); ++p) {
