@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/math.h"
-#include "raytrace/packet.h"
 #include "raytrace/parameters.h"
+#include "raytrace/ray_lanes.h"
 #include "raytrace/sampler.h"
 #include "raytrace/stopping.h"
 

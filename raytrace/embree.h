@@ -2,6 +2,9 @@
 // For raytrace/*.cpp alone.
 #pragma once
 
+#ifndef UMBRAMETER_EMBREE_MAJOR
+#error "only what is linked with Embree itself knows which one it is"
+#endif
 #if UMBRAMETER_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
 #else

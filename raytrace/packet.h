@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstring>
 
+#include "raytrace/ray_lanes.h"
 #include "raytrace/tracer_state.h"
 
 namespace umbrameter {
@@ -20,17 +21,6 @@ struct ShadowRay {
 /// Reach of a ray to a light that far off, metres. The light itself is no blocker: the ray stops short of it by the
 /// rounding of its own length.
 inline float reach_to_light(double distance) { return static_cast<float>(distance * (1.0 - 0x1p-22)); }
-
-/// A packet's rays, to be written: arrays of its width.
-struct RayLanes {
-  float* x = nullptr;  ///< origins
-  float* y = nullptr;
-  float* z = nullptr;
-  float* dx = nullptr;  ///< directions, unit
-  float* dy = nullptr;
-  float* dz = nullptr;
-  float* reach = nullptr;  ///< metres; a negative one is blocked where it starts
-};
 
 /// Rays from places of their own, a column for each of their quantities.
 template <std::size_t capacity>
