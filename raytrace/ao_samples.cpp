@@ -121,7 +121,7 @@ void HemisphereSamples::lift(std::size_t first, const RayLanes& to, LiftedLanes&
   if constexpr (width == 8) lift_8(points, hemisphere_, weight_, to, lifted);
   if constexpr (width == 16) lift_16(points, hemisphere_, weight_, to, lifted);
   for (std::size_t i = 0; i < static_cast<std::size_t>(width); ++i) {
-    const vec3& origin = origins_[source_[first + i] / most_randomisations];
+    const vec3& origin = origins_[pixel_of(source_[first + i])];
     to.x[i] = origin.x;
     to.y[i] = origin.y;
     to.z[i] = origin.z;
