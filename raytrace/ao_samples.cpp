@@ -134,8 +134,10 @@ template void HemisphereSamples::lift<16>(std::size_t, const RayLanes&, LiftedLa
 // A counting sort that keeps the points of a stratum as they were.
 void HemisphereSamples::order(std::size_t strata) {
   const std::size_t size = made_source_.size();
-  points_.assign(size + LiftedLanes::most, vec2(0));
-  source_.assign(size + LiftedLanes::most, Source{0});
+  points_.resize(size + LiftedLanes::most);
+  source_.resize(size + LiftedLanes::most);
+  std::fill_n(points_.data() + size, LiftedLanes::most, vec2(0));
+  std::fill_n(source_.data() + size, LiftedLanes::most, Source{0});
   next_.assign(strata + 1, 0);
   // The compiler cannot tell that these arrays are apart.
   std::uint32_t* __restrict const next = next_.data();

@@ -56,7 +56,8 @@ class HemisphereSamples {
 
   static std::size_t pixel_of(std::size_t source) { return source / most_randomisations; }
 
-  /// Rays from `first` on, as many as a packet of 4, 8 or 16 takes. Lanes beyond the last ray look up.
+  /// Rays from `first` on, as many as a packet of 4, 8 or 16 takes. Lanes beyond the last ray
+  /// look up from the first pixel.
   template <int width>
   void lift(std::size_t first, const RayLanes& to, LiftedLanes& lifted) const;
 
