@@ -77,7 +77,7 @@ PlotFigure make_plot(const Drawing& drawing, const char* stem, const char* title
   plot.y = std::move(y);
   if (drawing.part.line_axis) {
     plot.series = "line";
-    plot.series_label = label_of(drawing.sweep.parameters, drawing.line_key);
+    plot.series_label = label_of(drawing.plan().axes[*drawing.part.line_axis]);
   }
   return plot;
 }
@@ -89,7 +89,7 @@ bool suits_logarithm(const std::vector<double>& values) {
 }
 
 Axis constant_axis(const Drawing& drawing) {
-  return {"bias", label_of(drawing.sweep.parameters, drawing.constant_key),
+  return {"bias", label_of(drawing.plan().axes[*drawing.plan().constant_bias.axis]),
           suits_logarithm(drawing.plan().constant_bias.values)};
 }
 
@@ -178,15 +178,15 @@ HeatMapFigure heat_map(const Drawing& drawing, HeatRows kind) {
   figure.conditions = by_slope ? drawing.part.conditions : drawing.conditions;
   figure.caption = "Rings mark the cells of least error; steps of colour are the same in every run.";
   const SweepAxis& constant = plan.axes[*plan.constant_bias.axis];
-  figure.x = {"bias", label_of(drawing.sweep.parameters, drawing.constant_key),
+  figure.x = {"bias", label_of(drawing.plan().axes[*drawing.plan().constant_bias.axis]),
               constant.text.ends_with(":log") && suits_logarithm(plan.constant_bias.values)};
-  figure.y = {"row", label_of(drawing.sweep.parameters, by_slope ? drawing.slope_key : drawing.line_key)};
+  figure.y = {"row", label_of(plan.axes[by_slope ? *plan.slope_bias.axis : *drawing.part.line_axis])};
   figure.value = {"mae", error_label};
   figure.mark = "least";
   figure.data.columns = plain_columns({"bias", "row", "mae", "least", "panel"});
   if (by_slope && drawing.part.line_axis) {
     figure.panel = "panel";
-    figure.panel_label = label_of(drawing.sweep.parameters, drawing.line_key);
+    figure.panel_label = label_of(drawing.plan().axes[*drawing.part.line_axis]);
   }
   const Thinned lines = thin(drawing.lines(), by_slope ? most_panels : most_lines);
   const Thinned slopes = by_slope ? thin(plan.slope_bias.values.size(), most_slopes) : Thinned{{drawing.slope}, 1};
@@ -286,7 +286,7 @@ std::optional<PlotFigure> law_plot(const Drawing& drawing) {
       const BiasCurve* curve = curve_at(drawing, line);
       if (curve == nullptr) continue;
       const auto point =
-          law_point(law.of, curve->reading.lines[drawing.slope], curve->reading.mean_texel, drawing.curves.constants);
+          law_point(drawing.curves, law.of, curve->reading.lines[drawing.slope], curve->reading.mean_texel);
       if (point) plot.data.rows.push_back({point->texel, point->bias, name, true});
     }
     plot.caption += fmt::format(" Of {}: {}; misses {} ({:.2g} texels).", name, law_text(*law.law),

@@ -7,12 +7,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json cell_json(const std::optional<BiasCell>& cell, const BiasCurve& curve) {
+Json cell_json(const BiasCurves& curves, const std::optional<BiasCell>& cell, const BiasCurve& curve) {
   if (!cell) return nullptr;
-  const double texel = curve.reading.mean_texel;
-  const auto share_of = [&](double whole) { return whole > 0.0 ? Json(cell->constant / whole) : Json(nullptr); };
-  return {{"constant_bias",
-           {{"m", cell->constant}, {"texels", share_of(texel)}, {"normalised_depth", share_of(curve.depth_range)}}},
+  return {{"constant_bias", to_json(in_units(curves, curve, *cell))},
           {"slope_bias_texels", cell->slope},
           {"mae", cell->mae},
           {"acne", cell->acne},
@@ -26,13 +23,13 @@ Json curve_json(const BiasCurves& curves, const BiasCurve& curve) {
   const BiasLine& line = flattest(reading);
   Json object = {{"at", row_json(curves.others, curve.others)},
                  {"mean_texel_m", reading.mean_texel},
-                 {"least_error", cell_json(least_error(reading), curve)}};
+                 {"least_error", cell_json(curves, least_error(reading), curve)}};
   if (curves.varies_constant) {
-    object["acne_at_most_0.1_percent"] = cell_json(line.little_acne, curve);
-    object["acne_free"] = cell_json(line.acne_free, curve);
+    object["acne_at_most_0.1_percent"] = cell_json(curves, line.little_acne, curve);
+    object["acne_free"] = cell_json(curves, line.acne_free, curve);
   }
-  object["acne_free_least_error"] = cell_json(best_without_acne(reading), curve);
-  object["knee"] = cell_json(knee(reading.front), curve);
+  object["acne_free_least_error"] = cell_json(curves, best_without_acne(reading), curve);
+  object["knee"] = cell_json(curves, knee(reading.front), curve);
   object["front_cells"] = reading.front.by_acne.size();
   if (reading.front.thinned) object["front_is_thinned"] = true;
   return object;

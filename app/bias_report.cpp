@@ -81,9 +81,9 @@ void add_laws(BiasCurves& curves, std::size_t resolution) {
         if (without_resolution(curve.others) != others) continue;
         const double texel = curve.reading.mean_texel;
         for (const BiasLine& line : curve.reading.lines) {
-          if (const auto point = law_point(of, line, texel, curves.constants)) all.push_back(*point);
+          if (const auto point = law_point(curves, of, line, texel)) all.push_back(*point);
         }
-        const auto point = law_point(of, flattest(curve.reading), texel, curves.constants);
+        const auto point = law_point(curves, of, flattest(curve.reading), texel);
         if (point) flat.push_back(*point);
         if (!point) ++law.left_out;
       }
@@ -96,12 +96,24 @@ void add_laws(BiasCurves& curves, std::size_t resolution) {
 
 }  // namespace
 
-std::optional<LawPoint> law_point(LawOf of, const BiasLine& line, double texel, std::span<const double> axis) {
+std::optional<LawPoint> law_point(const BiasCurves& curves, LawOf of, const BiasLine& line, double mean_texel) {
+  const std::span<const double> axis = curves.constants;
+  std::optional<LawPoint> point;
   if (of == LawOf::least_error) {
-    return line.least_error ? point_of_least_error(*line.least_error, texel, axis) : std::nullopt;
+    if (line.least_error) point = point_of_least_error(*line.least_error, mean_texel, axis);
+  } else {
+    const std::optional<BiasCell>& cell = of == LawOf::no_acne ? line.acne_free : line.little_acne;
+    if (cell) point = point_of_least_free(*cell, mean_texel, axis);
   }
-  const std::optional<BiasCell>& cell = of == LawOf::no_acne ? line.acne_free : line.little_acne;
-  return cell ? point_of_least_free(*cell, texel, axis) : std::nullopt;
+  if (point && curves.unit == LengthUnit::texels) {
+    point->bias *= mean_texel;
+    point->step *= mean_texel;
+  }
+  return point;
+}
+
+BiasInUnits in_units(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
+  return in_units(Length{cell.constant, curves.unit}, curve.reading.mean_texel, curve.depth_range);
 }
 
 std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep) {
@@ -118,9 +130,8 @@ std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep) {
   curves.combinations = 1;
   for (const std::size_t a : others) {
     const std::string& key = plan.axes[a].key;
-    const FieldDescription& description = require(sweep.parameters, key).description;
     if (key == resolution_key) resolution = curves.others.size();
-    curves.others.push_back({key, description.unit, description.meaning});
+    curves.others.push_back({key, plan.axes[a].unit, require(sweep.parameters, key).description.meaning});
     if (key != resolution_key) curves.of_a_law.push_back(curves.others.back());
     curves.combinations *= plan.axes[a].values.size();
   }
@@ -133,6 +144,7 @@ std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep) {
   fill(curves, sweep, others);
   if (curves.curves.empty()) return std::nullopt;
   curves.constants = plan.constant_bias.values;
+  curves.unit = plan.constant_unit;
   std::sort(curves.constants.begin(), curves.constants.end());
   if (resolution && curves.varies_constant) add_laws(curves, *resolution);
   return curves;

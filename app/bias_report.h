@@ -13,6 +13,7 @@
 #include "app/sweep_results.h"
 #include "compare/bias_curves.h"
 #include "compare/bias_law.h"
+#include "compare/bias_units.h"
 
 namespace umbrameter {
 
@@ -26,9 +27,6 @@ struct BiasCurve {
 /// Biases of a line that laws are fitted to.
 enum class LawOf : int { least_error, little_acne, no_acne };
 inline constexpr std::array<const char*, 3> law_names = {"least error", "acne at most 0.1 %", "no acne"};
-
-/// Nothing where the line has no such bias, or has it at an end of the ascending axis beyond which it may lie.
-std::optional<LawPoint> law_point(LawOf of, const BiasLine& line, double texel, std::span<const double> axis);
 
 /// The law over the resolutions, at one combination of all else.
 struct CurveLaw {
@@ -44,11 +42,19 @@ struct BiasCurves {
   std::vector<Column> of_a_law;  ///< those that are no resolution either
   bool varies_constant = false;
   bool varies_slope = false;
-  std::vector<BiasCurve> curves;  ///< in the order of cells
-  std::vector<CurveLaw> laws;     ///< none where the resolution is not varied
-  std::vector<double> constants;  ///< the axis of constant biases, ascending, metres
-  std::size_t combinations = 0;   ///< how many curves there are; at most 200 are read
+  std::vector<BiasCurve> curves;         ///< in the order of cells
+  std::vector<CurveLaw> laws;            ///< none where the resolution is not varied
+  std::vector<double> constants;         ///< the axis of constant biases, ascending, in `unit`
+  LengthUnit unit = LengthUnit::metres;  ///< of all constant biases: metres or texels
+  std::size_t combinations = 0;          ///< how many curves there are; at most 200 are read
 };
+
+/// In metres, whatever the unit of the axis. Nothing where the line has no such bias, or has it at an end of the axis
+/// beyond which it may lie.
+std::optional<LawPoint> law_point(const BiasCurves& curves, LawOf of, const BiasLine& line, double mean_texel);
+
+/// The cell's constant bias in all units.
+BiasInUnits in_units(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell);
 
 /// Nothing where no bias is varied, the truth is no binary visibility, or there are more than 4,096 slope-scaled
 /// biases.
@@ -57,8 +63,8 @@ std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep);
 /// Adds the tables, a paragraph and lines for the console.
 void present_bias(Presentation& presentation, const BiasCurves& curves);
 
-/// A bias as people read it: "12.5 mm (0.43 texels)".
-std::string bias_text(const BiasCell& cell, double texel, bool with_slope);
+/// A bias as people read it: "12.5 mm (0.43 texels)", with the slope-scaled one where that is varied.
+std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell);
 /// "1.2 mm + 0.87 texels".
 std::string law_text(const BiasLaw& law);
 

@@ -15,7 +15,7 @@ constexpr std::size_t most_rows_by_slope = 400;
 
 const Value nothing = std::string();
 
-Value in_texels(double metres, double texel) { return texel > 0.0 ? Value(metres / texel) : nothing; }
+Value known(double number) { return std::isfinite(number) ? Value(number) : nothing; }
 
 std::string setting_text(const std::vector<Column>& columns, const std::vector<Value>& values) {
   std::string text;
@@ -72,9 +72,10 @@ Table choices_table(const BiasCurves& curves) {
         continue;
       }
       const BiasCell& cell = *choice.cell;
-      const std::vector<Value> values = {cell.constant,
-                                         in_texels(cell.constant, curve.reading.mean_texel),
-                                         in_texels(cell.constant, curve.depth_range),
+      const BiasInUnits bias = in_units(curves, curve, cell);
+      const std::vector<Value> values = {known(bias.metres),
+                                         known(bias.texels),
+                                         known(bias.depth),
                                          cell.slope,
                                          100.0 * cell.mae,
                                          100.0 * cell.acne,
@@ -103,15 +104,13 @@ Table slopes_table(const BiasCurves& curves) {
                                     {"none from, in texels", "texels", "the same at the mean texel"}};
   table.columns.insert(table.columns.end(), rest.begin(), rest.end());
   for (const BiasCurve& curve : curves.curves) {
-    const double texel = curve.reading.mean_texel;
     for (const BiasLine& line : curve.reading.lines) {
       if (!line.least_error || table.rows.size() >= most_rows_by_slope) continue;
       std::vector<Value> row = curve.others;
-      row.insert(row.end(), {line.slope, 100.0 * line.least_error->mae, line.least_error->constant,
-                             in_texels(line.least_error->constant, texel)});
-      for (const std::optional<BiasCell>& cell : {line.little_acne, line.acne_free}) {
-        row.push_back(cell ? Value(cell->constant) : nothing);
-        row.push_back(cell ? in_texels(cell->constant, texel) : nothing);
+      row.insert(row.end(), {line.slope, 100.0 * line.least_error->mae});
+      for (const std::optional<BiasCell>& cell : {line.least_error, line.little_acne, line.acne_free}) {
+        row.push_back(cell ? known(in_units(curves, curve, *cell).metres) : nothing);
+        row.push_back(cell ? known(in_units(curves, curve, *cell).texels) : nothing);
       }
       table.rows.push_back(std::move(row));
     }
@@ -188,10 +187,11 @@ std::string explanation(const BiasCurves& curves) {
 
 }  // namespace
 
-std::string bias_text(const BiasCell& cell, double texel, bool with_slope) {
-  std::string text = length(cell.constant);
-  if (texel > 0.0) text += fmt::format(" ({:.3g} texels)", cell.constant / texel);
-  if (with_slope) text += fmt::format(", slope {:.3g} texels", cell.slope);
+std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
+  const BiasInUnits bias = in_units(curves, curve, cell);
+  std::string text = length(bias.metres);
+  if (std::isfinite(bias.texels)) text += fmt::format(" ({:.3g} texels)", bias.texels);
+  if (curves.varies_slope) text += fmt::format(", slope {:.3g} texels", cell.slope);
   return text;
 }
 
@@ -214,10 +214,9 @@ void present_bias(Presentation& presentation, const BiasCurves& curves) {
     const BiasCell least = *least_error(curve.reading);
     const std::string setting = setting_text(curves.others, curve.others);
     std::string line = fmt::format("  {}{}least error {} at {}", setting, setting.empty() ? "" : ": ",
-                                   percent(least.mae), bias_text(least, curve.reading.mean_texel, curves.varies_slope));
+                                   percent(least.mae), bias_text(curves, curve, least));
     if (const std::optional<BiasCell> safe = best_without_acne(curve.reading)) {
-      line += fmt::format("; without acne {} at {}", percent(safe->mae),
-                          bias_text(*safe, curve.reading.mean_texel, curves.varies_slope));
+      line += fmt::format("; without acne {} at {}", percent(safe->mae), bias_text(curves, curve, *safe));
     }
     presentation.lines.push_back(std::move(line));
   }

@@ -36,6 +36,13 @@ Parameters describe(Experiment& experiment) {
                       describe(experiment.ao), describe(experiment.truth), describe(experiment.run)});
 }
 
+Experiment in_metres(Experiment experiment, double scene_size) {
+  experiment.ao = in_metres(experiment.ao, scene_size);
+  Length& limit = experiment.truth.ao_distance;
+  limit = limit.unit == LengthUnit::automatic ? experiment.ao.radius.number : to_metres(limit, scene_size);
+  return experiment;
+}
+
 std::string scene_title(const Experiment& experiment) {
   const std::string name = std::filesystem::path(experiment.scene).filename().string();
   return experiment.view.scene.empty() ? name : name + ", scene " + experiment.view.scene;

@@ -44,6 +44,10 @@ struct Experiment {
 /// The built-in scene's name, or the file's name without its folder, with the scene chosen in it.
 std::string scene_title(const Experiment& experiment);
 
+/// With the lengths of ambient occlusion in metres; an automatic truth.ao-distance becomes the experiment's own
+/// ao.radius, so that both sides look equally far. scene_size is the diagonal of the scene's bounds, metres.
+Experiment in_metres(Experiment experiment, double scene_size);
+
 /// All parameters, bound to this experiment.
 Parameters describe(Experiment& experiment);
 

@@ -52,11 +52,12 @@ std::optional<CacheFolder> chosen_cache(const CommandLine& line, const Console& 
 }
 
 ExitCode run_image_command(const CommandLine& line, const Console& console) {
-  const Experiment experiment = make_experiment(line);
+  const Experiment given = make_experiment(line);
   prepare_output_folder(line.output);
   const ThreadLimit threads(line.threads);
-  Workbench workbench(load_scene(experiment.scene, experiment.view.scene),
+  Workbench workbench(load_scene(given.scene, given.view.scene),
                       {line.gl_device, line.threads, chosen_cache(line, console)}, console);
+  const Experiment experiment = workbench.in_metres(given);
   const Sides sides = sides_of(line.command);
   const std::vector<std::uint32_t> lights = workbench.lights(experiment.view.light);
   workbench.require_sense_for(experiment, lights);
@@ -83,7 +84,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
     if (shadow.shape) present_shape(output.parts.back(), workbench, shadow);
   }
   output.parts.push_back(present_ao(*measurement.ao, experiment));
-  output.summary = {line.command, experiment, &workbench, &measurement, {}, {}, {}, {}};
+  output.summary = {line.command, given, &workbench, &measurement, {}, {}, {}, {}};
   if (sides.raster) output.summary.gl_renderer = workbench.context().device().renderer;
   return write_run(line, console, std::move(output));
 }

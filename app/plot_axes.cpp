@@ -6,11 +6,10 @@
 
 namespace umbrameter {
 
-std::string label_of(const Parameters& parameters, const std::string& key) {
-  const std::string& unit = require(parameters, key).description.unit;
-  std::string label = key.substr(key.find('.') + 1);
+std::string label_of(const SweepAxis& axis) {
+  std::string label = axis.key.substr(axis.key.find('.') + 1);
   std::replace(label.begin(), label.end(), '-', ' ');
-  return label + (unit.empty() ? "" : " [" + unit + "]");
+  return label + (axis.unit.empty() ? "" : " [" + axis.unit + "]");
 }
 
 std::string short_text(const Value& value) {

@@ -10,7 +10,7 @@
 namespace umbrameter {
 
 /// "shadow.constant-bias" in metres is "constant bias [m]".
-std::string label_of(const Parameters& parameters, const std::string& key);
+std::string label_of(const SweepAxis& axis);
 
 /// A value for people: numbers with six significant digits.
 std::string short_text(const Value& value);

@@ -6,6 +6,7 @@
 
 #include "app/layers.h"
 #include "app/scene_report.h"
+#include "compare/bias_units.h"
 #include "compare/sweep.h"
 
 namespace umbrameter {
@@ -174,6 +175,11 @@ std::string percent(const Estimate& share) {
   return fmt::format("{:.3f} % [{:.3f}, {:.3f}]", 100.0 * share.value, 100.0 * share.lower, 100.0 * share.upper);
 }
 
+std::string length_text(const Length& any) {
+  return any.unit == LengthUnit::metres ? length(any.number)
+                                        : fmt::format("{:.4g} {}", any.number, unit_name(any.unit));
+}
+
 std::string length(double metres) {
   const double size = std::abs(metres);
   if (size >= 1.0 || size == 0.0) return fmt::format("{:.3g} m", metres);
@@ -216,13 +222,14 @@ Presentation present_picture(const Workbench& workbench, const Measurement& meas
 
 ReportTable bias_table(const ShadowMeasurement& shadow, const Experiment& experiment) {
   Table table{{{"constant bias", "", ""}, {"value", "", ""}, {"unit", "", ""}}, {}};
-  const double bias = experiment.shadow.constant_bias;
   const double texel = shadow.counted.mean_texel;
-  table.rows.push_back({std::string("along the light"), fmt::format("{:.6g}", bias), std::string("m")});
-  table.rows.push_back({std::string("at the mean texel of ") + length(texel),
-                        texel > 0.0 ? fmt::format("{:.4g}", bias / texel) : "—", std::string("texels")});
-  table.rows.push_back({std::string("of the map's depth range of ") + length(shadow.frame.far_depth),
-                        fmt::format("{:.6g}", bias / shadow.frame.far_depth), std::string("normalised depth")});
+  const BiasInUnits bias = in_units(experiment.shadow.constant_bias, texel, shadow.frame.far_depth);
+  const auto known = [](double number) { return std::isfinite(number) ? fmt::format("{:.4g}", number) : "—"; };
+  table.rows.push_back({std::string("along the light"), known(bias.metres), std::string("m")});
+  table.rows.push_back(
+      {std::string("at the mean texel of ") + length(texel), known(bias.texels), std::string("texels")});
+  table.rows.push_back({std::string("of the map's depth range of ") + length(shadow.frame.far_depth), known(bias.depth),
+                        std::string("normalised depth")});
   return {"The constant bias", std::move(table)};
 }
 
@@ -262,7 +269,7 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
                scalar_figure("raster_visibility_" + layer, "Shadow map: " + title,
                              fmt::format("{}² texels, {} filter, constant bias {}, slope bias {:g} texels.",
                                          shadow.frame.resolution, value_text(experiment, "shadow.filter"),
-                                         length(experiment.shadow.constant_bias), experiment.shadow.slope_bias),
+                                         length_text(experiment.shadow.constant_bias), experiment.shadow.slope_bias),
                              shadow.raster->visibility, visibility_scale));
   }
   if (shadow.soft_statistics) {
@@ -302,7 +309,7 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
   presentation.lines.push_back(
       fmt::format("{:<10} error {}: acne {}, false occlusion {}, peter-panning {}, leak {}  (texel {}, bias {})", title,
                   percent(s.mae), percent(s.acne), percent(s.false_occlusion), percent(s.peter_panning),
-                  percent(s.leak), length(s.mean_texel), length(experiment.shadow.constant_bias)));
+                  percent(s.leak), length(s.mean_texel), length_text(experiment.shadow.constant_bias)));
   if (shadow.agreement && shadow.agreement->taps > 0) {
     presentation.lines.push_back(
         fmt::format("{:<10} of {} taps that planes called foreign, rays called {:.3f} % own, by weight", "",
@@ -315,8 +322,9 @@ Presentation present_ao(const AoMeasurement& ao, const Experiment& experiment) {
   Presentation presentation;
   ReportSection& section = presentation.section;
   section.title = "Ambient occlusion";
-  const std::string limit =
-      experiment.truth.ao_distance > 0.0 ? "up to " + length(experiment.truth.ao_distance) : "without a distance limit";
+  const std::string limit = has_distance_limit(experiment.truth)
+                                ? "up to " + length(experiment.truth.ao_distance.number)
+                                : "without a distance limit";
   if (ao.truth) {
     add_figure(presentation,
                scalar_figure("truth_ao", "Truth: ambient occlusion",
@@ -325,13 +333,14 @@ Presentation present_ao(const AoMeasurement& ao, const Experiment& experiment) {
                              ao.truth->ao, ao_scale));
   }
   if (ao.raster) {
-    add_figure(presentation, scalar_figure("raster_ao", "SSAO",
-                                           fmt::format("{} samples, radius {}, bias {}{}.", experiment.ao.samples,
-                                                       length(experiment.ao.radius), length(experiment.ao.bias),
-                                                       experiment.ao.blur == AoBlur::box
-                                                           ? fmt::format(", {0}×{0} box blur", experiment.ao.blur_size)
-                                                           : ""),
-                                           *ao.raster, ao_scale));
+    add_figure(presentation,
+               scalar_figure("raster_ao", "SSAO",
+                             fmt::format("{} samples, radius {}, bias {}{}.", experiment.ao.samples,
+                                         length(experiment.ao.radius.number), length(experiment.ao.bias.number),
+                                         experiment.ao.blur == AoBlur::box
+                                             ? fmt::format(", {0}×{0} box blur", experiment.ao.blur_size)
+                                             : ""),
+                             *ao.raster, ao_scale));
   }
   if (ao.truth) {
     section.text = precision_text(ao.truth->precision, experiment.truth) + offset_text(ao.truth->statistics);
@@ -352,7 +361,7 @@ Presentation present_ao(const AoMeasurement& ao, const Experiment& experiment) {
   };
   section.tables = {statistics_table("Error of the ambient occlusion", ao_columns(), to_row(s))};
   presentation.lines.push_back(fmt::format("{:<10} error {}, mean {} (SSAO radius {}, truth {})", "AO", percent(s.mae),
-                                           percent(s.mean_error), length(experiment.ao.radius), limit));
+                                           percent(s.mean_error), length(experiment.ao.radius.number), limit));
   return presentation;
 }
 

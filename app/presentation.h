@@ -16,6 +16,8 @@ std::string percent(double share);
 std::string percent(const Estimate& share);
 /// Three significant digits in the unit that suits: "12.5 mm", "1.2 m".
 std::string length(double metres);
+/// The same of a length in metres; "1.5 texels" of one in texels.
+std::string length_text(const Length& any);
 
 /// A share as a number in per cent with four decimals, for tables.
 std::string share_text(double share);

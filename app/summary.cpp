@@ -1,5 +1,6 @@
 #include "app/summary.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/scene_report.h"
@@ -63,9 +64,7 @@ Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow, co
   const double texel = shadow.counted.mean_texel;
   object["map"] = {
       {"resolution_texels", shadow.frame.resolution}, {"mean_texel_m", texel}, {"far_depth_m", shadow.frame.far_depth}};
-  object["constant_bias"] = {{"m", experiment.shadow.constant_bias},
-                             {"texels", texel > 0.0 ? Json(experiment.shadow.constant_bias / texel) : Json(nullptr)},
-                             {"normalised_depth", experiment.shadow.constant_bias / shadow.frame.far_depth}};
+  object["constant_bias"] = to_json(in_units(experiment.shadow.constant_bias, texel, shadow.frame.far_depth));
   Json counting = Json::object();
   for (std::size_t i = 0; i < counting_names.size(); ++i) {
     counting[std::string(counting_names[i])] = shadow.counted.totals[i];
@@ -110,6 +109,11 @@ Json ao_json(const AoMeasurement& ao) {
 }
 
 }  // namespace
+
+Json to_json(const BiasInUnits& bias) {
+  const auto known = [](double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); };
+  return {{"m", known(bias.metres)}, {"texels", known(bias.texels)}, {"normalised_depth", known(bias.depth)}};
+}
 
 Json row_json(const std::vector<Column>& columns, const std::vector<Value>& row) {
   Json object = Json::object();

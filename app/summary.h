@@ -31,6 +31,9 @@ struct SummaryInput {
   std::vector<std::string> problems;  ///< what could not be made
 };
 
+/// {"m", "texels", "normalised_depth"}; null for one that is not known.
+nlohmann::ordered_json to_json(const BiasInUnits& bias);
+
 /// A row by the names of its columns.
 nlohmann::ordered_json row_json(const std::vector<Column>& columns, const std::vector<Value>& row);
 

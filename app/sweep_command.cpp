@@ -147,7 +147,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   if (store.complete()) {
     note(console, fmt::format("all {} cells are there already; --force measures them anew", plan.cells));
   } else {
-    const EvaluateGroup evaluate = make_evaluator(workbench, experiment, axes, measure);
+    const EvaluateGroup evaluate = make_evaluator(workbench, workbench.in_metres(experiment), axes, measure);
     bool is_begun = false;
     measure_missing(
         plan, store,
@@ -173,7 +173,8 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   const std::optional<BiasCurves> curves = read_bias_curves(results);
   const std::vector<Value> least = least_row(results);
   const Experiment best =
-      at_cell(experiment, axes, {least.begin(), least.begin() + static_cast<std::ptrdiff_t>(axes.size())});
+      workbench.in_metres(at_cell(workbench.in_metres(experiment), axes,
+                                  {least.begin(), least.begin() + static_cast<std::ptrdiff_t>(axes.size())}));
   Measurement measurement;
   measurement.surfels = workbench.surfels(best.view);
   RunOutput output;

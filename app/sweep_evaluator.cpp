@@ -41,7 +41,7 @@ std::vector<float> to_floats(const std::vector<double>& values) {
 void measure_biases(Workbench& workbench, const Experiment& experiment, const CellGroup& group, const RowSink& keep) {
   const std::uint32_t light = workbench.lights(experiment.view.light).front();
   const std::vector<float> constant = to_floats(group.constant_bias.values);
-  BiasAxes biases{constant, to_floats(group.slope_bias.values)};
+  BiasAxes biases{constant, to_floats(group.slope_bias.values), experiment.shadow.constant_bias.unit};
   std::sort(biases.constant.begin(), biases.constant.end());
   biases.constant.erase(std::unique(biases.constant.begin(), biases.constant.end()), biases.constant.end());
   const BiasHistogram histogram = workbench.bias_response(experiment, light, biases);
@@ -105,7 +105,7 @@ std::vector<Value> sample_row(Measure measure) {
 
 Experiment at_cell(Experiment experiment, const std::vector<SweepAxis>& axes, const std::vector<Value>& values) {
   const Parameters parameters = describe(experiment);
-  for (std::size_t a = 0; a < axes.size(); ++a) require(parameters, axes[a].key).set(values[a]);
+  for (std::size_t a = 0; a < axes.size(); ++a) set_value(parameters, axes[a], values[a]);
   return experiment;
 }
 

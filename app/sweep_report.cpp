@@ -112,12 +112,12 @@ PlotFigure make_plot(const SweepResults& sweep, const Layout& layout, const Plot
   plot.title = curve.title;
   plot.conditions = cells.conditions;
   plot.caption = cells.caption;
-  plot.x = {x.key, label_of(sweep.parameters, x.key), is_geometric(x)};
+  plot.x = {x.key, label_of(x), is_geometric(x)};
   plot.y = {curve.column, curve.label, curve.logarithmic};
   std::vector<std::string> names = {x.key, curve.column};
   if (layout.series) {
     plot.series = sweep.plan.axes[*layout.series].key;
-    plot.series_label = label_of(sweep.parameters, *plot.series);
+    plot.series_label = label_of(sweep.plan.axes[*layout.series]);
     names.push_back(*plot.series);
   }
   if (curve.has_interval) {

@@ -136,7 +136,7 @@ const LightFit& Workbench::fit(const Experiment& experiment, std::uint32_t light
 
 ReferenceKey Workbench::reference_key(const Experiment& experiment, const std::string& kind) {
   if (!cache_.enabled()) return {};
-  TruthParams params = experiment.truth;
+  TruthParams params = in_metres(experiment).truth;
   return {kind,
           tracer_identity_.get("", tracer_identity),
           scene_content_.get("", [&] { return scene_content(scene_); }),
@@ -178,8 +178,12 @@ const TracedVisibility& Workbench::truth(const Experiment& experiment, std::uint
   });
 }
 
+Experiment Workbench::in_metres(const Experiment& experiment) const {
+  return umbrameter::in_metres(experiment, 2.0 * bounds_.radius());
+}
+
 const TracedAo& Workbench::ao_truth(const Experiment& experiment) {
-  TruthParams params = experiment.truth;
+  TruthParams params = in_metres(experiment).truth;
   const std::string key = surfel_key(experiment.view) + key_of(describe(params)) + std::to_string(experiment.run.seed);
   return ao_truth_.get(key, [&] {
     const std::function<TracedAo()> trace = [&] {
@@ -241,8 +245,9 @@ ClassAgreement Workbench::judge(const Experiment& experiment, std::uint32_t ligh
   ClassAgreement agreement;
   for (const uvec4& weights : wrong.weights.pixels) agreement.wrong += sum_of(weights);
   const GBuffer& gbuffer = surfels(experiment.view).gbuffer;
-  const BiasAxes biases{{static_cast<float>(experiment.shadow.constant_bias)},
-                        {static_cast<float>(experiment.shadow.slope_bias)}};
+  const Length& bias = experiment.shadow.constant_bias;
+  const BiasAxes biases{
+      {static_cast<float>(bias.number)}, {static_cast<float>(experiment.shadow.slope_bias)}, bias.unit};
   judge_taps(experiment, light, biases, [&](std::span<const ForeignTap> taps, std::span<const std::uint8_t> own) {
     apply_judgement(wrong, gbuffer, taps, own);
     add_judgement(agreement, taps, own);
@@ -251,8 +256,8 @@ ClassAgreement Workbench::judge(const Experiment& experiment, std::uint32_t ligh
 }
 
 Image<float> Workbench::draw_ao(const Experiment& experiment) {
-  return umbrameter::draw_ao(context(), gpu_surfels(experiment.view), surfels(experiment.view).view, experiment.ao,
-                             static_cast<std::uint32_t>(experiment.run.seed));
+  return umbrameter::draw_ao(context(), gpu_surfels(experiment.view), surfels(experiment.view).view,
+                             in_metres(experiment).ao, static_cast<std::uint32_t>(experiment.run.seed));
 }
 
 }  // namespace umbrameter

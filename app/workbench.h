@@ -64,6 +64,8 @@ class Workbench {
 
   const Scene& scene() const { return scene_; }
   const Bounds& bounds() const { return bounds_; }
+  /// The experiment with its lengths in metres of this scene: in_metres().
+  Experiment in_metres(const Experiment& experiment) const;
   const std::string& layer(std::uint32_t light) const { return layers_[light]; }
   /// For people: the light's name, or "light 2" where it has none.
   std::string title(std::uint32_t light) const;

@@ -69,7 +69,8 @@ class PixelCounter {
     for (std::size_t s = 0; s < axes_.slope.size(); ++s) {
       flipping_.clear();
       for (std::size_t i = 0; i < taps_.size(); ++i) {
-        const std::size_t bin = bin_of(axes_, flip_of(taps_[i].critical_bias, surfel.slope, axes_.slope[s]));
+        const std::size_t bin = bin_of(axes_, flip_of(taps_[i].critical_bias, surfel.slope, axes_.slope[s]),
+                                       bias_unit_of(axes_.unit, surfel.texel));
         if (taps_[i].weight == 0 || bin == never) continue;
         if (causes_[i] == unknown) causes_[i] = cause_of(taps_[i], surfel.receiver, pixel, is_lit);
         flipping_.push_back({bin, taps_[i].weight, causes_[i]});
@@ -97,9 +98,9 @@ class PixelCounter {
 
 }  // namespace
 
-std::size_t bin_of(const BiasAxes& axes, float flip) {
-  const auto found =
-      std::partition_point(axes.constant.begin(), axes.constant.end(), [flip](float bias) { return !(bias >= flip); });
+std::size_t bin_of(const BiasAxes& axes, float flip, float bias_unit) {
+  const auto found = std::partition_point(axes.constant.begin(), axes.constant.end(),
+                                          [&](float bias) { return !lights(bias, bias_unit, flip); });
   return static_cast<std::size_t>(found - axes.constant.begin());
 }
 

@@ -11,8 +11,8 @@
 namespace umbrameter {
 
 /// The bin of BiasHistogram that a tap with that flip falls into: how many biases leave it blocked; all of them where
-/// the flip is not a number.
-std::size_t bin_of(const BiasAxes& axes, float flip);
+/// the flip is not a number. bias_unit is bias_unit_of() at the tap's receiver.
+std::size_t bin_of(const BiasAxes& axes, float flip, float bias_unit);
 
 /// The sums at each constant bias of the axis, for one of its slope factors: what rendering each cell would count.
 std::vector<VisibilitySums> sums_at_biases(const BiasHistogram& histogram, std::size_t slope);

@@ -79,8 +79,8 @@ void apply_judgement(BiasHistogram& histogram, std::span<const ForeignTap> taps,
   for (std::size_t s = 0; s < histogram.axes.slope.size(); ++s) {
     for (std::size_t i = 0; i < taps.size(); ++i) {
       if (own[i] == 0) continue;
-      const std::size_t bin =
-          bin_of(histogram.axes, flip_of(taps[i].critical_bias, taps[i].slope, histogram.axes.slope[s]));
+      const std::size_t bin = bin_of(
+          histogram.axes, flip_of(taps[i].critical_bias, taps[i].slope, histogram.axes.slope[s]), taps[i].bias_unit);
       if (bin == 0) continue;  // lit at every bias, and right
       std::array<std::uint64_t, cause_count>& weights = histogram.by_slope[s][bin].weights;
       turn_to_acne(weights[false_occlusion], weights[acne], taps[i].weight);
@@ -111,12 +111,14 @@ std::vector<ForeignTap> find_foreign_taps(const Scene& scene, const MapLookup& l
     const std::uint32_t at = packed(pixel % width, static_cast<std::size_t>(gbuffer.height) - 1 - pixel / width);
     fetch_taps(lookup, surfel, pixel, taps);
     for (const Tap& tap : taps) {
-      const bool says_lit = axes.constant.front() >= flip_of(tap.critical_bias, surfel.slope, least_slope);
+      const float bias_unit = bias_unit_of(axes.unit, surfel.texel);
+      const float flip = flip_of(tap.critical_bias, surfel.slope, least_slope);
+      const bool says_lit = lights(axes.constant.front(), bias_unit, flip);
       if (tap.weight == 0 || says_lit || !is_foreign(scene, lookup, tap, surfel.receiver, pixel, true)) continue;
       const auto face = static_cast<std::size_t>(tap.face);
       const std::size_t texel = texel_index(lookup.frame, tap.texel);
       found.push_back({at, packed(static_cast<std::size_t>(tap.texel.x), static_cast<std::size_t>(tap.texel.y)),
-                       static_cast<std::uint32_t>(tap.face), tap.weight, tap.critical_bias, surfel.slope,
+                       static_cast<std::uint32_t>(tap.face), tap.weight, tap.critical_bias, surfel.slope, bias_unit,
                        lookup.map.instance[face][texel], lookup.map.triangle[face][texel]});
     }
   }

@@ -142,6 +142,8 @@ TexelRay texel_ray(const LightFrame& frame, const ivec2& texel, int face) {
 
 float flip_of(float critical_bias, float slope, float slope_factor) { return critical_bias - slope_factor * slope; }
 
+bool lights(float bias, float bias_unit, float flip) { return bias * bias_unit >= flip; }
+
 SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel) {
   SurfelLookup result;
   const dvec3 position(lookup.gbuffer.position[pixel]);
@@ -154,6 +156,7 @@ SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel) {
   const double sine = length_of(cross_of(normal, to_light));
   const float texel = texel_side(lookup.frame, result.receiver);
   result.slope = texel * static_cast<float>(sine / cosine);
+  result.texel = texel;
   if (lookup.normal_offset != 0.0f) {
     const double shift =
         static_cast<double>(lookup.normal_offset) * static_cast<double>(texel) * (sine / length_of(to_light));

@@ -62,13 +62,20 @@ struct SurfelLookup {
   bool faces_light = false;  ///< geometric N·L > 0
   Receiver receiver;
   float slope = 0.0f;  ///< texel size at the receiver times tan of the angle to the light, metres
+  float texel = 0.0f;  ///< side of a texel at the receiver, metres
 };
 SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel);
 
 /// All taps of the filter at a surfel; those without weight among them.
 void fetch_taps(const MapLookup& lookup, const SurfelLookup& surfel, std::size_t pixel, std::vector<Tap>& taps);
 
-/// The constant bias from which on a tap is lit. Not inline: other modules may be compiled to contract it.
+/// The constant bias in metres from which on a tap is lit. Not inline: other modules may be compiled to contract it.
 float flip_of(float critical_bias, float slope, float slope_factor);
+
+/// Metres that a constant bias of 1 is at a receiver where a texel's side is that long.
+inline float bias_unit_of(LengthUnit unit, float texel) { return unit == LengthUnit::texels ? texel : 1.0f; }
+
+/// Whether that bias lights a tap that flips at `flip` metres: the shaders' lights(). Not inline, as flip_of().
+bool lights(float bias, float bias_unit, float flip);
 
 }  // namespace umbrameter

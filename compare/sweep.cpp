@@ -2,6 +2,8 @@
 
 #include <charconv>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <set>
 
 #include "core/error.h"
@@ -61,10 +63,11 @@ std::vector<double> spaced(double first, double last, std::size_t count, bool lo
   return values;
 }
 
-std::vector<double> parse_range(std::string_view key, std::string_view text, const std::vector<std::string>& parts) {
+std::vector<double> parse_range(std::string_view key, std::string_view text, const std::vector<std::string>& parts,
+                                const std::function<double(const std::string&)>& parse_end) {
   if (parts.size() != 3 && !(parts.size() == 4 && parts[3] == "log")) reject(key, text, "not an axis");
-  const double first = parse_real(key, text, parts[0]);
-  const double last = parse_real(key, text, parts[1]);
+  const double first = parse_end(parts[0]);
+  const double last = parse_end(parts[1]);
   const double count = parse_real(key, text, parts[2]);
   if (count < 1.0 || count != std::floor(count) || count > static_cast<double>(most_values)) {
     reject(key, text, "the count must be an integer from 1 to " + std::to_string(most_values));
@@ -75,12 +78,49 @@ std::vector<double> parse_range(std::string_view key, std::string_view text, con
   return spaced(first, last, static_cast<std::size_t>(count), logarithmic);
 }
 
+// The numbers of the lengths of one axis, and their unit, which the first that is not a bare 0 decides.
+struct LengthReader {
+  std::string_view key;
+  std::string_view text;
+  std::optional<LengthUnit> unit{};
+
+  double operator()(const std::string& part) {
+    const std::optional<Length> length = parse_length(part);
+    if (!length || length->unit == LengthUnit::automatic) reject(key, text, "'" + part + "' is not a length");
+    if (length->number == 0.0 && length->unit == LengthUnit::metres) return 0.0;
+    if (unit && *unit != length->unit) {
+      reject(key, text, "'" + part + "' has another unit than the values before it, " + std::string(unit_name(*unit)));
+    }
+    unit = length->unit;
+    return length->number;
+  }
+};
+
 }  // namespace
+
+void set_value(const Parameters& parameters, const SweepAxis& axis, const Value& value) {
+  const Parameter& parameter = require(parameters, axis.key);
+  if (std::holds_alternative<Length*>(parameter.field)) {
+    parameter.set(to_string(Length{to_number(value), axis.length_unit}));
+  } else {
+    parameter.set(value);
+  }
+}
 
 SweepAxis parse_axis(const Parameters& parameters, std::string_view key, std::string_view text) {
   const Parameter& parameter = require(parameters, key);
-  SweepAxis axis{std::string(key), std::string(text), {}};
+  SweepAxis axis{std::string(key), std::string(text), {}, parameter.description.unit};
   const Value before = parameter.value();
+  const bool is_length = std::holds_alternative<Length*>(parameter.field);
+  LengthReader lengths{key, text};
+  const auto accept_lengths = [&](const std::vector<double>& numbers) {
+    axis.length_unit = lengths.unit.value_or(LengthUnit::metres);
+    axis.unit = unit_name(axis.length_unit);
+    for (const double number : numbers) {
+      axis.values.emplace_back(number);
+      set_value(parameters, axis, number);
+    }
+  };
   const auto accept = [&](const auto& set_value) {
     set_value();
     axis.values.push_back(parameter.value());
@@ -89,9 +129,18 @@ SweepAxis parse_axis(const Parameters& parameters, std::string_view key, std::st
     if (text.find(':') != std::string_view::npos) {
       if (!parameter.is_number()) reject(key, text, "only numbers have ranges");
       const bool whole = std::holds_alternative<int*>(parameter.field);
-      for (const double value : parse_range(key, text, split(text, ':'))) {
-        accept([&] { parameter.set(whole ? std::round(value) : value); });
+      const std::vector<double> range = parse_range(key, text, split(text, ':'), [&](const std::string& part) {
+        return is_length ? lengths(part) : parse_real(key, text, part);
+      });
+      if (is_length) {
+        accept_lengths(range);
+      } else {
+        for (const double value : range) accept([&] { parameter.set(whole ? std::round(value) : value); });
       }
+    } else if (is_length) {
+      std::vector<double> numbers;
+      for (const std::string& part : split(text, ',')) numbers.push_back(lengths(part));
+      accept_lengths(numbers);
     } else {
       for (const std::string& part : split(text, ',')) accept([&] { parameter.set_text(part); });
     }

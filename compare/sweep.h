@@ -14,12 +14,18 @@ namespace umbrameter {
 struct SweepAxis {
   std::string key;
   std::string text;
-  std::vector<Value> values;  ///< each accepted by the parameter
+  std::vector<Value> values;  ///< each accepted by the parameter; of lengths the numbers
+  std::string unit{};         ///< of the values: the parameter's or, of lengths in another unit, that one
+  LengthUnit length_unit = LengthUnit::metres;  ///< of lengths
 };
 
+/// Sets the axis's parameter to one of its values.
+void set_value(const Parameters& parameters, const SweepAxis& axis, const Value& value);
+
 /// Reads "first:last:count", "first:last:count:log" or a comma-separated list for the parameter of that key.
+/// Lengths have a unit each, or none (metres); a 0 without a unit goes with any other: "0:4texels:33".
 /// Throws Error (usage) that names the axis: unknown key, malformed text, a value out of the parameter's range,
-/// more than 10⁶ values.
+/// lengths of several units, more than 10⁶ values.
 SweepAxis parse_axis(const Parameters& parameters, std::string_view key, std::string_view text);
 
 /// "key=text", as given to --vary.

@@ -38,8 +38,22 @@ InnerAxis make_inner(const Parameters& parameters, const SweepPlan& plan, std::s
     return inner;
   }
   const Parameter* own = find(parameters, key);
-  inner.values.push_back(own != nullptr ? to_number(own->value()) : 0.0);
+  if (own == nullptr) {
+    inner.values.push_back(0.0);
+  } else if (const auto* const* length = std::get_if<Length*>(&own->field)) {
+    inner.values.push_back((*length)->number);
+  } else {
+    inner.values.push_back(to_number(own->value()));
+  }
   return inner;
+}
+
+// Of the constant biases: the axis's, or that of the one value where it is not varied.
+LengthUnit unit_of_constants(const Parameters& parameters, const SweepPlan& plan) {
+  if (plan.constant_bias.axis) return plan.axes[*plan.constant_bias.axis].length_unit;
+  const Parameter* own = find(parameters, constant_bias_key);
+  const auto* length = own != nullptr ? std::get_if<Length*>(&own->field) : nullptr;
+  return length != nullptr ? (*length)->unit : LengthUnit::metres;
 }
 
 // How many of the biases go into one group. A pass is paid for each slope-scaled bias, hardly for a constant one: so
@@ -84,6 +98,7 @@ SweepPlan plan_sweep(const Parameters& parameters, std::vector<SweepAxis> axes) 
                    [&](std::size_t a, std::size_t b) { return cost_of(plan.axes[a].key) < cost_of(plan.axes[b].key); });
   plan.constant_bias = make_inner(parameters, plan, constant_bias_key);
   plan.slope_bias = make_inner(parameters, plan, slope_bias_key);
+  plan.constant_unit = unit_of_constants(parameters, plan);
   return plan;
 }
 

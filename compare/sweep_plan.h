@@ -30,8 +30,9 @@ struct SweepPlan {
   std::vector<SweepAxis> axes;       ///< as given; a cell's index counts with the last one running fastest
   std::vector<std::size_t> strides;  ///< of each axis: cells from one of its values to the next
   std::vector<std::size_t> outer;    ///< the axes that are not inner, the most expensive to change first
-  InnerAxis constant_bias;           ///< metres
-  InnerAxis slope_bias;              ///< texels
+  InnerAxis constant_bias;           ///< in constant_unit
+  LengthUnit constant_unit = LengthUnit::metres;
+  InnerAxis slope_bias;  ///< texels
   std::size_t cells = 1;
 };
 
@@ -49,7 +50,7 @@ std::vector<std::size_t> outer_axes_as_given(const SweepPlan& plan);
 struct CellGroup {
   std::size_t first_cell = 0;
   std::vector<Value> values;  ///< of all axes at the first cell
-  InnerAxis constant_bias;    ///< metres
+  InnerAxis constant_bias;    ///< in the plan's constant_unit
   InnerAxis slope_bias;       ///< texels
 
   std::size_t size() const { return constant_bias.values.size() * slope_bias.values.size(); }

@@ -1,6 +1,7 @@
 #include "core/parameters.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -63,7 +64,85 @@ bool fits(const FieldDescription& description, double number) {
   return !description.power_of_two || (integer > 0 && (integer & (integer - 1)) == 0);
 }
 
+bool fits(const FieldDescription& description, const Length& length) {
+  if (length.unit == LengthUnit::automatic) return description.units.automatic;
+  if (length.unit == LengthUnit::texels && !description.units.texels) return false;
+  if (length.unit == LengthUnit::scene_size && !description.units.scene_size) return false;
+  return fits(description, length.number);
+}
+
+struct NamedUnit {
+  std::string_view suffix;
+  LengthUnit unit;
+  double factor;  ///< of the number, to get LengthUnit's own
+};
+// A suffix that ends another one comes after it.
+constexpr NamedUnit length_units[] = {
+    {"texels", LengthUnit::texels, 1.0},  {"texel", LengthUnit::texels, 1.0}, {"%", LengthUnit::scene_size, 0.01},
+    {"mm", LengthUnit::metres, 0.001},    {"cm", LengthUnit::metres, 0.01},   {"km", LengthUnit::metres, 1000.0},
+    {"inch", LengthUnit::metres, 0.0254}, {"in", LengthUnit::metres, 0.0254}, {"foot", LengthUnit::metres, 0.3048},
+    {"ft", LengthUnit::metres, 0.3048},   {"m", LengthUnit::metres, 1.0},
+};
+
+// "2cm" is 0.02: the decimal number is scaled, never the binary one, which would be 0.020000000000000004 for some.
+double scaled_decimal(double number, double factor) {
+  char digits[40];
+  const double product = number * factor;
+  const auto end = std::to_chars(digits, digits + sizeof digits, product, std::chars_format::general, 15).ptr;
+  double nearest = product;
+  std::from_chars(digits, end, nearest);
+  return nearest;
+}
+
 }  // namespace
+
+std::string_view unit_name(LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::metres:
+      return "m";
+    case LengthUnit::texels:
+      return "texels";
+    case LengthUnit::scene_size:
+      return "share of the scene's size";
+    case LengthUnit::automatic:
+      return "";
+  }
+  return "";
+}
+
+double to_metres(const Length& length, double scene_size) {
+  assert(length.unit == LengthUnit::metres || length.unit == LengthUnit::scene_size);
+  return length.unit == LengthUnit::scene_size ? length.number * scene_size : length.number;
+}
+
+std::string to_string(const Length& length) {
+  switch (length.unit) {
+    case LengthUnit::metres:
+      return number_text(length.number);
+    case LengthUnit::texels:
+      return number_text(length.number) + "texels";
+    case LengthUnit::scene_size:
+      return number_text(scaled_decimal(length.number, 100.0)) + "%";
+    case LengthUnit::automatic:
+      return "auto";
+  }
+  return {};
+}
+
+std::optional<Length> parse_length(std::string_view text) {
+  if (text == "auto") return Length{0.0, LengthUnit::automatic};
+  for (const NamedUnit& named : length_units) {
+    if (!text.ends_with(named.suffix)) continue;
+    text.remove_suffix(named.suffix.size());
+    while (text.ends_with(' ')) text.remove_suffix(1);
+    const auto number = parse_number<double>(text);
+    if (!number) return std::nullopt;
+    return Length{named.factor == 1.0 ? *number : scaled_decimal(*number, named.factor), named.unit};
+  }
+  const auto metres = parse_number<double>(text);
+  if (!metres) return std::nullopt;
+  return Length{*metres};
+}
 
 std::string to_string(const Value& value) {
   return std::visit(
@@ -80,7 +159,11 @@ Value Parameter::value() const {
           [](const int* integer) -> Value { return std::int64_t{*integer}; },
           [](const double* number) -> Value { return *number; }, [](const std::string* text) -> Value { return *text; },
           [](const Size* size) -> Value { return std::to_string(size->width) + "x" + std::to_string(size->height); },
-          [](const ChoiceRef& choice) -> Value { return choice.names.at(static_cast<std::size_t>(*choice.value)); }},
+          [](const ChoiceRef& choice) -> Value { return choice.names.at(static_cast<std::size_t>(*choice.value)); },
+          [](const Length* length) -> Value {
+            if (length->unit == LengthUnit::metres) return length->number;
+            return to_string(*length);
+          }},
       field);
 }
 
@@ -131,6 +214,16 @@ void Parameter::set(const Value& value) const {
                               if (found == choice.names.end()) return false;
                               *choice.value = static_cast<int>(found - choice.names.begin());
                               return true;
+                            },
+                            [&](Length* length) {
+                              const auto metres = number();
+                              const auto* text = std::get_if<std::string>(&value);
+                              std::optional<Length> given;
+                              if (metres) given = Length{*metres};
+                              if (text != nullptr) given = parse_length(*text);
+                              if (!given || !fits(description, *given)) return false;
+                              *length = *given;
+                              return true;
                             }},
                  field);
   if (!accepted) reject(*this, to_string(value));
@@ -172,12 +265,20 @@ std::string Parameter::limits() const {
       Overloaded{[](bool*) { return std::string("true or false"); }, [&](int*) { return range("an integer"); },
                  [&](double*) { return range("a number"); }, [](std::string*) { return std::string("text"); },
                  [&](Size*) { return "WIDTHxHEIGHT, each " + range("an integer"); },
-                 [](const ChoiceRef& choice) { return join_or(choice.names); }},
+                 [](const ChoiceRef& choice) { return join_or(choice.names); },
+                 [&](Length*) {
+                   std::string text = range("a length") + " in m (2cm, 20mm)";
+                   if (description.units.texels) text += ", texels (1.5texels)";
+                   if (description.units.scene_size) text += ", % of the scene's size (2%)";
+                   if (description.units.automatic) text += ", or auto";
+                   return text;
+                 }},
       field);
 }
 
 bool Parameter::is_number() const {
-  return std::holds_alternative<int*>(field) || std::holds_alternative<double*>(field);
+  return std::holds_alternative<int*>(field) || std::holds_alternative<double*>(field) ||
+         std::holds_alternative<Length*>(field);
 }
 
 const Parameter* find(const Parameters& parameters, std::string_view key) {

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,7 +19,8 @@
 
 namespace umbrameter {
 
-/// A parameter's value as users write it: a choice is the string of its name, a size is "WxH".
+/// A parameter's value as users write it: a choice is the string of its name, a size is "WxH", a length the number of
+/// metres or, in another unit, its text.
 using Value = std::variant<bool, std::int64_t, double, std::string>;
 
 /// "true", "17", "0.05", "box"; floating-point numbers in the shortest form that reads back the same.
@@ -37,6 +39,41 @@ struct Size {
   friend bool operator==(const Size&, const Size&) = default;
 };
 
+/// What the number of a Length counts.
+enum class LengthUnit : int {
+  metres,
+  texels,      ///< of the shadow map, as large as they are at the receiver
+  scene_size,  ///< share of the diagonal of the scene's bounds
+  automatic    ///< no number: what reads the field derives it from another one
+};
+
+/// A length as users write it: "0.02", "2cm", "1.5texels", "2%" (of the scene's size) or "auto".
+struct Length {
+  double number = 0.0;
+  LengthUnit unit = LengthUnit::metres;
+  Length& operator=(double metres) { return *this = Length{metres}; }
+  friend bool operator==(const Length&, const Length&) = default;
+};
+
+/// As a column or label names it: "m", "texels", "share of the scene's size"; empty for automatic.
+std::string_view unit_name(LengthUnit unit);
+
+/// In metres. scene_size is the diagonal of the scene's bounds, metres; the unit must not be texels or automatic.
+double to_metres(const Length& length, double scene_size);
+
+/// "0.02" for metres, "1.5texels", "2%", "auto": read back by parse_length() as the same value.
+std::string to_string(const Length& length);
+
+/// Nothing where the text is no length. Units: m, mm, cm, km, inch, foot (and in, ft), texels (texel), % of the scene.
+std::optional<Length> parse_length(std::string_view text);
+
+/// The units besides metres that a field accepts.
+struct LengthUnits {
+  bool texels = false;
+  bool scene_size = false;
+  bool automatic = false;
+};
+
 /// What is written down about a field, once.
 struct FieldDescription {
   std::string unit{};     ///< "m", "texels", "px", "1"; empty where there is none
@@ -45,13 +82,14 @@ struct FieldDescription {
   double max = std::numeric_limits<double>::infinity();
   bool power_of_two = false;
   bool odd = false;
+  LengthUnits units{};  ///< of a Length
 };
 
 /// One described field of one object.
 struct Parameter {
   std::string key;  ///< full name, "shadow.constant-bias": flag, TOML key and CSV column
   FieldDescription description;
-  std::variant<bool*, int*, double*, std::string*, Size*, ChoiceRef> field;
+  std::variant<bool*, int*, double*, std::string*, Size*, ChoiceRef, Length*> field;
 
   Value value() const;
   /// Throws Error (usage) that names the key and its limits when the value does not fit.

@@ -9,6 +9,7 @@
 
 #include "core/image.h"
 #include "core/math.h"
+#include "core/parameters.h"
 
 namespace umbrameter {
 
@@ -47,6 +48,7 @@ struct ForeignTap {
   std::uint32_t weight = 0;
   float critical_bias = 0.0f;  ///< metres
   float slope = 0.0f;          ///< of the pixel: texel size times tan of the angle to the light, metres
+  float bias_unit = 1.0f;      ///< of the pixel: metres that a constant bias of 1 is there
   std::uint32_t instance = 0;  ///< of the sample
   std::uint32_t triangle = 0;
 };
@@ -97,8 +99,9 @@ __extension__ using WideCount = unsigned __int128;
 
 /// The biases of an axis that one pass answers together.
 struct BiasAxes {
-  std::vector<float> constant;  ///< metres, ascending, no two equal
-  std::vector<float> slope;     ///< texels
+  std::vector<float> constant;           ///< in `unit`, ascending, no two equal
+  std::vector<float> slope;              ///< texels
+  LengthUnit unit = LengthUnit::metres;  ///< metres, or texels as large as they are at the receiver
 };
 
 /// Taps that are wrong at some bias of the axis, counted by where they flip. A tap of bin k is lit from

@@ -36,7 +36,7 @@ BiasHistogram::Bin read_bin(std::span<const std::uint32_t> words) {
 
 void draw_part(const gl::Context& context, const ShadowLookup& lookup, const std::string& defines, const BiasAxes& axes,
                BiasHistogram& histogram) {
-  const gl::Buffer light = bind(lookup);
+  const gl::Buffer light = bind(lookup, axes.unit);
   const ResponseAxes bound = bind_axes(axes);
   const gl::Buffer pixels = bind_pixel_list(context, lookup.gbuffer);
   dispatch_pixels(context.program({{"response_pixels.comp"}, defines + define("LIT_ALONE", 0)}), lookup.gbuffer);
@@ -70,7 +70,7 @@ BiasHistogram draw_bias_response(const gl::Context& context, const ShadowLookup&
   for (std::size_t first = 0; first < axes.slope.size(); first += at_once) {
     const auto begin = axes.slope.begin() + static_cast<std::ptrdiff_t>(first);
     const auto count = std::min(at_once, axes.slope.size() - first);
-    draw_part(context, lookup, defines, {axes.constant, {begin, begin + static_cast<std::ptrdiff_t>(count)}},
+    draw_part(context, lookup, defines, {axes.constant, {begin, begin + static_cast<std::ptrdiff_t>(count)}, axes.unit},
               histogram);
   }
   return histogram;

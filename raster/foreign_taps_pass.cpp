@@ -25,7 +25,7 @@ void list_foreign_taps(const gl::Context& context, const ShadowLookup& lookup, c
                        const ForeignTapSink& sink) {
   assert(lookup.truth != nullptr && !axes.constant.empty() && !axes.slope.empty());
   const std::string defines = lookup_defines(lookup) + define("LIT_ALONE", 1);
-  const gl::Buffer light = bind(lookup);
+  const gl::Buffer light = bind(lookup, axes.unit);
   const ResponseAxes bound = bind_axes(axes);
   const gl::Buffer list = bind_pixel_list(context, lookup.gbuffer);
   dispatch_pixels(context.program({{"response_pixels.comp"}, defines}), lookup.gbuffer);

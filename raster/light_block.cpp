@@ -18,7 +18,7 @@ LightBlock make_light_block(const Light& light, const LightFrame& frame, const S
   block.half_extent = frame.half_extent;
   block.far_depth = frame.far_depth;
   block.resolution = frame.resolution;
-  block.constant_bias = static_cast<float>(params.constant_bias);
+  block.constant_bias = static_cast<float>(params.constant_bias.number);
   block.slope_bias = static_cast<float>(params.slope_bias);
   block.normal_offset = static_cast<float>(params.normal_offset);
   block.tap_count = make_filter(params).tap_count();

@@ -22,10 +22,12 @@ struct LightBlock {
   float normal_offset = 0.0f;
   float filter_radius = 0.0f;
   int tap_count = 0;
-  int unused[2] = {};
+  int bias_in_texels = 0;
+  int unused = 0;
 };
 static_assert(sizeof(LightBlock) == 784);
 
+/// In which unit its bias is, bind() of shadow_lookup.h says.
 LightBlock make_light_block(const Light& light, const LightFrame& frame, const ShadowParams& params);
 
 /// "#define MAP_KIND 0"

@@ -20,7 +20,9 @@ Parameters describe(ShadowParams& params) {
       .field("resolution", params.resolution,
              {.unit = "texels", .meaning = "side of the shadow map, of each face for a cube", .min = 1, .max = 16384})
       .field("constant-bias", params.constant_bias,
-             {.unit = "m", .meaning = "bias that every tap gets, along the light's axis or the point light's ray"})
+             {.unit = "m",
+              .meaning = "constant depth bias, along the light's axis or the point light's ray",
+              .units = {.texels = true}})
       .field("slope-bias", params.slope_bias,
              {.unit = "texels", .meaning = "bias times texel size and tan of the angle between surface and light"})
       .field("normal-offset", params.normal_offset,
@@ -47,9 +49,12 @@ Parameters describe(ShadowParams& params) {
 Parameters describe(AoParams& params) {
   return Description("ao")
       .field("samples", params.samples, {.unit = "1", .meaning = "kernel points a pixel", .min = 1, .max = 1024})
-      .field("radius", params.radius, {.unit = "m", .meaning = "radius of the kernel's hemisphere", .min = 1e-6})
+      .field("radius", params.radius,
+             {.unit = "m", .meaning = "kernel radius", .min = 1e-6, .units = {.scene_size = true}})
       .field("bias", params.bias,
-             {.unit = "m", .meaning = "depth by which a surface must be in front of a kernel point to occlude it"})
+             {.unit = "m",
+              .meaning = "depth by which a surface must be in front of a kernel point to occlude it",
+              .units = {.scene_size = true}})
       .field("noise-size", params.noise_size,
              {.unit = "px", .meaning = "side of the tile of random kernel rotations", .min = 1, .max = 64})
       .field("range-check", params.range_check,
@@ -57,6 +62,12 @@ Parameters describe(AoParams& params) {
       .choice("blur", params.blur, ao_blur_names, {.unit = {}, .meaning = "filter over the result"})
       .field("blur-size", params.blur_size, {.unit = "px", .meaning = "side of the blur's box", .min = 1, .max = 32})
       .take();
+}
+
+AoParams in_metres(AoParams params, double scene_size) {
+  params.radius = to_metres(params.radius, scene_size);
+  params.bias = to_metres(params.bias, scene_size);
+  return params;
 }
 
 }  // namespace umbrameter

@@ -9,10 +9,11 @@ enum class ShadowFilter : int { nearest, bilinear, box, tent, gaussian, poisson 
 enum class FilterTaps : int { nearest, linear };
 
 /// The shadow.* parameters. A tap is lit exactly when constant_bias ≥ β − slope_bias · m, with the critical bias
-/// β = receiver depth − stored depth and m = texel size at the receiver · tan θ, all in metres.
+/// β = receiver depth − stored depth and m = texel size at the receiver · tan θ, all in metres. A constant bias in
+/// texels is multiplied by the texel size at the receiver.
 struct ShadowParams {
   int resolution = 1024;
-  double constant_bias = 0.02;
+  Length constant_bias{1.5, LengthUnit::texels};
   double slope_bias = 0.0;
   double normal_offset = 0.0;
   ShadowFilter filter = ShadowFilter::nearest;
@@ -29,13 +30,16 @@ enum class AoBlur : int { none, box };
 /// (J. de Vries, Learn OpenGL, "SSAO"; after Crytek 2007).
 struct AoParams {
   int samples = 64;
-  double radius = 0.5;
-  double bias = 0.025;
+  Length radius{0.02, LengthUnit::scene_size};
+  Length bias{0.001, LengthUnit::scene_size};  ///< a twentieth of the radius, as in the source
   int noise_size = 4;
   bool range_check = true;
   AoBlur blur = AoBlur::box;
   int blur_size = 4;
 };
 Parameters describe(AoParams& params);
+
+/// With lengths in metres, as draw_ao() takes them. scene_size is the diagonal of the scene's bounds, metres.
+AoParams in_metres(AoParams params, double scene_size);
 
 }  // namespace umbrameter

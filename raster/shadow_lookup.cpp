@@ -48,8 +48,10 @@ std::string lookup_defines(const ShadowLookup& lookup) {
   return interface_defines() + map_defines(lookup.map.frame) + filter_defines(make_filter(lookup.params));
 }
 
-gl::Buffer bind(const ShadowLookup& lookup) {
-  gl::Buffer block = gl::make_block("light", make_light_block(lookup.light, lookup.map.frame, lookup.params));
+gl::Buffer bind(const ShadowLookup& lookup, LengthUnit bias_unit) {
+  LightBlock values = make_light_block(lookup.light, lookup.map.frame, lookup.params);
+  values.bias_in_texels = bias_unit == LengthUnit::texels ? 1 : 0;
+  gl::Buffer block = gl::make_block("light", values);
   glBindBufferBase(GL_UNIFORM_BUFFER, slot("BLOCK_LIGHT"), block.name());
   bind_triangles(lookup.scene);
   glBindTextureUnit(slot("TEXTURE_IDS"), lookup.gbuffer.ids.name());

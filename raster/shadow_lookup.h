@@ -33,8 +33,9 @@ gl::Texture upload_truth(const gl::Context& context, const Image<float>& visibil
 /// The shaders' text that the look-up decides. Biases, offset and radius stay out: a sweep must not compile anew.
 std::string lookup_defines(const ShadowLookup& lookup);
 
-/// Binds textures, triangles and the light's block, which lives as long as what is returned.
-[[nodiscard]] gl::Buffer bind(const ShadowLookup& lookup);
+/// Binds textures, triangles and the light's block, which lives as long as what is returned. Constant biases, those of
+/// bound axes too, are in bias_unit: metres or texels.
+[[nodiscard]] gl::Buffer bind(const ShadowLookup& lookup, LengthUnit bias_unit);
 
 /// Room for every pixel, empty, bound: PixelList in shaders/pixel_list.glsl.
 /// Throws Error (usage) naming view.size when the device's buffers are too small for it.

@@ -1,5 +1,6 @@
 #include "raster/ssao_pass.h"
 
+#include <cassert>
 #include <cmath>
 #include <span>
 
@@ -73,6 +74,7 @@ std::vector<vec4> ao_rotations(int noise_size, std::uint32_t seed) {
 
 Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,
                      std::uint32_t seed) {
+  assert(params.radius.unit == LengthUnit::metres && params.bias.unit == LengthUnit::metres);
   const gl::Program& program = context.program({{"ssao.comp"}, interface_defines() + ao_defines(params)});
   std::vector<vec4> kernel_points = ao_kernel(params.samples, seed);
   kernel_points.resize(slot("MAX_SAMPLES"));
@@ -80,9 +82,9 @@ Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, cons
   const gl::Buffer kernel = gl::make_buffer("ao kernel", std::span<const vec4>(kernel_points));
   const gl::Buffer rotations = gl::make_buffer("ao rotations", std::span<const vec4>(rotation_vectors));
   const gl::Buffer view_block = gl::make_block("view", make_view_block(view));
-  const gl::Buffer ao_block = gl::make_block(
-      "ao",
-      AoBlock{params.samples, params.noise_size, static_cast<float>(params.radius), static_cast<float>(params.bias)});
+  const gl::Buffer ao_block =
+      gl::make_block("ao", AoBlock{params.samples, params.noise_size, static_cast<float>(params.radius.number),
+                                   static_cast<float>(params.bias.number)});
   const gl::Texture depth = gl::make_texture("ao linear depth", gl::Format::r32f, gbuffer.width, gbuffer.height);
   const gl::Texture raw = gl::make_texture("ao", gl::Format::r32f, gbuffer.width, gbuffer.height);
   glBindBufferBase(GL_UNIFORM_BUFFER, slot("BLOCK_KERNEL"), kernel.name());

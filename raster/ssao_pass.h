@@ -14,7 +14,8 @@
 namespace umbrameter {
 
 /// Screen-space ambient occlusion: accessibility, 1 open and on background, after its blur. A uniform hemisphere of
-/// points about the geometric normal (the reference's hemisphere; a shading normal would add its own error).
+/// points about the geometric normal (the reference's hemisphere; a shading normal would add its own error). Lengths of
+/// the params are in metres: in_metres().
 Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,
                      std::uint32_t seed);
 

@@ -25,7 +25,7 @@ RasterVisibility draw_visibility(const gl::Context& context, const ShadowLookup&
   const bool has_truth = lookup.truth != nullptr;
   const std::string defines = lookup_defines(lookup) + define("HAS_TRUTH", has_truth ? 1 : 0);
   const gl::Program& program = context.program({{"visibility.comp"}, defines});
-  const gl::Buffer block = bind(lookup);
+  const gl::Buffer block = bind(lookup, lookup.params.constant_bias.unit);
   const gl::Texture visibility = gl::make_texture("visibility", gl::Format::r32f, gbuffer.width, gbuffer.height);
   glBindImageTexture(slot("IMAGE_VISIBILITY"), visibility.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
   gl::Buffer pixels;

@@ -159,7 +159,7 @@ class AoTile {
       const double distance = std::max(static_cast<double>(packet_.distance(lane)) +
                                            static_cast<double>(lifted_.step[static_cast<std::size_t>(lane)]),
                                        0.0);
-      open = 1.0 - falloff_weight(task_.params.ao_falloff, distance, task_.params.ao_distance);
+      open = 1.0 - falloff_weight(task_.params.ao_falloff, distance, task_.params.ao_distance.number);
       pixel.blocked += 1.0;
       pixel.blocked_distance += distance;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -30,7 +31,11 @@ Parameters describe(TruthParams& params) {
               "rays for each pixel where there is no tolerance: over the hemisphere, and to each light that has extent",
               1, 65536})
       .choice("ao-weight", params.ao_weight, weights, {"", "how directions count: by their cosine, or evenly"})
-      .field("ao-distance", params.ao_distance, {"m", "hits farther than this do not occlude; 0 for no limit", 0.0})
+      .field("ao-distance", params.ao_distance,
+             {.unit = "m",
+              .meaning = "distance limit of ambient occlusion; 0 for none, auto for the technique's own, ao.radius",
+              .min = 0.0,
+              .units = {.scene_size = true, .automatic = true}})
       .choice("sampler", params.sampler, samplers,
               {"", "Owen-scrambled Sobol points, or independent random ones for comparison"})
       .field("tolerance", params.tolerance,
@@ -54,7 +59,8 @@ Parameters describe(TruthParams& params) {
 }
 
 void check(const TruthParams& params) {
-  if (params.ao_falloff != AoFalloff::none && !(params.ao_distance > 0.0)) {
+  const bool is_unlimited = params.ao_distance.unit != LengthUnit::automatic && !(params.ao_distance.number > 0.0);
+  if (params.ao_falloff != AoFalloff::none && is_unlimited) {
     throw Error(ExitCode::usage, "truth.ao-falloff", "a falloff needs a distance to fall off over",
                 "set truth.ao-distance above 0, or truth.ao-falloff to none");
   }
@@ -90,9 +96,14 @@ double falloff_weight(AoFalloff falloff, double distance, double limit) {
   return 1.0;
 }
 
+bool has_distance_limit(const TruthParams& params) {
+  assert(params.ao_distance.unit == LengthUnit::metres || params.ao_distance.unit == LengthUnit::automatic);
+  return params.ao_distance.unit == LengthUnit::metres && params.ao_distance.number > 0.0;
+}
+
 double reach_of(const TruthParams& params) {
-  const bool is_endless = !(params.ao_distance > 0.0) || params.ao_falloff == AoFalloff::ssao;
-  return is_endless ? std::numeric_limits<double>::infinity() : params.ao_distance;
+  const bool is_endless = !has_distance_limit(params) || params.ao_falloff == AoFalloff::ssao;
+  return is_endless ? std::numeric_limits<double>::infinity() : params.ao_distance.number;
 }
 
 }  // namespace umbrameter

@@ -28,7 +28,7 @@ enum class LightSampling : int { area, solid_angle };
 struct TruthParams {
   int spp = 256;
   AoWeight ao_weight = AoWeight::cosine;
-  double ao_distance = 0.0;
+  Length ao_distance{0.0, LengthUnit::automatic};
   Sampler sampler = Sampler::owen;
   double tolerance = 0.0;
   int min_spp = 128;
@@ -53,7 +53,11 @@ void check(const TruthParams& params);
 ///     hemisphere SSAO)
 double falloff_weight(AoFalloff falloff, double distance, double limit);
 
-/// The share's smallest reach: distance beyond which no hit counts, metres; infinite without one.
+/// Whether the distance limit is a number of metres above 0. An automatic one limits nothing: who knows the technique
+/// puts in that technique's own.
+bool has_distance_limit(const TruthParams& params);
+
+/// Distance beyond which no hit counts, metres; infinite without a limit.
 double reach_of(const TruthParams& params);
 
 }  // namespace umbrameter

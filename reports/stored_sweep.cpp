@@ -32,7 +32,7 @@ std::vector<StoredColumn> stored_columns(const Parameters& parameters, const Swe
   std::vector<StoredColumn> columns;
   for (const SweepAxis& axis : plan.axes) {
     const FieldDescription& description = require(parameters, axis.key).description;
-    columns.push_back({{axis.key, description.unit, description.meaning}, kind_of(axis.values.front())});
+    columns.push_back({{axis.key, axis.unit, description.meaning}, kind_of(axis.values.front())});
   }
   for (std::size_t i = 0; i < measured.size(); ++i) columns.push_back({measured[i], kind_of(sample[i])});
   return columns;

@@ -26,12 +26,12 @@ void add_product(uint word, uint a, uint b) {
 }
 
 // How many biases of the axis leave the tap blocked.
-uint bin_of(float flip) {
+uint bin_of(float flip, float bias_unit) {
   int first = 0;
   int count = bias_count;
   while (count > 0) {
     int half_count = count / 2;
-    if (axis_values[first + half_count] >= flip) {
+    if (lights(axis_values[first + half_count], bias_unit, flip)) {
       count = half_count;
     } else {
       first += half_count + 1;
@@ -85,7 +85,8 @@ void main() {
   Facet own = fetch_facet(id);
   for (int i = 0; i < tap_count; ++i) {
     WeightedTap tap = filter_tap(surfel.receiver, pattern, i);
-    bool says_lit = easiest_bias >= flip_of(tap.tap.critical_bias, surfel.slope, easiest_factor);
+    bool says_lit =
+        lights(easiest_bias, surfel.bias_unit, flip_of(tap.tap.critical_bias, surfel.slope, easiest_factor));
     if (tap.weight == 0u || says_lit == is_lit_in_truth) continue;
     int cause = cause_of(tap.tap, is_lit_in_truth, surfel.receiver, id, own);
     bool is_foreign = cause == (is_lit_in_truth ? CAUSE_FALSE_OCCLUSION : CAUSE_PETER_PANNING);
@@ -102,7 +103,7 @@ void main() {
     uint sum = 0u;  // of the taps in earlier bins
     int i = 0;
     while (i < wrong_count) {
-      uint bin = bin_of(flip_of(wrong_taps[i].critical_bias, surfel.slope, factor));
+      uint bin = bin_of(flip_of(wrong_taps[i].critical_bias, surfel.slope, factor), surfel.bias_unit);
       if (bin == never) break;
       // Blocked just below the bin's biases where the truth is lit, lit just at them where it is blocked.
       float bound = axis_values[is_lit_in_truth ? bin - 1u : bin];
@@ -113,7 +114,8 @@ void main() {
         foreign_weight += wrong_taps[i].is_foreign ? wrong_taps[i].weight : 0u;
         ++i;
       } while (i < wrong_count &&
-               (bound >= flip_of(wrong_taps[i].critical_bias, surfel.slope, factor)) != is_lit_in_truth);
+               lights(bound, surfel.bias_unit, flip_of(wrong_taps[i].critical_bias, surfel.slope, factor)) !=
+                   is_lit_in_truth);
       uint first = HISTOGRAM_WORDS * (uint(s) * uint(bias_count + 1) + bin);
       if (own_weight > 0u) add_wide(first + own_word, own_weight);
       if (foreign_weight > 0u) add_wide(first + foreign_word, foreign_weight);

@@ -16,7 +16,7 @@ void main() {
   uvec4 wrong = uvec4(0u);
   for (int i = 0; i < tap_count; ++i) {
     WeightedTap tap = filter_tap(surfel.receiver, pattern, i);
-    if (tap.weight == 0u || is_lit(tap.tap.critical_bias, surfel.slope) == is_lit_in_truth) continue;
+    if (tap.weight == 0u || is_lit(tap.tap.critical_bias, surfel) == is_lit_in_truth) continue;
     wrong[cause_of(tap.tap, is_lit_in_truth, surfel.receiver, id, own)] += tap.weight;
   }
   imageStore(wrong_image, pixel, wrong);

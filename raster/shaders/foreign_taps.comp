@@ -19,7 +19,8 @@ void main() {
   Facet own = fetch_facet(id);
   for (int i = 0; i < tap_count; ++i) {
     WeightedTap tap = filter_tap(surfel.receiver, pattern, i);
-    if (tap.weight == 0u || least_bias >= flip_of(tap.tap.critical_bias, surfel.slope, least_slope)) continue;
+    float flip = flip_of(tap.tap.critical_bias, surfel.slope, least_slope);
+    if (tap.weight == 0u || lights(least_bias, surfel.bias_unit, flip)) continue;
     if (cause_of(tap.tap, true, surfel.receiver, id, own) != CAUSE_FALSE_OCCLUSION) continue;
     uint word = FOREIGN_WORDS * atomicAdd(foreign_count, 1u);
     uvec2 sample_id = texelFetch(shadow_ids, tap.tap.texel, 0).rg;
@@ -29,7 +30,8 @@ void main() {
     words[word + 3u] = tap.weight;
     words[word + 4u] = floatBitsToUint(tap.tap.critical_bias);
     words[word + 5u] = floatBitsToUint(surfel.slope);
-    words[word + 6u] = sample_id.x;
-    words[word + 7u] = sample_id.y;
+    words[word + 6u] = floatBitsToUint(surfel.bias_unit);
+    words[word + 7u] = sample_id.x;
+    words[word + 8u] = sample_id.y;
   }
 }

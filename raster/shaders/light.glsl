@@ -6,9 +6,10 @@ layout(std140, binding = BLOCK_LIGHT) uniform LightBlock {
   double half_extent;
   double far_depth;
   int resolution;
-  float constant_bias;
+  float constant_bias;  // metres, or texels at the receiver
   float slope_bias;
   float normal_offset;  // texels
   float filter_radius;  // texels
   int tap_count;        // of the filter: here, so that no compiler unrolls loops over taps
+  int bias_in_texels;   // 1 where constant biases, those of axes too, are texels; 0: metres
 };

@@ -135,5 +135,8 @@ float flip_of(float critical_bias, float slope, float slope_factor) {
   return flip;
 }
 
-// Every comparison of the toolkit, in one form.
-bool is_lit(float critical_bias, float slope) { return constant_bias >= flip_of(critical_bias, slope, slope_bias); }
+// Every comparison of the toolkit, in one form. bias_unit is the length in metres of a constant bias of 1.
+bool lights(float bias, float bias_unit, float flip) {
+  precise float metres = bias * bias_unit;
+  return metres >= flip;
+}

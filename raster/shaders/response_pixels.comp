@@ -21,7 +21,7 @@ void main() {
   bool is_wrong = false;
   for (int i = 0; i < tap_count; ++i) {
     WeightedTap tap = filter_tap(surfel.receiver, pattern, i);
-    bool says_lit = bias >= flip_of(tap.tap.critical_bias, surfel.slope, factor);
+    bool says_lit = lights(bias, surfel.bias_unit, flip_of(tap.tap.critical_bias, surfel.slope, factor));
     is_wrong = is_wrong || (tap.weight > 0u && says_lit != is_lit_in_truth);
   }
   if (is_wrong) append(pixel);

@@ -8,7 +8,8 @@ layout(binding = TEXTURE_TRUTH) uniform sampler2D truth_image;
 struct Lookup {
   bool faces_light;  // geometric N·L > 0
   Receiver receiver;
-  float slope;  // texel size at the receiver times tan of the angle to the light, metres
+  float slope;      // texel size at the receiver times tan of the angle to the light, metres
+  float bias_unit;  // metres that a constant bias of 1 is here
 };
 
 Lookup look_up(ivec2 pixel) {
@@ -22,6 +23,7 @@ Lookup look_up(ivec2 pixel) {
   precise double sine = length_of(cross_of(normal, to_light));
   float texel = texel_at(result.receiver);
   result.slope = texel * float(sine / cosine);
+  result.bias_unit = bias_in_texels != 0 ? texel : 1.0;
   if (normal_offset != 0.0) {
     // By texels and the sine of the light's angle (D. Holbert, Saying "Goodbye" to Shadow Acne, GDC 2011).
     precise double shift = double(normal_offset) * double(texel) * (sine / length_of(to_light));
@@ -29,6 +31,10 @@ Lookup look_up(ivec2 pixel) {
     result.receiver = project_to_map(moved);
   }
   return result;
+}
+
+bool is_lit(float critical_bias, Lookup surfel) {
+  return lights(constant_bias, surfel.bias_unit, flip_of(critical_bias, surfel.slope, slope_bias));
 }
 
 // What the truth says: 1 lit, 0 blocked, below 0 where no statistics count the pixel.

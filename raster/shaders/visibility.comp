@@ -18,7 +18,7 @@ void main() {
       Pattern pattern = make_pattern(surfel.receiver, pixel);
       for (int i = 0; i < tap_count; ++i) {
         WeightedTap tap = filter_tap(surfel.receiver, pattern, i);
-        if (is_lit(tap.tap.critical_bias, surfel.slope)) lit += tap.weight;
+        if (is_lit(tap.tap.critical_bias, surfel)) lit += tap.weight;
       }
       visibility = float(double(lit) / double(weight_sum));
 #if HAS_TRUTH

@@ -36,7 +36,7 @@ bool has_wrong(const VisibilitySums& sums) {
 }
 
 auto fields_of(const ForeignTap& t) {
-  return std::tie(t.pixel, t.texel, t.face, t.weight, t.critical_bias, t.slope, t.instance, t.triangle);
+  return std::tie(t.pixel, t.texel, t.face, t.weight, t.critical_bias, t.slope, t.bias_unit, t.instance, t.triangle);
 }
 
 bool comes_before(const ForeignTap& a, const ForeignTap& b) { return fields_of(a) < fields_of(b); }
@@ -127,7 +127,7 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
           const std::vector<VisibilitySums> at = sums_at_biases(drawn, s);
           const std::vector<VisibilitySums> exact_at = sums_at_biases(exact, s);
           for (std::size_t k = 0; k < at.size(); ++k) {
-            params.constant_bias = static_cast<double>(grid.axes.constant[k]);
+            params.constant_bias = Length{static_cast<double>(grid.axes.constant[k]), grid.axes.unit};
             params.slope_bias = static_cast<double>(grid.axes.slope[s]);
             RasterVisibility cell = draw_visibility(context, lookup);
             const VisibilitySums sums = sum_wrong_taps(cell.wrong, counted);

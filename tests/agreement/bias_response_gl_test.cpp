@@ -51,6 +51,11 @@ TEST_F(BiasResponseGl, A_normal_offset_and_slopes_below_zero_agree_too) {
   for (const Light& light : lights_) expect_agreement(light, grid);
 }
 
+TEST_F(BiasResponseGl, Biases_in_texels_agree_too_under_every_kind_of_light) {
+  BiasGrid grid{{{-0.25f, 0.5f, 1.5f, 6.0f}, {0.0f, 1.5f}, LengthUnit::texels}, {96}, {usual_filters()[2]}};
+  for (const Light& light : lights_) expect_agreement(light, grid);
+}
+
 TEST_F(BiasResponseGl, The_largest_filter_agrees_too) {
   NamedFilter tent{"29×29 tent of linear taps", {}};
   tent.params.filter = ShadowFilter::tent;

@@ -47,6 +47,27 @@ TEST(Sweep, A_log_axis_has_a_constant_ratio_and_meets_both_ends) {
   EXPECT_EQ(values.back(), 1.0);
 }
 
+TEST(Sweep, An_axis_of_lengths_has_one_unit_and_a_bare_zero_goes_with_any) {
+  Length bias{1.5, LengthUnit::texels};
+  const Parameters parameters = Description("s").field("bias", bias, {.unit = "m", .units = {.texels = true}}).take();
+  SweepAxis axis = parse_axis(parameters, "s.bias=0:4texels:5");
+  EXPECT_EQ(numbers(axis), (std::vector<double>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(axis.unit, "texels");
+  EXPECT_EQ(bias, (Length{1.5, LengthUnit::texels})) << "reading an axis leaves the parameter as it was";
+  set_value(parameters, axis, axis.values[3]);
+  EXPECT_EQ(bias, (Length{3.0, LengthUnit::texels}));
+
+  axis = parse_axis(parameters, "s.bias=0,5mm,2cm");
+  EXPECT_EQ(numbers(axis), (std::vector<double>{0, 0.005, 0.02}));
+  EXPECT_EQ(axis.unit, "m");
+  EXPECT_EQ(numbers(parse_axis(parameters, "s.bias=1cm:1m:3:log")), (std::vector<double>{0.01, 0.1, 1}));
+
+  for (const char* text :
+       {"s.bias=0.02,1texel", "s.bias=1cm:4texels:3", "s.bias=1%,2%", "s.bias=auto", "s.bias=a:b:2"}) {
+    EXPECT_THROW(parse_axis(parameters, text), Error) << text;
+  }
+}
+
 TEST(Sweep, Lists_hold_numbers_or_names) {
   Sample sample;
   EXPECT_EQ(numbers(parse_axis(describe(sample), "s.resolution=256,512,1024")), (std::vector<double>{256, 512, 1024}));

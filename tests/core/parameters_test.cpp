@@ -45,6 +45,48 @@ std::string message_of(const std::function<void()>& action) {
   return "no error";
 }
 
+TEST(Parameters, A_length_is_read_in_its_unit_and_written_so_that_it_reads_back) {
+  struct Case {
+    const char* text;
+    Length length;
+    const char* written;
+  };
+  for (const Case& c :
+       {Case{"0.02", {0.02}, "0.02"}, Case{"2cm", {0.02}, "0.02"}, Case{"3 mm", {0.003}, "0.003"},
+        Case{"-7cm", {-0.07}, "-0.07"}, Case{"1.5m", {1.5}, "1.5"}, Case{"2km", {2000.0}, "2000"},
+        Case{"1inch", {0.0254}, "0.0254"}, Case{"10ft", {3.048}, "3.048"},
+        Case{"1.5texels", {1.5, LengthUnit::texels}, "1.5texels"},
+        Case{"1 texel", {1.0, LengthUnit::texels}, "1texels"}, Case{"7%", {0.07, LengthUnit::scene_size}, "7%"},
+        Case{"auto", {0.0, LengthUnit::automatic}, "auto"}}) {
+    const auto length = parse_length(c.text);
+    ASSERT_TRUE(length) << c.text;
+    EXPECT_EQ(*length, c.length) << c.text;
+    EXPECT_EQ(to_string(*length), c.written);
+    EXPECT_EQ(parse_length(to_string(*length)), length);
+  }
+  for (const char* text : {"", "cm", "2 furlongs", "1.5 texelss", "nanm", "1,5cm", "2cm "}) {
+    const auto length = parse_length(text);
+    EXPECT_TRUE(!length || !std::isfinite(length->number)) << text;
+  }
+}
+
+TEST(Parameters, A_length_takes_the_units_that_its_description_allows) {
+  Length bias{1.5, LengthUnit::texels};
+  const Parameters parameters =
+      Description("a").field("bias", bias, {.unit = "m", .meaning = "", .min = -1, .units = {.texels = true}}).take();
+  EXPECT_EQ(to_string(parameters[0].value()), "1.5texels");
+  parameters[0].set_text("2cm");
+  EXPECT_EQ(bias, Length{0.02});
+  parameters[0].set(Value{0.5});  // a bare number, as in an experiment file, is metres
+  EXPECT_EQ(bias, Length{0.5});
+  for (const char* text : {"2%", "auto", "-2m", "-2texels", "nan", "infcm", "three"}) {
+    const std::string message = message_of([&] { parameters[0].set_text(text); });
+    EXPECT_NE(message.find("expected a length, at least -1 in m (2cm, 20mm), texels (1.5texels)"), std::string::npos)
+        << message;
+  }
+  EXPECT_EQ(bias, Length{0.5});
+}
+
 TEST(Parameters, A_description_that_lacks_a_field_is_found_by_counting) {
   Sample sample;
   EXPECT_EQ(count_fields<Sample>(), 6);

@@ -35,7 +35,7 @@ TEST(RasterParameters, Keys_reach_the_fields_that_they_name) {
   require(parameters, "shadow.filter").set_text("box");
   require(parameters, "shadow.filter-size").set_text("29");
   EXPECT_EQ(shadow.resolution, 300);
-  EXPECT_EQ(shadow.constant_bias, -0.25);
+  EXPECT_EQ(shadow.constant_bias, Length{-0.25});
   EXPECT_EQ(shadow.slope_bias, 1.5);
   EXPECT_EQ(shadow.filter, ShadowFilter::box);
   EXPECT_EQ(shadow.filter_size, 29);

@@ -152,7 +152,8 @@ TEST_F(VisibilityGl, Visibility_never_falls_as_the_bias_grows) {
       Image<float> before(120, 80, 0.0f);
       double grown = 0.0;
       for (const double bias : {-1.0, 0.0, 0.01, 0.1, 0.5, 2.0, 100.0}) {
-        (is_slope ? params.slope_bias : params.constant_bias) = bias;
+        params.constant_bias = is_slope ? 0.02 : bias;
+        params.slope_bias = is_slope ? bias : 0.0;
         const Image<float> now =
             draw_visibility(context(), {uploaded, surfels, map, light, params, nullptr}).visibility;
         for (std::size_t i = 0; i < now.size(); ++i) ASSERT_GE(now[i], before[i]) << i << " at " << bias;
