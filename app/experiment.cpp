@@ -76,13 +76,16 @@ std::string parameter_reference() {
 
 Table settings_table(Experiment experiment) {
   Table table{{{"parameter", "", "full name: flag, key and column"},
-               {"value", "", "as set for this run"},
+               {"value", "", "as set for this run; of a varied parameter its axis"},
                {"unit", "", "of the value"},
                {"meaning", "", "what it sets"}},
               {}};
   for (const Parameter& parameter : describe(experiment)) {
-    table.rows.push_back(
-        {parameter.key, to_string(parameter.value()), parameter.description.unit, parameter.description.meaning});
+    std::string value = to_string(parameter.value());
+    for (const auto& [key, text] : experiment.axes) {
+      if (key == parameter.key) value = "varied: " + text;
+    }
+    table.rows.push_back({parameter.key, value, parameter.description.unit, parameter.description.meaning});
   }
   return table;
 }

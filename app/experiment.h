@@ -57,7 +57,7 @@ std::string key_of(const Parameters& parameters);
 /// The reference page of all parameters, Markdown.
 std::string parameter_reference();
 
-/// Every parameter with its value, unit and meaning.
+/// Every parameter with its value, unit and meaning; of a varied one the axis in place of the value.
 Table settings_table(Experiment experiment);
 
 }  // namespace umbrameter

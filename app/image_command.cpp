@@ -63,11 +63,12 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   workbench.require_sense_for(experiment, lights);
 
   Measurement measurement;
+  measurement.experiment = experiment;
   measurement.surfels = workbench.surfels(experiment.view);
   for (const std::uint32_t light : lights) {
     ShadowMeasurement shadow = measure_shadow(workbench, experiment, light, sides);
-    if (sides.raster && sides.truth) shadow.shape = measure_shape(workbench, experiment, shadow);
-    if (shadow.shape && experiment.run.shimmer) shadow.shape->shimmer = measure_shimmer(workbench, experiment, shadow);
+    if (sides.raster && sides.truth) shadow.shape = measure_shape(workbench, shadow);
+    if (shadow.shape && experiment.run.shimmer) shadow.shape->shimmer = measure_shimmer(workbench, shadow);
     measurement.shadows.push_back(std::move(shadow));
   }
   measurement.ao = measure_ao(workbench, experiment, sides);
@@ -80,10 +81,10 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   output.subtitle = subtitle_of(workbench, measurement.surfels.view);
   output.parts.push_back(present_picture(workbench, measurement));
   for (const ShadowMeasurement& shadow : measurement.shadows) {
-    output.parts.push_back(present_shadow(workbench, shadow, experiment));
+    output.parts.push_back(present_shadow(workbench, shadow));
     if (shadow.shape) present_shape(output.parts.back(), workbench, shadow);
   }
-  output.parts.push_back(present_ao(*measurement.ao, experiment));
+  output.parts.push_back(present_ao(*measurement.ao));
   output.summary = {line.command, given, &workbench, &measurement, {}, {}, {}, {}};
   if (sides.raster) output.summary.gl_renderer = workbench.context().device().renderer;
   return write_run(line, console, std::move(output));

@@ -11,6 +11,7 @@ ShadowMeasurement measure_shadow(Workbench& workbench, const Experiment& experim
   const Light lamp = workbench.light(experiment, light);
   const bool is_soft = is_area(lamp);
   ShadowMeasurement measurement;
+  measurement.experiment = experiment;
   measurement.light = light;
   measurement.frame = fit.frame;
   measurement.counted = fit.counted;
@@ -38,6 +39,7 @@ ShadowMeasurement measure_shadow(Workbench& workbench, const Experiment& experim
 
 AoMeasurement measure_ao(Workbench& workbench, const Experiment& experiment, Sides sides) {
   AoMeasurement measurement;
+  measurement.experiment = experiment;
   if (sides.truth) measurement.truth = workbench.ao_truth(experiment);
   if (sides.raster) measurement.raster = workbench.draw_ao(experiment);
   if (sides.raster && sides.truth) {

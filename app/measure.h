@@ -20,6 +20,7 @@ struct Sides {
 };
 
 struct ShadowMeasurement {
+  Experiment experiment;  ///< what it was made with; whoever shows it reads parameters from here
   std::uint32_t light = 0;
   LightFrame frame;
   CountedPixels counted;
@@ -43,12 +44,14 @@ inline bool is_soft(const ShadowMeasurement& shadow) { return !std::holds_altern
 SampledImage sampled(const TracedVisibility& truth);
 
 struct AoMeasurement {
+  Experiment experiment;  ///< what it was made with
   std::optional<Image<float>> raster;
   std::optional<TracedAo> truth;
   std::optional<AoStatistics> statistics;
 };
 
 struct Measurement {
+  Experiment experiment;  ///< that of all its parts
   Surfels surfels;
   std::vector<ShadowMeasurement> shadows;
   std::optional<AoMeasurement> ao;

@@ -94,17 +94,16 @@ std::string precision_line(const SamplingPrecision& precision) {
 }
 
 // What one light's shadow rays went to.
-std::string truth_caption(const ShadowMeasurement& shadow, const Experiment& experiment) {
+std::string truth_caption(const ShadowMeasurement& shadow) {
   const std::string common = "Shadow rays against the exact geometry; turned-away surfels count as 0.";
   if (!is_soft(shadow)) return common;
   return fmt::format("{} The light is {}{}; {:.0f} samples a pixel; the visible share of its {}.", common,
                      std::holds_alternative<DistantEmitter>(shadow.emitter) ? "" : "a ", extent_text(shadow.emitter),
                      shadow.truth->precision.mean_samples,
-                     experiment.truth.light_sampling == LightSampling::area ? "area" : "solid angle");
+                     shadow.experiment.truth.light_sampling == LightSampling::area ? "area" : "solid angle");
 }
 
-void present_soft_error(Presentation& presentation, const Workbench& workbench, const ShadowMeasurement& shadow,
-                        const Experiment& experiment) {
+void present_soft_error(Presentation& presentation, const Workbench& workbench, const ShadowMeasurement& shadow) {
   const std::string title = workbench.title(shadow.light);
   const SoftVisibilityStatistics& s = *shadow.soft_statistics;
   ReportSection& section = presentation.section;
@@ -128,7 +127,7 @@ void present_soft_error(Presentation& presentation, const Workbench& workbench, 
       {"penumbra", percent(s.penumbra), "of the counted pixels"},
   };
   section.tables = {statistics_table("Error of the visibility of " + title, soft_visibility_columns(), to_row(s)),
-                    bias_table(shadow, experiment)};
+                    bias_table(shadow)};
   presentation.lines.push_back(fmt::format("{:<10} error {}: too dark {}, too bright {}  (penumbra {}, {})", title,
                                            percent(s.error.mae), percent(s.error.too_dark), percent(s.error.too_bright),
                                            percent(s.penumbra), extent_text(shadow.emitter)));
@@ -220,10 +219,10 @@ Presentation present_picture(const Workbench& workbench, const Measurement& meas
   return presentation;
 }
 
-ReportTable bias_table(const ShadowMeasurement& shadow, const Experiment& experiment) {
+ReportTable bias_table(const ShadowMeasurement& shadow) {
   Table table{{{"constant bias", "", ""}, {"value", "", ""}, {"unit", "", ""}}, {}};
   const double texel = shadow.counted.mean_texel;
-  const BiasInUnits bias = in_units(experiment.shadow.constant_bias, texel, shadow.frame.far_depth);
+  const BiasInUnits bias = in_units(shadow.experiment.shadow.constant_bias, texel, shadow.frame.far_depth);
   const auto known = [](double number) { return std::isfinite(number) ? fmt::format("{:.4g}", number) : "—"; };
   table.rows.push_back({std::string("along the light"), known(bias.metres), std::string("m")});
   table.rows.push_back(
@@ -250,7 +249,8 @@ ReportTable worst_parts(const char* what, PartKind kind, const std::vector<PartE
           in_percent(part_table(kind, parts, weight_sum, most))};
 }
 
-Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement& shadow, const Experiment& experiment) {
+Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement& shadow) {
+  const Experiment& experiment = shadow.experiment;
   const std::string& layer = workbench.layer(shadow.light);
   const std::string title = workbench.title(shadow.light);
   Presentation presentation;
@@ -258,9 +258,8 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
   section.title = "Shadow of " + title;
   section.text = counted_text(shadow.counted, is_soft(shadow));
   if (shadow.truth) {
-    add_figure(presentation,
-               scalar_figure("truth_visibility_" + layer, "Truth: " + title, truth_caption(shadow, experiment),
-                             shadow.truth->visibility, visibility_scale));
+    add_figure(presentation, scalar_figure("truth_visibility_" + layer, "Truth: " + title, truth_caption(shadow),
+                                           shadow.truth->visibility, visibility_scale));
     section.text += offset_text(shadow.truth->statistics);
     if (is_soft(shadow)) section.text += "\n\n" + precision_text(shadow.truth->precision, experiment.truth);
   }
@@ -273,7 +272,7 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
                              shadow.raster->visibility, visibility_scale));
   }
   if (shadow.soft_statistics) {
-    present_soft_error(presentation, workbench, shadow, experiment);
+    present_soft_error(presentation, workbench, shadow);
     return presentation;
   }
   if (!shadow.statistics) {
@@ -298,8 +297,7 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
   }
   const std::uint32_t weight_sum = shadow.raster->wrong.weight_sum;
   section.tables = {statistics_table("Error of the visibility of " + title, visibility_columns(), to_row(s)),
-                    bias_table(shadow, experiment),
-                    worst_parts("objects", PartKind::object, shadow.objects, weight_sum),
+                    bias_table(shadow), worst_parts("objects", PartKind::object, shadow.objects, weight_sum),
                     worst_parts("materials", PartKind::material, shadow.materials, weight_sum)};
   if (shadow.agreement) section.text += agreement_text(*shadow.agreement);
   if (s.max_x >= 0) {
@@ -318,7 +316,8 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
   return presentation;
 }
 
-Presentation present_ao(const AoMeasurement& ao, const Experiment& experiment) {
+Presentation present_ao(const AoMeasurement& ao) {
+  const Experiment& experiment = ao.experiment;
   Presentation presentation;
   ReportSection& section = presentation.section;
   section.title = "Ambient occlusion";

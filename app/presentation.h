@@ -37,11 +37,11 @@ struct Presentation {
 };
 
 Presentation present_picture(const Workbench& workbench, const Measurement& measurement);
-Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement& shadow, const Experiment& experiment);
-Presentation present_ao(const AoMeasurement& ao, const Experiment& experiment);
+Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement& shadow);
+Presentation present_ao(const AoMeasurement& ao);
 
 /// The constant bias in metres, in texels of the mean size, and as normalised depth.
-ReportTable bias_table(const ShadowMeasurement& shadow, const Experiment& experiment);
+ReportTable bias_table(const ShadowMeasurement& shadow);
 
 /// Adds a figure to a presentation's section and image list.
 void add_figure(Presentation& presentation, ImageFigure figure);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <utility>
 
 #include "app/layers.h"
 #include "reports/data.h"
@@ -19,7 +20,9 @@ Report make_report(const RunOutput& output) {
   report.notes = output.summary.workbench->notes();
   for (const std::string& problem : output.summary.problems) report.notes.push_back(problem);
   for (const Presentation& part : output.parts) report.sections.push_back(part.section);
-  report.settings = settings_table(output.summary.experiment);
+  Experiment experiment = output.summary.experiment;
+  if (!output.summary.sweep) experiment.axes.clear();  // an experiment file may have some that this run does not use
+  report.settings = settings_table(std::move(experiment));
   return report;
 }
 

@@ -60,7 +60,8 @@ Json shimmer_json(const Shimmer& shimmer) {
 
 }  // namespace
 
-ShadowShape measure_shape(Workbench& workbench, const Experiment& experiment, const ShadowMeasurement& shadow) {
+ShadowShape measure_shape(Workbench& workbench, const ShadowMeasurement& shadow) {
+  const Experiment& experiment = shadow.experiment;
   const Surfels& surfels = workbench.surfels(experiment.view);
   const Light light = workbench.light(experiment, shadow.light);
   const ShapeInput input{surfels.gbuffer, shadow.truth->visibility, shadow.counted, light, shadow.frame};

@@ -20,7 +20,7 @@ struct ShadowShape {
 };
 
 /// Of a measurement with both sides.
-ShadowShape measure_shape(Workbench& workbench, const Experiment& experiment, const ShadowMeasurement& shadow);
+ShadowShape measure_shape(Workbench& workbench, const ShadowMeasurement& shadow);
 
 /// The value of "shape".
 nlohmann::ordered_json to_json(const Workbench& workbench, const ShadowShape& shape);

@@ -20,7 +20,8 @@ Flips mean_of(Flips sum) { return {sum.pixels / moves.size(), sum.share / static
 
 }  // namespace
 
-Shimmer measure_shimmer(Workbench& workbench, const Experiment& experiment, const ShadowMeasurement& shadow) {
+Shimmer measure_shimmer(Workbench& workbench, const ShadowMeasurement& shadow) {
+  const Experiment& experiment = shadow.experiment;
   const gl::Context& context = workbench.context();
   const UploadedScene& scene = workbench.uploaded();
   const Surfels& surfels = workbench.surfels(experiment.view);

@@ -8,7 +8,6 @@
 namespace umbrameter {
 
 struct ShadowMeasurement;
-struct Experiment;
 class Workbench;
 
 struct Shimmer {
@@ -20,6 +19,6 @@ struct Shimmer {
 };
 
 /// Draws the map and the visibility anew for four moves of the map's grid and four of the camera.
-Shimmer measure_shimmer(Workbench& workbench, const Experiment& experiment, const ShadowMeasurement& shadow);
+Shimmer measure_shimmer(Workbench& workbench, const ShadowMeasurement& shadow);
 
 }  // namespace umbrameter

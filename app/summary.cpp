@@ -55,7 +55,7 @@ Json agreement_json(const ClassAgreement& agreement) {
           {"judged_own_of_wrong", share_of_wrong(agreement)}};
 }
 
-Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow, const Experiment& experiment) {
+Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow) {
   Json object;
   object["light"] = workbench.layer(shadow.light);
   object["index"] = shadow.light;
@@ -64,7 +64,7 @@ Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow, co
   const double texel = shadow.counted.mean_texel;
   object["map"] = {
       {"resolution_texels", shadow.frame.resolution}, {"mean_texel_m", texel}, {"far_depth_m", shadow.frame.far_depth}};
-  object["constant_bias"] = to_json(in_units(experiment.shadow.constant_bias, texel, shadow.frame.far_depth));
+  object["constant_bias"] = to_json(in_units(shadow.experiment.shadow.constant_bias, texel, shadow.frame.far_depth));
   Json counting = Json::object();
   for (std::size_t i = 0; i < counting_names.size(); ++i) {
     counting[std::string(counting_names[i])] = shadow.counted.totals[i];
@@ -133,21 +133,27 @@ std::string to_summary_json(const SummaryInput& input) {
   summary["embree"] = embree_version();
   if (!input.gl_renderer.empty()) summary["opengl"] = input.gl_renderer;
   summary["notes"] = input.workbench->notes();
-  Experiment experiment = input.experiment;
+  // Of a sweep: those of the cell that was measured, like all that follows.
+  Experiment experiment = input.measurement != nullptr ? input.measurement->experiment : input.experiment;
   Json parameters = Json::object();
   for (const Parameter& parameter : describe(experiment)) parameters[parameter.key] = to_json(parameter.value());
   summary["parameters"] = parameters;
+  if (input.sweep) {
+    Json cell = Json::object();
+    for (const auto& [key, value] : input.sweep->cell) cell[key] = to_json(value);
+    summary["cell"] = cell;
+  }
   if (input.measurement != nullptr) {
     summary["camera"] = input.measurement->surfels.view.camera.name;
     summary["shadows"] = Json::array();
     for (const ShadowMeasurement& shadow : input.measurement->shadows) {
-      summary["shadows"].push_back(shadow_json(*input.workbench, shadow, experiment));
+      summary["shadows"].push_back(shadow_json(*input.workbench, shadow));
     }
     if (input.measurement->ao) summary["ao"] = ao_json(*input.measurement->ao);
   }
   if (input.sweep) {
     Json axes = Json::object();
-    for (const auto& [key, text] : experiment.axes) axes[key] = text;
+    for (const auto& [key, text] : input.experiment.axes) axes[key] = text;
     Json best = Json::array();
     const Table& rows = input.sweep->best;
     for (const std::vector<Value>& row : rows.rows) best.push_back(row_json(rows.columns, row));

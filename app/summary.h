@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/bias_report.h"
@@ -16,13 +17,15 @@ namespace umbrameter {
 struct SweepSummary {
   std::size_t cells = 0;
   Table best;  ///< the rows of least error
+  /// The cell that the blocks beside "sweep" are about: the values of the axes.
+  std::vector<std::pair<std::string, Value>> cell;
   std::optional<BiasCurves> curves{};
 };
 
 /// Everything that summary.json is made from; empty parts are left out.
 struct SummaryInput {
   std::string command;
-  Experiment experiment;
+  Experiment experiment;  ///< as given; a sweep's axes are not applied to it
   const Workbench* workbench = nullptr;
   const Measurement* measurement = nullptr;
   std::optional<SweepSummary> sweep;

@@ -98,6 +98,13 @@ void remove_results(const std::filesystem::path& folder) {
   }
 }
 
+std::vector<std::pair<std::string, Value>> cell_values(const std::vector<SweepAxis>& axes,
+                                                       const std::vector<Value>& row) {
+  std::vector<std::pair<std::string, Value>> cell;
+  for (std::size_t a = 0; a < axes.size(); ++a) cell.emplace_back(axes[a].key, row[a]);
+  return cell;
+}
+
 void measure_missing(const SweepPlan& plan, ResultsStore& store, const EvaluateGroup& evaluate,
                      const Console& console) {
   const std::size_t kept = store.count();
@@ -176,6 +183,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
       workbench.in_metres(at_cell(workbench.in_metres(experiment), axes,
                                   {least.begin(), least.begin() + static_cast<std::ptrdiff_t>(axes.size())}));
   Measurement measurement;
+  measurement.experiment = best;
   measurement.surfels = workbench.surfels(best.view);
   RunOutput output;
   output.title = fmt::format("{}: sweep", scene_title(experiment));
@@ -183,19 +191,21 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   output.parts.push_back(present_sweep(results, best_of_lines, curves));
   if (measure == Measure::ao) {
     measurement.ao = measure_ao(workbench, best, {});
-    output.parts.push_back(present_ao(*measurement.ao, best));
+    output.parts.push_back(present_ao(*measurement.ao));
   } else {
     measurement.shadows.push_back(measure_shadow(workbench, best, workbench.lights(best.view.light).front(), {}));
-    output.parts.push_back(present_shadow(workbench, measurement.shadows.front(), best));
+    output.parts.push_back(present_shadow(workbench, measurement.shadows.front()));
   }
-  output.parts.back().section.title += ", at the cell of least error";
+  ReportSection& section = output.parts.back().section;
+  section.title += ", at the cell of least error";
+  section.text = fmt::format("This section shows the cell {}.\n\n", cell_text(results, least)) + section.text;
   output.parts.push_back(present_picture(workbench, measurement));
   output.results = &store;
   output.summary = {line.command,
                     experiment,
                     &workbench,
                     &measurement,
-                    SweepSummary{plan.cells, best_of_lines, curves},
+                    SweepSummary{plan.cells, best_of_lines, cell_values(axes, least), curves},
                     workbench.context().device().renderer,
                     {},
                     {}};

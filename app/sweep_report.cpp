@@ -181,6 +181,12 @@ Table best_rows(const SweepResults& sweep) {
   return sweep.store.least("mae", keys, most_best_rows);
 }
 
+std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row) {
+  Table table;
+  for (const StoredColumn& stored : sweep.store.description().columns) table.columns.push_back(stored.column);
+  return row_text(table, row, sweep.plan.axes.size());
+}
+
 std::vector<Value> least_row(const SweepResults& sweep) { return sweep.store.least("mae", {}, 1).rows.front(); }
 
 Presentation present_sweep(const SweepResults& sweep, const Table& best, const std::optional<BiasCurves>& curves) {

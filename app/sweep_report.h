@@ -1,6 +1,9 @@
 // How a sweep is shown: its best rows and its curves, read from the store by what each needs.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "app/bias_report.h"
 #include "app/presentation.h"
 #include "app/sweep_results.h"
@@ -12,6 +15,9 @@ Table best_rows(const SweepResults& sweep);
 
 /// The row of least error.
 std::vector<Value> least_row(const SweepResults& sweep);
+
+/// "shadow.constant-bias 0.05 m, shadow.resolution 256": the cell of a row.
+std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row);
 
 Presentation present_sweep(const SweepResults& sweep, const Table& best, const std::optional<BiasCurves>& curves);
 
