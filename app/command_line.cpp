@@ -86,7 +86,8 @@ void add_parameters(CLI::App& command, CommandLine& line, std::string_view only 
 }
 
 void add_output_flags(CLI::App& command, CommandLine& line) {
-  command.add_flag("--quiet", line.quiet, "No progress and no notes");
+  CLI::Option* quiet = command.add_flag("--quiet", line.quiet, "Print the answer only");
+  command.add_flag("--verbose", line.verbose, "Print diagnostics too: rays, times, reclassified taps")->excludes(quiet);
   command.add_flag("--json", line.json, "Print the summary as JSON on stdout, and nothing else there");
 }
 

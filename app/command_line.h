@@ -20,6 +20,7 @@ struct CommandLine {
   std::string gl_device;
   int threads = 0;
   bool quiet = false;
+  bool verbose = false;
   bool json = false;
   bool markdown = false;
   bool no_cache = false;           ///< references are traced anew and not kept

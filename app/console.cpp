@@ -23,6 +23,14 @@ void say(const Console& console, const std::string& line) {
   if (!console.json) fmt::print("{}\n", plain_text(line));
 }
 
+void add_line(const Console& console, const std::string& line) {
+  if (!console.quiet) say(console, line);
+}
+
+void diagnostic(const Console& console, const std::string& line) {
+  if (console.verbose) fmt::print(stderr, "{}\n", plain_text(line));
+}
+
 void note(const Console& console, const std::string& line) {
   if (!console.quiet) fmt::print(stderr, "note: {}\n", plain_text(line));
 }

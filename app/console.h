@@ -12,12 +12,19 @@
 namespace umbrameter {
 
 struct Console {
-  bool quiet = false;  ///< no progress, no notes
-  bool json = false;   ///< stdout carries the JSON summary and nothing else
+  bool quiet = false;    ///< the answer alone: no progress, no notes, no further lines
+  bool json = false;     ///< stdout carries the JSON summary and nothing else
+  bool verbose = false;  ///< diagnostics too
 };
 
-/// A line of the result, on stdout; nothing with --json.
+/// A line of the answer, on stdout; nothing with --json.
 void say(const Console& console, const std::string& line);
+
+/// More of the result than the answer, on stdout; nothing with --json or --quiet.
+void add_line(const Console& console, const std::string& line);
+
+/// A diagnostic for --verbose, on stderr.
+void diagnostic(const Console& console, const std::string& line);
 
 /// What was assumed or left out, on stderr as "note: …"; nothing with --quiet.
 void note(const Console& console, const std::string& line);

@@ -68,6 +68,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   for (const std::uint32_t light : lights) {
     ShadowMeasurement shadow = measure_shadow(workbench, experiment, light, sides);
     if (sides.raster && sides.truth) shadow.shape = measure_shape(workbench, shadow);
+    if (shadow.statistics && shadow.statistics->pixels > 0) shadow.advice = advise_bias(workbench, experiment, light);
     if (shadow.shape && experiment.run.shimmer) shadow.shape->shimmer = measure_shimmer(workbench, shadow);
     measurement.shadows.push_back(std::move(shadow));
   }

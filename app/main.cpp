@@ -19,7 +19,7 @@ ExitCode run(int argc, const char* const* argv) {
     return ExitCode::ok;
   }
   const CommandLine& line = std::get<CommandLine>(parsed);
-  const Console console{line.quiet, line.json};
+  const Console console{line.quiet, line.json, line.verbose};
   if (line.command == "sweep") return run_sweep_command(line, console);
   if (line.command == "scenes") return run_scenes(line, console);
   if (line.command == "scene") return run_scene(line, console);

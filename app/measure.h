@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/bias_advice.h"
 #include "app/shadow_shape.h"
 #include "app/workbench.h"
 #include "compare/ao.h"
@@ -34,7 +35,8 @@ struct ShadowMeasurement {
   /// By the receiver's object and material, by falling weight; where statistics are.
   std::vector<PartError> objects{};
   std::vector<PartError> materials{};
-  std::optional<ShadowShape> shape;  ///< where it was asked for
+  std::optional<BiasAdvice> advice{};  ///< where it was asked for, and statistics are
+  std::optional<ShadowShape> shape;    ///< where it was asked for
 };
 
 /// Whether the light has extent: its truth is then sampled, and its error has no causes.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/layers.h"
@@ -57,17 +58,24 @@ ReportTable statistics_table(std::string title, const std::vector<Column>& colum
   return {std::move(title), std::move(table)};
 }
 
+// Decimals with which a number shows that many significant digits.
+int decimals_of(double number, int digits) {
+  if (number == 0.0 || !std::isfinite(number)) return 0;
+  return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(number)))), 0, 9);
+}
+
 std::string counted_text(const CountedPixels& counted, bool is_soft) {
   const auto total = [&](Counting c) { return counted.totals[static_cast<std::size_t>(c)]; };
   return fmt::format(
-      "Counted are {} pixels that face {}the light, inside its map, cone and range. Not counted: {} turned away, {} "
-      "outside the map, {} outside the cone, {} out of range, {} background.",
+      "{} pixels are counted: they face {}the light and lie inside its map, cone and range. Not counted: {} "
+      "back-facing, "
+      "{} outside the map, {} outside the cone, {} out of range, {} background.",
       total(Counting::counted), is_soft ? "part of " : "", total(Counting::turned_away), total(Counting::outside_map),
       total(Counting::outside_cone), total(Counting::outside_range), total(Counting::background));
 }
 
 std::string offset_text(const TraceStatistics& statistics) {
-  return fmt::format(" Rays left the surfaces with an offset of at most {}.", length(statistics.largest_offset));
+  return fmt::format("rays left the surfaces with an offset of at most {}.", length(statistics.largest_offset));
 }
 
 // Of a reference that was sampled.
@@ -128,9 +136,10 @@ void present_soft_error(Presentation& presentation, const Workbench& workbench, 
   };
   section.tables = {statistics_table("Error of the visibility of " + title, soft_visibility_columns(), to_row(s)),
                     bias_table(shadow)};
-  presentation.lines.push_back(fmt::format("{:<10} error {}: too dark {}, too bright {}  (penumbra {}, {})", title,
-                                           percent(s.error.mae), percent(s.error.too_dark), percent(s.error.too_bright),
-                                           percent(s.penumbra), extent_text(shadow.emitter)));
+  presentation.answers.push_back(fmt::format(
+      "{}: error {} against its soft shadow ({}); too dark {}, too bright {}; penumbra {} of the counted pixels", title,
+      percent(s.error.mae), extent_text(shadow.emitter), percent(s.error.too_dark), percent(s.error.too_bright),
+      percent(s.penumbra)));
 }
 
 }  // namespace
@@ -165,13 +174,19 @@ const std::vector<CategoryColor>& class_colors() {
 }
 
 std::string percent(double share) {
+  if (!std::isfinite(share)) return "—";
   const double value = 100.0 * share;
-  if (value != 0.0 && std::abs(value) < 0.001) return fmt::format("{:.1e} %", value);
-  return fmt::format("{:.3f} %", value);
+  if (value != 0.0 && std::abs(value) < 0.0001) return fmt::format("{:.0e} %", value);
+  return fmt::format("{:.{}f} %", value, decimals_of(value, 3));
 }
 
 std::string percent(const Estimate& share) {
-  return fmt::format("{:.3f} % [{:.3f}, {:.3f}]", 100.0 * share.value, 100.0 * share.lower, 100.0 * share.upper);
+  if (!std::isfinite(share.value)) return "—";
+  const double half_width = 50.0 * (share.upper - share.lower);
+  if (!(half_width > 0.0)) return percent(share.value);
+  const int decimals = decimals_of(half_width, 2);
+  return fmt::format("{:.{}f} % [{:.{}f}, {:.{}f}]", 100.0 * share.value, decimals, 100.0 * share.lower, decimals,
+                     100.0 * share.upper, decimals);
 }
 
 std::string length_text(const Length& any) {
@@ -179,11 +194,13 @@ std::string length_text(const Length& any) {
                                         : fmt::format("{:.4g} {}", any.number, unit_name(any.unit));
 }
 
-std::string length(double metres) {
+std::string length(double metres, int digits) {
+  if (!std::isfinite(metres)) return "—";
   const double size = std::abs(metres);
-  if (size >= 1.0 || size == 0.0) return fmt::format("{:.3g} m", metres);
-  if (size >= 0.01) return fmt::format("{:.3g} cm", metres * 100.0);
-  return fmt::format("{:.3g} mm", metres * 1000.0);
+  if (size >= 1000.0) return fmt::format("{:.{}g} km", metres / 1000.0, digits);
+  if (size >= 1.0 || size == 0.0) return fmt::format("{:.{}g} m", metres, digits);
+  if (size >= 0.01) return fmt::format("{:.{}g} cm", metres * 100.0, digits);
+  return fmt::format("{:.{}g} mm", metres * 1000.0, digits);
 }
 
 void add_figure(Presentation& presentation, ImageFigure figure) {
@@ -219,6 +236,25 @@ Presentation present_picture(const Workbench& workbench, const Measurement& meas
   return presentation;
 }
 
+std::string nothing_counted_text(const CountedPixels& counted) {
+  constexpr std::array<std::string_view, 6> reasons = {"",
+                                                       "are background",
+                                                       "face away from the light",
+                                                       "lie outside its shadow map",
+                                                       "lie outside its cone",
+                                                       "lie beyond its range"};
+  if (counted.totals[static_cast<std::size_t>(Counting::counted)] > 0) return {};
+  std::uint64_t all = 0;
+  for (const std::uint64_t total : counted.totals) all += total;
+  std::string text;
+  for (std::size_t i = 0; i < reasons.size(); ++i) {
+    const std::uint64_t total = counted.totals[i];
+    if (total == all) return fmt::format("nothing to measure: all {} pixels {}", all, reasons[i]);
+    if (total > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", total, reasons[i]);
+  }
+  return fmt::format("nothing to measure: of {} pixels, {}", all, text);
+}
+
 ReportTable bias_table(const ShadowMeasurement& shadow) {
   Table table{{{"constant bias", "", ""}, {"value", "", ""}, {"unit", "", ""}}, {}};
   const double texel = shadow.counted.mean_texel;
@@ -234,12 +270,16 @@ ReportTable bias_table(const ShadowMeasurement& shadow) {
 
 std::string agreement_text(const ClassAgreement& agreement) {
   return fmt::format(
-      "\n\nThe two-plane rule took {:.3f} % of the wrong taps for another surface's in front of a lit point; rays "
-      "found "
-      "{:.3f} % of those, {:.4f} % of all wrong taps, on the receiver's own surface, and they count as acne.",
-      agreement.wrong > 0 ? 100.0 * static_cast<double>(agreement.foreign) / static_cast<double>(agreement.wrong) : 0.0,
-      100.0 * share_of_foreign(agreement), 100.0 * share_of_wrong(agreement));
+      "ray tests reclassified {:.2g} % of the {} taps that the two-plane test called false occlusion as acne: {:.2g} % "
+      "of all wrong taps.",
+      100.0 * share_of_foreign(agreement), agreement.taps, 100.0 * share_of_wrong(agreement));
 }
+
+// The mean absolute error cannot choose a filter.
+constexpr const char* filter_caution =
+    "\n\nThe reference of a light without extent is a hard shadow. Against it every blurred pixel is wrong, so that "
+    "the "
+    "mean absolute error always favours no filter: use it to choose a bias or a resolution, not a filter.";
 
 ReportTable worst_parts(const char* what, PartKind kind, const std::vector<PartError>& parts,
                         std::uint32_t weight_sum) {
@@ -260,7 +300,7 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
   if (shadow.truth) {
     add_figure(presentation, scalar_figure("truth_visibility_" + layer, "Truth: " + title, truth_caption(shadow),
                                            shadow.truth->visibility, visibility_scale));
-    section.text += offset_text(shadow.truth->statistics);
+    presentation.details.push_back(title + ": " + offset_text(shadow.truth->statistics));
     if (is_soft(shadow)) section.text += "\n\n" + precision_text(shadow.truth->precision, experiment.truth);
   }
   if (shadow.raster) {
@@ -271,16 +311,21 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
                                          length_text(experiment.shadow.constant_bias), experiment.shadow.slope_bias),
                              shadow.raster->visibility, visibility_scale));
   }
+  if (const std::string reason = nothing_counted_text(shadow.counted); !reason.empty()) {
+    section.text += "\n\n" + title + ": " + reason + ".";
+    presentation.answers.push_back(title + ": " + reason);
+    return presentation;
+  }
   if (shadow.soft_statistics) {
     present_soft_error(presentation, workbench, shadow);
     return presentation;
   }
   if (!shadow.statistics) {
     const double pixels = static_cast<double>(shadow.counted.totals[0]);
-    std::string line =
-        fmt::format("{:<10} {:.0f} pixels counted, texel {}", title, pixels, length(shadow.counted.mean_texel));
+    std::string line = fmt::format("{}: {:.0f} pixels counted", title, pixels);
+    if (shadow.raster) line += fmt::format(", mean texel {}", length(shadow.counted.mean_texel));
     if (shadow.truth && is_soft(shadow)) line += "; " + precision_line(shadow.truth->precision);
-    presentation.lines.push_back(std::move(line));
+    presentation.answers.push_back(std::move(line));
     return presentation;
   }
   const VisibilityStatistics& s = *shadow.statistics;
@@ -296,22 +341,25 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
         {std::string(cause_title(cause)), percent(shares[c]), std::string(cause_meaning(cause))});
   }
   const std::uint32_t weight_sum = shadow.raster->wrong.weight_sum;
-  section.tables = {statistics_table("Error of the visibility of " + title, visibility_columns(), to_row(s)),
-                    bias_table(shadow), worst_parts("objects", PartKind::object, shadow.objects, weight_sum),
-                    worst_parts("materials", PartKind::material, shadow.materials, weight_sum)};
-  if (shadow.agreement) section.text += agreement_text(*shadow.agreement);
+  if (shadow.advice) section.tables.push_back(advice_table(*shadow.advice));
+  section.tables.insert(section.tables.end(),
+                        {statistics_table("Error of the visibility of " + title, visibility_columns(), to_row(s)),
+                         bias_table(shadow), worst_parts("objects", PartKind::object, shadow.objects, weight_sum),
+                         worst_parts("materials", PartKind::material, shadow.materials, weight_sum)});
+  if (shadow.agreement) presentation.details.push_back(title + ": " + agreement_text(*shadow.agreement));
+  if (experiment.shadow.filter != ShadowFilter::nearest) section.text += filter_caution;
   if (s.max_x >= 0) {
     section.text +=
         fmt::format("\n\nThe largest error is {:.3g}, first at pixel ({}, {}).", s.max_error, s.max_x, s.max_y);
   }
-  presentation.lines.push_back(
-      fmt::format("{:<10} error {}: acne {}, false occlusion {}, peter-panning {}, leak {}  (texel {}, bias {})", title,
-                  percent(s.mae), percent(s.acne), percent(s.false_occlusion), percent(s.peter_panning),
-                  percent(s.leak), length(s.mean_texel), length_text(experiment.shadow.constant_bias)));
-  if (shadow.agreement && shadow.agreement->taps > 0) {
-    presentation.lines.push_back(
-        fmt::format("{:<10} of {} taps that planes called foreign, rays called {:.3f} % own, by weight", "",
-                    shadow.agreement->taps, 100.0 * share_of_foreign(*shadow.agreement)));
+  const std::string parts = fmt::format("acne {}, false occlusion {}, peter-panning {}, light leak {}", percent(s.acne),
+                                        percent(s.false_occlusion), percent(s.peter_panning), percent(s.leak));
+  if (shadow.advice) {
+    presentation.answers.push_back(title + ": " + advice_text(*shadow.advice));
+    presentation.lines.push_back(fmt::format("  {}: {}", title, parts));
+  } else {
+    presentation.answers.push_back(fmt::format("{}: error {} at a bias of {}; {}", title, percent(s.mae),
+                                               length_text(experiment.shadow.constant_bias), parts));
   }
   return presentation;
 }
@@ -323,7 +371,7 @@ Presentation present_ao(const AoMeasurement& ao) {
   section.title = "Ambient occlusion";
   const std::string limit = has_distance_limit(experiment.truth)
                                 ? "up to " + length(experiment.truth.ao_distance.number)
-                                : "without a distance limit";
+                                : "without distance limit";
   if (ao.truth) {
     add_figure(presentation,
                scalar_figure("truth_ao", "Truth: ambient occlusion",
@@ -342,12 +390,18 @@ Presentation present_ao(const AoMeasurement& ao) {
                              *ao.raster, ao_scale));
   }
   if (ao.truth) {
-    section.text = precision_text(ao.truth->precision, experiment.truth) + offset_text(ao.truth->statistics);
+    section.text = precision_text(ao.truth->precision, experiment.truth);
+    presentation.details.push_back("AO: " + offset_text(ao.truth->statistics));
   }
   if (!ao.statistics) {
     if (ao.truth) {
-      presentation.lines.push_back(fmt::format("{:<10} {}", "AO", precision_line(ao.truth->precision)));
+      presentation.answers.push_back(fmt::format("AO: reference {}, {}", limit, precision_line(ao.truth->precision)));
     }
+    return presentation;
+  }
+  if (ao.statistics->pixels == 0) {
+    presentation.answers.emplace_back("AO: nothing to measure: all pixels are background");
+    section.text += "\n\nNothing to measure: all pixels are background.";
     return presentation;
   }
   const AoStatistics& s = *ao.statistics;
@@ -358,9 +412,15 @@ Presentation present_ao(const AoMeasurement& ao) {
       {"RMS error", percent(s.rmse), "corrected for the reference's variance"},
       {"mean error", percent(s.mean_error), "below 0: too dark"},
   };
+  section.text += fmt::format(
+      "\n\nThe technique looks {} far, the reference {}. The interval of the mean absolute error can be asymmetric: "
+      "the "
+      "reference's noise can only raise a mean of absolute values, so the lower end allows for that and the upper end "
+      "does not.",
+      length(experiment.ao.radius.number), limit);
   section.tables = {statistics_table("Error of the ambient occlusion", ao_columns(), to_row(s))};
-  presentation.lines.push_back(fmt::format("{:<10} error {}, mean {} (SSAO radius {}, truth {})", "AO", percent(s.mae),
-                                           percent(s.mean_error), length(experiment.ao.radius.number), limit));
+  presentation.answers.push_back(fmt::format("AO: error {}, mean {} (SSAO radius {}, reference {})", percent(s.mae),
+                                             percent(s.mean_error), length(experiment.ao.radius.number), limit));
   return presentation;
 }
 

@@ -10,12 +10,12 @@
 
 namespace umbrameter {
 
-/// "0.831 %".
+/// "8.71 %", "0.0123 %": three significant digits; "—" for what was not measured.
 std::string percent(double share);
-/// "4.12 % [4.09, 4.15]": value and 95 % interval.
+/// "4.12 % [4.09, 4.15]": value and 95 % interval, as many decimals as give its half width two significant digits.
 std::string percent(const Estimate& share);
-/// Three significant digits in the unit that suits: "12.5 mm", "1.2 m".
-std::string length(double metres);
+/// In the unit that suits, three significant digits unless told otherwise: "12.5 mm", "1.2 m".
+std::string length(double metres, int digits = 3);
 /// The same of a length in metres; "1.5 texels" of one in texels.
 std::string length_text(const Length& any);
 
@@ -33,12 +33,17 @@ struct Presentation {
   std::vector<ImageFigure> images;
   std::vector<PlotFigure> plots;
   std::vector<HeatMapFigure> heat_maps;
-  std::vector<std::string> lines;  ///< for the console
+  std::vector<std::string> answers{};  ///< for the console: what the command was run for, first
+  std::vector<std::string> lines{};    ///< for the console: more of the result
+  std::vector<std::string> details{};  ///< diagnostics: for the page's last section and --verbose
 };
 
 Presentation present_picture(const Workbench& workbench, const Measurement& measurement);
 Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement& shadow);
 Presentation present_ao(const AoMeasurement& ao);
+
+/// Why statistics count no pixel: "nothing to measure: all 230,400 pixels are background". Empty where they count some.
+std::string nothing_counted_text(const CountedPixels& counted);
 
 /// The constant bias in metres, in texels of the mean size, and as normalised depth.
 ReportTable bias_table(const ShadowMeasurement& shadow);

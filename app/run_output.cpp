@@ -19,7 +19,14 @@ Report make_report(const RunOutput& output) {
   report.command = fmt::format("umbrameter {} -c experiment.toml -o OUT", output.summary.command);
   report.notes = output.summary.workbench->notes();
   for (const std::string& problem : output.summary.problems) report.notes.push_back(problem);
-  for (const Presentation& part : output.parts) report.sections.push_back(part.section);
+  ReportSection diagnostics{.title = "Diagnostics"};
+  for (const Presentation& part : output.parts) {
+    report.sections.push_back(part.section);
+    for (const std::string& text : part.details) {
+      diagnostics.text += (diagnostics.text.empty() ? "" : "\n\n") + text;
+    }
+  }
+  if (!diagnostics.text.empty()) report.sections.push_back(std::move(diagnostics));
   Experiment experiment = output.summary.experiment;
   if (!output.summary.sweep) experiment.axes.clear();  // an experiment file may have some that this run does not use
   report.settings = settings_table(std::move(experiment));
@@ -78,10 +85,16 @@ ExitCode write_run(const CommandLine& line, const Console& console, RunOutput ou
   write_text(folder / "summary.json", json);
   write_page(folder, make_report(output));
   for (const Presentation& part : output.parts) {
-    for (const std::string& text : part.lines) say(console, text);
+    for (const std::string& text : part.answers) say(console, text);
   }
-  if (const std::string costs = costs_text(summary.workbench->costs()); !costs.empty()) note(console, costs);
-  say(console, fmt::format("report: {}", (folder / "index.html").string()));
+  for (const Presentation& part : output.parts) {
+    for (const std::string& text : part.lines) add_line(console, text);
+  }
+  for (const Presentation& part : output.parts) {
+    for (const std::string& text : part.details) diagnostic(console, text);
+  }
+  diagnostic(console, costs_text(summary.workbench->costs()));
+  add_line(console, fmt::format("report: {}", (folder / "index.html").string()));
   if (console.json) fmt::print("{}", json);
   for (const std::string& problem : summary.problems) fmt::print(stderr, "umbrameter: {}\n", problem);
   return summary.problems.empty() ? ExitCode::ok : ExitCode::partial;

@@ -74,6 +74,8 @@ Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow) {
     const TracedVisibility& truth = *shadow.truth;
     object["truth"] = truth_json(truth.statistics, truth.precision, truth.degrees_of_freedom);
   }
+  if (const std::string reason = nothing_counted_text(shadow.counted); !reason.empty()) object["not_measured"] = reason;
+  if (shadow.advice) object["recommended_bias"] = to_json(*shadow.advice);
   if (shadow.soft_statistics) {
     const SampledError& error = shadow.soft_statistics->error;
     object["statistics"] = row_json(soft_visibility_columns(), to_row(*shadow.soft_statistics));

@@ -1,6 +1,7 @@
 #include "compare/ao.h"
 
 #include <cassert>
+#include <utility>
 
 namespace umbrameter {
 
@@ -28,7 +29,7 @@ std::vector<Value> to_row(const AoStatistics& s) {
   row.emplace_back(s.mean_raster);
   add_estimate(row, s.mean_truth);
   row.emplace_back(s.max_error);
-  return row;
+  return measured_row(std::move(row), s.pixels);
 }
 
 }  // namespace umbrameter

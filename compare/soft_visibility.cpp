@@ -1,5 +1,7 @@
 #include "compare/soft_visibility.h"
 
+#include <utility>
+
 namespace umbrameter {
 
 SoftVisibilityStatistics analyze_soft_visibility(const Image<float>& raster, const SampledImage& truth,
@@ -45,7 +47,7 @@ std::vector<Value> to_row(const SoftVisibilityStatistics& s) {
   row.emplace_back(s.error.mean_raster);
   row.emplace_back(s.error.max_error);
   row.emplace_back(s.mean_texel);
-  return row;
+  return measured_row(std::move(row), s.error.pixels);
 }
 
 }  // namespace umbrameter

@@ -148,20 +148,9 @@ std::vector<Column> visibility_columns() {
 Column mean_texel_column() { return {"mean_texel", "m", "mean side of a shadow-map texel at the counted surfels"}; }
 
 std::vector<Value> to_row(const VisibilityStatistics& s) {
-  return {static_cast<std::int64_t>(s.pixels),
-          s.lit,
-          s.blocked,
-          s.mae,
-          s.rmse,
-          s.acne,
-          s.false_occlusion,
-          s.peter_panning,
-          s.leak,
-          s.mean_error,
-          s.max_error,
-          s.false_blocked,
-          s.false_lit,
-          s.mean_texel};
+  return measured_row({static_cast<std::int64_t>(s.pixels), s.lit, s.blocked, s.mae, s.rmse, s.acne, s.false_occlusion,
+                       s.peter_panning, s.leak, s.mean_error, s.max_error, s.false_blocked, s.false_lit, s.mean_texel},
+                      s.pixels);
 }
 
 }  // namespace umbrameter
