@@ -273,7 +273,7 @@ std::optional<PlotFigure> law_plot(const Drawing& drawing) {
   plot.series_label = "bias of";
   plot.mark = "read";
   plot.data.columns = plain_columns({"texel", "bias", "line", "read"});
-  plot.caption = "Lines are the laws, rings the biases that they are fitted to.";
+  plot.caption = "Lines are the fits, rings the biases that they run through.";
   double largest = 0.0;
   for (const BiasCurve& curve : drawing.curves.curves) largest = std::max(largest, curve.reading.mean_texel);
   for (const CurveLaw& law : drawing.curves.laws) {
@@ -289,8 +289,7 @@ std::optional<PlotFigure> law_plot(const Drawing& drawing) {
           law_point(drawing.curves, law.of, curve->reading.lines[drawing.slope], curve->reading.mean_texel);
       if (point) plot.data.rows.push_back({point->texel, point->bias, name, true});
     }
-    plot.caption += fmt::format(" Of {}: {}; misses {} ({:.2g} texels).", name, law_text(*law.law),
-                                length(law.law->residual), law.law->residual_texels);
+    plot.caption += fmt::format(" Fit of {}: bias ≈ {}, {}.", name, law_text(*law.law), residual_text(*law.law));
   }
   if (plot.data.rows.empty()) return std::nullopt;
   return plot;

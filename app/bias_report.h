@@ -67,6 +67,8 @@ void present_bias(Presentation& presentation, const BiasCurves& curves);
 std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell);
 /// "1.2 mm + 0.87 texels".
 std::string law_text(const BiasLaw& law);
+/// "RMS residual 3.9 mm (0.2 texels)", or that a fit through its points has none.
+std::string residual_text(const BiasLaw& law);
 
 /// "curves" of summary.json.
 nlohmann::ordered_json to_json(const BiasCurves& curves);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "app/bias_report.h"
 #include "app/plot_axes.h"
@@ -126,15 +127,15 @@ Value error_of(const std::optional<Fitted>& fitted) {
 Table laws_table(const BiasCurves& curves) {
   Table table;
   table.columns = curves.of_a_law;
-  std::vector<Column> rest = {{"law of", "", "the bias that is fitted, at the slope-scaled bias nearest to none"},
-                              {"points", "1", "fitted: one a resolution"},
+  std::vector<Column> rest = {{"fit of", "", "which bias is fitted, at the slope-scaled bias nearest to 0"},
+                              {"points", "1", "fitted points: one per resolution"},
                               {"left out", "1", "resolutions without such a bias within the axis"},
                               {"c0", "m", "the part that does not depend on the texel"},
                               {"error of c0", "m", "standard error"},
                               {"c1·tan θ", "texels", "the part in proportion to the texel"},
                               {"error of c1·tan θ", "texels", "standard error"},
-                              {"residual", "m", "root mean square of what the law misses"},
-                              {"residual in texels", "texels", "the same, each point in its own texels"}};
+                              {"residual", "m", "RMS residual of the fit; empty with as many points as unknowns"},
+                              {"residual in texels", "texels", "the same, each point in texels of its resolution"}};
   const std::size_t columns_of_a_law = rest.size();
   if (curves.varies_slope) {
     rest.insert(rest.end(), {{"tan θ", "1", "of the surface that decides, by a fit over all slope-scaled biases"},
@@ -154,7 +155,9 @@ Table laws_table(const BiasCurves& curves) {
         row.push_back(value_of(fitted));
         row.push_back(error_of(fitted));
       }
-      row.insert(row.end(), {law.law->residual, law.law->residual_texels});
+      const bool has_residual = law.law->constant.standard_error.has_value();
+      row.push_back(has_residual ? Value(law.law->residual) : nothing);
+      row.push_back(has_residual ? Value(law.law->residual_texels) : nothing);
     }
     row.resize(curves.of_a_law.size() + columns_of_a_law, nothing);
     if (law.over_slopes) {
@@ -172,15 +175,15 @@ Table laws_table(const BiasCurves& curves) {
 
 std::string explanation(const BiasCurves& curves) {
   std::string text =
-      "\n\nBiases are constant ones along the light, in metres, texels of the mean size and normalised depth. What a "
-      "bias without acne costs elsewhere stands in the last two columns. ";
-  text += curves.laws.empty() ? "The law of bias against texel cannot be fitted: constant bias and resolution are not "
-                                "both varied."
-                              : "The law bias = c0 + c1·texel·tan θ is fitted over the resolutions, each point "
-                                "weighted by its interval on the axis.";
+      "\n\nBiases are constant biases along the light, in metres, in texels of the mean size and as normalised depth. "
+      "The last two columns show what a bias without acne costs elsewhere. ";
+  text += curves.laws.empty() ? "No fit of bias against texel size: it needs constant bias and resolution both varied."
+                              : "The fit bias ≈ c0 + c1·texel·tan θ runs over the resolutions; each point is weighted "
+                                "by its interval on the axis. A fit with as many points as unknowns has no residual "
+                                "and no standard errors.";
   if (curves.curves.size() < curves.combinations) {
-    text +=
-        fmt::format(" Told are {} of {} combinations of the other axes.", curves.curves.size(), curves.combinations);
+    text += fmt::format(" The table lists {} of {} combinations of the other axes.", curves.curves.size(),
+                        curves.combinations);
   }
   return text;
 }
@@ -189,9 +192,29 @@ std::string explanation(const BiasCurves& curves) {
 
 std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
   const BiasInUnits bias = in_units(curves, curve, cell);
-  std::string text = length(bias.metres);
-  if (std::isfinite(bias.texels)) text += fmt::format(" ({:.3g} texels)", bias.texels);
-  if (curves.varies_slope) text += fmt::format(", slope {:.3g} texels", cell.slope);
+  const std::vector<double>& axis = curves.constants;
+  const auto place = std::lower_bound(axis.begin(), axis.end(), cell.constant);
+  const bool is_between = place != axis.begin() && place != axis.end() && std::next(place) != axis.end();
+  // As many digits as tell the value from its neighbours.
+  int digits = 3;
+  if (is_between && cell.constant > 0.0) {
+    const double step = 0.5 * (*std::next(place) - *std::prev(place)) / cell.constant;
+    digits = std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 2, 6);
+  }
+  const bool is_in_texels = curves.unit == LengthUnit::texels;
+  const auto own_text = [&](double constant) {
+    return is_in_texels ? fmt::format("{:.{}g} texels", constant, digits) : length(constant, digits);
+  };
+  std::string text = own_text(cell.constant);
+  std::string more = is_in_texels                 ? length(bias.metres, digits)
+                     : std::isfinite(bias.texels) ? fmt::format("{:.{}g} texels", bias.texels, digits)
+                                                  : std::string();
+  if (is_between) {
+    more += fmt::format("{}between {} and {}", more.empty() ? "" : "; ", own_text(*std::prev(place)),
+                        own_text(*std::next(place)));
+  }
+  if (!more.empty()) text += " (" + more + ")";
+  if (curves.varies_slope) text += fmt::format(", slope-scaled bias {:.3g} texels", cell.slope);
   return text;
 }
 
@@ -200,35 +223,43 @@ std::string law_text(const BiasLaw& law) {
                      std::abs(law.per_texel.value));
 }
 
+std::string residual_text(const BiasLaw& law) {
+  if (!law.constant.standard_error) return fmt::format("through its {} points: no residual", law.points);
+  return fmt::format("RMS residual {} ({:.2g} texels)", length(law.residual, 2), law.residual_texels);
+}
+
 void present_bias(Presentation& presentation, const BiasCurves& curves) {
   ReportSection& section = presentation.section;
   section.text += explanation(curves);
-  section.tables.push_back({"Biases worth a name", choices_table(curves)});
+  section.tables.push_back({"Recommended biases", choices_table(curves)});
   if (curves.varies_slope && curves.varies_constant)
     section.tables.push_back({"Constant biases by slope-scaled bias", slopes_table(curves)});
-  if (!curves.laws.empty()) section.tables.push_back({"Laws of bias against texel", laws_table(curves)});
+  if (!curves.laws.empty()) section.tables.push_back({"Fits of bias against texel size", laws_table(curves)});
 
-  std::size_t told = 0;
+  std::size_t printed = 0;
   for (const BiasCurve& curve : curves.curves) {
-    if (told++ == most_console_curves) break;
+    if (printed++ == most_console_curves) {
+      presentation.answers.push_back(
+          fmt::format("… and {} more: see the report", curves.curves.size() - most_console_curves));
+      break;
+    }
     const BiasCell least = *least_error(curve.reading);
     const std::string setting = setting_text(curves.others, curve.others);
-    std::string line = fmt::format("  {}{}least error {} at {}", setting, setting.empty() ? "" : ": ",
+    std::string line = fmt::format("{}{}lowest error {} at {}", setting, setting.empty() ? "" : ": ",
                                    percent(least.mae), bias_text(curves, curve, least));
     if (const std::optional<BiasCell> safe = best_without_acne(curve.reading)) {
       line += fmt::format("; without acne {} at {}", percent(safe->mae), bias_text(curves, curve, *safe));
     }
-    presentation.lines.push_back(std::move(line));
+    presentation.answers.push_back(std::move(line));
   }
-  told = 0;
+  printed = 0;
   for (const CurveLaw& law : curves.laws) {
-    if (!law.law || told == most_console_laws || law.of == LawOf::no_acne) continue;
-    ++told;
+    if (!law.law || printed == most_console_laws || law.of == LawOf::no_acne) continue;
+    ++printed;
     const std::string setting = setting_text(curves.of_a_law, law.others);
-    presentation.lines.push_back(fmt::format("  law of {}{}{}: bias = {}; misses {} ({:.2g} texels)",
-                                             law_names[static_cast<std::size_t>(law.of)], setting.empty() ? "" : " at ",
-                                             setting, law_text(*law.law), length(law.law->residual),
-                                             law.law->residual_texels));
+    presentation.lines.push_back(fmt::format("fit ({}{}{}): bias ≈ {}, {}", law_names[static_cast<std::size_t>(law.of)],
+                                             setting.empty() ? "" : ", ", setting, law_text(*law.law),
+                                             residual_text(*law.law)));
   }
 }
 

@@ -236,6 +236,10 @@ Presentation present_picture(const Workbench& workbench, const Measurement& meas
   return presentation;
 }
 
+std::string ao_limit_text(const TruthParams& params) {
+  return has_distance_limit(params) ? "up to " + length(params.ao_distance.number) : "without distance limit";
+}
+
 std::string nothing_counted_text(const CountedPixels& counted) {
   constexpr std::array<std::string_view, 6> reasons = {"",
                                                        "are background",
@@ -369,9 +373,7 @@ Presentation present_ao(const AoMeasurement& ao) {
   Presentation presentation;
   ReportSection& section = presentation.section;
   section.title = "Ambient occlusion";
-  const std::string limit = has_distance_limit(experiment.truth)
-                                ? "up to " + length(experiment.truth.ao_distance.number)
-                                : "without distance limit";
+  const std::string limit = ao_limit_text(experiment.truth);
   if (ao.truth) {
     add_figure(presentation,
                scalar_figure("truth_ao", "Truth: ambient occlusion",

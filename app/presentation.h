@@ -42,6 +42,9 @@ Presentation present_picture(const Workbench& workbench, const Measurement& meas
 Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement& shadow);
 Presentation present_ao(const AoMeasurement& ao);
 
+/// How far the reference of ambient occlusion looks: "up to 58.6 cm" or "without distance limit".
+std::string ao_limit_text(const TruthParams& params);
+
 /// Why statistics count no pixel: "nothing to measure: all 230,400 pixels are background". Empty where they count some.
 std::string nothing_counted_text(const CountedPixels& counted);
 

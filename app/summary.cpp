@@ -160,6 +160,7 @@ std::string to_summary_json(const SummaryInput& input) {
     const Table& rows = input.sweep->best;
     for (const std::vector<Value>& row : rows.rows) best.push_back(row_json(rows.columns, row));
     summary["sweep"] = {{"axes", axes}, {"cells", input.sweep->cells}, {"least_mae", best}};
+    summary["sweep"]["open_ends"] = to_json(input.sweep->open_ends);
     if (input.sweep->curves) summary["curves"] = to_json(*input.sweep->curves);
   }
   summary["files"] = input.files;

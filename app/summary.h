@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/axis_ends.h"
 #include "app/bias_report.h"
 #include "app/measure.h"
 
@@ -20,6 +21,7 @@ struct SweepSummary {
   /// The cell that the blocks beside "sweep" are about: the values of the axes.
   std::vector<std::pair<std::string, Value>> cell;
   std::optional<BiasCurves> curves{};
+  std::vector<OpenEnd> open_ends{};
 };
 
 /// Everything that summary.json is made from; empty parts are left out.

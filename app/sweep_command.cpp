@@ -175,7 +175,9 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
     cell.view = experiment.view;
     return workbench.fit(cell, light).frame.far_depth;
   };
-  const SweepResults results{parameters, plan, store, measure, depth_range};
+  const bool is_limit_fixed = measure == Measure::ao && !varies_group(axes, "truth.ao-distance");
+  const std::string ao_limit = is_limit_fixed ? ao_limit_text(workbench.in_metres(experiment).truth) : "";
+  const SweepResults results{parameters, plan, store, measure, depth_range, ao_limit};
   const Table best_of_lines = best_rows(results);
   const std::optional<BiasCurves> curves = read_bias_curves(results);
   const std::vector<Value> least = least_row(results);
@@ -188,7 +190,8 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   RunOutput output;
   output.title = fmt::format("{}: sweep", scene_title(experiment));
   output.subtitle = subtitle_of(workbench, measurement.surfels.view);
-  output.parts.push_back(present_sweep(results, best_of_lines, curves));
+  const std::vector<OpenEnd> ends = open_ends(results, best_of_lines);
+  output.parts.push_back(present_sweep(results, best_of_lines, curves, ends));
   if (measure == Measure::ao) {
     measurement.ao = measure_ao(workbench, best, {});
     output.parts.push_back(present_ao(*measurement.ao));
@@ -196,7 +199,10 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
     measurement.shadows.push_back(measure_shadow(workbench, best, workbench.lights(best.view.light).front(), {}));
     output.parts.push_back(present_shadow(workbench, measurement.shadows.front()));
   }
-  ReportSection& section = output.parts.back().section;
+  // The sweep's own part has the answer.
+  Presentation& of_cell = output.parts.back();
+  of_cell.lines = std::exchange(of_cell.answers, {});
+  ReportSection& section = of_cell.section;
   section.title += ", at the cell of least error";
   section.text = fmt::format("This section shows the cell {}.\n\n", cell_text(results, least)) + section.text;
   output.parts.push_back(present_picture(workbench, measurement));
@@ -205,7 +211,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
                     experiment,
                     &workbench,
                     &measurement,
-                    SweepSummary{plan.cells, best_of_lines, cell_values(axes, least), curves},
+                    SweepSummary{plan.cells, best_of_lines, cell_values(axes, least), curves, ends},
                     workbench.context().device().renderer,
                     {},
                     {}};

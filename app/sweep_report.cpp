@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "app/bias_figures.h"
@@ -152,9 +153,9 @@ std::vector<PlotFigure> make_plots(const SweepResults& sweep, const Layout& layo
   return plots;
 }
 
-// What rows of least error are told for. Where biases are varied one bias is chosen for each combination of the rest,
-// else one cell for each line of the figures.
-std::vector<std::size_t> told_axes(const SweepResults& sweep) {
+// Rows of least error are listed for each value of these. Where biases are varied one bias is chosen for each
+// combination of the rest, else one cell for each line of the figures.
+std::vector<std::size_t> listed_axes(const SweepResults& sweep) {
   const SweepPlan& plan = sweep.plan;
   if (plan.constant_bias.axis || plan.slope_bias.axis) return outer_axes_as_given(plan);
   const Layout layout = lay_out(sweep.parameters, plan.axes);
@@ -177,7 +178,7 @@ std::string row_text(const Table& table, const std::vector<Value>& row, std::siz
 
 Table best_rows(const SweepResults& sweep) {
   std::vector<std::string> keys;
-  for (const std::size_t a : told_axes(sweep)) keys.push_back(sweep.plan.axes[a].key);
+  for (const std::size_t a : listed_axes(sweep)) keys.push_back(sweep.plan.axes[a].key);
   return sweep.store.least("mae", keys, most_best_rows);
 }
 
@@ -189,7 +190,12 @@ std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row) 
 
 std::vector<Value> least_row(const SweepResults& sweep) { return sweep.store.least("mae", {}, 1).rows.front(); }
 
-Presentation present_sweep(const SweepResults& sweep, const Table& best, const std::optional<BiasCurves>& curves) {
+std::vector<OpenEnd> open_ends(const SweepResults& sweep, const Table& best) {
+  return find_open_ends(sweep, best, listed_axes(sweep));
+}
+
+Presentation present_sweep(const SweepResults& sweep, const Table& best, const std::optional<BiasCurves>& curves,
+                           const std::vector<OpenEnd>& open_ends) {
   Presentation presentation;
   const std::size_t axes = sweep.plan.axes.size();
   ReportSection& section = presentation.section;
@@ -197,8 +203,15 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   const std::vector<Value> least = least_row(sweep);
   const std::size_t mae = column_index(best, "mae");
   const std::string error = percent(to_number(least[mae]));
-  section.headlines = {{"least mean absolute error", error, row_text(best, least, axes)},
-                       {"cells", std::to_string(sweep.plan.cells), "a row each in sweep.csv"}};
+  if (!std::isfinite(to_number(least[mae]))) {
+    presentation.answers.emplace_back("nothing to measure: no cell of the sweep counts a pixel");
+    section.text = "Nothing to measure: no cell of the sweep counts a pixel.";
+    return presentation;
+  }
+  const char* headline = open_ends.empty() ? "least mean absolute error" : "lowest mean absolute error on the grid";
+  section.headlines = {{headline, error, row_text(best, least, axes)},
+                       {"cells", std::to_string(sweep.plan.cells), "one row each in sweep.csv"}};
+  const std::vector<std::string> warnings = to_lines(open_ends);
   const Layout layout = lay_out(sweep.parameters, sweep.plan.axes);
   if (curves && curves->varies_constant) {
     add_bias_figures(presentation, sweep, *curves, most_plots);
@@ -206,22 +219,24 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     for (PlotFigure& plot : make_plots(sweep, layout)) add_figure(presentation, std::move(plot));
   }
   section.text = "All cells are in sweep.csv.";
+  if (!sweep.ao_limit.empty()) section.text += " The reference looks " + sweep.ao_limit + " in every cell.";
+  for (const std::string& warning : warnings) section.text += "\n\nWarning: " + warning + ".";
   if (!curves) {
     std::size_t lines = 1;
-    for (const std::size_t a : told_axes(sweep)) lines *= count_values(sweep.plan, a);
-    section.text = fmt::format(
-        "The table holds the cell of least error for {} line{} of the figures; all cells are in "
-        "sweep.csv.",
-        best.rows.size() < lines ? fmt::format("the first {}", best.rows.size()) : "every",
-        best.rows.size() < lines ? "s" : "");
+    for (const std::size_t a : listed_axes(sweep)) lines *= count_values(sweep.plan, a);
+    section.text += fmt::format("\n\nThe table lists the cell of least error for {} line{} of the figures.",
+                                best.rows.size() < lines ? fmt::format("the first {}", best.rows.size()) : "every",
+                                best.rows.size() < lines ? "s" : "");
     section.tables.push_back({"Cells of least error", in_percent(best, axes)});
   }
-  presentation.lines.push_back(fmt::format("{} cells; least mean absolute error {} at {}", sweep.plan.cells, error,
-                                           row_text(best, least, axes)));
   if (curves) {
     present_bias(presentation, *curves);
-    return presentation;
+  } else {
+    presentation.answers.push_back(fmt::format("lowest error {} at {}{}", error, row_text(best, least, axes),
+                                               sweep.ao_limit.empty() ? "" : " (reference " + sweep.ao_limit + ")"));
   }
+  for (const std::string& warning : warnings) presentation.answers.push_back("warning: " + warning);
+  if (curves) return presentation;
   for (const std::vector<Value>& row : best.rows) {
     if (presentation.lines.size() > 8) break;
     if (std::equal(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(axes), least.begin())) continue;

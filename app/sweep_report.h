@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/axis_ends.h"
 #include "app/bias_report.h"
 #include "app/presentation.h"
 #include "app/sweep_results.h"
@@ -19,6 +20,10 @@ std::vector<Value> least_row(const SweepResults& sweep);
 /// "shadow.constant-bias 0.05 m, shadow.resolution 256": the cell of a row.
 std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row);
 
-Presentation present_sweep(const SweepResults& sweep, const Table& best, const std::optional<BiasCurves>& curves);
+/// The axes whose optimum lies at an end of theirs, of the rows of best_rows().
+std::vector<OpenEnd> open_ends(const SweepResults& sweep, const Table& best);
+
+Presentation present_sweep(const SweepResults& sweep, const Table& best, const std::optional<BiasCurves>& curves,
+                           const std::vector<OpenEnd>& open_ends);
 
 }  // namespace umbrameter

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "app/sweep_evaluator.h"
@@ -17,6 +18,8 @@ struct SweepResults {
   Measure measure;
   /// The depth that the shadow map's 1 stands for at these values of the axes, metres; none for ambient occlusion.
   std::function<double(const std::vector<Value>& values)> depth_range;
+  /// Of ambient occlusion, how far the reference looks: "up to 58.6 cm"; empty where that is varied.
+  std::string ao_limit{};
 };
 
 }  // namespace umbrameter

@@ -67,7 +67,7 @@ bool fits(const FieldDescription& description, double number) {
 bool fits(const FieldDescription& description, const Length& length) {
   if (length.unit == LengthUnit::automatic) return description.units.automatic;
   if (length.unit == LengthUnit::texels && !description.units.texels) return false;
-  if (length.unit == LengthUnit::scene_size && !description.units.scene_size) return false;
+  if (length.unit == LengthUnit::scene_percent && !description.units.scene_size) return false;
   return fits(description, length.number);
 }
 
@@ -78,7 +78,7 @@ struct NamedUnit {
 };
 // A suffix that ends another one comes after it.
 constexpr NamedUnit length_units[] = {
-    {"texels", LengthUnit::texels, 1.0},  {"texel", LengthUnit::texels, 1.0}, {"%", LengthUnit::scene_size, 0.01},
+    {"texels", LengthUnit::texels, 1.0},  {"texel", LengthUnit::texels, 1.0}, {"%", LengthUnit::scene_percent, 1.0},
     {"mm", LengthUnit::metres, 0.001},    {"cm", LengthUnit::metres, 0.01},   {"km", LengthUnit::metres, 1000.0},
     {"inch", LengthUnit::metres, 0.0254}, {"in", LengthUnit::metres, 0.0254}, {"foot", LengthUnit::metres, 0.3048},
     {"ft", LengthUnit::metres, 0.3048},   {"m", LengthUnit::metres, 1.0},
@@ -102,8 +102,8 @@ std::string_view unit_name(LengthUnit unit) {
       return "m";
     case LengthUnit::texels:
       return "texels";
-    case LengthUnit::scene_size:
-      return "share of the scene's size";
+    case LengthUnit::scene_percent:
+      return "% of the scene's size";
     case LengthUnit::automatic:
       return "";
   }
@@ -111,8 +111,8 @@ std::string_view unit_name(LengthUnit unit) {
 }
 
 double to_metres(const Length& length, double scene_size) {
-  assert(length.unit == LengthUnit::metres || length.unit == LengthUnit::scene_size);
-  return length.unit == LengthUnit::scene_size ? length.number * scene_size : length.number;
+  assert(length.unit == LengthUnit::metres || length.unit == LengthUnit::scene_percent);
+  return length.unit == LengthUnit::scene_percent ? 0.01 * length.number * scene_size : length.number;
 }
 
 std::string to_string(const Length& length) {
@@ -121,8 +121,8 @@ std::string to_string(const Length& length) {
       return number_text(length.number);
     case LengthUnit::texels:
       return number_text(length.number) + "texels";
-    case LengthUnit::scene_size:
-      return number_text(scaled_decimal(length.number, 100.0)) + "%";
+    case LengthUnit::scene_percent:
+      return number_text(length.number) + "%";
     case LengthUnit::automatic:
       return "auto";
   }

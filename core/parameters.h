@@ -42,9 +42,9 @@ struct Size {
 /// What the number of a Length counts.
 enum class LengthUnit : int {
   metres,
-  texels,      ///< of the shadow map, as large as they are at the receiver
-  scene_size,  ///< share of the diagonal of the scene's bounds
-  automatic    ///< no number: what reads the field derives it from another one
+  texels,         ///< of the shadow map, as large as they are at the receiver
+  scene_percent,  ///< hundredths of the diagonal of the scene's bounds
+  automatic       ///< no number: what reads the field derives it from another one
 };
 
 /// A length as users write it: "0.02", "2cm", "1.5texels", "2%" (of the scene's size) or "auto".
@@ -55,7 +55,7 @@ struct Length {
   friend bool operator==(const Length&, const Length&) = default;
 };
 
-/// As a column or label names it: "m", "texels", "share of the scene's size"; empty for automatic.
+/// As a column or label names it: "m", "texels", "% of the scene's size"; empty for automatic.
 std::string_view unit_name(LengthUnit unit);
 
 /// In metres. scene_size is the diagonal of the scene's bounds, metres; the unit must not be texels or automatic.

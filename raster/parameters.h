@@ -30,8 +30,8 @@ enum class AoBlur : int { none, box };
 /// (J. de Vries, Learn OpenGL, "SSAO"; after Crytek 2007).
 struct AoParams {
   int samples = 64;
-  Length radius{0.02, LengthUnit::scene_size};
-  Length bias{0.001, LengthUnit::scene_size};  ///< a twentieth of the radius, as in the source
+  Length radius{2.0, LengthUnit::scene_percent};
+  Length bias{0.1, LengthUnit::scene_percent};  ///< a twentieth of the radius, as in the source
   int noise_size = 4;
   bool range_check = true;
   AoBlur blur = AoBlur::box;

@@ -56,7 +56,7 @@ TEST(Parameters, A_length_is_read_in_its_unit_and_written_so_that_it_reads_back)
         Case{"-7cm", {-0.07}, "-0.07"}, Case{"1.5m", {1.5}, "1.5"}, Case{"2km", {2000.0}, "2000"},
         Case{"1inch", {0.0254}, "0.0254"}, Case{"10ft", {3.048}, "3.048"},
         Case{"1.5texels", {1.5, LengthUnit::texels}, "1.5texels"},
-        Case{"1 texel", {1.0, LengthUnit::texels}, "1texels"}, Case{"7%", {0.07, LengthUnit::scene_size}, "7%"},
+        Case{"1 texel", {1.0, LengthUnit::texels}, "1texels"}, Case{"7%", {7.0, LengthUnit::scene_percent}, "7%"},
         Case{"auto", {0.0, LengthUnit::automatic}, "auto"}}) {
     const auto length = parse_length(c.text);
     ASSERT_TRUE(length) << c.text;
