@@ -83,7 +83,7 @@ TEST_F(BiasCurvesRun, Figures_ring_what_was_read_and_the_page_tells_it) {
   EXPECT_NE(page.find("One value of shadow.slope-bias in 2 is drawn"), std::string::npos);
   EXPECT_NE(page.find("A bias of 0 has no place on this axis"), std::string::npos);
   for (const char* title :
-       {"Biases worth a name", "Constant biases by slope-scaled bias", "Laws of bias against texel"}) {
+       {"Recommended biases", "Constant biases by slope-scaled bias", "Fits of bias against texel size"}) {
     EXPECT_NE(page.find(title), std::string::npos) << title;
   }
 }

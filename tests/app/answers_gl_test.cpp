@@ -1,0 +1,143 @@
+// What a run answers, and what it must not claim: the bias to use, the reference's reach, ends of axes, nothing
+// counted.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/app/gl_run.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+struct Answers : GlRun {
+  // Runs one command at a small size; what it prints on stdout, and its summary.
+  std::string run(const std::vector<std::string>& command, const std::string& name = "out") {
+    const ProgramResult result = run_program(words(words(command, {"-o", folder_ / name}), small));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    summary = Json::parse(text_of(folder_ / name / "summary.json"));
+    return result.out;
+  }
+  Json summary;
+};
+
+TEST_F(Answers, Both_sides_of_ambient_occlusion_look_equally_far_unless_told_otherwise) {
+  EXPECT_NE(run({"compare", "corner", "--ao.radius", "40cm", "--light", "0"}).find("reference up to 40 cm"),
+            std::string::npos);
+  EXPECT_EQ(summary["parameters"]["truth.ao-distance"], 0.4);
+  EXPECT_NE(run({"compare", "corner", "--ao.radius", "40cm", "--truth.ao-distance", "0", "--light", "0"}, "unlimited")
+                .find("without distance limit"),
+            std::string::npos);
+}
+
+TEST_F(Answers, A_sweep_over_the_radius_keeps_the_reference_and_says_how_far_it_looks) {
+  const std::string out = run({"sweep", "corner", "--vary", "ao.radius=0.2,0.4,0.8", "--ao.radius", "0.5"});
+  EXPECT_NE(first_line(out).find("(reference up to 50 cm)"), std::string::npos) << out;
+  EXPECT_EQ(summary["parameters"]["truth.ao-distance"], 0.5);
+  // One reference: its mean is the same in every row.
+  std::istringstream rows(text_of(folder_ / "out/sweep.csv"));
+  std::string line;
+  std::getline(rows, line);
+  std::set<std::string> means;
+  while (std::getline(rows, line)) {
+    std::size_t begin = 0;
+    for (int column = 0; column < 12; ++column) begin = line.find(',', begin) + 1;
+    means.insert(line.substr(begin, line.find(',', begin) - begin));
+  }
+  EXPECT_EQ(means.size(), 1u);
+}
+
+TEST_F(Answers, An_axis_that_ends_too_early_is_said_to_and_its_end_is_not_called_the_least_error) {
+  const std::string out = run({"sweep", "tilted-plane", "--light", "0", "--vary", "shadow.constant-bias=0:1mm:5"});
+  EXPECT_NE(out.find("shadow.constant-bias: the error still falls at the upper end of the axis (0.001 m); extend it"),
+            std::string::npos)
+      << out;
+  ASSERT_EQ(summary["sweep"]["open_ends"].size(), 1u);
+  EXPECT_EQ(summary["sweep"]["open_ends"][0]["end"], "upper");
+  const std::string page = text_of(folder_ / "out/index.html");
+  EXPECT_NE(page.find("the error still falls at the upper end"), std::string::npos);
+  EXPECT_EQ(page.find("least mean absolute error"), std::string::npos);
+
+  // On a plane a bias without acne is right, and more is no better.
+  run({"sweep", "tilted-plane", "--light", "0", "--vary", "shadow.constant-bias=0:10:5"}, "far");
+  EXPECT_TRUE(summary["sweep"]["open_ends"].empty()) << summary["sweep"]["open_ends"];
+}
+
+TEST_F(Answers, Compare_begins_with_the_bias_to_use_and_a_run_with_it_has_that_error) {
+  const std::string out = run({"compare", "courtyard", "--light", "lantern", "--shadow.constant-bias", "2mm"});
+  EXPECT_TRUE(first_line(out).starts_with("lantern: acne ")) << out;
+  EXPECT_NE(first_line(out).find("; use "), std::string::npos) << out;
+  const Json advice = summary["shadows"][0]["recommended_bias"];
+  const double best = advice["least_error"]["constant_bias"]["m"];
+  EXPECT_LT(advice["least_error"]["mae"], advice["used"]["mae"]);
+  EXPECT_DOUBLE_EQ(advice["used"]["mae"].get<double>(), summary["shadows"][0]["statistics"]["mae"].get<double>());
+  run({"compare", "courtyard", "--light", "lantern", "--shadow.constant-bias", std::to_string(best)}, "best");
+  EXPECT_DOUBLE_EQ(summary["shadows"][0]["statistics"]["mae"].get<double>(),
+                   advice["least_error"]["mae"].get<double>());
+  const double acne_free = advice["acne_free"]["constant_bias"]["m"];
+  run({"compare", "courtyard", "--light", "lantern", "--shadow.constant-bias", std::to_string(acne_free)}, "free");
+  EXPECT_EQ(summary["shadows"][0]["statistics"]["acne"], 0.0);
+}
+
+TEST_F(Answers, A_bias_in_texels_is_the_same_in_a_single_run_a_sweep_and_in_metres_of_a_directional_map) {
+  run({"compare", "courtyard", "--light", "sun", "--shadow.constant-bias", "1.5texels"}, "texels");
+  const Json texels = summary["shadows"][0];
+  EXPECT_DOUBLE_EQ(texels["constant_bias"]["texels"].get<double>(), 1.5);
+  EXPECT_DOUBLE_EQ(texels["constant_bias"]["m"].get<double>(), 1.5 * texels["map"]["mean_texel_m"].get<double>());
+  run({"sweep", "courtyard", "--light", "sun", "--vary", "shadow.constant-bias=0.5texels,1.5texels"}, "sweep");
+  const Json& curve = summary["curves"]["biases"][0]["least_error"];
+  EXPECT_DOUBLE_EQ(curve["mae"].get<double>(), texels["statistics"]["mae"].get<double>());
+  EXPECT_DOUBLE_EQ(curve["constant_bias"]["texels"].get<double>(), 1.5);
+  EXPECT_DOUBLE_EQ(curve["constant_bias"]["m"].get<double>(), texels["constant_bias"]["m"].get<double>());
+  // Bias is texel size times 1.5 at every receiver, which a directional map has alike everywhere.
+  std::ostringstream metres;
+  metres.precision(17);
+  metres << texels["constant_bias"]["m"].get<double>();
+  run({"compare", "courtyard", "--light", "sun", "--shadow.constant-bias", metres.str()}, "metres");
+  EXPECT_NEAR(summary["shadows"][0]["statistics"]["mae"].get<double>(), texels["statistics"]["mae"].get<double>(),
+              2e-3);
+}
+
+TEST_F(Answers, A_camera_that_sees_nothing_gets_a_reason_and_no_error) {
+  folder_.write("away.gltf", R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],
+    "nodes":[{"mesh":0},{"camera":0,"translation":[0,0,5],"rotation":[0,1,0,0]}],
+    "cameras":[{"type":"perspective","perspective":{"yfov":0.8,"znear":0.1}}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+    "bufferViews":[{"buffer":0,"byteLength":36}],
+    "buffers":[{"byteLength":36,
+      "uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
+  const std::string out = run({"compare", folder_ / "away.gltf"});
+  EXPECT_EQ(first_line(out), "sun: nothing to measure: all 5184 pixels are background") << out;
+  EXPECT_NE(out.find("AO: nothing to measure"), std::string::npos);
+  EXPECT_EQ(out.find("0.000"), std::string::npos);
+  EXPECT_EQ(summary["shadows"][0]["not_measured"], "nothing to measure: all 5184 pixels are background");
+  EXPECT_TRUE(summary["shadows"][0]["statistics"]["mae"].is_null());
+  EXPECT_TRUE(summary["ao"]["statistics"]["mae"].is_null());
+  EXPECT_NE(text_of(folder_ / "out/index.html").find("all 5184 pixels are background"), std::string::npos);
+
+  const std::string swept = run({"sweep", folder_ / "away.gltf", "--vary", "shadow.constant-bias=0,0.1"}, "sweep");
+  EXPECT_EQ(first_line(swept), "nothing to measure: no cell of the sweep counts a pixel");
+  EXPECT_EQ(text_of(folder_ / "sweep/sweep.csv").find("0,0,0,0"), std::string::npos);
+}
+
+TEST_F(Answers, Quiet_prints_the_answer_only_and_verbose_adds_diagnostics) {
+  const std::string out = run({"compare", "contact-box", "--light", "sun"});
+  std::istringstream lines(out);
+  std::string line;
+  std::vector<std::string> starts;
+  while (std::getline(lines, line)) starts.push_back(line.substr(0, line.find(':')));
+  EXPECT_EQ(starts, (std::vector<std::string>{"sun", "AO"})) << out;
+  const ProgramResult verbose = run_program({"compare", "contact-box", "--light", "sun", "-o", folder_ / "verbose",
+                                             "--size", "96x54", "--truth.spp", "16", "--verbose"});
+  EXPECT_NE(verbose.err.find("ray tests reclassified"), std::string::npos) << verbose.err;
+  EXPECT_EQ(verbose.out.find("ray tests reclassified"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace umbrameter
