@@ -101,7 +101,7 @@ std::string advice_text(const BiasAdvice& advice) {
   const std::array<double, cause_count> shares = shares_of(used);
   const auto largest = static_cast<std::size_t>(std::max_element(shares.begin(), shares.end()) - shares.begin());
   if (is_best(advice)) {
-    text = fmt::format("error {} at {}, the best constant bias", percent(used.mae), bias_text(advice, used));
+    text = fmt::format("error {} at {}; no other constant bias is better", percent(used.mae), bias_text(advice, used));
     if (shares[largest] > 0.0) {
       text += fmt::format("; mostly {} ({})", cause_title(static_cast<Cause>(largest)), percent(shares[largest]));
     }
@@ -111,12 +111,14 @@ std::string advice_text(const BiasAdvice& advice) {
                        percent(best.mae));
   }
   if (is_open_ended(advice)) text += " (the error still falls there)";
-  if (!advice.line.acne_free)
-    return text + fmt::format("; never free of acne up to {}", short_bias_text(advice, {advice.largest}));
-  if (used.acne > 0.0 || best.acne > 0.0) {
-    text += "; free of acne from " + short_bias_text(advice, *advice.line.acne_free);
-  }
-  return text;
+  const BiasLine& line = advice.line;
+  if (used.acne == 0.0 && best.acne == 0.0) return text;
+  const bool is_far =
+      line.little_acne && (!line.acne_free || line.acne_free->constant > 2.0 * line.little_acne->constant);
+  if (is_far) text += "; acne below 0.1 % from " + short_bias_text(advice, *line.little_acne);
+  if (line.acne_free)
+    return text + (is_far ? ", none from " : "; free of acne from ") + short_bias_text(advice, *line.acne_free);
+  return text + fmt::format("; some acne up to {}", short_bias_text(advice, {advice.largest}));
 }
 
 ReportTable advice_table(const BiasAdvice& advice) {
@@ -139,6 +141,7 @@ ReportTable advice_table(const BiasAdvice& advice) {
   };
   add_row("in this run", advice.used);
   add_row(is_open_ended(advice) ? "lowest error up to here; it still falls" : "least error", *advice.line.least_error);
+  if (advice.line.little_acne) add_row("least with acne below 0.1 %", *advice.line.little_acne);
   if (advice.line.acne_free) add_row("least without acne", *advice.line.acne_free);
   return {"Recommended bias", std::move(table)};
 }
@@ -153,6 +156,7 @@ nlohmann::ordered_json to_json(const BiasAdvice& advice) {
   };
   Json object = {{"used", cell_json(advice.used)}, {"least_error", cell_json(*advice.line.least_error)}};
   object["error_falls_at_upper_end"] = is_open_ended(advice);
+  object["acne_at_most_0.1_percent"] = advice.line.little_acne ? cell_json(*advice.line.little_acne) : Json(nullptr);
   object["acne_free"] = advice.line.acne_free ? cell_json(*advice.line.acne_free) : Json(nullptr);
   return object;
 }

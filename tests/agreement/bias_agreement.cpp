@@ -135,7 +135,7 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
             if (has_wrong(sums)) ++agreement.wrong_cells;
             if (!(sums == at[k])) {
               agreement.disagreements.push_back(where + ": one pass and the cell differ at bias " +
-                                                std::to_string(params.constant_bias) + ", slope " +
+                                                to_string(params.constant_bias) + ", slope " +
                                                 std::to_string(params.slope_bias));
             }
             agreement.identity_gap =
@@ -143,11 +143,11 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
                          std::abs(mean_error(cell.visibility, visibility, counted) - to_statistics(sums, counts).mae));
             if (!is_judged) continue;
             const std::vector<ForeignTap> of_cell =
-                listed(context, lookup, {{grid.axes.constant[k]}, {grid.axes.slope[s]}});
+                listed(context, lookup, {{grid.axes.constant[k]}, {grid.axes.slope[s]}, grid.axes.unit});
             apply_judgement(cell.wrong, gbuffer, of_cell, judged(of_cell));
             if (!(sum_wrong_taps(cell.wrong, counted) == exact_at[k])) {
               agreement.disagreements.push_back(where + ": by the judge one pass and the cell differ at bias " +
-                                                std::to_string(params.constant_bias) + ", slope " +
+                                                to_string(params.constant_bias) + ", slope " +
                                                 std::to_string(params.slope_bias));
             }
           }
