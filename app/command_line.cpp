@@ -109,8 +109,11 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   if (std::string(description.name) == "sweep") {
     command.add_option("--vary", line.vary, "Axis: parameter=first:last:count[:log] or parameter=a,b,c; repeatable")
         ->take_all();
-    command.add_flag("--force", line.force, "Measure anew: replace the results that are in the folder");
   }
+  command.add_flag("--force", line.force,
+                   std::string(description.name) == "sweep"
+                       ? "Replace the results of an earlier run in the folder, and measure every cell again"
+                       : "Replace the results of an earlier run in the folder");
   if (std::string(description.name) != "trace") {
     command.add_option("--gl-device", line.gl_device, "OpenGL device: index, part of its name, or 'software'");
   }

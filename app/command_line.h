@@ -24,7 +24,7 @@ struct CommandLine {
   bool json = false;
   bool markdown = false;
   bool no_cache = false;           ///< references are traced anew and not kept
-  bool force = false;              ///< what a sweep finds in its folder is measured anew
+  bool force = false;              ///< an earlier run's results in the folder are replaced
   bool clear = false;              ///< empty the cache of references
   std::vector<std::string> names;  ///< of built-in scenes to list or draw; empty for all
   std::filesystem::path sheet;     ///< contact sheet to draw; empty for none

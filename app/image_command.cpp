@@ -7,7 +7,6 @@
 #include "app/run_output.h"
 #include "core/parallel.h"
 #include "reports/data.h"
-#include "reports/output.h"
 #include "scenes/builtin.h"
 
 namespace umbrameter {
@@ -53,7 +52,7 @@ std::optional<CacheFolder> chosen_cache(const CommandLine& line, const Console& 
 
 ExitCode run_image_command(const CommandLine& line, const Console& console) {
   const Experiment given = make_experiment(line);
-  prepare_output_folder(line.output);
+  RunFolder folder(line.output, {line.command, experiment_text(given), run_files(false)}, line.force);
   const ThreadLimit threads(line.threads);
   Workbench workbench(load_scene(given.scene, given.view.scene),
                       {line.gl_device, line.threads, chosen_cache(line, console)}, console);
@@ -88,7 +87,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   output.parts.push_back(present_ao(*measurement.ao));
   output.summary = {line.command, given, &workbench, &measurement, {}, {}, {}, {}};
   if (sides.raster) output.summary.gl_renderer = workbench.context().device().renderer;
-  return write_run(line, console, std::move(output));
+  return write_run(folder, console, std::move(output));
 }
 
 }  // namespace umbrameter

@@ -33,6 +33,16 @@ Report make_report(const RunOutput& output) {
   return report;
 }
 
+std::vector<std::string> figure_files(const std::vector<Presentation>& parts) {
+  std::vector<std::string> files;
+  for (const Presentation& part : parts) {
+    for (const std::string& stem : part.section.figures) {
+      for (const char* format : {".svg", ".pdf", ".png"}) files.push_back("figures/" + stem + format);
+    }
+  }
+  return files;
+}
+
 void write_figures_of(const std::filesystem::path& folder, const Console& console, RunOutput& output) {
   std::vector<ImageFigure> images;
   std::vector<PlotFigure> plots;
@@ -60,11 +70,25 @@ std::string subtitle_of(const Workbench& workbench, const View& view) {
                      count(workbench.scene()).triangles);
 }
 
-ExitCode write_run(const CommandLine& line, const Console& console, RunOutput output) {
-  const std::filesystem::path& folder = line.output;
+std::string experiment_text(Experiment experiment) {
+  return to_toml(experiment.scene, describe(experiment), experiment.axes);
+}
+
+std::vector<std::string> run_files(bool with_rows) {
+  std::vector<std::string> files = {"experiment.toml", "images.exr", "summary.json", "index.html"};
+  if (with_rows) files.push_back("sweep.csv");
+  return files;
+}
+
+ExitCode write_run(RunFolder& run_folder, const Console& console, RunOutput output) {
+  const std::filesystem::path& folder = run_folder.path();
+  const std::vector<std::string> figures = figure_files(output.parts);
+  run_folder.require_free(figures);
+  run_folder.begin();
+  run_folder.announce(figures);
   SummaryInput& summary = output.summary;
-  Experiment& experiment = summary.experiment;
-  write_text(folder / "experiment.toml", to_toml(experiment.scene, describe(experiment), experiment.axes));
+  const Experiment& experiment = summary.experiment;
+  write_text(folder / "experiment.toml", experiment_text(experiment));
   summary.files.push_back("experiment.toml");
   if (summary.measurement != nullptr) {
     LayeredImage image = layers_of(*summary.workbench, *summary.measurement);
@@ -96,6 +120,7 @@ ExitCode write_run(const CommandLine& line, const Console& console, RunOutput ou
   diagnostic(console, costs_text(summary.workbench->costs()));
   add_line(console, fmt::format("report: {}", (folder / "index.html").string()));
   if (console.json) fmt::print("{}", json);
+  run_folder.finish(summary.problems.empty());
   for (const std::string& problem : summary.problems) fmt::print(stderr, "umbrameter: {}\n", problem);
   return summary.problems.empty() ? ExitCode::ok : ExitCode::partial;
 }

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line.h"
 #include "app/console.h"
 #include "app/presentation.h"
 #include "app/summary.h"
 #include "core/error.h"
 #include "reports/results_store.h"
+#include "reports/run_folder.h"
 
 namespace umbrameter {
 
@@ -22,9 +22,15 @@ struct RunOutput {
   const ResultsStore* results = nullptr;  ///< of a sweep: sweep.csv is a view of it
 };
 
-/// Writes the files, the page last, and says the lines of each part and where the page is.
+/// The complete experiment file.
+std::string experiment_text(Experiment experiment);
+
+/// What write_run() writes besides figures; `with_rows` for a sweep.
+std::vector<std::string> run_files(bool with_rows);
+
+/// Writes the files into the folder, the page last, and says the lines of each part and where the page is.
 /// ExitCode::partial, with a line on stderr for each, when a figure could not be made.
-ExitCode write_run(const CommandLine& line, const Console& console, RunOutput output);
+ExitCode write_run(RunFolder& folder, const Console& console, RunOutput output);
 
 /// "1280×720, camera overview, 95,204 triangles".
 std::string subtitle_of(const Workbench& workbench, const View& view);

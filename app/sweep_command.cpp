@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include "app/commands.h"
@@ -76,28 +74,6 @@ std::vector<std::pair<std::string, std::string>> settings_of(Workbench& workbenc
   return settings;
 }
 
-bool is_figure(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
-  return extension == ".svg" || extension == ".pdf" || extension == ".png";
-}
-
-// Those of an earlier run in this folder would look like this one's.
-void remove_results(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> paths;
-  for (const char* name : {"sweep.csv", "summary.json", "index.html", "images.exr"}) paths.push_back(folder / name);
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder / "figures", error)) {
-    if (is_figure(entry.path())) paths.push_back(entry.path());
-  }
-  remove_abandoned(folder / "figures");
-  for (const std::filesystem::path& path : paths) {
-    std::filesystem::remove(path, error);
-    if (error) {
-      throw Error(ExitCode::usage, "cannot remove " + path.string(), error.message(), "choose another folder with -o");
-    }
-  }
-}
-
 std::vector<std::pair<std::string, Value>> cell_values(const std::vector<SweepAxis>& axes,
                                                        const std::vector<Value>& row) {
   std::vector<std::pair<std::string, Value>> cell;
@@ -114,6 +90,7 @@ void measure_missing(const SweepPlan& plan, ResultsStore& store, const EvaluateG
     run_sweep(plan, store, evaluate, bar.callback());
   } catch (const Error& error) {
     if (error.code() != ExitCode::interrupted && error.code() != ExitCode::terminated) throw;
+    if (store.count() == 0) throw_if_interrupted("no cell was finished; the same command starts over");
     throw_if_interrupted(fmt::format("{} of {} cells are kept in {}; the same command continues", store.count(),
                                      plan.cells, store.path().string()));
     throw;
@@ -128,7 +105,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   Measure measure = choose_measure(experiment.run.measure, axes);
   const Parameters parameters = describe(experiment);
   const SweepPlan plan = plan_sweep(parameters, axes);
-  prepare_output_folder(line.output);
+  RunFolder folder(line.output, {line.command, experiment_text(experiment), run_files(true), true}, line.force);
   const ThreadLimit threads(line.threads);
   Workbench workbench(load_scene(experiment.scene, experiment.view.scene),
                       {line.gl_device, line.threads, chosen_cache(line, console)}, console);
@@ -144,8 +121,8 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   }
   if (measure == Measure::visibility && has_soft_cells(workbench, experiment, axes)) measure = Measure::soft_visibility;
 
-  const std::string toml = to_toml(experiment.scene, parameters, experiment.axes);
-  remove_abandoned(line.output);
+  const std::string toml = experiment_text(experiment);
+  folder.announce(ResultsStore::file_names());
   ResultsStore store =
       ResultsStore::open(line.output,
                          {toml, settings_of(workbench, experiment, measure), experiment.axes,
@@ -162,8 +139,8 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
           evaluate(group, keep);
           if (std::exchange(is_begun, true)) return;
           // What makes no sense has shown by now: only then earlier results give way.
-          remove_results(line.output);
-          write_text(line.output / "experiment.toml", toml);
+          folder.begin();
+          write_text(folder.path() / "experiment.toml", toml);
         },
         console);
   }
@@ -215,7 +192,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
                     workbench.context().device().renderer,
                     {},
                     {}};
-  return write_run(line, console, std::move(output));
+  return write_run(folder, console, std::move(output));
 }
 
 }  // namespace umbrameter

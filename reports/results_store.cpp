@@ -2,6 +2,7 @@
 
 #include <sqlite3.h>
 
+#include <array>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
@@ -31,8 +32,11 @@ bool is_there(const fs::path& path) {
   return fs::exists(fs::symlink_status(path, error));
 }
 
+// Of the database and of the files that it keeps beside itself.
+constexpr std::array<const char*, 4> store_parts = {"", "-wal", "-shm", "-journal"};
+
 void remove_store(const fs::path& path) {
-  for (const char* part : {"", "-wal", "-shm", "-journal"}) {
+  for (const char* part : store_parts) {
     std::error_code error;
     fs::remove(path.string() + part, error);
     if (error) throw Error(ExitCode::usage, "cannot remove " + path.string() + part, error.message(), store_remedy);
@@ -128,6 +132,14 @@ ResultsStore& ResultsStore::operator=(ResultsStore&&) noexcept = default;
 const StoreDescription& ResultsStore::description() const { return state_->description; }
 const fs::path& ResultsStore::path() const { return state_->path; }
 bool ResultsStore::complete() const { return state_->complete; }
+
+std::vector<std::string> ResultsStore::file_names() {
+  std::vector<std::string> names;
+  for (const char* name : {finished_name, partial_name}) {
+    for (const char* part : store_parts) names.push_back(std::string(name) + part);
+  }
+  return names;
+}
 
 ResultsStore ResultsStore::load(const fs::path& folder) {
   const fs::path path = folder / finished_name;

@@ -40,6 +40,9 @@ using StoredRowSink = std::function<void(std::span<const Value> values)>;
 
 class ResultsStore {
  public:
+  /// Every name that a store's files may have in its folder, the database's own companions included.
+  static std::vector<std::string> file_names();
+
   /// Continues what the folder holds of that description, or begins; `anew` removes what is there. Throws Error:
   /// usage when it holds another sweep, with the first difference, or another process works on it; unreadable_input
   /// when it is damaged; partial when it cannot be written.

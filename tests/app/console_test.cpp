@@ -82,7 +82,7 @@ TEST(Progress, Is_shown_on_a_terminal_only) {
   // Some 160 million rays on one thread: no processor is done before the bar has told how fast they are.
   const std::vector<std::string> words = {"trace",      "corner",    "-o",  folder / "out", "--size",
                                           "320x180",    "--light",   "sun", "--truth.spp",  "4096",
-                                          "--no-cache", "--threads", "1"};
+                                          "--no-cache", "--threads", "1",   "--force"};
   Terminal terminal;
   if (terminal.name().empty()) GTEST_SKIP() << "no terminal can be made here";
   ProgramOptions on_terminal;

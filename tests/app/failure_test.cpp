@@ -3,6 +3,7 @@
 
 #include <csignal>
 #include <fstream>
+#include <optional>
 
 #include "tests/app/run_program.h"
 
@@ -64,7 +65,7 @@ TEST(Failure, A_scene_beyond_single_precision_is_refused) {
         << R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
     return folder / "scaled.gltf";
   };
-  EXPECT_EQ(trace(scaled_triangle("1e9"), folder / "out").exit_code, 0);
+  EXPECT_EQ(trace(scaled_triangle("1e9"), folder / "large").exit_code, 0);
   expect_failure(trace(scaled_triangle("1e30"), folder / "out"), 4, "1e+30 m");
   expect_failure(trace(scaled_triangle("1e-30"), folder / "out"), 4, "less than 1e-10 m");
 }
@@ -131,6 +132,73 @@ TEST(Failure, No_usable_driver_is_said_so) {
                  3, "no such device");
 }
 
+TEST(Failure, A_run_that_fails_leaves_no_folder_that_it_made) {
+  const TemporaryFolder folder;
+  const std::string out = folder / "made/for/this";
+  const std::vector<std::string> output = {"-o", out, "--quiet", "--size", "64x36"};
+  const auto fails = [&](std::vector<std::string> command, int exit_code, const ProgramOptions& options = {}) {
+    command.insert(command.end(), output.begin(), output.end());
+    EXPECT_EQ(run_program(command, options).exit_code, exit_code) << command[0];
+    EXPECT_FALSE(std::filesystem::exists(folder / "made")) << command[0];
+  };
+  const ProgramOptions no_driver{{"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json"}, {}, 0, 0.0};
+  fails({"trace", folder / "missing.glb"}, 4);
+  fails({"trace", "corner", "--light", "moon"}, 2);
+  fails({"trace", "corner", "--truth.ao-falloff", "linear"}, 2);
+  fails({"compare", "corner"}, 3, no_driver);
+  fails({"raster", "corner"}, 3, no_driver);
+  fails({"sweep", "corner", "--vary", "shadow.resolution=16,32"}, 3, no_driver);
+  fails({"sweep", "missing", "--vary", "shadow.resolution=16,32"}, 4);
+  std::filesystem::create_directory(folder / "made");
+  EXPECT_EQ(trace("missing", out).exit_code, 4);
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "made")) << "what was there stays";
+}
+
+TEST(Failure, A_folder_with_the_results_of_another_run_is_refused_without_force) {
+  const TemporaryFolder folder;
+  const std::filesystem::path out = folder / "out";
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> command = {"trace", "corner", "-o", out, "--size", "64x36", "--truth.spp", "4", "--quiet"};
+    command.insert(command.end(), more.begin(), more.end());
+    return run_program(command);
+  };
+  ASSERT_EQ(run({"--light", "sun"}).exit_code, 0);
+  ASSERT_TRUE(std::filesystem::exists(out / "figures/truth_visibility_sun.png"));
+  put_text(out / "figures/mine.svg", "mine");
+  const std::string summary = text_of(out / "summary.json");
+  expect_failure(run({"--light", "sun"}), 2, "--force");
+  expect_failure(run({"--light", "lamp"}), 2, out.string() + " as output folder: it holds the results of 'umbrameter");
+  EXPECT_EQ(text_of(out / "summary.json"), summary);
+  expect_failure(run({"--light", "moon", "--force"}), 2, "moon");
+  EXPECT_EQ(text_of(out / "summary.json"), summary) << "a command that makes no sense replaces nothing";
+  const ProgramResult forced = run({"--light", "lamp", "--force"});
+  ASSERT_EQ(forced.exit_code, 0) << forced.err;
+  EXPECT_NE(text_of(out / "summary.json"), summary);
+  EXPECT_FALSE(std::filesystem::exists(out / "figures/truth_visibility_sun.png"));
+  EXPECT_TRUE(std::filesystem::exists(out / "figures/truth_visibility_lamp.png"));
+  EXPECT_EQ(text_of(out / "figures/mine.svg"), "mine");
+}
+
+TEST(Failure, A_run_into_a_folder_where_another_is_going_is_refused_also_with_force) {
+  const TemporaryFolder folder;
+  const std::filesystem::path out = folder / "out";
+  std::optional<ProgramResult> second;
+  ProgramOptions options;
+  options.signal = SIGINT;
+  options.signal_counts_from = [&] {
+    if (!std::filesystem::exists(out)) return false;
+    if (!second || second->exit_code == 0) {
+      second = run_program({"trace", "corner", "-o", out, "--size", "64x36", "--truth.spp", "4", "--quiet", "--force"});
+    }
+    return true;
+  };
+  const ProgramResult first =
+      run_program({"trace", "corner", "-o", out, "--size", "1920x1080", "--truth.spp", "65536", "--quiet"}, options);
+  ASSERT_TRUE(second.has_value());
+  expect_failure(*second, 2, "another run is writing to it");
+  EXPECT_EQ(first.exit_code, 130) << first.err;
+}
+
 TEST(Failure, A_full_disk_is_a_partial_result_and_leaves_nothing_half_written) {
   const TemporaryFolder folder;
   const std::string disk = folder / "disk";
@@ -170,7 +238,7 @@ TEST(Failure, Ctrl_c_stops_at_once_with_its_exit_code_and_leaves_nothing_half_wr
     const ProgramResult result = run_program(
         {"trace", "corner", "-o", folder / "out", "--size", "1920x1080", "--truth.spp", "65536", "--quiet"}, options);
     expect_failure(result, code, "stopped");
-    EXPECT_TRUE(std::filesystem::is_empty(folder / "out"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <fstream>
 #include <random>
+#include <set>
 
 #include "tests/app/gl_run.h"
 
@@ -154,7 +155,7 @@ TEST_F(SweepResume, Ctrl_c_says_what_is_kept_and_the_same_command_continues) {
     // Stopped at once, but with what it counted.
     options.signal_counts_from = [&] { return size_of_journal(folder) > 0; };
     EXPECT_EQ(kept_cells(run(sweep(folder, groups), options).err), std::stoul(said));
-    EXPECT_EQ(count_files(folder), 2u) << "the growing store and the experiment";
+    EXPECT_EQ(count_files(folder), 3u) << "the growing store, the experiment and the record of files";
   }
 }
 
@@ -253,23 +254,77 @@ TEST_F(SweepResume, A_command_that_makes_no_sense_is_in_nobodys_way) {
                                             "ao.radius=0.2,0.5",
                                             "--truth.ao-falloff",
                                             "linear"};
-  EXPECT_EQ(run(command).exit_code, 2) << "a falloff needs a distance";
+  EXPECT_EQ(run(words(command, {"--force"})).exit_code, 2) << "a falloff needs a distance";
   EXPECT_EQ(text_of(folder / "summary.json"), summary);
-  EXPECT_TRUE(is_done(run(words(command, {"--truth.ao-distance", "1"}))));
+  EXPECT_TRUE(is_done(run(words(command, {"--truth.ao-distance", "1", "--force"}))));
   EXPECT_NE(text_of(folder / "summary.json"), summary);
 }
 
-TEST_F(SweepResume, Figures_of_the_sweep_before_are_gone) {
-  const fs::path folder = folder_ / "out";
-  fs::create_directories(folder / "figures");
-  for (const char* name : {"front.svg", "front.pdf", "front.png", "notes.txt"}) {
-    std::ofstream(folder / "figures" / name) << "old";
+// All files below the folder, relative to it.
+std::set<std::string> files_in(const fs::path& folder) {
+  std::set<std::string> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_directory()) files.insert(fs::relative(entry.path(), folder).string());
   }
-  ASSERT_TRUE(is_done(run(sweep(folder, 2))));
-  EXPECT_FALSE(fs::exists(folder / "figures/front.svg"));
-  EXPECT_FALSE(fs::exists(folder / "figures/front.pdf"));
-  EXPECT_FALSE(fs::exists(folder / "figures/front.png"));
-  EXPECT_TRUE(fs::exists(folder / "figures/notes.txt"));
+  return files;
+}
+
+TEST_F(SweepResume, A_folder_holds_one_run_and_force_replaces_exactly_what_it_wrote) {
+  const fs::path folder = folder_ / "out";
+  const auto compare = [&](const std::vector<std::string>& more) {
+    return run(
+        words({"compare", "corner", "-o", folder, "--size", "32x18", "--truth.spp", "4", "--quiet", "--light", "lamp"},
+              more));
+  };
+  ASSERT_TRUE(is_done(run(sweep(folder, 3))));
+  const std::set<std::string> of_sweep = files_in(folder);
+  ASSERT_TRUE(of_sweep.contains("figures/truth_visibility_sun.svg"));
+  put_text(folder / "notes.txt", "mine");
+  put_text(folder / "figures/front.svg", "mine");
+
+  const ProgramResult refused = compare({});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(is_one_line(refused.err)) << refused.err;
+  EXPECT_NE(refused.err.find("'umbrameter sweep'"), std::string::npos) << refused.err;
+  EXPECT_EQ(files_in(folder).size(), of_sweep.size() + 2);
+
+  const ProgramResult replaced = compare({"--force"});
+  ASSERT_LE(replaced.exit_code, done) << replaced.err;
+  const std::set<std::string> of_compare = files_in(folder);
+  for (const char* gone : {"results.sqlite", "sweep.csv", "figures/truth_visibility_sun.svg"}) {
+    EXPECT_FALSE(of_compare.contains(gone)) << gone;
+  }
+  for (const char* there : {"notes.txt", "figures/front.svg", "images.exr", "figures/truth_visibility_lamp.svg"}) {
+    EXPECT_TRUE(of_compare.contains(there)) << there;
+  }
+
+  const ProgramResult back = run(sweep(folder, 3, {"--quiet"}));
+  EXPECT_EQ(back.exit_code, 2);
+  EXPECT_NE(back.err.find("'umbrameter compare'"), std::string::npos) << back.err;
+  EXPECT_EQ(files_in(folder), of_compare) << "a refused run changes nothing";
+  ASSERT_TRUE(is_done(run(sweep(folder, 3, {"--force"}))));
+  std::set<std::string> expected = of_sweep;
+  expected.insert({"notes.txt", "figures/front.svg"});
+  EXPECT_EQ(files_in(folder), expected);
+}
+
+TEST_F(SweepResume, A_run_is_refused_while_a_sweep_is_going_there) {
+  const fs::path folder = folder_ / "out";
+  ProgramResult second;
+  ProgramOptions options;
+  options.signal = SIGINT;
+  options.signal_counts_from = [&] {
+    if (size_of_journal(folder) <= few_pages) return false;
+    if (second.exit_code < 0) {
+      second = run({"compare", "corner", "-o", folder, "--size", "32x18", "--truth.spp", "4", "--quiet", "--force"});
+    }
+    return true;
+  };
+  EXPECT_EQ(run(sweep(folder, 10'000), options).exit_code, 130);
+  EXPECT_EQ(second.exit_code, 2);
+  EXPECT_NE(second.err.find("another run is writing to it"), std::string::npos) << second.err;
+  EXPECT_FALSE(fs::exists(folder / "summary.json"));
+  EXPECT_TRUE(fs::exists(folder / "results.partial.sqlite"));
 }
 
 TEST_F(SweepResume, What_is_measured_comes_back_from_the_experiment_file) {
