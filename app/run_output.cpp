@@ -22,6 +22,7 @@ Report make_report(const RunOutput& output) {
   ReportSection diagnostics{.title = "Diagnostics"};
   for (const Presentation& part : output.parts) {
     report.sections.push_back(part.section);
+    report.answers.insert(report.answers.end(), part.answers.begin(), part.answers.end());
     for (const std::string& text : part.details) {
       diagnostics.text += (diagnostics.text.empty() ? "" : "\n\n") + text;
     }

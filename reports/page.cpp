@@ -53,11 +53,12 @@ std::string file_list(const fs::path& folder) {
   return items.empty() ? items : "<ul class=\"files\">\n" + items + "</ul>\n";
 }
 
-std::string notes_markup(const std::vector<std::string>& notes) {
-  if (notes.empty()) return {};
+// A box of lines under a heading; kind is its class.
+std::string lines_markup(const char* kind, const char* heading, const std::vector<std::string>& lines) {
+  if (lines.empty()) return {};
   std::string items;
-  for (const std::string& note : notes) items += "<li>" + escape_markup(note) + "</li>\n";
-  return "<aside class=\"notes\">\n<h2>Notes</h2>\n<ul>\n" + items + "</ul>\n</aside>\n";
+  for (const std::string& line : lines) items += "<li>" + escape_markup(line) + "</li>\n";
+  return fmt::format("<aside class=\"{0}\">\n<h2>{1}</h2>\n<ul>\n{2}</ul>\n</aside>\n", kind, heading, items);
 }
 
 std::string contents_markup(const Report& report) {
@@ -146,7 +147,8 @@ void write_page(const fs::path& folder, const Report& report) {
   std::string page = head_markup(report);
   page += "<body>\n<div class=\"page\">\n<header>\n<h1>" + escape_markup(report.title) + "</h1>\n";
   if (!report.subtitle.empty()) page += "<p class=\"subtitle\">" + escape_markup(report.subtitle) + "</p>\n";
-  page += file_list(folder) + contents_markup(report) + "</header>\n<main>\n" + notes_markup(report.notes);
+  page += file_list(folder) + contents_markup(report) + "</header>\n<main>\n" +
+          lines_markup("answers", "Answer", report.answers) + lines_markup("notes", "Notes", report.notes);
   Numbers numbers;
   for (const ReportSection& section : report.sections) page += section_markup(folder, section, numbers);
   page += settings_markup(report);

@@ -32,10 +32,11 @@ struct ReportSection {
 };
 
 struct Report {
-  std::string title;               ///< "courtyard: bias × resolution"
-  std::string subtitle;            ///< view, light, date-free facts
-  std::string command;             ///< what repeats this run
-  std::vector<std::string> notes;  ///< what was assumed
+  std::string title;                   ///< "courtyard: bias × resolution"
+  std::string subtitle;                ///< view, light, date-free facts
+  std::string command;                 ///< what repeats this run
+  std::vector<std::string> answers{};  ///< what the run was made for, one line each: at the top of the page
+  std::vector<std::string> notes;      ///< what was assumed
   std::vector<ReportSection> sections;
   Table settings;  ///< every parameter: name, value, unit, meaning
 };
