@@ -19,7 +19,7 @@ constexpr std::size_t most_panels = 9;
 constexpr std::size_t least_resolutions = 3;  // that make a heat map of their own
 
 constexpr const char* error_label = "mean absolute error [% of counted pixels]";
-constexpr const char* no_zero = " A bias of 0 has no place on this axis.";
+constexpr const char* no_zero = " A bias of 0 is not on this log axis.";
 
 // What a set of figures is about: the line axis tells lines and panels apart, the other axes stand still.
 struct Part {
@@ -232,13 +232,14 @@ HeatMapFigure heat_map(const Drawing& drawing, HeatRows kind) {
 }
 
 PlotFigure front_plot(const Drawing& drawing) {
-  PlotFigure plot =
-      make_plot(drawing, "front", "Acne against peter-panning", {"acne", "acne [%], square-root scale", false, true},
-                {"peter_panning", "peter-panning [%], square-root scale", false, true});
+  PlotFigure plot = make_plot(drawing, "front", "Pareto fronts of acne against peter-panning",
+                              {"acne", "acne [%], square-root scale", false, true},
+                              {"peter_panning", "peter-panning [%], square-root scale", false, true});
   plot.conditions = drawing.part.conditions;
   plot.caption =
-      "The biases that no other one beats in both; each line is one front. Rings mark the knee, farthest below the "
-      "chord between a front's ends on even scales. Shares are of the counted pixels.";
+      "Pareto fronts: no other bias has less of both. Rings mark the knee, the point farthest below the chord between "
+      "a "
+      "front's ends. Shares are of the counted pixels.";
   plot.mark = "knee";
   plot.data.columns = plain_columns({"acne", "peter_panning", "line", "knee"});
   const Thinned lines = thin(drawing.lines(), most_lines);

@@ -38,8 +38,8 @@ std::vector<Choice> choices_of(const BiasCurve& curve, const BiasCurves& curves)
   std::vector<Choice> choices = {{law_names[0], least_error(reading)},
                                  {law_names[1], line.little_acne},
                                  {law_names[2], line.acne_free},
-                                 {"no acne, least error", best_without_acne(reading)},
-                                 {"knee of acne against peter-panning", knee(reading.front)}};
+                                 {"least error without acne", best_without_acne(reading)},
+                                 {"knee of the Pareto front", knee(reading.front)}};
   if (!curves.varies_constant) choices.erase(choices.begin() + 1, choices.begin() + 3);
   return choices;
 }
@@ -48,7 +48,7 @@ Table choices_table(const BiasCurves& curves) {
   Table table;
   table.columns = curves.others;
   const std::vector<Column> rest = {
-      {"choice", "", "which bias; those without acne at the slope-scaled bias nearest to none"},
+      {"choice", "", "which bias; those without acne are at the slope-scaled bias nearest to 0"},
       {"constant bias", "m", "along the light"},
       {"in texels", "texels", "the same at the mean texel"},
       {"in depth", "1", "the same as normalised depth: a share of the map's range"},
@@ -59,9 +59,8 @@ Table choices_table(const BiasCurves& curves) {
     const auto cause = static_cast<Cause>(c);
     table.columns.push_back({std::string(cause_title(cause)), "%", std::string(cause_meaning(cause))});
   }
-  table.columns.push_back({"error more", "%", "what this choice errs more than that of least error"});
-  table.columns.push_back(
-      {"peter-panning more", "%", "what this choice has of peter-panning more than that of least error"});
+  table.columns.push_back({"extra error", "%", "error minus that of the least-error choice"});
+  table.columns.push_back({"extra peter-panning", "%", "peter-panning minus that of the least-error choice"});
   for (const BiasCurve& curve : curves.curves) {
     const BiasCell least = *least_error(curve.reading);
     for (const Choice& choice : choices_of(curve, curves)) {
@@ -129,20 +128,20 @@ Table laws_table(const BiasCurves& curves) {
   table.columns = curves.of_a_law;
   std::vector<Column> rest = {{"fit of", "", "which bias is fitted, at the slope-scaled bias nearest to 0"},
                               {"points", "1", "fitted points: one per resolution"},
-                              {"left out", "1", "resolutions without such a bias within the axis"},
-                              {"c0", "m", "the part that does not depend on the texel"},
+                              {"left out", "1", "resolutions without such a bias on the axis"},
+                              {"c0", "m", "the part independent of the texel size"},
                               {"error of c0", "m", "standard error"},
-                              {"c1·tan θ", "texels", "the part in proportion to the texel"},
+                              {"c1·tan θ", "texels", "the part proportional to the texel size"},
                               {"error of c1·tan θ", "texels", "standard error"},
                               {"residual", "m", "RMS residual of the fit; empty with as many points as unknowns"},
                               {"residual in texels", "texels", "the same, each point in texels of its resolution"}};
   const std::size_t columns_of_a_law = rest.size();
   if (curves.varies_slope) {
-    rest.insert(rest.end(), {{"tan θ", "1", "of the surface that decides, by a fit over all slope-scaled biases"},
+    rest.insert(rest.end(), {{"tan θ", "1", "of the deciding surface, from a fit over all slope-scaled biases"},
                              {"error of tan θ", "1", "standard error"},
-                             {"c1", "texels", "the slope-scaled bias that does it alone, besides c0, by the same fit"},
+                             {"c1", "texels", "the slope-scaled bias that suffices beside c0, by the same fit"},
                              {"error of c1", "texels", "standard error, to first order"},
-                             {"residual over slopes", "texels", "root mean square of what that fit misses"}});
+                             {"residual over slopes", "texels", "RMS residual of that fit"}});
   }
   table.columns.insert(table.columns.end(), rest.begin(), rest.end());
   for (const CurveLaw& law : curves.laws) {

@@ -75,9 +75,9 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
 
   RunOutput output;
   output.title = fmt::format("{}: {}", scene_title(experiment),
-                             line.command == "compare" ? "raster against truth"
-                             : line.command == "trace" ? "truth"
-                                                       : "raster");
+                             line.command == "compare" ? "technique against reference"
+                             : line.command == "trace" ? "reference"
+                                                       : "technique");
   output.subtitle = subtitle_of(workbench, measurement.surfels.view);
   output.parts.push_back(present_picture(workbench, measurement));
   for (const ShadowMeasurement& shadow : measurement.shadows) {

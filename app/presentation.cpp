@@ -15,9 +15,9 @@ namespace {
 
 // One range for every picture of a kind, so that two runs can be compared.
 const ColorScale visibility_scale{ColorMap::visibility, 0.0, 1.0, "visibility [1]: 0 blocked, 1 lit"};
-const ColorScale visibility_error_scale{ColorMap::error, -1.0, 1.0, "raster − truth [1]: below 0 too dark"};
+const ColorScale visibility_error_scale{ColorMap::error, -1.0, 1.0, "technique − reference [1]: below 0 is too dark"};
 const ColorScale ao_scale{ColorMap::visibility, 0.0, 1.0, "accessibility [1]: 1 open"};
-const ColorScale ao_error_scale{ColorMap::error, -0.5, 0.5, "raster − truth [1]: below 0 too dark"};
+const ColorScale ao_error_scale{ColorMap::error, -0.5, 0.5, "technique − reference [1]: below 0 is too dark"};
 
 std::string value_text(Experiment experiment, std::string_view key) {
   return to_string(require(describe(experiment), key).value());
@@ -38,7 +38,7 @@ ImageFigure class_figure(const std::string& layer, const std::string& title, con
   ImageFigure figure;
   figure.stem = "class_" + layer;
   figure.title = "Causes: " + title;
-  figure.caption = "The cause that most of each pixel's wrong taps share.";
+  figure.caption = "The main cause of each pixel's wrong taps.";
   const Image<PixelClass> classes = classify(shadow.raster->wrong, shadow.counted);
   figure.category = Image<std::uint8_t>(classes.width, classes.height);
   for (std::size_t i = 0; i < classes.size(); ++i) figure.category[i] = static_cast<std::uint8_t>(classes[i]);
@@ -56,12 +56,6 @@ ReportTable statistics_table(std::string title, const std::vector<Column>& colum
     table.rows.push_back({columns[i].name, value, std::string(is_share ? "%" : columns[i].unit), columns[i].meaning});
   }
   return {std::move(title), std::move(table)};
-}
-
-// Decimals with which a number shows that many significant digits.
-int decimals_of(double number, int digits) {
-  if (number == 0.0 || !std::isfinite(number)) return 0;
-  return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(number)))), 0, 9);
 }
 
 std::string counted_text(const CountedPixels& counted, bool is_soft) {
@@ -82,8 +76,9 @@ std::string offset_text(const TraceStatistics& statistics) {
 std::string precision_text(const SamplingPrecision& precision, const TruthParams& truth) {
   if (precision.pixels == 0) return {};
   std::string text = fmt::format(
-      "Intervals are 95 % and come from the reference's sampling. Half widths of its pixels' own intervals: mean "
-      "{:.5f}, worst {:.5f}, from {:.0f} samples a pixel on average.",
+      "Intervals are 95 % confidence intervals of the reference's sampling. Half widths of the pixels' own intervals: "
+      "mean "
+      "{:.2g}, largest {:.2g}, with {:.0f} samples per pixel on average.",
       precision.mean_half_width, precision.worst_half_width, precision.mean_samples);
   if (truth.tolerance > 0.0) {
     text += fmt::format(" {} of {} pixels reached the limit of {} rays before the tolerance of {:g}.",
@@ -93,8 +88,9 @@ std::string precision_text(const SamplingPrecision& precision, const TruthParams
 }
 
 std::string precision_line(const SamplingPrecision& precision) {
-  std::string line = fmt::format("{:.0f} samples a pixel, half width of its 95 % interval {:.5f}, at worst {:.5f}",
-                                 precision.mean_samples, precision.mean_half_width, precision.worst_half_width);
+  std::string line =
+      fmt::format("{:.0f} samples per pixel; half width of the pixels' 95 % intervals: mean {:.2g}, largest {:.2g}",
+                  precision.mean_samples, precision.mean_half_width, precision.worst_half_width);
   if (precision.pixels_at_limit > 0) {
     line += fmt::format("; {} of {} pixels at the limit", precision.pixels_at_limit, precision.pixels);
   }
@@ -103,11 +99,11 @@ std::string precision_line(const SamplingPrecision& precision) {
 
 // What one light's shadow rays went to.
 std::string truth_caption(const ShadowMeasurement& shadow) {
-  const std::string common = "Shadow rays against the exact geometry; turned-away surfels count as 0.";
+  const std::string common = "Shadow rays against the exact geometry; back-facing surfels are 0.";
   if (!is_soft(shadow)) return common;
-  return fmt::format("{} The light is {}{}; {:.0f} samples a pixel; the visible share of its {}.", common,
-                     std::holds_alternative<DistantEmitter>(shadow.emitter) ? "" : "a ", extent_text(shadow.emitter),
-                     shadow.truth->precision.mean_samples,
+  return fmt::format("{} The light is {}{}, with {:.0f} samples per pixel; the value is the visible share of its {}.",
+                     common, std::holds_alternative<DistantEmitter>(shadow.emitter) ? "" : "a ",
+                     extent_text(shadow.emitter), shadow.truth->precision.mean_samples,
                      shadow.experiment.truth.light_sampling == LightSampling::area ? "area" : "solid angle");
 }
 
@@ -117,20 +113,20 @@ void present_soft_error(Presentation& presentation, const Workbench& workbench, 
   ReportSection& section = presentation.section;
   add_figure(presentation,
              scalar_figure("error_visibility_" + workbench.layer(shadow.light), "Error: " + title,
-                           "Blue is too dark, red is too bright.",
+                           "Technique − reference: blue is too dark, red is too bright.",
                            signed_error(shadow.raster->visibility, shadow.truth->visibility), visibility_error_scale));
   section.text +=
-      "\n\nThe light has extent, so that its truth is a share and no single tap is right or wrong: the causes of a "
+      "\n\nThis is an area light: its reference is a share, so that no single tap is right or wrong. The causes of a "
       "hard "
-      "shadow's error do not apply, and the error is split by sign.";
+      "shadow's error do not apply; the error is split by sign.";
   if (s.error.max_x >= 0) {
     section.text += fmt::format(" The largest error is {:.3g}, first at pixel ({}, {}).", s.error.max_error,
                                 s.error.max_x, s.error.max_y);
   }
   section.headlines = {
       {"mean absolute error", percent(s.error.mae), fmt::format("of {} counted pixels", s.error.pixels)},
-      {"too dark", percent(s.error.too_dark), "the part of it where raster is below truth"},
-      {"too bright", percent(s.error.too_bright), "the part of it where raster is above truth"},
+      {"too dark", percent(s.error.too_dark), "of it, where the technique is darker than the reference"},
+      {"too bright", percent(s.error.too_bright), "of it, where the technique is brighter than the reference"},
       {"RMS error", percent(s.error.rmse), "corrected for the reference's variance"},
       {"penumbra", percent(s.penumbra), "of the counted pixels"},
   };
@@ -143,8 +139,6 @@ void present_soft_error(Presentation& presentation, const Workbench& workbench, 
 }
 
 }  // namespace
-
-std::string share_text(double share) { return fmt::format("{:.4f}", 100.0 * share); }
 
 Table in_percent(Table table, std::size_t first_column) {
   for (std::size_t c = first_column; c < table.columns.size(); ++c) {
@@ -171,36 +165,6 @@ const std::vector<CategoryColor>& class_colors() {
     return named;
   }();
   return colors;
-}
-
-std::string percent(double share) {
-  if (!std::isfinite(share)) return "—";
-  const double value = 100.0 * share;
-  if (value != 0.0 && std::abs(value) < 0.0001) return fmt::format("{:.0e} %", value);
-  return fmt::format("{:.{}f} %", value, decimals_of(value, 3));
-}
-
-std::string percent(const Estimate& share) {
-  if (!std::isfinite(share.value)) return "—";
-  const double half_width = 50.0 * (share.upper - share.lower);
-  if (!(half_width > 0.0)) return percent(share.value);
-  const int decimals = decimals_of(half_width, 2);
-  return fmt::format("{:.{}f} % [{:.{}f}, {:.{}f}]", 100.0 * share.value, decimals, 100.0 * share.lower, decimals,
-                     100.0 * share.upper, decimals);
-}
-
-std::string length_text(const Length& any) {
-  return any.unit == LengthUnit::metres ? length(any.number)
-                                        : fmt::format("{:.4g} {}", any.number, unit_name(any.unit));
-}
-
-std::string length(double metres, int digits) {
-  if (!std::isfinite(metres)) return "—";
-  const double size = std::abs(metres);
-  if (size >= 1000.0) return fmt::format("{:.{}g} km", metres / 1000.0, digits);
-  if (size >= 1.0 || size == 0.0) return fmt::format("{:.{}g} m", metres, digits);
-  if (size >= 0.01) return fmt::format("{:.{}g} cm", metres * 100.0, digits);
-  return fmt::format("{:.{}g} mm", metres * 1000.0, digits);
 }
 
 void add_figure(Presentation& presentation, ImageFigure figure) {
@@ -302,7 +266,7 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
   section.title = "Shadow of " + title;
   section.text = counted_text(shadow.counted, is_soft(shadow));
   if (shadow.truth) {
-    add_figure(presentation, scalar_figure("truth_visibility_" + layer, "Truth: " + title, truth_caption(shadow),
+    add_figure(presentation, scalar_figure("truth_visibility_" + layer, "Reference: " + title, truth_caption(shadow),
                                            shadow.truth->visibility, visibility_scale));
     presentation.details.push_back(title + ": " + offset_text(shadow.truth->statistics));
     if (is_soft(shadow)) section.text += "\n\n" + precision_text(shadow.truth->precision, experiment.truth);
@@ -334,7 +298,8 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
   }
   const VisibilityStatistics& s = *shadow.statistics;
   add_figure(presentation,
-             scalar_figure("error_visibility_" + layer, "Error: " + title, "Blue is too dark, red is too bright.",
+             scalar_figure("error_visibility_" + layer, "Error: " + title,
+                           "Technique − reference: blue is too dark, red is too bright.",
                            signed_error(shadow.raster->visibility, shadow.truth->visibility), visibility_error_scale));
   add_figure(presentation, class_figure(layer, title, shadow));
   section.headlines = {{"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", s.pixels)}};
@@ -376,8 +341,8 @@ Presentation present_ao(const AoMeasurement& ao) {
   const std::string limit = ao_limit_text(experiment.truth);
   if (ao.truth) {
     add_figure(presentation,
-               scalar_figure("truth_ao", "Truth: ambient occlusion",
-                             fmt::format("Hemisphere rays {}, {:.0f} a pixel, {} weight.", limit,
+               scalar_figure("truth_ao", "Reference: ambient occlusion",
+                             fmt::format("Hemisphere rays {}, {:.0f} per pixel, {} weight.", limit,
                                          ao.truth->precision.mean_samples, value_text(experiment, "truth.ao-weight")),
                              ao.truth->ao, ao_scale));
   }
@@ -407,7 +372,8 @@ Presentation present_ao(const AoMeasurement& ao) {
     return presentation;
   }
   const AoStatistics& s = *ao.statistics;
-  add_figure(presentation, scalar_figure("error_ao", "Error: ambient occlusion", "Blue is too dark, red is too bright.",
+  add_figure(presentation, scalar_figure("error_ao", "Error: ambient occlusion",
+                                         "Technique − reference: blue is too dark, red is too bright.",
                                          signed_error(*ao.raster, ao.truth->ao), ao_error_scale));
   section.headlines = {
       {"mean absolute error", percent(s.mae), fmt::format("of {} pixels", s.pixels)},

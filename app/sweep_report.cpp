@@ -64,7 +64,7 @@ constexpr Curve soft_visibility_curves[] = {
 constexpr Curve ao_curves[] = {
     {"mae", "Mean absolute error of accessibility", "mean absolute error [%], 95 % interval", true, false},
     {"rmse", "RMS error of accessibility", "RMS error [%], 95 % interval", true, false},
-    {"mean_error", "Mean error of accessibility", "raster − truth [%], 95 % interval", true, false}};
+    {"mean_error", "Mean error of accessibility", "technique − reference [%], 95 % interval", true, false}};
 
 std::span<const Curve> curves_of(Measure measure) {
   if (measure == Measure::ao) return ao_curves;

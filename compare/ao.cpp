@@ -14,9 +14,9 @@ std::vector<Column> ao_columns() {
   std::vector<Column> columns = {{"pixels", "px", "pixels that see a surface"}};
   add_estimate(columns, "mae", "mean absolute error of accessibility");
   add_estimate(columns, "rmse", "root mean square error, corrected for the variance of the reference");
-  add_estimate(columns, "mean_error", "mean of raster − truth");
-  columns.push_back({"mean_raster", "1", "mean accessibility by the rasteriser"});
-  add_estimate(columns, "mean_truth", "mean accessibility by the reference");
+  add_estimate(columns, "mean_error", "mean of technique − reference");
+  columns.push_back({"mean_raster", "1", "mean accessibility of the technique"});
+  add_estimate(columns, "mean_truth", "mean accessibility of the reference");
   columns.push_back({"max_error", "1", "largest absolute error, noise of the reference included"});
   return columns;
 }

@@ -10,8 +10,8 @@ namespace umbrameter {
 
 std::string_view cause_meaning(Cause cause) {
   constexpr std::array<std::string_view, cause_count> meanings = {
-      "wrongly blocked by the surface's own depth", "wrongly blocked by another surface",
-      "wrongly lit: the map saw the blocker, the bias erased it", "wrongly lit: the map holds no blocker there"};
+      "wrongly blocked by the surface itself", "wrongly blocked by another surface",
+      "wrongly lit: the bias removed the occluder", "wrongly lit: the map holds no occluder there"};
   return meanings[static_cast<std::size_t>(cause)];
 }
 
@@ -137,10 +137,10 @@ std::vector<Column> visibility_columns() {
   for (std::size_t c = 0; c < cause_count; ++c) {
     columns.push_back({std::string(cause_names[c]), "1", std::string(cause_meaning(static_cast<Cause>(c)))});
   }
-  columns.insert(columns.end(), {{"mean_error", "1", "mean of raster − truth"},
+  columns.insert(columns.end(), {{"mean_error", "1", "mean of technique − reference"},
                                  {"max_error", "1", "largest absolute error"},
-                                 {"false_blocked", "1", "truth lit, raster blocked"},
-                                 {"false_lit", "1", "truth blocked, raster lit"},
+                                 {"false_blocked", "1", "reference lit, technique blocked"},
+                                 {"false_lit", "1", "reference blocked, technique lit"},
                                  mean_texel_column()});
   return columns;
 }
