@@ -49,7 +49,8 @@ constexpr std::pair<const char*, const char*> short_names[] = {
     {"view.size", "--size"}, {"view.scene", "--scene"},    {"view.camera", "--camera"}, {"view.light", "--light"},
     {"run.seed", "--seed"},  {"run.classes", "--classes"}, {"run.measure", "--measure"}};
 
-constexpr std::pair<const char*, const char*> group_titles[] = {{"view", "View"},
+constexpr std::pair<const char*, const char*> group_titles[] = {{"scene", "Scene"},
+                                                                {"view", "View"},
                                                                 {"light", "Extent of the measured lights"},
                                                                 {"shadow", "Shadow technique"},
                                                                 {"ao", "Ambient-occlusion technique"},
@@ -186,7 +187,7 @@ std::variant<CommandLine, Information> parse_command_line(int argc, const char* 
   scene.footer("Example: umbrameter scene courtyard -o courtyard.glb");
   scene.add_option("NAME", line.scene, "Name of the built-in scene, name:NUMBER for one of another size")->required();
   scene.add_option("-o,--output", line.output, "File to write, .glb")->required();
-  add_parameters(scene, line, "view.scene");
+  for (const char* name : {"scene.unit", "scene.blend", "view.scene"}) add_parameters(scene, line, name);
   add_output_flags(scene, line);
 
   CLI::App& cache = *app.add_subcommand("cache", "List the references that are kept between runs, or remove them");
@@ -199,7 +200,7 @@ std::variant<CommandLine, Information> parse_command_line(int argc, const char* 
   CLI::App& info = *app.add_subcommand("info", "Versions, OpenGL devices and, with a scene, what is in it");
   info.footer("Example: umbrameter info courtyard");
   info.add_option("SCENE", line.scene, "A .gltf or .glb file, or the name of a built-in scene");
-  add_parameters(info, line, "view.scene");
+  for (const char* name : {"scene.unit", "scene.blend", "view.scene"}) add_parameters(info, line, name);
   info.add_flag("--measure-memory", line.measure_memory,
                 "Build the ray tracer's structure however large, to tell what it takes");
   add_output_flags(info, line);

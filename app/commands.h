@@ -14,8 +14,12 @@ namespace umbrameter {
 /// Defaults, then the experiment file, then the flags; axes likewise.
 Experiment make_experiment(const CommandLine& line);
 
-/// What --scene says; empty where it is not given.
-std::string chosen_part(const CommandLine& line);
+/// Which scene of a file to read, and how, as the flags say.
+struct SceneChoice {
+  std::string part;     ///< view.scene
+  SceneParams reading;  ///< scene.*
+};
+SceneChoice chosen_scene(const CommandLine& line);
 
 /// The user's cache of references, unless --no-cache is given or nothing is traced.
 std::optional<CacheFolder> chosen_cache(const CommandLine& line, const Console& console);

@@ -32,8 +32,9 @@ Parameters describe(RunParams& params) {
 }
 
 Parameters describe(Experiment& experiment) {
-  return concatenate({describe(experiment.view), describe(experiment.light), describe(experiment.shadow),
-                      describe(experiment.ao), describe(experiment.truth), describe(experiment.run)});
+  return concatenate({describe(experiment.reading), describe(experiment.view), describe(experiment.light),
+                      describe(experiment.shadow), describe(experiment.ao), describe(experiment.truth),
+                      describe(experiment.run)});
 }
 
 Experiment in_metres(Experiment experiment, double scene_size) {

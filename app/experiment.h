@@ -10,6 +10,7 @@
 #include "raster/parameters.h"
 #include "raytrace/parameters.h"
 #include "scenes/emitter.h"
+#include "scenes/scene_params.h"
 #include "scenes/view.h"
 
 namespace umbrameter {
@@ -31,6 +32,7 @@ Parameters describe(RunParams& params);
 
 struct Experiment {
   std::string scene;
+  SceneParams reading;  ///< scene.*
   ViewParams view;
   LightParams light;
   ShadowParams shadow;

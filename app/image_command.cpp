@@ -54,7 +54,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   const Experiment given = make_experiment(line);
   RunFolder folder(line.output, {line.command, experiment_text(given), run_files(false)}, line.force);
   const ThreadLimit threads(line.threads);
-  Workbench workbench(load_scene(given.scene, given.view.scene),
+  Workbench workbench(load_scene(given.scene, given.view.scene, given.reading),
                       {line.gl_device, line.threads, chosen_cache(line, console)}, console);
   const Experiment experiment = workbench.in_metres(given);
   const Sides sides = sides_of(line.command);

@@ -45,14 +45,14 @@ ExitCode run_info(const CommandLine& line, const Console& console) {
   Json json;
   json["version"] = UMBRAMETER_VERSION;
   json["embree"] = embree_version();
-  const std::string part = chosen_part(line);
+  const SceneChoice choice = chosen_scene(line);
   if (!line.scene.empty()) {
-    const SceneReport report = make_scene_report(line.scene, part, {line.measure_memory});
+    const SceneReport report = make_scene_report(line.scene, choice.part, {line.measure_memory, choice.reading});
     json["scene"] = to_json(report);
     for (const std::string& text : to_lines(report)) say(console, text);
   } else {
-    if (!part.empty()) {
-      throw Error(ExitCode::usage, "--scene " + part, "no file is given",
+    for (const auto& [key, text] : line.settings) {
+      throw Error(ExitCode::usage, (key == "view.scene" ? "--scene " : "--" + key + " ") + text, "no file is given",
                   "name the .gltf or .glb file that the scene is in");
     }
     json["gl_devices"] = devices_json();

@@ -22,7 +22,7 @@ void add_texture(ContentHash& hash, const Texture& texture) {
 // Only where alpha can make holes.
 void add_material(ContentHash& hash, const Scene& scene, const Material& material) {
   const auto& [name, base_color, base_color_texture, alpha_mode, alpha_cutoff, double_sided, metallic, roughness,
-               specular, specular_color] = material;
+               specular, specular_color, transmission] = material;
   const bool masked = alpha_mode == AlphaMode::mask;
   hash.add(masked);
   if (!masked) return;
@@ -95,7 +95,7 @@ std::string to_text(const ReferenceKey& key) {
 }
 
 std::string scene_content(const Scene& scene) {
-  const auto& [name, textures, materials, meshes, objects, instances, cameras, lights, notes] = scene;
+  const auto& [name, textures, materials, meshes, objects, instances, cameras, lights, origin, notes] = scene;
   ContentHash hash;
   hash.add(meshes.size());
   for (const Mesh& mesh : meshes) add_mesh(hash, scene, mesh);

@@ -10,16 +10,16 @@
 
 namespace umbrameter {
 
-std::string chosen_part(const CommandLine& line) {
-  std::string part;
-  for (const auto& [key, text] : line.settings) {
-    if (key == "view.scene") part = text;
-  }
-  return part;
+SceneChoice chosen_scene(const CommandLine& line) {
+  Experiment experiment;
+  const Parameters parameters = describe(experiment);
+  for (const auto& [key, text] : line.settings) require(parameters, key).set_text(text);
+  return {experiment.view.scene, experiment.reading};
 }
 
 ExitCode run_scene(const CommandLine& line, const Console& console) {
-  const Scene scene = load_scene(line.scene, chosen_part(line));
+  const SceneChoice choice = chosen_scene(line);
+  const Scene scene = load_scene(line.scene, choice.part, choice.reading);
   for (const std::string& text : scene.notes) note(console, text);
   const std::vector<unsigned char> glb = to_glb(scene);
   write_text(line.output, {reinterpret_cast<const char*>(glb.data()), glb.size()});

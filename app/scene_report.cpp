@@ -129,7 +129,7 @@ SceneReport make_scene_report(const std::string& source, const std::string& part
   report.source = source;
   report.part = part;
   const auto start = std::chrono::steady_clock::now();
-  report.scene = load_scene(source, part);
+  report.scene = load_scene(source, part, options.reading);
   report.load_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report.peak_resident = peak_resident_bytes();
   report.counts = count(report.scene);

@@ -10,6 +10,7 @@
 #include "core/bounds.h"
 #include "scenes/memory.h"
 #include "scenes/scene.h"
+#include "scenes/scene_params.h"
 #include "scenes/units.h"
 
 namespace umbrameter {
@@ -35,6 +36,7 @@ inline constexpr std::uint64_t most_triangles_built_unasked = 1'000'000;
 
 struct SceneReportOptions {
   bool measure_memory = false;  ///< build the ray tracer's structure whatever the size
+  SceneParams reading{};        ///< scene.*
 };
 
 /// Loads the scene and looks at all of it. Throws what load_scene() throws.

@@ -31,9 +31,11 @@ std::vector<SweepAxis> make_axes(const CommandLine& line, Experiment& experiment
     throw Error(ExitCode::usage, "sweep", "nothing to vary",
                 "add an axis, such as --vary shadow.constant-bias=0:0.2:65");
   }
-  if (varies_group(axes, "view.scene")) {
-    throw Error(ExitCode::usage, "--vary view.scene", "a sweep is about one scene",
-                "run it once for each, with --scene");
+  for (const auto& [group, flag] : {std::pair("view.scene", "--scene"), std::pair("scene.unit", "--scene.unit"),
+                                    std::pair("scene.blend", "--scene.blend")}) {
+    if (!varies_group(axes, group)) continue;
+    throw Error(ExitCode::usage, std::string("--vary ") + group, "a sweep is about one scene",
+                std::string("run it once for each, with ") + flag);
   }
   experiment.axes.clear();
   for (const SweepAxis& axis : axes) experiment.axes.emplace_back(axis.key, axis.text);
@@ -107,7 +109,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   const SweepPlan plan = plan_sweep(parameters, axes);
   RunFolder folder(line.output, {line.command, experiment_text(experiment), run_files(true), true}, line.force);
   const ThreadLimit threads(line.threads);
-  Workbench workbench(load_scene(experiment.scene, experiment.view.scene),
+  Workbench workbench(load_scene(experiment.scene, experiment.view.scene, experiment.reading),
                       {line.gl_device, line.threads, chosen_cache(line, console)}, console);
   const std::vector<std::uint32_t> lights = workbench.lights(experiment.view.light);
   if (measure == Measure::visibility && !varies_group(axes, "view.light") && lights.size() > 1) {

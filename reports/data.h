@@ -21,7 +21,8 @@ using RowSource = std::function<void(const std::function<void(std::span<const Va
 void write_csv(const std::filesystem::path& path, std::span<const Column> columns, const RowSource& rows);
 
 /// The parameters as an experiment file: one table a group, each value with unit and meaning as a comment.
-/// `scene` is written as a top-level key.
+/// `scene` is written as the key `source` of the table [scene], or as a top-level key where no parameter is in that
+/// group; both are read.
 std::string to_toml(const std::string& scene, const Parameters& parameters,
                     const std::vector<std::pair<std::string, std::string>>& axes);
 

@@ -109,14 +109,18 @@ toml::table parse(const std::string& text, const std::string& file) {
 
 std::string to_toml(const std::string& scene, const Parameters& parameters,
                     const std::vector<std::pair<std::string, std::string>>& axes) {
-  std::string text = "scene = " + toml_string(scene) + "\n";
+  // A top-level key and a table cannot have the same name.
+  const bool is_table = std::any_of(parameters.begin(), parameters.end(),
+                                    [](const Parameter& parameter) { return parameter.key.starts_with("scene."); });
+  std::string text = is_table ? "" : "scene = " + toml_string(scene) + "\n";
   std::string group;
   for (const Parameter& parameter : parameters) {
     const std::size_t dot = parameter.key.find('.');
     const std::string of = parameter.key.substr(0, dot);
     if (of != group) {
       group = of;
-      text += "\n[" + group + "]\n";
+      text += (text.empty() ? "[" : "\n[") + group + "]\n";
+      if (group == "scene") text += "source = " + toml_string(scene) + "  # file, or name of a built-in scene\n";
     }
     text +=
         parameter.key.substr(dot + 1) + " = " + value_text(parameter.value()) + "  # " + comment_of(parameter) + "\n";
@@ -135,19 +139,22 @@ ExperimentFile read_experiment(const std::filesystem::path& path) {
   ExperimentFile result;
   for (const auto& [name, node] : table) {
     const std::string group(name.str());
-    if (group == "scene") {
+    if (group == "scene" && !node.is_table()) {
       result.scene = text_of(node, group, file);
       continue;
     }
     const toml::table* members = node.as_table();
     if (members == nullptr) {
-      throw Error(ExitCode::usage, file + ":" + std::to_string(node.source().begin.line),
-                  "'" + group + "' stands outside of any table",
-                  "only 'scene' does; parameters belong under [view], [shadow], [ao], [truth], [run] or [vary]");
+      throw Error(
+          ExitCode::usage, file + ":" + std::to_string(node.source().begin.line),
+          "'" + group + "' stands outside of any table",
+          "only 'scene' does; parameters belong under [scene], [view], [shadow], [ao], [truth], [run] or [vary]");
     }
     for (const auto& [member, value] : *members) {
       const std::string key(member.str());
-      if (group == "vary") {
+      if (group == "scene" && key == "source") {
+        result.scene = text_of(value, "scene.source", file);
+      } else if (group == "vary") {
         axes.push_back({value.source().begin, {key, text_of(value, "vary." + key, file)}});
       } else {
         result.values.emplace_back(group + "." + key, to_value(value, group + "." + key, file));

@@ -10,6 +10,7 @@
 #include "core/parameters.h"
 #include "scenes/builtin/scenes.h"
 #include "scenes/gltf.h"
+#include "scenes/transparency.h"
 
 namespace umbrameter {
 namespace {
@@ -109,11 +110,7 @@ void refuse_part(const std::string& name, const std::string& part) {
               "leave --scene away; it selects one of several scenes in a glTF file");
 }
 
-}  // namespace
-
-std::span<const BuiltinScene> builtin_scenes() { return scenes; }
-
-Scene load_scene(const std::string& name_or_path, const std::string& part) {
+Scene read_scene(const std::string& name_or_path, const std::string& part) {
   for (const BuiltinScene& scene : scenes) {
     const std::string prefix = std::string(scene.name) + ":";
     const bool is_sized = name_or_path.starts_with(prefix);
@@ -127,6 +124,19 @@ Scene load_scene(const std::string& name_or_path, const std::string& part) {
     fail_unknown(name_or_path);
   }
   return load_gltf(name_or_path, part);
+}
+
+}  // namespace
+
+std::span<const BuiltinScene> builtin_scenes() { return scenes; }
+
+Scene load_scene(const std::string& name_or_path, const std::string& part, const SceneParams& params) {
+  // A unit that does not exist is found before a large file is read.
+  const double metres = metres_per_unit(params.unit);
+  Scene scene = read_scene(name_or_path, part);
+  apply_blend_mode(scene, params.blend);
+  if (metres != 1.0) scale(scene, metres);
+  return scene;
 }
 
 }  // namespace umbrameter

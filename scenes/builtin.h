@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "scenes/scene.h"
+#include "scenes/scene_params.h"
 
 namespace umbrameter {
 
@@ -28,6 +29,8 @@ std::span<const BuiltinScene> builtin_scenes();
 /// name or index. A colon and a number behind a built-in name ask for about that many triangles, as in forest:20M,
 /// forest:300k and city:5e6. Throws Error (unreadable_input) that lists the built-in names when it is neither, and
 /// Error (usage) when the scene cannot have that many or a part of a built-in scene is asked for.
-Scene load_scene(const std::string& name_or_path, const std::string& part = {});
+/// Then applies the parameters: transparent surfaces are treated as they say, and every length is scaled to metres. A
+/// scene far from its origin is moved there, and a size that is not credible is noted.
+Scene load_scene(const std::string& name_or_path, const std::string& part = {}, const SceneParams& params = {});
 
 }  // namespace umbrameter

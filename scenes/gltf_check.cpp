@@ -138,6 +138,7 @@ constexpr auto members = std::to_array<Member>({
     {"texCoord", Kind::integer},
     {"textures", Kind::objects},
     {"translation", Kind::numbers},
+    {"transmissionFactor", Kind::number},
     {"type", Kind::text},
     {"uri", Kind::text},
     {"version", Kind::text},
@@ -165,12 +166,13 @@ Kind kind_of(std::string_view name, std::string_view parent) {
   return found != members.end() && found->name == name ? found->kind : Kind::any;
 }
 
-constexpr std::array<std::string_view, 8> supported_extensions = {"EXT_mesh_gpu_instancing",
+constexpr std::array<std::string_view, 9> supported_extensions = {"EXT_mesh_gpu_instancing",
                                                                   "EXT_meshopt_compression",
                                                                   "KHR_draco_mesh_compression",
                                                                   "KHR_lights_punctual",
                                                                   "KHR_materials_pbrSpecularGlossiness",
                                                                   "KHR_materials_specular",
+                                                                  "KHR_materials_transmission",
                                                                   "KHR_mesh_quantization",
                                                                   "KHR_texture_transform"};
 

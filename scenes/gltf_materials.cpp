@@ -142,6 +142,10 @@ TextureReference read_material(const tinygltf::Material& source, Material& mater
   if (const auto found = source.extensions.find("KHR_materials_specular"); found != source.extensions.end()) {
     read_specular(found->second, material, document, object);
   }
+  if (const auto found = source.extensions.find("KHR_materials_transmission"); found != source.extensions.end()) {
+    const Value* const given = member(found->second, "transmissionFactor");
+    material.transmission = std::min(1.0f, factor<1>(given, {0}, "transmissionFactor", document, object)[0]);
+  }
   const auto found = source.extensions.find("KHR_materials_pbrSpecularGlossiness");
   if (found != source.extensions.end()) {
     texture = read_specular_glossiness(found->second, material, document, object);

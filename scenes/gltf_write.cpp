@@ -30,6 +30,7 @@ constexpr std::size_t target_indices = 34963;
 constexpr std::size_t filter_linear = 9729;
 constexpr std::string_view lights_name = "KHR_lights_punctual";
 constexpr std::string_view specular_name = "KHR_materials_specular";
+constexpr std::string_view transmission_name = "KHR_materials_transmission";
 
 void add_name(Members& members, const std::string& name) {
   if (!name.empty()) members.emplace_back("name", to_json(std::string_view(name)));
@@ -221,6 +222,8 @@ bool has_specular(const Material& material) {
   return material.specular != 1.0f || material.specular_color != vec3(1.0f);
 }
 
+bool transmits(const Material& material) { return material.transmission > 0.0f; }
+
 Json material(const Material& source) {
   Members surface{{"baseColorFactor", numbers(source.base_color)},
                   {"metallicFactor", to_json(static_cast<double>(source.metallic))},
@@ -239,11 +242,16 @@ Json material(const Material& source) {
     members.emplace_back("alphaCutoff", to_json(static_cast<double>(source.alpha_cutoff)));
   }
   if (source.double_sided) members.emplace_back("doubleSided", "true");
+  Members extensions;
   if (has_specular(source)) {
-    const Json specular = object({{"specularFactor", to_json(static_cast<double>(source.specular))},
-                                  {"specularColorFactor", numbers(source.specular_color)}});
-    members.emplace_back("extensions", object({{specular_name, specular}}));
+    extensions.emplace_back(specular_name, object({{"specularFactor", to_json(static_cast<double>(source.specular))},
+                                                   {"specularColorFactor", numbers(source.specular_color)}}));
   }
+  if (transmits(source)) {
+    extensions.emplace_back(transmission_name,
+                            object({{"transmissionFactor", to_json(static_cast<double>(source.transmission))}}));
+  }
+  if (!extensions.empty()) members.emplace_back("extensions", object(extensions));
   return object(members);
 }
 
@@ -359,6 +367,9 @@ std::vector<unsigned char> to_glb(const Scene& scene) {
   if (!lights.empty()) extensions.push_back(to_json(lights_name));
   if (std::any_of(scene.materials.begin(), scene.materials.end(), has_specular)) {
     extensions.push_back(to_json(specular_name));
+  }
+  if (std::any_of(scene.materials.begin(), scene.materials.end(), transmits)) {
+    extensions.push_back(to_json(transmission_name));
   }
   add_array(root, "extensionsUsed", extensions);
   if (!lights.empty()) {

@@ -101,6 +101,40 @@ Triangle world_triangle(const Scene& scene, std::uint32_t instance, std::uint32_
   return {world(corners.x), world(corners.y), world(corners.z)};
 }
 
+void scale(Scene& scene, double factor) {
+  const auto scale_place = [&](dmat4& place) {
+    for (int row = 0; row < 3; ++row) place[3][row] *= factor;
+  };
+  for (Instance& instance : scene.instances) {
+    for (int column = 0; column < 3; ++column) instance.world_from_mesh[column] *= factor;
+    scale_place(instance.world_from_mesh);
+  }
+  for (Camera& camera : scene.cameras) {
+    scale_place(camera.world_from_camera);
+    if (auto* lens = std::get_if<PerspectiveProjection>(&camera.projection)) {
+      lens->near_plane *= factor;
+      lens->far_plane *= factor;
+    } else {
+      auto& parallel = std::get<OrthographicProjection>(camera.projection);
+      for (double* length : {&parallel.half_width, &parallel.half_height, &parallel.near_plane, &parallel.far_plane}) {
+        *length *= factor;
+      }
+    }
+  }
+  for (Light& light : scene.lights) {
+    scale_place(light.world_from_light);
+    if (auto* spot = std::get_if<SpotLight>(&light.shape)) spot->range *= factor;
+    if (auto* point = std::get_if<PointLight>(&light.shape)) point->range *= factor;
+    if (auto* sphere = std::get_if<SphereEmitter>(&light.emitter)) sphere->radius *= factor;
+    if (auto* disk = std::get_if<DiskEmitter>(&light.emitter)) disk->radius *= factor;
+    if (auto* rectangle = std::get_if<RectangleEmitter>(&light.emitter)) {
+      rectangle->width *= factor;
+      rectangle->height *= factor;
+    }
+  }
+  scene.origin *= factor;
+}
+
 bool is_mirrored(const dmat4& transform) { return glm::determinant(dmat3(transform)) < 0.0; }
 
 // With A = MᵀM, whose largest eigenvalue λ is the square sought: λ^n ≤ tr A^n ≤ 3 λ^n, since the trace of a power is

@@ -41,6 +41,7 @@ struct Material {
   float roughness = 1.0f;     ///< perceptual, 0 to 1
   float specular = 1.0f;      ///< KHR_materials_specular: strength of the dielectric reflection
   vec3 specular_color{1.0f};  ///< the same: linear tint of it; times dielectric_f0 this is F0
+  float transmission = 0.0f;  ///< KHR_materials_transmission: share of light that passes through, 0 to 1
 };
 
 /// One glTF primitive: indexed triangles of one material, in the mesh's own space.
@@ -135,6 +136,7 @@ struct Scene {
   std::vector<Instance> instances;
   std::vector<Camera> cameras;
   std::vector<Light> lights;
+  dvec3 origin{0.0};               ///< of this scene, metres, in the coordinates of its file; move_to_centre() sets it
   std::vector<std::string> notes;  ///< what was assumed or dropped on loading, one line each
 };
 
@@ -154,6 +156,10 @@ struct Triangle {
   dvec3 a, b, c;
 };
 Triangle world_triangle(const Scene& scene, std::uint32_t instance, std::uint32_t triangle);
+
+/// Multiplies every length in the scene: places, clipping planes and image sizes of cameras, ranges and extents of
+/// lights. Intensities stay as they are.
+void scale(Scene& scene, double factor);
 
 /// True when the transform mirrors: front faces then turn clockwise.
 bool is_mirrored(const dmat4& transform);

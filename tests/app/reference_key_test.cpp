@@ -91,6 +91,8 @@ TEST(ReferenceKey, Names_colours_cameras_and_lights_of_the_scene_do_not_count) {
        {"coordinates without a mask", [](Scene& s) { s.meshes[0].texcoords.assign(4, vec2(0)); }},
        {"lights", [](Scene& s) { s.lights.clear(); }},
        {"cameras", [](Scene& s) { s.cameras.emplace_back(); }},
+       {"transmission", [](Scene& s) { s.materials[0].transmission = 0.5f; }},
+       {"origin", [](Scene& s) { s.origin = dvec3(1e6); }},
        {"notes", [](Scene& s) { s.notes.push_back("other"); }}},
       scene_content);
 }

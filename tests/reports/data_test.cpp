@@ -88,6 +88,23 @@ TEST(Experiment, It_reads_as_documented) {
             "\"shadow.constant-bias\" = \"0:0.2:129\"\n");
 }
 
+TEST(Experiment, The_scene_stands_in_its_table_where_parameters_do) {
+  std::string unit = "cm";
+  const Parameters parameters = Description("scene").field("unit", unit, {"", "unit of the file"}).take();
+  const std::string text = to_toml("courtyard", parameters, {});
+  EXPECT_EQ(text,
+            "[scene]\n"
+            "source = \"courtyard\"  # file, or name of a built-in scene\n"
+            "unit = \"cm\"  # unit of the file\n");
+  const Loaded loaded = load(text);
+  ASSERT_EQ(loaded.error.code(), ExitCode::ok) << loaded.error.what();
+  EXPECT_EQ(loaded.file.scene, "courtyard");
+  ASSERT_EQ(loaded.file.values.size(), 1u);
+  EXPECT_EQ(loaded.file.values[0].first, "scene.unit");
+  EXPECT_EQ(std::get<std::string>(loaded.file.values[0].second), "cm");
+  EXPECT_EQ(load("[scene]\nsource = 3\n").error.code(), ExitCode::usage);
+}
+
 TEST(Experiment, Every_value_comes_back_to_the_last_bit) {
   for (const double bias : {0.1, 1.0, -0.0, 1e300, 5e-324, 1.0 / 3.0, 123456789.0, 1e22}) {
     Sample sample;

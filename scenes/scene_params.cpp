@@ -1,0 +1,48 @@
+#include "scenes/scene_params.h"
+
+#include <array>
+#include <charconv>
+#include <string_view>
+#include <utility>
+
+#include "core/error.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::array<std::string_view, 3> blend_mode_names{"opaque", "leave-out", "mask"};
+
+constexpr std::array<std::pair<std::string_view, double>, 6> named_units{
+    {{"mm", 0.001}, {"cm", 0.01}, {"m", 1.0}, {"km", 1000.0}, {"inch", 0.0254}, {"foot", 0.3048}}};
+
+constexpr double shortest_unit = 1e-12;  // metres
+constexpr double longest_unit = 1e12;    // metres
+
+}  // namespace
+
+Parameters describe(SceneParams& params) {
+  return Description("scene")
+      .field("unit", params.unit,
+             {"", "unit of the lengths in the scene: mm, cm, m, km, inch, foot, or its length in metres"})
+      .choice(
+          "blend", params.blend, blend_mode_names,
+          {.unit = {},
+           .meaning = "triangles with an alpha-blended or transmissive material: opaque, left out of both sides, or "
+                      "with holes where alpha is below 0.5"})
+      .take();
+}
+
+double metres_per_unit(const std::string& unit) {
+  for (const auto& [name, metres] : named_units) {
+    if (unit == name) return metres;
+  }
+  double metres = 0.0;
+  const auto [end, problem] = std::from_chars(unit.data(), unit.data() + unit.size(), metres);
+  const bool is_number = problem == std::errc() && end == unit.data() + unit.size();
+  if (is_number && metres >= shortest_unit && metres <= longest_unit) return metres;
+  throw Error(ExitCode::usage, "--scene.unit " + unit.substr(0, 60),
+              is_number ? "the number is not between 1e-12 and 1e12" : "there is no such unit",
+              "give mm, cm, m, km, inch, foot, or the length of the unit in metres, such as 0.01");
+}
+
+}  // namespace umbrameter
