@@ -84,10 +84,10 @@ Json texture_json(const Texture& texture) {
           {"bytes", texture.texels.size() * sizeof(glm::u8vec4)}};
 }
 
-Json units_json(const UnitGuess& guess) {
+Json units_json(const UnitGuess& guess, const std::string& unit) {
   static constexpr const char* verdicts[] = {"credible", "doubtful", "implausible"};
   Json json;
-  json["assumed"] = "m";
+  json["assumed"] = unit;
   json["verdict"] = verdicts[static_cast<int>(guess.verdict)];
   json["longest_side_m"] = guess.longest_side;
   if (guess.verdict == SizeVerdict::credible) return json;
@@ -128,13 +128,14 @@ SceneReport make_scene_report(const std::string& source, const std::string& part
   SceneReport report;
   report.source = source;
   report.part = part;
+  report.unit = options.reading.unit;
   const auto start = std::chrono::steady_clock::now();
   report.scene = load_scene(source, part, options.reading);
   report.load_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report.peak_resident = peak_resident_bytes();
   report.counts = count(report.scene);
   report.bounds = bounds_of(report.scene);
-  report.units = guess_units(report.bounds);
+  report.units = guess_units(report.bounds, metres_per_unit(report.unit));
   report.memory = bytes_in_memory(report.scene);
   report.gpu = bytes_when_uploaded(report.scene);
   const bool is_small = report.counts.stored_triangles <= most_triangles_built_unasked;
@@ -173,8 +174,9 @@ Json to_json(const SceneReport& report) {
   if (!report.bounds.empty()) {
     json["bounds_m"] = {vector(report.bounds.min), vector(report.bounds.max)};
     json["extent_m"] = vector(report.bounds.extent());
+    json["origin_m"] = vector(report.scene.origin);
   }
-  json["units"] = units_json(report.units);
+  json["units"] = units_json(report.units, report.unit);
   json["cameras"] = list(report.scene.cameras, camera_json);
   json["lights"] = list(report.scene.lights, light_json);
   json["materials"] = list(report.scene.materials, material_json);

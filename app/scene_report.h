@@ -19,6 +19,7 @@ namespace umbrameter {
 struct SceneReport {
   std::string source;  ///< as the user named it
   std::string part;    ///< as the user chose it with --scene; empty for the default
+  std::string unit;    ///< scene.unit
   Scene scene;
   SceneCounts counts;
   Bounds bounds;

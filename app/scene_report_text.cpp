@@ -122,37 +122,20 @@ std::vector<std::string> bytes_row(const std::string& of, const SceneBytes& byte
           bytes_text(bytes.textures)};
 }
 
-std::string long_unit(std::string_view unit) {
-  if (unit == "mm") return "millimetres";
-  if (unit == "cm") return "centimetres";
-  if (unit == "in") return "inches";
-  if (unit == "ft") return "feet";
-  return "kilometres";
-}
-
-void add_units(Lines& lines, const UnitGuess& guess) {
+void add_units(Lines& lines, const UnitGuess& guess, const std::string& unit) {
+  const std::string read_as = unit == "m" ? "metres, as glTF has it" : "read with --scene.unit " + shortened(unit, 20);
   if (guess.verdict == SizeVerdict::credible) {
-    lines.add("units", "metres, as glTF has it; the size is credible");
+    lines.add("units", read_as + "; the size is credible");
     return;
   }
-  std::string text = fmt::format("{} in metres: {}. ",
+  std::string text = fmt::format("{}; the size is {}: {}.", read_as,
                                  guess.verdict == SizeVerdict::implausible ? "implausible" : "doubtful", guess.reason);
-  if (guess.candidates.empty()) {
-    lines.add("units", text + "No usual unit makes it credible.");
-    return;
+  for (std::size_t i = 0; i < guess.candidates.size(); ++i) {
+    const UnitCandidate& candidate = guess.candidates[i];
+    text += fmt::format("{}{} in {}", i == 0 ? " The longest side would be " : ", ", metres(candidate.longest_side),
+                        candidate.unit);
   }
-  const UnitCandidate& likely = guess.candidates.front();
-  text += fmt::format("Likely {}: the longest side is then {}", long_unit(likely.unit), metres(likely.longest_side));
-  for (std::size_t i = 1; i < guess.candidates.size(); ++i) {
-    const UnitCandidate& other = guess.candidates[i];
-    text += fmt::format("{} {} if in {}", i == 1 ? "; or" : ",", metres(other.longest_side), long_unit(other.unit));
-  }
-  lines.add("units", text + ".");
-  const double factor = likely.metres < 1.0 ? 1.0 / likely.metres : likely.metres;
-  lines.add("", fmt::format("If so, every length given in metres, such as shadow.constant-bias or ao.radius, is {:.6g} "
-                            "times too {}: scale the file by {:.6g}, or give lengths in {} (0.02 m is {:.6g}).",
-                            factor, likely.metres < 1.0 ? "small" : "large", likely.metres, long_unit(likely.unit),
-                            0.02 / likely.metres));
+  lines.add("units", text + (guess.candidates.empty() ? " No usual unit makes it credible." : "."));
 }
 
 void add_memory(Lines& lines, const SceneReport& report) {
@@ -194,7 +177,7 @@ std::vector<std::string> to_lines(const SceneReport& report) {
     const dvec3 extent = report.bounds.extent();
     lines.add("bounds", vector_of(report.bounds.min) + " to " + vector_of(report.bounds.max) + " m");
     lines.add("extent", fmt::format("{:.6g} × {:.6g} × {:.6g} m (X × Y × Z)", extent.x, extent.y, extent.z));
-    add_units(lines, report.units);
+    add_units(lines, report.units, report.unit);
   }
   lines.add_list("cameras", scene.cameras, camera_row);
   lines.add_list("lights", scene.lights, light_row);

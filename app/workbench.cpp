@@ -20,10 +20,10 @@ std::string surfel_key(const ViewParams& params) {
 std::uint64_t sum_of(const uvec4& v) { return std::uint64_t{v.x} + v.y + v.z + v.w; }
 
 // Both sides multiply three lengths in single precision, whose largest and smallest numbers are about 1e38 and 1e-38.
-void require_measurable(const Bounds& bounds, const std::string& name) {
+void require_measurable(const Bounds& bounds, const dvec3& origin, const std::string& name) {
   constexpr double longest = 1e12;
   constexpr double shortest = 1e-10;
-  const dvec3 corner = glm::max(glm::abs(bounds.min), glm::abs(bounds.max));
+  const dvec3 corner = glm::max(glm::abs(origin + bounds.min), glm::abs(origin + bounds.max));
   const double reach = std::max({corner.x, corner.y, corner.z});
   const auto refuse = [&](const std::string& why) {
     throw Error(ExitCode::unreadable_input, name, why, "scale it to metres; 'umbrameter info' has its bounds");
@@ -47,7 +47,7 @@ Workbench::Workbench(Scene scene, WorkbenchOptions options, const Console& conso
     throw Error(ExitCode::unreadable_input, scene_.name, "the scene has no triangles",
                 "give a scene with meshes, or a built-in one ('umbrameter scenes')");
   }
-  require_measurable(bounds_, scene_.name);
+  require_measurable(bounds_, scene_.origin, scene_.name);
   std::vector<std::string> assumed;
   add_missing_light(scene_, assumed);
   add_notes(assumed);

@@ -10,7 +10,9 @@
 #include "core/parameters.h"
 #include "scenes/builtin/scenes.h"
 #include "scenes/gltf.h"
+#include "scenes/origin.h"
 #include "scenes/transparency.h"
+#include "scenes/units.h"
 
 namespace umbrameter {
 namespace {
@@ -136,6 +138,9 @@ Scene load_scene(const std::string& name_or_path, const std::string& part, const
   Scene scene = read_scene(name_or_path, part);
   apply_blend_mode(scene, params.blend);
   if (metres != 1.0) scale(scene, metres);
+  move_to_centre(scene);
+  const std::string remark = size_remark(guess_units(bounds_of(scene), metres));
+  if (!remark.empty()) scene.notes.push_back(remark);
   return scene;
 }
 

@@ -3,50 +3,97 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 
 namespace umbrameter {
 namespace {
 
-constexpr double least_side = 0.05;          // metres
-constexpr double most_side = 20e3;           // metres
-constexpr double most_height = 1000.0;       // metres
-constexpr double mountain_steepness = 0.25;  // height by width
-constexpr double usual_side = 20.0;          // metres
+constexpr double least_side = 0.01;         // metres
+constexpr double small_side = 0.5;          // metres
+constexpr double large_side = 5e3;          // metres
+constexpr double most_side = 20e3;          // metres
+constexpr double high = 200.0;              // metres
+constexpr double hill_steepness = 0.1;      // height by width
+constexpr double slender_height = 50.0;     // metres
+constexpr double usual_side = 20.0;         // metres
+constexpr double equal_to_rounding = 1e-9;  // of two lengths
 
-constexpr std::array<UnitCandidate, 5> units{
-    {{"mm", 0.001, 0.0}, {"cm", 0.01, 0.0}, {"in", 0.0254, 0.0}, {"ft", 0.3048, 0.0}, {"km", 1000.0, 0.0}}};
+constexpr std::array<UnitCandidate, 6> units{{{"mm", 0.001, 0.0},
+                                              {"cm", 0.01, 0.0},
+                                              {"m", 1.0, 0.0},
+                                              {"km", 1000.0, 0.0},
+                                              {"inch", 0.0254, 0.0},
+                                              {"foot", 0.3048, 0.0}}};
 
 double longest(const dvec3& extent) { return std::max({extent.x, extent.y, extent.z}); }
 
-bool is_out_of_range(const dvec3& extent) { return longest(extent) < least_side || longest(extent) > most_side; }
-
-bool is_too_high(const dvec3& extent) {
-  return extent.y > most_height && extent.y > mountain_steepness * std::max(extent.x, extent.z);
+// Empty where the size is credible.
+std::string doubt(const dvec3& extent) {
+  const double side = longest(extent);
+  if (side < least_side) return "it is shorter than 1 cm";
+  if (side < small_side) return "it is shorter than 0.5 m, smaller than furniture";
+  if (side > most_side) return "it is longer than 20 km";
+  if (side > large_side) return "it is longer than 5 km, and a texel of its shadow map larger than a room";
+  if (extent.y > high && extent.y > hill_steepness * std::max(extent.x, extent.z)) {
+    return "it is higher than 200 m, as few buildings are, and too steep for land";
+  }
+  if (extent.y > slender_height && extent.y > std::sqrt(extent.x * extent.z)) {
+    return "it is higher than 50 m and slender, as only towers are";
+  }
+  return {};
 }
+
+bool is_usual(const UnitCandidate& candidate) { return candidate.unit == "mm" || candidate.unit == "cm"; }
 
 double farness(const UnitCandidate& candidate) { return std::abs(std::log(candidate.longest_side / usual_side)); }
 
+bool is_likelier(const UnitCandidate& a, const UnitCandidate& b) {
+  if (is_usual(a) != is_usual(b)) return is_usual(a);
+  return farness(a) < farness(b);
+}
+
+std::string text_of(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
 }  // namespace
 
-UnitGuess guess_units(const Bounds& bounds) {
+UnitGuess guess_units(const Bounds& bounds, double metres) {
   UnitGuess guess;
   if (bounds.empty()) return guess;
   const dvec3 extent = bounds.extent();
   guess.longest_side = longest(extent);
-  if (!is_out_of_range(extent) && !is_too_high(extent)) return guess;
-  guess.verdict = is_out_of_range(extent) ? SizeVerdict::implausible : SizeVerdict::doubtful;
-  guess.reason = guess.longest_side > most_side    ? "the longest side is more than 20 km"
-                 : guess.longest_side < least_side ? "the longest side is less than 5 cm"
-                                                   : "it is higher than any building, and too steep for land";
+  guess.reason = doubt(extent);
+  if (guess.reason.empty()) return guess;
+  const bool is_out_of_range = guess.longest_side < least_side || guess.longest_side > most_side;
+  guess.verdict = is_out_of_range ? SizeVerdict::implausible : SizeVerdict::doubtful;
   for (UnitCandidate candidate : units) {
-    const dvec3 scaled = extent * candidate.metres;
-    if (is_out_of_range(scaled) || is_too_high(scaled)) continue;
+    const dvec3 scaled = extent * (candidate.metres / metres);
+    if (std::abs(candidate.metres - metres) < equal_to_rounding * metres || !doubt(scaled).empty()) continue;
     candidate.longest_side = longest(scaled);
     guess.candidates.push_back(candidate);
   }
-  std::stable_sort(guess.candidates.begin(), guess.candidates.end(),
-                   [](const UnitCandidate& a, const UnitCandidate& b) { return farness(a) < farness(b); });
+  std::stable_sort(guess.candidates.begin(), guess.candidates.end(), is_likelier);
+  if (guess.longest_side > 0.0) {
+    guess.power_of_ten = std::pow(10.0, std::round(std::log10(usual_side * metres / guess.longest_side)));
+  }
   return guess;
+}
+
+std::string size_remark(const UnitGuess& guess) {
+  if (guess.verdict == SizeVerdict::credible) return {};
+  std::string text = "the scene's longest side is " + text_of(guess.longest_side) + " m: " + guess.reason +
+                     "; if its unit is another, ";
+  // Kilometres are a guess for towns, not for toys.
+  const bool is_small = guess.longest_side < usual_side;
+  if (guess.candidates.empty() || (is_small && guess.candidates.front().unit == "km")) {
+    return text + "set --scene.unit to its length in metres, such as " + text_of(guess.power_of_ten);
+  }
+  const UnitCandidate& likely = guess.candidates.front();
+  return text + "set --scene.unit " + std::string(likely.unit) + ", which makes it " + text_of(likely.longest_side) +
+         " m";
 }
 
 }  // namespace umbrameter

@@ -1,4 +1,4 @@
-// Whether a scene's size is credible in metres, and which unit would make it so. Tells; never changes anything.
+// Whether a scene's size is credible in metres, and which unit would make it so. It only judges; scene.unit scales.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace umbrameter {
 
 /// A unit that the numbers of a file may be in.
 struct UnitCandidate {
-  std::string_view unit;      ///< "mm", "cm", "in", "ft" or "km"
+  std::string_view unit;      ///< as --scene.unit takes it: "mm", "cm", "m", "km", "inch" or "foot"
   double metres = 1.0;        ///< length of the unit
   double longest_side = 0.0;  ///< of the scene's bounds if its numbers are in this unit, metres
 };
@@ -20,20 +20,30 @@ enum class SizeVerdict { credible, doubtful, implausible };
 
 struct UnitGuess {
   SizeVerdict verdict = SizeVerdict::credible;
-  double longest_side = 0.0;              ///< of the bounds, in metres as glTF has it
+  double longest_side = 0.0;              ///< of the bounds, metres
   std::string reason;                     ///< why not credible, one clause; empty when it is
   std::vector<UnitCandidate> candidates;  ///< the likeliest first; empty when credible, or when no unit helps
+  double power_of_ten = 1.0;              ///< length of a unit, metres, that would bring the longest side near 20 m
 };
 
-/// Judges bounds by size alone. A glTF file counts in metres (glTF 2.0, section 3.4), but many were exported in another
-/// unit. The rule:
-/// - implausible: the longest side is shorter than 0.05 m or longer than 20 km;
-/// - doubtful: the scene is higher (Y) than 1000 m and than a quarter of its width. The tallest building has 830 m, and
-///   mountains stand on ground that is wider than four times their relief;
-/// - credible: all else. A hall of 30 m in centimetres is caught by its height, a chair of 90 cm in inches is not: no
-///   size gives it away.
-/// Candidates are the units in which neither clause holds, ordered by how near (by ratio) they bring the longest side
-/// to 20 m, the size of a building. Empty bounds are credible.
-UnitGuess guess_units(const Bounds& bounds);
+/// Judges bounds by size alone; they are in metres, read with a unit of `metres`. A glTF file counts in metres
+/// (glTF 2.0, section 3.4), but many were exported in another unit. Scenes for shadows are rooms, buildings, streets
+/// and their surroundings; what is credible is what these can be:
+/// - implausible: the longest side is shorter than 1 cm or longer than 20 km;
+/// - doubtful, small: shorter than 0.5 m, smaller than furniture. A toy or a fruit in metres is right and gets the
+///   remark as well: every length that is given in metres is then likely to be wrong for it;
+/// - doubtful, large: longer than 5 km. The texels of a map of 1024 are then 5 m wide, as large as rooms;
+/// - doubtful, high: higher (Y) than 200 m, which fewer than 3000 buildings are (Council on Tall Buildings and Urban
+/// Habitat), and than
+///   a tenth of its longest horizontal side, which hills seldom are;
+/// - doubtful, slender: higher than 50 m and than the square root of its footprint's area, as towers are, and animals,
+///   people and furniture in centimetres;
+/// - credible: all else. A chair of 90 cm in inches is among it: no size gives it away.
+/// Candidates are the units in which none of this holds. The usual metric ones come first, then by how near (by ratio)
+/// they bring the longest side to 20 m, the size of a building. Empty bounds are credible.
+UnitGuess guess_units(const Bounds& bounds, double metres = 1.0);
+
+/// One line that says how long the scene is, why that is doubtful and what to set; empty where it is credible.
+std::string size_remark(const UnitGuess& guess);
 
 }  // namespace umbrameter

@@ -1,0 +1,122 @@
+#include "scenes/origin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace umbrameter {
+namespace {
+
+double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+// At most four digits, and all of a whole number.
+std::string text_of(double value, const char* format) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string text_of(const dvec3& v) {
+  return "(" + text_of(v.x, "%.12g") + ", " + text_of(v.y, "%.12g") + ", " + text_of(v.z, "%.12g") + ")";
+}
+
+// The components that are farther than `limit`, as multiples of the power of ten that is at least `step`, so that they
+// are easy to read; 0 for the others.
+dvec3 far_part(const dvec3& center, double limit, double step) {
+  const double unit = std::pow(10.0, std::ceil(std::log10(step)));
+  dvec3 part(0.0);
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs(center[i]) > limit) part[i] = std::round(center[i] / unit) * unit;
+  }
+  return part;
+}
+
+void move(dmat4& place, const dvec3& way) {
+  for (int row = 0; row < 3; ++row) place[3][row] += way[row];
+}
+
+struct MeshUse {
+  Bounds box;
+  double stretch = 0.0;  ///< the largest of its instances
+};
+
+std::vector<MeshUse> uses_of(const Scene& scene) {
+  std::vector<MeshUse> uses(scene.meshes.size());
+  for (const Instance& instance : scene.instances) {
+    double& stretch = uses[instance.mesh].stretch;
+    // Never less than the largest singular value, and cheap where there are a million instances.
+    double frobenius = 0.0;
+    for (int column = 0; column < 3; ++column) {
+      const dvec3 axis(instance.world_from_mesh[column]);
+      frobenius += glm::dot(axis, axis);
+    }
+    stretch = std::max(stretch, std::sqrt(frobenius));
+  }
+  for (std::size_t m = 0; m < uses.size(); ++m) {
+    if (uses[m].stretch == 0.0 || scene.meshes[m].triangles.empty()) continue;
+    for (const vec3& position : scene.meshes[m].positions) uses[m].box.include(dvec3(position));
+  }
+  return uses;
+}
+
+// The steps in which the coordinates of those meshes were stored, in the world; 0 where none was moved.
+double move_meshes(Scene& scene, double radius) {
+  const std::vector<MeshUse> uses = uses_of(scene);
+  std::vector<dvec3> ways(uses.size(), dvec3(0.0));
+  double coarsest = 0.0;
+  for (std::size_t m = 0; m < uses.size(); ++m) {
+    const auto& [box, stretch] = uses[m];
+    if (box.empty() || stretch * largest(box.center()) <= most_radii_from_origin * radius) continue;
+    // Along an axis where the centre is that far away, all vertices are within a factor of two of it: subtracting a
+    // single-precision number from another is exact there (Sterbenz, Floating-Point Computation, 1974).
+    for (int i = 0; i < 3; ++i) {
+      const double center = box.center()[i];
+      const bool is_far = std::abs(center) > 4.0 * (box.max[i] - box.min[i]) &&
+                          stretch * std::abs(center) > most_radii_from_origin * radius;
+      if (is_far) ways[m][i] = static_cast<double>(static_cast<float>(center));
+    }
+    if (ways[m] == dvec3(0.0)) continue;
+    const auto reach = static_cast<float>(std::max(largest(box.min), largest(box.max)));
+    const double step =
+        static_cast<double>(std::nextafter(reach, std::numeric_limits<float>::infinity())) - static_cast<double>(reach);
+    coarsest = std::max(coarsest, step * stretch / std::sqrt(3.0));
+    for (vec3& position : scene.meshes[m].positions) position = vec3(dvec3(position) - ways[m]);
+  }
+  for (Instance& instance : scene.instances) {
+    const dvec3& way = ways[instance.mesh];
+    if (way != dvec3(0.0)) move(instance.world_from_mesh, dmat3(instance.world_from_mesh) * way);
+  }
+  return coarsest;
+}
+
+}  // namespace
+
+void move_to_centre(Scene& scene) {
+  const Bounds bounds = bounds_of(scene);
+  const double radius = bounds.radius();
+  if (bounds.empty() || !(radius > 0.0)) return;
+  const dvec3 way = far_part(bounds.center(), most_radii_from_origin * radius, radius);
+  if (way != dvec3(0.0)) {
+    for (Instance& instance : scene.instances) move(instance.world_from_mesh, -way);
+    for (Camera& camera : scene.cameras) move(camera.world_from_camera, -way);
+    for (Light& light : scene.lights) move(light.world_from_light, -way);
+    scene.origin += way;
+    scene.notes.push_back("the scene is " + text_of(glm::length(bounds.center()) / radius, "%.3g") +
+                          " times its radius away from its origin, where single precision is too coarse; it was moved: "
+                          "positions are relative to " +
+                          text_of(way) + " m of the file");
+  }
+  const double of_vertices = move_meshes(scene, radius);
+  const double far = largest(bounds.center());
+  const double of_doubles = std::nextafter(far, std::numeric_limits<double>::infinity()) - far;
+  const double coarsest = std::max(of_vertices, of_doubles > radius * 0x1p-17 ? of_doubles : 0.0);
+  if (coarsest == 0.0) return;
+  scene.notes.push_back("the file stores positions in steps of " + text_of(coarsest, "%.1g") +
+                        " m, since they are far from the origin: finer detail is lost; move the model to its origin "
+                        "before it is exported");
+}
+
+}  // namespace umbrameter
