@@ -4,16 +4,16 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <numeric>
+#include <utility>
 
 #include "core/error.h"
+#include "scenes/fitted_camera.h"
 
 namespace umbrameter {
 namespace {
 
 constexpr std::array<std::string_view, 2> surfel_source_names = {"raster", "traced"};
-constexpr double degree = pi / 180.0;
 
 const OrthographicProjection* orthographic(const View& view) {
   return std::get_if<OrthographicProjection>(&view.camera.projection);
@@ -28,71 +28,6 @@ dvec2 half_size(const View& view) {
   }
   const double tangent = std::tan(0.5 * std::get<PerspectiveProjection>(view.camera.projection).vertical_fov);
   return {tangent * aspect_of(view), tangent};
-}
-
-dmat4 frame_towards(const dvec3& towards_viewer, const dvec3& origin) {
-  const dvec3 z = glm::normalize(towards_viewer);
-  const dvec3 x = glm::normalize(glm::cross(dvec3(0, 1, 0), z));
-  const dvec3 y = glm::cross(z, x);
-  return {dvec4(x, 0), dvec4(y, 0), dvec4(z, 0), dvec4(origin, 1)};
-}
-
-// From in front (+Z, glTF 2.0, section 3.4), a little aside and above; the nearest position along that direction
-// from which each box corner stands within the image.
-// Where the axis must pass so that what is seen reaches equally far to both sides of it: with `across` and `towards`
-// the places of points across the image and towards the camera, max + min of (across − shift) / (distance − towards) is
-// 0. It falls with the shift, so it is bisected.
-double balanced_shift(const std::array<double, 8>& across, const std::array<double, 8>& towards, double distance) {
-  double low = *std::min_element(across.begin(), across.end());
-  double high = *std::max_element(across.begin(), across.end());
-  for (int step = 0; step < 60; ++step) {
-    const double shift = 0.5 * (low + high);
-    double most = -std::numeric_limits<double>::infinity();
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < across.size(); ++i) {
-      const double seen = (across[i] - shift) / (distance - towards[i]);
-      most = std::max(most, seen);
-      least = std::min(least, seen);
-    }
-    (most + least > 0.0 ? low : high) = shift;
-  }
-  return 0.5 * (low + high);
-}
-
-Camera fitted_camera(const Bounds& bounds, double aspect) {
-  constexpr double azimuth = 30.0 * degree;
-  constexpr double elevation = 25.0 * degree;
-  constexpr double margin = 0.94;
-  const dvec3 direction{std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
-                        std::cos(azimuth) * std::cos(elevation)};
-  Camera camera;
-  camera.name = "fitted";
-  PerspectiveProjection lens;
-  const dmat4 axes = frame_towards(direction, dvec3(0));
-  const dvec2 tangent = margin * std::tan(0.5 * lens.vertical_fov) * dvec2(aspect, 1.0);
-  const dvec3 center = bounds.empty() ? dvec3(0) : bounds.center();
-  const double radius = std::max(bounds.radius(), 1e-6 * (1.0 + glm::length(center)));
-  // Each corner at (x, y, z) of the camera's axes asks |x − shift| ≤ tangent · (distance − z), likewise for y.
-  const double infinite = std::numeric_limits<double>::infinity();
-  dvec2 upper(-infinite);
-  dvec2 lower(-infinite);
-  std::array<std::array<double, 8>, 3> corners{};
-  for (std::size_t i = 0; i < 8; ++i) {
-    const dvec3 offset = bounds.empty() ? dvec3(0) : bounds.corner(static_cast<int>(i)) - center;
-    const dvec3 local = glm::transpose(dmat3(axes)) * offset;
-    upper = glm::max(upper, dvec2(local) + tangent * local.z);
-    lower = glm::max(lower, -dvec2(local) + tangent * local.z);
-    for (int c = 0; c < 3; ++c) corners[static_cast<std::size_t>(c)][i] = local[c];
-  }
-  const double nearest = *std::max_element(corners[2].begin(), corners[2].end());
-  const dvec2 needed = (upper + lower) / (2.0 * tangent);
-  const double distance = std::max({needed.x, needed.y, nearest + 0.1 * radius});
-  const dvec2 shift{balanced_shift(corners[0], corners[2], distance), balanced_shift(corners[1], corners[2], distance)};
-  camera.world_from_camera =
-      frame_towards(direction, center + distance * direction + dvec3(axes[0]) * shift.x + dvec3(axes[1]) * shift.y);
-  lens.near_plane = 0.5 * (distance - nearest);
-  camera.projection = lens;
-  return camera;
 }
 
 Light sun() {
@@ -203,12 +138,15 @@ dvec3 to_viewer(const View& view, const dvec3& position) {
 
 Camera select_camera(const Scene& scene, const std::string& name_or_index, double aspect,
                      std::vector<std::string>& notes) {
-  if (!name_or_index.empty()) return scene.cameras[select(scene.cameras, name_or_index, "camera")];
-  if (!scene.cameras.empty()) return scene.cameras.front();
-  notes.push_back(
-      "the scene has no camera: one was fitted to its bounds, 30 degrees beside the front (+Z) and 25 degrees above; "
-      "add a camera to the file to choose another view");
-  return fitted_camera(bounds_of(scene), aspect);
+  if (name_or_index.empty() && scene.cameras.empty()) {
+    FittedCamera fitted = fit_camera(scene, aspect);
+    notes.push_back(std::move(fitted.note));
+    return fitted.camera;
+  }
+  const std::size_t chosen = name_or_index.empty() ? 0 : select(scene.cameras, name_or_index, "camera");
+  std::string remark = camera_remark(scene, scene.cameras[chosen], aspect);
+  if (!remark.empty()) notes.push_back(std::move(remark));
+  return scene.cameras[chosen];
 }
 
 void add_missing_light(Scene& scene, std::vector<std::string>& notes) {

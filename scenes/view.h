@@ -45,8 +45,9 @@ Ray pixel_ray(const View& view, int x, int y);
 /// Unit vector from a world position to the viewer: to the eye, or against an orthographic camera's axis.
 dvec3 to_viewer(const View& view, const dvec3& position);
 
-/// The camera that the name or index selects; the first when empty; one fitted to the scene's bounds, with a
-/// note, when the scene has none. Throws Error (usage) listing the cameras when there is no such one.
+/// The camera that the name or index selects; the first when empty; a fitted one (fitted_camera.h), with a note, when
+/// the scene has none. A note, too, for a camera that is inside an object. Throws Error (usage) listing the cameras
+/// when there is no such one.
 Camera select_camera(const Scene& scene, const std::string& name_or_index, double aspect,
                      std::vector<std::string>& notes);
 

@@ -33,6 +33,7 @@ View orthographic_view() {
 Scene scene_of_size(const dvec3& extent, const dvec3& center) {
   Scene scene;
   scene.materials.resize(1);
+  scene.materials[0].double_sided = true;  // seen from the usual side as from any other
   scene.objects.resize(1);
   Mesh mesh;
   mesh.positions = {{-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}, {0.5f, -0.5f, 0.5f}};

@@ -1,0 +1,158 @@
+#include "scenes/triangle_sample.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/parallel.h"
+
+namespace umbrameter {
+namespace {
+
+// Edges longer than this are large, radii.
+constexpr double large_edge = 0.1;
+// Planes nearer to each other than this count as one, radii.
+constexpr double plane_step = 1.0 / 32.0;
+
+double longest_edge(const std::array<dvec3, 3>& corners) {
+  return std::max({glm::distance(corners[0], corners[1]), glm::distance(corners[1], corners[2]),
+                   glm::distance(corners[2], corners[0])});
+}
+
+// SplitMix64 (Steele et al., Fast Splittable Pseudorandom Number Generators, 2014).
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
+  std::uint64_t z = hash + 0x9e3779b97f4a7c15u * (value + 1);
+  z = (z ^ (z >> 30u)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27u)) * 0x94d049bb133111ebu;
+  return z ^ (z >> 31u);
+}
+
+std::uint64_t surface_of(const std::array<dvec3, 3>& corners, std::uint32_t object, std::uint32_t material) {
+  std::uint64_t hash = mixed(mixed(0, object), material);
+  const dvec3 area = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const double length = glm::length(area);
+  if (!(length > 0.0)) return hash;
+  // One of the 26 directions to the neighbours in a grid.
+  const dvec3 direction = glm::round(1.4 * area / length);
+  for (int i = 0; i < 3; ++i)
+    hash = mixed(hash, static_cast<std::uint64_t>(static_cast<std::int64_t>(direction[i]) + 2));
+  const double offset = glm::dot(area / length, (corners[0] + corners[1] + corners[2]) / 3.0);
+  return mixed(hash, static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(offset / plane_step)) + 1024));
+}
+
+class Sampler {
+ public:
+  Sampler(const Scene& scene, TriangleSample& sample) : scene_(scene), sample_(sample) {}
+
+  void choose_instance(std::uint32_t instance) {
+    const Instance& placed = scene_.instances[instance];
+    mesh_ = &scene_.meshes[placed.mesh];
+    material_ = &scene_.materials[mesh_->material];
+    object_ = placed.object;
+    is_mirrored_ = is_mirrored(placed.world_from_mesh);
+    place_ = placed.world_from_mesh;
+  }
+
+  std::array<dvec3, 3> corners(std::size_t triangle) const {
+    std::array<dvec3, 3> result;
+    for (int i = 0; i < 3; ++i) {
+      const vec3& position = mesh_->positions[mesh_->triangles[triangle][i]];
+      result[static_cast<std::size_t>(i)] =
+          (dvec3(place_ * dvec4(dvec3(position), 1.0)) - sample_.center()) / sample_.radius();
+    }
+    return result;
+  }
+
+  void add(std::array<dvec3, 3> corners, double weight) {
+    const dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    if (is_mirrored_) std::swap(corners[1], corners[2]);
+    SampledTriangle& added = sample_.triangles.emplace_back();
+    added.surface = surface_of(corners, object_, mesh_->material);
+    for (std::size_t i = 0; i < 3; ++i) added.corners[i] = vec3(middle + std::sqrt(weight) * (corners[i] - middle));
+    added.object = object_;
+    added.weight = static_cast<float>(weight);
+    added.is_double_sided = material_->double_sided;
+  }
+
+ private:
+  const Scene& scene_;
+  TriangleSample& sample_;
+  const Mesh* mesh_ = nullptr;
+  const Material* material_ = nullptr;
+  dmat4 place_{1.0};
+  std::uint32_t object_ = 0;
+  bool is_mirrored_ = false;
+};
+
+// For each mesh the triangles that may be large in one of its instances.
+std::vector<std::vector<std::uint32_t>> large_triangles(const Scene& scene, double radius) {
+  std::vector<double> stretch(scene.meshes.size(), 0.0);
+  for (const Instance& instance : scene.instances) {
+    double frobenius = 0.0;
+    for (int column = 0; column < 3; ++column) {
+      const dvec3 axis(instance.world_from_mesh[column]);
+      frobenius += glm::dot(axis, axis);
+    }
+    stretch[instance.mesh] = std::max(stretch[instance.mesh], std::sqrt(frobenius));
+  }
+  std::vector<std::vector<std::uint32_t>> large(scene.meshes.size());
+  parallel_for(scene.meshes.size(), [&](std::size_t m) {
+    const Mesh& mesh = scene.meshes[m];
+    for (std::size_t t = 0; t < mesh.triangles.size() && stretch[m] > 0.0; ++t) {
+      const uvec3& v = mesh.triangles[t];
+      const std::array<dvec3, 3> corners{dvec3(mesh.positions[v.x]), dvec3(mesh.positions[v.y]),
+                                         dvec3(mesh.positions[v.z])};
+      if (stretch[m] * longest_edge(corners) > large_edge * radius) large[m].push_back(static_cast<std::uint32_t>(t));
+    }
+  });
+  return large;
+}
+
+}  // namespace
+
+TriangleSample sample_triangles(const Scene& scene, std::size_t most) {
+  TriangleSample sample;
+  sample.bounds = bounds_of(scene);
+  const std::uint64_t all = count(scene).triangles;
+  Sampler sampler(scene, sample);
+  const auto instances = static_cast<std::uint32_t>(scene.instances.size());
+  if (all <= most) {
+    sample.triangles.reserve(all);
+    for (std::uint32_t i = 0; i < instances; ++i) {
+      sampler.choose_instance(i);
+      const std::size_t triangles = scene.meshes[scene.instances[i].mesh].triangles.size();
+      for (std::size_t t = 0; t < triangles; ++t) sampler.add(sampler.corners(t), 1.0);
+    }
+    return sample;
+  }
+  const std::vector<std::vector<std::uint32_t>> large = large_triangles(scene, sample.radius());
+  std::uint64_t all_large = 0;
+  for (const Instance& instance : scene.instances) all_large += large[instance.mesh].size();
+  const std::uint64_t half = std::max<std::size_t>(1, most / 2);
+  const std::uint64_t large_step = (all_large + half - 1) / half;
+  const std::uint64_t small_step = (all + half - 1) / half;
+  std::uint64_t next_large = 0;
+  std::uint64_t next_small = 0;
+  for (std::uint32_t i = 0; i < instances; ++i) {
+    const std::uint32_t mesh = scene.instances[i].mesh;
+    const std::uint64_t triangles = scene.meshes[mesh].triangles.size();
+    if (next_large >= large[mesh].size() && next_small >= triangles) {
+      next_large -= large[mesh].size();
+      next_small -= triangles;
+      continue;
+    }
+    sampler.choose_instance(i);
+    for (; next_large < large[mesh].size(); next_large += large_step) {
+      sampler.add(sampler.corners(large[mesh][next_large]), static_cast<double>(large_step));
+    }
+    for (; next_small < triangles; next_small += small_step) {
+      if (std::binary_search(large[mesh].begin(), large[mesh].end(), static_cast<std::uint32_t>(next_small))) continue;
+      sampler.add(sampler.corners(next_small), static_cast<double>(small_step));
+    }
+    next_large -= large[mesh].size();
+    next_small -= triangles;
+  }
+  return sample;
+}
+
+}  // namespace umbrameter
