@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "raytrace/huge_offset.h"
 #include "raytrace/tracer_state.h"
 #include "raytrace/vectors.h"
 
@@ -39,7 +40,7 @@ dvec3 nearest_point(const Triangle& triangle, const dvec3& position) {
 
 // Moves a point that stands on an edge of its triangle inwards, until it keeps `insets` off each edge: at a crease the
 // rounded origin must not fall behind the neighbour that rises there.
-dvec3 inset_from_edges(const SurfelTriangle& t, dvec3 point) {
+dvec3 inset_from_edges(const SurfelTriangle& t, const std::array<double, 3>& insets, dvec3 point) {
   // Each push may bring the point nearer to another edge: it ends when three in a row have nothing to do. In a corner
   // of angle α two pushes leave cos² α of what was missing.
   constexpr int most_pushes = 120;
@@ -49,9 +50,9 @@ dvec3 inset_from_edges(const SurfelTriangle& t, dvec3 point) {
   for (int i = 0; i < most_pushes && idle < 3; ++i) {
     const auto edge = static_cast<std::size_t>(i % 3);
     const dvec3 inwards = t.inwards(i % 3);
-    const double missing = t.insets[edge] - glm::dot(point - *starts[edge], inwards);
+    const double missing = insets[edge] - glm::dot(point - *starts[edge], inwards);
     ++idle;
-    if (missing <= 1e-3 * t.insets[edge]) continue;
+    if (missing <= 1e-3 * insets[edge]) continue;
     idle = 0;
     point += missing * inwards;
     moved = true;
@@ -294,6 +295,8 @@ void tell(const Told& told, int lane, SurfelTriangle& triangle) {
   triangle.least[3] = -std::numeric_limits<double>::infinity();
   triangle.offset = told.offset[lane];
   triangle.clear_cosine = told.clear_cosine[lane];
+  triangle.offset_gain = dvec3(0.0);
+  triangle.is_huge = false;
 }
 
 void describe_up_to_four(const Tracer& tracer, SurfelTriangle* first, std::size_t count) {
@@ -301,7 +304,10 @@ void describe_up_to_four(const Tracer& tracer, SurfelTriangle* first, std::size_
   Told told;
   for (std::size_t lane = 0; lane < count; ++lane) ask(tracer, first[lane], static_cast<int>(lane), asked);
   describe_four(asked, told);
-  for (std::size_t lane = 0; lane < count; ++lane) tell(told, static_cast<int>(lane), first[lane]);
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    tell(told, static_cast<int>(lane), first[lane]);
+    if (tracer.state().instances[first[lane].instance].huge != nullptr) describe_huge(tracer, first[lane]);
+  }
 }
 
 }  // namespace
@@ -312,9 +318,15 @@ void SurfelTable::describe() {
   }
 }
 
-dvec3 surface_point(const SurfelTriangle& t, const dvec3& position) {
-  const dvec3 nearest = nearest_point(t.corners, position);
-  return t.has_area() ? inset_from_edges(t, nearest) : nearest;
+void place_origin(const SurfelTriangle& t, const dvec3& position, RayOrigin& origin) {
+  dvec3 point = nearest_point(t.corners, position);
+  std::array<double, 3> insets = t.insets;
+  if (t.is_huge) {
+    origin.offset = offset_at(t, point);
+    for (double& inset : insets) inset = std::min(inset, 4.0 * origin.offset);
+  }
+  if (t.has_area()) point = inset_from_edges(t, insets, point);
+  origin.point = point + origin.offset * origin.normal;
 }
 
 RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel) {

@@ -38,11 +38,15 @@ struct SurfelTriangle {
   /// Zero where it has no area.
   Four x, y, z;
   /// Metres by which a point must stand from corner a along each of them to be as far in as an origin: −∞ for the
-  /// normal, ∞ for the others without an area.
+  /// normal, ∞ for the others without an area and of a huge triangle.
   Four least;
   std::array<double, 3> insets;  ///< metres that an origin keeps off those edges; infinite without an area
-  double offset;                 ///< metres: RayOrigin::offset
+  double offset;                 ///< metres: RayOrigin::offset, of a huge triangle at the world's origin
   double clear_cosine;           ///< RayOrigin::clear_cosine
+  /// Of a huge triangle, what RayOrigin::offset gains with the magnitudes of the origin's coordinates. Zero of others,
+  /// which have one offset.
+  dvec3 offset_gain;
+  bool is_huge;
   dvec3 inwards(int edge) const { return {x[edge], y[edge], z[edge]}; }
   dvec3 normal() const { return {x[3], y[3], z[3]}; }
   bool has_area() const { return normal() != dvec3(0.0); }
@@ -103,8 +107,9 @@ class SurfelTable {
   std::array<SurfelTriangle, capacity> triangles_;  // the first size_ are in use
 };
 
-/// The point of the triangle that is nearest to a position, and as far in from its edges as an origin keeps.
-dvec3 surface_point(const SurfelTriangle& t, const dvec3& position);
+/// Sets the point and the offset of an origin whose normal is known: over the point of the triangle that is nearest to
+/// the position and as far in from the edges as an origin keeps.
+void place_origin(const SurfelTriangle& t, const dvec3& position, RayOrigin& origin);
 
 /// In the header for speed: it is asked for every ray of a shadow.
 UMBRAMETER_IN_VECTORS RayOrigin origin_on(const SurfelTriangle& t, const GBuffer& gbuffer, std::size_t pixel) {
@@ -119,18 +124,18 @@ UMBRAMETER_IN_VECTORS RayOrigin origin_on(const SurfelTriangle& t, const GBuffer
   origin.normal = side * normal;
   const Four along = from_a.x * t.x + from_a.y * t.y + from_a.z * t.z;
   const auto is_in = along >= t.least;
-  // Most are: then the triangle's nearest point is the foot of the perpendicular.
+  // Most are: then the triangle's nearest point is the foot of the perpendicular. Of a huge triangle none is.
   if ((is_in[0] & is_in[1] & is_in[2] & is_in[3]) != 0) {
     origin.point = position + (side * t.offset - along[3]) * normal;
     return origin;
   }
   if (!t.has_area()) origin.normal = seen;
-  origin.point = surface_point(t, position) + t.offset * origin.normal;
+  place_origin(t, position, origin);
   return origin;
 }
 
 /// With a step after which rounding cannot put a ray behind the surface that it leaves: one bound for all points of a
-/// triangle.
+/// triangle, unless it is huge.
 RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel);
 /// The same, faster where pixels share triangles.
 inline RayOrigin ray_origin(const GBuffer& gbuffer, std::size_t pixel, SurfelTable& table) {

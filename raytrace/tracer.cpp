@@ -17,26 +17,12 @@ bool on_memory(void* counter, ssize_t bytes, bool /*after*/) {
   return true;
 }
 
-bool shows_back(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, const dvec3& direction) {
-  const Triangle t = world_triangle(scene, instance, triangle);
-  const bool turns_away = glm::dot(glm::cross(t.b - t.a, t.c - t.a), direction) > 0.0;
-  return turns_away != is_mirrored(scene.instances[instance].world_from_mesh);
-}
-
 bool counts(const RTCFilterFunctionNArguments& arguments, const RayQuery& query, unsigned i) {
   const unsigned n = arguments.N;
   const std::uint32_t instance =
       instance_of(RTCHitN_instID(arguments.hit, n, i, 0), RTCHitN_geomID(arguments.hit, n, i));
   const std::uint32_t triangle = RTCHitN_primID(arguments.hit, n, i);
-  if (query.is_primary) {
-    if (query.state->instances[instance].culls_back &&
-        shows_back(query.state->scene, instance, triangle, query.primary_direction)) {
-      return false;
-    }
-  } else {
-    const unsigned lane = RTCRayN_id(arguments.ray, n, i);
-    if (instance == query.own_instance[lane] && triangle == query.own_triangle[lane]) return false;
-  }
+  if (is_passed(query, RTCRayN_id(arguments.ray, n, i), instance, triangle)) return false;
   const auto* mask = static_cast<const MeshMask*>(arguments.geometryUserPtr);
   return mask == nullptr || mask->is_there(triangle, {RTCHitN_u(arguments.hit, n, i), RTCHitN_v(arguments.hit, n, i)});
 }
@@ -51,6 +37,12 @@ unsigned asked(const int* valid) {
 }
 
 }  // namespace
+
+bool shows_back(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, const dvec3& direction) {
+  const Triangle t = world_triangle(scene, instance, triangle);
+  const bool turns_away = glm::dot(glm::cross(t.b - t.a, t.c - t.a), direction) > 0.0;
+  return turns_away != is_mirrored(scene.instances[instance].world_from_mesh);
+}
 
 void filter_hit(const RTCFilterFunctionNArguments* arguments) {
   const auto& query = *reinterpret_cast<const RayQuery*>(arguments->context);

@@ -1,10 +1,13 @@
 #include <algorithm>
+#include <limits>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
+#include "raytrace/huge_triangles.h"
 #include "raytrace/tracer_state.h"
 
 namespace umbrameter {
@@ -111,19 +114,38 @@ void make_masks(Tracer::State& state) {
   });
 }
 
+// A geometry's triangles by id, without those that are huge: they become points, which no ray meets.
+void set_triangles(RTCDevice device, RTCGeometry geometry, const Mesh& mesh, const HugeGeometry* huge) {
+  if (huge == nullptr) {
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
+                               sizeof(uvec3), mesh.triangles.size());
+    return;
+  }
+  auto* const indices = static_cast<uvec3*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(uvec3), mesh.triangles.size()));
+  check(device, "triangles");
+  std::copy(mesh.triangles.begin(), mesh.triangles.end(), indices);
+  for (const HugeTriangle& triangle : huge->triangles) indices[triangle.id] = uvec3(indices[triangle.id].x);
+}
+
 void attach_mesh(const Tracer::State& state, RTCScene target, unsigned id, std::size_t index,
-                 const dmat4& world_from_mesh) {
+                 const dmat4& world_from_mesh, const HugeGeometry* huge) {
   const RTCDevice device = state.device.get();
   const Mesh& mesh = state.scene.meshes[index];
   const GeometryPtr geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE), &rtcReleaseGeometry);
   set_vertices(device, geometry.get(), mesh.positions, world_from_mesh);
-  rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
-                             sizeof(uvec3), mesh.triangles.size());
+  set_triangles(device, geometry.get(), mesh, huge);
   if (MeshMask* const mask = state.mesh_masks[index].get(); mask != nullptr) {
     rtcSetGeometryUserData(geometry.get(), mask);
     rtcSetGeometryOccludedFilterFunction(geometry.get(), filter_hit);
     rtcSetGeometryIntersectFilterFunction(geometry.get(), filter_hit);
   }
+  attach(device, target, id, geometry.get());
+}
+
+void attach_huge(RTCDevice device, RTCScene target, unsigned id, HugeGeometry& huge) {
+  const GeometryPtr geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER), &rtcReleaseGeometry);
+  set_huge_triangles(geometry.get(), huge);
   attach(device, target, id, geometry.get());
 }
 
@@ -136,17 +158,58 @@ void attach_instance(RTCDevice device, RTCScene target, unsigned id, RTCScene me
   attach(device, target, id, geometry.get());
 }
 
-double longest_edge(const Mesh& mesh, const dmat4& world_from_mesh) {
-  double longest = 0.0;
-  for (const uvec3& triangle : mesh.triangles) {
-    dvec3 corners[3];
-    for (int c = 0; c < 3; ++c) {
-      corners[c] = dvec3(world_from_mesh * dvec4(dvec3(mesh.positions[triangle[c]]), 1.0));
-    }
-    longest = std::max({longest, glm::length(corners[1] - corners[0]), glm::length(corners[2] - corners[1]),
-                        glm::length(corners[0] - corners[2])});
+// Where the scene's meshes are stored. A mesh of several instances has a scene of its own; any other is stored in the
+// world, at its instance.
+struct Storage {
+  std::vector<StoredMesh> meshes;   // by mesh; null where no instance has it
+  std::vector<std::uint32_t> uses;  // by mesh
+  std::vector<double> stretch;      // by instance: metres in the world for one in a shared mesh's space, at most
+  bool is_shared(std::size_t mesh) const { return uses[mesh] > 1; }
+};
+
+Storage find_storage(const Scene& scene) {
+  Storage storage;
+  storage.meshes.resize(scene.meshes.size());
+  storage.uses.assign(scene.meshes.size(), 0);
+  for (const Instance& instance : scene.instances) ++storage.uses[instance.mesh];
+  storage.stretch.assign(scene.instances.size(), 1.0);
+  parallel_for(scene.instances.size(), [&](std::size_t i) {
+    const Instance& instance = scene.instances[i];
+    if (storage.is_shared(instance.mesh)) storage.stretch[i] = largest_stretch(instance.world_from_mesh);
+  });
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const std::uint32_t mesh = scene.instances[i].mesh;
+    StoredMesh& stored = storage.meshes[mesh];
+    stored.stretch = stored.mesh == nullptr ? storage.stretch[i] : std::max(stored.stretch, storage.stretch[i]);
+    stored.mesh = &scene.meshes[mesh];
+    if (!storage.is_shared(mesh)) stored.placed = scene.instances[i].world_from_mesh;
   }
-  return longest;
+  parallel_for(scene.meshes.size(), [&](std::size_t m) {
+    StoredMesh& stored = storage.meshes[m];
+    if (stored.mesh == nullptr) return;
+    stored.longest_edge = longest_edge(*stored.mesh, stored.placed, std::numeric_limits<double>::infinity());
+  });
+  return storage;
+}
+
+// Takes the huge triangles out of the meshes, whose longest edges are then those of the others.
+void find_huge(Tracer::State& state, Storage& storage) {
+  const double huge_from = huge_edge(storage.meshes);
+  state.huge.resize(storage.meshes.size());
+  parallel_for(storage.meshes.size(), [&](std::size_t m) {
+    StoredMesh& stored = storage.meshes[m];
+    if (stored.mesh == nullptr) return;
+    std::vector<HugeTriangle> triangles = huge_triangles(stored, huge_from);
+    if (triangles.empty()) return;
+    stored.longest_edge = longest_edge(*stored.mesh, stored.placed, huge_from / stored.stretch);
+    state.huge[m] = std::make_unique<HugeGeometry>();
+    state.huge[m]->triangles = std::move(triangles);
+    state.huge[m]->mask = state.mesh_masks[m].get();
+  });
+  for (std::size_t i = 0; i < state.scene.instances.size(); ++i) {
+    const std::uint32_t mesh = state.scene.instances[i].mesh;
+    if (state.huge[mesh] != nullptr) state.huge[mesh]->instance = static_cast<std::uint32_t>(i);
+  }
 }
 
 }  // namespace
@@ -165,24 +228,24 @@ void build(Tracer::State& state, const Progress& progress) {
   const Scene& scene = state.scene;
   const RTCDevice device = state.device.get();
   make_masks(state);
-  std::vector<std::uint32_t> uses(scene.meshes.size(), 0);
-  for (const Instance& instance : scene.instances) ++uses[instance.mesh];
+  Storage storage = find_storage(scene);
+  find_huge(state, storage);
   BuildProgress all{progress, 0.0, 0.0, {}};
   std::uint64_t in_world = 0;
   for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
-    if (uses[m] == 1) in_world += scene.meshes[m].triangles.size();
-    if (uses[m] > 0) all.total += static_cast<double>(scene.meshes[m].triangles.size());
+    if (storage.uses[m] == 1) in_world += scene.meshes[m].triangles.size();
+    if (storage.uses[m] > 0) all.total += static_cast<double>(scene.meshes[m].triangles.size());
   }
 
   state.mesh_scenes.resize(scene.meshes.size());
-  std::vector<double> edges(scene.meshes.size(), 0.0);
   parallel_for(scene.meshes.size(), [&](std::size_t m) {
     const Mesh& mesh = scene.meshes[m];
-    if (uses[m] < 2 || mesh.triangles.empty()) return;
-    edges[m] = longest_edge(mesh, dmat4(1.0));
+    if (!storage.is_shared(m) || mesh.triangles.empty()) return;
     state.mesh_scenes[m] = new_scene(device);
-    attach_mesh(state, state.mesh_scenes[m].get(), 0, m, dmat4(1.0));
-    commit(device, state.mesh_scenes[m].get(), all, mesh.triangles.size());
+    const RTCScene target = state.mesh_scenes[m].get();
+    attach_mesh(state, target, 0, m, dmat4(1.0), state.huge[m].get());
+    if (state.huge[m] != nullptr) attach_huge(device, target, 1, *state.huge[m]);
+    commit(device, target, all, mesh.triangles.size());
   });
 
   state.top = new_scene(device);
@@ -193,19 +256,24 @@ void build(Tracer::State& state, const Progress& progress) {
     if (mesh.triangles.empty()) return;
     const RTCScene shared = state.mesh_scenes[instance.mesh].get();
     const auto id = static_cast<unsigned>(i);
+    HugeGeometry* const huge = state.huge[instance.mesh].get();
     InstanceInfo& info = state.instances[i];
     info.is_shared = shared != nullptr;
     info.culls_back = !scene.materials[mesh.material].double_sided;
+    info.longest_edge = storage.meshes[instance.mesh].longest_edge * storage.stretch[i];
+    info.huge = huge;
     if (shared != nullptr) {
       info.is_similar = is_similarity(instance.world_from_mesh);
       info.origin_error = origin_error(instance.world_from_mesh);
-      info.longest_edge = edges[instance.mesh] * largest_stretch(instance.world_from_mesh);
       attach_instance(device, state.top.get(), id, shared, instance.world_from_mesh);
     } else {
-      info.longest_edge = longest_edge(mesh, instance.world_from_mesh);
-      attach_mesh(state, state.top.get(), id, instance.mesh, instance.world_from_mesh);
+      attach_mesh(state, state.top.get(), id, instance.mesh, instance.world_from_mesh, huge);
+      if (huge != nullptr) {
+        attach_huge(device, state.top.get(), static_cast<unsigned>(scene.instances.size()) + id, *huge);
+      }
     }
   });
+  for (const InstanceInfo& info : state.instances) state.longest_edge = std::max(state.longest_edge, info.longest_edge);
   commit(device, state.top.get(), all, in_world);
 }
 

@@ -10,6 +10,7 @@
 
 #include "raytrace/alpha_mask.h"
 #include "raytrace/embree.h"
+#include "raytrace/huge_geometry.h"
 #include "raytrace/placement.h"
 #include "raytrace/tracer.h"
 
@@ -28,8 +29,9 @@ struct InstanceInfo {
   bool is_shared = false;     ///< its mesh has an acceleration structure of its own; else it is stored in world space
   bool culls_back = false;    ///< primary rays pass through its back faces
   bool is_similar = true;     ///< the mesh is scaled alike in every direction
-  double longest_edge = 0.0;  ///< of its triangles, world, metres; of a shared mesh an upper bound
+  double longest_edge = 0.0;  ///< of its triangles that are not huge, world, metres; of a shared mesh an upper bound
   OriginError origin_error;   ///< zero unless is_shared
+  const HugeGeometry* huge = nullptr;  ///< its huge triangles; null without any
 };
 
 struct Tracer::State {
@@ -41,9 +43,12 @@ struct Tracer::State {
   bool takes_16_lanes = false;                          ///< Embree traces packets of sixteen as they are, not in parts
   std::vector<std::unique_ptr<AlphaMask>> alpha_masks;  ///< by material; null unless it masks a mesh
   std::vector<std::unique_ptr<MeshMask>> mesh_masks;    ///< by mesh; likewise
+  std::vector<std::unique_ptr<HugeGeometry>> huge;      ///< as HugeTriangles are stored; those without any are null
   std::vector<ScenePtr> mesh_scenes;                    ///< by mesh; empty where the mesh is stored in world space
-  ScenePtr top;                                         ///< geometry id or instance id = index in Scene::instances
+  /// Geometry id or instance id = index in Scene::instances; huge triangles have geometries behind those.
+  ScenePtr top;
   std::vector<InstanceInfo> instances;
+  double longest_edge = 0.0;  ///< of all triangles that are not huge, world, metres; an upper bound
   BuildStatistics statistics;
   mutable std::atomic<std::uint64_t> rays_traced{0};
 };
@@ -70,6 +75,18 @@ void filter_hit(const RTCFilterFunctionNArguments* arguments);
 
 /// Lets a hit count unless it is the ray's own triangle, a masked-out point, or a culled back face of a primary ray.
 void prepare(RayQuery& query, const Tracer::State& state, bool is_primary);
+
+/// Whether a front side is turned away from a ray.
+bool shows_back(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, const dvec3& direction);
+
+/// Whether a ray goes through a triangle that it meets: its own, or a culled back face of a primary ray.
+inline bool is_passed(const RayQuery& query, unsigned lane, std::uint32_t instance, std::uint32_t triangle) {
+  if (query.is_primary) {
+    return query.state->instances[instance].culls_back &&
+           shows_back(query.state->scene, instance, triangle, query.primary_direction);
+  }
+  return instance == query.own_instance[lane] && triangle == query.own_triangle[lane];
+}
 
 /// Of all lanes.
 inline void own_all(RayQuery& query, std::uint32_t instance, std::uint32_t triangle) {

@@ -1,0 +1,14 @@
+// The offset of rays that leave huge triangles: a bound of its own for every point. For raytrace/surfel.cpp alone.
+#pragma once
+
+#include "raytrace/surfel.h"
+
+namespace umbrameter {
+
+/// Turns the description of a triangle that may be huge into that of a huge one, if it is.
+void describe_huge(const Tracer& tracer, SurfelTriangle& triangle);
+
+/// RayOrigin::offset at a point of a huge triangle, metres.
+double offset_at(const SurfelTriangle& huge, const dvec3& point);
+
+}  // namespace umbrameter
