@@ -42,8 +42,9 @@ std::vector<fs::path> missing_folders(const fs::path& folder) {
   for (fs::path path = fs::absolute(folder, error); path.has_relative_path() && !is_there(path);
        path = path.parent_path()) {
     const fs::path name = path.filename();
-    if (!name.empty() && name != "." && name != "..") missing.insert(missing.begin(), path);
+    if (!name.empty() && name != "." && name != "..") missing.push_back(path);
   }
+  std::reverse(missing.begin(), missing.end());
   return missing;
 }
 
