@@ -19,7 +19,8 @@ Report make_report(const RunOutput& output) {
   report.command = fmt::format("umbrameter {} -c experiment.toml -o OUT", output.summary.command);
   report.notes = output.summary.workbench->notes();
   for (const std::string& problem : output.summary.problems) report.notes.push_back(problem);
-  ReportSection diagnostics{.title = "Diagnostics"};
+  ReportSection diagnostics;
+  diagnostics.title = "Diagnostics";
   for (const Presentation& part : output.parts) {
     report.sections.push_back(part.section);
     report.answers.insert(report.answers.end(), part.answers.begin(), part.answers.end());
