@@ -5,10 +5,10 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 #include "core/error.h"
+#include "core/suggestion.h"
 
 namespace umbrameter {
 namespace {
@@ -55,6 +55,14 @@ std::string join_or(const std::vector<std::string>& names) {
 
 [[noreturn]] void reject(const Parameter& parameter, const std::string& given) {
   throw Error(ExitCode::usage, parameter.key, "'" + given + "' is not allowed", "expected " + parameter.limits());
+}
+
+// The choice's own name for a word that may be an alias.
+std::string name_of_choice(const FieldDescription& description, const std::string& word) {
+  for (const auto& [alias, name] : description.aliases) {
+    if (word == alias) return name;
+  }
+  return word;
 }
 
 bool fits(const FieldDescription& description, double number) {
@@ -210,7 +218,8 @@ void Parameter::set(const Value& value) const {
                             [&](const ChoiceRef& choice) {
                               const auto* given = std::get_if<std::string>(&value);
                               if (given == nullptr) return false;
-                              const auto found = std::find(choice.names.begin(), choice.names.end(), *given);
+                              const std::string name = name_of_choice(description, *given);
+                              const auto found = std::find(choice.names.begin(), choice.names.end(), name);
                               if (found == choice.names.end()) return false;
                               *choice.value = static_cast<int>(found - choice.names.begin());
                               return true;
@@ -265,7 +274,11 @@ std::string Parameter::limits() const {
       Overloaded{[](bool*) { return std::string("true or false"); }, [&](int*) { return range("an integer"); },
                  [&](double*) { return range("a number"); }, [](std::string*) { return std::string("text"); },
                  [&](Size*) { return "WIDTHxHEIGHT, each " + range("an integer"); },
-                 [](const ChoiceRef& choice) { return join_or(choice.names); },
+                 [&](const ChoiceRef& choice) {
+                   std::string names = join_or(choice.names);
+                   for (const auto& [alias, name] : description.aliases) names += "; " + alias + " means " + name;
+                   return names;
+                 },
                  [&](Length*) {
                    std::string text = range("a length") + " in m (2cm, 20mm)";
                    if (description.units.texels) text += ", texels (1.5texels)";
@@ -289,13 +302,14 @@ const Parameter* find(const Parameters& parameters, std::string_view key) {
 
 const Parameter& require(const Parameters& parameters, std::string_view key) {
   if (const Parameter* parameter = find(parameters, key)) return *parameter;
-  std::string remedy = "'umbrameter parameters' lists all parameters";
-  const auto nearest = std::min_element(
-      parameters.begin(), parameters.end(),
-      [&](const Parameter& a, const Parameter& b) { return edit_distance(a.key, key) < edit_distance(b.key, key); });
-  if (nearest != parameters.end() && edit_distance(nearest->key, key) <= 4) {
-    remedy = "did you mean '" + nearest->key + "'?";
+  std::vector<std::string> names;
+  for (const bool basic : {true, false}) {
+    for (const Parameter& parameter : parameters) {
+      if (parameter.description.basic == basic) names.push_back(parameter.key);
+    }
   }
+  std::string remedy = suggestion(similar_names(key, names));
+  if (remedy.empty()) remedy = "'umbrameter parameters' lists all parameters";
   throw Error(ExitCode::usage, std::string(key), "no parameter has this name", remedy);
 }
 
@@ -337,21 +351,6 @@ std::string shader_defines(const Parameters& parameters) {
                parameter.field);
   }
   return text;
-}
-
-int edit_distance(std::string_view a, std::string_view b) {
-  std::vector<int> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    int diagonal = row[0];
-    row[0] = static_cast<int>(i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const int substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
-    }
-  }
-  return row[b.size()];
 }
 
 }  // namespace umbrameter

@@ -83,6 +83,9 @@ struct FieldDescription {
   bool power_of_two = false;
   bool odd = false;
   LengthUnits units{};  ///< of a Length
+  bool basic = false;  ///< listed by --help; --help-all lists every parameter
+  /// Of a choice: another word that users know, and the name that it means: {"pcf", "box"}.
+  std::vector<std::pair<std::string, std::string>> aliases{};
 };
 
 /// One described field of one object.
@@ -132,7 +135,7 @@ class Description {
 /// The parameter of that full name, or nullptr.
 const Parameter* find(const Parameters& parameters, std::string_view key);
 
-/// As find(), but an unknown key is an Error (usage) that suggests the nearest one.
+/// As find(), but an unknown key is an Error (usage) that suggests what may be meant.
 const Parameter& require(const Parameters& parameters, std::string_view key);
 
 /// Appends the lists of several groups.
@@ -141,9 +144,6 @@ Parameters concatenate(std::vector<Parameters> groups);
 /// "#define SHADOW_FILTER 1" and so on: one line a parameter, numbers, truths and choices only.
 /// A choice also defines each of its names: "#define SHADOW_FILTER_NEAREST 0".
 std::string shader_defines(const Parameters& parameters);
-
-/// Edit distance by insertion, deletion, substitution (Levenshtein 1966), for suggestions.
-int edit_distance(std::string_view a, std::string_view b);
 
 /// How many members an aggregate has; for the test that each is described.
 template <class Aggregate>

@@ -166,10 +166,16 @@ TEST(Parameters, Shader_defines_hold_numbers_truths_and_choices) {
             "#define SAMPLE_FLAVOR_PLAIN 0\n#define SAMPLE_FLAVOR_SWEET 1\n");
 }
 
-TEST(Parameters, Edit_distance_counts_insertions_deletions_and_substitutions) {
-  EXPECT_EQ(edit_distance("kitten", "sitting"), 3);  // the textbook example of Levenshtein's distance
-  EXPECT_EQ(edit_distance("", "abc"), 3);
-  EXPECT_EQ(edit_distance("same", "same"), 0);
+TEST(Parameters, An_alias_of_a_choice_sets_the_name_that_it_means) {
+  Sample sample;
+  Parameters parameters = Description("sample")
+                              .choice("flavor", sample.flavor, flavor_names,
+                                      {.unit = {}, .meaning = "a choice", .aliases = {{"sugary", "sweet"}}})
+                              .take();
+  require(parameters, "sample.flavor").set_text("sugary");
+  EXPECT_EQ(sample.flavor, Flavor::sweet);
+  EXPECT_EQ(to_string(parameters.front().value()), "sweet") << "what is stored is the name";
+  EXPECT_EQ(parameters.front().limits(), "plain or sweet; sugary means sweet");
 }
 
 }  // namespace
