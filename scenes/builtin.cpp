@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "core/error.h"
-#include "core/parameters.h"
+#include "core/suggestion.h"
 #include "scenes/builtin/scenes.h"
 #include "scenes/gltf.h"
 #include "scenes/origin.h"

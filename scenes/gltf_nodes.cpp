@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <set>
 
 #include "core/error.h"
 #include "scenes/gltf_emitter.h"
+#include "scenes/selection.h"
 
 namespace umbrameter::gltf {
 namespace {
@@ -56,22 +56,17 @@ dmat4 local_transform(const tinygltf::Node& node, const Document& document, cons
   return local;
 }
 
-// An exact name wins over an index, as with cameras and lights.
 std::size_t chosen_scene(const Document& document, const std::string& part) {
   const std::vector<tinygltf::Scene>& scenes = document.model->scenes;
-  std::vector<std::size_t> named;
+  const std::vector<std::size_t> found = select_items(scenes, part);
+  if (found.size() == 1) return found.front();
   std::string listed;
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    if (scenes[i].name == part) named.push_back(i);
-    if (i < 24) listed += (i == 0 ? "" : ", ") + label("scene", i, scenes[i].name);
+  for (std::size_t i = 0; i < scenes.size() && i < 24; ++i) {
+    listed += (i == 0 ? "" : ", ") + label("scene", i, scenes[i].name);
   }
-  if (named.size() == 1) return named.front();
-  std::size_t index = 0;
-  const auto [end, status] = std::from_chars(part.data(), part.data() + part.size(), index);
-  if (status == std::errc() && end == part.data() + part.size() && index < scenes.size()) return index;
   throw Error(ExitCode::usage, "--scene " + part,
-              named.empty() ? "the file has no such scene" : std::to_string(named.size()) + " scenes have this name",
-              listed.empty() ? "leave --scene away" : "it has " + listed + ": give an index or a unique name");
+              found.empty() ? "the file has no such scene" : std::to_string(found.size()) + " scenes have this name",
+              listed.empty() ? "omit --scene" : "it has " + listed + ": give an index or a unique name");
 }
 
 std::vector<int> parentless_nodes(const tinygltf::Model& model) {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "core/error.h"
 #include "scenes/fitted_camera.h"
+#include "scenes/selection.h"
 
 namespace umbrameter {
 namespace {
@@ -39,35 +39,30 @@ Light sun() {
 }
 
 template <class Named>
-std::string listed(const std::vector<Named>& items) {
+std::string listed(const std::vector<Named>& items, const std::vector<std::size_t>& indices) {
+  constexpr std::size_t most = 24;
   std::string text;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    text += (i == 0 ? "" : ", ") + std::to_string(i) + (items[i].name.empty() ? "" : " '" + items[i].name + "'");
+  for (std::size_t n = 0; n < indices.size() && n < most; ++n) {
+    const std::string& name = items[indices[n]].name;
+    text += (n == 0 ? "" : ", ") + std::to_string(indices[n]) + (name.empty() ? "" : " '" + name + "'");
   }
-  return text;
+  return indices.size() > most ? text + " and " + std::to_string(indices.size() - most) + " more" : text;
 }
 
-/// An exact name wins over an index, so that a light named "7" can be reached.
 template <class Named>
 std::size_t select(const std::vector<Named>& items, const std::string& wanted, const std::string& kind) {
-  std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (items[i].name == wanted) found.push_back(i);
-  }
+  const std::vector<std::size_t> found = select_items(items, wanted);
   if (found.size() == 1) return found.front();
   const std::string what = "--" + kind + " " + wanted;
   if (found.size() > 1) {
-    std::string indices;
-    for (const std::size_t i : found) indices += (indices.empty() ? "" : ", ") + std::to_string(i);
     throw Error(ExitCode::usage, what, std::to_string(found.size()) + " " + kind + "s of the scene have this name",
-                "choose one by its index: " + indices);
+                "choose one by its index: " + listed(items, found));
   }
-  std::size_t index = 0;
-  const auto [end, status] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
-  if (status == std::errc() && end == wanted.data() + wanted.size() && index < items.size()) return index;
+  std::vector<std::size_t> all(items.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
   const std::string remedy =
-      items.empty() ? "leave --" + kind + " away, and one is made up"
-                    : "it has " + listed(items) + ": give an index or a name, or leave --" + kind + " away";
+      items.empty() ? "omit --" + kind + " to use a default " + kind
+                    : "it has " + listed(items, all) + ": give an index or a name, or omit --" + kind;
   throw Error(ExitCode::usage, what, "the scene has no such " + kind, remedy);
 }
 
@@ -75,13 +70,16 @@ std::size_t select(const std::vector<Named>& items, const std::string& wanted, c
 
 Parameters describe(ViewParams& params) {
   return Description("view")
-      .field("size", params.size, {"px", "width and height of the images", 1, 16384})
+      .field("size", params.size,
+             {.unit = "px", .meaning = "image size, width x height", .min = 1, .max = 16384, .basic = true})
       .field("scene", params.scene,
-             {"", "one of several scenes in a file, by name or index; empty: the file's default"})
-      .field("camera", params.camera, {"", "camera by name or index; empty: the first of the scene"})
-      .field("light", params.light, {"", "light by name or index; empty: all, or the first where one is swept"})
+             {.unit = {}, .meaning = "scene in the file, by name or index; empty: the file's default", .basic = true})
+      .field("camera", params.camera,
+             {.unit = {}, .meaning = "camera, by name or index; empty: the first", .basic = true})
+      .field("light", params.light,
+             {.unit = {}, .meaning = "light, by name or index; empty: all, or the first in a sweep", .basic = true})
       .choice("surfels", params.surfels, surfel_source_names,
-              {"", "which side finds the surface points that both sides answer for"})
+              {"", "which side renders the G-buffer that both sides use"})
       .take();
 }
 
@@ -165,9 +163,11 @@ std::vector<std::uint32_t> select_lights(const Scene& scene, const std::string& 
 }
 
 std::vector<std::string> layer_names(const std::vector<Light>& lights) {
+  // Leaves room for what figures put before and behind it: file systems allow 255 bytes.
+  constexpr std::size_t most_characters = 64;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    std::string name = lights[i].name;
+    std::string name = lights[i].name.substr(0, most_characters);
     for (char& c : name) {
       const bool kept = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
       if (!kept) c = '_';

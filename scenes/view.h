@@ -54,12 +54,12 @@ Camera select_camera(const Scene& scene, const std::string& name_or_index, doubl
 /// Gives a scene without a light a sun named "sun", with a note.
 void add_missing_light(Scene& scene, std::vector<std::string>& notes);
 
-/// Indices of the lights that the name or index selects; all of them when empty. An exact name wins over an index.
+/// Indices of the lights that the name or index selects (selection.h); all of them when empty.
 /// Throws Error (usage) listing the lights when there is no such one.
 std::vector<std::uint32_t> select_lights(const Scene& scene, const std::string& name_or_index);
 
-/// Layer names for the lights of a scene, one each and all different: the name with all but letters and digits
-/// made '_', or the index where there is none; a repeated name gets its index appended.
+/// Layer names for the lights of a scene, one each and all different: the first 64 characters of the name with all but
+/// letters and digits made '_', or the index where there is none; a repeated name gets its index appended.
 std::vector<std::string> layer_names(const std::vector<Light>& lights);
 
 }  // namespace umbrameter

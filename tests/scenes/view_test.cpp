@@ -138,7 +138,7 @@ TEST(SelectCamera, An_unknown_one_is_refused_with_the_list) {
     EXPECT_NE(text.find(wanted), std::string::npos) << text;
     EXPECT_NE(text.find("0 'front', 1"), std::string::npos) << text;
   }
-  EXPECT_NE(error_of(Scene{}, "x").find("leave --camera away"), std::string::npos);
+  EXPECT_NE(error_of(Scene{}, "x").find("omit --camera"), std::string::npos);
 }
 
 TEST(SelectCamera, An_ambiguous_name_is_refused_with_the_indices) {
@@ -230,7 +230,36 @@ TEST(SelectLights, Names_indices_and_all) {
   EXPECT_EQ(select_lights(scene, "lamp"), Indices{1});
   EXPECT_EQ(select_lights(scene, "2"), Indices{2});
   EXPECT_THROW(select_lights(scene, "3"), Error);
-  EXPECT_THROW(select_lights(scene, "Lamp"), Error);
+  EXPECT_THROW(select_lights(scene, "torch"), Error);
+}
+
+TEST(SelectLights, The_case_of_a_name_matters_only_where_two_names_differ_by_it) {
+  Scene scene;
+  scene.lights.resize(4);
+  scene.lights[0].name = "Sun";
+  scene.lights[1].name = "Lamp";
+  scene.lights[2].name = "LAMP";
+  scene.lights[3].name = "Straße";
+  using Indices = std::vector<std::uint32_t>;
+  EXPECT_EQ(select_lights(scene, "sun"), Indices{0});
+  EXPECT_EQ(select_lights(scene, "SUN"), Indices{0});
+  EXPECT_EQ(select_lights(scene, "LAMP"), Indices{2}) << "the exact name wins";
+  EXPECT_EQ(select_lights(scene, "STRAße"), Indices{3});
+  try {
+    select_lights(scene, "lamp");
+    ADD_FAILURE() << "an ambiguous name was accepted";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "--light lamp: 2 lights of the scene have this name; choose one by its index: 1 'Lamp', 2 'LAMP'");
+  }
+}
+
+TEST(SelectCamera, The_case_of_a_name_does_not_matter) {
+  Scene scene;
+  scene.cameras.resize(2);
+  scene.cameras[1].name = "Main";
+  std::vector<std::string> notes;
+  EXPECT_EQ(select_camera(scene, "main", 1.0, notes).name, "Main");
 }
 
 TEST(LayerNames, They_are_letters_digits_and_underscores_and_all_different) {
@@ -242,6 +271,15 @@ TEST(LayerNames, They_are_letters_digits_and_underscores_and_all_different) {
   lights[5].name = "0";
   const std::vector<std::string> names = layer_names(lights);
   EXPECT_EQ(names, (std::vector<std::string>{"0", "key_light_001", "lamp", "lamp_3", "lamp_3_4", "0_5"}));
+}
+
+TEST(LayerNames, A_long_name_is_cut_to_what_fits_into_a_file_name_and_stays_unique) {
+  std::vector<Light> lights(3);
+  for (Light& light : lights) light.name = std::string(300, 'x');
+  lights[2].name.back() = 'y';
+  const std::vector<std::string> names = layer_names(lights);
+  const std::string cut(64, 'x');
+  EXPECT_EQ(names, (std::vector<std::string>{cut, cut + "_1", cut + "_2"}));
 }
 
 TEST(ViewParams, Each_field_is_described) {
