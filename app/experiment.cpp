@@ -15,19 +15,13 @@ constexpr std::array<std::string_view, 3> sweep_measure_names{"auto", "visibilit
 
 Parameters describe(RunParams& params) {
   return Description("run")
-      .field("seed", params.seed,
-             {"", "seed of every random number: equal seeds give equal bits", 0, std::numeric_limits<int>::max()})
-      .choice(
-          "classes", params.classes, class_rule_names,
-          {.unit = {},
-           .meaning = "what decides whether a wrongly blocked tap is acne or false occlusion: planes of triangles, or "
-                      "rays where those see two surfaces"})
+      .field("seed", params.seed, {"", "seed of all random numbers", 0, std::numeric_limits<int>::max()})
+      .choice("classes", params.classes, class_rule_names,
+              {.unit = {}, .meaning = "test for acne against false occlusion: triangle planes, or rays where needed"})
       .choice("measure", params.measure, sweep_measure_names,
-              {.unit = {}, .meaning = "what a sweep measures; auto is what its axes belong to"})
+              {.unit = {}, .meaning = "what a sweep measures; auto: by its axes"})
       .field("shimmer", params.shimmer,
-             {"",
-              "compare also measures how much shadows change when the map's grid or the camera moves by a fraction "
-              "of a texel or pixel"})
+             {"", "measure shimmer: shadow map and camera move by fractions of a texel or pixel"})
       .take();
 }
 

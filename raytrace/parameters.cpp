@@ -27,34 +27,36 @@ Parameters describe(TruthParams& params) {
   static constexpr std::array<std::string_view, 2> samplings = {"area", "solid-angle"};
   return Description("truth")
       .field("spp", params.spp,
-             {"rays",
-              "rays for each pixel where there is no tolerance: over the hemisphere, and to each light that has extent",
-              1, 65536})
-      .choice("ao-weight", params.ao_weight, weights, {"", "how directions count: by their cosine, or evenly"})
+             {.unit = "rays",
+              .meaning = "rays per pixel, for AO and for each area light",
+              .min = 1,
+              .max = 65536,
+              .basic = true})
+      .choice("ao-weight", params.ao_weight, weights, {"", "weight of AO directions"})
       .field("ao-distance", params.ao_distance,
              {.unit = "m",
-              .meaning = "distance limit of ambient occlusion; 0 for none, auto for the technique's own, ao.radius",
+              .meaning = "max distance of AO occluders; 0: no limit, auto: ao.radius",
               .min = 0.0,
-              .units = {.scene_size = true, .automatic = true}})
-      .choice("sampler", params.sampler, samplers,
-              {"", "Owen-scrambled Sobol points, or independent random ones for comparison"})
+              .units = {.scene_size = true, .automatic = true},
+              .basic = true})
+      .choice("sampler", params.sampler, samplers, {"", "Owen-scrambled Sobol points, or independent random points"})
       .field("tolerance", params.tolerance,
-             {"1",
-              "a pixel's rays, over the hemisphere or to a light that has extent, stop when the half width of its 95 % "
-              "interval is below this; 0: truth.spp rays for each",
-              0.0, 1.0})
+             {.unit = "1",
+              .meaning = "adaptive sampling: max 95 % half width of a pixel; 0: off",
+              .min = 0.0,
+              .max = 1.0,
+              .basic = true})
       .field("min-spp", params.min_spp,
-             {"rays", "least rays of a pixel that has a tolerance", static_cast<double>(least_min_spp), most_spp})
+             {"rays", "min rays per pixel (adaptive sampling)", static_cast<double>(least_min_spp), most_spp})
       .field("max-spp", params.max_spp,
-             {"rays", "most rays of a pixel that has a tolerance", static_cast<double>(least_min_spp), most_spp})
+             {"rays", "max rays per pixel (adaptive sampling)", static_cast<double>(least_min_spp), most_spp})
       .choice("ao-falloff", params.ao_falloff, falloffs,
-              {"", "how hits within the distance limit fade with their distance, also by the method that does so"})
-      .choice("ao-normal", params.ao_normal, normals,
-              {"", "what the hemisphere stands on; directions below the triangle's plane are blocked"})
+              {"", "falloff of AO occluders with distance, or that of a method"})
+      .choice("ao-normal", params.ao_normal, normals, {"", "normal that the AO hemisphere is centred on"})
       .choice("ao-layers", params.ao_layers, layers,
-              {"", "further layers to trace: mean unoccluded direction, mean distance of the hits"})
+              {"", "further AO images: mean unoccluded direction, mean hit distance"})
       .choice("light-sampling", params.light_sampling, samplings,
-              {"", "what visibility of a light with extent is the visible share of: its area, or its solid angle"})
+              {"", "visibility of an area light: share of its area, or of its solid angle"})
       .take();
 }
 

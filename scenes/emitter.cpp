@@ -35,18 +35,23 @@ Parameters describe(LightParams& params) {
   static constexpr std::array<std::string_view, 3> shapes = {"usual", "sphere", "disk"};
   return Description("light")
       .field("radius", params.radius,
-             {"m", "radius of the measured point and spot lights; 0 for none, below 0 as the scene says", -1.0,
-              largest_emitter})
+             {.unit = "m",
+              .meaning = "radius of point and spot lights; 0: none, -1: the scene's",
+              .min = -1.0,
+              .max = largest_emitter,
+              .basic = true})
       .field("width", params.width,
-             {"m", "width of a rectangle, along the light's own x; 0 for none, below 0 as the scene says", -1.0,
-              largest_emitter})
+             {"m", "width of a rectangular light, along its x axis; 0: none, -1: the scene's", -1.0, largest_emitter})
       .field("height", params.height,
-             {"m", "height of that rectangle, along the light's own y; given with the width", -1.0, largest_emitter})
+             {"m", "height of that rectangle, along the light's y axis", -1.0, largest_emitter})
       .field("angle", params.angle,
-             {"degrees", "angular diameter of directional lights; 0 for none, below 0 as the scene says", -1.0,
-              widest_angle})
+             {.unit = "degrees",
+              .meaning = "angular diameter of suns; 0: none, -1: the scene's",
+              .min = -1.0,
+              .max = widest_angle,
+              .basic = true})
       .choice("shape", params.shape, shapes,
-              {"", "what the radius is of; usual: a sphere for point lights, a disk across the axis for spot lights"})
+              {"", "shape of the radius; usual: sphere for point lights, disk for spot lights"})
       .take();
 }
 
