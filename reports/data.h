@@ -1,8 +1,10 @@
 // Rows and parameters as CSV, JSON and TOML.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 
@@ -31,8 +33,10 @@ struct ExperimentFile {
   std::string scene;                                      ///< empty when the file names none
   std::vector<std::pair<std::string, Value>> values;      ///< full parameter name, value
   std::vector<std::pair<std::string, std::string>> axes;  ///< [vary]: full parameter name, axis text
+  std::map<std::string, std::uint32_t> lines;             ///< of each value, and of each axis as "vary.<name>"
 };
-/// Throws Error (usage) with file and line when it is not TOML, Error (unreadable_input) when it cannot be read.
+/// Throws Error (usage) with file and line when it is not TOML, Error (unreadable_input) when it cannot be read or is
+/// larger than 1 MiB. Reads pipes too.
 ExperimentFile read_experiment(const std::filesystem::path& path);
 
 }  // namespace umbrameter

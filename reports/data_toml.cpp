@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include "core/error.h"
@@ -12,6 +11,8 @@
 
 namespace umbrameter {
 namespace {
+
+constexpr std::size_t largest_file = std::size_t{1} << 20;
 
 // TOML 1.0, "String": basic strings escape quote, backslash and control characters.
 std::string toml_string(std::string_view text) {
@@ -89,8 +90,15 @@ std::string read_text(const std::filesystem::path& path) {
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) refuse(errno);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  // Devices and pipes may never end.
+  std::string text(largest_file + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (stream.bad()) refuse(EIO);
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > largest_file) {
+    throw Error(ExitCode::unreadable_input, "cannot read " + path.string(),
+                "it is larger than 1 MiB, more than any experiment file", "give a TOML file such as experiment.toml");
+  }
   return text;
 }
 
@@ -152,6 +160,7 @@ ExperimentFile read_experiment(const std::filesystem::path& path) {
     }
     for (const auto& [member, value] : *members) {
       const std::string key(member.str());
+      result.lines[group + "." + key] = value.source().begin.line;
       if (group == "scene" && key == "source") {
         result.scene = text_of(value, "scene.source", file);
       } else if (group == "vary") {

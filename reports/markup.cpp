@@ -44,6 +44,15 @@ std::string plain_text(std::string_view text) {
   return result;
 }
 
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = sequence_length(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
 std::string escape_markup(std::string_view text) {
   std::string result;
   for (const char c : plain_text(text)) {

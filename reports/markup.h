@@ -10,6 +10,9 @@ namespace umbrameter {
 /// replacement character): it can neither break a document nor steer a terminal.
 std::string plain_text(std::string_view text);
 
+/// Whether all bytes are UTF-8 (RFC 3629).
+bool is_utf8(std::string_view text);
+
 /// Text as it may stand between tags or in quotes: plain_text() in which & < > " '
 /// become entities.
 std::string escape_markup(std::string_view text);
