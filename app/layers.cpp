@@ -1,5 +1,7 @@
 #include "app/layers.h"
 
+#include <limits>
+
 #include "scenes/shading.h"
 
 namespace umbrameter {
@@ -46,6 +48,15 @@ void add_picture(LayeredImage& image, const Image<vec3>& picture, const GBuffer&
   image.channels.push_back({"Z", gbuffer.depth});
 }
 
+// A background pixel has no position; the G-buffer's zeros would read as points at the origin.
+Image<vec3> surface_positions(const GBuffer& gbuffer) {
+  Image<vec3> positions = gbuffer.position;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (!gbuffer.is_surface(i)) positions[i] = vec3(std::numeric_limits<float>::quiet_NaN());
+  }
+  return positions;
+}
+
 }  // namespace
 
 Image<vec3> picture_of(const Workbench& workbench, const Measurement& measurement) {
@@ -64,7 +75,7 @@ LayeredImage layers_of(const Workbench& workbench, const Measurement& measuremen
   const GBuffer& gbuffer = measurement.surfels.gbuffer;
   for (const ShadowMeasurement& shadow : measurement.shadows) add_shadow(image, workbench.layer(shadow.light), shadow);
   if (measurement.ao) add_ao(image, *measurement.ao);
-  add_layer(image, "gbuffer_position", gbuffer.position);
+  add_layer(image, "gbuffer_position", surface_positions(gbuffer));
   add_layer(image, "gbuffer_normal", gbuffer.geometric_normal);
   add_picture(image, picture_of(workbench, measurement), gbuffer);
   const dmat4 view_from = view_from_world(measurement.surfels.view);

@@ -14,8 +14,8 @@ Image<vec3> picture_of(const Workbench& workbench, const Measurement& measuremen
 /// extent class_<light>.Y (numbers of PixelClass), of one with truth_visibility_standard_error_<light>.Y; truth_ao.Y,
 /// truth_ao_standard_error.Y, truth_ao_samples.Y (rays), raster_ao.Y, error_ao.Y, where truth.ao-layers asks for them
 /// truth_bent_normal.X/Y/Z (unit, world) and truth_ao_hit_distance.Y (metres, infinite where no ray hits),
-/// gbuffer_position.X/Y/Z (world, metres), gbuffer_normal.X/Y/Z (geometric, world), root R G B A and Z (metres along
-/// the camera's axis).
+/// gbuffer_position.X/Y/Z (world, metres; NaN on background), gbuffer_normal.X/Y/Z (geometric, world), root R G B A and
+/// Z (metres along the camera's axis).
 LayeredImage layers_of(const Workbench& workbench, const Measurement& measurement);
 
 }  // namespace umbrameter
