@@ -57,7 +57,8 @@ Json agreement_json(const ClassAgreement& agreement) {
 
 Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow) {
   Json object;
-  object["light"] = workbench.layer(shadow.light);
+  object["light"] = workbench.title(shadow.light);
+  object["layer"] = workbench.layer(shadow.light);
   object["index"] = shadow.light;
   object["kind"] = kind_name(shadow.frame.kind);
   object["extent"] = to_json(shadow.emitter);
