@@ -25,6 +25,7 @@ struct CommandLine {
   bool markdown = false;
   bool no_cache = false;           ///< references are traced anew and not kept
   bool force = false;              ///< an earlier run's results in the folder are replaced
+  bool dry_run = false;            ///< show what would be measured, write nothing
   bool clear = false;              ///< empty the cache of references
   std::vector<std::string> names;  ///< of built-in scenes to list or draw; empty for all
   std::filesystem::path sheet;     ///< contact sheet to draw; empty for none
@@ -32,9 +33,10 @@ struct CommandLine {
   bool measure_memory = false;
 };
 
-/// Help or version text to print; the program then ends well.
+/// Help, version or a generated file, to print or to write; the program then ends well.
 struct Information {
   std::string text;
+  std::filesystem::path file;  ///< empty: stdout
 };
 
 /// Throws Error (usage) with one line for anything that is not understood.

@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "app/commands.h"
+#include "app/dry_run.h"
 #include "app/reference_cache.h"
 #include "app/run_output.h"
+#include "compare/sweep.h"
 #include "core/parallel.h"
 #include "reports/data.h"
+#include "reports/markup.h"
 #include "scenes/builtin.h"
 
 namespace umbrameter {
@@ -18,6 +22,30 @@ Sides sides_of(const std::string& command) {
   return {true, true};
 }
 
+// What the file says wrong is reported with its line.
+void set_values(const Parameters& parameters, const ExperimentFile& file, const std::filesystem::path& path) {
+  const auto at_line = [&](const std::string& key, const auto& action) {
+    try {
+      action();
+    } catch (const Error& error) {
+      throw Error(error.code(), path.string() + ":" + std::to_string(file.lines.at(key)), error.what());
+    }
+  };
+  for (const auto& [key, value] : file.values) {
+    at_line(key, [&, &k = key, &v = value] { require(parameters, k).set(v); });
+  }
+  for (const auto& [key, text] : file.axes) {
+    at_line("vary." + key, [&, &k = key, &t = text] { parse_axis(parameters, k, t); });
+  }
+}
+
+// TOML is UTF-8: another path could not be read back from experiment.toml.
+void require_utf8(const std::string& path) {
+  if (is_utf8(path)) return;
+  throw Error(ExitCode::usage, path, "the path is not UTF-8, so that experiment.toml cannot hold it",
+              "rename the file or its folder");
+}
+
 }  // namespace
 
 Experiment make_experiment(const CommandLine& line) {
@@ -27,7 +55,7 @@ Experiment make_experiment(const CommandLine& line) {
     const ExperimentFile file = read_experiment(line.experiment_file);
     experiment.scene = file.scene;
     experiment.axes = file.axes;
-    for (const auto& [key, value] : file.values) require(parameters, key).set(value);
+    set_values(parameters, file, line.experiment_file);
   }
   for (const auto& [key, text] : line.settings) require(parameters, key).set_text(text);
   if (!line.scene.empty()) experiment.scene = line.scene;
@@ -38,6 +66,7 @@ Experiment make_experiment(const CommandLine& line) {
   // A stored experiment must find its file from any folder.
   if (std::filesystem::is_regular_file(experiment.scene)) {
     experiment.scene = std::filesystem::absolute(experiment.scene).lexically_normal().string();
+    require_utf8(experiment.scene);
   }
   // A side that works alone makes its own surfels.
   if (line.command == "trace") experiment.view.surfels = SurfelSource::traced;
@@ -52,14 +81,19 @@ std::optional<CacheFolder> chosen_cache(const CommandLine& line, const Console& 
 
 ExitCode run_image_command(const CommandLine& line, const Console& console) {
   const Experiment given = make_experiment(line);
-  RunFolder folder(line.output, {line.command, experiment_text(given), run_files(false)}, line.force);
+  std::optional<RunFolder> run_folder;
+  if (!line.dry_run) {
+    run_folder.emplace(line.output, RunPlan{line.command, experiment_text(given), run_files(false)}, line.force);
+  }
   const ThreadLimit threads(line.threads);
   Workbench workbench(load_scene(given.scene, given.view.scene, given.reading),
-                      {line.gl_device, line.threads, chosen_cache(line, console)}, console);
+                      {line.gl_device, line.threads, chosen_cache(line, console), given.scene}, console);
   const Experiment experiment = workbench.in_metres(given);
   const Sides sides = sides_of(line.command);
   const std::vector<std::uint32_t> lights = workbench.lights(experiment.view.light);
   workbench.require_sense_for(experiment, lights);
+  if (line.dry_run) return show_image_plan(line, console, workbench, experiment);
+  RunFolder& folder = *run_folder;
 
   Measurement measurement;
   measurement.experiment = experiment;

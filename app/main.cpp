@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "core/interrupt.h"
 #include "reports/markup.h"
+#include "reports/output.h"
 
 namespace umbrameter {
 namespace {
@@ -15,7 +16,11 @@ namespace {
 ExitCode run(int argc, const char* const* argv) {
   const std::variant<CommandLine, Information> parsed = parse_command_line(argc, argv);
   if (const auto* information = std::get_if<Information>(&parsed)) {
-    fmt::print("{}", information->text);
+    if (information->file.empty()) {
+      fmt::print("{}", information->text);
+    } else {
+      write_text(information->file, information->text);
+    }
     return ExitCode::ok;
   }
   const CommandLine& line = std::get<CommandLine>(parsed);

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "app/commands.h"
+#include "app/dry_run.h"
 #include "app/reference_key.h"
 #include "app/run_output.h"
 #include "app/sweep_evaluator.h"
@@ -107,10 +109,14 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   Measure measure = choose_measure(experiment.run.measure, axes);
   const Parameters parameters = describe(experiment);
   const SweepPlan plan = plan_sweep(parameters, axes);
-  RunFolder folder(line.output, {line.command, experiment_text(experiment), run_files(true), true}, line.force);
+  std::optional<RunFolder> run_folder;
+  if (!line.dry_run) {
+    run_folder.emplace(line.output, RunPlan{line.command, experiment_text(experiment), run_files(true), true},
+                       line.force);
+  }
   const ThreadLimit threads(line.threads);
   Workbench workbench(load_scene(experiment.scene, experiment.view.scene, experiment.reading),
-                      {line.gl_device, line.threads, chosen_cache(line, console)}, console);
+                      {line.gl_device, line.threads, chosen_cache(line, console), experiment.scene}, console);
   const std::vector<std::uint32_t> lights = workbench.lights(experiment.view.light);
   if (measure == Measure::visibility && !varies_group(axes, "view.light") && lights.size() > 1) {
     // A sweep is about one light; which one is part of the stored experiment.
@@ -123,6 +129,11 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   }
   if (measure == Measure::visibility && has_soft_cells(workbench, experiment, axes)) measure = Measure::soft_visibility;
 
+  if (line.dry_run) {
+    return show_sweep_plan(console, workbench, {workbench.in_metres(experiment), axes, plan, measure});
+  }
+
+  RunFolder& folder = *run_folder;
   const std::string toml = experiment_text(experiment);
   folder.announce(ResultsStore::file_names());
   ResultsStore store =

@@ -44,10 +44,10 @@ Workbench::Workbench(Scene scene, WorkbenchOptions options, const Console& conso
       cache_(options_.cache, console) {
   add_notes(scene_.notes);
   if (bounds_.empty()) {
-    throw Error(ExitCode::unreadable_input, scene_.name, "the scene has no triangles",
+    throw Error(ExitCode::unreadable_input, options_.source, "the scene has no triangles",
                 "give a scene with meshes, or a built-in one ('umbrameter scenes')");
   }
-  require_measurable(bounds_, scene_.origin, scene_.name);
+  require_measurable(bounds_, scene_.origin, options_.source);
   std::vector<std::string> assumed;
   add_missing_light(scene_, assumed);
   add_notes(assumed);

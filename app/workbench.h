@@ -55,6 +55,7 @@ struct WorkbenchOptions {
   std::string gl_device;
   int threads = 0;
   std::optional<CacheFolder> cache{};  ///< for references
+  std::string source{};                ///< the scene's file or built-in name, for messages
 };
 
 class Workbench {

@@ -14,6 +14,14 @@ foreach(module IN LISTS UMBRAMETER_MODULES)
 endforeach()
 install(TARGETS umbrameter RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 
+# Where bash-completion, zsh, fish and man look for them.
+install(FILES ${UMBRAMETER_GENERATED}/umbrameter.bash RENAME umbrameter
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${UMBRAMETER_GENERATED}/umbrameter.zsh RENAME _umbrameter
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES ${UMBRAMETER_GENERATED}/umbrameter.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+install(FILES ${UMBRAMETER_GENERATED}/umbrameter.man RENAME umbrameter.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+
 # Dependencies.cmake goes along: the libraries are static, so who links them needs the same packages.
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/umbrameter-config.cmake.in
                               ${PROJECT_BINARY_DIR}/umbrameter-config.cmake INSTALL_DESTINATION ${package_folder})

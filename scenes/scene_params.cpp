@@ -23,12 +23,9 @@ constexpr double longest_unit = 1e12;    // metres
 Parameters describe(SceneParams& params) {
   return Description("scene")
       .field("unit", params.unit,
-             {"", "unit of the lengths in the scene: mm, cm, m, km, inch, foot, or its length in metres"})
-      .choice(
-          "blend", params.blend, blend_mode_names,
-          {.unit = {},
-           .meaning = "triangles with an alpha-blended or transmissive material: opaque, left out of both sides, or "
-                      "with holes where alpha is below 0.5"})
+             {.unit = {}, .meaning = "unit of lengths: mm, cm, m, km, inch, foot, or metres", .basic = true})
+      .choice("blend", params.blend, blend_mode_names,
+              {.unit = {}, .meaning = "alpha-blended and transmissive surfaces; mask: holes where alpha is below 0.5"})
       .take();
 }
 

@@ -121,6 +121,48 @@ TEST(Failure, A_broken_experiment_file_names_file_and_line) {
   expect_failure(run_program({"trace", "-c", folder / "missing.toml", "-o", folder / "out"}), 4, "missing.toml");
 }
 
+TEST(Failure, A_wrong_value_in_an_experiment_file_is_reported_with_its_line) {
+  const TemporaryFolder folder;
+  const auto run = [&](const std::string& text) {
+    folder.write("a.toml", text);
+    return run_program({"trace", "-c", folder / "a.toml", "-o", folder / "out"});
+  };
+  expect_failure(run("scene = \"corner\"\n\n[truth]\nspp = 0\n"), 2, "a.toml:4: truth.spp");
+  expect_failure(run("scene = \"corner\"\n[shadow]\nbias = 1\n"), 2, "a.toml:3: shadow.bias");
+  expect_failure(run("scene = \"corner\"\n[vary]\n\"truth.spp\" = \"1:2\"\n"), 2, "a.toml:3: --vary truth.spp");
+}
+
+TEST(Failure, An_experiment_file_that_never_ends_is_refused) {
+  const TemporaryFolder folder;
+  const ProgramResult result = run_program({"trace", "-c", "/dev/zero", "-o", folder / "out"});
+  expect_failure(result, 4, "/dev/zero");
+  EXPECT_NE(result.err.find("larger than 1 MiB"), std::string::npos) << result.err;
+}
+
+TEST(Failure, An_experiment_can_come_through_a_pipe) {
+  ProgramOptions options;
+  options.wrapper = {"sh", "-c", "printf 'scene = \"corner\"\n' | \"$@\"", "sh"};
+  const ProgramResult result = run_program({"trace", "-c", "/dev/stdin", "--dry-run", "--quiet"}, options);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("corner"), std::string::npos) << result.out;
+}
+
+TEST(Failure, A_scene_path_that_is_not_utf8_is_refused_before_any_work) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program({"scene", "corner", "-o", folder / "plain.glb"}).exit_code, 0);
+  const std::string path = folder / "caf\xe9.glb";
+  std::filesystem::rename(folder / "plain.glb", path);
+  expect_failure(trace(path, folder / "out"), 2, "not UTF-8");
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST(Failure, A_scene_without_triangles_is_named_by_its_file) {
+  const TemporaryFolder folder;
+  folder.write("empty.gltf",
+               R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"name":"Scene","nodes":[0]}],"nodes":[{}]})");
+  expect_failure(trace(folder / "empty.gltf", folder / "out"), 4, "empty.gltf: the scene has no triangles");
+}
+
 TEST(Failure, No_usable_driver_is_said_so) {
   const TemporaryFolder folder;
   // Two ways to take every driver away: a vendor list that does not exist, and a device that nobody has.

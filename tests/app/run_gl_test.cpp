@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 #include "tests/app/gl_run.h"
 
@@ -52,6 +53,76 @@ TEST_F(Run, Compare_writes_every_file_and_layer_of_the_contract) {
   const double sum = statistics["acne"].get<double>() + statistics["false_occlusion"].get<double>() +
                      statistics["peter_panning"].get<double>() + statistics["leak"].get<double>();
   EXPECT_NEAR(statistics["mae"].get<double>(), sum, 1e-6);
+}
+
+// Channel of that name, by pixel.
+const Image<float>& channel_of(const LayeredImage& image, const std::string& name) {
+  for (const Channel& channel : image.channels) {
+    if (channel.name == name) return channel.values;
+  }
+  throw std::runtime_error("no channel " + name);
+}
+
+TEST_F(Run, Background_pixels_have_no_position) {
+  ASSERT_EQ(run_program(words({"raster", "spheres", "-o", folder_ / "out"}, small)).exit_code, 0);
+  const LayeredImage image = read_exr(folder_ / "out/images.exr");
+  const Image<float>& alpha = channel_of(image, "A");
+  std::size_t background = 0;
+  for (const char* axis : {"gbuffer_position.X", "gbuffer_position.Y", "gbuffer_position.Z"}) {
+    const Image<float>& position = channel_of(image, axis);
+    for (std::size_t i = 0; i < position.size(); ++i) {
+      ASSERT_EQ(std::isnan(position[i]), alpha[i] == 0.0f) << axis << " " << i;
+      background += alpha[i] == 0.0f ? 1 : 0;
+    }
+  }
+  EXPECT_GT(background, 0u);
+}
+
+// A triangle under a sun of that name.
+std::string scene_with_light_named(const std::string& name) {
+  return R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_lights_punctual"],"scene":0,"scenes":[{"nodes":[0,1]}],)"
+         R"("nodes":[{"mesh":0},{"rotation":[-0.7071067811865476,0,0,0.7071067811865476],)"
+         R"("extensions":{"KHR_lights_punctual":{"light":0}}}],)"
+         R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"directional","name":")" +
+         name +
+         R"("}]}},"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,)"
+         R"("componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
+         // Corners at the origin, at x = 1 and at y = 1.
+         R"("buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,)"
+         R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
+}
+
+TEST_F(Run, The_summary_has_the_light_s_own_name_and_its_layer) {
+  folder_.write("named.gltf", scene_with_light_named("sun-60"));
+  const ProgramResult result = run_program(
+      words({"raster", folder_ / "named.gltf", "-o", folder_ / "out", "--light", "SUN-60", "--json"}, small));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json shadow = Json::parse(result.out)["shadows"][0];
+  EXPECT_EQ(shadow["light"], "sun-60");
+  EXPECT_EQ(shadow["layer"], "sun_60");
+  EXPECT_TRUE(channel_names(folder_ / "out/images.exr").contains("raster_visibility_sun_60.Y"));
+}
+
+TEST_F(Run, A_light_with_a_name_of_300_characters_can_be_measured) {
+  const std::string name(300, 'x');
+  folder_.write("long.gltf", scene_with_light_named(name));
+  const ProgramResult result =
+      run_program(words({"raster", folder_ / "long.gltf", "-o", folder_ / "out", "--json"}, small));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(Json::parse(result.out)["shadows"][0]["light"], name);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / ("out/figures/raster_visibility_" + std::string(64, 'x') + ".png")));
+}
+
+TEST_F(Run, A_dry_run_of_a_sweep_counts_cells_and_groups_and_estimates_the_time) {
+  const ProgramResult result =
+      run_program(words({"sweep", "contact-box", "--dry-run", "-o", folder_ / "out", "--light", "sun", "--vary",
+                         "shadow.constant-bias=0:0.1:11", "--vary", "shadow.resolution=64,128,256"},
+                        small));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("cells      33\n"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("groups     3 of up to 11 cells"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find(" measured groups of 3"), std::string::npos) << result.out;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
 
 TEST_F(Run, The_error_layer_is_raster_less_truth_in_every_pixel) {

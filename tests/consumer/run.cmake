@@ -14,3 +14,9 @@ execute_process(COMMAND ${CMAKE_COMMAND} -S ${source} -B ${work}/build -G ${gene
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${work}/build COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${work}/build/consumer COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${prefix}/bin/umbrameter --version COMMAND_ERROR_IS_FATAL ANY)
+foreach(file share/bash-completion/completions/umbrameter share/zsh/site-functions/_umbrameter
+             share/fish/vendor_completions.d/umbrameter.fish share/man/man1/umbrameter.1)
+  if(NOT EXISTS ${prefix}/${file})
+    message(FATAL_ERROR "${file} is not installed")
+  endif()
+endforeach()

@@ -1,0 +1,303 @@
+#include <algorithm>
+#include <span>
+
+#include "app/command_help.h"
+#include "scenes/builtin.h"
+
+namespace umbrameter {
+namespace {
+
+// What can stand for a value, by its placeholder.
+enum class Completes { nothing, files, folders, scenes, built_in_scenes, axes, commands };
+
+Completes completes(const OptionHelp& option) {
+  const std::string& value = option.is_positional ? option.names.front() : option.value;
+  if (value == "FILE") return Completes::files;
+  if (value == "DIR") return Completes::folders;
+  if (value == "SCENE") return Completes::scenes;
+  if (value == "NAME" && option.is_positional) return Completes::built_in_scenes;
+  if (value == "PARAM=AXIS") return Completes::axes;
+  if (value == "COMMAND") return Completes::commands;
+  return Completes::nothing;
+}
+
+std::string joined(const std::vector<std::string>& words, const std::string& separator = " ") {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
+  return text;
+}
+
+std::string scene_names() {
+  std::vector<std::string> names;
+  for (const BuiltinScene& scene : builtin_scenes()) names.emplace_back(scene.name);
+  return joined(names);
+}
+
+std::string command_names(const ProgramHelp& program) {
+  std::vector<std::string> names;
+  for (const CommandHelp& command : program.commands) names.push_back(command.name);
+  return joined(names);
+}
+
+// Full names, each once; they have a dot.
+std::vector<std::string> parameter_names(const ProgramHelp& program) {
+  std::vector<std::string> names;
+  for (const CommandHelp& command : program.commands) {
+    for (const OptionHelp& option : command.options) {
+      if (option.is_parameter && std::find(names.begin(), names.end(), option.names.front()) == names.end()) {
+        names.push_back(option.names.front());
+      }
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> flags_of(const OptionHelp& option) {
+  std::vector<std::string> flags;
+  if (option.is_positional) return flags;
+  if (!option.short_name.empty()) flags.push_back("-" + option.short_name);
+  for (const std::string& name : option.names) flags.push_back("--" + name);
+  return flags;
+}
+
+std::vector<std::string> flags_of(const std::vector<OptionHelp>& options) {
+  std::vector<std::string> flags;
+  for (const OptionHelp& option : options) {
+    for (std::string& flag : flags_of(option)) flags.push_back(std::move(flag));
+  }
+  return flags;
+}
+
+const OptionHelp* positional_of(const CommandHelp& command) {
+  const auto found = std::find_if(command.options.begin(), command.options.end(),
+                                  [](const OptionHelp& option) { return option.is_positional; });
+  return found == command.options.end() ? nullptr : &*found;
+}
+
+// For a word in single quotes, in bash and zsh.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? "'\\''" : std::string(1, c);
+  return result + "'";
+}
+
+std::string bash_values(const OptionHelp& option) {
+  if (!option.choices.empty()) return "_umbrameter_words " + quoted(joined(option.choices));
+  switch (completes(option)) {
+    case Completes::files:
+      return "_umbrameter_files -f";
+    case Completes::folders:
+      return "_umbrameter_files -d";
+    case Completes::scenes:
+      return "_umbrameter_words \"$scenes\"; _umbrameter_files -f";
+    case Completes::built_in_scenes:
+      return "_umbrameter_words \"$scenes\"";
+    case Completes::axes:
+      return "_umbrameter_words \"$parameters\"; compopt -o nospace 2>/dev/null";
+    case Completes::commands:
+      return "_umbrameter_words \"$commands\"";
+    case Completes::nothing:
+      break;
+  }
+  return ":";
+}
+
+constexpr const char* bash_start = R"(# Completion for umbrameter in bash, made by 'umbrameter generate bash'.
+
+_umbrameter_words() {
+  local match
+  while IFS='' read -r match; do COMPREPLY+=("$match"); done < <(compgen -W "$1" -- "$word")
+}
+
+_umbrameter_files() {
+  local match
+  compopt -o filenames 2>/dev/null
+  while IFS='' read -r match; do COMPREPLY+=("$match"); done < <(compgen "$1" -- "$word")
+}
+
+_umbrameter() {
+  local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} command='' i
+  COMPREPLY=()
+  # bash splits words at '=': --name=value are three of them.
+  if [[ $word == '=' ]]; then
+    word=''
+  elif [[ $previous == '=' ]]; then
+    previous=${COMP_WORDS[COMP_CWORD-2]}
+  fi
+)";
+
+// zsh: in a specification, what has a meaning inside [] or between colons.
+std::string zsh_escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '[' || c == ']' || c == ':' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+std::string zsh_action(const OptionHelp& option) {
+  if (!option.choices.empty()) return "(" + joined(option.choices) + ")";
+  switch (completes(option)) {
+    case Completes::files:
+      return "_files";
+    case Completes::folders:
+      return "_files -/";
+    case Completes::scenes:
+      return "_umbrameter_scenes";
+    case Completes::built_in_scenes:
+      return "_umbrameter_built_in";
+    case Completes::axes:
+      return "_umbrameter_axes";
+    case Completes::commands:
+      return "_umbrameter_commands";
+    case Completes::nothing:
+      break;
+  }
+  return " ";
+}
+
+// One specification a name: "'(-o --output)-o[folder]:DIR:_files -/'".
+std::vector<std::string> zsh_specifications(const OptionHelp& option) {
+  const std::string action = zsh_action(option);
+  if (option.is_positional) return {quoted("*:" + option.names.front() + ":" + action)};
+  std::vector<std::string> specifications;
+  const std::vector<std::string> flags = flags_of(option);
+  const bool repeats = completes(option) == Completes::axes;
+  for (const std::string& flag : flags) {
+    std::string text = repeats ? "*" : flags.size() > 1 ? "(" + joined(flags) + ")" : "";
+    text += flag;
+    if (!option.value.empty()) text += flag.starts_with("--") ? "=" : "+";
+    text += "[" + zsh_escaped(option.meaning) + "]";
+    if (!option.value.empty()) text += ":" + zsh_escaped(option.value) + ":" + action;
+    specifications.push_back(quoted(text));
+  }
+  return specifications;
+}
+
+std::string zsh_arguments(const std::vector<OptionHelp>& options, const std::string& indent) {
+  std::string text = "_arguments -s";
+  for (const OptionHelp& option : options) {
+    for (const std::string& specification : zsh_specifications(option)) text += " \\\n" + indent + specification;
+  }
+  return text;
+}
+
+std::string fish_quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) {
+    if (c == '\'' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + "'";
+}
+
+// "-x": takes a value that is no file; "-r": a file.
+std::string fish_values(const OptionHelp& option, const ProgramHelp& program) {
+  const auto words = [](const std::string& list) { return " -x -a " + fish_quoted(list); };
+  if (!option.choices.empty()) return words(joined(option.choices));
+  switch (completes(option)) {
+    case Completes::files:
+      return " -r -F";
+    case Completes::folders:
+      return " -x -a '(__fish_complete_directories)'";
+    case Completes::scenes:
+      return " -F -a " + fish_quoted(scene_names());
+    case Completes::built_in_scenes:
+      return words(scene_names());
+    case Completes::axes:
+      return words(joined(parameter_names(program), "= ") + "=");
+    case Completes::commands:
+      return words(command_names(program));
+    case Completes::nothing:
+      break;
+  }
+  return option.value.empty() ? "" : " -x";
+}
+
+std::string fish_line(const std::string& condition, const OptionHelp& option, const ProgramHelp& program) {
+  std::string text = "complete -c umbrameter -n " + fish_quoted(condition);
+  if (!option.short_name.empty()) text += " -s " + option.short_name;
+  if (!option.is_positional) {
+    for (const std::string& name : option.names) text += " -l " + name;
+  }
+  text += fish_values(option, program);
+  return option.is_positional ? text + "\n" : text + " -d " + fish_quoted(option.meaning) + "\n";
+}
+
+}  // namespace
+
+std::string bash_completion(const ProgramHelp& program) {
+  std::string text = bash_start;
+  text += "  local commands=" + quoted(command_names(program)) + "\n";
+  text += "  local scenes=" + quoted(scene_names()) + "\n";
+  text += "  local parameters=" + quoted(joined(parameter_names(program), "= ") + "=") + "\n";
+  text += "  local options=" + quoted(joined(flags_of(program.options))) + "\n";
+  text += "  for ((i = 1; i < COMP_CWORD; i++)); do\n    case ${COMP_WORDS[i]} in\n";
+  std::string cases = command_names(program);
+  std::replace(cases.begin(), cases.end(), ' ', '|');
+  text += "      " + cases + ") command=${COMP_WORDS[i]}; break ;;\n    esac\n  done\n\n";
+
+  text += "  case \"$command $previous\" in\n";
+  for (const CommandHelp& command : program.commands) {
+    for (const OptionHelp& option : command.options) {
+      if (option.is_positional || option.value.empty()) continue;
+      std::string patterns;
+      for (const std::string& flag : flags_of(option)) {
+        patterns += (patterns.empty() ? "" : "|") + quoted(command.name + " " + flag);
+      }
+      text += "    " + patterns + ") " + bash_values(option) + "; return ;;\n";
+    }
+  }
+  text += "  esac\n\n  case $command in\n";
+  for (const CommandHelp& command : program.commands) {
+    text += "    " + command.name + ")\n";
+    if (const OptionHelp* positional = positional_of(command)) {
+      text += "      if [[ $word != -* ]]; then " + bash_values(*positional) + "; return; fi\n";
+    }
+    text += "      options=" + quoted(joined(flags_of(command.options))) + "\n      ;;\n";
+  }
+  text += "    *) [[ $word == -* ]] || options=$commands ;;\n  esac\n  _umbrameter_words \"$options\"\n}\n\n";
+  return text + "complete -F _umbrameter umbrameter\n";
+}
+
+std::string zsh_completion(const ProgramHelp& program) {
+  std::string text = "#compdef umbrameter\n# Completion for umbrameter in zsh, made by 'umbrameter generate zsh'.\n\n";
+  text += "_umbrameter_built_in() {\n  compadd -- " + scene_names() + "\n}\n\n";
+  text += "_umbrameter_scenes() {\n  _umbrameter_built_in\n  _files\n}\n\n";
+  text += "_umbrameter_axes() {\n  compadd -S '' -- " + joined(parameter_names(program), "= ") + "=\n}\n\n";
+  text += "_umbrameter_commands() {\n  local -a commands=(\n";
+  for (const CommandHelp& command : program.commands) {
+    text += "    " + quoted(command.name + ":" + zsh_escaped(command.summary)) + "\n";
+  }
+  text += "  )\n  _describe command commands\n}\n\n";
+  text += "_umbrameter() {\n  local context state line\n  typeset -A opt_args\n";
+  text += "  _arguments -C";
+  for (const OptionHelp& option : program.options) {
+    for (const std::string& specification : zsh_specifications(option)) text += " \\\n    " + specification;
+  }
+  text += " \\\n    '1:command:_umbrameter_commands' \\\n    '*::argument:->arguments'\n";
+  text += "  [[ $state == arguments ]] || return\n  case $words[1] in\n";
+  for (const CommandHelp& command : program.commands) {
+    text += "    " + command.name + ")\n      " + zsh_arguments(command.options, "        ") + "\n      ;;\n";
+  }
+  return text + "  esac\n}\n\n_umbrameter \"$@\"\n";
+}
+
+std::string fish_completion(const ProgramHelp& program) {
+  std::string text =
+      "# Completion for umbrameter in fish, made by 'umbrameter generate fish'.\ncomplete -c umbrameter -f\n";
+  for (const CommandHelp& command : program.commands) {
+    text += "complete -c umbrameter -n __fish_use_subcommand -a " + command.name + " -d " +
+            fish_quoted(command.summary) + "\n";
+  }
+  for (const OptionHelp& option : program.options) text += fish_line("__fish_use_subcommand", option, program);
+  for (const CommandHelp& command : program.commands) {
+    for (const OptionHelp& option : command.options) {
+      text += fish_line("__fish_seen_subcommand_from " + command.name, option, program);
+    }
+  }
+  return text;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,167 @@
+#include "app/dry_run.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "reports/text_layout.h"
+#include "scenes/view.h"
+
+namespace umbrameter {
+namespace {
+
+using Row = std::pair<std::string, std::string>;
+
+constexpr double estimate_budget = 20.0;  // seconds
+
+const char* kind_of(const Light& light) {
+  if (std::holds_alternative<DirectionalLight>(light.shape)) return "directional";
+  return std::holds_alternative<SpotLight>(light.shape) ? "spot" : "point";
+}
+
+std::string light_text(const Workbench& workbench, const Experiment& experiment, std::uint32_t light) {
+  return fmt::format("{} ({}{})", workbench.title(light), kind_of(workbench.light(experiment, light)),
+                     is_area(workbench.light(experiment, light)) ? ", area light" : "");
+}
+
+Row scene_row(const Workbench& workbench, const Experiment& experiment) {
+  const SceneCounts counts = count(workbench.scene());
+  return {"scene", fmt::format("{}, {} triangles", scene_title(experiment), grouped(counts.triangles))};
+}
+
+Row view_row(const Workbench& workbench, const ViewParams& params) {
+  std::vector<std::string> notes;
+  const double aspect = static_cast<double>(params.size.width) / params.size.height;
+  const Camera camera = select_camera(workbench.scene(), params.camera, aspect, notes);
+  return {"view", fmt::format("{}×{} pixels, {}", params.size.width, params.size.height,
+                              camera.name.empty() ? "a camera without a name" : "camera " + camera.name)};
+}
+
+std::string value_of(Experiment experiment, const std::string& key) {
+  return to_string(require(describe(experiment), key).value());
+}
+
+std::string time_text(double seconds) {
+  if (seconds < 1.0) return "less than 1 s";
+  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
+  return seconds < 5400.0 ? fmt::format("{:.0f} min", seconds / 60.0) : fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+ExitCode show(const Console& console, const std::vector<Row>& rows) {
+  nlohmann::ordered_json json;
+  for (const auto& [key, text] : rows) {
+    say(console, fmt::format("{:<10} {}", key, text));
+    json[key] = text;
+  }
+  // Names come from files: bytes that are no UTF-8 are replaced, never thrown on.
+  if (console.json) fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+ExitCode show_image_plan(const CommandLine& line, const Console& console, Workbench& workbench,
+                         const Experiment& experiment) {
+  std::vector<Row> rows = {scene_row(workbench, experiment), view_row(workbench, experiment.view)};
+  std::string lights;
+  for (const std::uint32_t light : workbench.lights(experiment.view.light)) {
+    lights += (lights.empty() ? "" : ", ") + light_text(workbench, experiment, light);
+  }
+  rows.emplace_back("lights", lights);
+  if (line.command != "trace") {
+    rows.emplace_back("raster", fmt::format("shadow maps of {}² texels, {} filter; AO with {} samples per pixel",
+                                            experiment.shadow.resolution, value_of(experiment, "shadow.filter"),
+                                            experiment.ao.samples));
+  }
+  if (line.command != "raster") {
+    const TruthParams& truth = experiment.truth;
+    rows.emplace_back("reference",
+                      truth.tolerance > 0.0
+                          ? fmt::format("{} to {} rays per pixel for AO and area lights", truth.min_spp, truth.max_spp)
+                          : fmt::format("{} rays per pixel for AO and area lights", truth.spp));
+  }
+  rows.emplace_back("files", "index.html, summary.json, images.exr, experiment.toml, figures/" +
+                                 (line.output.empty() ? std::string() : " in " + line.output.string()));
+  return show(console, rows);
+}
+
+TimeEstimate estimate_time(const SweepPlan& plan, double budget, const std::function<double(std::size_t)>& measure) {
+  const std::size_t groups = count_groups(plan);
+  TimeEstimate estimate;
+  double spent = 0.0;
+  const auto sample = [&](std::size_t group) {
+    const double seconds = measure(group);
+    spent += seconds;
+    ++estimate.measured;
+    return seconds;
+  };
+  const double first = sample(0);
+  estimate.seconds = first;
+  // Groups at which the outermost axis that changes is this one; everything inside it starts again.
+  struct Level {
+    std::size_t step;
+    std::size_t steps_within;  // steps until the next outer axis changes
+  };
+  std::vector<Level> levels;
+  std::size_t step = groups;
+  for (const std::size_t axis : plan.outer) {
+    const std::size_t outer_step = step;
+    step /= plan.axes[axis].values.size();
+    if (step < outer_step) levels.push_back({step, outer_step / step});
+  }
+  // A large grid of biases is split into several groups.
+  if (step > 1) levels.push_back({1, step});
+  for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
+    const std::size_t times = groups / level->step - groups / (level->step * level->steps_within);
+    double each = first;
+    if (spent < budget) {
+      each = sample(level->step);
+      // The cost of a step may grow along the axis, as with the resolution: the mean of both ends.
+      if (level->steps_within > 2 && spent < budget) {
+        each = 0.5 * (each + sample((level->steps_within - 1) * level->step));
+      }
+    } else {
+      estimate.is_upper_bound = true;
+    }
+    estimate.seconds += each * static_cast<double>(times);
+  }
+  return estimate;
+}
+
+ExitCode show_sweep_plan(const Console& console, Workbench& workbench, const PlannedSweep& sweep) {
+  const SweepPlan& plan = sweep.plan;
+  std::vector<Row> rows = {scene_row(workbench, sweep.experiment), view_row(workbench, sweep.experiment.view)};
+  if (sweep.measure != Measure::ao) {
+    std::string lights;
+    for (const std::uint32_t light : swept_lights(workbench, sweep.experiment, sweep.axes)) {
+      lights += (lights.empty() ? "" : ", ") + light_text(workbench, sweep.experiment, light);
+    }
+    rows.emplace_back("light", lights);
+  }
+  rows.emplace_back("measures", sweep.measure == Measure::ao ? "ambient occlusion" : "shadows");
+  std::string axes;
+  for (const SweepAxis& axis : sweep.axes) {
+    axes += (axes.empty() ? "" : "; ") + fmt::format("{}, {} values ({})", axis.key, axis.values.size(), axis.text);
+  }
+  rows.emplace_back("axes", axes);
+  rows.emplace_back("cells", grouped(plan.cells));
+  const std::size_t groups = count_groups(plan);
+  rows.emplace_back("groups",
+                    fmt::format("{} of up to {} cells; {}", grouped(groups), grouped(group_at(plan, 0).size()),
+                                sweep.measure == Measure::visibility
+                                    ? "one pass measures all constant and slope-scaled biases of a group"
+                                    : "each cell is measured by itself"));
+  const EvaluateGroup evaluate = make_evaluator(workbench, sweep.experiment, sweep.axes, sweep.measure);
+  const TimeEstimate estimate = estimate_time(plan, estimate_budget, [&](std::size_t index) {
+    const auto start = std::chrono::steady_clock::now();
+    evaluate(group_at(plan, index), [](std::size_t, std::size_t, std::span<const Value>) {});
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  });
+  rows.emplace_back("time", fmt::format("{} {} to measure, plus the report; estimated from {} measured groups of {}",
+                                        estimate.is_upper_bound ? "at most about" : "about",
+                                        time_text(estimate.seconds), estimate.measured, grouped(groups)));
+  return show(console, rows);
+}
+
+}  // namespace umbrameter
