@@ -29,7 +29,8 @@ std::vector<std::string> different_values(const Table& table, std::size_t column
 std::vector<std::string> wrap_text(const std::string& text);
 
 /// For axes, legends and headers of values that are texts: numbers with four significant digits, all else as it is.
-inline constexpr const char* short_labels = "isNaN(+datum.label) ? datum.label : format(+datum.label, '.4~g')";
+/// The parentheses belong to it: in a header Vega-Lite replaces "datum.label" by an expression with operators in it.
+inline constexpr const char* short_labels = "isNaN(+(datum.label)) ? datum.label : format(+(datum.label), '.4~g')";
 
 /// Fonts, inks, axes and legends.
 Json plot_look();

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -71,6 +72,34 @@ TEST(HeatMap, Is_drawn_with_and_without_panels_and_beside_plots) {
   const FigureOutcome outcome = write_figures(folder / "figures", {}, {causes_plot()}, {bias_map(), single});
   EXPECT_TRUE(outcome.problems.empty()) << outcome.problems.front();
   EXPECT_EQ(count_files(folder / "figures"), 9u);
+}
+
+// The svg of bias_map() whose panel column holds these values.
+std::string svg_with_panels(const std::vector<Value>& panels) {
+  const TemporaryFolder folder;
+  HeatMapFigure figure = bias_map();
+  const std::vector<std::string> resolutions = {"512", "1024", "2048"};
+  for (std::vector<Value>& row : figure.data.rows) {
+    const auto found = std::find(resolutions.begin(), resolutions.end(), to_string(row[2]));
+    row[2] = panels[static_cast<std::size_t>(found - resolutions.begin())];
+  }
+  EXPECT_TRUE(write_figures(folder / "figures", {}, {}, {figure}).problems.empty());
+  return text_of(folder / "figures/heat.svg");
+}
+
+TEST(HeatMap, Panels_of_words_are_titled_with_the_words) {
+  const std::string svg = svg_with_panels({std::string("nearest"), std::string("box"), std::string("true")});
+  for (const char* title : {">nearest</text>", ">box</text>", ">true</text>"}) {
+    EXPECT_NE(svg.find(title), std::string::npos) << title;
+  }
+  EXPECT_EQ(svg.find("NaN"), std::string::npos);
+}
+
+TEST(HeatMap, Panels_of_numbers_are_titled_with_four_digits) {
+  const std::string svg = svg_with_panels({0.123456, 2.0, std::int64_t{4096}});
+  for (const char* title : {">0.1235</text>", ">2</text>", ">4096</text>"}) {
+    EXPECT_NE(svg.find(title), std::string::npos) << title;
+  }
 }
 
 TEST(HeatMap, Cells_meet_half_way_and_the_first_begins_at_zero) {
