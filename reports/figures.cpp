@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <future>
+#include <iterator>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/error.h"
-#include "core/interrupt.h"
+#include "core/parallel.h"
 #include "reports/data_folder.h"
 #include "reports/drawing.h"
 #include "reports/figure_parts.h"
@@ -17,12 +21,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t programs_at_once = 2;
+constexpr const char* image_zoom = "1";
+constexpr const char* plot_zoom = "2";  // plots have no pixels of their own
 
-struct Drawing {
-  std::string stem;
-  std::string svg;
-  const char* png_zoom;  // plots have no pixels of their own
+// What became of one figure.
+struct Written {
+  std::string drawing_problem;
+  std::string name_problem;
+  std::vector<std::string> conversion_problems;
+  std::size_t without_program = 0;  ///< files that were not made because rsvg-convert is missing
+  std::string missing_program;      ///< which, and what to install
 };
 
 // A stem becomes a file name: no separators, no leading dot.
@@ -31,20 +39,61 @@ bool is_plain_name(const std::string& stem) {
          stem.find('\0') == std::string::npos;
 }
 
-void draw_images(const std::vector<ImageFigure>& images, std::vector<Drawing>& drawings, FigureOutcome& outcome) {
-  for (const ImageFigure& image : images) {
-    throw_if_interrupted();
-    try {
-      drawings.push_back({image.stem, to_svg(image), "1"});
-    } catch (const Error& error) {
-      outcome.problems.emplace_back(error.what());
+void convert(const fs::path& folder, const std::string& stem, const std::string& svg, const char* png_zoom,
+             Written& written) {
+  for (const auto& [format, zoom] : {std::pair{"pdf", "1"}, {"png", png_zoom}}) {
+    const fs::path file = folder / (stem + "." + format);
+    const FilterResult result = run_filters({conversion(svg, format, zoom)}, 1).front();
+    if (result.problem.empty()) {
+      write_text(file, result.output);
+      continue;
+    }
+    const std::string problem = with_package(result.problem, "rsvg-convert", "librsvg2-bin");
+    if (problem == result.problem) {
+      written.conversion_problems.push_back(fmt::format("{} not made: {}", file.string(), problem));
+    } else {
+      written.missing_program = problem;
+      ++written.without_program;
     }
   }
 }
 
+void write_drawing_of(const fs::path& folder, const std::string& stem, const std::string& svg, const char* png_zoom,
+                      Written& written) {
+  if (!is_plain_name(stem)) {
+    written.name_problem = fmt::format("figure '{}': not a name for a file", stem);
+    return;
+  }
+  write_text(folder / (stem + ".svg"), svg);
+  convert(folder, stem, svg, png_zoom, written);
+}
+
+Written write_image(const fs::path& folder, const ImageFigure& image) {
+  Written written;
+  std::string svg;
+  try {
+    svg = to_svg(image);
+  } catch (const Error& error) {
+    written.drawing_problem = error.what();
+    return written;
+  }
+  write_drawing_of(folder, image.stem, svg, image_zoom, written);
+  return written;
+}
+
+struct PlotDrawing {
+  std::string stem;
+  std::string svg;
+};
+
+struct PlotDrawings {
+  std::vector<PlotDrawing> drawings;
+  std::vector<std::string> problems;
+};
+
 // All plots in one run of Node: its start takes longer than a plot.
-void draw_plots(const std::vector<PlotFigure>& plots, const std::vector<HeatMapFigure>& heat_maps,
-                std::vector<Drawing>& drawings, FigureOutcome& outcome) {
+PlotDrawings draw_plots(const std::vector<PlotFigure>& plots, const std::vector<HeatMapFigure>& heat_maps) {
+  PlotDrawings result;
   std::string specifications;
   std::vector<std::string> stems;
   const auto add = [&](const auto& plot) {
@@ -54,83 +103,94 @@ void draw_plots(const std::vector<PlotFigure>& plots, const std::vector<HeatMapF
       specifications += specification;
       stems.push_back(plot.stem);
     } catch (const Error& error) {
-      outcome.problems.emplace_back(error.what());
+      result.problems.emplace_back(error.what());
     }
   };
   for (const PlotFigure& plot : plots) add(plot);
   for (const HeatMapFigure& heat_map : heat_maps) add(heat_map);
-  if (stems.empty()) return;
+  if (stems.empty()) return result;
   const fs::path script = data_folder() / "figures.cjs";
   std::error_code error;
   if (!fs::is_regular_file(script, error)) {
-    outcome.problems.push_back(fmt::format("{} plots not drawn: {} is missing; set UMBRAMETER_DATA to its folder",
-                                           stems.size(), script.string()));
-    return;
+    result.problems.push_back(fmt::format("{} plots not drawn: {} is missing; set UMBRAMETER_DATA to its folder",
+                                          stems.size(), script.string()));
+    return result;
   }
-  const FilterResult result = run_filters({{{"node", script.string()}, {}, specifications + "]"}}, 1).front();
-  if (!result.problem.empty()) {
-    outcome.problems.push_back(
-        fmt::format("{} plots not drawn: {}", stems.size(), with_package(result.problem, "node", "nodejs")));
-    return;
+  const FilterResult drawn = run_filters({{{"node", script.string()}, {}, specifications + "]"}}, 1).front();
+  if (!drawn.problem.empty()) {
+    result.problems.push_back(
+        fmt::format("{} plots not drawn: {}", stems.size(), with_package(drawn.problem, "node", "nodejs")));
+    return result;
   }
-  const nlohmann::json answers = nlohmann::json::parse(result.output, nullptr, false);
+  const nlohmann::json answers = nlohmann::json::parse(drawn.output, nullptr, false);
   if (!answers.is_array() || answers.size() != stems.size()) {
-    outcome.problems.push_back(fmt::format("{} plots not drawn: {} gave no answer", stems.size(), script.string()));
-    return;
+    result.problems.push_back(fmt::format("{} plots not drawn: {} gave no answer", stems.size(), script.string()));
+    return result;
   }
   for (std::size_t i = 0; i < stems.size(); ++i) {
     if (answers[i].contains("svg")) {
-      drawings.push_back({stems[i], answers[i]["svg"].get<std::string>() + "\n", "2"});
+      result.drawings.push_back({stems[i], answers[i]["svg"].get<std::string>() + "\n"});
     } else {
-      outcome.problems.push_back(fmt::format("figure {}: {}", stems[i], answers[i].value("error", "not drawn")));
+      result.problems.push_back(fmt::format("figure {}: {}", stems[i], answers[i].value("error", "not drawn")));
     }
   }
+  return result;
 }
 
-void convert(const fs::path& folder, const std::vector<Drawing>& drawings, FigureOutcome& outcome) {
-  std::vector<Filter> filters;
-  std::vector<fs::path> files;
-  for (const Drawing& drawing : drawings) {
-    for (const char* format : {"pdf", "png"}) {
-      const char* zoom = std::string_view(format) == "png" ? drawing.png_zoom : "1";
-      filters.push_back(conversion(drawing.svg, format, zoom));
-      files.push_back(folder / (drawing.stem + "." + format));
-    }
+// In the order in which somebody mends them: figures without a drawing, drawings without files.
+std::vector<std::string> collect_problems(const std::vector<Written>& written, std::size_t images,
+                                          std::vector<std::string> of_plots) {
+  std::vector<std::string> problems;
+  for (std::size_t i = 0; i < images; ++i) {
+    if (!written[i].drawing_problem.empty()) problems.push_back(written[i].drawing_problem);
   }
-  const std::vector<FilterResult> results = run_filters(filters, programs_at_once);
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    if (results[i].problem.empty()) {
-      write_text(files[i], results[i].output);
-      continue;
-    }
-    const std::string problem = with_package(results[i].problem, "rsvg-convert", "librsvg2-bin");
-    if (problem != results[i].problem) {
-      outcome.problems.push_back(fmt::format("{} PDF and PNG figures not made: {}", files.size(), problem));
-      return;
-    }
-    outcome.problems.push_back(fmt::format("{} not made: {}", files[i].string(), problem));
+  std::move(of_plots.begin(), of_plots.end(), std::back_inserter(problems));
+  for (const Written& one : written) {
+    if (!one.name_problem.empty()) problems.push_back(one.name_problem);
   }
+  std::size_t without_program = 0;
+  std::string missing_program;
+  for (const Written& one : written) {
+    problems.insert(problems.end(), one.conversion_problems.begin(), one.conversion_problems.end());
+    without_program += one.without_program;
+    if (!one.missing_program.empty()) missing_program = one.missing_program;
+  }
+  if (without_program > 0) {
+    problems.push_back(fmt::format("{} PDF and PNG figures not made: {}", without_program, missing_program));
+  }
+  return problems;
 }
 
 }  // namespace
 
 FigureOutcome write_figures(const fs::path& folder, const std::vector<ImageFigure>& images,
-                            const std::vector<PlotFigure>& plots, const std::vector<HeatMapFigure>& heat_maps) {
+                            const std::vector<PlotFigure>& plots, const std::vector<HeatMapFigure>& heat_maps,
+                            const FigureProgress& progress) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw Error(ExitCode::partial, "cannot make " + folder.string(), error.message());
-  FigureOutcome outcome;
-  std::vector<Drawing> drawings;
-  draw_images(images, drawings, outcome);
-  draw_plots(plots, heat_maps, drawings, outcome);
-  std::erase_if(drawings, [&](const Drawing& drawing) {
-    if (is_plain_name(drawing.stem)) return false;
-    outcome.problems.push_back(fmt::format("figure '{}': not a name for a file", drawing.stem));
-    return true;
+  const std::size_t all = images.size() + plots.size() + heat_maps.size();
+  std::mutex mutex;
+  std::size_t done = 0;
+  const auto count_one = [&] {
+    const std::lock_guard lock(mutex);
+    if (progress) progress(++done, all);
+  };
+  // Node takes as long to start as several images take to be written.
+  std::future<PlotDrawings> drawn = std::async(std::launch::async, [&] { return draw_plots(plots, heat_maps); });
+  std::vector<Written> written(images.size());
+  parallel_for(images.size(), [&](std::size_t i) {
+    written[i] = write_image(folder, images[i]);
+    count_one();
   });
-  for (const Drawing& drawing : drawings) write_text(folder / (drawing.stem + ".svg"), drawing.svg);
-  convert(folder, drawings, outcome);
-  return outcome;
+  PlotDrawings of_plots = drawn.get();
+  written.resize(images.size() + of_plots.drawings.size());
+  parallel_for(of_plots.drawings.size(), [&](std::size_t i) {
+    const PlotDrawing& plot = of_plots.drawings[i];
+    write_drawing_of(folder, plot.stem, plot.svg, plot_zoom, written[images.size() + i]);
+    count_one();
+  });
+  return {collect_problems(written, images.size(), std::move(of_plots.problems))};
 }
 
 }  // namespace umbrameter

@@ -1,7 +1,9 @@
 // Pictures of numbers and of images. Each is written to figures/<stem>.svg, .pdf and .png.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -94,11 +96,16 @@ Image<glm::u8vec3> tone_map(const Image<vec3>& linear, float exposure);
 
 void write_png(const std::filesystem::path& path, const Image<glm::u8vec3>& image);
 
+/// How many figures are written, of all. Called from any thread, one call at a time.
+using FigureProgress = std::function<void(std::size_t done, std::size_t all)>;
+
 /// What write_figures() left out and why, one line each; empty when all were written.
 struct FigureOutcome {
   std::vector<std::string> problems;
 };
+/// Draws on all threads at once; the files and the order of the problems do not depend on their number.
 FigureOutcome write_figures(const std::filesystem::path& folder, const std::vector<ImageFigure>& images,
-                            const std::vector<PlotFigure>& plots, const std::vector<HeatMapFigure>& heat_maps = {});
+                            const std::vector<PlotFigure>& plots, const std::vector<HeatMapFigure>& heat_maps = {},
+                            const FigureProgress& progress = {});
 
 }  // namespace umbrameter

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "core/parallel.h"
 #include "reports/figure_parts.h"
 #include "tests/support/temporary_folder.h"
 
@@ -87,6 +88,36 @@ TEST(Figures, Two_runs_write_the_same_bytes) {
   for (const std::string name : {"ramp.svg", "ramp.pdf", "ramp.png", "curve.svg", "curve.pdf", "curve.png"}) {
     EXPECT_TRUE(text_of(folder / ("first/" + name)) == text_of(folder / ("second/" + name))) << name;
   }
+}
+
+TEST(Figures, Do_not_depend_on_the_number_of_threads) {
+  const TemporaryFolder folder;
+  std::vector<ImageFigure> images(5, ramp_figure(320, 180));
+  for (std::size_t i = 0; i < images.size(); ++i) images[i].stem = "ramp" + std::to_string(i);
+  images[3].values = {};  // nothing to draw: a problem
+  for (const int threads : {1, 4}) {
+    const ThreadLimit limit(threads);
+    const FigureOutcome outcome = write_figures(folder / std::to_string(threads), images, {curve_figure()});
+    ASSERT_EQ(outcome.problems.size(), 1u);
+    EXPECT_TRUE(contains(outcome.problems[0], "ramp3")) << outcome.problems[0];
+  }
+  EXPECT_EQ(count_files(folder / "1"), 15u);
+  for (const auto& entry : fs::directory_iterator(folder / "1")) {
+    EXPECT_TRUE(text_of(entry.path()) == text_of(folder / "4" / entry.path().filename())) << entry.path();
+  }
+}
+
+TEST(Figures, Are_counted_as_they_are_written) {
+  const TemporaryFolder folder;
+  ImageFigure second = ramp_figure();
+  second.stem = "second";
+  std::vector<std::size_t> counted;
+  write_figures(folder / "figures", {ramp_figure(), second}, {curve_figure()}, {},
+                [&](std::size_t done, std::size_t all) {
+                  EXPECT_EQ(all, 3u);
+                  counted.push_back(done);
+                });
+  EXPECT_EQ(counted, (std::vector<std::size_t>{1, 2, 3}));
 }
 
 TEST(Figures, A_machine_without_the_tools_gets_the_svg_of_images_and_is_told_what_to_install) {
