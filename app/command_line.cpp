@@ -136,6 +136,7 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   if (&description != &raster_command) {
     command.add_flag("--no-cache", line.no_cache, "trace the reference again and do not cache it");
   }
+  command.add_flag("--no-figures", line.no_figures, "Draw no figures; the page then has no pictures");
   add_threads(command, line);
   add_output_flags(command, line);
   add_parameters(command, line);

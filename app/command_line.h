@@ -23,6 +23,7 @@ struct CommandLine {
   bool verbose = false;
   bool json = false;
   bool markdown = false;
+  bool no_figures = false;         ///< no figures/ folder, and a page without pictures
   bool no_cache = false;           ///< references are traced anew and not kept
   bool force = false;              ///< an earlier run's results in the folder are replaced
   bool dry_run = false;            ///< show what would be measured, write nothing

@@ -61,11 +61,14 @@ ProgressBar::ProgressBar(const Console& console, std::string label, std::functio
       start_(Clock::now()),
       shown_(start_ + first_shown_after - shown_every) {}
 
+ProgressBar::ProgressBar(Progress pass_on) : pass_on_(std::move(pass_on)) {}
+
 ProgressBar::~ProgressBar() {
   if (visible_) fmt::print(stderr, "\r\x1b[K");
 }
 
-void ProgressBar::show(double share) {
+void ProgressBar::show(double share, const std::string& counted) {
+  if (pass_on_) pass_on_(share);
   const auto now = Clock::now();
   if (!first_share_) {
     first_share_ = share;
@@ -76,7 +79,8 @@ void ProgressBar::show(double share) {
   shown_ = now;
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const std::uint64_t rays = count_rays_ ? count_rays_() - rays_before_ : 0;
-  fmt::print(stderr, "\r\x1b[K{}", progress_text(label_, {share, *first_share_, seconds, rays}, use_color()));
+  const std::string label = counted.empty() ? label_ : label_ + " " + counted;
+  fmt::print(stderr, "\r\x1b[K{}", progress_text(label, {share, *first_share_, seconds, rays}, use_color()));
   std::fflush(stderr);
 }
 

@@ -50,11 +50,14 @@ class ProgressBar {
  public:
   /// count_rays(), where given, tells a growing number of rays, from any start and on any thread.
   ProgressBar(const Console& console, std::string label, std::function<std::uint64_t()> count_rays = {});
+  /// Shows nothing and passes every share on; to nobody where `pass_on` is empty.
+  explicit ProgressBar(Progress pass_on);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  void show(double share);
+  /// `counted` follows the label: "7 of 19".
+  void show(double share, const std::string& counted = {});
   /// show() as a callable that must not outlive the bar.
   Progress callback();
 
@@ -62,6 +65,7 @@ class ProgressBar {
   using Clock = std::chrono::steady_clock;
   std::string label_;
   std::function<std::uint64_t()> count_rays_;
+  Progress pass_on_;
   std::uint64_t rays_before_ = 0;
   bool visible_ = false;
   Clock::time_point start_;  ///< when the first share was told

@@ -121,6 +121,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   output.parts.push_back(present_ao(*measurement.ao));
   output.summary = {line.command, given, &workbench, &measurement, {}, {}, {}, {}};
   if (sides.raster) output.summary.gl_renderer = workbench.context().device().renderer;
+  output.with_figures = !line.no_figures;
   return write_run(folder, console, std::move(output));
 }
 

@@ -20,6 +20,7 @@ struct RunOutput {
   std::vector<Presentation> parts;
   SummaryInput summary;
   const ResultsStore* results = nullptr;  ///< of a sweep: sweep.csv is a view of it
+  bool with_figures = true;               ///< else no figures/ folder, and the page says so
 };
 
 /// The complete experiment file.
@@ -28,7 +29,7 @@ std::string experiment_text(Experiment experiment);
 /// What write_run() writes besides figures; `with_rows` for a sweep.
 std::vector<std::string> run_files(bool with_rows);
 
-/// Writes the files into the folder, the page last, and says the lines of each part and where the page is.
+/// Prints the lines of each part, then writes the files into the folder, the page last, and prints where the page is.
 /// ExitCode::partial, with a line on stderr for each, when a figure could not be made.
 ExitCode write_run(RunFolder& folder, const Console& console, RunOutput output);
 

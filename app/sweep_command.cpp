@@ -205,6 +205,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
                     workbench.context().device().renderer,
                     {},
                     {}};
+  output.with_figures = !line.no_figures;
   return write_run(folder, console, std::move(output));
 }
 
