@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "app/reference_key.h"
 #include "app/run_output.h"
 #include "app/sweep_evaluator.h"
+#include "app/sweep_progress.h"
 #include "app/sweep_report.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
@@ -85,13 +87,27 @@ std::vector<std::pair<std::string, Value>> cell_values(const std::vector<SweepAx
   return cell;
 }
 
-void measure_missing(const SweepPlan& plan, ResultsStore& store, const EvaluateGroup& evaluate,
+// One bar for all of it, tracing included.
+void measure_missing(const SweepPlan& plan, ResultsStore& store, Workbench& workbench, const EvaluateGroup& evaluate,
                      const Console& console) {
   const std::size_t kept = store.count();
   if (kept > 0) note(console, fmt::format("{} of {} cells are there already", kept, plan.cells));
   try {
-    ProgressBar bar(console, fmt::format("{} cells", plan.cells));
-    run_sweep(plan, store, evaluate, bar.callback());
+    ProgressBar bar(console, "cells");
+    SweepAdvance advance{count_references(plan)};
+    const auto show = [&] {
+      const auto done = static_cast<std::size_t>(std::llround(advance.cells * static_cast<double>(plan.cells)));
+      bar.show(advance.share, fmt::format("{} of {}", done, plan.cells));
+    };
+    workbench.report_tracing([&](double share) {
+      advance_tracing(advance, share);
+      show();
+    });
+    run_sweep(plan, store, evaluate, [&](double share) {
+      advance_cells(advance, share);
+      show();
+    });
+    workbench.report_tracing({});
   } catch (const Error& error) {
     if (error.code() != ExitCode::interrupted && error.code() != ExitCode::terminated) throw;
     if (store.count() == 0) throw_if_interrupted("no cell was finished; the same command starts over");
@@ -147,7 +163,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
     const EvaluateGroup evaluate = make_evaluator(workbench, workbench.in_metres(experiment), axes, measure);
     bool is_begun = false;
     measure_missing(
-        plan, store,
+        plan, store, workbench,
         [&](const CellGroup& group, const RowSink& keep) {
           evaluate(group, keep);
           if (std::exchange(is_begun, true)) return;

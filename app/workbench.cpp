@@ -77,10 +77,20 @@ void Workbench::require_sense_for(const Experiment& experiment, const std::vecto
   require_sense(experiment.light, measured);
 }
 
+ProgressBar Workbench::bar(const char* stage) const {
+  if (tracing_) return ProgressBar(Progress());
+  return ProgressBar(console_, stage);
+}
+
+ProgressBar Workbench::tracing_bar(const char* stage, std::function<std::uint64_t()> count_rays) const {
+  if (tracing_) return ProgressBar(tracing_);
+  return ProgressBar(console_, stage, std::move(count_rays));
+}
+
 const Tracer& Workbench::tracer() {
   if (!tracer_) {
-    ProgressBar bar(console_, "acceleration structure");
-    tracer_.emplace(scene_, bar.callback());
+    ProgressBar progress = bar("acceleration structure");
+    tracer_.emplace(scene_, progress.callback());
     costs_.build = tracer_->build_statistics();
   }
   return *tracer_;
@@ -106,8 +116,8 @@ const Surfels& Workbench::surfels(const ViewParams& params) {
     add_notes(assumed);
     GBuffer gbuffer;
     if (params.surfels == SurfelSource::traced) {
-      ProgressBar bar(console_, "primary rays");
-      gbuffer = trace_gbuffer(tracer(), view, bar.callback());
+      ProgressBar progress = bar("primary rays");
+      gbuffer = trace_gbuffer(tracer(), view, progress.callback());
     } else {
       gbuffer = read_back(context(), draw_gbuffer(context(), uploaded(), view));
     }
@@ -166,9 +176,9 @@ const TracedVisibility& Workbench::truth(const Experiment& experiment, std::uint
     key.light = light_content(lamp);
     const std::function<TracedVisibility()> trace = [&] {
       const Tracer& rays = tracer();
-      ProgressBar bar(console_, "shadow rays", [&] { return rays.rays_traced(); });
+      ProgressBar progress = tracing_bar("shadow rays", [&] { return rays.rays_traced(); });
       return trace_visibility(rays, surfels(experiment.view).gbuffer, lamp,
-                              {experiment.truth, static_cast<std::uint32_t>(experiment.run.seed)}, bar.callback());
+                              {experiment.truth, static_cast<std::uint32_t>(experiment.run.seed)}, progress.callback());
     };
     TracedVisibility traced =
         cache_.get(key, {scene_title(experiment), "visibility of " + title(light), {}, {}}, trace);
@@ -188,9 +198,9 @@ const TracedAo& Workbench::ao_truth(const Experiment& experiment) {
   return ao_truth_.get(key, [&] {
     const std::function<TracedAo()> trace = [&] {
       const Tracer& rays = tracer();
-      ProgressBar bar(console_, "hemisphere rays", [&] { return rays.rays_traced(); });
+      ProgressBar progress = tracing_bar("hemisphere rays", [&] { return rays.rays_traced(); });
       return trace_ao(rays, surfels(experiment.view).gbuffer, params, static_cast<std::uint32_t>(experiment.run.seed),
-                      bar.callback());
+                      progress.callback());
     };
     TracedAo traced =
         cache_.get(reference_key(experiment, "ao"), {scene_title(experiment), "ambient occlusion", {}, {}}, trace);
@@ -235,9 +245,9 @@ void Workbench::judge_taps(const Experiment& experiment, std::uint32_t light, co
   const LightFrame& frame = lookup.map.frame;
   const GBuffer& gbuffer = surfels(experiment.view).gbuffer;
   const Tracer& rays = tracer();
-  ProgressBar bar(console_, "classes");
+  ProgressBar progress = bar("classes");
   list_foreign_taps(context(), lookup, axes, [&](std::span<const ForeignTap> taps) {
-    take(taps, judge_own(rays, frame, surfaces_of(scene_, frame, gbuffer, taps), bar.callback()));
+    take(taps, judge_own(rays, frame, surfaces_of(scene_, frame, gbuffer, taps), progress.callback()));
   });
 }
 

@@ -95,6 +95,10 @@ class Workbench {
   BiasHistogram bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes);
   Image<float> draw_ao(const Experiment& experiment);
 
+  /// From now on no stage shows a bar: what is traced is reported here, for a bar about more than one stage. Empty:
+  /// each stage shows its bar again.
+  void report_tracing(Progress to) { tracing_ = std::move(to); }
+
   /// Of what was traced so far.
   const Costs& costs() const { return costs_; }
   /// Every assumption made so far, once each.
@@ -105,6 +109,8 @@ class Workbench {
   void judge_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes, const JudgedTaps& take);
   ShadowLookup shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth);
   void add_notes(const std::vector<std::string>& notes);
+  ProgressBar bar(const char* stage) const;
+  ProgressBar tracing_bar(const char* stage, std::function<std::uint64_t()> count_rays) const;
   ReferenceKey reference_key(const Experiment& experiment, const std::string& kind);
   std::string light_key(const Experiment& experiment, std::uint32_t light) const;
   std::string truth_key(const Experiment& experiment, std::uint32_t light) const;
@@ -112,6 +118,7 @@ class Workbench {
   Scene scene_;
   WorkbenchOptions options_;
   Console console_;
+  Progress tracing_;
   Bounds bounds_;
   std::vector<std::string> layers_;
   std::vector<std::string> notes_;
