@@ -15,6 +15,23 @@ namespace {
 // −ln 0.05: rays that all agree miss a larger share than this over their number with a probability below 5 %.
 constexpr double rule_of_three = 2.995732273553991;
 
+// Of the part of the absolute error that has one sign.
+struct PartSums {
+  double low = 0.0;               // of estimates that are at most the part, on average
+  double low_variance = 0.0;      // of `low`
+  double low_squares = 0.0;       // of its pixels' variances
+  double variance = 0.0;          // of the measured part, an upper bound
+  double variance_squares = 0.0;  // of its pixels' variances
+
+  void add(const PartSums& other) {
+    low += other.low;
+    low_variance += other.low_variance;
+    low_squares += other.low_squares;
+    variance += other.variance;
+    variance_squares += other.variance_squares;
+  }
+};
+
 struct RowSums {
   std::uint64_t pixels = 0;
   double raster = 0.0;
@@ -30,6 +47,8 @@ struct RowSums {
   double scatter = 0.0;
   double max_error = 0.0;
   int max_x = -1;
+  PartSums too_dark;
+  PartSums too_bright;
 };
 
 // E|e + sZ| − |e| for standard normal Z: mean of the folded normal distribution (Leone, Nelson and Nottingham 1961).
@@ -37,6 +56,41 @@ double folded_excess(double e, double s) {
   if (s <= 0.0) return 0.0;
   const double r = std::abs(e) / s;
   return s * (std::sqrt(2.0 / pi) * std::exp(-0.5 * r * r) - r * std::erfc(r / std::sqrt(2.0)));
+}
+
+// A bound on what noise adds to an absolute error, and how it changes with the measured error.
+//
+// The heat equation says how E|e + √v·sZ| grows with the noise: d/dv = s·φ(e/s; v), where φ(x; v) is the normal density
+// of variance v. Up to v = 1 it is at most s·φ(e/s; 1)/√v, so noise adds at most 2s·φ(e/s; 1): all of that where e = 0,
+// and twice what it adds where true errors are equally likely on either side of zero. A kernel of width τ at the
+// measured error is, on average, φ(e/s; 1 + τ²), which times √(1 + τ²) is nowhere below φ(e/s; 1).
+struct NoiseBound {
+  double value = 0.0;
+  double slope = 0.0;
+};
+
+NoiseBound noise_bound(double error, double s, int degrees_of_freedom) {
+  if (s <= 0.0) return {};
+  constexpr double width = 0.5;  // τ: narrower ones are noisier, wider ones larger
+  const double r = error / (width * s);
+  // Standard errors are estimates, too: on average they are 1/(4·degrees) too small (Johnson and Kotz 1970, 13.8).
+  const double small = degrees_of_freedom > 0 ? 1.0 + 0.25 / degrees_of_freedom : 1.0;
+  const double value = 2.0 * small * std::sqrt((1.0 + width * width) / (2.0 * pi)) / width * s * std::exp(-0.5 * r * r);
+  return {value, -r / (width * s) * value};
+}
+
+// Adds a pixel whose error away from zero in the part's direction is `error`, with the noise's share of |error|.
+// A variance is bounded by the mean square of the slope times the noise's variance (Chernoff 1981, Poincaré's
+// inequality for the normal distribution).
+void add_part(PartSums& part, double error, double variance, const NoiseBound& noise) {
+  const double slope = error >= 0.0 ? 1.0 : 0.0;
+  const double low_slope = slope - 0.5 * noise.slope;
+  const double low_variance = low_slope * low_slope * variance;
+  part.low += std::max(error, 0.0) - 0.5 * noise.value;
+  part.low_variance += low_variance;
+  part.low_squares += low_variance * low_variance;
+  part.variance += slope * variance;
+  part.variance_squares += slope * variance * variance;
 }
 
 RowSums sum_row(int y, const Image<float>& raster, const SampledImage& truth, const IsCounted& is_counted) {
@@ -61,6 +115,9 @@ RowSums sum_row(int y, const Image<float>& raster, const SampledImage& truth, co
     sums.squared_variance += 4.0 * std::max(error * error - variance, 0.0) * variance + 2.0 * variance * variance;
     sums.variance += variance;
     sums.scatter += s;
+    const NoiseBound noise = noise_bound(error, s, truth.degrees_of_freedom);
+    add_part(sums.too_bright, error, variance, noise);
+    add_part(sums.too_dark, -error, variance, {noise.value, -noise.slope});
     sums.variance_squared += variance * variance;
     const double samples = truth.samples.empty() ? 0.0 : static_cast<double>(truth.samples[i]);
     if (samples > 0.0) sums.least_samples = std::min(sums.least_samples, samples);
@@ -72,9 +129,18 @@ RowSums sum_row(int y, const Image<float>& raster, const SampledImage& truth, co
   return sums;
 }
 
-double total_quantile(const RowSums& total, int degrees_of_freedom) {
-  if (total.variance_squared <= 0.0) return student_95(degrees_of_freedom);
-  return student_95(degrees_of_freedom * total.variance * total.variance / total.variance_squared);
+// For a sum, from its pixels' variances and their squares.
+double quantile_of(double variance, double squares, int degrees_of_freedom) {
+  if (squares <= 0.0) return student_95(degrees_of_freedom);
+  return student_95(degrees_of_freedom * variance * variance / squares);
+}
+
+Estimate estimate_part(double value, const PartSums& part, int degrees_of_freedom, double unseen) {
+  const auto half_width = [&](double variance, double squares) {
+    return std::max(quantile_of(variance, squares, degrees_of_freedom) * std::sqrt(variance), unseen);
+  };
+  const double lower = part.low - half_width(part.low_variance, part.low_squares);
+  return {value, std::clamp(lower, 0.0, value), value + half_width(part.variance, part.variance_squares)};
 }
 
 }  // namespace
@@ -110,6 +176,8 @@ SampledError analyze_sampled(const Image<float>& raster, const SampledImage& tru
     total.variance += row.variance;
     total.scatter += row.scatter;
     total.variance_squared += row.variance_squared;
+    total.too_dark.add(row.too_dark);
+    total.too_bright.add(row.too_bright);
     total.least_samples = std::min(total.least_samples, row.least_samples);
     if (row.max_error > statistics.max_error) {
       statistics.max_error = row.max_error;
@@ -120,7 +188,7 @@ SampledError analyze_sampled(const Image<float>& raster, const SampledImage& tru
   statistics.pixels = total.pixels;
   if (total.pixels == 0) return statistics;
   const double scale = 1.0 / static_cast<double>(total.pixels);
-  const double quantile = total_quantile(total, truth.degrees_of_freedom);
+  const double quantile = quantile_of(total.variance, total.variance_squared, truth.degrees_of_freedom);
   const double unseen = std::min(rule_of_three / total.least_samples, 1.0);
   const double half_width = std::max(quantile * std::sqrt(total.variance), unseen) * scale;
   const auto around = [half_width](double value) { return Estimate{value, value - half_width, value + half_width}; };
@@ -129,14 +197,12 @@ SampledError analyze_sampled(const Image<float>& raster, const SampledImage& tru
   statistics.mean_error = around(total.error * scale);
   statistics.mae = around(total.absolute * scale);
   statistics.mae.lower = std::max(statistics.mae.lower - total.absolute_bias * scale, 0.0);
-  // Each is half of |e| and half of e, and so takes half of what noise adds to |e|.
-  const auto part = [&](double value) {
-    Estimate estimate = around(value);
-    estimate.lower = std::max(estimate.lower - 0.5 * total.absolute_bias * scale, 0.0);
-    return estimate;
+  const auto part = [&](double sum, const PartSums& sums) {
+    const Estimate estimate = estimate_part(sum, sums, truth.degrees_of_freedom, unseen);
+    return Estimate{estimate.value * scale, estimate.lower * scale, estimate.upper * scale};
   };
-  statistics.too_dark = part(0.5 * (total.absolute - total.error) * scale);
-  statistics.too_bright = part(0.5 * (total.absolute + total.error) * scale);
+  statistics.too_dark = part(0.5 * (total.absolute - total.error), total.too_dark);
+  statistics.too_bright = part(0.5 * (total.absolute + total.error), total.too_bright);
   statistics.mean_standard_error = total.scatter * scale;
   const double mean_square = (total.squared - total.variance) * scale;
   const double square_half_width = quantile * std::sqrt(total.squared_variance) * scale;

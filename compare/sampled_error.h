@@ -30,8 +30,10 @@ struct SampledError {
   Estimate mean_error;  ///< raster − truth: below 0 too dark, above 0 too bright
   Estimate mae;   ///< mean |raster − truth|; the noise of the truth can only raise it, which the lower bound heeds
   Estimate rmse;  ///< corrected for the variance of the truth
-  Estimate too_dark;    ///< mean of what raster falls below truth; mae = too_dark + too_bright
-  Estimate too_bright;  ///< mean of what raster exceeds truth
+  /// Mean of what raster falls below truth, and of what it exceeds it; mae = too_dark + too_bright. The noise of the
+  /// truth can only raise either. The lower bounds allow for what it may have added, about twice that.
+  Estimate too_dark;
+  Estimate too_bright;
   double max_error = 0.0;
   int max_x = -1;  ///< px, row 0 on top; −1 without an error
   int max_y = -1;

@@ -27,8 +27,12 @@ std::vector<Column> soft_visibility_columns() {
   add_estimate(columns, "mae", "mean absolute error of visibility");
   add_estimate(columns, "rmse", "root mean square error, corrected for the variance of the reference");
   add_estimate(columns, "mean_error", "mean of raster − truth");
-  add_estimate(columns, "false_blocked", "the part of the mean absolute error where raster is too dark");
-  add_estimate(columns, "false_lit", "the part of the mean absolute error where raster is too bright");
+  add_estimate(columns, "false_blocked",
+               "the part of the mean absolute error where raster is too dark; the lower end is conservative: it allows "
+               "for about twice what the reference's noise adds");
+  add_estimate(columns, "false_lit",
+               "the part of the mean absolute error where raster is too bright; the lower end is conservative: it "
+               "allows for about twice what the reference's noise adds");
   columns.push_back({"mean_raster", "1", "mean visibility by the rasteriser"});
   columns.push_back({"max_error", "1", "largest absolute error, noise of the reference included"});
   columns.push_back(mean_texel_column());

@@ -65,6 +65,87 @@ TEST(SoftVisibility, The_intervals_hold_the_errors_against_a_noisy_reference) {
   EXPECT_GE(held, seeds * (0.95 - 4.0 * std::sqrt(0.0475 / seeds)));
 }
 
+// Box and Muller 1958.
+double gaussian(std::uint32_t pixel, std::uint32_t seed, std::uint32_t part) {
+  const double u = (hash(pixel, seed, 2 * part) + 0.5) * 0x1p-32;
+  const double v = (hash(pixel, seed, 2 * part + 1) + 0.5) * 0x1p-32;
+  return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * pi * v);
+}
+
+constexpr int noisy_side = 60;
+constexpr double noise = 0.05;
+
+// A reference of 8 independent values a pixel around `true_error`(pixel) below a raster of 0.5.
+template <class TrueError>
+SoftVisibilityStatistics measure_noisy(std::uint32_t seed, const TrueError& true_error) {
+  constexpr std::uint32_t values = 8;
+  Image<float> truth(noisy_side, noisy_side);
+  Image<float> variance(noisy_side, noisy_side);
+  for (std::uint32_t i = 0; i < truth.size(); ++i) {
+    double sum = 0.0;
+    double squares = 0.0;
+    for (std::uint32_t k = 0; k < values; ++k) {
+      const double value = noise * std::sqrt(double{values}) * gaussian(i, seed, k);
+      sum += value;
+      squares += value * value;
+    }
+    truth[i] = static_cast<float>(0.5 - true_error(i) + sum / values);
+    variance[i] = static_cast<float>((squares - sum * sum / values) / (values - 1) / values);
+  }
+  const Image<float> samples(noisy_side, noisy_side, 1e6f);
+  return analyze_soft_visibility(Image<float>(noisy_side, noisy_side, 0.5f),
+                                 {truth, variance, samples, static_cast<int>(values) - 1},
+                                 all_counted(noisy_side, noisy_side));
+}
+
+bool holds(const Estimate& estimate, double answer) { return estimate.lower <= answer && answer <= estimate.upper; }
+
+TEST(SoftVisibility, The_interval_of_a_part_holds_it_95_times_in_100_and_takes_the_noise_of_that_part_alone) {
+  // One pixel in ten is too dark by four standard errors, the others too bright by six.
+  const auto true_error = [](std::uint32_t i) { return (i % 10 == 0 ? -4.0 : 6.0) * noise; };
+  constexpr int seeds = 1000;
+  int dark = 0;
+  int bright = 0;
+  double width = 0.0;
+  for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+    const SampledError error = measure_noisy(seed, true_error).error;
+    dark += holds(error.too_dark, 0.1 * 4.0 * noise) ? 1 : 0;
+    bright += holds(error.too_bright, 0.9 * 6.0 * noise) ? 1 : 0;
+    width += (error.too_dark.upper - error.too_dark.value) / seeds;
+  }
+  EXPECT_GE(dark, 0.94 * seeds);
+  EXPECT_LE(dark, 0.97 * seeds);
+  EXPECT_GE(bright, 0.94 * seeds);
+  EXPECT_LE(bright, 0.97 * seeds);
+  // The mean of n pixels, of which a tenth have the noise of a part: 1.96 σ √(n/10) / n.
+  EXPECT_NEAR(width, 1.959964 * noise * std::sqrt(0.1) / noisy_side, 0.01 * width);
+}
+
+TEST(SoftVisibility, The_lower_end_of_a_part_allows_for_what_noise_adds_and_for_about_twice_that) {
+  // True errors equally likely anywhere up to `reach` standard errors on either side of zero: the part is their mean
+  // below zero, a quarter of the reach. Where the raster is right, noise adds σ/√(2π) to each part.
+  for (const double reach : {0.0, 0.5, 1.0, 3.0, 20.0}) {
+    constexpr double pixels = double{noisy_side} * noisy_side;
+    const auto true_error = [&](std::uint32_t i) { return reach * noise * (2.0 * (i + 0.5) / pixels - 1.0); };
+    const double answer = 0.25 * reach * noise;
+    constexpr int seeds = 100;
+    int held = 0;
+    double below = 0.0;
+    double added = 0.0;
+    for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+      const Estimate part = measure_noisy(seed, true_error).error.too_dark;
+      held += holds(part, answer) ? 1 : 0;
+      below += (part.value - part.lower) / seeds;
+      added += (part.value - answer) / seeds;
+    }
+    EXPECT_GE(held, 0.95 * seeds) << reach;
+    // The bound is twice the density of errors at zero, by a kernel √(1 + ¼) times as high, and 1/28 for the estimated
+    // standard errors: 2.32. The noise of the part's mean, with a slope of at most 1.5 on average, comes on top.
+    EXPECT_LE(below, 2.4 * added + 1.5 * 1.96 * noise / noisy_side) << reach;
+    if (reach == 0.0) EXPECT_NEAR(added, noise / std::sqrt(2.0 * pi), 0.01 * noise);
+  }
+}
+
 TEST(SoftVisibility, Rows_stand_under_their_column) {
   SoftVisibilityStatistics s;
   s.error.pixels = 1;
