@@ -1,5 +1,9 @@
 #include "app/shadow_shape.h"
 
+#include <fmt/format.h>
+
+#include <utility>
+
 #include "app/measure.h"
 #include "raytrace/casters.h"
 
@@ -52,6 +56,15 @@ Json caster_json(const Workbench& workbench, const CasterShape& caster) {
   return object;
 }
 
+Json search_json(const ContactSearch& search) {
+  Json object = {{"shadowed_px", search.shadowed}, {"own_object_px", search.own_object},
+                 {"head_on_px", search.head_on},   {"distant_px", search.distant},
+                 {"hidden_px", search.hidden},     {"measured_px", search.measured}};
+  const std::string missing = missing_contacts_text(search);
+  object["not_measured_because"] = missing.empty() ? Json(nullptr) : Json(missing);
+  return object;
+}
+
 Json shimmer_json(const Shimmer& shimmer) {
   Json camera = {{"pixels", shimmer.camera.pixels}, {"raster", shimmer.camera.share}};
   if (shimmer.camera_truth) camera["truth"] = shimmer.camera_truth->share;
@@ -65,12 +78,33 @@ ShadowShape measure_shape(Workbench& workbench, const ShadowMeasurement& shadow)
   const Surfels& surfels = workbench.surfels(experiment.view);
   const Light light = workbench.light(experiment, shadow.light);
   const ShapeInput input{surfels.gbuffer, shadow.truth->visibility, shadow.counted, light, shadow.frame};
-  if (is_soft(shadow)) return {analyze_error_shape(input, shadow.raster->visibility), {}};
-  const TracedCasters casters = trace_casters(workbench.tracer(), surfels.gbuffer, light);
+  if (is_soft(shadow)) return {analyze_error_shape(input, shadow.raster->visibility)};
+  const TracedCasters traced = trace_casters(workbench.tracer(), surfels.gbuffer, light);
   const RasterVisibility& raster = *shadow.raster;
-  return {analyze_error_shape(input, raster.wrong),
-          analyze_casters({input, raster.visibility, raster.wrong, casters.instance, casters.distance,
-                           workbench.scene(), surfels.view})};
+  CasterShapes casters = analyze_casters(
+      {input, raster.visibility, raster.wrong, traced.instance, traced.distance, workbench.scene(), surfels.view});
+  const std::string missing = missing_contacts_text(casters.search);
+  if (!missing.empty() && shadow.statistics->peter_panning > 0.0) {
+    workbench.add_notes({workbench.title(shadow.light) + ": " + missing});
+  }
+  return {analyze_error_shape(input, raster.wrong), std::move(casters.casters), casters.search};
+}
+
+std::string missing_contacts_text(const ContactSearch& search) {
+  if (search.shadowed == 0 || search.measured > 0) return {};
+  std::string text =
+      fmt::format("no contact gap could be measured; of {} pixels in the reference's shadow", search.shadowed);
+  const char* separator = ", ";
+  const auto add = [&](std::uint64_t pixels, const char* reason) {
+    if (pixels == 0) return;
+    text += fmt::format("{}{} {}", separator, pixels, reason);
+    separator = "; ";
+  };
+  add(search.own_object, "are shadowed by the object that they belong to");
+  add(search.head_on, "face the light head-on");
+  add(search.distant, "are farther than one texel and 1.5 pixels from their caster");
+  add(search.hidden, "touch their caster, but the receiver is hidden, bends or leaves the image before the gap ends");
+  return text;
 }
 
 nlohmann::ordered_json to_json(const Workbench& workbench, const ShadowShape& shape) {
@@ -90,6 +124,7 @@ nlohmann::ordered_json to_json(const Workbench& workbench, const ShadowShape& sh
   for (std::size_t c = 0; c < cause_count; ++c) {
     object["components"][std::string(cause_names[c])] = components_json(shape.error.class_components[c]);
   }
+  if (shape.contact_search) object["contact_search"] = search_json(*shape.contact_search);
   object["casters"] = Json::array();
   for (const CasterShape& caster : shape.casters) object["casters"].push_back(caster_json(workbench, caster));
   return object;

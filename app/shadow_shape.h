@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/shimmer.h"
@@ -15,12 +16,17 @@ struct Presentation;
 
 struct ShadowShape {
   ErrorShape error;
-  std::vector<CasterShape> casters;  ///< of a light without extent
-  std::optional<Shimmer> shimmer{};  ///< where it was asked for
+  std::vector<CasterShape> casters{};             ///< of a light without extent
+  std::optional<ContactSearch> contact_search{};  ///< likewise
+  std::optional<Shimmer> shimmer{};               ///< where it was asked for
 };
 
 /// Of a measurement with both sides.
 ShadowShape measure_shape(Workbench& workbench, const ShadowMeasurement& shadow);
+
+/// Why no contact gap could be measured, as a sentence without its full stop; empty where one was, and without a
+/// shadow.
+std::string missing_contacts_text(const ContactSearch& search);
 
 /// The value of "shape".
 nlohmann::ordered_json to_json(const Workbench& workbench, const ShadowShape& shape);

@@ -156,6 +156,8 @@ void present_shape(Presentation& presentation, const Workbench& workbench, const
   if (shape.error.components && shape.error.components->count > 0) {
     section.tables.push_back({"Wrong pixels that hang together", component_table(shape.error)});
   }
+  const std::string missing = shape.contact_search ? missing_contacts_text(*shape.contact_search) : std::string();
+  if (!missing.empty()) section.text += fmt::format("\n\nFor this light {}.", missing);
   if (!shape.casters.empty()) {
     section.tables.push_back({"Contact gap and shadow inset by caster", caster_table(workbench, shape.casters)});
   }

@@ -103,12 +103,13 @@ class Workbench {
   const Costs& costs() const { return costs_; }
   /// Every assumption made so far, once each.
   const std::vector<std::string>& notes() const { return notes_; }
+  /// Adds what is new and says it.
+  void add_notes(const std::vector<std::string>& notes);
 
  private:
   using JudgedTaps = std::function<void(std::span<const ForeignTap>, std::span<const std::uint8_t>)>;
   void judge_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes, const JudgedTaps& take);
   ShadowLookup shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth);
-  void add_notes(const std::vector<std::string>& notes);
   ProgressBar bar(const char* stage) const;
   ProgressBar tracing_bar(const char* stage, std::function<std::uint64_t()> count_rays) const;
   ReferenceKey reference_key(const Experiment& experiment, const std::string& kind);

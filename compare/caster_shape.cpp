@@ -72,7 +72,7 @@ class Casters {
  public:
   explicit Casters(const CasterInput& input) : input_(input), gbuffer_(input.shape.gbuffer), image_(input.view) {}
 
-  std::vector<CasterShape> measure() {
+  CasterShapes measure() {
     for (std::size_t i = 0; i < input_.shape.truth.size(); ++i) add_contact(i);
     add_insets();
     std::vector<CasterShape> shapes;
@@ -88,7 +88,7 @@ class Casters {
       shape.inset_median = median_of(samples.insets);
       shapes.push_back(shape);
     }
-    return shapes;
+    return {std::move(shapes), search_};
   }
 
  private:
@@ -104,7 +104,14 @@ class Casters {
 
   void add_contact(std::size_t pixel) {
     const std::uint32_t object = caster_of(pixel);
-    if (object == no_id || object == object_of(gbuffer_.instance[pixel])) return;
+    if (object == no_id) return;
+    ++search_.shadowed;
+    ++(search_.*contact_of(pixel, object));
+  }
+
+  // Adds the pixel's gap where it is a contact. What became of it.
+  std::uint64_t ContactSearch::*contact_of(std::size_t pixel, std::uint32_t object) {
+    if (object == object_of(gbuffer_.instance[pixel])) return &ContactSearch::own_object;
     const dvec3 start(gbuffer_.position[pixel]);
     const dvec3 normal(gbuffer_.geometric_normal[pixel]);
     const dvec3 light = to_light(input_.shape.light, start);
@@ -113,17 +120,21 @@ class Casters {
     const double sine = glm::length(along);
     const double texel = texel_at(input_.shape.frame, start);
     const double distance = input_.distance[pixel];
-    if (!(sine > 1e-6) || !(texel > 0.0) || distance > texel) return;
+    if (!(sine > 1e-6) || !(texel > 0.0)) return &ContactSearch::head_on;
     const dvec3 away = along / sine;
     const double scale = image_.scale(start, away);
+    if (!(scale > 0.0)) return &ContactSearch::hidden;
+    // Where texels are finer than pixels, no pixel's centre may lie within a texel of the foot.
+    const double pixels_long = contact_pixels / scale;
     const double from_foot = distance * sine;
-    if (!(scale > 0.0) || from_foot * scale > contact_pixels) return;
+    if (distance > std::max(texel, pixels_long) || from_foot > pixels_long) return &ContactSearch::distant;
     const std::optional<Strip> strip = walk(pixel, object, away);
-    if (!strip) return;
+    if (!strip) return &ContactSearch::hidden;
     const double metres = strip->length > 0.0 ? from_foot + strip->length : 0.0;
     Samples& samples = by_object_[object];
     samples.gaps.push_back({metres, metres * cosine / texel, metres * scale});
     if (strip->is_lost) ++samples.lost;
+    return &ContactSearch::measured;
   }
 
   struct Strip {
@@ -228,11 +239,12 @@ class Casters {
   const GBuffer& gbuffer_;
   ImagePlane image_;
   std::map<std::uint32_t, Samples> by_object_;
+  ContactSearch search_;
 };
 
 }  // namespace
 
-std::vector<CasterShape> analyze_casters(const CasterInput& input) {
+CasterShapes analyze_casters(const CasterInput& input) {
   assert(input.raster.size() == input.shape.truth.size() && input.caster.size() == input.shape.truth.size());
   return Casters(input).measure();
 }

@@ -42,17 +42,33 @@ struct CasterInput {
   const View& view;
 };
 
-/// The casters that have a contact or an edge, by their index; those of a light without extent.
+/// What became of the search for contacts: how many pixels of a light's true shadow, by the first reason that applies.
+struct ContactSearch {
+  std::uint64_t shadowed = 0;    ///< counted pixels in the true shadow of an object: the sum of the others
+  std::uint64_t own_object = 0;  ///< the caster and the receiver are one object
+  std::uint64_t head_on = 0;     ///< the light falls along the receiver's normal: a strip has no direction
+  std::uint64_t distant = 0;     ///< the caster is farther away than a contact may be
+  std::uint64_t hidden = 0;      ///< at a foot, but the receiver is hidden, bends or leaves the image before a gap ends
+  std::uint64_t measured = 0;    ///< contacts of all casters
+};
+
+struct CasterShapes {
+  std::vector<CasterShape> casters;  ///< those that have a contact or an edge, by their index
+  ContactSearch search;
+};
+
+/// Of a light without extent.
 ///
-/// Contact: a counted pixel in the true shadow of another object, no more than a texel away along the ray and one and a
-/// half pixels along the receiver. From there along the receiver, away from the light, the gap ends half-way between
-/// the last pixel that the raster calls lit and the first that it calls blocked; it starts where the caster stands by
-/// the ray's length, and is 0 where the first pixel is blocked. Where the true shadow ends first, the gap is as long as
-/// that. Contacts from which the way is hidden do not count.
+/// Contact: a counted pixel in the true shadow of another object, which is no farther away along the ray than a texel
+/// or one and a half pixels, whichever is longer there, and within one and a half pixels along the receiver. From there
+/// along the receiver, away from the light, the gap ends half-way between the last pixel that the raster calls lit and
+/// the first that it calls blocked; it starts where the caster stands by the ray's length, and is 0 where the first
+/// pixel is blocked. Where the true shadow ends first, the gap is as long as that. Contacts from which the way is
+/// hidden do not count.
 ///
 /// Inset: from each edge of the true shadow to the nearer of those edges of the raster visibility, without its acne,
 /// that are nearest to its two pixels; above 0 within the true shadow, below 0 outside, 0 on another edge of it. An
 /// edge that lies in another caster's shadow is none to go with.
-std::vector<CasterShape> analyze_casters(const CasterInput& input);
+CasterShapes analyze_casters(const CasterInput& input);
 
 }  // namespace umbrameter

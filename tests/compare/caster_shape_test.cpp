@@ -19,7 +19,7 @@ constexpr double thickness = 0.05;  // metres, of the wall
 // Level ground seen from above behind a wall that stands on it, with the sun before the wall.
 struct BehindWall {
   int width;
-  FlatGround ground{width, 8, pixel, dvec3(-std::cos(elevation), std::sin(elevation), 0), texel};
+  FlatGround ground;
   Scene scene;
   View view{width, 8, {}};
   Image<float> truth{width, 8, 1.0f};
@@ -29,7 +29,8 @@ struct BehindWall {
   Image<float> distance{width, 8, 0.0f};
 
   /// The image is that many pixels wide, and the shadow ends in that column.
-  explicit BehindWall(int columns = 240, int end = shadow_end) : width(columns) {
+  explicit BehindWall(int columns = 240, int end = shadow_end, double texel_size = texel)
+      : width(columns), ground(columns, 8, pixel, dvec3(-std::cos(elevation), std::sin(elevation), 0), texel_size) {
     scene.objects = {{"ground"}, {"wall"}};
     scene.instances = {{0, 0}, {1, 1}};
     view.camera.world_from_camera = dmat4(dvec4(1, 0, 0, 0), dvec4(0, 0, -1, 0), dvec4(0, 1, 0, 0),
@@ -59,7 +60,8 @@ struct BehindWall {
       }
     }
   }
-  std::vector<CasterShape> measure() const {
+  std::vector<CasterShape> measure() const { return analyze().casters; }
+  CasterShapes analyze() const {
     return analyze_casters({{ground.gbuffer, truth, ground.counted, ground.light, ground.frame},
                             raster,
                             wrong,
@@ -135,6 +137,46 @@ TEST(CasterShape, A_caster_that_floats_has_no_contact) {
   BehindWall wall;
   for (float& distance : wall.distance.pixels) distance += 0.1f;
   EXPECT_EQ(wall.measure().at(0).contacts, 0u);
+  const ContactSearch search = wall.analyze().search;
+  EXPECT_EQ(search.measured, 0u);
+  EXPECT_EQ(search.distant, search.shadowed);
+}
+
+// 1.5 px = 7.5 mm. The first column of shadow is half a pixel behind the wall, 2.5 mm / cos 40° = 3.3 mm along the ray.
+TEST(CasterShape, Contacts_are_found_however_fine_the_texels_are) {
+  const double strip = 0.2 * std::cos(elevation) - thickness;
+  for (const double texel_size : {0.004, 0.002, 0.0005, 1e-6}) {
+    BehindWall wall(240, shadow_end, texel_size);
+    wall.draw(shadow_end, 0.2);
+    const CasterShapes found = wall.analyze();
+    ASSERT_EQ(found.casters.size(), 1u);
+    EXPECT_EQ(found.casters[0].contacts, 8u) << texel_size;
+    EXPECT_EQ(found.search.measured, 8u) << texel_size;
+    EXPECT_NEAR(found.casters[0].gap_median.metres, strip, 0.5001 * pixel) << texel_size;
+    EXPECT_NEAR(found.casters[0].gap_median.texels,
+                found.casters[0].gap_median.metres * std::sin(elevation) / texel_size, 1e-6 / texel_size);
+  }
+}
+
+TEST(CasterShape, The_search_says_what_became_of_every_pixel_in_shadow) {
+  const std::uint64_t shadowed = 8 * (shadow_end - foot);
+  BehindWall wall;
+  const auto expect_all = [&](std::uint64_t ContactSearch::*reason) {
+    const ContactSearch search = wall.analyze().search;
+    EXPECT_EQ(search.shadowed, shadowed);
+    EXPECT_EQ(search.own_object + search.head_on + search.distant + search.hidden + search.measured, shadowed);
+    EXPECT_EQ(search.*reason, shadowed);
+  };
+  const ContactSearch found = wall.analyze().search;
+  EXPECT_GE(found.measured, 8u);
+  EXPECT_EQ(found.measured + found.distant, shadowed);
+  for (float& distance : wall.distance.pixels) distance = 1.0f;
+  expect_all(&ContactSearch::distant);
+  wall.scene.instances[1].object = 0;
+  expect_all(&ContactSearch::own_object);
+  BehindWall overhead;
+  overhead.ground = FlatGround(240, 8, pixel, dvec3(0, 1, 0), texel);
+  EXPECT_EQ(overhead.analyze().search.head_on, shadowed);
 }
 
 TEST(CasterShape, Hidden_ways_do_not_count) {
@@ -142,6 +184,7 @@ TEST(CasterShape, Hidden_ways_do_not_count) {
   wall.draw(shadow_end, 0.3);
   for (int y = 0; y < 8; ++y) wall.ground.gbuffer.instance.at(foot + 4, y) = 1;
   EXPECT_EQ(wall.measure().at(0).contacts, 0u);
+  EXPECT_GE(wall.analyze().search.hidden, 8u);
 }
 
 TEST(CasterShape, Without_a_shadow_there_is_no_caster) {
