@@ -15,7 +15,8 @@ constexpr int least_width = 480;   // smaller images are shown with whole-number
 constexpr int most_height = 1600;  // of an enlarged image
 constexpr int bar_ticks = 5;
 
-// Lengths follow the width of the image, so that a figure scaled to a column has letters of the same size.
+// Lengths follow the width of the image, so that a figure scaled to a column has letters of the same size. Those of a
+// flat image follow its height instead: letters would else take many times the area of the image.
 struct Layout {
   int width = 0;   // of the image as shown or least_width, px
   int height = 0;  // of the image as shown, px
@@ -142,7 +143,7 @@ std::string to_svg(const ImageFigure& figure) {
   const int enlargement = std::min((least_width + original.width - 1) / original.width, most_height / original.height);
   const Image<glm::u8vec3> image = enlarge(original, std::max(1, enlargement));
   const int shown_width = std::max(image.width, least_width);
-  const Layout layout{shown_width, image.height, std::max(13, shown_width / 42)};
+  const Layout layout{shown_width, image.height, std::max(13, std::min(shown_width / 42, image.height / 4))};
   std::string body;
   // A title that is wider than the picture is set smaller, down to half the size; the factor is for bold letters.
   const double fitting_size = layout.width / std::max(1.0, 1.1 * text_width(figure.title));

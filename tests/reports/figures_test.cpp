@@ -229,6 +229,15 @@ TEST(ImageFigure, A_large_image_keeps_its_pixels_and_a_small_one_is_enlarged_by_
   EXPECT_TRUE(contains(to_svg(ramp_figure(64, 36)), "width=\"512\" height=\"288\" preserveAspectRatio"));
 }
 
+// Letters of a 42nd of the width would make this drawing 3000 pixels high and its PNG one of 50 million pixels.
+TEST(ImageFigure, The_letters_of_a_flat_image_do_not_outgrow_it) {
+  const auto height_of = [](const std::string& svg) { return std::stoi(svg.substr(svg.find("height=\"") + 8)); };
+  EXPECT_LT(height_of(to_svg(ramp_figure(16384, 1))), 200);
+  EXPECT_LT(height_of(to_svg(ramp_figure(16384, 400))), 3 * 400);
+  // Those of a usual picture are as large as its width has them: 1280 / 42 = 30.
+  EXPECT_TRUE(contains(to_svg(ramp_figure(1280, 720)), "font-size=\"30\""));
+}
+
 TEST(ImageFigure, The_colour_bar_names_the_ends_of_the_scale_not_of_the_image) {
   ImageFigure figure = ramp_figure();
   figure.scale = {ColorMap::error, -0.5, 0.5, "raster − truth [1]"};
