@@ -6,6 +6,7 @@
 
 #include "core/math.h"
 #include "tests/app/gl_run.h"
+#include "tests/scenes/gltf_files.h"
 
 namespace umbrameter {
 namespace {
@@ -41,6 +42,46 @@ TEST_F(ShadowShapeRun, The_contact_gap_of_a_standing_sheet_is_what_its_thickness
   EXPECT_LT(shimmer["grid"]["largest"].get<double>(), 0.05);
   EXPECT_GT(shimmer["camera"]["pixels"].get<int>(), 10000);
   EXPECT_GT(shimmer["camera"]["truth"].get<double>(), 0.0);
+}
+
+// A texel of the finer map is a quarter of that of the coarser one, and far below a pixel.
+TEST_F(ShadowShapeRun, Finer_texels_do_not_hide_contacts) {
+  const auto contacts = [&](const char* resolution) {
+    const ProgramResult result =
+        run_program({"compare", "thin-leaf", "-o", folder_ / resolution, "--camera", "behind", "--light", "sun",
+                     "--size", "240x135", "--truth.spp", "4", "--shadow.constant-bias", "0.1", "--shadow.resolution",
+                     resolution, "--json", "--quiet"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return Json::parse(result.out)["shadows"][0]["shape"]["contact_search"]["measured_px"].get<int>();
+  };
+  const int coarse = contacts("1024");
+  EXPECT_GT(coarse, 40);
+  EXPECT_GT(contacts("4096"), 0.9 * coarse);
+}
+
+// A small triangle 0.4 m above a larger one, under a bias of 1 m that erases all shadow.
+TEST_F(ShadowShapeRun, A_run_says_why_no_contact_gap_could_be_measured) {
+  const std::string nodes =
+      R"("nodes":[{"mesh":0,"name":"ground"},{"mesh":0,"name":"cover","translation":[0.1,0.1,0.4],"scale":[0.3,0.3,1]},)"
+      R"({"name":"sun","extensions":{"KHR_lights_punctual":{"light":0}},"rotation":[0.1736482,0,0,0.9848078]}])";
+  const std::string lights = R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"directional"}]}})";
+  const auto file =
+      folder_.write("cover.glb", test::glb(test::triangle_json(nodes, lights), test::triangle_positions()));
+  const ProgramResult result = run_program({"compare", file.string(), "-o", folder_ / "out", "--size", "160x90",
+                                            "--truth.spp", "4", "--shadow.constant-bias", "1", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json summary = Json::parse(result.out);
+  const Json& shadow = summary["shadows"][0];
+  ASSERT_GT(shadow["statistics"]["peter_panning"], 0.0);
+  const Json& search = shadow["shape"]["contact_search"];
+  EXPECT_GT(search["shadowed_px"], 0);
+  EXPECT_EQ(search["distant_px"], search["shadowed_px"]);
+  EXPECT_EQ(search["measured_px"], 0);
+  const std::string reason = search["not_measured_because"];
+  EXPECT_NE(reason.find("no contact gap could be measured"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("farther than one texel and 1.5 pixels from their caster"), std::string::npos) << reason;
+  EXPECT_NE(result.err.find(reason), std::string::npos) << result.err;
+  EXPECT_NE(text_of(folder_ / "out/index.html").find(reason), std::string::npos);
 }
 
 }  // namespace
