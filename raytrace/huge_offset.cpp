@@ -65,7 +65,6 @@ void describe_huge(const Tracer& tracer, SurfelTriangle& triangle) {
   const double farthest = std::max({glm::length(a), glm::length(b), glm::length(c)});
   constant += 64.0 * 0x1p-53 * (longest * longest * longest / twice_area + farthest);
 
-  triangle.is_huge = true;
   triangle.offset = constant;
   triangle.offset_gain = gain;
   // No ray meets its own huge triangle, whether Embree calls a filter or not.

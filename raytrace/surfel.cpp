@@ -296,7 +296,6 @@ void tell(const Told& told, int lane, SurfelTriangle& triangle) {
   triangle.offset = told.offset[lane];
   triangle.clear_cosine = told.clear_cosine[lane];
   triangle.offset_gain = dvec3(0.0);
-  triangle.is_huge = false;
 }
 
 void describe_up_to_four(const Tracer& tracer, SurfelTriangle* first, std::size_t count) {
@@ -321,7 +320,7 @@ void SurfelTable::describe() {
 void place_origin(const SurfelTriangle& t, const dvec3& position, RayOrigin& origin) {
   dvec3 point = nearest_point(t.corners, position);
   std::array<double, 3> insets = t.insets;
-  if (t.is_huge) {
+  if (t.is_huge()) {
     origin.offset = offset_at(t, point);
     for (double& inset : insets) inset = std::min(inset, 4.0 * origin.offset);
   }

@@ -46,10 +46,10 @@ struct SurfelTriangle {
   /// Of a huge triangle, what RayOrigin::offset gains with the magnitudes of the origin's coordinates. Zero of others,
   /// which have one offset.
   dvec3 offset_gain;
-  bool is_huge;
   dvec3 inwards(int edge) const { return {x[edge], y[edge], z[edge]}; }
   dvec3 normal() const { return {x[3], y[3], z[3]}; }
   bool has_area() const { return normal() != dvec3(0.0); }
+  bool is_huge() const { return offset_gain != dvec3(0.0); }
 };
 
 /// The triangles that the pixels of a tile have met. Described many at a time, where the caller can wait, one takes
