@@ -112,7 +112,7 @@ void refuse_part(const std::string& name, const std::string& part) {
               "leave --scene away; it selects one of several scenes in a glTF file");
 }
 
-Scene read_scene(const std::string& name_or_path, const std::string& part) {
+Scene read_scene(const std::string& name_or_path, const std::string& part, const LoadOptions& options) {
   for (const BuiltinScene& scene : scenes) {
     const std::string prefix = std::string(scene.name) + ":";
     const bool is_sized = name_or_path.starts_with(prefix);
@@ -125,17 +125,19 @@ Scene read_scene(const std::string& name_or_path, const std::string& part) {
   if (name_or_path.empty() || (!std::filesystem::exists(name_or_path, unknown) && !unknown)) {
     fail_unknown(name_or_path);
   }
-  return load_gltf(name_or_path, part);
+  return load_gltf(name_or_path, part, options);
 }
 
 }  // namespace
 
 std::span<const BuiltinScene> builtin_scenes() { return scenes; }
 
-Scene load_scene(const std::string& name_or_path, const std::string& part, const SceneParams& params) {
+Scene load_scene(const std::string& name_or_path, const std::string& part, const SceneParams& params,
+                 LoadOptions options) {
   // A unit that does not exist is found before a large file is read.
   const double metres = metres_per_unit(params.unit);
-  Scene scene = read_scene(name_or_path, part);
+  options.blend_makes_holes = params.blend == BlendMode::mask;
+  Scene scene = read_scene(name_or_path, part, options);
   apply_blend_mode(scene, params.blend);
   if (metres != 1.0) scale(scene, metres);
   move_to_centre(scene);

@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "scenes/load_options.h"
 #include "scenes/scene.h"
 #include "scenes/scene_params.h"
 
@@ -30,7 +31,9 @@ std::span<const BuiltinScene> builtin_scenes();
 /// forest:300k and city:5e6. Throws Error (unreadable_input) that lists the built-in names when it is neither, and
 /// Error (usage) when the scene cannot have that many or a part of a built-in scene is asked for.
 /// Then applies the parameters: transparent surfaces are treated as they say, and every length is scaled to metres. A
-/// scene far from its origin is moved there, and a size that is not credible is noted.
-Scene load_scene(const std::string& name_or_path, const std::string& part = {}, const SceneParams& params = {});
+/// scene far from its origin is moved there, and a size that is not credible is noted. The parameters also decide
+/// options.blend_makes_holes.
+Scene load_scene(const std::string& name_or_path, const std::string& part = {}, const SceneParams& params = {},
+                 LoadOptions options = {});
 
 }  // namespace umbrameter

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "scenes/load_options.h"
 #include "scenes/scene.h"
 
 namespace umbrameter {
@@ -12,10 +13,11 @@ namespace umbrameter {
 /// Reads a .gltf or .glb file; `part` selects one of several scenes in it by name or index, else its default scene.
 /// Throws Error (unreadable_input) naming the file, the object and the way out.
 /// What was assumed or left out stands in Scene::notes.
-Scene load_gltf(const std::filesystem::path& path, const std::string& part = {});
+Scene load_gltf(const std::filesystem::path& path, const std::string& part = {}, const LoadOptions& options = {});
 
 /// The same for a file in memory. `path` names it in errors; files that it refers to are looked for beside that path.
-Scene read_gltf(std::span<const unsigned char> bytes, const std::filesystem::path& path, const std::string& part = {});
+Scene read_gltf(std::span<const unsigned char> bytes, const std::filesystem::path& path, const std::string& part = {},
+                const LoadOptions& options = {});
 
 /// Serialises as one binary glTF that load_gltf() reads back the same, bit for bit, notes aside. Deterministic.
 /// Not kept: objects without instances, textures that no material uses, the alpha cutoff of materials without a mask;

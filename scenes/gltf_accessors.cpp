@@ -48,6 +48,10 @@ Elements in_view(BufferStore& store, int view, std::uint64_t offset, std::size_t
                  const std::string& object) {
   const std::size_t tight = component_size(shape.component_type) * shape.components;
   shape.stride = stride == 0 ? tight : stride;
+  constexpr std::size_t most = 255;
+  if (shape.stride > std::max(most, tight)) {
+    fail(store.document.path, object, "its byteStride of " + std::to_string(shape.stride) + " is more than 252");
+  }
   if (shape.stride < tight) fail(store.document.path, object, "its byteStride is less than one element");
   if (shape.count == 0) return shape;
   const std::uint64_t needed = std::uint64_t{shape.count - 1} * shape.stride + tight;
@@ -70,7 +74,6 @@ Opened open(BufferStore& store, int number, std::size_t components, const std::s
   if (found != static_cast<int>(components)) {
     reject("it has " + std::to_string(found) + " components where " + std::to_string(components) + " are wanted");
   }
-  if (accessor.count == 0) reject("it holds no elements");
   opened.elements.count = accessor.count;
   opened.elements.components = components;
   opened.elements.component_type = accessor.componentType;
@@ -187,7 +190,7 @@ std::vector<Element> read_elements(BufferStore& store, int accessor, const std::
     }
   };
   const bool is_same = source.component_type == TINYGLTF_COMPONENT_TYPE_FLOAT && source.stride == sizeof(Element);
-  if (is_same) {
+  if (is_same && !source.bytes.empty()) {
     std::memcpy(floats, source.bytes.data(), source.bytes.size());
   } else if (!source.bytes.empty()) {
     for (std::size_t i = 0; i < source.count; ++i) put(i, &source.bytes[i * source.stride]);

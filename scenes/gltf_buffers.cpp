@@ -6,8 +6,6 @@
 namespace umbrameter::gltf {
 namespace {
 
-constexpr const char* meshopt_name = "EXT_meshopt_compression";
-
 std::span<const unsigned char> buffer_bytes(BufferStore& store, int number, const std::string& user) {
   const Document& document = store.document;
   const std::size_t index = checked_index(number, document.buffers.size(), "buffer", document.path, user);
@@ -25,20 +23,21 @@ std::span<const unsigned char> buffer_bytes(BufferStore& store, int number, cons
     if (!source.uri->starts_with("data:")) store.allowance.input += held->size();
   }
   const std::span<const unsigned char> bytes = is_chunk ? *document.binary : std::span<const unsigned char>(*held);
-  if (bytes.size() < source.byte_length) {
+  if (!source.byte_length) fail(document.path, object, "it has no byteLength");
+  if (bytes.size() < *source.byte_length) {
     fail(document.path, object,
-         "it holds " + std::to_string(bytes.size()) + " bytes of the " + std::to_string(source.byte_length) +
+         "it holds " + std::to_string(bytes.size()) + " bytes of the " + std::to_string(*source.byte_length) +
              " that byteLength promises",
          "copy or export the file again");
   }
-  return bytes.first(static_cast<std::size_t>(source.byte_length));
+  return bytes.first(static_cast<std::size_t>(*source.byte_length));
 }
 
 std::uint64_t unsigned_member(const tinygltf::Value& extension, const char* key, std::optional<std::uint64_t> absent,
                               const Document& document, const std::string& object) {
   if (!extension.Has(key) && absent) return *absent;
   const int value = extension.Has(key) && extension.Get(key).IsInt() ? extension.Get(key).GetNumberAsInt() : -1;
-  if (value < 0) fail(document.path, object, std::string(meshopt_name) + " has no usable " + key);
+  if (value < 0) fail(document.path, object, std::string("its compression has no usable ") + key);
   return static_cast<std::uint64_t>(value);
 }
 
@@ -89,7 +88,10 @@ std::span<const unsigned char> view_bytes(BufferStore& store, int buffer_view, c
   const std::size_t index = checked_index(buffer_view, views.size(), "bufferView", document.path, user);
   const tinygltf::BufferView& view = views[index];
   const std::string object = label("bufferView", index, view.name);
-  const auto extension = view.extensions.find(meshopt_name);
+  auto extension = view.extensions.end();
+  for (const char* name : meshopt_names) {
+    if (extension == view.extensions.end()) extension = view.extensions.find(name);
+  }
   if (extension == view.extensions.end()) {
     return part(buffer_bytes(store, view.buffer, object), view.byteOffset, view.byteLength, document.path, object);
   }

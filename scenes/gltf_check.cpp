@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "scenes/gltf_emitter.h"
+#include "scenes/gltf_schema.h"
 
 namespace umbrameter::gltf {
 namespace {
@@ -56,125 +59,17 @@ struct Place {
   }
 };
 
-enum class Kind { any, text, boolean, number, integer, size, numbers, integers, objects, integer_members, object };
-
-struct Member {
-  std::string_view name;
-  Kind kind;
-};
-// What glTF 2.0 and the supported extensions say of a member, wherever it stands. Some names are used twice: kind_of().
-constexpr auto members = std::to_array<Member>({
-    {"accessors", Kind::objects},
-    {"alphaCutoff", Kind::number},
-    {"alphaMode", Kind::text},
-    {"asset", Kind::object},
-    {"attributes", Kind::integer_members},
-    {"baseColorFactor", Kind::numbers},
-    {"baseColorTexture", Kind::object},
-    {"buffer", Kind::integer},
-    {"bufferView", Kind::integer},
-    {"bufferViews", Kind::objects},
-    {"buffers", Kind::objects},
-    {"byteLength", Kind::size},
-    {"byteOffset", Kind::size},
-    {"byteStride", Kind::integer},
-    {"camera", Kind::integer},
-    {"cameras", Kind::objects},
-    {"children", Kind::integers},
-    {"color", Kind::numbers},
-    {"componentType", Kind::integer},
-    {"count", Kind::integer},
-    {"diffuseFactor", Kind::numbers},
-    {"diffuseTexture", Kind::object},
-    {"doubleSided", Kind::boolean},
-    {"extensions", Kind::object},
-    {"filter", Kind::text},
-    {"glossinessFactor", Kind::number},
-    {"images", Kind::objects},
-    {"index", Kind::integer},
-    {"indices", Kind::integer},
-    {"innerConeAngle", Kind::number},
-    {"intensity", Kind::number},
-    {"inverseBindMatrices", Kind::integer},
-    {"joints", Kind::integers},
-    {"light", Kind::integer},
-    {"lights", Kind::objects},
-    {"magFilter", Kind::integer},
-    {"material", Kind::integer},
-    {"materials", Kind::objects},
-    {"matrix", Kind::numbers},
-    {"max", Kind::numbers},
-    {"mesh", Kind::integer},
-    {"meshes", Kind::objects},
-    {"metallicFactor", Kind::number},
-    {"min", Kind::numbers},
-    {"minFilter", Kind::integer},
-    {"name", Kind::text},
-    {"nodes", Kind::objects},
-    {"normalized", Kind::boolean},
-    {"offset", Kind::numbers},
-    {"orthographic", Kind::object},
-    {"outerConeAngle", Kind::number},
-    {"pbrMetallicRoughness", Kind::object},
-    {"perspective", Kind::object},
-    {"primitives", Kind::objects},
-    {"range", Kind::number},
-    {"rotation", Kind::numbers},
-    {"roughnessFactor", Kind::number},
-    {"sampler", Kind::integer},
-    {"samplers", Kind::objects},
-    {"scale", Kind::numbers},
-    {"scene", Kind::integer},
-    {"scenes", Kind::objects},
-    {"skeleton", Kind::integer},
-    {"skin", Kind::integer},
-    {"skins", Kind::objects},
-    {"source", Kind::integer},
-    {"sparse", Kind::object},
-    {"specularColorFactor", Kind::numbers},
-    {"specularFactor", Kind::number},
-    {"spot", Kind::object},
-    {"targets", Kind::objects},
-    {"texCoord", Kind::integer},
-    {"textures", Kind::objects},
-    {"translation", Kind::numbers},
-    {"transmissionFactor", Kind::number},
-    {"type", Kind::text},
-    {"uri", Kind::text},
-    {"version", Kind::text},
-    {"weights", Kind::numbers},
-    {"wrapS", Kind::integer},
-    {"wrapT", Kind::integer},
-    {"xmag", Kind::number},
-    {"yfov", Kind::number},
-    {"ymag", Kind::number},
-    {"zfar", Kind::number},
-    {"znear", Kind::number},
-});
-
-Kind kind_of(std::string_view name, std::string_view parent) {
-  if (name == "nodes" && parent == "scenes") return Kind::integers;
-  if (name == "indices" && parent == "sparse") return Kind::object;
-  if (name == "rotation" && parent == "KHR_texture_transform") return Kind::number;
-  if (name == "specularFactor" && parent == "KHR_materials_pbrSpecularGlossiness") return Kind::numbers;
-  if (name == "mode") return parent == "primitives" ? Kind::integer : Kind::text;
-  // The parser keeps the offsets of sparse accessors in ints.
-  if (name == "byteOffset" && (parent == "indices" || parent == "values")) return Kind::integer;
-  const auto found =
-      std::lower_bound(members.begin(), members.end(), name,
-                       [](const Member& member, std::string_view wanted) { return member.name < wanted; });
-  return found != members.end() && found->name == name ? found->kind : Kind::any;
-}
-
-constexpr std::array<std::string_view, 9> supported_extensions = {"EXT_mesh_gpu_instancing",
-                                                                  "EXT_meshopt_compression",
-                                                                  "KHR_draco_mesh_compression",
-                                                                  "KHR_lights_punctual",
-                                                                  "KHR_materials_pbrSpecularGlossiness",
-                                                                  "KHR_materials_specular",
-                                                                  "KHR_materials_transmission",
-                                                                  "KHR_mesh_quantization",
-                                                                  "KHR_texture_transform"};
+constexpr std::array<std::string_view, 11> supported_extensions = {"EXT_mesh_gpu_instancing",
+                                                                   "EXT_meshopt_compression",
+                                                                   "KHR_draco_mesh_compression",
+                                                                   "KHR_lights_punctual",
+                                                                   "KHR_materials_pbrSpecularGlossiness",
+                                                                   "KHR_materials_specular",
+                                                                   "KHR_materials_transmission",
+                                                                   "KHR_mesh_quantization",
+                                                                   "KHR_meshopt_compression",
+                                                                   "KHR_node_visibility",
+                                                                   "KHR_texture_transform"};
 
 struct Checker {
   const Path& path;
@@ -207,87 +102,142 @@ struct Checker {
     for (std::size_t i = 0; i < list.size(); ++i) visit(list[i], Place{&place, {}, i});
   }
 
-  void check(json& value, Kind kind, const Place& place) const {
-    switch (kind) {
-      case Kind::any:
+  void check(json& value, const Member& member, const Place& place) const {
+    switch (member.kind) {
+      case Kind::anything:
         return;
       case Kind::text:
         return require(value.is_string(), place, "it is not a text");
+      case Kind::texts:
+        return keep_texts(value, place);
       case Kind::boolean:
         return require(value.is_boolean(), place, "it is neither true nor false");
       case Kind::number:
-        return require(value.is_number(), place, "it is not a number");
-      case Kind::object:
-        return require(value.is_object(), place, "it is not an object");
+        return check_number(value, place);
       case Kind::integer:
         return index(value, place);
       case Kind::size:
         return integer(value, place, 0, std::int64_t{1} << 40);
       case Kind::numbers:
-        return each(value, place, [&](json& item, const Place& at) { check(item, Kind::number, at); });
+        return each(value, place, [&](json& item, const Place& at) { check_number(item, at); });
       case Kind::integers:
         return each(value, place, [&](json& item, const Place& at) { index(item, at); });
+      case Kind::indices_by_name:
+        return check_indices(value, place);
+      case Kind::targets:
+        return each(value, place, [&](json& item, const Place& at) { check_indices(item, at); });
+      case Kind::object:
+        return check_object(value, *member.shape, place);
       case Kind::objects:
-        return each(value, place, [&](json& item, const Place& at) { check(item, Kind::object, at); });
-      case Kind::integer_members:
-        check(value, Kind::object, place);
-        for (auto& [name, item] : value.items()) index(item, {&place, name, 0});
-        return;
+        return each(value, place, [&](json& item, const Place& at) { check_object(item, *member.shape, at); });
+      case Kind::extensions:
+        if (!value.is_object()) value = json::object();
+        return check_object(value, *member.shape, place);
+      case Kind::extras_name:
+        return keep_name(value);
+      case Kind::extras_emitter:
+        return keep_emitter(value, place);
     }
   }
 
-  // A light, or a node that places one.
-  static bool is_light(const json& value, std::string_view name) {
-    if (name == "lights") return true;
-    const auto extensions = value.find("extensions");
-    return name == "nodes" && extensions != value.end() && extensions->is_object() &&
-           extensions->contains("KHR_lights_punctual");
+  void check_number(const json& value, const Place& place) const {
+    require(value.is_number(), place, "it is not a number");
+    require(std::isfinite(value.get<double>()), place, "the number is out of range");
   }
 
-  void keep_emitter(json& extras, json& kept, const Place& place) const {
+  void check_indices(json& value, const Place& place) const {
+    require(value.is_object(), place, "it is not an object");
+    for (auto& [name, item] : value.items()) index(item, {&place, name, 0});
+  }
+
+  static const Member* find(const Shape& shape, std::string_view name) {
+    const auto found = std::find_if(shape.members.begin(), shape.members.end(),
+                                    [&](const Member& member) { return member.name == name; });
+    return found == shape.members.end() ? nullptr : &*found;
+  }
+
+  // Erases what the shape does not list, and what is null, which readers take for absent.
+  void check_object(json& value, const Shape& shape, const Place& place) const {
+    require(value.is_object(), place, "it is not an object");
+    if (&shape == &schema::node && !places_light(value)) value.erase("extras");
+    for (auto item = value.begin(); item != value.end();) {
+      const Member* const member = find(shape, item.key());
+      if (member == nullptr || item->is_null()) {
+        item = value.erase(item);
+        continue;
+      }
+      const Place inside{&place, item.key(), 0};
+      check(*item, *member, inside);
+      // The parser takes its own preset for any other number of them.
+      require(member->name != "baseColorFactor" || item->size() == 4, inside, "it is not four numbers");
+      ++item;
+    }
+  }
+
+  // Extras of other nodes may hold anything.
+  static bool places_light(const json& node) {
+    const auto extensions = node.find("extensions");
+    return extensions != node.end() && extensions->is_object() && extensions->contains("KHR_lights_punctual");
+  }
+
+  void keep_texts(json& value, const Place& place) const {
+    require(value.is_array(), place, "it is not a list");
+    json kept = json::array();
+    for (json& item : value) {
+      if (item.is_string()) kept.push_back(std::move(item));
+    }
+    value = std::move(kept);
+  }
+
+  static void keep_name(json& extras) {
+    json kept = json::object();
+    if (extras.is_object() && extras.contains("name") && extras["name"].is_string()) {
+      kept["name"] = std::move(extras["name"]);
+    }
+    extras = std::move(kept);
+  }
+
+  void keep_emitter(json& extras, const Place& place) const {
+    json kept = json::object();
     for (const EmitterKey& key : emitter_keys) {
-      const auto found = extras.find(key.name);
+      const auto found = extras.is_object() ? extras.find(key.name) : extras.end();
       if (found == extras.end()) continue;
-      const Place at{&place, key.name, 0};
-      check(*found, key.is_number ? Kind::number : Kind::text, at);
+      check(*found, {key.name, key.is_number ? Kind::number : Kind::text}, {&place, key.name, 0});
       // As floating point, since the parser would cut integers down to its own.
       kept[key.name] = key.is_number ? json(found->get<double>()) : std::move(*found);
     }
-  }
-
-  void walk(json& value, std::string_view name, const Place& place) const {
-    if (value.is_number()) require(std::isfinite(value.get<double>()), place, "the number is out of range");
-    if (value.is_array()) {
-      for (std::size_t i = 0; i < value.size(); ++i) {
-        const Place item{&place, {}, i};
-        if (name == "targets") check(value[i], Kind::integer_members, item);
-        walk(value[i], name, item);
-      }
-    }
-    if (!value.is_object()) return;
-    if (const auto extras = value.find("extras"); extras != value.end()) {
-      // The writer keeps the name of a primitive there.
-      json kept = json::object();
-      if (extras->is_object() && extras->contains("name") && (*extras)["name"].is_string()) {
-        kept["name"] = std::move((*extras)["name"]);
-      }
-      if (extras->is_object() && is_light(value, name)) keep_emitter(*extras, kept, {&place, "extras", 0});
-      *extras = std::move(kept);
-    }
-    for (auto& [member, held] : value.items()) {
-      const Place inside{&place, member, 0};
-      if (name == "extensions") {
-        if (!is_supported(member)) held = json::object();
-        check(held, Kind::object, inside);
-      } else {
-        check(held, kind_of(member, name), inside);
-        // The parser takes its own preset for any other number of them.
-        require(member != "baseColorFactor" || held.size() == 4, inside, "it is not four numbers");
-      }
-      walk(held, member, inside);
-    }
+    extras = std::move(kept);
   }
 };
+
+constexpr const char* dictionaries_of_version_1[] = {"accessors", "bufferViews", "buffers",
+                                                     "meshes",    "nodes",       "scenes"};
+
+// A text such as "2.0"; some writers give a number. Empty where there is neither.
+std::string version_of(const json& root, const char* key) {
+  const auto asset = root.find("asset");
+  if (asset == root.end() || !asset->is_object() || !asset->contains(key)) return "";
+  const json& value = asset->at(key);
+  if (value.is_number()) return value.dump();
+  return value.is_string() ? value.get<std::string>() : "";
+}
+
+/// Major and minor number; 0 for what is none.
+std::pair<int, int> numbers_of(const std::string& version) {
+  std::pair<int, int> numbers{0, 0};
+  const char* const end = version.data() + version.size();
+  const char* const dot = std::from_chars(version.data(), end, numbers.first).ptr;
+  if (dot != end && *dot == '.') std::from_chars(dot + 1, end, numbers.second);
+  return numbers;
+}
+
+// glTF 1.0 keeps its things in objects, by name, and does not require the version.
+bool is_version_1(const json& root) {
+  return std::any_of(std::begin(dictionaries_of_version_1), std::end(dictionaries_of_version_1), [&](const char* key) {
+    const auto found = root.find(key);
+    return found != root.end() && found->is_object();
+  });
+}
 
 }  // namespace
 
@@ -313,16 +263,21 @@ json parse_text(std::string_view text, Allowance& allowance, const Path& path) {
   }
 }
 
-void check_document(json& root, const Path& path) {
+void check_version(const json& root, const Path& path) {
   if (!root.is_object()) fail(path, "", "its JSON is not an object", "give a .gltf or .glb file");
-  static constexpr auto unused = [](const std::string& key) {
-    return kind_of(key, {}) == Kind::any && key != "extensionsUsed" && key != "extensionsRequired";
-  };
-  for (auto member = root.begin(); member != root.end();) {
-    member = unused(member.key()) && member.key() != "animations" ? root.erase(member) : std::next(member);
+  const std::string version = version_of(root, "version");
+  if (version.empty() && !is_version_1(root)) fail(path, "asset", "it has no glTF version", "convert to glTF 2.0");
+  if (const std::string known = version.empty() ? "1.0" : version; numbers_of(known).first != 2) {
+    fail(path, "asset", "it is glTF " + known.substr(0, 16), "convert to 2.0");
   }
-  Checker{path}.walk(root, {}, {});
+  const std::string least = version_of(root, "minVersion");
+  if (numbers_of(least) > std::pair(2, 0)) {
+    fail(path, "asset", "its minVersion is glTF " + least.substr(0, 16) + ", and this program reads 2.0",
+         "export it as glTF 2.0");
+  }
 }
+
+void check_document(json& root, const Path& path) { Checker{path}.check_object(root, schema::root, {}); }
 
 void claim_model(const json& root, Allowance& allowance, const Path& path) {
   const auto claim_list = [&](const json& holder, const char* key, std::size_t bytes, const std::string& where) {

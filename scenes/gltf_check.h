@@ -13,9 +13,12 @@ namespace umbrameter::gltf {
 /// Parses text of at most 2^25 values nested at most 64 deep.
 nlohmann::json parse_text(std::string_view text, Allowance& allowance, const std::filesystem::path& path);
 
-/// Fails where a member that glTF 2.0 defines has another type, or a number is no index, size or finite number. Drops
-/// what has no effect here: extras (but a "name" in them and the extent of a light) and the contents of unknown
-/// extensions. Whole numbers written as 1.0 become integers.
+/// Fails unless the text is of glTF 2.x and its minVersion, where it has one, is at most 2.0. Reads nothing else.
+void check_version(const nlohmann::json& root, const std::filesystem::path& path);
+
+/// Fails where a member that the loader reads (scenes/gltf_schema.h) has another type than the specification says, or a
+/// number is no index, size or finite number. Erases all other members, so that extras, unknown extensions and parts
+/// that have no effect here are never judged. Whole numbers written as 1.0 become integers.
 void check_document(nlohmann::json& root, const std::filesystem::path& path);
 
 /// Claims what the parser will keep for these arrays.

@@ -2,6 +2,7 @@
 // Internal to scenes/gltf*.cpp; everything here throws Error (unreadable_input) naming file and object.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -34,14 +35,21 @@ std::size_t checked_index(int index, std::size_t size, std::string_view kind, co
                           const std::string& user);
 
 /// What reading may take in memory. A few bytes of JSON, of compressed data or of an image can ask for gigabytes, so
-/// what they ask for is claimed before it is allocated: at most 256 MiB and 64 times the bytes that were read.
+/// what they ask for is claimed before it is allocated. The limit is the user's, or 1 GiB and 64 times the bytes that
+/// were read.
 struct Allowance {
-  static constexpr std::uint64_t base = std::uint64_t{256} << 20;
+  static constexpr std::uint64_t base = std::uint64_t{1} << 30;
   static constexpr std::uint64_t multiple = 64;
-  std::uint64_t input = 0;    ///< bytes of the file and of the files that it refers to
-  std::uint64_t claimed = 0;  ///< bytes
+  std::uint64_t input = 0;                       ///< bytes of the file and of the files that it refers to
+  std::optional<std::uint64_t> limit_of_user{};  ///< bytes
+  std::uint64_t claimed = 0;                     ///< bytes
+
+  std::uint64_t limit() const { return limit_of_user.value_or(base + multiple * input); }
 };
 void claim(Allowance& allowance, std::uint64_t bytes, const std::filesystem::path& path, const std::string& object);
+/// The same, where `scratch` further bytes must fit that are held only while this is decoded.
+void claim_with_scratch(Allowance& allowance, std::uint64_t bytes, std::uint64_t scratch,
+                        const std::filesystem::path& path, const std::string& object);
 
 Bytes read_file(const std::filesystem::path& path, const std::string& object);
 
@@ -55,19 +63,25 @@ Container split_container(std::span<const unsigned char> file, const std::filesy
 /// The two parts as one .glb. Throws Error (partial) beyond the 4 GiB that its header can say.
 Bytes join_container(std::string json, const Bytes& binary);
 
+/// Why read_uri() cannot read it: it leaves the scene's folder, or there is no such file. Empty where it can be opened.
+std::string objection_to_uri(const std::filesystem::path& scene_path, const std::string& uri);
+
 /// The bytes behind a data URI, or behind a relative path that stays within the folder of the scene's file.
 Bytes read_uri(const std::filesystem::path& scene_path, const std::string& object, const std::string& uri);
 
 struct BufferSource {
   std::optional<std::string> uri;
-  std::uint64_t byte_length = 0;
-  bool is_fallback = false;  ///< EXT_meshopt_compression: a stand-in without bytes
+  std::optional<std::uint64_t> byte_length;
+  bool is_fallback = false;  ///< of a meshopt compression: a stand-in without bytes
 };
 struct ImageSource {
   std::string name;
   std::optional<std::string> uri;
   int buffer_view = -1;
 };
+
+/// The two names of one extension.
+inline constexpr std::array<const char*, 2> meshopt_names = {"KHR_meshopt_compression", "EXT_meshopt_compression"};
 
 /// The parsed text. Buffers and images are kept apart from the parser, which would open files by itself.
 struct Document {
@@ -95,7 +109,7 @@ std::span<const unsigned char> view_bytes(BufferStore& store, int buffer_view, c
 std::span<const unsigned char> part(std::span<const unsigned char> bytes, std::uint64_t offset, std::uint64_t length,
                                     const std::filesystem::path& path, const std::string& object);
 
-/// Decodes one EXT_meshopt_compression buffer view, whose size it claims. `object` names it in errors.
+/// Decodes one buffer view of a meshopt compression, whose size it claims. `object` names it in errors.
 struct MeshoptView {
   std::uint64_t count = 0;
   std::uint64_t stride = 0;
@@ -110,6 +124,10 @@ Bytes decode_meshopt(const MeshoptView& view, std::span<const unsigned char> enc
 template <class Element>
 std::vector<Element> read_elements(BufferStore& store, int accessor, const std::string& user);
 std::vector<std::uint32_t> read_indices(BufferStore& store, int accessor, const std::string& user);
+
+enum class ImageFormat { png, jpeg, webp, ktx2, dds, unknown };
+/// By its first bytes.
+ImageFormat format_of_image(std::span<const unsigned char> bytes);
 
 /// PNG or JPEG to RGBA8. Claims the texels before it unpacks them.
 Image<glm::u8vec4> decode_image(std::span<const unsigned char> bytes, Allowance& allowance,

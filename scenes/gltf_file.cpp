@@ -30,10 +30,12 @@ Container split_glb(const std::filesystem::path& path, std::span<const unsigned 
   const auto cut = [&](const std::string& where) {
     fail(path, where, "the binary glTF is truncated or damaged at " + std::to_string(bytes.size()) + " bytes", remedy);
   };
-  if (bytes.size() < 20) cut("header");
+  if (bytes.size() < 8) cut("header");
   if (const std::uint32_t version = little_endian(bytes, 4); version != 2) {
-    fail(path, "header", "version " + std::to_string(version) + " of binary glTF", "convert the file to glTF 2.0");
+    if (version == 1) fail(path, "header", "it is glTF 1.0", "convert to 2.0");
+    fail(path, "header", "version " + std::to_string(version) + " of binary glTF", "convert to 2.0");
   }
+  if (bytes.size() < 20) cut("header");
   const std::uint64_t length = little_endian(bytes, 8);
   if (length > bytes.size()) cut("header");
   Container container;
@@ -100,6 +102,21 @@ bool is_inside(const std::filesystem::path& target, const std::filesystem::path&
   return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
 }
 
+// Browsers take a backslash for a slash, so that files with them are seen everywhere else.
+std::string decoded_path(const std::string& uri) {
+  std::string path = percent_decoded(uri);
+  std::replace(path.begin(), path.end(), '\\', '/');
+  return path;
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& scene_path) {
+  return scene_path.parent_path().empty() ? "." : scene_path.parent_path();
+}
+
+std::filesystem::path target_of(const std::filesystem::path& scene_path, const std::string& uri) {
+  return folder_of(scene_path) / std::filesystem::path(decoded_path(uri));
+}
+
 bool has_scheme(const std::string& uri) {
   const std::size_t colon = uri.find(':');
   return colon != std::string::npos && uri.find('/') > colon;
@@ -129,14 +146,21 @@ std::size_t checked_index(int index, std::size_t size, std::string_view kind, co
 }
 
 void claim(Allowance& allowance, std::uint64_t bytes, const std::filesystem::path& path, const std::string& object) {
-  const std::uint64_t limit = Allowance::base + Allowance::multiple * allowance.input;
-  if (bytes > limit - allowance.claimed) {
+  claim_with_scratch(allowance, bytes, 0, path, object);
+}
+
+void claim_with_scratch(Allowance& allowance, std::uint64_t bytes, std::uint64_t scratch,
+                        const std::filesystem::path& path, const std::string& object) {
+  const std::uint64_t limit = allowance.limit();
+  const std::uint64_t left = limit - std::min(limit, allowance.claimed);
+  if (bytes > left || scratch > left - bytes) {
+    const std::uint64_t needed = allowance.claimed + bytes + scratch;
+    const std::string whose = allowance.limit_of_user ? " that --memory sets" : " for a file of this size";
     fail(path, object,
-         "it would unpack to " + std::to_string(bytes >> 20) + " MiB, beyond the limit of " +
-             std::to_string(limit >> 20) + " MiB for all of a file of this size (" +
-             std::to_string(Allowance::base >> 20) + " MiB and " + std::to_string(Allowance::multiple) +
-             " times its bytes)",
-         "store it less compressed, or split the scene");
+         "it would unpack to " + std::to_string((bytes + scratch) >> 20) + " MiB, which makes " +
+             std::to_string(needed >> 20) + " MiB for the file so far, beyond the limit of " +
+             std::to_string(limit >> 20) + " MiB" + whose,
+         "raise the limit, as in --memory " + std::to_string(2 * needed / 1'000'000'000 + 1) + "G");
   }
   allowance.claimed += bytes;
 }
@@ -184,6 +208,24 @@ Bytes join_container(std::string json, const Bytes& binary) {
   return bytes;
 }
 
+std::string objection_to_uri(const std::filesystem::path& scene_path, const std::string& uri) {
+  if (uri.starts_with("data:")) return "";
+  const std::string decoded = decoded_path(uri);
+  const std::filesystem::path relative(decoded);
+  const bool climbs = std::any_of(relative.begin(), relative.end(), [](const auto& part) { return part == ".."; });
+  if (decoded.empty() || decoded.find('\0') != std::string::npos || has_scheme(decoded) || relative.is_absolute() ||
+      climbs) {
+    return "its reference '" + uri.substr(0, 200) + "' leaves the folder of the scene";
+  }
+  std::error_code status;
+  const std::filesystem::path target = target_of(scene_path, uri);
+  if (!std::filesystem::is_regular_file(target, status)) return "there is no file '" + target.string() + "'";
+  if (!is_inside(target, folder_of(scene_path))) {
+    return "its reference '" + uri.substr(0, 200) + "' is a link that leads out of the folder of the scene";
+  }
+  return "";
+}
+
 Bytes read_uri(const std::filesystem::path& scene_path, const std::string& object, const std::string& uri) {
   if (uri.starts_with("data:")) {
     const std::string_view marker = ";base64,";
@@ -194,24 +236,11 @@ Bytes read_uri(const std::filesystem::path& scene_path, const std::string& objec
     }
     return decode_base64(std::string_view(uri).substr(comma + 1), scene_path, object);
   }
-  const std::string remedy = "keep the file beside the scene and refer to it by a relative path";
-  const std::string decoded = percent_decoded(uri);
-  const std::filesystem::path relative(decoded);
-  const bool climbs = std::any_of(relative.begin(), relative.end(), [](const auto& part) { return part == ".."; });
-  if (decoded.empty() || decoded.find('\0') != std::string::npos || has_scheme(decoded) || relative.is_absolute() ||
-      decoded.front() == '\\' || climbs) {
-    fail(scene_path, object, "its reference '" + uri.substr(0, 200) + "' leaves the folder of the scene", remedy);
+  const std::string objection = objection_to_uri(scene_path, uri);
+  if (!objection.empty()) {
+    fail(scene_path, object, objection, "keep the file beside the scene and refer to it by a relative path");
   }
-  std::error_code status;
-  const std::filesystem::path folder = scene_path.parent_path().empty() ? "." : scene_path.parent_path();
-  const std::filesystem::path target = folder / relative;
-  if (!std::filesystem::is_regular_file(target, status)) {
-    fail(scene_path, object, "there is no file '" + target.string() + "'", "put the file beside the scene");
-  }
-  if (!is_inside(target, folder)) {
-    fail(scene_path, object, "'" + uri + "' is a link that leads out of the folder of the scene", remedy);
-  }
-  return read_file(target, "");
+  return read_file(target_of(scene_path, uri), "");
 }
 
 }  // namespace umbrameter::gltf

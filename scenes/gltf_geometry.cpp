@@ -68,7 +68,8 @@ Skin read_skin(GeometryReader& reader, const tinygltf::Primitive& primitive, std
         if (!std::isfinite(skin.weights.back()[v][i])) {
           fail(path, object, weight->first + " " + std::to_string(v) + " is not a finite number");
         }
-        if (used >= 0.0f && used < static_cast<float>(joints)) continue;
+        const bool is_unused = !(skin.weights.back()[v][i] > 0.0f);
+        if (is_unused || (used >= 0.0f && used < static_cast<float>(joints))) continue;
         fail(path, object,
              joint->first + " " + std::to_string(v) + " names a joint beyond the skin's " + std::to_string(joints));
       }
@@ -88,6 +89,21 @@ void move_vertices(Mesh& mesh, const Skin& skin, std::span<const dmat4> joint_ma
   }
 }
 
+// The index of a new Scene mesh, where the primitive has triangles.
+std::optional<std::uint32_t> read_part(GeometryReader& reader, const tinygltf::Primitive& primitive,
+                                       std::span<const double> weights, const std::string& name,
+                                       const std::string& object) {
+  if (!is_drawn(primitive, reader.store.document.path, object)) {
+    ++reader.dropped.points_and_lines;
+    return std::nullopt;
+  }
+  Mesh mesh = read_primitive(reader, primitive, weights, object);
+  if (mesh.triangles.empty()) return std::nullopt;
+  mesh.name = name;
+  reader.scene.meshes.push_back(std::move(mesh));
+  return static_cast<std::uint32_t>(reader.scene.meshes.size() - 1);
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> read_mesh(GeometryReader& reader, std::size_t number, std::span<const double> node_weights) {
@@ -103,18 +119,12 @@ std::vector<std::uint32_t> read_mesh(GeometryReader& reader, std::size_t number,
                                : -1;
     const std::vector<double> used_weights =
         primitive.targets.empty() ? std::vector<double>() : std::vector<double>(weights.begin(), weights.end());
-    const auto [entry, is_new] = reader.known.try_emplace(GeometryReader::Key{
-        primitive.attributes, primitive.indices, primitive.material, primitive.mode, compressed, used_weights, name});
-    const std::string object = name_primitive(source, number, p);
-    if (is_new && !is_drawn(primitive, reader.store.document.path, object)) {
-      ++reader.dropped.points_and_lines;
-    } else if (is_new) {
-      Mesh mesh = read_primitive(reader, primitive, weights, object);
-      mesh.name = name;
-      if (!mesh.triangles.empty()) {
-        entry->second = static_cast<std::uint32_t>(reader.scene.meshes.size());
-        reader.scene.meshes.push_back(std::move(mesh));
-      }
+    const GeometryReader::Key key{
+        primitive.attributes, primitive.indices, primitive.material, primitive.mode, compressed, used_weights, name};
+    auto entry = reader.known.find(key);
+    if (entry == reader.known.end()) {
+      const auto read = read_part(reader, primitive, weights, name, name_primitive(source, number, p));
+      entry = reader.known.emplace(key, read).first;
     }
     if (entry->second) parts.push_back(*entry->second);
   }
@@ -134,6 +144,7 @@ std::vector<std::uint32_t> read_skinned_mesh(GeometryReader& reader, std::size_t
       continue;
     }
     Mesh mesh = read_primitive(reader, primitive, weights_of(source, node_weights), object);
+    if (mesh.positions.empty()) continue;
     const Skin skin = read_skin(reader, primitive, mesh.positions.size(), joint_matrices.size(), object);
     if (skin.joints.empty())
       fail(reader.store.document.path, object, "it has no JOINTS_0 and WEIGHTS_0, but " + node + " has a skin");
@@ -157,6 +168,9 @@ void note_dropped(const Dropped& dropped, std::vector<std::string>& notes) {
   };
   add(dropped.zero_area, " triangles without area were left out");
   add(dropped.points_and_lines, " primitives of points or lines were left out");
+  add(dropped.without_positions, " primitives without POSITION were left out");
+  add(dropped.incomplete_triangles, " primitives end in an incomplete triangle, which was left out");
+  add(dropped.bad_texcoords, " texture coordinates that are not finite were replaced by 0");
   add(dropped.bad_normals, " vertex normals without a direction were replaced by that of a triangle");
   if (dropped.vertex_colors) notes.emplace_back("vertex colours are not used");
   if (dropped.morphs) notes.emplace_back("morph targets stand at their default weights: animations have no effect");

@@ -24,6 +24,9 @@ struct Dropped {
   std::uint64_t zero_area = 0;
   std::uint64_t points_and_lines = 0;
   std::uint64_t bad_normals = 0;
+  std::uint64_t bad_texcoords = 0;
+  std::uint64_t without_positions = 0;     ///< primitives
+  std::uint64_t incomplete_triangles = 0;  ///< primitives whose corners are no multiple of three
   bool vertex_colors = false;
   bool morphs = false;
 };
@@ -32,7 +35,7 @@ struct Dropped {
 struct GeometryReader {
   BufferStore& store;
   Scene& scene;
-  std::vector<TexcoordUse> texcoord_uses;  ///< one a material of the file
+  std::vector<TextureReference> textures;  ///< one a material of the file
   std::optional<std::uint32_t> default_material;
   Dropped dropped;
   using Key = std::tuple<std::map<std::string, int>, int, int, int, int, std::vector<double>, std::string>;

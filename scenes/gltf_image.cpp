@@ -34,14 +34,19 @@ bool are_tables_sane(std::span<const unsigned char> bytes, std::size_t length) {
   return true;
 }
 
+struct JpegProperties {
+  bool has_sane_tables = true;
+  bool is_progressive = false;
+};
+
 // Walks the segments of a JPEG, those between its scans as well, to the end of the image, where the decoder stops too.
-// Of anything else: true.
-bool has_sane_jpeg_tables(std::span<const unsigned char> bytes) {
-  if (bytes.empty() || bytes[0] != 0xff) return true;
+JpegProperties examine_jpeg(std::span<const unsigned char> bytes) {
+  JpegProperties found;
+  if (bytes.empty() || bytes[0] != 0xff) return found;
   std::size_t at = 0;
   while (at + 3 < bytes.size()) {
     const unsigned marker = bytes[at] == 0xff ? bytes[at + 1] : 0u;
-    if (marker == 0xd9) return true;
+    if (marker == 0xd9) return found;
     const bool is_alone = marker <= 0x01 || (marker >= 0xd0 && marker <= 0xd8) || marker == 0xff;
     if (is_alone) {
       ++at;
@@ -49,13 +54,35 @@ bool has_sane_jpeg_tables(std::span<const unsigned char> bytes) {
     }
     const std::size_t length = (std::size_t{bytes[at + 2]} << 8u) | bytes[at + 3];
     const std::size_t end = at + 2 + std::max<std::size_t>(length, 2);
-    if (marker == 0xc4 && !are_tables_sane(bytes.subspan(at + 4), end - at - 4)) return false;
+    found.is_progressive |= marker == 0xc2;
+    if (marker == 0xc4 && !are_tables_sane(bytes.subspan(at + 4), end - at - 4)) found.has_sane_tables = false;
     at = end;
   }
-  return true;
+  return found;
+}
+
+// What the decoder holds at its peak beside the texels that are kept, bytes a texel. All formats: its own result, of
+// which ours is a copy. Progressive JPEG: three planes of 8-bit samples and of 16-bit coefficients before that. 16-bit
+// PNG: the unfiltered and the unpacked rows.
+std::uint64_t scratch_per_texel(std::span<const unsigned char> bytes, const JpegProperties& jpeg) {
+  if (jpeg.is_progressive) return 9;
+  return stbi_is_16_bit_from_memory(bytes.data(), static_cast<int>(bytes.size())) != 0 ? 12 : 4;
+}
+
+bool starts_with(std::span<const unsigned char> bytes, std::size_t offset, std::string_view text) {
+  return bytes.size() >= offset + text.size() && std::memcmp(&bytes[offset], text.data(), text.size()) == 0;
 }
 
 }  // namespace
+
+ImageFormat format_of_image(std::span<const unsigned char> bytes) {
+  if (starts_with(bytes, 0, "\x89PNG")) return ImageFormat::png;
+  if (starts_with(bytes, 0, "\xff\xd8") || starts_with(bytes, 0, "\xff\xff")) return ImageFormat::jpeg;
+  if (starts_with(bytes, 0, "RIFF") && starts_with(bytes, 8, "WEBP")) return ImageFormat::webp;
+  if (starts_with(bytes, 0, "\xabKTX 20\xbb")) return ImageFormat::ktx2;
+  if (starts_with(bytes, 0, "DDS ")) return ImageFormat::dds;
+  return ImageFormat::unknown;
+}
 
 Image<glm::u8vec4> decode_image(std::span<const unsigned char> bytes, Allowance& allowance,
                                 const std::filesystem::path& path, const std::string& object) {
@@ -65,7 +92,8 @@ Image<glm::u8vec4> decode_image(std::span<const unsigned char> bytes, Allowance&
   if (bytes.empty() || bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     fail(path, object, "it holds " + std::to_string(bytes.size()) + " bytes", remedy);
   }
-  if (!has_sane_jpeg_tables(bytes)) fail(path, object, "its JPEG has a Huffman table of more than 256 codes", remedy);
+  const JpegProperties jpeg = examine_jpeg(bytes);
+  if (!jpeg.has_sane_tables) fail(path, object, "its JPEG has a Huffman table of more than 256 codes", remedy);
   const int size = static_cast<int>(bytes.size());
   int width = 0;
   int height = 0;
@@ -77,9 +105,9 @@ Image<glm::u8vec4> decode_image(std::span<const unsigned char> bytes, Allowance&
     fail(path, object, "it is " + std::to_string(width) + "x" + std::to_string(height) + " texels large",
          "make the image smaller");
   }
-  // The decoder's own copy, and ours.
-  claim(allowance, 2 * sizeof(glm::u8vec4) * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height),
-        path, object + " of " + std::to_string(width) + "x" + std::to_string(height) + " texels");
+  const std::uint64_t texel_count = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+  claim_with_scratch(allowance, sizeof(glm::u8vec4) * texel_count, scratch_per_texel(bytes, jpeg) * texel_count, path,
+                     object + " of " + std::to_string(width) + "x" + std::to_string(height) + " texels");
   const std::unique_ptr<unsigned char, void (*)(void*)> texels(
       stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), &stbi_image_free);
   if (texels == nullptr) {

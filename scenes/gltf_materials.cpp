@@ -5,24 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <tuple>
 
 namespace umbrameter::gltf {
 namespace {
 
 using tinygltf::Value;
-
-Wrap to_wrap(int wrap) {
-  switch (wrap) {
-    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
-      return Wrap::clamp_to_edge;
-    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
-      return Wrap::mirrored_repeat;
-    default:
-      return Wrap::repeat;
-  }
-}
 
 AlphaMode to_alpha_mode(const std::string& mode, const Document& document, const std::string& object) {
   if (mode.empty() || mode == "OPAQUE") return AlphaMode::opaque;
@@ -54,12 +41,6 @@ std::array<float, Count> factor(const Value* value, const std::array<float, Coun
 
 vec3 to_vec3(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 vec4 to_vec4(const std::array<float, 4>& v) { return {v[0], v[1], v[2], v[3]}; }
-
-/// A textureInfo, from either of the two places where the parser keeps them.
-struct TextureReference {
-  int texture = -1;
-  TexcoordUse use;
-};
 
 vec2 pair_of(const Value& transform, const char* key, vec2 preset, const Document& document,
              const std::string& object) {
@@ -153,54 +134,6 @@ TextureReference read_material(const tinygltf::Material& source, Material& mater
   return texture;
 }
 
-/// Decodes each image once, and keeps one Texture for all that show it in the same way.
-struct TextureReader {
-  BufferStore& store;
-  Scene& scene;
-  std::map<std::tuple<std::size_t, Wrap, Wrap>, std::uint32_t> known;
-
-  Image<glm::u8vec4> read_image(std::size_t index) {
-    for (const auto& [key, texture] : known) {
-      if (std::get<0>(key) != index) continue;
-      const Image<glm::u8vec4>& texels = scene.textures[texture].texels;
-      claim(store.allowance, texels.size() * sizeof(glm::u8vec4), store.document.path, label("image", index, ""));
-      return texels;
-    }
-    const Document& document = store.document;
-    const ImageSource& source = document.images[index];
-    const std::string object = label("image", index, source.name);
-    if (source.buffer_view >= 0) {
-      return decode_image(view_bytes(store, source.buffer_view, object), store.allowance, document.path, object);
-    }
-    if (!source.uri) fail(document.path, object, "it has neither a uri nor a bufferView");
-    const Bytes bytes = read_uri(document.path, object, *source.uri);
-    if (!source.uri->starts_with("data:")) store.allowance.input += bytes.size();
-    return decode_image(bytes, store.allowance, document.path, object);
-  }
-
-  std::uint32_t read(const tinygltf::Texture& source, const std::string& object) {
-    const tinygltf::Model& model = *store.document.model;
-    const std::size_t image =
-        checked_index(source.source, store.document.images.size(), "image", store.document.path, object);
-    Texture texture;
-    texture.name = source.name.empty() ? store.document.images[image].name : source.name;
-    if (source.sampler != -1) {
-      const tinygltf::Sampler& sampler =
-          model.samplers[checked_index(source.sampler, model.samplers.size(), "sampler", store.document.path, object)];
-      texture.wrap_u = to_wrap(sampler.wrapS);
-      texture.wrap_v = to_wrap(sampler.wrapT);
-    }
-    const std::tuple key(image, texture.wrap_u, texture.wrap_v);
-    const auto found = known.find(key);
-    if (found != known.end()) return found->second;
-    texture.texels = read_image(image);
-    const auto number = static_cast<std::uint32_t>(scene.textures.size());
-    known.emplace(key, number);
-    scene.textures.push_back(std::move(texture));
-    return number;
-  }
-};
-
 }  // namespace
 
 // KHR_texture_transform, "Overview": scale, then rotation, then offset.
@@ -211,36 +144,19 @@ vec2 moved(const TexcoordUse& use, const vec2& texcoord) {
   return use.offset + vec2(c * scaled.x + s * scaled.y, c * scaled.y - s * scaled.x);
 }
 
-std::vector<TexcoordUse> read_materials(BufferStore& store, Scene& scene) {
-  const Document& document = store.document;
+std::vector<TextureReference> read_materials(const Document& document, Scene& scene) {
   const tinygltf::Model& model = *document.model;
   std::vector<TextureReference> references;
-  std::map<std::size_t, std::uint32_t> used;
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     const std::string object = label("material", i, model.materials[i].name);
     Material& material = scene.materials.emplace_back();
-    TextureReference& reference =
+    const TextureReference& reference =
         references.emplace_back(read_material(model.materials[i], material, document, object));
-    if (reference.texture == -1) continue;
-    const std::size_t texture =
-        checked_index(reference.texture, model.textures.size(), "texture", document.path, object);
-    if (model.textures[texture].source < 0) {
-      scene.notes.push_back(object + " goes without its texture " + std::to_string(texture) +
-                            ", whose image is neither PNG nor JPEG");
-      reference.texture = -1;
-    } else {
-      used.emplace(texture, 0);
+    if (reference.texture != -1) {
+      checked_index(reference.texture, model.textures.size(), "texture", document.path, object);
     }
   }
-  TextureReader reader{store, scene, {}};
-  for (auto& [texture, number] : used) number = reader.read(model.textures[texture], label("texture", texture, ""));
-  std::vector<TexcoordUse> uses;
-  for (std::size_t i = 0; i < references.size(); ++i) {
-    uses.push_back(references[i].use);
-    if (references[i].texture == -1) continue;
-    scene.materials[i].base_color_texture = used.at(static_cast<std::size_t>(references[i].texture));
-  }
-  return uses;
+  return references;
 }
 
 }  // namespace umbrameter::gltf

@@ -19,7 +19,18 @@ struct TexcoordUse {
 };
 vec2 moved(const TexcoordUse& use, const vec2& texcoord);
 
-/// Appends the materials of the file, and the textures of their base colours; one entry a material.
-std::vector<TexcoordUse> read_materials(BufferStore& store, Scene& scene);
+/// The base colour texture of a material. −1: none.
+struct TextureReference {
+  int texture = -1;
+  TexcoordUse use;
+};
+
+/// Appends the materials of the file, without their textures; one entry a material.
+std::vector<TextureReference> read_materials(const Document& document, Scene& scene);
+
+/// Decodes the textures of the materials that meshes of the scene have, and sets them. A texture whose image is of a
+/// format that is not read, or is not there, is left out with a note, but an error where its alpha makes holes.
+void read_textures(BufferStore& store, const std::vector<TextureReference>& references, bool blend_makes_holes,
+                   Scene& scene);
 
 }  // namespace umbrameter::gltf

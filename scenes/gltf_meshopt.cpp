@@ -1,7 +1,9 @@
-// EXT_meshopt_compression: modes and filters as the extension's text gives them.
+// KHR_meshopt_compression, and EXT_meshopt_compression, which has all but version 1 of the vertex codec and the colour
+// filter: modes and filters as the texts of the extensions give them. Nothing that is read is a colour.
 #include <meshoptimizer.h>
 
 #include "scenes/gltf_document.h"
+#include "scenes/gltf_vertex_codec.h"
 
 namespace umbrameter::gltf {
 namespace {
@@ -56,7 +58,9 @@ Bytes decode_meshopt(const MeshoptView& view, std::span<const unsigned char> enc
   Bytes bytes(size);
   int status = 0;
   if (view.count != 0) {
-    if (view.mode == "ATTRIBUTES") {
+    if (view.mode == "ATTRIBUTES" && is_vertex_stream_1(encoded)) {
+      status = decode_vertex_stream_1(encoded, static_cast<std::size_t>(view.stride), bytes) ? 0 : -1;
+    } else if (view.mode == "ATTRIBUTES") {
       status = meshopt_decodeVertexBuffer(bytes.data(), view.count, view.stride, encoded.data(), encoded.size());
     } else if (view.mode == "TRIANGLES") {
       status = meshopt_decodeIndexBuffer(bytes.data(), view.count, view.stride, encoded.data(), encoded.size());
@@ -65,7 +69,7 @@ Bytes decode_meshopt(const MeshoptView& view, std::span<const unsigned char> enc
     }
   }
   if (status != 0) {
-    fail(path, object, "its compressed data is damaged (meshoptimizer status " + std::to_string(status) + ")",
+    fail(path, object, "its compressed data is damaged (status " + std::to_string(status) + ")",
          "copy or export the file again");
   }
   if (view.count != 0) apply_filter(view, bytes, path, object);

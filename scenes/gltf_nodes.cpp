@@ -36,9 +36,12 @@ dmat4 local_transform(const tinygltf::Node& node, const Document& document, cons
   dmat4 local(1.0);
   if (numbers(node.matrix, 16, "matrix")) {
     for (std::size_t i = 0; i < 16; ++i) local[static_cast<int>(i / 4)][static_cast<int>(i % 4)] = node.matrix[i];
-    if (local[0][3] != 0.0 || local[1][3] != 0.0 || local[2][3] != 0.0 || local[3][3] != 1.0) {
+    const dvec4 last_row(local[0][3], local[1][3], local[2][3], local[3][3]);
+    constexpr double rounding = 1e-6;
+    if (!(glm::distance(last_row, dvec4(0, 0, 0, 1)) <= rounding)) {
       fail(document.path, object, "the last row of its matrix is not 0 0 0 1");
     }
+    for (int column = 0; column < 4; ++column) local[column][3] = column == 3 ? 1.0 : 0.0;
     return local;
   }
   if (numbers(node.rotation, 4, "rotation")) {
@@ -120,7 +123,14 @@ bool is_finite(const dmat4& matrix) {
 struct Placed {
   std::size_t node = 0;
   dmat4 world{1.0};
+  bool is_hidden = false;  ///< it or an ancestor is, by KHR_node_visibility
 };
+
+bool hides_itself(const tinygltf::Node& node) {
+  const auto extension = node.extensions.find("KHR_node_visibility");
+  return extension != node.extensions.end() && extension->second.Has("visible") &&
+         !extension->second.Get("visible").Get<bool>();
+}
 
 // Depth first, parents before children, in file order; without recursion, so that no chain of nodes is too long.
 std::vector<Placed> place_nodes(const Document& document, const std::string& part, std::string& scene_name) {
@@ -147,10 +157,13 @@ std::vector<Placed> place_nodes(const Document& document, const std::string& par
     }
     visited[index] = 1;
     const dmat4 local = local_transform(node, document, object);
-    const dmat4 world = next.parent < 0 ? local : placed[static_cast<std::size_t>(next.parent)].world * local;
+    const Placed root;
+    const Placed& parent = next.parent < 0 ? root : placed[static_cast<std::size_t>(next.parent)];
+    const dmat4 world = next.parent < 0 ? local : parent.world * local;
+    const bool is_hidden = parent.is_hidden || hides_itself(node);
     if (!is_finite(world)) fail(document.path, object, "its world transform is not finite");
     push(node.children, static_cast<std::ptrdiff_t>(placed.size()));
-    placed.push_back({index, world});
+    placed.push_back({index, world, is_hidden});
   }
   // Without scenes every node belongs to the one that there is; those of a cycle, and below it, have no root to be
   // reached from.
@@ -168,6 +181,7 @@ struct NodeReader {
   const std::vector<Placed>& placed;
   std::vector<std::optional<std::size_t>> place_of_node;  ///< indices into placed
   std::uint64_t flattened = 0;
+  std::uint64_t hidden = 0;
   bool has_skins = false;
 
   const Document& document() const { return geometry.store.document; }
@@ -271,7 +285,8 @@ struct NodeReader {
     const tinygltf::Node& node = model().nodes[at.node];
     const std::string object = label("node", at.node, node.name);
     Scene& scene = geometry.scene;
-    if (node.mesh != -1) add_mesh(node, at.world, object);
+    if (at.is_hidden && (node.mesh != -1 || node.extensions.contains("KHR_lights_punctual"))) ++hidden;
+    if (node.mesh != -1 && !at.is_hidden) add_mesh(node, at.world, object);
     if (node.camera != -1) {
       const std::size_t index = checked_index(node.camera, model().cameras.size(), "camera", document().path, object);
       const tinygltf::Camera& camera = model().cameras[index];
@@ -279,16 +294,44 @@ struct NodeReader {
           read_camera(camera, node.name, at.world, document(), label("camera", index, camera.name) + " at " + object));
     }
     const auto extension = node.extensions.find("KHR_lights_punctual");
-    if (extension == node.extensions.end()) return;
+    if (extension == node.extensions.end() || at.is_hidden) return;
     const bool usable = extension->second.Has("light") && extension->second.Get("light").IsInt();
     const int number = usable ? extension->second.Get("light").GetNumberAsInt() : -1;
     const std::size_t index = checked_index(number, model().lights.size(), "light", document().path, object);
     const tinygltf::Light& light = model().lights[index];
     const std::string name = label("light", index, light.name) + " at " + object;
     Light& placed_light = scene.lights.emplace_back(read_light(light, at.world, document(), name, scene.notes));
+    if (placed_light.name.empty()) placed_light.name = node.name;
     placed_light.emitter = read_emitter(light.extras, node.extras, placed_light, document(), name, scene.notes);
   }
 };
+
+// Meshes in the order of the file, whatever the order of the nodes. One that no node of the file shows is kept where it
+// can be read, and must not refuse a file of which nothing else needs it.
+void read_meshes(GeometryReader& geometry, const std::vector<Placed>& placed) {
+  const Document& document = geometry.store.document;
+  const tinygltf::Model& model = *document.model;
+  std::set<int> shown;
+  std::set<int> referenced;
+  for (const Placed& at : placed) {
+    const tinygltf::Node& node = model.nodes[at.node];
+    if (node.skin == -1 && node.weights.empty() && !at.is_hidden) shown.insert(node.mesh);
+  }
+  for (const tinygltf::Node& node : model.nodes) referenced.insert(node.mesh);
+  for (std::size_t mesh = 0; mesh < model.meshes.size(); ++mesh) {
+    const int number = static_cast<int>(mesh);
+    if (shown.contains(number)) {
+      read_mesh(geometry, mesh, {});
+    } else if (!referenced.contains(number)) {
+      try {
+        read_mesh(geometry, mesh, {});
+      } catch (const Error& error) {
+        geometry.scene.notes.push_back(label("mesh", mesh, model.meshes[mesh].name) +
+                                       ", which no node shows, was left out: " + error.what());
+      }
+    }
+  }
+}
 
 }  // namespace
 
@@ -299,20 +342,14 @@ void read_nodes(GeometryReader& geometry, const std::string& part) {
   NodeReader reader{geometry, placed, {}};
   reader.place_of_node.resize(model.nodes.size());
   for (std::size_t i = 0; i < placed.size(); ++i) reader.place_of_node[placed[i].node] = i;
-  // Meshes in the order of the file, whatever the order of the nodes; also those that no node of the file shows.
-  std::set<int> shown;
-  for (const tinygltf::Node& node : model.nodes) shown.insert(node.mesh);
-  for (const Placed& at : placed) {
-    const tinygltf::Node& node = model.nodes[at.node];
-    if (node.skin == -1 && node.weights.empty()) shown.erase(node.mesh);
-  }
-  for (std::size_t mesh = 0; mesh < model.meshes.size(); ++mesh) {
-    if (!shown.contains(static_cast<int>(mesh))) read_mesh(geometry, mesh, {});
-  }
+  read_meshes(geometry, placed);
   for (const Placed& at : placed) reader.read(at);
   std::vector<std::string>& notes = geometry.scene.notes;
   if (reader.flattened != 0) {
     notes.push_back(std::to_string(reader.flattened) + " objects scaled to nothing were left out");
+  }
+  if (reader.hidden != 0) {
+    notes.push_back(std::to_string(reader.hidden) + " nodes with a mesh or a light are hidden and were left out");
   }
   if (reader.has_skins) notes.emplace_back("skins stand in their rest pose: animations have no effect");
 }

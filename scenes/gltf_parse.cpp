@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fstream>  // tiny_gltf.h forgets it without its own file access
 
 #include "scenes/gltf_check.h"
@@ -10,14 +11,6 @@ namespace umbrameter::gltf {
 namespace {
 
 using json = nlohmann::json;
-
-void require_version(const json& root, const std::filesystem::path& path) {
-  const auto asset = root.find("asset");
-  const std::string version = asset != root.end() ? asset->value("version", "") : "";
-  if (version.starts_with("2.")) return;
-  fail(path, "asset", version.empty() ? "it has no glTF version" : "it is glTF " + version.substr(0, 16),
-       "convert the file to glTF 2.0");
-}
 
 std::optional<std::string> take_text(json& object, const char* key) {
   const auto found = object.find(key);
@@ -33,16 +26,37 @@ json take_list(json& root, const char* key) {
   return items;
 }
 
-BufferSource buffer_source(json& item, const std::filesystem::path& path, std::size_t index) {
+/// Visits the items of a list that stays in the text, where there is one.
+template <class Visit>
+void for_each_in(json& holder, const char* key, const Visit& visit) {
+  const auto found = holder.find(key);
+  if (found == holder.end()) return;
+  for (json& item : *found) visit(item);
+}
+
+BufferSource buffer_source(json& item) {
   BufferSource source;
   source.uri = take_text(item, "uri");
-  const auto length = item.find("byteLength");
-  if (length == item.end()) fail(path, label("buffer", index, ""), "it has no byteLength");
-  source.byte_length = length->get<std::uint64_t>();
+  if (const auto length = item.find("byteLength"); length != item.end()) {
+    source.byte_length = length->get<std::uint64_t>();
+  }
   // A fallback buffer may carry bytes for readers without the extension; they are not needed here.
   const auto extensions = item.find("extensions");
-  source.is_fallback = extensions != item.end() && extensions->contains("EXT_meshopt_compression");
+  source.is_fallback =
+      extensions != item.end() && std::any_of(std::begin(meshopt_names), std::end(meshopt_names),
+                                              [&](const char* name) { return extensions->contains(name); });
   return source;
+}
+
+/// Takes the strides out of the text: the parser refuses a file for any that is no multiple of four, which a viewer
+/// only minds where it reads that view.
+std::vector<std::size_t> take_strides(json& root) {
+  std::vector<std::size_t> strides;
+  for_each_in(root, "bufferViews", [&](json& view) {
+    strides.push_back(static_cast<std::size_t>(std::max<std::int64_t>(0, view.value("byteStride", std::int64_t{0}))));
+    view.erase("byteStride");
+  });
+  return strides;
 }
 
 /// The parser insists on a bufferView of every index accessor; compressed and sparse ones have none.
@@ -58,6 +72,23 @@ int stand_in_view(json& root) {
   if (!is_needed) return -1;
   root["bufferViews"].push_back({{"buffer", 0}, {"byteLength", 0}});
   return static_cast<int>(number);
+}
+
+/// The parser insists on some members that the specification gives a meaning without, or that only a part needs.
+void add_required_members(json& root) {
+  for_each_in(root, "meshes", [](json& mesh) {
+    for_each_in(mesh, "primitives", [](json& primitive) { primitive.emplace("attributes", json::object()); });
+  });
+  for_each_in(root, "materials", [](json& material) {
+    const auto surface = material.find("pbrMetallicRoughness");
+    if (surface == material.end()) return;
+    const auto texture = surface->find("baseColorTexture");
+    if (texture != surface->end() && !texture->contains("index")) surface->erase(texture);
+  });
+  if (!root.contains("extensions") || !root["extensions"].contains("KHR_lights_punctual")) return;
+  for_each_in(root["extensions"]["KHR_lights_punctual"], "lights", [](json& light) {
+    if (light.value("type", "") == "spot") light.emplace("spot", json::object());
+  });
 }
 
 void parse(tinygltf::Model& model, const json& root, const std::filesystem::path& path) {
@@ -79,23 +110,26 @@ void parse(tinygltf::Model& model, const json& root, const std::filesystem::path
 
 Document parse_document(const std::filesystem::path& path, const Container& container, Allowance& allowance) {
   json root = parse_text(container.json, allowance, path);
+  check_version(root, path);
   check_document(root, path);
-  require_version(root, path);
   Document document;
   document.path = path;
   document.binary = container.binary;
   document.is_animated = root.erase("animations") != 0;
   for (json& item : take_list(root, "buffers")) {
-    document.buffers.push_back(buffer_source(item, path, document.buffers.size()));
+    document.buffers.push_back(buffer_source(item));
   }
   for (json& item : take_list(root, "images")) {
     document.images.push_back(
         {take_text(item, "name").value_or(""), take_text(item, "uri"), item.value("bufferView", -1)});
   }
   claim_model(root, allowance, path);
+  add_required_members(root);
   document.no_view = stand_in_view(root);
+  const std::vector<std::size_t> strides = take_strides(root);
   document.model = std::make_shared<tinygltf::Model>();
   parse(*document.model, root, path);
+  for (std::size_t i = 0; i < strides.size(); ++i) document.model->bufferViews[i].byteStride = strides[i];
   return document;
 }
 

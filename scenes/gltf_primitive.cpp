@@ -12,12 +12,11 @@ namespace {
 
 constexpr const char* draco_name = "KHR_draco_mesh_compression";
 
-// glTF 2.0, section 3.7.2.1.
-std::vector<uvec3> assemble(const std::vector<std::uint32_t>& v, int mode, const std::filesystem::path& path,
-                            const std::string& object) {
+// glTF 2.0, section 3.7.2.1: corners that make no whole triangle are ignored.
+std::vector<uvec3> assemble(const std::vector<std::uint32_t>& v, int mode, Dropped& dropped) {
   std::vector<uvec3> triangles;
   if (mode == TINYGLTF_MODE_TRIANGLES) {
-    if (v.size() % 3 != 0) fail(path, object, "its " + std::to_string(v.size()) + " corners are no whole triangles");
+    if (v.size() % 3 != 0) ++dropped.incomplete_triangles;
     triangles.reserve(v.size() / 3);
     for (std::size_t i = 0; i + 2 < v.size(); i += 3) triangles.emplace_back(v[i], v[i + 1], v[i + 2]);
     return triangles;
@@ -67,14 +66,20 @@ void repair_normals(Mesh& mesh, Dropped& dropped) {
   }
 }
 
-template <class Vector>
-void require_finite(const std::vector<Vector>& values, const std::string& what, const std::filesystem::path& path,
-                    const std::string& object) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    bool is_finite = true;
-    for (int c = 0; c < Vector::length(); ++c) is_finite = is_finite && std::isfinite(values[i][c]);
-    if (is_finite) continue;
-    fail(path, object, what + " " + std::to_string(i) + " is not a finite number",
+// They move a texture, never the surface: those that are no numbers need not refuse the file.
+void repair_texcoords(Mesh& mesh, Dropped& dropped) {
+  for (vec2& texcoord : mesh.texcoords) {
+    if (std::isfinite(texcoord.x) && std::isfinite(texcoord.y)) continue;
+    texcoord = vec2(0.0f);
+    ++dropped.bad_texcoords;
+  }
+}
+
+void require_finite(const std::vector<vec3>& positions, const std::filesystem::path& path, const std::string& object) {
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const vec3& p = positions[i];
+    if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) continue;
+    fail(path, object, "POSITION " + std::to_string(i) + " is not a finite number",
          "repair the model and export it again");
   }
 }
@@ -154,7 +159,7 @@ struct PrimitiveSource {
                std::to_string(corners[i]) + " of " + std::to_string(vertices));
     }
     claim(reader.store.allowance, std::uint64_t{corners.size()} * sizeof(uvec3), document().path, object);
-    return assemble(corners, mode, document().path, object);
+    return assemble(corners, mode, reader.dropped);
   }
 };
 
@@ -185,7 +190,7 @@ void add_morph_targets(GeometryReader& reader, const tinygltf::Primitive& primit
 std::uint32_t material_of(GeometryReader& reader, const tinygltf::Primitive& primitive, const std::string& object) {
   if (primitive.material != -1) {
     return static_cast<std::uint32_t>(
-        checked_index(primitive.material, reader.texcoord_uses.size(), "material", reader.store.document.path, object));
+        checked_index(primitive.material, reader.textures.size(), "material", reader.store.document.path, object));
   }
   if (!reader.default_material) {
     reader.default_material = static_cast<std::uint32_t>(reader.scene.materials.size());
@@ -206,12 +211,15 @@ Mesh read_primitive(GeometryReader& reader, const tinygltf::Primitive& primitive
   const std::filesystem::path& path = reader.store.document.path;
   Mesh mesh;
   mesh.material = material_of(reader, primitive, object);
-  const bool is_own = mesh.material < reader.texcoord_uses.size();
-  const TexcoordUse texcoords = is_own ? reader.texcoord_uses[mesh.material] : TexcoordUse{};
+  const bool is_own = mesh.material < reader.textures.size();
+  const TexcoordUse texcoords = is_own ? reader.textures[mesh.material].use : TexcoordUse{};
   PrimitiveSource source{reader, primitive, object, "TEXCOORD_" + std::to_string(texcoords.set), std::nullopt};
   source.open_draco();
   mesh.positions = source.attribute<vec3>("POSITION", 0);
-  if (mesh.positions.empty()) fail(path, object, "it has no POSITION");
+  if (mesh.positions.empty()) {
+    ++reader.dropped.without_positions;
+    return mesh;
+  }
   if (mesh.positions.size() >= std::numeric_limits<std::uint32_t>::max()) {
     fail(path, object, "it has " + std::to_string(mesh.positions.size()) + " vertices",
          "split the mesh below 2^32 vertices");
@@ -221,12 +229,11 @@ Mesh read_primitive(GeometryReader& reader, const tinygltf::Primitive& primitive
   mesh.texcoords = source.attribute<vec2>(source.texcoord_name, vertices);
   mesh.triangles = source.triangles(vertices);
   add_morph_targets(reader, primitive, weights, object, mesh);
-  require_finite(mesh.positions, "POSITION", path, object);
-  require_finite(mesh.texcoords, source.texcoord_name, path, object);
+  require_finite(mesh.positions, path, object);
   if (texcoords.is_moved) {
     for (vec2& texcoord : mesh.texcoords) texcoord = moved(texcoords, texcoord);
-    require_finite(mesh.texcoords, "transformed " + source.texcoord_name, path, object);
   }
+  repair_texcoords(mesh, reader.dropped);
   drop_flat_triangles(mesh, reader.dropped);
   reader.dropped.vertex_colors |= primitive.attributes.contains("COLOR_0");
   repair_normals(mesh, reader.dropped);

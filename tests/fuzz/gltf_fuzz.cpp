@@ -88,9 +88,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // The length decides what else is tried, so that an input keeps its meaning.
   constexpr std::array parts = {"", "second", "1", "1st"};
   const std::string part = size % 8 < parts.size() ? parts[size % 8] : "";
+  constexpr std::uint64_t most_bytes = std::uint64_t{256} << 20;
   Scene scene;
   try {
-    scene = read_gltf({data, size}, path, part);
+    scene = read_gltf({data, size}, path, part, {.memory = most_bytes});
   } catch (const Error& error) {
     const std::string text = error.what();
     require(error.code() == ExitCode::unreadable_input || (!part.empty() && error.code() == ExitCode::usage),

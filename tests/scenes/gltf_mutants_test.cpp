@@ -66,8 +66,9 @@ void operator delete[](void* memory, const std::nothrow_t&) noexcept { uncounted
 namespace umbrameter::test {
 namespace {
 
-// The multiple of gltf_document.h, Allowance, and as much again for what is held twice while it is read.
-constexpr std::ptrdiff_t base_bytes = std::ptrdiff_t{512} << 20;
+// The limit, as much again for what is held twice while it is read, and the file and its text.
+constexpr std::ptrdiff_t limit_bytes = std::ptrdiff_t{256} << 20;
+constexpr std::ptrdiff_t base_bytes = 2 * limit_bytes;
 constexpr std::ptrdiff_t bytes_per_byte = 128;
 constexpr double most_seconds = 10.0;
 
@@ -78,7 +79,7 @@ std::string complaint(std::span<const unsigned char> bytes) {
   const auto start = std::chrono::steady_clock::now();
   std::string text;
   try {
-    read_gltf(bytes, "folder-that-is-not-there/scene.gltf");
+    read_gltf(bytes, "folder-that-is-not-there/scene.gltf", "", {.memory = limit_bytes});
   } catch (const Error& error) {
     const std::string_view message = error.what();
     if (error.code() != ExitCode::unreadable_input) text = "code of: " + std::string(message);

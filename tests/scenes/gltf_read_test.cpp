@@ -204,7 +204,8 @@ TEST(GltfLights, They_are_numbered_by_depth_first_nodes_and_named_by_their_entry
   ASSERT_EQ(scene.lights.size(), 3u);
   EXPECT_TRUE(scene.notes.empty());
   EXPECT_EQ(std::get<PointLight>(scene.lights[0].shape).range, 4.0);
-  EXPECT_EQ(scene.lights[0].name, "") << "the node's name is not the light's";
+  EXPECT_EQ(scene.lights[0].name, "node") << "it has no name, so it takes its node's";
+  EXPECT_EQ(scene.lights[1].name, "") << "neither has one";
   EXPECT_EQ(scene.lights[0].position(), dvec3(1, 2, 3));
   EXPECT_TRUE(std::holds_alternative<DirectionalLight>(scene.lights[1].shape));
   EXPECT_NEAR(glm::distance(dvec3(scene.lights[1].world_from_light[0]), dvec3(0, 1, 0)), 0.0, 1e-15) << "roll";
@@ -215,6 +216,21 @@ TEST(GltfLights, They_are_numbered_by_depth_first_nodes_and_named_by_their_entry
   EXPECT_EQ(spot.range, 12.0);
   EXPECT_EQ(spot.inner_cone_angle, 0.25);
   EXPECT_EQ(spot.outer_cone_angle, 0.5);
+}
+
+TEST(GltfLights, Those_of_hidden_nodes_are_left_out_and_cameras_there_are_not) {
+  const std::string light = R"("KHR_lights_punctual":{"light":0})";
+  const Scene scene = load_nodes(R"("nodes":[{"name":"shown","extensions":{)" + light +
+                                     R"(}},{"children":[2,3],"extensions":{"KHR_node_visibility":)"
+                                     R"({"visible":false}}},{"name":"below","extensions":{)" +
+                                     light + R"(}},{"camera":0},{"mesh":0}])",
+                                 R"("cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":1}}],)"
+                                 R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot"}]}})");
+  ASSERT_EQ(scene.lights.size(), 1u);
+  EXPECT_EQ(scene.lights[0].name, "shown");
+  EXPECT_EQ(scene.cameras.size(), 1u);
+  ASSERT_EQ(scene.notes.size(), 1u);
+  EXPECT_EQ(scene.notes[0], "1 nodes with a mesh or a light are hidden and were left out");
 }
 
 TEST(GltfMaterials, Factor_texture_wrap_alpha_and_sides_are_read) {

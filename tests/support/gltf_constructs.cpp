@@ -27,7 +27,7 @@ std::vector<Construct> all_constructs() {
   std::vector<Construct> all;
   for (const auto family : {topology_constructs, accessor_constructs, quantized_constructs, draco_constructs,
                             meshopt_constructs, material_constructs, mask_constructs, node_constructs,
-                            instancing_constructs, deformed_constructs, file_constructs}) {
+                            instancing_constructs, deformed_constructs, file_constructs, tolerated_constructs}) {
     for (Construct& construct : family()) all.push_back(std::move(construct));
   }
   return all;

@@ -62,6 +62,7 @@ std::vector<Construct> node_constructs();
 std::vector<Construct> instancing_constructs();
 std::vector<Construct> deformed_constructs();
 std::vector<Construct> file_constructs();
+std::vector<Construct> tolerated_constructs();
 
 /// Triangles over a list of corners.
 struct Solid {
