@@ -108,6 +108,13 @@ void add_threads(CLI::App& command, CommandLine& line) {
       ->type_name("N");
 }
 
+void add_memory(CLI::App& command, CommandLine& line) {
+  command
+      .add_option("--memory", line.memory,
+                  "memory limit for the contents of a glTF file: 512M, 8G (1 GiB and 64 times the file)")
+      ->type_name("SIZE");
+}
+
 void add_image_command(CLI::App& app, CommandLine& line, const CommandDescription& description) {
   CLI::App& command = add_command(app, description);
   command.add_option("SCENE", line.scene, "a .gltf or .glb file, or a built-in scene ('umbrameter scenes')");
@@ -138,6 +145,7 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   }
   command.add_flag("--no-figures", line.no_figures, "Draw no figures; the page then has no pictures");
   add_threads(command, line);
+  add_memory(command, line);
   add_output_flags(command, line);
   add_parameters(command, line);
 }
@@ -217,6 +225,7 @@ void add_other_commands(CLI::App& app, CommandLine& line) {
   scene.add_option("NAME", line.scene, "built-in scene; forest:20M for about 20 million triangles")->required();
   scene.add_option("-o,--output", line.output, "file to write, .glb")->type_name("FILE")->required();
   for (const char* name : {"scene.unit", "scene.blend", "view.scene"}) add_parameters(scene, line, name);
+  add_memory(scene, line);
   add_output_flags(scene, line);
 
   CLI::App& cache = add_command(app, cache_command);
@@ -227,6 +236,7 @@ void add_other_commands(CLI::App& app, CommandLine& line) {
   info.add_option("SCENE", line.scene, "a .gltf or .glb file, or a built-in scene");
   for (const char* name : {"scene.unit", "scene.blend", "view.scene"}) add_parameters(info, line, name);
   info.add_flag("--measure-memory", line.measure_memory, "build the ray tracer's structure to measure its memory");
+  add_memory(info, line);
   add_output_flags(info, line);
 
   CLI::App& parameters = add_command(app, parameters_command);

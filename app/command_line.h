@@ -19,6 +19,7 @@ struct CommandLine {
   std::vector<std::string> vary;                              ///< "name=axis"
   std::string gl_device;
   int threads = 0;
+  std::string memory;  ///< what the contents of a file may take, "8G"; empty for the usual limit
   bool quiet = false;
   bool verbose = false;
   bool json = false;

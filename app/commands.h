@@ -8,6 +8,7 @@
 #include "app/experiment.h"
 #include "core/error.h"
 #include "reports/cache_folder.h"
+#include "scenes/load_options.h"
 
 namespace umbrameter {
 
@@ -20,6 +21,9 @@ struct SceneChoice {
   SceneParams reading;  ///< scene.*
 };
 SceneChoice chosen_scene(const CommandLine& line);
+
+/// What --memory says. Throws Error (usage) where it is no size.
+LoadOptions load_options(const CommandLine& line);
 
 /// The user's cache of references, unless --no-cache is given or nothing is traced.
 std::optional<CacheFolder> chosen_cache(const CommandLine& line, const Console& console);

@@ -86,7 +86,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
     run_folder.emplace(line.output, RunPlan{line.command, experiment_text(given), run_files(false)}, line.force);
   }
   const ThreadLimit threads(line.threads);
-  Workbench workbench(load_scene(given.scene, given.view.scene, given.reading),
+  Workbench workbench(load_scene(given.scene, given.view.scene, given.reading, load_options(line)),
                       {line.gl_device, line.threads, chosen_cache(line, console), given.scene}, console);
   const Experiment experiment = workbench.in_metres(given);
   const Sides sides = sides_of(line.command);

@@ -47,7 +47,8 @@ ExitCode run_info(const CommandLine& line, const Console& console) {
   json["embree"] = embree_version();
   const SceneChoice choice = chosen_scene(line);
   if (!line.scene.empty()) {
-    const SceneReport report = make_scene_report(line.scene, choice.part, {line.measure_memory, choice.reading});
+    const SceneReport report =
+        make_scene_report(line.scene, choice.part, {load_options(line), line.measure_memory, choice.reading});
     json["scene"] = to_json(report);
     for (const std::string& text : to_lines(report)) say(console, text);
   } else {

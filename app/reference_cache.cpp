@@ -2,33 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cstdlib>
 #include <string_view>
 #include <utility>
 
+#include "app/byte_size.h"
 #include "core/error.h"
 
 namespace umbrameter {
 namespace {
 
 constexpr const char* size_variable = "UMBRAMETER_CACHE_SIZE";
-
-// Decimal units: "500M" is 500,000,000 bytes.
-std::uint64_t parse_bytes(std::string_view text) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
-  for (const auto& [name, factor] : {std::pair{"", std::uint64_t{1}},
-                                     {"K", 1'000},
-                                     {"M", 1'000'000},
-                                     {"G", 1'000'000'000},
-                                     {"T", 1'000'000'000'000}}) {
-    if (error == std::errc() && unit == name && number <= UINT64_MAX / factor) return number * factor;
-  }
-  throw Error(ExitCode::usage, std::string(size_variable) + "=" + std::string(text), "it is no number of bytes",
-              "write it like 500M or 10G; 0 for no cache");
-}
 
 // The parts of each kind of answer, by name: written and read in the same words. Structs are taken apart into all of
 // their members, so that none can be forgotten.
@@ -112,7 +96,10 @@ struct PartReader {
 std::optional<CacheFolder> user_cache(const Console& console) {
   CacheFolder folder;
   const char* size = std::getenv(size_variable);
-  if (size != nullptr && *size != '\0') folder.limit = parse_bytes(size);
+  if (size != nullptr && *size != '\0') {
+    folder.limit =
+        parse_bytes(size, std::string(size_variable) + "=" + size, "write it like 500M or 10G; 0 for no cache");
+  }
   const std::optional<std::filesystem::path> base =
       xdg_cache_folder(std::getenv("XDG_CACHE_HOME"), std::getenv("HOME"));
   if (!base) {

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/byte_size.h"
 #include "app/commands.h"
 #include "reports/output.h"
 #include "reports/text_layout.h"
@@ -17,9 +18,17 @@ SceneChoice chosen_scene(const CommandLine& line) {
   return {experiment.view.scene, experiment.reading};
 }
 
+LoadOptions load_options(const CommandLine& line) {
+  LoadOptions options;
+  if (!line.memory.empty()) {
+    options.memory = parse_bytes(line.memory, "--memory " + line.memory, "write it like 512M or 8G");
+  }
+  return options;
+}
+
 ExitCode run_scene(const CommandLine& line, const Console& console) {
   const SceneChoice choice = chosen_scene(line);
-  const Scene scene = load_scene(line.scene, choice.part, choice.reading);
+  const Scene scene = load_scene(line.scene, choice.part, choice.reading, load_options(line));
   for (const std::string& text : scene.notes) note(console, text);
   const std::vector<unsigned char> glb = to_glb(scene);
   write_text(line.output, {reinterpret_cast<const char*>(glb.data()), glb.size()});

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/bounds.h"
+#include "scenes/load_options.h"
 #include "scenes/memory.h"
 #include "scenes/scene.h"
 #include "scenes/scene_params.h"
@@ -36,6 +37,7 @@ struct SceneReport {
 inline constexpr std::uint64_t most_triangles_built_unasked = 1'000'000;
 
 struct SceneReportOptions {
+  LoadOptions load;
   bool measure_memory = false;  ///< build the ray tracer's structure whatever the size
   SceneParams reading{};        ///< scene.*
 };

@@ -131,7 +131,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
                        line.force);
   }
   const ThreadLimit threads(line.threads);
-  Workbench workbench(load_scene(experiment.scene, experiment.view.scene, experiment.reading),
+  Workbench workbench(load_scene(experiment.scene, experiment.view.scene, experiment.reading, load_options(line)),
                       {line.gl_device, line.threads, chosen_cache(line, console), experiment.scene}, console);
   const std::vector<std::uint32_t> lights = workbench.lights(experiment.view.light);
   if (measure == Measure::visibility && !varies_group(axes, "view.light") && lights.size() > 1) {

@@ -69,6 +69,20 @@ TEST(Info, A_scene_that_is_not_there_is_a_usage_error_that_lists_those_that_are)
   expect_words(error_of({"info", "--scene", "0"}, 2), {"--scene 0", "no file"});
 }
 
+TEST(Info, Memory_limits_what_a_file_may_take_for_every_command_that_loads_one) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("two.glb", two_scenes()).string();
+  EXPECT_EQ(info({file, "--memory", "1G"})["triangles"], 1);
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"info", file},
+                                                  {"scene", file, "-o", folder / "copy.glb"},
+                                                  {"trace", file, "-o", folder / "out"}}) {
+    std::vector<std::string> words = command;
+    words.insert(words.end(), {"--memory", "1K"});
+    expect_words(error_of(words, 4), {"two.glb", "--memory"});
+  }
+  expect_words(error_of({"info", file, "--memory", "lots"}, 2), {"--memory lots", "512M"});
+}
+
 TEST(Info, A_run_stores_the_scene_that_it_was_about_and_repeats_it) {
   const TemporaryFolder folder;
   const std::string file = folder.write("two.glb", two_scenes()).string();
