@@ -243,12 +243,6 @@ std::string agreement_text(const ClassAgreement& agreement) {
       100.0 * share_of_foreign(agreement), agreement.taps, 100.0 * share_of_wrong(agreement));
 }
 
-// The mean absolute error cannot choose a filter.
-constexpr const char* filter_caution =
-    "\n\nThe reference of a light without extent is a hard shadow. Against it every blurred pixel is wrong, so that "
-    "the "
-    "mean absolute error always favours no filter: use it to choose a bias or a resolution, not a filter.";
-
 ReportTable worst_parts(const char* what, PartKind kind, const std::vector<PartError>& parts,
                         std::uint32_t weight_sum) {
   constexpr std::size_t most = 10;
@@ -316,7 +310,7 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
                          bias_table(shadow), worst_parts("objects", PartKind::object, shadow.objects, weight_sum),
                          worst_parts("materials", PartKind::material, shadow.materials, weight_sum)});
   if (shadow.agreement) presentation.details.push_back(title + ": " + agreement_text(*shadow.agreement));
-  if (experiment.shadow.filter != ShadowFilter::nearest) section.text += filter_caution;
+  if (experiment.shadow.filter != ShadowFilter::nearest) section.text += "\n\n" + std::string(filter_caution);
   if (s.max_x >= 0) {
     section.text +=
         fmt::format("\n\nThe largest error is {:.3g}, first at pixel ({}, {}).", s.max_error, s.max_x, s.max_y);

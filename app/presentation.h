@@ -35,6 +35,11 @@ Presentation present_ao(const AoMeasurement& ao);
 /// How far the reference of ambient occlusion looks: "up to 58.6 cm" or "without distance limit".
 std::string ao_limit_text(const TruthParams& params);
 
+/// What the mean absolute error against a hard shadow cannot decide, for pages that show filters.
+inline constexpr const char* filter_caution =
+    "The reference of a light without extent is a hard shadow. Against it every blurred pixel is wrong, so the mean "
+    "absolute error always favours no filter: use it to choose a bias or a resolution, not a filter.";
+
 /// Why statistics count no pixel: "nothing to measure: all 230,400 pixels are background". Empty where they count some.
 std::string nothing_counted_text(const CountedPixels& counted);
 

@@ -220,6 +220,8 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   }
   section.text = "All cells are in sweep.csv.";
   if (!sweep.ao_limit.empty()) section.text += " The reference looks " + sweep.ao_limit + " in every cell.";
+  const bool varies_filter = varies_group(sweep.plan.axes, "shadow.filter");
+  if (varies_filter && sweep.measure == Measure::visibility) section.text += "\n\n" + std::string(filter_caution);
   for (const std::string& warning : warnings) section.text += "\n\nWarning: " + warning + ".";
   if (!curves) {
     std::size_t lines = 1;

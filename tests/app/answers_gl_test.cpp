@@ -126,6 +126,13 @@ TEST_F(Answers, A_camera_that_sees_nothing_gets_a_reason_and_no_error) {
   EXPECT_EQ(text_of(folder_ / "sweep/sweep.csv").find("0,0,0,0"), std::string::npos);
 }
 
+TEST_F(Answers, Where_filters_are_compared_the_page_says_what_the_error_cannot_decide) {
+  run({"sweep", "contact-box", "--light", "0", "--vary", "shadow.filter=nearest,box"});
+  EXPECT_NE(text_of(folder_ / "out/index.html").find("not a filter"), std::string::npos);
+  run({"compare", "contact-box", "--light", "0", "--shadow.filter", "box"}, "box");
+  EXPECT_NE(text_of(folder_ / "box/index.html").find("not a filter"), std::string::npos);
+}
+
 TEST_F(Answers, Quiet_prints_the_answer_only_and_verbose_adds_diagnostics) {
   const std::string out = run({"compare", "contact-box", "--light", "sun"});
   std::istringstream lines(out);
