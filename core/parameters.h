@@ -83,7 +83,7 @@ struct FieldDescription {
   bool power_of_two = false;
   bool odd = false;
   LengthUnits units{};  ///< of a Length
-  bool basic = false;  ///< listed by --help; --help-all lists every parameter
+  bool basic = false;   ///< listed by --help; --help-all lists every parameter
   /// Of a choice: another word that users know, and the name that it means: {"pcf", "box"}.
   std::vector<std::pair<std::string, std::string>> aliases{};
 };

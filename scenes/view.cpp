@@ -60,9 +60,9 @@ std::size_t select(const std::vector<Named>& items, const std::string& wanted, c
   }
   std::vector<std::size_t> all(items.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  const std::string remedy =
-      items.empty() ? "omit --" + kind + " to use a default " + kind
-                    : "it has " + listed(items, all) + ": give an index or a name, or omit --" + kind;
+  const std::string remedy = items.empty()
+                                 ? "omit --" + kind + " to use a default " + kind
+                                 : "it has " + listed(items, all) + ": give an index or a name, or omit --" + kind;
   throw Error(ExitCode::usage, what, "the scene has no such " + kind, remedy);
 }
 
