@@ -317,7 +317,8 @@ void SurfelTable::describe() {
   }
 }
 
-void place_origin(const SurfelTriangle& t, const dvec3& position, RayOrigin& origin) {
+RayOrigin origin_off_foot(const SurfelTriangle& t, const dvec3& position, const dvec3& normal) {
+  RayOrigin origin{dvec3(0.0), normal, t.offset, t.clear_cosine};
   dvec3 point = nearest_point(t.corners, position);
   std::array<double, 3> insets = t.insets;
   if (t.is_huge()) {
@@ -325,7 +326,8 @@ void place_origin(const SurfelTriangle& t, const dvec3& position, RayOrigin& ori
     for (double& inset : insets) inset = std::min(inset, 4.0 * origin.offset);
   }
   if (t.has_area()) point = inset_from_edges(t, insets, point);
-  origin.point = point + origin.offset * origin.normal;
+  origin.point = point + origin.offset * normal;
+  return origin;
 }
 
 RayOrigin ray_origin(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel) {

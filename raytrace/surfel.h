@@ -107,9 +107,9 @@ class SurfelTable {
   std::array<SurfelTriangle, capacity> triangles_;  // the first size_ are in use
 };
 
-/// Sets the point and the offset of an origin whose normal is known: over the point of the triangle that is nearest to
-/// the position and as far in from the edges as an origin keeps.
-void place_origin(const SurfelTriangle& t, const dvec3& position, RayOrigin& origin);
+/// The origin over the point of the triangle that is nearest to the position and as far in from the edges as an origin
+/// keeps. By value: an origin whose address is taken stays in memory, also where this is not called.
+RayOrigin origin_off_foot(const SurfelTriangle& t, const dvec3& position, const dvec3& normal);
 
 /// In the header for speed: it is asked for every ray of a shadow.
 UMBRAMETER_IN_VECTORS RayOrigin origin_on(const SurfelTriangle& t, const GBuffer& gbuffer, std::size_t pixel) {
@@ -129,9 +129,7 @@ UMBRAMETER_IN_VECTORS RayOrigin origin_on(const SurfelTriangle& t, const GBuffer
     origin.point = position + (side * t.offset - along[3]) * normal;
     return origin;
   }
-  if (!t.has_area()) origin.normal = seen;
-  place_origin(t, position, origin);
-  return origin;
+  return origin_off_foot(t, position, t.has_area() ? side * normal : seen);
 }
 
 /// With a step after which rounding cannot put a ray behind the surface that it leaves: one bound for all points of a
