@@ -30,10 +30,11 @@ Row scene_row(const Workbench& workbench, const Experiment& experiment) {
   return {"scene", fmt::format("{}, {} triangles", scene_title(experiment), grouped(counts.triangles))};
 }
 
-Row view_row(const Workbench& workbench, const ViewParams& params) {
+Row view_row(const Console& console, const Workbench& workbench, const ViewParams& params) {
   std::vector<std::string> notes;
   const double aspect = static_cast<double>(params.size.width) / params.size.height;
   const Camera camera = select_camera(workbench.scene(), params.camera, aspect, notes);
+  for (const std::string& text : notes) note(console, text);
   return {"view", fmt::format("{}×{} pixels, {}", params.size.width, params.size.height,
                               camera.name.empty() ? "a camera without a name" : "camera " + camera.name)};
 }
@@ -63,7 +64,7 @@ ExitCode show(const Console& console, const std::vector<Row>& rows) {
 
 ExitCode show_image_plan(const CommandLine& line, const Console& console, Workbench& workbench,
                          const Experiment& experiment) {
-  std::vector<Row> rows = {scene_row(workbench, experiment), view_row(workbench, experiment.view)};
+  std::vector<Row> rows = {scene_row(workbench, experiment), view_row(console, workbench, experiment.view)};
   std::string lights;
   for (const std::uint32_t light : workbench.lights(experiment.view.light)) {
     lights += (lights.empty() ? "" : ", ") + light_text(workbench, experiment, light);
@@ -131,7 +132,7 @@ TimeEstimate estimate_time(const SweepPlan& plan, double budget, const std::func
 
 ExitCode show_sweep_plan(const Console& console, Workbench& workbench, const PlannedSweep& sweep) {
   const SweepPlan& plan = sweep.plan;
-  std::vector<Row> rows = {scene_row(workbench, sweep.experiment), view_row(workbench, sweep.experiment.view)};
+  std::vector<Row> rows = {scene_row(workbench, sweep.experiment), view_row(console, workbench, sweep.experiment.view)};
   if (sweep.measure != Measure::ao) {
     std::string lights;
     for (const std::uint32_t light : swept_lights(workbench, sweep.experiment, sweep.axes)) {
