@@ -109,9 +109,7 @@ void add_threads(CLI::App& command, CommandLine& line) {
 }
 
 void add_memory(CLI::App& command, CommandLine& line) {
-  command
-      .add_option("--memory", line.memory,
-                  "memory limit for the contents of a glTF file: 512M, 8G (1 GiB and 64 times the file)")
+  command.add_option("--memory", line.memory, "max memory for a glTF file: 512M, 8G (1 GiB + 64 × its size)")
       ->type_name("SIZE");
 }
 
@@ -143,7 +141,7 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   if (&description != &raster_command) {
     command.add_flag("--no-cache", line.no_cache, "trace the reference again and do not cache it");
   }
-  command.add_flag("--no-figures", line.no_figures, "Draw no figures; the page then has no pictures");
+  command.add_flag("--no-figures", line.no_figures, "draw no figures; the page has no pictures");
   add_threads(command, line);
   add_memory(command, line);
   add_output_flags(command, line);

@@ -83,7 +83,7 @@ TEST(CommandLine, Help_lists_the_basic_parameters_and_help_all_the_rest) {
   EXPECT_NE(basic.find("--help-all"), std::string::npos) << "it says where the rest is";
   EXPECT_NE(all.find("--shadow.constant-bias"), std::string::npos);
   EXPECT_NE(all.find("--shadow.filter-taps"), std::string::npos);
-  EXPECT_LT(std::count(basic.begin(), basic.end(), '\n'), 60) << "it fits a tall terminal";
+  EXPECT_LT(std::count(basic.begin(), basic.end(), '\n'), 70) << "it fits a tall terminal";
 }
 
 TEST(CommandLine, Most_basic_parameters_take_one_line) {

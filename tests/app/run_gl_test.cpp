@@ -72,7 +72,7 @@ TEST_F(Run, Background_pixels_have_no_position) {
     const Image<float>& position = channel_of(image, axis);
     for (std::size_t i = 0; i < position.size(); ++i) {
       ASSERT_EQ(std::isnan(position[i]), alpha[i] == 0.0f) << axis << " " << i;
-      background += alpha[i] == 0.0f ? 1 : 0;
+      background += alpha[i] == 0.0f ? 1u : 0u;
     }
   }
   EXPECT_GT(background, 0u);
