@@ -12,8 +12,14 @@ namespace {
 
 constexpr std::array<std::string_view, 3> blend_mode_names{"opaque", "leave-out", "mask"};
 
-constexpr std::array<std::pair<std::string_view, double>, 6> named_units{
-    {{"mm", 0.001}, {"cm", 0.01}, {"m", 1.0}, {"km", 1000.0}, {"inch", 0.0254}, {"foot", 0.3048}}};
+constexpr std::array<std::pair<std::string_view, double>, 8> named_units{{{"mm", 0.001},
+                                                                          {"cm", 0.01},
+                                                                          {"m", 1.0},
+                                                                          {"km", 1000.0},
+                                                                          {"inch", 0.0254},
+                                                                          {"in", 0.0254},
+                                                                          {"foot", 0.3048},
+                                                                          {"ft", 0.3048}}};
 
 constexpr double shortest_unit = 1e-12;  // metres
 constexpr double longest_unit = 1e12;    // metres

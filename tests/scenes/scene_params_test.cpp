@@ -36,6 +36,8 @@ TEST(SceneUnit, Names_and_numbers_are_lengths_in_metres) {
   EXPECT_EQ(metres_per_unit("km"), 1000.0);
   EXPECT_DOUBLE_EQ(metres_per_unit("inch"), 0.0254);  // exact by the international yard and pound agreement, 1959
   EXPECT_DOUBLE_EQ(metres_per_unit("foot"), 0.3048);  // 12 inches
+  EXPECT_EQ(metres_per_unit("in"), metres_per_unit("inch"));
+  EXPECT_EQ(metres_per_unit("ft"), metres_per_unit("foot"));
   EXPECT_DOUBLE_EQ(metres_per_unit("2.5e-2"), 0.025);
 }
 
