@@ -183,7 +183,7 @@ std::vector<Bounds> detailed_parts(const TriangleSample& sample) {
 }
 
 void add_around(std::vector<Candidate>& candidates, const Bounds& part, double aspect, bool is_whole) {
-  const std::string what = is_whole ? "fitted to its bounds"
+  const std::string what = is_whole ? "fitted to its bounds,"
                                     : "fitted to the part with most detail, " + text_of(part.extent()) + " m large,";
   for (const double elevation : {usual_elevation, 55.0, 85.0, -25.0, -55.0}) {
     for (const double beside : {0.0, -60.0, 60.0, -120.0, 120.0, 180.0}) {

@@ -65,10 +65,12 @@ class Sampler {
 
   void add(std::array<dvec3, 3> corners, double weight) {
     const dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    // No triangle becomes so large that its back shows where others hide it.
+    const double growth = std::min(std::sqrt(weight), std::max(1.0, large_edge / longest_edge(corners)));
     if (is_mirrored_) std::swap(corners[1], corners[2]);
     SampledTriangle& added = sample_.triangles.emplace_back();
     added.surface = surface_of(corners, object_, mesh_->material);
-    for (std::size_t i = 0; i < 3; ++i) added.corners[i] = vec3(middle + std::sqrt(weight) * (corners[i] - middle));
+    for (std::size_t i = 0; i < 3; ++i) added.corners[i] = vec3(middle + growth * (corners[i] - middle));
     added.object = object_;
     added.weight = static_cast<float>(weight);
     added.is_double_sided = material_->double_sided;
@@ -98,11 +100,16 @@ std::vector<std::vector<std::uint32_t>> large_triangles(const Scene& scene, doub
   std::vector<std::vector<std::uint32_t>> large(scene.meshes.size());
   parallel_for(scene.meshes.size(), [&](std::size_t m) {
     const Mesh& mesh = scene.meshes[m];
-    for (std::size_t t = 0; t < mesh.triangles.size() && stretch[m] > 0.0; ++t) {
+    if (stretch[m] == 0.0) return;
+    // By the diagonal of the triangle's box, which is no shorter than its edges and quick to find.
+    const auto limit = static_cast<float>(large_edge * radius / stretch[m]);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       const uvec3& v = mesh.triangles[t];
-      const std::array<dvec3, 3> corners{dvec3(mesh.positions[v.x]), dvec3(mesh.positions[v.y]),
-                                         dvec3(mesh.positions[v.z])};
-      if (stretch[m] * longest_edge(corners) > large_edge * radius) large[m].push_back(static_cast<std::uint32_t>(t));
+      const vec3& a = mesh.positions[v.x];
+      const vec3& b = mesh.positions[v.y];
+      const vec3& c = mesh.positions[v.z];
+      const vec3 diagonal = glm::max(glm::max(a, b), c) - glm::min(glm::min(a, b), c);
+      if (glm::dot(diagonal, diagonal) > limit * limit) large[m].push_back(static_cast<std::uint32_t>(t));
     }
   });
   return large;
