@@ -64,7 +64,10 @@ void Workbench::add_notes(const std::vector<std::string>& notes) {
 
 std::string Workbench::title(std::uint32_t light) const {
   const std::string& name = scene_.lights[light].name;
-  return name.empty() ? "light " + std::to_string(light) : name;
+  if (name.empty()) return "light " + std::to_string(light);
+  const auto namesakes =
+      std::count_if(scene_.lights.begin(), scene_.lights.end(), [&](const Light& other) { return other.name == name; });
+  return namesakes > 1 ? name + " (" + std::to_string(light) + ")" : name;
 }
 
 std::vector<std::uint32_t> Workbench::lights(const std::string& name_or_index) const {

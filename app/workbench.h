@@ -68,7 +68,7 @@ class Workbench {
   /// The experiment with its lengths in metres of this scene: in_metres().
   Experiment in_metres(const Experiment& experiment) const;
   const std::string& layer(std::uint32_t light) const { return layers_[light]; }
-  /// For people: the light's name, or "light 2" where it has none.
+  /// For people: the light's name, "light 2" where it has none, "lamp (2)" where several have it.
   std::string title(std::uint32_t light) const;
   /// The light with the extent that the experiment gives it.
   Light light(const Experiment& experiment, std::uint32_t light) const;

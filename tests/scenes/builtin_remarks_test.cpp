@@ -33,8 +33,8 @@ std::vector<std::string_view> names() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Builtin, EachScene, testing::ValuesIn(names()), [](const auto& info) {
-  std::string name(info.param);
+INSTANTIATE_TEST_SUITE_P(Builtin, EachScene, testing::ValuesIn(names()), [](const auto& tested) {
+  std::string name(tested.param);
   for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   return name;
 });
