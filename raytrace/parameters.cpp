@@ -61,8 +61,7 @@ Parameters describe(TruthParams& params) {
 }
 
 void check(const TruthParams& params) {
-  const bool is_unlimited = params.ao_distance.unit != LengthUnit::automatic && !(params.ao_distance.number > 0.0);
-  if (params.ao_falloff != AoFalloff::none && is_unlimited) {
+  if (params.ao_falloff != AoFalloff::none && !has_distance_limit(params)) {
     throw Error(ExitCode::usage, "truth.ao-falloff", "a falloff needs a distance to fall off over",
                 "set truth.ao-distance above 0, or truth.ao-falloff to none");
   }

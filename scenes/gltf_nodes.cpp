@@ -41,7 +41,10 @@ dmat4 local_transform(const tinygltf::Node& node, const Document& document, cons
     if (!(glm::distance(last_row, dvec4(0, 0, 0, 1)) <= rounding)) {
       fail(document.path, object, "the last row of its matrix is not 0 0 0 1");
     }
-    for (int column = 0; column < 4; ++column) local[column][3] = column == 3 ? 1.0 : 0.0;
+    for (int column = 0; column < 4; ++column) {
+      const double exact = column == 3 ? 1.0 : 0.0;
+      if (local[column][3] != exact) local[column][3] = exact;  // a −0 stays
+    }
     return local;
   }
   if (numbers(node.rotation, 4, "rotation")) {

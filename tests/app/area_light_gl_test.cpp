@@ -53,7 +53,7 @@ TEST_F(AreaLightRun, The_error_is_split_by_sign_with_intervals_and_has_no_causes
 TEST_F(AreaLightRun, Stops_each_pixel_at_the_tolerance_and_tells_how_well_it_is_known) {
   const ProgramResult result =
       run_program({"compare", "contact-box", "-o", folder_ / "out", "--light", "sun", "--light.angle", "8", "--size",
-                   "64x36", "--truth.tolerance", "0.05", "--truth.min-spp", "64"});
+                   "64x36", "--truth.tolerance", "0.05", "--truth.min-spp", "64", "--verbose"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Json shadow = Json::parse(text_of(folder_ / "out/summary.json"))["shadows"][0];
   const Json& truth = shadow["truth"];
@@ -67,7 +67,7 @@ TEST_F(AreaLightRun, Stops_each_pixel_at_the_tolerance_and_tells_how_well_it_is_
   EXPECT_NEAR(samples / truth["pixels"].get<double>(), truth["mean_samples"].get<double>(), 1e-6);
   const std::string page = text_of(folder_ / "out/index.html");
   EXPECT_NE(page.find("offset of at most"), std::string::npos);
-  EXPECT_NE(page.find("samples a pixel on average"), std::string::npos);
+  EXPECT_NE(page.find("samples per pixel on average"), std::string::npos);
   // What it cost is on stderr alone: files of equal runs are equal.
   for (const char* part : {" triangles, built in ", " shadow rays in ", " hemisphere rays in ", " Mray/s",
                            "offset at most ", "peak memory "}) {

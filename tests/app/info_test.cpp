@@ -115,7 +115,7 @@ TEST(Info, A_scene_of_30000_m_is_told_to_be_in_millimetres) {
   EXPECT_EQ(units["candidates"][0]["scale_to_m"], 0.001);
   EXPECT_EQ(info({file})["units"]["verdict"], "credible");
   const ProgramResult text = run_program({"info", file, "--scene", "large"});
-  expect_words(text.out, {"implausible in metres", "millimetres", "30 m", "is 1000", "times too small", "0.001"});
+  expect_words(text.out, {"the size is implausible: it is longer than 20 km", "30 m in mm", "--scene.unit mm"});
 }
 
 TEST(Info, Text_tells_cameras_lights_materials_and_memory) {

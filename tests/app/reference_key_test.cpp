@@ -153,6 +153,8 @@ TEST(ReferenceKey, Every_reference_parameter_counts) {
       parameter.set(!*truth);
     } else if (const auto* choice = std::get_if<ChoiceRef>(&parameter.field)) {
       *choice->value = *choice->value == 0 ? 1 : 0;
+    } else if (std::holds_alternative<Length*>(parameter.field)) {
+      parameter.set_text("17cm");
     } else if (std::holds_alternative<std::string>(kept)) {
       parameter.set_text("other");
     } else {

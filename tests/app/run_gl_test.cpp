@@ -317,8 +317,8 @@ TEST(Trace, Stops_each_pixel_at_the_tolerance_and_writes_the_layers_asked_for) {
 
 TEST(Trace, A_falloff_without_a_distance_is_a_usage_error_that_says_what_to_set) {
   const TemporaryFolder folder;
-  const ProgramResult result =
-      run_program(words({"trace", "corner", "-o", folder / "out", "--truth.ao-falloff", "linear"}, small));
+  const ProgramResult result = run_program(words(
+      {"trace", "corner", "-o", folder / "out", "--truth.ao-falloff", "linear", "--truth.ao-distance", "0"}, small));
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.err.find("truth.ao-distance"), std::string::npos) << result.err;
 }

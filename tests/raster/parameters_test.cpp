@@ -61,7 +61,7 @@ TEST(RasterParameters, Values_outside_the_limits_are_errors_that_name_the_key) {
   const Parameters parameters = concatenate({describe(shadow), describe(ao)});
   for (const Rejected& bad :
        {Rejected{"shadow.resolution", "0"}, Rejected{"shadow.resolution", "16385"},
-        Rejected{"shadow.constant-bias", "nan"}, Rejected{"shadow.filter", "pcf"}, Rejected{"shadow.filter-size", "4"},
+        Rejected{"shadow.constant-bias", "nan"}, Rejected{"shadow.filter", "vsm"}, Rejected{"shadow.filter-size", "4"},
         Rejected{"shadow.filter-size", "31"}, Rejected{"ao.samples", "0"}, Rejected{"ao.samples", "1025"},
         Rejected{"ao.radius", "0"}, Rejected{"ao.noise-size", "65"}, Rejected{"ao.blur-size", "33"}}) {
     try {

@@ -119,7 +119,7 @@ TEST(GltfLimits, What_brackets_and_counts_ask_for_is_bound_to_the_size_of_the_fi
   const std::string crowd =
       R"("nodes":[{"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"SCALE":1}}}}],)";
   const std::string million = R"("accessors":[{"componentType":5126,"type":"VEC3","count":3,"bufferView":0},)"
-                              R"({"componentType":5126,"type":"VEC3","count":4000000}])";
+                              R"({"componentType":5126,"type":"VEC3","count":20000000}])";
   std::string json = triangle_json(crowd.substr(0, crowd.size() - 1));
   json = replaced(json, R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}])", million);
   const Bytes bytes = glb(json, triangle_positions());

@@ -242,6 +242,7 @@ TEST(GltfMaterials, Factor_texture_wrap_alpha_and_sides_are_read) {
       R"("textures":[{"source":9},{"name":"leaves","sampler":0,"source":0}],"samplers":[{"wrapS":33071,"wrapT":33648}],)"
       R"("images":[{"uri":"data:image/png;base64,)" +
           png_2x2 + R"("}])");
+  json = test::replaced(json, R"({"attributes":{"POSITION":0}})", R"({"attributes":{"POSITION":0},"material":0})");
   const Scene scene = load(folder, glb(json, triangle_positions()));
   ASSERT_EQ(scene.textures.size(), 1u) << "textures of other uses are not decoded";
   const Texture& texture = scene.textures[0];

@@ -145,7 +145,7 @@ TEST(SelectCamera, An_ambiguous_name_is_refused_with_the_indices) {
   Scene scene;
   scene.cameras.resize(3);
   scene.cameras[0].name = scene.cameras[2].name = "cam";
-  EXPECT_NE(error_of(scene, "cam").find("0, 2"), std::string::npos);
+  EXPECT_NE(error_of(scene, "cam").find("0 'cam', 2 'cam'"), std::string::npos);
 }
 
 TEST(FittedCamera, The_whole_of_the_bounds_stands_in_the_image_and_fills_it) {

@@ -266,7 +266,7 @@ Construct version_1(const std::string& name, const std::vector<unsigned char>& c
   add_fallback(builder);
   constexpr std::uint32_t unused = 292;
   std::vector<float> positions;
-  for (std::uint32_t i = 0; i < 3 * unused; ++i) positions.push_back(static_cast<float>((i * i) % 97) * 0.37f);
+  for (std::uint32_t i = 0; i < 3 * unused; ++i) positions.push_back(static_cast<float>((i * i) % 97) * 0.01f);
   for (const float value : floats(solid().corners)) positions.push_back(value);
   const Bytes encoded = VertexEncoder1{12, channel_modes}.encode(raw_bytes(positions));
   const int view = add_compressed(builder, encoded, unused + 8, 12, "ATTRIBUTES", "");
