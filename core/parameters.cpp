@@ -310,7 +310,7 @@ const Parameter& require(const Parameters& parameters, std::string_view key) {
   }
   std::string remedy = suggestion(similar_names(key, names));
   if (remedy.empty()) remedy = "'umbrameter parameters' lists all parameters";
-  throw Error(ExitCode::usage, std::string(key), "no parameter has this name", remedy);
+  throw Error(ExitCode::usage, std::string(key), "unknown parameter", remedy);
 }
 
 Parameters concatenate(std::vector<Parameters> groups) {

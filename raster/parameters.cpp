@@ -39,7 +39,7 @@ Parameters describe(ShadowParams& params) {
               .odd = true,
               .basic = true})
       .choice("filter-taps", params.filter_taps, filter_taps_names,
-              {.unit = {}, .meaning = "taps of a box, tent or Gaussian kernel: nearest, or bilinear 2×2"})
+              {.unit = {}, .meaning = "taps of a box, tent or Gaussian kernel; linear: bilinear 2×2"})
       .field("filter-samples", params.filter_samples,
              {.unit = "1", .meaning = "taps of the Poisson disk", .min = 1, .max = 64})
       .field("filter-radius", params.filter_radius,
@@ -65,7 +65,7 @@ Parameters describe(AoParams& params) {
       .field("range-check", params.range_check,
              {.unit = {}, .meaning = "fade out occluders much farther away than the radius"})
       .choice("blur", params.blur, ao_blur_names, {.unit = {}, .meaning = "blur of the result", .basic = true})
-      .field("blur-size", params.blur_size, {.unit = "px", .meaning = "side of the blur's box", .min = 1, .max = 32})
+      .field("blur-size", params.blur_size, {.unit = "px", .meaning = "width of the blur", .min = 1, .max = 32})
       .take();
 }
 

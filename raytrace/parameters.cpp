@@ -42,7 +42,7 @@ Parameters describe(TruthParams& params) {
       .choice("sampler", params.sampler, samplers, {"", "Owen-scrambled Sobol points, or independent random points"})
       .field("tolerance", params.tolerance,
              {.unit = "1",
-              .meaning = "adaptive sampling: max 95 % half width of a pixel; 0: off",
+              .meaning = "adaptive sampling: max half width of a pixel's 95 % interval; 0: off",
               .min = 0.0,
               .max = 1.0,
               .basic = true})
@@ -51,24 +51,24 @@ Parameters describe(TruthParams& params) {
       .field("max-spp", params.max_spp,
              {"rays", "max rays per pixel (adaptive sampling)", static_cast<double>(least_min_spp), most_spp})
       .choice("ao-falloff", params.ao_falloff, falloffs,
-              {"", "falloff of AO occluders with distance, or that of a method"})
+              {"", "falloff of AO occluders with distance: a curve, or that of a technique"})
       .choice("ao-normal", params.ao_normal, normals, {"", "normal that the AO hemisphere is centred on"})
       .choice("ao-layers", params.ao_layers, layers,
               {"", "further AO images: mean unoccluded direction, mean hit distance"})
       .choice("light-sampling", params.light_sampling, samplings,
-              {"", "visibility of an area light: share of its area, or of its solid angle"})
+              {"", "visibility of an area light: visible share of its area or of its solid angle"})
       .take();
 }
 
 void check(const TruthParams& params) {
   if (params.ao_falloff != AoFalloff::none && !has_distance_limit(params)) {
-    throw Error(ExitCode::usage, "truth.ao-falloff", "a falloff needs a distance to fall off over",
+    throw Error(ExitCode::usage, "truth.ao-falloff", "a falloff needs a distance limit",
                 "set truth.ao-distance above 0, or truth.ao-falloff to none");
   }
   if (params.tolerance > 0.0 && params.max_spp < params.min_spp) {
     throw Error(ExitCode::usage, "truth.max-spp",
                 std::to_string(params.max_spp) + " is below truth.min-spp, " + std::to_string(params.min_spp),
-                "raise the one or lower the other");
+                "raise truth.max-spp or lower truth.min-spp");
   }
 }
 

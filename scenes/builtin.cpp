@@ -23,35 +23,36 @@ Scene one_size(std::uint64_t /*triangles*/) {
 }
 
 constexpr std::array<BuiltinScene, 15> scenes{{
-    {"courtyard", "an arcaded court at midday: fine casters on large receivers, everything at once",
+    {"courtyard",
+     "a courtyard with arcades at midday: fine casters on large receivers, all kinds of errors in one view",
      one_size<builtin::make_courtyard>},
-    {"tilted-plane", "one plane under suns at known angles: acne whose share is known from mathematics",
+    {"tilted-plane", "one plane under suns at known angles: the exact share of acne is known",
      one_size<builtin::make_tilted_plane>},
-    {"contact-box", "nine boxes 0 to 20 cm above the ground: shadows that bias detaches",
+    {"contact-box", "nine boxes 0 to 20 cm above the ground: bias detaches their shadows",
      one_size<builtin::make_contact_box>},
-    {"thin-leaf", "sheets 1 cm and 1 mm thick, lying and standing: casters that bias erases",
+    {"thin-leaf", "horizontal and vertical sheets 1 cm and 1 mm thick: bias erases their shadows",
      one_size<builtin::make_thin_leaf>},
     {"corner", "three thick walls at right angles: light leaking along inner edges, AO of 1/4",
      one_size<builtin::make_corner>},
     {"trench", "slots 2 to 20 cm wide, one to four times as deep: shadows and AO where little light enters",
      one_size<builtin::make_trench>},
-    {"spheres", "balls of 2 mm to 1 m radius, some of few facets: acne on curved receivers, jagged terminators",
+    {"spheres", "balls of 2 mm to 1 m radius, some with few facets: acne on curved receivers, jagged terminators",
      one_size<builtin::make_spheres>},
     {"ramp", "slopes of 0 to 85 degrees under a sun at the zenith: the bias that each slope needs",
      one_size<builtin::make_ramp>},
     {"long-posts", "rows of thin posts over 160 m under a low sun: perspective aliasing near the camera",
      one_size<builtin::make_long_posts>},
-    {"two-occluders", "low plates under the edge of a high roof: light bleeding of moment filters",
+    {"two-occluders", "low plates under the edge of a high roof: light bleeding in filters such as VSM",
      one_size<builtin::make_two_occluders>},
     {"room", "a closed interior with one window and two lamps: walls that light must not leak through, fine casters",
      one_size<builtin::make_room>},
-    {"fence", "a fence cut out by an alpha mask beside its twin of geometry: both must answer alike",
+    {"fence", "a fence made of an alpha mask beside the same fence made of geometry: both must give the same result",
      one_size<builtin::make_fence>},
     {"foliage", "alpha-masked leaves before a plain wall: dappled shadows", one_size<builtin::make_foliage>},
-    {"city", "streets of houses that share nothing: thin parts at every distance", builtin::make_city, 300'000, 10'000,
+    {"city", "streets of houses without instancing: thin parts at every distance", builtin::make_city, 300'000, 10'000,
      20'000'000},
-    {"forest", "trees, ferns and rocks by instances: light that falls through leaves", builtin::make_forest, 2'000'000,
-     100'000, 100'000'000},
+    {"forest", "instanced trees, ferns and rocks: light through leaves", builtin::make_forest, 2'000'000, 100'000,
+     100'000'000},
 }};
 
 // 20M, 5e6, 300k or 123456.
@@ -73,7 +74,7 @@ Scene make_sized(const BuiltinScene& scene, const std::string& text, const std::
   const std::string name(scene.name);
   if (scene.triangles == 0) {
     throw Error(ExitCode::usage, "scene '" + text + "'", "'" + name + "' has one size",
-                "leave ':" + size + "' away, or give a scene with a size, such as forest:" + size);
+                "omit ':" + size + "', or give a scene with a size, such as forest:" + size);
   }
   const std::string range =
       "'" + name + "' can have " + std::to_string(scene.fewest) + " to " + std::to_string(scene.most) + " triangles";
@@ -100,16 +101,15 @@ Scene make_sized(const BuiltinScene& scene, const std::string& text, const std::
   }
   // A wider guess would be none.
   const bool is_near = edit_distance(name, nearest) <= 3;
-  throw Error(ExitCode::unreadable_input, "scene '" + text + "'",
-              "there is no such file, and no built-in scene of that name",
+  throw Error(ExitCode::unreadable_input, "scene '" + text + "'", "there is no file and no built-in scene of that name",
               (is_near ? "did you mean '" + std::string(nearest) + "'? " : std::string()) +
                   "give a .gltf or .glb file, or one of: " + names);
 }
 
 void refuse_part(const std::string& name, const std::string& part) {
   if (part.empty()) return;
-  throw Error(ExitCode::usage, "--scene " + part, "'" + name + "' is built in and is one scene",
-              "leave --scene away; it selects one of several scenes in a glTF file");
+  throw Error(ExitCode::usage, "--scene " + part, "'" + name + "' is a built-in scene and has only one scene",
+              "omit --scene; it selects a scene in a glTF file");
 }
 
 Scene read_scene(const std::string& name_or_path, const std::string& part, const LoadOptions& options) {

@@ -43,7 +43,7 @@ Parameters describe(LightParams& params) {
       .field("width", params.width,
              {"m", "width of a rectangular light, along its x axis; 0: none, -1: the scene's", -1.0, largest_emitter})
       .field("height", params.height,
-             {"m", "height of that rectangle, along the light's y axis", -1.0, largest_emitter})
+             {"m", "height of a rectangular light, along its y axis; 0: none, -1: the scene's", -1.0, largest_emitter})
       .field("angle", params.angle,
              {.unit = "degrees",
               .meaning = "angular diameter of suns; 0: none, -1: the scene's",
@@ -51,7 +51,7 @@ Parameters describe(LightParams& params) {
               .max = widest_angle,
               .basic = true})
       .choice("shape", params.shape, shapes,
-              {"", "shape of the radius; usual: sphere for point lights, disk for spot lights"})
+              {"", "shape of a light with a radius; usual: sphere for point lights, disk for spot lights"})
       .take();
 }
 
@@ -102,7 +102,7 @@ Light with_extent(Light light, const LightParams& params) {
 void require_sense(const LightParams& params, std::span<const Light> lights) {
   const EmitterSizes sizes = sizes_of(params);
   const std::string why = objection(sizes);
-  if (!why.empty()) throw Error(ExitCode::usage, "light.*", "a light cannot be so: " + why, "give one extent");
+  if (!why.empty()) throw Error(ExitCode::usage, "light.*", "invalid light: " + why, "give one extent");
   const bool any_directional = std::any_of(lights.begin(), lights.end(), is_directional);
   const bool all_directional = std::all_of(lights.begin(), lights.end(), is_directional);
   if (sizes.angular_diameter && !any_directional) {
@@ -111,14 +111,12 @@ void require_sense(const LightParams& params, std::span<const Light> lights) {
   }
   if (sizes.has_lengths() && all_directional) {
     throw Error(ExitCode::usage, sizes.radius ? "light.radius" : "light.width",
-                "every measured light is directional, and has no place that could have a size",
-                "give it a light.angle");
+                "all measured lights are directional and cannot have a radius or a width", "set light.angle instead");
   }
   const bool any_radius =
       std::any_of(lights.begin(), lights.end(), [](const Light& light) { return radius_of(light.emitter); });
   if (sizes.shape != EmitterShape::usual && !sizes.radius && (sizes.has_lengths() || !any_radius)) {
-    throw Error(ExitCode::usage, "light.shape", "no radius is given that it could be the shape of",
-                "give light.radius");
+    throw Error(ExitCode::usage, "light.shape", "it needs a radius", "set light.radius");
   }
 }
 

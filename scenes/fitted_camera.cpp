@@ -251,7 +251,7 @@ Interior views_inside(const TriangleSample& sample) {
         i + 1 < places.size() ? std::atan2(places[i].x * extent.x, places[i].y * extent.z) / degree : usual_azimuth;
     Candidate& added = interior.candidates.emplace_back();
     added.camera = camera_within(sample.bounds, eye_at(i), direction_of(azimuth, 10.0), room_fov);
-    added.place = "put inside of it, at " + text_of(eye_at(i)) + " m, looking " +
+    added.place = "placed inside it, at " + text_of(eye_at(i)) + " m, looking " +
                   text_of(azimuth > 0.0 ? azimuth - 180.0 : azimuth + 180.0) +
                   " degrees from the front (+Z) towards +X and 10 degrees down";
   }
@@ -269,7 +269,7 @@ std::size_t best_of(const std::vector<Candidate>& candidates) {
 
 std::string fault_of(const ViewContent& usual, bool is_inside) {
   if (usual.covered == 0.0) return "shows nothing";
-  if (usual.behind_of_covered() > 0.5) return "shows mostly back faces, through which it looks";
+  if (usual.behind_of_covered() > 0.5) return "looks mostly through back faces";
   if (is_inside) return "shows a closed room from outside";
   return "shows little but one surface";
 }
@@ -305,12 +305,12 @@ FittedCamera fit_camera(const Scene& scene, double aspect) {
   }
   if (chosen == &usual) {
     return {usual.camera,
-            "the scene has no camera: one was fitted to its bounds, 30 degrees beside the front (+Z) and 25 degrees "
+            "the scene has no camera: one was fitted to its bounds, 30 degrees from the front (+Z) and 25 degrees "
             "above" +
                 remedy};
   }
   return {chosen->camera, "the scene has no camera: one was " + chosen->place +
-                              "; the usual view, 30 degrees beside "
+                              "; the usual view, 30 degrees from "
                               "the front (+Z) and 25 degrees above, " +
                               fault_of(usual.content, is_inside) + remedy};
 }

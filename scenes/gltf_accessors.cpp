@@ -72,7 +72,7 @@ Opened open(BufferStore& store, int number, std::size_t components, const std::s
   }
   const int found = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
   if (found != static_cast<int>(components)) {
-    reject("it has " + std::to_string(found) + " components where " + std::to_string(components) + " are wanted");
+    reject("it has " + std::to_string(found) + " components where " + std::to_string(components) + " are expected");
   }
   opened.elements.count = accessor.count;
   opened.elements.components = components;

@@ -247,7 +247,7 @@ bool is_supported(std::string_view extension) {
 
 json parse_text(std::string_view text, Allowance& allowance, const Path& path) {
   const TextSize size = measure(text);
-  const std::string remedy = "give a .gltf or .glb file that is whole";
+  const std::string remedy = "give a complete .gltf or .glb file";
   if (size.depth > max_depth) {
     fail(path, "JSON text", "it is nested more than " + std::to_string(max_depth) + " levels deep", remedy);
   }

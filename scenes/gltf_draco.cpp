@@ -101,7 +101,7 @@ std::vector<float> read_attribute(const draco::Mesh& mesh, const std::string& na
   if (attribute->num_components() != components) {
     fail(path, object,
          name + " has " + std::to_string(attribute->num_components()) + " components in the Draco data where " +
-             std::to_string(components) + " are wanted");
+             std::to_string(components) + " are expected");
   }
   std::vector<float> values(mesh.num_points() * wanted.components);
   for (std::uint32_t i = 0; i < mesh.num_points(); ++i) {

@@ -37,7 +37,7 @@ Emitter read_emitter(const tinygltf::Value& of_light, const tinygltf::Value& of_
   const auto sides = {width_key, height_key};
   EmitterSizes sizes{extras.number(radius_key, sides), extras.number(width_key, {radius_key}),
                      extras.number(height_key, {radius_key}), extras.number(angle_key, {})};
-  const std::string remedy = "mend the extras of the light or of its node";
+  const std::string remedy = "correct the extras of the light or of its node";
   const bool is_directional = std::holds_alternative<DirectionalLight>(light.shape);
   const tinygltf::Value* const named = extras.find(shape_key, sides);
   if (named != nullptr) {

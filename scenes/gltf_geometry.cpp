@@ -60,7 +60,7 @@ Skin read_skin(GeometryReader& reader, const tinygltf::Primitive& primitive, std
     skin.joints.push_back(read_elements<vec4>(reader.store, joint->second, object + " " + joint->first));
     skin.weights.push_back(read_elements<vec4>(reader.store, weight->second, object + " " + weight->first));
     if (skin.joints.back().size() != vertices || skin.weights.back().size() != vertices) {
-      fail(path, object, joint->first + " or " + weight->first + " has not one value a vertex");
+      fail(path, object, joint->first + " or " + weight->first + " does not have one value per vertex");
     }
     for (std::size_t v = 0; v < vertices; ++v) {
       for (int i = 0; i < 4; ++i) {
@@ -173,7 +173,7 @@ void note_dropped(const Dropped& dropped, std::vector<std::string>& notes) {
   add(dropped.bad_texcoords, " texture coordinates that are not finite were replaced by 0");
   add(dropped.bad_normals, " vertex normals without a direction were replaced by that of a triangle");
   if (dropped.vertex_colors) notes.emplace_back("vertex colours are not used");
-  if (dropped.morphs) notes.emplace_back("morph targets stand at their default weights: animations have no effect");
+  if (dropped.morphs) notes.emplace_back("morph targets keep their default weights: animations have no effect");
 }
 
 }  // namespace umbrameter::gltf

@@ -354,7 +354,7 @@ void read_nodes(GeometryReader& geometry, const std::string& part) {
   if (reader.hidden != 0) {
     notes.push_back(std::to_string(reader.hidden) + " nodes with a mesh or a light are hidden and were left out");
   }
-  if (reader.has_skins) notes.emplace_back("skins stand in their rest pose: animations have no effect");
+  if (reader.has_skins) notes.emplace_back("skins stay in their rest pose: animations have no effect");
 }
 
 }  // namespace umbrameter::gltf

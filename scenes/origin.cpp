@@ -116,7 +116,7 @@ void move_to_centre(Scene& scene) {
   if (coarsest == 0.0) return;
   scene.notes.push_back("the file stores positions in steps of " + text_of(coarsest, "%.1g") +
                         " m, since they are far from the origin: finer detail is lost; move the model to its origin "
-                        "before it is exported");
+                        "before export");
 }
 
 }  // namespace umbrameter

@@ -79,7 +79,7 @@ Parameters describe(ViewParams& params) {
       .field("light", params.light,
              {.unit = {}, .meaning = "light, by name or index; empty: all, or the first in a sweep", .basic = true})
       .choice("surfels", params.surfels, surfel_source_names,
-              {"", "which side renders the G-buffer that both sides use"})
+              {"", "renderer of the G-buffer that reference and technique share"})
       .take();
 }
 
@@ -150,7 +150,7 @@ Camera select_camera(const Scene& scene, const std::string& name_or_index, doubl
 void add_missing_light(Scene& scene, std::vector<std::string>& notes) {
   if (!scene.lights.empty()) return;
   notes.push_back(
-      "the scene has no light: a directional sun shines from (0.45, 1, 0.35); add a KHR_lights_punctual light to the "
+      "the scene has no light: using a sun from the direction (0.45, 1, 0.35); add a KHR_lights_punctual light to the "
       "file to choose another");
   scene.lights.push_back(sun());
 }

@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* install_remedy =
     "install a driver (Debian: libegl-mesa0 and libgl1-mesa-dri) or see 'umbrameter info' for the devices";
-constexpr const char* choose_remedy = "choose a device that 'umbrameter info' lists, or leave --gl-device out";
+constexpr const char* choose_remedy = "choose a device that 'umbrameter info' lists, or omit --gl-device";
 
 struct Candidate {
   EGLDisplay display = EGL_NO_DISPLAY;

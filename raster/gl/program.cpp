@@ -15,7 +15,7 @@ void append_file(ShaderText& shader, const std::string& file, const ShaderLoader
   const auto text = load(file);
   if (!text) {
     throw Error(ExitCode::no_backend, "shader " + (included_at.empty() ? file : included_at),
-                "there is no shader file '" + file + "'", "this is a fault of the build: please report it");
+                "there is no shader file '" + file + "'", "this is a bug in the build: please report it");
   }
   const std::string number = std::to_string(shader.files.size());
   shader.files.push_back(file);

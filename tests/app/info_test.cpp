@@ -64,7 +64,7 @@ TEST(Info, A_scene_that_is_not_there_is_a_usage_error_that_lists_those_that_are)
   const std::string file = folder.write("two.glb", two_scenes()).string();
   expect_words(error_of({"info", file, "--scene", "huge"}, 2), {"--scene huge", "small", "large", "both"});
   expect_words(error_of({"trace", file, "--scene", "7", "-o", folder / "out"}, 2), {"--scene 7", "small"});
-  expect_words(error_of({"info", "corner", "--scene", "0"}, 2), {"--scene 0", "'corner' is built in"});
+  expect_words(error_of({"info", "corner", "--scene", "0"}, 2), {"--scene 0", "'corner' is a built-in scene"});
   expect_words(error_of({"scene", "corner", "--scene", "0", "-o", folder / "c.glb"}, 2), {"--scene 0"});
   expect_words(error_of({"info", "--scene", "0"}, 2), {"--scene 0", "no file"});
 }

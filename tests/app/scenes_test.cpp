@@ -26,8 +26,8 @@ TEST(Scenes, The_list_tells_purpose_size_cameras_and_lights) {
   const ProgramResult result = run_program({"scenes", "contact-box"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   // Nine boxes and the slab that they stand on: ten times twelve triangles.
-  for (const char* words : {"contact-box", "shadows that bias detaches", "120 triangles", "cameras overview, front-row",
-                            "lights sun, sun-across"}) {
+  for (const char* words : {"contact-box", "bias detaches their shadows", "120 triangles",
+                            "cameras overview, front-row", "lights sun, sun-across"}) {
     EXPECT_NE(result.out.find(words), std::string::npos) << words << " in: " << result.out;
   }
 }

@@ -154,7 +154,7 @@ TEST(Parameters, An_unknown_key_suggests_the_nearest) {
   Sample sample;
   const Parameters parameters = describe(sample);
   EXPECT_EQ(message_of([&] { require(parameters, "sample.widht"); }),
-            "sample.widht: no parameter has this name; did you mean 'sample.width'?");
+            "sample.widht: unknown parameter; did you mean 'sample.width'?");
   EXPECT_EQ(find(parameters, "sample.widht"), nullptr);
 }
 

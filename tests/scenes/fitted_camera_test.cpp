@@ -147,7 +147,7 @@ TEST(FitCamera, A_box_on_the_ground_keeps_the_usual_view_and_its_note) {
   const FittedCamera fitted = fit_camera(scene, aspect);
   EXPECT_TRUE(is_usual(fitted.camera));
   EXPECT_EQ(fitted.note,
-            "the scene has no camera: one was fitted to its bounds, 30 degrees beside the front (+Z) and 25 degrees "
+            "the scene has no camera: one was fitted to its bounds, 30 degrees from the front (+Z) and 25 degrees "
             "above; add a camera to the file to choose another view");
 }
 
