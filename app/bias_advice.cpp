@@ -117,15 +117,15 @@ std::string advice_text(const BiasAdvice& advice) {
       line.little_acne && (!line.acne_free || line.acne_free->constant > 2.0 * line.little_acne->constant);
   if (is_far) text += "; acne below 0.1 % from " + short_bias_text(advice, *line.little_acne);
   if (line.acne_free)
-    return text + (is_far ? ", none from " : "; free of acne from ") + short_bias_text(advice, *line.acne_free);
-  return text + fmt::format("; some acne up to {}", short_bias_text(advice, {advice.largest}));
+    return text + (is_far ? ", none from " : "; no acne from ") + short_bias_text(advice, *line.acne_free);
+  return text + fmt::format("; some acne remains even at {}", short_bias_text(advice, {advice.largest}));
 }
 
 ReportTable advice_table(const BiasAdvice& advice) {
-  Table table{{{"constant bias", "", "all else as in this run"},
-               {"along the light", "m", "at the mean texel size, where the bias is in texels"},
-               {"in texels", "texels", "of the mean size over the counted pixels"},
-               {"in depth", "1", "normalised: share of the map's depth range"},
+  Table table{{{"constant bias", "", "all other parameters as in this run"},
+               {"along the light", "m", "length along the light; texels are converted at their mean size"},
+               {"in texels", "texels", "in texels of mean size over the counted pixels"},
+               {"in depth", "1", "normalised depth: share of the map's depth range"},
                {"error", "%", "mean absolute error of visibility"}},
               {}};
   for (std::size_t c = 0; c < cause_count; ++c) {
@@ -140,9 +140,9 @@ ReportTable advice_table(const BiasAdvice& advice) {
     table.rows.push_back(std::move(row));
   };
   add_row("in this run", advice.used);
-  add_row(is_open_ended(advice) ? "lowest error up to here; it still falls" : "least error", *advice.line.least_error);
-  if (advice.line.little_acne) add_row("least with acne below 0.1 %", *advice.line.little_acne);
-  if (advice.line.acne_free) add_row("least without acne", *advice.line.acne_free);
+  add_row(is_open_ended(advice) ? "lowest error tested; it still falls" : "least error", *advice.line.least_error);
+  if (advice.line.little_acne) add_row("smallest bias with acne below 0.1 %", *advice.line.little_acne);
+  if (advice.line.acne_free) add_row("smallest bias without acne", *advice.line.acne_free);
   return {"Recommended bias", std::move(table)};
 }
 

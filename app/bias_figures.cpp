@@ -123,7 +123,7 @@ PlotFigure causes_plot(const Drawing& drawing, const char* stem, const char* tit
   plot.style = "cause";
   plot.style_label = "cause";
   plot.data.columns = plain_columns({"bias", "share", "line", "cause"});
-  plot.caption = fmt::format("Solid {}, dashed {}, as shares of the counted pixels.", cause_title(causes[0]),
+  plot.caption = fmt::format("Solid: {}; dashed: {}. Shares of the counted pixels.", cause_title(causes[0]),
                              cause_title(causes[1]));
   if (plot.x.logarithmic && has_zero(drawing)) plot.caption += no_zero;
   std::vector<Value> lines;
@@ -143,7 +143,7 @@ PlotFigure causes_plot(const Drawing& drawing, const char* stem, const char* tit
 PlotFigure error_plot(const Drawing& drawing) {
   PlotFigure plot = make_plot(drawing, "mae", "Mean absolute error of visibility", constant_axis(drawing),
                               {"mae", error_label, true});
-  plot.caption = "The mean over all counted pixels; rings mark the bias of least error.";
+  plot.caption = "Mean over the counted pixels. Rings mark the bias of least error.";
   if (plot.x.logarithmic && has_zero(drawing)) plot.caption += no_zero;
   plot.mark = "least";
   plot.data.columns = plain_columns({"bias", "mae", "line", "least"});
@@ -176,7 +176,7 @@ HeatMapFigure heat_map(const Drawing& drawing, HeatRows kind) {
                      : "Mean absolute error over bias and " + drawing.line_key.substr(drawing.line_key.find('.') + 1);
   figure.stem = (by_slope ? "mae_biases" : "mae_lines") + drawing.part.suffix;
   figure.conditions = by_slope ? drawing.part.conditions : drawing.conditions;
-  figure.caption = "Rings mark the cells of least error; steps of colour are the same in every run.";
+  figure.caption = "Rings mark the cells of least error. The colour scale is the same in every run.";
   const SweepAxis& constant = plan.axes[*plan.constant_bias.axis];
   figure.x = {"bias", label_of(drawing.plan().axes[*drawing.plan().constant_bias.axis]),
               constant.text.ends_with(":log") && suits_logarithm(plan.constant_bias.values)};
@@ -232,14 +232,13 @@ HeatMapFigure heat_map(const Drawing& drawing, HeatRows kind) {
 }
 
 PlotFigure front_plot(const Drawing& drawing) {
-  PlotFigure plot = make_plot(drawing, "front", "Pareto fronts of acne against peter-panning",
+  PlotFigure plot = make_plot(drawing, "front", "Pareto fronts: peter-panning against acne",
                               {"acne", "acne [%], square-root scale", false, true},
                               {"peter_panning", "peter-panning [%], square-root scale", false, true});
   plot.conditions = drawing.part.conditions;
   plot.caption =
-      "Pareto fronts: no other bias has less of both. Rings mark the knee, the point farthest below the chord between "
-      "a "
-      "front's ends. Shares are of the counted pixels.";
+      "A front shows the biases that no other bias beats in both acne and peter-panning. Rings mark the knee: the "
+      "point farthest below the chord between the ends of the front. Shares of the counted pixels.";
   plot.mark = "knee";
   plot.data.columns = plain_columns({"acne", "peter_panning", "line", "knee"});
   const Thinned lines = thin(drawing.lines(), most_lines);
@@ -258,7 +257,7 @@ PlotFigure front_plot(const Drawing& drawing) {
     for (const std::size_t i : drawn.indices) add_row(*cells[i], false);
     if (const std::optional<BiasCell> found = knee(curve->reading.front)) add_row(*found, true);
   }
-  if (is_thinned) plot.caption += " Long fronts are drawn with fewer cells than they have.";
+  if (is_thinned) plot.caption += " The figure omits some cells of long fronts.";
   return plot;
 }
 
@@ -268,13 +267,13 @@ std::optional<PlotFigure> law_plot(const Drawing& drawing) {
   for (const std::size_t a : outer_axes_as_given(drawing.plan())) {
     if (a != drawing.part.line_axis) others.push_back(drawing.part.values[a]);
   }
-  PlotFigure plot = make_plot(drawing, "law", "Bias against the size of a texel", {"texel", "mean texel size [m]"},
+  PlotFigure plot = make_plot(drawing, "law", "Bias against texel size", {"texel", "mean texel size [m]"},
                               {"bias", "constant bias [m]"});
   plot.series = "line";
-  plot.series_label = "bias of";
+  plot.series_label = "choice";
   plot.mark = "read";
   plot.data.columns = plain_columns({"texel", "bias", "line", "read"});
-  plot.caption = "Lines are the fits, rings the biases that they run through.";
+  plot.caption = "Lines: fits. Rings: the fitted biases, one per resolution.";
   double largest = 0.0;
   for (const BiasCurve& curve : drawing.curves.curves) largest = std::max(largest, curve.reading.mean_texel);
   for (const CurveLaw& law : drawing.curves.laws) {

@@ -48,19 +48,19 @@ Table choices_table(const BiasCurves& curves) {
   Table table;
   table.columns = curves.others;
   const std::vector<Column> rest = {
-      {"choice", "", "which bias; those without acne are at the slope-scaled bias nearest to 0"},
+      {"choice", "", "which bias; 'acne at most 0.1 %' and 'no acne' use the slope-scaled bias nearest to 0"},
       {"constant bias", "m", "along the light"},
-      {"in texels", "texels", "the same at the mean texel"},
-      {"in depth", "1", "the same as normalised depth: a share of the map's range"},
-      {"slope bias", "texels", "the slope-scaled bias"},
+      {"in texels", "texels", "constant bias in texels of mean size"},
+      {"in depth", "1", "constant bias as normalised depth: share of the map's depth range"},
+      {"slope bias", "texels", "slope-scaled bias"},
       {"error", "%", "mean absolute error of visibility"}};
   table.columns.insert(table.columns.end(), rest.begin(), rest.end());
   for (std::size_t c = 0; c < cause_count; ++c) {
     const auto cause = static_cast<Cause>(c);
     table.columns.push_back({std::string(cause_title(cause)), "%", std::string(cause_meaning(cause))});
   }
-  table.columns.push_back({"extra error", "%", "error minus that of the least-error choice"});
-  table.columns.push_back({"extra peter-panning", "%", "peter-panning minus that of the least-error choice"});
+  table.columns.push_back({"extra error", "%", "error minus that of 'least error'"});
+  table.columns.push_back({"extra peter-panning", "%", "peter-panning minus that of 'least error'"});
   for (const BiasCurve& curve : curves.curves) {
     const BiasCell least = *least_error(curve.reading);
     for (const Choice& choice : choices_of(curve, curves)) {
@@ -94,14 +94,14 @@ Table choices_table(const BiasCurves& curves) {
 Table slopes_table(const BiasCurves& curves) {
   Table table;
   table.columns = curves.others;
-  const std::vector<Column> rest = {{"slope bias", "texels", "the slope-scaled bias"},
-                                    {"least error", "%", "of all constant biases"},
-                                    {"at", "m", "the constant bias of least error"},
-                                    {"at, in texels", "texels", "the same at the mean texel"},
-                                    {"acne at most 0.1 % from", "m", "the least such constant bias"},
-                                    {"from, in texels", "texels", "the same at the mean texel"},
-                                    {"no acne from", "m", "the least such constant bias"},
-                                    {"none from, in texels", "texels", "the same at the mean texel"}};
+  const std::vector<Column> rest = {{"slope bias", "texels", "slope-scaled bias"},
+                                    {"least error", "%", "of all constant biases at this slope bias"},
+                                    {"at", "m", "constant bias of least error"},
+                                    {"at, in texels", "texels", "the same in texels of mean size"},
+                                    {"acne at most 0.1 % from", "m", "smallest such constant bias"},
+                                    {"from, in texels", "texels", "the same in texels of mean size"},
+                                    {"no acne from", "m", "smallest such constant bias"},
+                                    {"none from, in texels", "texels", "the same in texels of mean size"}};
   table.columns.insert(table.columns.end(), rest.begin(), rest.end());
   for (const BiasCurve& curve : curves.curves) {
     for (const BiasLine& line : curve.reading.lines) {
@@ -129,19 +129,20 @@ Table laws_table(const BiasCurves& curves) {
   std::vector<Column> rest = {{"fit of", "", "which bias is fitted, at the slope-scaled bias nearest to 0"},
                               {"points", "1", "fitted points: one per resolution"},
                               {"left out", "1", "resolutions without such a bias on the axis"},
-                              {"c0", "m", "the part independent of the texel size"},
+                              {"c0", "m", "part of the bias that does not depend on the texel size"},
                               {"error of c0", "m", "standard error"},
-                              {"c1·tan θ", "texels", "the part proportional to the texel size"},
+                              {"c1·tan θ", "texels", "part of the bias proportional to the texel size"},
                               {"error of c1·tan θ", "texels", "standard error"},
-                              {"residual", "m", "RMS residual of the fit; empty with as many points as unknowns"},
-                              {"residual in texels", "texels", "the same, each point in texels of its resolution"}};
+                              {"residual", "m", "RMS residual of the fit; empty for a fit through two points"},
+                              {"residual in texels", "texels", "the same in texels of each resolution"}};
   const std::size_t columns_of_a_law = rest.size();
   if (curves.varies_slope) {
-    rest.insert(rest.end(), {{"tan θ", "1", "of the deciding surface, from a fit over all slope-scaled biases"},
-                             {"error of tan θ", "1", "standard error"},
-                             {"c1", "texels", "the slope-scaled bias that suffices beside c0, by the same fit"},
-                             {"error of c1", "texels", "standard error, to first order"},
-                             {"residual over slopes", "texels", "RMS residual of that fit"}});
+    rest.insert(rest.end(),
+                {{"tan θ", "1", "slope of the surface that needs most bias, from a fit over all slope-scaled biases"},
+                 {"error of tan θ", "1", "standard error"},
+                 {"c1", "texels", "slope-scaled bias needed in addition to c0, from the same fit"},
+                 {"error of c1", "texels", "standard error, to first order"},
+                 {"residual over slopes", "texels", "RMS residual of that fit"}});
   }
   table.columns.insert(table.columns.end(), rest.begin(), rest.end());
   for (const CurveLaw& law : curves.laws) {
@@ -174,12 +175,12 @@ Table laws_table(const BiasCurves& curves) {
 
 std::string explanation(const BiasCurves& curves) {
   std::string text =
-      "\n\nBiases are constant biases along the light, in metres, in texels of the mean size and as normalised depth. "
-      "The last two columns show what a bias without acne costs elsewhere. ";
-  text += curves.laws.empty() ? "No fit of bias against texel size: it needs constant bias and resolution both varied."
-                              : "The fit bias ≈ c0 + c1·texel·tan θ runs over the resolutions; each point is weighted "
-                                "by its interval on the axis. A fit with as many points as unknowns has no residual "
-                                "and no standard errors.";
+      "\n\nThe table 'Recommended biases' gives each constant bias in metres along the light, in texels of mean size "
+      "and as normalised depth. Its last two columns compare each choice with 'least error'. ";
+  text += curves.laws.empty() ? "For a fit of bias against texel size, vary both the constant bias and the resolution."
+                              : "The fit bias ≈ c0 + c1·texel·tan θ has one point per resolution, weighted by the "
+                                "step of the bias axis there. A fit through only two points has no residual and no "
+                                "standard errors.";
   if (curves.curves.size() < curves.combinations) {
     text += fmt::format(" The table lists {} of {} combinations of the other axes.", curves.curves.size(),
                         curves.combinations);
@@ -223,7 +224,7 @@ std::string law_text(const BiasLaw& law) {
 }
 
 std::string residual_text(const BiasLaw& law) {
-  if (!law.constant.standard_error) return fmt::format("through its {} points: no residual", law.points);
+  if (!law.constant.standard_error) return fmt::format("exact through its {} points", law.points);
   return fmt::format("RMS residual {} ({:.2g} texels)", length(law.residual, 2), law.residual_texels);
 }
 
@@ -247,7 +248,7 @@ void present_bias(Presentation& presentation, const BiasCurves& curves) {
     std::string line = fmt::format("{}{}lowest error {} at {}", setting, setting.empty() ? "" : ": ",
                                    percent(least.mae), bias_text(curves, curve, least));
     if (const std::optional<BiasCell> safe = best_without_acne(curve.reading)) {
-      line += fmt::format("; without acne {} at {}", percent(safe->mae), bias_text(curves, curve, *safe));
+      line += fmt::format("; least error without acne {} at {}", percent(safe->mae), bias_text(curves, curve, *safe));
     }
     presentation.answers.push_back(std::move(line));
   }

@@ -18,7 +18,7 @@ std::uint64_t parse_bytes(std::string_view text, const std::string& what, const 
                                      {"T", 1'000'000'000'000}}) {
     if (error == std::errc() && unit == name && number <= UINT64_MAX / factor) return number * factor;
   }
-  throw Error(ExitCode::usage, what, "it is no number of bytes", remedy);
+  throw Error(ExitCode::usage, what, "it is not a number of bytes", remedy);
 }
 
 }  // namespace umbrameter

@@ -23,14 +23,14 @@ struct CommandDescription {
 };
 
 constexpr CommandDescription compare_command = {
-    "compare", "Measure one configuration: images, error maps, causes, statistics, report",
+    "compare", "Measure one configuration: recommended bias, images, causes, report",
     "Example: umbrameter compare courtyard -o out --light sun --shadow.resolution 2048\n"
     "Then open out/index.html; the layers are in out/images.exr."};
 constexpr CommandDescription sweep_command = {
-    "sweep", "Measure every cell of a grid over any parameters",
+    "sweep", "Measure all combinations of varied parameters",
     "Example: umbrameter sweep courtyard -o out --light sun \\\n"
     "             --vary shadow.constant-bias=0:0.2:65 --vary shadow.resolution=512,1024,2048\n"
-    "An axis is first:last:count, first:last:count:log, or a list a,b,c. Rows go to out/sweep.csv."};
+    "An axis is first:last:count[:log] or a list a,b,c. Open out/index.html; all cells are in out/sweep.csv."};
 constexpr CommandDescription trace_command = {
     "trace", "Render the reference alone: Embree, no OpenGL",
     "Example: umbrameter trace courtyard -o out --truth.spp 1024 --truth.ao-distance 2"};
@@ -45,7 +45,7 @@ constexpr CommandDescription scene_command = {"scene", "Write a built-in scene a
 constexpr CommandDescription cache_command = {
     "cache", "List or remove the cached references",
     "Example: umbrameter cache --clear\n"
-    "The limit is 2 GB; UMBRAMETER_CACHE_SIZE sets another (500M, 10G; 0 for no cache)."};
+    "The limit is 2 GB; set UMBRAMETER_CACHE_SIZE to change it (500M, 10G; 0 for no cache)."};
 constexpr CommandDescription info_command = {"info", "Show versions and OpenGL devices, or the contents of a scene",
                                              "Example: umbrameter info courtyard"};
 constexpr CommandDescription parameters_command = {"parameters", "List every parameter with default, unit and limits",
@@ -97,7 +97,7 @@ void add_parameters(CLI::App& command, CommandLine& line, std::string_view only 
 }
 
 void add_output_flags(CLI::App& command, CommandLine& line) {
-  CLI::Option* quiet = command.add_flag("--quiet", line.quiet, "print the answer only");
+  CLI::Option* quiet = command.add_flag("--quiet", line.quiet, "print only the answer");
   command.add_flag("--verbose", line.verbose, "print diagnostics too: rays, times, reclassified taps")->excludes(quiet);
   command.add_flag("--json", line.json, "print the summary as JSON on stdout, and nothing else");
 }
@@ -227,7 +227,7 @@ void add_other_commands(CLI::App& app, CommandLine& line) {
   add_output_flags(scene, line);
 
   CLI::App& cache = add_command(app, cache_command);
-  cache.add_flag("--clear", line.clear, "remove all of them");
+  cache.add_flag("--clear", line.clear, "remove all cached references");
   add_output_flags(cache, line);
 
   CLI::App& info = add_command(app, info_command);

@@ -32,7 +32,7 @@ std::uint64_t peak_resident_bytes() {
 
 std::string costs_text(const Costs& costs) {
   if (costs.build.triangles == 0) return {};
-  std::string text = fmt::format("traced {} triangles, built in {:.3g} s with {}", costs.build.triangles,
+  std::string text = fmt::format("traced {} triangles; built in {:.3g} s, {}", costs.build.triangles,
                                  costs.build.seconds, bytes_text(costs.build.bytes));
   text += rays_text("shadow", costs.shadow) + rays_text("hemisphere", costs.hemisphere);
   if (costs.largest_offset > 0.0) text += "; offset at most " + length(costs.largest_offset);

@@ -71,9 +71,9 @@ ExitCode show_image_plan(const CommandLine& line, const Console& console, Workbe
   }
   rows.emplace_back("lights", lights);
   if (line.command != "trace") {
-    rows.emplace_back("raster", fmt::format("shadow maps of {}² texels, {} filter; AO with {} samples per pixel",
-                                            experiment.shadow.resolution, value_of(experiment, "shadow.filter"),
-                                            experiment.ao.samples));
+    rows.emplace_back("technique", fmt::format("shadow maps of {}² texels, {} filter; AO with {} samples per pixel",
+                                               experiment.shadow.resolution, value_of(experiment, "shadow.filter"),
+                                               experiment.ao.samples));
   }
   if (line.command != "raster") {
     const TruthParams& truth = experiment.truth;
@@ -152,7 +152,7 @@ ExitCode show_sweep_plan(const Console& console, Workbench& workbench, const Pla
                     fmt::format("{} of up to {} cells; {}", grouped(groups), grouped(group_at(plan, 0).size()),
                                 sweep.measure == Measure::visibility
                                     ? "one pass measures all constant and slope-scaled biases of a group"
-                                    : "each cell is measured by itself"));
+                                    : "each cell is measured separately"));
   const EvaluateGroup evaluate = make_evaluator(workbench, sweep.experiment, sweep.axes, sweep.measure);
   const TimeEstimate estimate = estimate_time(plan, estimate_budget, [&](std::size_t index) {
     const auto start = std::chrono::steady_clock::now();

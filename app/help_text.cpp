@@ -140,7 +140,8 @@ std::string help_text(const CommandHelp& command, bool all) {
   const auto hidden = std::count_if(command.options.begin(), command.options.end(),
                                     [](const OptionHelp& option) { return !option.is_basic; });
   if (!all && hidden > 0) {
-    text += "\n'umbrameter " + command.name + " --help-all' lists " + std::to_string(hidden) + " more parameters.\n";
+    text +=
+        "\n'umbrameter " + command.name + " --help-all' lists all parameters (" + std::to_string(hidden) + " more).\n";
   }
   return command.example.empty() ? text : text + "\n" + command.example + "\n";
 }

@@ -42,7 +42,7 @@ void set_values(const Parameters& parameters, const ExperimentFile& file, const 
 // TOML is UTF-8: another path could not be read back from experiment.toml.
 void require_utf8(const std::string& path) {
   if (is_utf8(path)) return;
-  throw Error(ExitCode::usage, path, "the path is not UTF-8, so that experiment.toml cannot hold it",
+  throw Error(ExitCode::usage, path, "the path is not UTF-8 and cannot be stored in experiment.toml",
               "rename the file or its folder");
 }
 
@@ -60,7 +60,7 @@ Experiment make_experiment(const CommandLine& line) {
   for (const auto& [key, text] : line.settings) require(parameters, key).set_text(text);
   if (!line.scene.empty()) experiment.scene = line.scene;
   if (experiment.scene.empty()) {
-    throw Error(ExitCode::usage, "SCENE", "no scene is given",
+    throw Error(ExitCode::usage, "SCENE", "no scene given",
                 "name a .gltf or .glb file or a built-in scene ('umbrameter scenes' lists them)");
   }
   // A stored experiment must find its file from any folder.

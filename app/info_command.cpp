@@ -53,8 +53,8 @@ ExitCode run_info(const CommandLine& line, const Console& console) {
     for (const std::string& text : to_lines(report)) say(console, text);
   } else {
     for (const auto& [key, text] : line.settings) {
-      throw Error(ExitCode::usage, (key == "view.scene" ? "--scene " : "--" + key + " ") + text, "no file is given",
-                  "name the .gltf or .glb file that the scene is in");
+      throw Error(ExitCode::usage, (key == "view.scene" ? "--scene " : "--" + key + " ") + text, "no file given",
+                  "add the .gltf or .glb file that contains the scene");
     }
     json["gl_devices"] = devices_json();
     say_devices(console, json["gl_devices"]);

@@ -37,7 +37,7 @@ ExitCode run(int argc, const char* const* argv) {
 // stdout may be a full disk or a closed pipe; that is found out only when it is flushed.
 ExitCode finish_output(ExitCode code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-  throw Error(ExitCode::partial, "stdout", "not everything could be written", "check where the output goes");
+  throw Error(ExitCode::partial, "stdout", "some output could not be written", "check where the output goes");
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ Thinned thin(std::size_t count, std::size_t most) {
 
 std::string thinning_text(const Thinned& thinned, const std::string& key) {
   if (thinned.step == 1) return "";
-  return fmt::format(" One value of {} in {} is drawn; all are in sweep.csv.", key, thinned.step);
+  return fmt::format(" The figure shows one of every {1} values of {0}; sweep.csv has all.", key, thinned.step);
 }
 
 }  // namespace umbrameter

@@ -38,7 +38,7 @@ ImageFigure class_figure(const std::string& layer, const std::string& title, con
   ImageFigure figure;
   figure.stem = "class_" + layer;
   figure.title = "Causes: " + title;
-  figure.caption = "The main cause of each pixel's wrong taps.";
+  figure.caption = "Main cause of the wrong taps of each pixel.";
   const Image<PixelClass> classes = classify(shadow.raster->wrong, shadow.counted);
   figure.category = Image<std::uint8_t>(classes.width, classes.height);
   for (std::size_t i = 0; i < classes.size(); ++i) figure.category[i] = static_cast<std::uint8_t>(classes[i]);
@@ -61,49 +61,48 @@ ReportTable statistics_table(std::string title, const std::vector<Column>& colum
 std::string counted_text(const CountedPixels& counted, bool is_soft) {
   const auto total = [&](Counting c) { return counted.totals[static_cast<std::size_t>(c)]; };
   return fmt::format(
-      "{} pixels are counted: they face {}the light and lie inside its map, cone and range. Not counted: {} "
-      "back-facing, "
-      "{} outside the map, {} outside the cone, {} out of range, {} background.",
+      "{} counted pixels face {}the light and lie inside its map, cone and range. Not counted: {} back-facing, {} "
+      "outside the map, {} outside the cone, {} out of range, {} background.",
       total(Counting::counted), is_soft ? "part of " : "", total(Counting::turned_away), total(Counting::outside_map),
       total(Counting::outside_cone), total(Counting::outside_range), total(Counting::background));
 }
 
 std::string offset_text(const TraceStatistics& statistics) {
-  return fmt::format("rays left the surfaces with an offset of at most {}.", length(statistics.largest_offset));
+  return fmt::format("rays start at an offset of at most {} from the surfaces.", length(statistics.largest_offset));
 }
 
 // Of a reference that was sampled.
 std::string precision_text(const SamplingPrecision& precision, const TruthParams& truth) {
   if (precision.pixels == 0) return {};
   std::string text = fmt::format(
-      "Intervals are 95 % confidence intervals of the reference's sampling. Half widths of the pixels' own intervals: "
-      "mean "
-      "{:.2g}, largest {:.2g}, with {:.0f} samples per pixel on average.",
+      "The 95 % confidence intervals account for the sampling noise of the reference. The interval of a single pixel "
+      "has a half width of {:.2g} on average and {:.2g} at most, with {:.0f} samples per pixel on average.",
       precision.mean_half_width, precision.worst_half_width, precision.mean_samples);
   if (truth.tolerance > 0.0) {
-    text += fmt::format(" {} of {} pixels reached the limit of {} rays before the tolerance of {:g}.",
-                        precision.pixels_at_limit, precision.pixels, truth.max_spp, truth.tolerance);
+    text +=
+        fmt::format(" {} of {} pixels stopped at truth.max-spp ({} rays) before they reached the tolerance of {:g}.",
+                    precision.pixels_at_limit, precision.pixels, truth.max_spp, truth.tolerance);
   }
   return text;
 }
 
 std::string precision_line(const SamplingPrecision& precision) {
   std::string line =
-      fmt::format("{:.0f} samples per pixel; half width of the pixels' 95 % intervals: mean {:.2g}, largest {:.2g}",
+      fmt::format("{:.0f} samples per pixel; half width of a pixel's 95 % interval: mean {:.2g}, largest {:.2g}",
                   precision.mean_samples, precision.mean_half_width, precision.worst_half_width);
   if (precision.pixels_at_limit > 0) {
-    line += fmt::format("; {} of {} pixels at the limit", precision.pixels_at_limit, precision.pixels);
+    line += fmt::format("; {} of {} pixels stopped at truth.max-spp", precision.pixels_at_limit, precision.pixels);
   }
   return line;
 }
 
 // What one light's shadow rays went to.
 std::string truth_caption(const ShadowMeasurement& shadow) {
-  const std::string common = "Shadow rays against the exact geometry; back-facing surfels are 0.";
+  const std::string common = "Shadow rays against the exact geometry. Back-facing pixels are 0.";
   if (!is_soft(shadow)) return common;
-  return fmt::format("{} The light is {}{}, with {:.0f} samples per pixel; the value is the visible share of its {}.",
-                     common, std::holds_alternative<DistantEmitter>(shadow.emitter) ? "" : "a ",
-                     extent_text(shadow.emitter), shadow.truth->precision.mean_samples,
+  return fmt::format("{} The light is {}{}; {:.0f} samples per pixel measure the visible share of its {}.", common,
+                     std::holds_alternative<DistantEmitter>(shadow.emitter) ? "" : "a ", extent_text(shadow.emitter),
+                     shadow.truth->precision.mean_samples,
                      shadow.experiment.truth.light_sampling == LightSampling::area ? "area" : "solid angle");
 }
 
@@ -116,21 +115,20 @@ void present_soft_error(Presentation& presentation, const Workbench& workbench, 
                            "Technique − reference: blue is too dark, red is too bright.",
                            signed_error(shadow.raster->visibility, shadow.truth->visibility), visibility_error_scale));
   section.text +=
-      "\n\nThis is an area light: its reference is a share, so that no single tap is right or wrong. The causes of a "
-      "hard "
-      "shadow's error do not apply; the error is split by sign.";
+      "\n\nThis is an area light. Its reference is the visible share of the light, so a single tap is neither right "
+      "nor wrong and has no cause of error. The error is split into too dark and too bright instead.";
   if (s.error.max_x >= 0) {
-    section.text += fmt::format(" The largest error is {:.3g}, first at pixel ({}, {}).", s.error.max_error,
+    section.text += fmt::format(" The largest error is {:.3g}, for example at pixel ({}, {}).", s.error.max_error,
                                 s.error.max_x, s.error.max_y);
   }
   section.headlines = {
       {"mean absolute error", percent(s.error.mae), fmt::format("of {} counted pixels", s.error.pixels)},
-      {"too dark", percent(s.error.too_dark), "of it, where the technique is darker than the reference"},
-      {"too bright", percent(s.error.too_bright), "of it, where the technique is brighter than the reference"},
+      {"too dark", percent(s.error.too_dark), "part where the technique is darker than the reference"},
+      {"too bright", percent(s.error.too_bright), "part where the technique is brighter than the reference"},
       {"RMS error", percent(s.error.rmse), "corrected for the reference's variance"},
       {"penumbra", percent(s.penumbra), "of the counted pixels"},
   };
-  section.tables = {statistics_table("Error of the visibility of " + title, soft_visibility_columns(), to_row(s)),
+  section.tables = {statistics_table("Visibility error: " + title, soft_visibility_columns(), to_row(s)),
                     bias_table(shadow)};
   presentation.answers.push_back(fmt::format(
       "{}: error {} against its soft shadow ({}); too dark {}, too bright {}; penumbra {} of the counted pixels", title,
@@ -194,7 +192,7 @@ Presentation present_picture(const Workbench& workbench, const Measurement& meas
   ImageFigure figure;
   figure.stem = "picture";
   figure.title = "The view, shaded";
-  figure.caption = "Diffuse shading with the measured visibility and ambient occlusion; for orientation only.";
+  figure.caption = "Diffuse shading with the measured visibility and ambient occlusion, for orientation only.";
   figure.color = tone_map(picture_of(workbench, measurement), 1.0f);
   add_figure(presentation, std::move(figure));
   return presentation;
@@ -230,16 +228,15 @@ ReportTable bias_table(const ShadowMeasurement& shadow) {
   const auto known = [](double number) { return std::isfinite(number) ? fmt::format("{:.4g}", number) : "—"; };
   table.rows.push_back({std::string("along the light"), known(bias.metres), std::string("m")});
   table.rows.push_back(
-      {std::string("at the mean texel of ") + length(texel), known(bias.texels), std::string("texels")});
-  table.rows.push_back({std::string("of the map's depth range of ") + length(shadow.frame.far_depth), known(bias.depth),
-                        std::string("normalised depth")});
-  return {"The constant bias", std::move(table)};
+      {std::string("in texels of mean size ") + length(texel), known(bias.texels), std::string("texels")});
+  table.rows.push_back({std::string("as a share of the map's depth range of ") + length(shadow.frame.far_depth),
+                        known(bias.depth), std::string("normalised depth")});
+  return {"Constant bias of these images", std::move(table)};
 }
 
 std::string agreement_text(const ClassAgreement& agreement) {
   return fmt::format(
-      "ray tests reclassified {:.2g} % of the {} taps that the two-plane test called false occlusion as acne: {:.2g} % "
-      "of all wrong taps.",
+      "ray tests reclassified {:.2g} % of {} taps from false occlusion to acne: {:.2g} % of all wrong taps.",
       100.0 * share_of_foreign(agreement), agreement.taps, 100.0 * share_of_wrong(agreement));
 }
 
@@ -247,7 +244,7 @@ ReportTable worst_parts(const char* what, PartKind kind, const std::vector<PartE
                         std::uint32_t weight_sum) {
   constexpr std::size_t most = 10;
   const bool are_more = parts.size() > most;
-  return {fmt::format("Error by {}{}", what, are_more ? fmt::format(", the {} with most of it", most) : ""),
+  return {fmt::format("Error by {}{}", what, are_more ? fmt::format(" (top {})", most) : ""),
           in_percent(part_table(kind, parts, weight_sum, most))};
 }
 
@@ -284,7 +281,7 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
   }
   if (!shadow.statistics) {
     const double pixels = static_cast<double>(shadow.counted.totals[0]);
-    std::string line = fmt::format("{}: {:.0f} pixels counted", title, pixels);
+    std::string line = fmt::format("{}: {:.0f} counted pixels", title, pixels);
     if (shadow.raster) line += fmt::format(", mean texel {}", length(shadow.counted.mean_texel));
     if (shadow.truth && is_soft(shadow)) line += "; " + precision_line(shadow.truth->precision);
     presentation.answers.push_back(std::move(line));
@@ -306,14 +303,14 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
   const std::uint32_t weight_sum = shadow.raster->wrong.weight_sum;
   if (shadow.advice) section.tables.push_back(advice_table(*shadow.advice));
   section.tables.insert(section.tables.end(),
-                        {statistics_table("Error of the visibility of " + title, visibility_columns(), to_row(s)),
-                         bias_table(shadow), worst_parts("objects", PartKind::object, shadow.objects, weight_sum),
-                         worst_parts("materials", PartKind::material, shadow.materials, weight_sum)});
+                        {statistics_table("Visibility error: " + title, visibility_columns(), to_row(s)),
+                         bias_table(shadow), worst_parts("object", PartKind::object, shadow.objects, weight_sum),
+                         worst_parts("material", PartKind::material, shadow.materials, weight_sum)});
   if (shadow.agreement) presentation.details.push_back(title + ": " + agreement_text(*shadow.agreement));
   if (experiment.shadow.filter != ShadowFilter::nearest) section.text += "\n\n" + std::string(filter_caution);
   if (s.max_x >= 0) {
     section.text +=
-        fmt::format("\n\nThe largest error is {:.3g}, first at pixel ({}, {}).", s.max_error, s.max_x, s.max_y);
+        fmt::format("\n\nThe largest error is {:.3g}, for example at pixel ({}, {}).", s.max_error, s.max_x, s.max_y);
   }
   const std::string parts = fmt::format("acne {}, false occlusion {}, peter-panning {}, light leak {}", percent(s.acne),
                                         percent(s.false_occlusion), percent(s.peter_panning), percent(s.leak));
@@ -375,14 +372,13 @@ Presentation present_ao(const AoMeasurement& ao) {
       {"mean error", percent(s.mean_error), "below 0: too dark"},
   };
   section.text += fmt::format(
-      "\n\nThe technique looks {} far, the reference {}. The interval of the mean absolute error can be asymmetric: "
-      "the "
-      "reference's noise can only raise a mean of absolute values, so the lower end allows for that and the upper end "
-      "does not.",
+      "\n\nThe technique looks for occluders up to {}, the reference {}. The interval of the mean absolute error can "
+      "be asymmetric: noise in the reference can only raise this error, so only the lower end is corrected for it.",
       length(experiment.ao.radius.number), limit);
-  section.tables = {statistics_table("Error of the ambient occlusion", ao_columns(), to_row(s))};
-  presentation.answers.push_back(fmt::format("AO: error {}, mean {} (SSAO radius {}, reference {})", percent(s.mae),
-                                             percent(s.mean_error), length(experiment.ao.radius.number), limit));
+  section.tables = {statistics_table("Ambient occlusion error", ao_columns(), to_row(s))};
+  presentation.answers.push_back(fmt::format("AO: error {}, mean error {} (SSAO radius {}, reference {})",
+                                             percent(s.mae), percent(s.mean_error), length(experiment.ao.radius.number),
+                                             limit));
   return presentation;
 }
 

@@ -103,7 +103,7 @@ std::optional<CacheFolder> user_cache(const Console& console) {
   const std::optional<std::filesystem::path> base =
       xdg_cache_folder(std::getenv("XDG_CACHE_HOME"), std::getenv("HOME"));
   if (!base) {
-    note(console, "references are not kept: neither XDG_CACHE_HOME nor HOME is an absolute path");
+    note(console, "references are not cached: neither XDG_CACHE_HOME nor HOME is an absolute path");
     return {};
   }
   folder.path = *base / "references";
@@ -130,18 +130,18 @@ Traced ReferenceCache::get_any(const ReferenceKey& key, const CacheEntry& about,
     visit_parts(traced, PartReader{*read.entry, whole});
     if (whole) {
       traced.statistics.from_cache = true;
-      note_once(fmt::format("{}: reference from the cache; its {} rays took {:.3g} s", about.what,
+      note_once(fmt::format("{}: using the cached reference ({} rays, traced in {:.3g} s)", about.what,
                             traced.statistics.rays, traced.statistics.seconds));
       return traced;
     }
     read.problem = "parts of an entry are missing";
   }
-  if (!read.problem.empty()) note_once("a cached reference cannot be used and is traced again: " + read.problem);
+  if (!read.problem.empty()) note_once("a cached reference is damaged and is traced again: " + read.problem);
   Traced traced = trace();
   CacheEntry entry = about;
   visit_parts(traced, PartWriter{entry});
   const std::string problem = store_entry(*folder_, text, entry);
-  if (!problem.empty()) note_once("a reference is not kept: " + problem);
+  if (!problem.empty()) note_once("a reference could not be cached: " + problem);
   return traced;
 }
 

@@ -123,9 +123,10 @@ std::vector<std::string> bytes_row(const std::string& of, const SceneBytes& byte
 }
 
 void add_units(Lines& lines, const UnitGuess& guess, const std::string& unit) {
-  const std::string read_as = unit == "m" ? "metres, as glTF has it" : "read with --scene.unit " + shortened(unit, 20);
+  const std::string read_as =
+      unit == "m" ? "metres (the unit of glTF)" : "read with --scene.unit " + shortened(unit, 20);
   if (guess.verdict == SizeVerdict::credible) {
-    lines.add("units", read_as + "; the size is credible");
+    lines.add("units", read_as + "; the size is plausible");
     return;
   }
   std::string text = fmt::format("{}; the size is {}: {}.", read_as,
@@ -135,7 +136,7 @@ void add_units(Lines& lines, const UnitGuess& guess, const std::string& unit) {
     text += fmt::format("{}{} in {}", i == 0 ? " The longest side would be " : ", ", metres(candidate.longest_side),
                         candidate.unit);
   }
-  lines.add("units", text + (guess.candidates.empty() ? " No usual unit makes it credible." : "."));
+  lines.add("units", text + (guess.candidates.empty() ? " No common unit gives a plausible size." : "."));
 }
 
 void add_memory(Lines& lines, const SceneReport& report) {
@@ -144,9 +145,9 @@ void add_memory(Lines& lines, const SceneReport& report) {
                             bytes_row("GPU", report.gpu)});
   const std::string tracer = report.tracer_bytes ? bytes_text(*report.tracer_bytes) : "—";
   lines.add_rows("", {{"measured", "total"},
-                      {"tracer", tracer, report.tracer_bytes ? "Embree's count" : "not built; --measure-memory does"},
+                      {"tracer", tracer, report.tracer_bytes ? "Embree's count" : "not built; use --measure-memory"},
                       {"loading", bytes_text(report.peak_resident),
-                       fmt::format("the most that the process held; {:.3g} s", report.load_seconds)}});
+                       fmt::format("peak of the process while loading; {:.3g} s", report.load_seconds)}});
 }
 
 }  // namespace

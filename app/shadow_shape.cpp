@@ -92,7 +92,8 @@ ShadowShape measure_shape(Workbench& workbench, const ShadowMeasurement& shadow)
 
 std::string missing_contacts_text(const ContactSearch& search) {
   if (search.shadowed == 0 || search.measured > 0) return {};
-  std::string text = fmt::format("no contact gap could be measured; of {} pixels in true shadow", search.shadowed);
+  std::string text =
+      fmt::format("no contact gap could be measured: of {} pixels in the reference shadow", search.shadowed);
   const char* separator = ", ";
   const auto add = [&](std::uint64_t pixels, const char* reason) {
     if (pixels == 0) return;

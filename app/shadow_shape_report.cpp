@@ -20,11 +20,12 @@ std::string_view title_of(const ErrorShape& shape, std::size_t part) {
 
 Table distance_table(const ErrorShape& shape) {
   Table table;
-  table.columns = {{"error", "", "which part of it"}};
+  table.columns = {{"error", "", "part of the error"}};
   for (const auto& [unit, where] :
-       {std::pair{"texels", "across the light's way"}, {"px", "in the image"}, {"m", "in the world"}}) {
+       {std::pair{"texels", "perpendicular to the light"}, {"px", "in the image"}, {"m", "in the world"}}) {
     for (const char* which : {"median", "95 %", "largest"}) {
-      table.columns.push_back({which, unit, std::string("distance to the nearest edge of the reference, ") + where});
+      table.columns.push_back(
+          {which, unit, std::string("distance to the nearest shadow edge of the reference, ") + where});
     }
   }
   table.columns.push_back({"within 1 texel", "%", "share of this error at most one texel from an edge"});
@@ -49,22 +50,23 @@ Table distance_table(const ErrorShape& shape) {
 
 std::string edges_text(const ErrorShape& shape) {
   std::string text = fmt::format(
-      "\n\nThe true shadow's edges are {} pairs of pixels on one surface, one lit and one not.", shape.edges);
+      "\n\nThe reference has {} shadow edges: pairs of adjacent pixels on one surface, one lit and one blocked.",
+      shape.edges);
   if (!shape.components) {
-    text += fmt::format(" Of the error, {:.2f} % lies where the reference is 0 or 1, outside the penumbra.",
+    text += fmt::format(" {:.2f} % of the error lies outside the penumbra, where the reference is 0 or 1.",
                         100.0 * shape.outside_penumbra);
   }
   return text;
 }
 
 Table component_table(const ErrorShape& shape) {
-  Table table{{{"wrong pixels", "", "those that hang together over sides or corners"},
-               {"pieces", "1", "how many"},
-               {"mean area", "px", "pixels a piece"},
-               {"largest", "px", "pixels of the largest piece"},
-               {"share of largest", "%", "of the wrong weight, what the largest piece holds"},
-               {"centre x", "px", "of the largest piece"},
-               {"centre y", "px", "of the largest piece"}},
+  Table table{{{"wrong pixels", "", "regions of wrong pixels that touch at a side or corner"},
+               {"regions", "1", "number of regions"},
+               {"mean area", "px", "mean pixels per region"},
+               {"largest", "px", "pixels of the largest region"},
+               {"share of largest", "%", "share of the error in the largest region"},
+               {"centre x", "px", "of the largest region"},
+               {"centre y", "px", "of the largest region"}},
               {}};
   const auto add = [&](std::string_view name, const ComponentStatistics& s) {
     if (s.count == 0) return;
@@ -83,15 +85,16 @@ Table caster_table(const Workbench& workbench, const std::vector<CasterShape>& c
     return a.contacts + a.edges > b.contacts + b.edges;
   });
   if (listed.size() > most_casters) listed.resize(most_casters);
-  const std::string gap = "lit strip from the foot to where the raster shadow begins, ";
-  const std::string inset = "how far the raster outline lies inside the true one, below 0 outside; median";
-  Table table{{{"caster", "", "object whose shadow it is; those with most pixels first"},
-               {"contacts", "px", "pixels where its true shadow touches its foot"},
+  const std::string gap = "lit strip between the foot of the caster and its shadow, ";
+  const std::string inset =
+      "how far the outline of the shadow lies inside that of the reference; negative: outside; median";
+  Table table{{{"caster", "", "object that casts the shadow; most pixels first"},
+               {"contacts", "px", "pixels where the reference shadow touches the foot of the caster"},
                {"contact gap", "m", gap + "median"},
                {"contact gap", "texels", gap + "median"},
                {"contact gap", "px", gap + "median"},
                {"largest gap", "m", gap + "largest"},
-               {"edges", "px", "of its true shadow"},
+               {"edges", "px", "edges of the reference shadow"},
                {"shadow inset", "m", inset},
                {"shadow inset", "texels", inset},
                {"shadow inset", "px", inset}},
@@ -110,33 +113,33 @@ Table caster_table(const Workbench& workbench, const std::vector<CasterShape>& c
 }
 
 Table shimmer_table(const Shimmer& shimmer) {
-  Table table{{{"what moved", "", ""}, {"change", "%", "of visibility, mean"}, {"over", "", ""}}, {}};
+  Table table{{{"what moved", "", ""}, {"change", "%", "mean change of visibility"}, {"over", "", ""}}, {}};
   const auto add = [&](const char* what, double share, const char* over) {
     table.rows.push_back({std::string(what), share_text(share), std::string(over)});
   };
-  add("map's grid", shimmer.grid_mean, "the counted pixels, four moves by a quarter or half a texel");
-  add("map's grid, worst", shimmer.grid_largest, "the same, of the four moves");
+  add("map's grid", shimmer.grid_mean, "counted pixels; mean of four shifts by a quarter or half a texel");
+  add("map's grid, worst", shimmer.grid_largest, "counted pixels; largest of the four shifts");
   add("camera", shimmer.camera.share,
-      "the counted pixels that see the same triangle, four moves by a quarter or half a pixel");
-  if (shimmer.camera_truth) add("camera, truth", shimmer.camera_truth->share, "the same: what the true shadow changes");
+      "counted pixels that see the same triangle; mean of four shifts by a quarter or half a pixel");
+  if (shimmer.camera_truth) add("camera, reference", shimmer.camera_truth->share, "the same for the reference");
   return table;
 }
 
 PlotFigure distance_figure(const std::string& layer, const std::string& title, const ErrorShape& shape) {
   PlotFigure figure;
   figure.stem = "edge_distance_" + layer;
-  figure.title = "Distance to the reference's edges: " + title;
+  figure.title = "Distance of errors from shadow edges: " + title;
   figure.caption =
-      "Share of each part of the error that lies within a distance of an edge of the true shadow. Jagged edges end "
-      "within a texel or two, fields of acne go on.";
+      "Share of the error within a distance of the nearest shadow edge of the reference. Aliasing lies within one or "
+      "two texels of an edge, acne farther away.";
   figure.x = {"distance", "distance to the nearest edge [texels]", true};
   figure.y = {"share", "share of the error [%]", false};
   figure.series = "part";
   figure.series_label = "part of the error";
   figure.series_colors = class_colors();
-  figure.data.columns = {{"part", "", "which error"},
-                         {"distance", "texels", "across the light's way"},
-                         {"share", "%", "of this error, at most that far from an edge"}};
+  figure.data.columns = {{"part", "", "part of the error"},
+                         {"distance", "texels", "perpendicular to the light"},
+                         {"share", "%", "share of this error at most that far from an edge"}};
   for (std::size_t p = 0; p < shape.parts.size(); ++p) {
     if (!shape.parts[p].texels) continue;
     for (std::size_t k = 0; k < edge_reaches.size(); ++k) {
@@ -152,9 +155,9 @@ void present_shape(Presentation& presentation, const Workbench& workbench, const
   const ShadowShape& shape = *shadow.shape;
   ReportSection& section = presentation.section;
   section.text += edges_text(shape.error);
-  section.tables.push_back({"Distance of the error to the edges of the true shadow", distance_table(shape.error)});
+  section.tables.push_back({"Distance of errors from the shadow edges of the reference", distance_table(shape.error)});
   if (shape.error.components && shape.error.components->count > 0) {
-    section.tables.push_back({"Wrong pixels that hang together", component_table(shape.error)});
+    section.tables.push_back({"Connected error regions", component_table(shape.error)});
   }
   const std::string missing = shape.contact_search ? missing_contacts_text(*shape.contact_search) : std::string();
   if (!missing.empty()) section.text += fmt::format("\n\nFor this light {}.", missing);

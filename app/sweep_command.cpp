@@ -38,8 +38,8 @@ std::vector<SweepAxis> make_axes(const CommandLine& line, Experiment& experiment
   for (const auto& [group, flag] : {std::pair("view.scene", "--scene"), std::pair("scene.unit", "--scene.unit"),
                                     std::pair("scene.blend", "--scene.blend")}) {
     if (!varies_group(axes, group)) continue;
-    throw Error(ExitCode::usage, std::string("--vary ") + group, "a sweep is about one scene",
-                std::string("run it once for each, with ") + flag);
+    throw Error(ExitCode::usage, std::string("--vary ") + group, "a sweep can use only one scene",
+                std::string("run one sweep for each, with ") + flag);
   }
   experiment.axes.clear();
   for (const SweepAxis& axis : axes) experiment.axes.emplace_back(axis.key, axis.text);
@@ -91,7 +91,7 @@ std::vector<std::pair<std::string, Value>> cell_values(const std::vector<SweepAx
 void measure_missing(const SweepPlan& plan, ResultsStore& store, Workbench& workbench, const EvaluateGroup& evaluate,
                      const Console& console) {
   const std::size_t kept = store.count();
-  if (kept > 0) note(console, fmt::format("{} of {} cells are there already", kept, plan.cells));
+  if (kept > 0) note(console, fmt::format("{} of {} cells are done; resuming", kept, plan.cells));
   try {
     ProgressBar bar(console, "cells");
     SweepAdvance advance{count_references(plan)};
@@ -110,8 +110,8 @@ void measure_missing(const SweepPlan& plan, ResultsStore& store, Workbench& work
     workbench.report_tracing({});
   } catch (const Error& error) {
     if (error.code() != ExitCode::interrupted && error.code() != ExitCode::terminated) throw;
-    if (store.count() == 0) throw_if_interrupted("no cell was finished; the same command starts over");
-    throw_if_interrupted(fmt::format("{} of {} cells are kept in {}; the same command continues", store.count(),
+    if (store.count() == 0) throw_if_interrupted("no cell is done; rerun the command to start over");
+    throw_if_interrupted(fmt::format("{} of {} cells are stored in {}; rerun the command to resume", store.count(),
                                      plan.cells, store.path().string()));
     throw;
   }
@@ -137,8 +137,8 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   if (measure == Measure::visibility && !varies_group(axes, "view.light") && lights.size() > 1) {
     // A sweep is about one light; which one is part of the stored experiment.
     experiment.view.light = std::to_string(lights.front());
-    note(console, fmt::format("the scene has {} lights; sweeping light '{}'; choose with --light", lights.size(),
-                              workbench.title(lights.front())));
+    note(console, fmt::format("the scene has {} lights; this sweep uses '{}'; select another with --light",
+                              lights.size(), workbench.title(lights.front())));
   }
   if (!varies_group(axes, "light.")) {
     workbench.require_sense_for(experiment, swept_lights(workbench, experiment, axes));
@@ -158,7 +158,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
                           stored_columns(parameters, plan, columns_of(measure), sample_row(measure)), plan.cells},
                          line.force);
   if (store.complete()) {
-    note(console, fmt::format("all {} cells are there already; --force measures them anew", plan.cells));
+    note(console, fmt::format("all {} cells are done; --force recomputes them", plan.cells));
   } else {
     const EvaluateGroup evaluate = make_evaluator(workbench, workbench.in_metres(experiment), axes, measure);
     bool is_begun = false;
@@ -209,7 +209,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   Presentation& of_cell = output.parts.back();
   of_cell.lines = std::exchange(of_cell.answers, {});
   ReportSection& section = of_cell.section;
-  section.title += ", at the cell of least error";
+  section.title += " in the cell of least error";
   section.text = fmt::format("This section shows the cell {}.\n\n", cell_text(results, least)) + section.text;
   output.parts.push_back(present_picture(workbench, measurement));
   output.results = &store;

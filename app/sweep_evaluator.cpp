@@ -67,8 +67,8 @@ Measure choose_measure(SweepMeasure given, const std::vector<SweepAxis>& axes) {
   if (given == SweepMeasure::ao) return Measure::ao;
   const bool ao = varies_group(axes, "ao.") || varies_group(axes, "truth.");
   if (ao && (varies_group(axes, "shadow.") || varies_group(axes, "light."))) {
-    throw Error(ExitCode::usage, "sweep", "the axes belong to shadows and to ambient occlusion",
-                "say which to measure: --measure visibility or --measure ao");
+    throw Error(ExitCode::usage, "sweep", "the axes vary both shadows and ambient occlusion",
+                "choose what to measure: --measure visibility or --measure ao");
   }
   return ao ? Measure::ao : Measure::visibility;
 }

@@ -199,16 +199,16 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   Presentation presentation;
   const std::size_t axes = sweep.plan.axes.size();
   ReportSection& section = presentation.section;
-  section.title = sweep.measure == Measure::ao ? "Ambient occlusion over the grid" : "Shadow error over the grid";
+  section.title = sweep.measure == Measure::ao ? "Ambient occlusion error in all cells" : "Shadow error in all cells";
   const std::vector<Value> least = least_row(sweep);
   const std::size_t mae = column_index(best, "mae");
   const std::string error = percent(to_number(least[mae]));
   if (!std::isfinite(to_number(least[mae]))) {
-    presentation.answers.emplace_back("nothing to measure: no cell of the sweep counts a pixel");
-    section.text = "Nothing to measure: no cell of the sweep counts a pixel.";
+    presentation.answers.emplace_back("nothing to measure: no cell of the sweep has counted pixels");
+    section.text = "Nothing to measure: no cell of the sweep has counted pixels.";
     return presentation;
   }
-  const char* headline = open_ends.empty() ? "least mean absolute error" : "lowest mean absolute error on the grid";
+  const char* headline = open_ends.empty() ? "least mean absolute error" : "lowest mean absolute error tested";
   section.headlines = {{headline, error, row_text(best, least, axes)},
                        {"cells", std::to_string(sweep.plan.cells), "one row each in sweep.csv"}};
   const std::vector<std::string> warnings = to_lines(open_ends);
@@ -219,7 +219,8 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     for (PlotFigure& plot : make_plots(sweep, layout)) add_figure(presentation, std::move(plot));
   }
   section.text = "All cells are in sweep.csv.";
-  if (!sweep.ao_limit.empty()) section.text += " The reference looks " + sweep.ao_limit + " in every cell.";
+  if (!sweep.ao_limit.empty())
+    section.text += " The reference looks for occluders " + sweep.ao_limit + " in every cell.";
   const bool varies_filter = varies_group(sweep.plan.axes, "shadow.filter");
   if (varies_filter && sweep.measure == Measure::visibility) section.text += "\n\n" + std::string(filter_caution);
   for (const std::string& warning : warnings) section.text += "\n\nWarning: " + warning + ".";

@@ -26,11 +26,13 @@ void require_measurable(const Bounds& bounds, const dvec3& origin, const std::st
   const dvec3 corner = glm::max(glm::abs(origin + bounds.min), glm::abs(origin + bounds.max));
   const double reach = std::max({corner.x, corner.y, corner.z});
   const auto refuse = [&](const std::string& why) {
-    throw Error(ExitCode::unreadable_input, name, why, "scale it to metres; 'umbrameter info' has its bounds");
+    throw Error(ExitCode::unreadable_input, name, why,
+                "scale the scene or set --scene.unit; 'umbrameter info' shows its bounds");
   };
-  if (reach > longest) refuse(fmt::format("it reaches {:.3g} m from its origin, more than {:g} m", reach, longest));
+  if (reach > longest)
+    refuse(fmt::format("it extends to {:.3g} m from its origin; the limit is {:g} m", reach, longest));
   if (bounds.radius() < shortest) {
-    refuse(fmt::format("it is {:.3g} m large, less than {:g} m", 2.0 * bounds.radius(), shortest));
+    refuse(fmt::format("its size is {:.3g} m; the minimum is {:g} m", 2.0 * bounds.radius(), shortest));
   }
 }
 

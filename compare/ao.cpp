@@ -17,7 +17,7 @@ std::vector<Column> ao_columns() {
   add_estimate(columns, "mean_error", "mean of technique − reference");
   columns.push_back({"mean_raster", "1", "mean accessibility of the technique"});
   add_estimate(columns, "mean_truth", "mean accessibility of the reference");
-  columns.push_back({"max_error", "1", "largest absolute error, noise of the reference included"});
+  columns.push_back({"max_error", "1", "largest absolute error, including the noise of the reference"});
   return columns;
 }
 

@@ -44,13 +44,13 @@ std::vector<PartError> errors_by_part(const Scene& scene, PartKind kind, const G
 
 Table part_table(PartKind kind, const std::vector<PartError>& parts, std::uint32_t weight_sum, std::size_t most) {
   Table table{{{kind == PartKind::object ? "object" : "material", "", "of the receiver"},
-               {"pixels", "px", "counted ones"},
+               {"pixels", "px", "counted pixels"},
                {"mae", "1", "mean absolute error of its pixels"}},
               {}};
   for (const std::string_view cause : cause_names) {
     table.columns.push_back({std::string(cause), "1", "share of its pixels"});
   }
-  table.columns.push_back({"share_of_error", "1", "its part of the whole light's error"});
+  table.columns.push_back({"share_of_error", "1", "share of the total error of the light"});
   std::uint64_t all = 0;
   for (const PartError& part : parts) all += weight_of(part);
   for (const PartError& part : parts) {

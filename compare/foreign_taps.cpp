@@ -27,7 +27,7 @@ template <class Weight>
 void turn_to_acne(Weight& occluded, Weight& shadowed, std::uint32_t weight) {
   if (occluded < weight) {
     throw Error(ExitCode::no_backend, "exact classes",
-                "a tap that was judged is not among those that were counted: the device rounds unlike the processor",
+                "the OpenGL device rounds differently from the CPU: a tested tap is not among the counted ones",
                 "use --classes fast or choose another device with --gl-device");
   }
   occluded -= weight;

@@ -21,20 +21,21 @@ SoftVisibilityStatistics analyze_soft_visibility(const Image<float>& raster, con
 
 std::vector<Column> soft_visibility_columns() {
   std::vector<Column> columns = {
-      {"pixels", "px", "pixels counted: facing part of the light, inside its map, cone and range"}};
-  add_estimate(columns, "lit", "mean visibility by the reference");
-  columns.push_back({"penumbra", "1", "share that the reference calls neither lit nor blocked"});
+      {"pixels", "px", "counted pixels: they face part of the light and lie inside its map, cone and range"}};
+  add_estimate(columns, "lit", "mean visibility of the reference");
+  columns.push_back({"penumbra", "1", "share in the penumbra: neither lit nor blocked in the reference"});
   add_estimate(columns, "mae", "mean absolute error of visibility");
   add_estimate(columns, "rmse", "root mean square error, corrected for the variance of the reference");
-  add_estimate(columns, "mean_error", "mean of raster − truth");
+  add_estimate(columns, "mean_error", "mean of technique − reference");
   add_estimate(columns, "false_blocked",
-               "the part of the mean absolute error where raster is too dark; the lower end is conservative: it allows "
-               "for about twice what the reference's noise adds");
-  add_estimate(columns, "false_lit",
-               "the part of the mean absolute error where raster is too bright; the lower end is conservative: it "
-               "allows for about twice what the reference's noise adds");
-  columns.push_back({"mean_raster", "1", "mean visibility by the rasteriser"});
-  columns.push_back({"max_error", "1", "largest absolute error, noise of the reference included"});
+               "part of the mean absolute error where the technique is too dark; the lower end is conservative: it is "
+               "corrected for about twice the noise of the reference");
+  add_estimate(
+      columns, "false_lit",
+      "part of the mean absolute error where the technique is too bright; the lower end is conservative: it is "
+      "corrected for about twice the noise of the reference");
+  columns.push_back({"mean_raster", "1", "mean visibility of the technique"});
+  columns.push_back({"max_error", "1", "largest absolute error, including the noise of the reference"});
   columns.push_back(mean_texel_column());
   return columns;
 }

@@ -65,16 +65,16 @@ std::vector<double> spaced(double first, double last, std::size_t count, bool lo
 
 std::vector<double> parse_range(std::string_view key, std::string_view text, const std::vector<std::string>& parts,
                                 const std::function<double(const std::string&)>& parse_end) {
-  if (parts.size() != 3 && !(parts.size() == 4 && parts[3] == "log")) reject(key, text, "not an axis");
+  if (parts.size() != 3 && !(parts.size() == 4 && parts[3] == "log")) reject(key, text, "not a valid axis");
   const double first = parse_end(parts[0]);
   const double last = parse_end(parts[1]);
   const double count = parse_real(key, text, parts[2]);
   if (count < 1.0 || count != std::floor(count) || count > static_cast<double>(most_values)) {
     reject(key, text, "the count must be an integer from 1 to " + std::to_string(most_values));
   }
-  if (count == 1.0 && first != last) reject(key, text, "one value cannot meet both ends");
+  if (count == 1.0 && first != last) reject(key, text, "a count of 1 needs equal ends");
   const bool logarithmic = parts.size() == 4;
-  if (logarithmic && !(first * last > 0.0)) reject(key, text, "a log axis needs ends of one sign, not zero");
+  if (logarithmic && !(first * last > 0.0)) reject(key, text, "a log axis needs two positive or two negative ends");
   return spaced(first, last, static_cast<std::size_t>(count), logarithmic);
 }
 
@@ -89,7 +89,8 @@ struct LengthReader {
     if (!length || length->unit == LengthUnit::automatic) reject(key, text, "'" + part + "' is not a length");
     if (length->number == 0.0 && length->unit == LengthUnit::metres) return 0.0;
     if (unit && *unit != length->unit) {
-      reject(key, text, "'" + part + "' has another unit than the values before it, " + std::string(unit_name(*unit)));
+      reject(key, text,
+             "'" + part + "' must have the same unit as the values before it, " + std::string(unit_name(*unit)));
     }
     unit = length->unit;
     return length->number;
@@ -127,7 +128,7 @@ SweepAxis parse_axis(const Parameters& parameters, std::string_view key, std::st
   };
   try {
     if (text.find(':') != std::string_view::npos) {
-      if (!parameter.is_number()) reject(key, text, "only numbers have ranges");
+      if (!parameter.is_number()) reject(key, text, "only numeric parameters have ranges");
       const bool whole = std::holds_alternative<int*>(parameter.field);
       const std::vector<double> range = parse_range(key, text, split(text, ':'), [&](const std::string& part) {
         return is_length ? lengths(part) : parse_real(key, text, part);

@@ -128,9 +128,9 @@ Image<PixelClass> classify(const WrongTaps& wrong, const CountedPixels& counted)
 
 std::vector<Column> visibility_columns() {
   std::vector<Column> columns = {
-      {"pixels", "px", "pixels counted: facing the light, inside its map, cone and range"},
-      {"lit", "1", "share that the reference calls lit"},
-      {"blocked", "1", "share that the reference calls blocked"},
+      {"pixels", "px", "counted pixels: they face the light and lie inside its map, cone and range"},
+      {"lit", "1", "share lit in the reference"},
+      {"blocked", "1", "share blocked in the reference"},
       {"mae", "1", "mean absolute error of visibility"},
       {"rmse", "1", "root mean square error of visibility"},
   };
@@ -145,7 +145,7 @@ std::vector<Column> visibility_columns() {
   return columns;
 }
 
-Column mean_texel_column() { return {"mean_texel", "m", "mean side of a shadow-map texel at the counted surfels"}; }
+Column mean_texel_column() { return {"mean_texel", "m", "mean size of a shadow-map texel at the counted pixels"}; }
 
 std::vector<Value> to_row(const VisibilityStatistics& s) {
   return measured_row({static_cast<std::int64_t>(s.pixels), s.lit, s.blocked, s.mae, s.rmse, s.acne, s.false_occlusion,

@@ -155,8 +155,8 @@ bool expand(CacheEntry& entry, std::string_view pixels) {
 std::string read_head(std::string_view bytes, Head& head) {
   if (bytes.size() < sizeof(Head)) return "it is too short";
   std::memcpy(&head, bytes.data(), sizeof(Head));
-  if (head.magic != Head{}.magic) return "it is no cached reference";
-  if (head.version != Head{}.version) return "it is of another version";
+  if (head.magic != Head{}.magic) return "it is not a cached reference";
+  if (head.version != Head{}.version) return "it has another format version";
   return {};
 }
 
@@ -180,19 +180,19 @@ CacheRead from_cache_file(const std::string& key, std::string_view bytes) {
   if (std::string problem = read_head(bytes, head); !problem.empty()) return {{}, std::move(problem)};
   bytes.remove_prefix(sizeof(Head));
   if (head.text_bytes > bytes.size() || head.pixel_bytes != bytes.size() - head.text_bytes) {
-    return {{}, "it is not as long as it says"};
+    return {{}, "it has the wrong length"};
   }
   const std::string_view text = bytes.substr(0, head.text_bytes);
   const std::string_view pixels = bytes.substr(head.text_bytes);
-  if (checksum_of(head, text, pixels) != head.checksum) return {{}, "its checksum does not fit"};
+  if (checksum_of(head, text, pixels) != head.checksum) return {{}, "its checksum is wrong"};
   const Json json = Json::parse(text, nullptr, false);
   try {
-    if (json.at("key") != key) return {{}, "it is of another key"};
+    if (json.at("key") != key) return {{}, "it belongs to another reference"};
     CacheEntry entry = entry_of(json);
-    if (!expand(entry, pixels)) return {{}, "its images have other sizes than it says"};
+    if (!expand(entry, pixels)) return {{}, "its images have the wrong size"};
     return {std::move(entry), {}};
   } catch (const std::exception&) {
-    return {{}, "it does not hold what it should"};
+    return {{}, "its contents are incomplete"};
   }
 }
 

@@ -181,7 +181,7 @@ CacheRead load_entry(const CacheFolder& folder, const std::string& key) {
   const File file = open_regular(path, bytes, error);
   if (error == ENOENT || error == ENOTDIR) return {};
   if (error != 0 && !is_no_file(error)) return {{}, path.string() + ": " + reason(error)};
-  CacheRead read{{}, "it is no file"};
+  CacheRead read{{}, "it is not a file"};
   if (error == 0) read = from_cache_file(key, read_bytes(file, bytes));
   if (read.entry) {
     // Where the folder cannot be written to, entries do not age.

@@ -72,12 +72,12 @@ Value to_value(const toml::node& node, const std::string& key, const std::string
   if (const auto* number = node.as_floating_point()) return number->get();
   if (const auto* text = node.as_string()) return text->get();
   throw Error(ExitCode::usage, file + ":" + std::to_string(node.source().begin.line),
-              "'" + key + "' must be a number, true, false or a text");
+              "'" + key + "' must be a number, true, false or a string");
 }
 
 std::string text_of(const toml::node& node, const std::string& key, const std::string& file) {
   if (const auto* text = node.as_string()) return text->get();
-  throw Error(ExitCode::usage, file + ":" + std::to_string(node.source().begin.line), "'" + key + "' must be a text",
+  throw Error(ExitCode::usage, file + ":" + std::to_string(node.source().begin.line), "'" + key + "' must be a string",
               "write it in quotes");
 }
 
@@ -109,7 +109,7 @@ toml::table parse(const std::string& text, const std::string& file) {
     throw Error(
         ExitCode::usage,
         file + ":" + std::to_string(problem.source().begin.line) + ":" + std::to_string(problem.source().begin.column),
-        std::string(problem.description()), "mend that line");
+        std::string(problem.description()), "correct that line");
   }
 }
 
@@ -153,10 +153,10 @@ ExperimentFile read_experiment(const std::filesystem::path& path) {
     }
     const toml::table* members = node.as_table();
     if (members == nullptr) {
-      throw Error(
-          ExitCode::usage, file + ":" + std::to_string(node.source().begin.line),
-          "'" + group + "' stands outside of any table",
-          "only 'scene' does; parameters belong under [scene], [view], [shadow], [ao], [truth], [run] or [vary]");
+      throw Error(ExitCode::usage, file + ":" + std::to_string(node.source().begin.line),
+                  "'" + group + "' is outside any table",
+                  "only 'scene' may be there; parameters belong under [scene], [view], [shadow], [ao], [truth], [run] "
+                  "or [vary]");
     }
     for (const auto& [member, value] : *members) {
       const std::string key(member.str());

@@ -18,7 +18,7 @@ std::string with_package(const std::string& problem, const char* program, const 
 void require_drawing_name(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
   if (extension == ".svg" || extension == ".png" || extension == ".pdf") return;
-  throw Error(ExitCode::usage, path.string(), "the kind of file is not known", "end its name in .png, .svg or .pdf");
+  throw Error(ExitCode::usage, path.string(), "unknown file type", "end its name in .png, .svg or .pdf");
 }
 
 void write_drawing(const std::filesystem::path& path, const std::string& svg) {

@@ -124,7 +124,7 @@ PlotDrawings draw_plots(const std::vector<PlotFigure>& plots, const std::vector<
   }
   const nlohmann::json answers = nlohmann::json::parse(drawn.output, nullptr, false);
   if (!answers.is_array() || answers.size() != stems.size()) {
-    result.problems.push_back(fmt::format("{} plots not drawn: {} gave no answer", stems.size(), script.string()));
+    result.problems.push_back(fmt::format("{} plots not drawn: {} did not respond", stems.size(), script.string()));
     return result;
   }
   for (std::size_t i = 0; i < stems.size(); ++i) {

@@ -180,7 +180,7 @@ std::string to_plot_specification(const HeatMapFigure& figure) {
     subtitle.push_back(fmt::format("Not shown: {} of {} cells {}.", cells.dropped, figure.data.rows.size(),
                                    figure.x.logarithmic ? "at 0 or without a number" : "without a number"));
   }
-  if (cells.rows.empty()) subtitle.emplace_back("There is no cell to show.");
+  if (cells.rows.empty()) subtitle.emplace_back("No data.");
   if (!subtitle.empty()) spec["title"]["subtitle"] = subtitle;
   if (!figure.panel) {
     const Json panel = make_panel(figure, cells, plot_width);

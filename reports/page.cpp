@@ -40,10 +40,10 @@ std::string head_markup(const Report& report) {
 }
 
 std::string file_list(const fs::path& folder) {
-  static constexpr std::pair<const char*, const char*> files[] = {{"images.exr", "every image as layers"},
-                                                                  {"sweep.csv", "every cell of the sweep"},
-                                                                  {"experiment.toml", "what was run"},
-                                                                  {"summary.json", "the numbers for programs"}};
+  static constexpr std::pair<const char*, const char*> files[] = {{"images.exr", "all images as float layers"},
+                                                                  {"sweep.csv", "all cells of the sweep"},
+                                                                  {"experiment.toml", "settings of this run"},
+                                                                  {"summary.json", "all numbers, for programs"}};
   std::string items;
   for (const auto& [name, meaning] : files) {
     std::error_code error;
@@ -157,7 +157,7 @@ void write_page(const fs::path& folder, const Report& report) {
             escape_markup(report.command) + "</code></pre>\n</section>\n";
   }
   page +=
-      "</main>\n<footer>\n<p>Made by umbrameter. This page is complete in itself: it runs no script and loads nothing."
+      "</main>\n<footer>\n<p>Made by Umbrameter. This page is self-contained: no scripts, no external files."
       "</p>\n</footer>\n</div>\n</body>\n</html>\n";
   write_text(folder / "index.html", page);
 }

@@ -108,8 +108,7 @@ std::string figure_markup(const fs::path& folder, const PageFigure& figure, std:
   }
   std::string text = caption.empty() ? title : caption;
   if (picture.empty()) {
-    picture =
-        "<div class=\"picture\"><p class=\"missing\">This figure could not be drawn; the notes say why.</p></div>\n";
+    picture = "<div class=\"picture\"><p class=\"missing\">This figure could not be drawn; see the notes.</p></div>\n";
     if (!title.empty() && !caption.empty()) text = title + ". " + caption;
   }
   return fmt::format("<figure>\n{}<figcaption><strong>Figure {}.</strong> {}\n{}</figcaption>\n</figure>\n", picture,

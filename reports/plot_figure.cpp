@@ -274,7 +274,7 @@ std::string to_plot_specification(const PlotFigure& figure) {
         fmt::format("Not shown: {} of {} points {}.", points.dropped, figure.data.rows.size(),
                     has_log ? "that are 0, negative or no number (logarithmic axis)" : "that are no number"));
   }
-  if (points.rows.empty()) subtitle.emplace_back("There is no point to show.");
+  if (points.rows.empty()) subtitle.emplace_back("No data.");
   if (!subtitle.empty()) spec["title"]["subtitle"] = subtitle;
 
   spec["encoding"]["x"] = axis_of("x", figure.x, has_numeric_x, points.rows);

@@ -129,7 +129,7 @@ class Child {
     int status = 0;
     const pid_t ended = waitpid(pid_, &status, WNOHANG);
     if (ended == 0 && Clock::now() > deadline_) {
-      return FilterResult{{}, fmt::format("{} did not end within {} s", program_, patience.count())};
+      return FilterResult{{}, fmt::format("{} did not finish within {} s", program_, patience.count())};
     }
     if (ended == 0 || (ended < 0 && errno == EINTR)) return std::nullopt;
     pid_ = 0;

@@ -47,13 +47,14 @@ Pairs read_pairs(SQLite::Database& database, const char* table) {
 
 std::string difference(const Pairs& there, const Pairs& here) {
   for (std::size_t i = 0; i < std::max(there.size(), here.size()); ++i) {
-    if (i >= here.size()) return there[i].first + " is set there only";
-    if (i >= there.size()) return here[i].first + " is set here only";
-    if (there[i].first != here[i].first) return there[i].first + " stands there where here is " + here[i].first;
+    if (i >= here.size()) return there[i].first + " is set only in the folder";
+    if (i >= there.size()) return here[i].first + " is set only in this command";
+    if (there[i].first != here[i].first)
+      return "the folder has " + there[i].first + ", this command has " + here[i].first;
     if (there[i].second == here[i].second) continue;
     constexpr std::size_t characters = 60;
-    return fmt::format("{} is '{}' there and '{}' here", there[i].first, shortened(there[i].second, characters),
-                       shortened(here[i].second, characters));
+    return fmt::format("{} is '{}' in the folder and '{}' in this command", there[i].first,
+                       shortened(there[i].second, characters), shortened(here[i].second, characters));
   }
   return {};
 }
@@ -76,17 +77,17 @@ Pairs column_pairs(const StoreDescription& description) {
   switch (problem.getErrorCode() & 0xff) {
     case SQLITE_FULL:
       throw Error(ExitCode::partial, "cannot write " + path.string(), "No space left on device",
-                  "what was stored before is kept: free some space and run the same command again");
+                  "the stored results are kept; free some space and rerun the command to resume");
     case SQLITE_IOERR:
       throw Error(ExitCode::partial, "cannot write " + path.string(), problem.what(),
-                  "what was stored before is kept: check the folder and run the same command again");
+                  "the stored results are kept; check the folder and rerun the command to resume");
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
     case SQLITE_ERROR:  // a table or column that every store has is missing
       throw_damaged(path, problem.what());
     case SQLITE_BUSY:
-      throw Error(ExitCode::usage, path.string(), "another sweep is at work on it",
-                  "wait for its end or choose another folder with -o");
+      throw Error(ExitCode::usage, path.string(), "another sweep is using it",
+                  "wait until it ends or choose another folder with -o");
     case SQLITE_CANTOPEN:
     case SQLITE_READONLY:
     case SQLITE_PERM:
@@ -119,7 +120,7 @@ Value value_of(const SQLite::Column& column, ValueKind kind) {
 bool is_empty_store(SQLite::Database& database, const fs::path& path) {
   if (database.execAndGet("SELECT COUNT(*) FROM sqlite_schema").getInt() == 0) return true;
   if (database.execAndGet("PRAGMA application_id").getInt() != application_id) {
-    throw Error(ExitCode::usage, path.string(), "it is no results store of this program", store_remedy);
+    throw Error(ExitCode::usage, path.string(), "it was not written by umbrameter", store_remedy);
   }
   const int version = database.execAndGet("PRAGMA user_version").getInt();
   if (version != format_version) {
@@ -200,7 +201,7 @@ StoreDescription read_description(SQLite::Database& database, const fs::path& pa
   if (state != "ok") throw_damaged(path, state);
   StoreDescription description;
   SQLite::Statement experiment(database, "SELECT toml, cells FROM experiment");
-  if (!experiment.executeStep()) throw_damaged(path, "it names no experiment");
+  if (!experiment.executeStep()) throw_damaged(path, "it contains no experiment");
   description.experiment = experiment.getColumn(0).getString();
   description.cells = static_cast<std::size_t>(experiment.getColumn(1).getInt64());
   description.settings = read_pairs(database, "settings");
@@ -222,14 +223,14 @@ std::string first_difference(const StoreDescription& there, const StoreDescripti
   if (first.empty()) first = difference(there.settings, here.settings);
   if (first.empty()) first = difference(column_pairs(there), column_pairs(here));
   if (first.empty() && there.cells != here.cells) {
-    first = fmt::format("it has {} cells there and {} here", there.cells, here.cells);
+    first = fmt::format("it has {} cells in the folder and {} in this command", there.cells, here.cells);
   }
   return first;
 }
 
 void require_same(const fs::path& path, const StoreDescription& there, const StoreDescription& here) {
   const std::string first = first_difference(there, here);
-  if (!first.empty()) throw Error(ExitCode::usage, path.string(), "it holds another sweep: " + first, store_remedy);
+  if (!first.empty()) throw Error(ExitCode::usage, path.string(), "it contains another sweep: " + first, store_remedy);
 }
 
 }  // namespace umbrameter

@@ -126,7 +126,7 @@ void RunFolder::require_free(const std::vector<std::string>& files) const {
   for (const std::string& file : files) {
     if (contains(record_.files, file) || (earlier_ && contains(earlier_->files, file))) continue;
     if (!is_there(folder_ / file)) continue;
-    throw Error(ExitCode::usage, (folder_ / file).string(), "a file with this name is there and no run recorded it",
+    throw Error(ExitCode::usage, (folder_ / file).string(), "the file exists and no recorded run wrote it",
                 "move it away, choose another folder with -o, or overwrite it with --force");
   }
 }

@@ -122,7 +122,7 @@ TEST_F(Answers, A_camera_that_sees_nothing_gets_a_reason_and_no_error) {
   EXPECT_NE(text_of(folder_ / "out/index.html").find("all 5184 pixels are background"), std::string::npos);
 
   const std::string swept = run({"sweep", folder_ / "away.gltf", "--vary", "shadow.constant-bias=0,0.1"}, "sweep");
-  EXPECT_EQ(first_line(swept), "nothing to measure: no cell of the sweep counts a pixel");
+  EXPECT_EQ(first_line(swept), "nothing to measure: no cell of the sweep has counted pixels");
   EXPECT_EQ(text_of(folder_ / "sweep/sweep.csv").find("0,0,0,0"), std::string::npos);
 }
 

@@ -47,7 +47,7 @@ TEST_F(AreaLightRun, The_error_is_split_by_sign_with_intervals_and_has_no_causes
   }
   EXPECT_NEAR(statistics["mae"].get<double>(),
               statistics["false_blocked"].get<double>() + statistics["false_lit"].get<double>(), 1e-12);
-  EXPECT_NE(text_of(folder_ / "out/index.html").find("split by sign"), std::string::npos);
+  EXPECT_NE(text_of(folder_ / "out/index.html").find("split into too dark and too bright"), std::string::npos);
 }
 
 TEST_F(AreaLightRun, Stops_each_pixel_at_the_tolerance_and_tells_how_well_it_is_known) {
@@ -69,7 +69,7 @@ TEST_F(AreaLightRun, Stops_each_pixel_at_the_tolerance_and_tells_how_well_it_is_
   EXPECT_NE(page.find("offset of at most"), std::string::npos);
   EXPECT_NE(page.find("samples per pixel on average"), std::string::npos);
   // What it cost is on stderr alone: files of equal runs are equal.
-  for (const char* part : {" triangles, built in ", " shadow rays in ", " hemisphere rays in ", " Mray/s",
+  for (const char* part : {" triangles; built in ", " shadow rays in ", " hemisphere rays in ", " Mray/s",
                            "offset at most ", "peak memory "}) {
     EXPECT_NE(result.err.find(part), std::string::npos) << part << "\n" << result.err;
     EXPECT_EQ(page.find(" Mray/s"), std::string::npos);

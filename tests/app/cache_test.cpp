@@ -51,7 +51,7 @@ class ReferenceCache : public testing::Test {
   fs::path home_ = folder_ / "home";
 };
 
-constexpr const char* hit = "reference from the cache";
+constexpr const char* hit = "using the cached reference";
 
 TEST_F(ReferenceCache, Gives_the_same_files_bit_for_bit) {
   const ProgramResult first = trace("first");
@@ -101,7 +101,7 @@ TEST_F(ReferenceCache, Another_seed_view_or_sample_count_is_traced_anew) {
                                                {"--truth.spp", "5"},
                                                {"--truth.ao-distance", "0.5"}}) {
     const ProgramResult result = trace("other", more);
-    EXPECT_EQ(result.err.find("ambient occlusion: reference from the cache"), std::string::npos) << more[0];
+    EXPECT_EQ(result.err.find("ambient occlusion: using the cached reference"), std::string::npos) << more[0];
   }
   EXPECT_NE(trace("again").err.find(hit), std::string::npos);
 }
@@ -132,7 +132,7 @@ TEST_F(ReferenceCache, What_cannot_be_kept_is_a_note_and_no_failure) {
   put_text(home_, "a file where the folder should be");
   const ProgramResult blocked = trace("blocked");
   EXPECT_EQ(blocked.exit_code, 0);
-  EXPECT_NE(blocked.err.find("not kept"), std::string::npos) << blocked.err;
+  EXPECT_NE(blocked.err.find("could not be cached"), std::string::npos) << blocked.err;
   const ProgramResult homeless = trace("homeless", {}, {{}, {"env", "-u", "XDG_CACHE_HOME", "-u", "HOME"}, 0, 0.0});
   EXPECT_EQ(homeless.exit_code, 0) << homeless.err;
   EXPECT_NE(homeless.err.find("HOME"), std::string::npos) << homeless.err;
@@ -202,7 +202,7 @@ TEST_F(ReferenceCache, Serves_many_processes_at_once) {
   for (std::size_t i = 0; i < results.size(); ++i) {
     EXPECT_EQ(results[i].exit_code, 0) << results[i].err;
     EXPECT_EQ(results[i].err.find("cannot"), std::string::npos) << results[i].err;
-    EXPECT_EQ(results[i].err.find("not kept"), std::string::npos) << results[i].err;
+    EXPECT_EQ(results[i].err.find("could not be cached"), std::string::npos) << results[i].err;
     EXPECT_EQ(image("out" + std::to_string(i)), image("out" + std::to_string(i % 4)));
   }
   const Json listing = list();

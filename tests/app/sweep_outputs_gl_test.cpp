@@ -123,7 +123,7 @@ TEST_F(SweepOutputs, Agree_on_the_cell_of_least_error_over_bias_and_resolution) 
   const Json summary = sweep("contact-box", {"shadow.constant-bias=0.05:0.2:4", "shadow.resolution=128,256"},
                              {"--light", "0", "--shadow.filter", "box"});
   const Json& shadow = summary.at("shadows").at(0);
-  expect_one_cell(out(), summary, shadow.at("statistics"), "Error of the visibility of");
+  expect_one_cell(out(), summary, shadow.at("statistics"), "Visibility error:");
   const double bias = summary.at("cell").at("shadow.constant-bias");
   const double texel = shadow.at("map").at("mean_texel_m");
   EXPECT_EQ(shadow.at("constant_bias").at("m"), bias);
@@ -132,14 +132,14 @@ TEST_F(SweepOutputs, Agree_on_the_cell_of_least_error_over_bias_and_resolution) 
                    bias / shadow.at("map").at("far_depth_m").get<double>());
   EXPECT_EQ(shadow.at("map").at("resolution_texels"), summary["cell"].at("shadow.resolution"));
   const std::string page = text_of(out() / "index.html");
-  EXPECT_NEAR(std::stod("0" + table_text(page, "The constant bias", "along the light")), bias, 1e-6);
+  EXPECT_NEAR(std::stod("0" + table_text(page, "Constant bias of these images", "along the light")), bias, 1e-6);
   EXPECT_EQ(table_text(page, "Every parameter of this run", "shadow.constant-bias"), "varied: 0.05:0.2:4");
   EXPECT_EQ(table_text(page, "Every parameter of this run", "shadow.filter"), "box");
 }
 
 TEST_F(SweepOutputs, Agree_on_the_cell_of_least_error_over_ambient_occlusion) {
   const Json summary = sweep("corner", {"ao.radius=0.25,1", "ao.samples=8,16"});
-  expect_one_cell(out(), summary, summary.at("ao").at("statistics"), "Error of the ambient occlusion");
+  expect_one_cell(out(), summary, summary.at("ao").at("statistics"), "Ambient occlusion error");
   EXPECT_EQ(summary.at("shadows").size(), 0u);
   const std::string samples = summary.at("cell").at("ao.samples").dump();
   const std::string radius = summary["cell"].at("ao.radius") == 1.0 ? "1 m" : "25 cm";
@@ -150,7 +150,7 @@ TEST_F(SweepOutputs, Agree_on_the_cell_of_least_error_over_slope_bias_and_light)
   const Json summary = sweep("courtyard", {"shadow.slope-bias=0.5,1.5", "view.light=spot,sun"});
   const Json& shadow = summary.at("shadows").at(0);
   expect_one_cell(out(), summary, shadow.at("statistics"),
-                  "Error of the visibility of " + text_in(summary.at("cell").at("view.light")));
+                  "Visibility error: " + text_in(summary.at("cell").at("view.light")));
   EXPECT_EQ(shadow.at("light"), summary["cell"]["view.light"]);
   EXPECT_NE(
       text_of(out() / "index.html")

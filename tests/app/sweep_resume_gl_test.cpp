@@ -34,9 +34,9 @@ bool is_done(const ProgramResult& result) {
   return result.exit_code == done && result.err.find("plots not drawn") != std::string::npos;
 }
 
-// Number of cells in "note: 12 of 34 cells are there already"; 0 where nothing is said.
+// Number of cells in "note: 12 of 34 cells are done"; 0 where nothing is said.
 std::size_t kept_cells(const std::string& text) {
-  const std::size_t end = text.find(" cells are there already");
+  const std::size_t end = text.find(" cells are done");
   if (end == std::string::npos) return 0;
   const std::size_t note = text.rfind("note: ", end);
   const std::size_t all = text.find("all ", note);
@@ -148,9 +148,9 @@ TEST_F(SweepResume, Ctrl_c_says_what_is_kept_and_the_same_command_continues) {
     const ProgramResult stopped = run(sweep(folder, groups, {"--quiet"}), options);
     EXPECT_EQ(stopped.exit_code, code);
     EXPECT_TRUE(is_one_line(stopped.err)) << stopped.err;
-    const std::size_t of = stopped.err.find(" of 8000 cells are kept in");
+    const std::size_t of = stopped.err.find(" of 8000 cells are stored in");
     ASSERT_NE(of, std::string::npos) << stopped.err;
-    EXPECT_NE(stopped.err.find("the same command continues"), std::string::npos) << stopped.err;
+    EXPECT_NE(stopped.err.find("rerun the command to resume"), std::string::npos) << stopped.err;
     const std::string said = stopped.err.substr(stopped.err.rfind(' ', of - 1) + 1);
     // Stopped at once, but with what it counted.
     options.signal_counts_from = [&] { return size_of_journal(folder) > 0; };
@@ -188,7 +188,7 @@ TEST_F(SweepResume, Another_sweep_in_the_folder_is_refused_and_can_be_replaced) 
     EXPECT_EQ(text_of(folder / "sweep.csv"), csv);
   };
   refuse({"--truth.spp", "8"}, "truth.spp is '256' there and '8' here");
-  refuse({"--vary", "shadow.filter=box"}, "shadow.filter is set here only");
+  refuse({"--vary", "shadow.filter=box"}, "shadow.filter is set only in this command");
   // The same words, but another file behind them.
   ASSERT_EQ(run({"scene", "corner", "-o", folder_ / "scene.glb"}).exit_code, 0);
   const auto by_file = [&](const std::string& more) {

@@ -313,7 +313,7 @@ TEST(PlotFigure, No_rows_one_row_and_a_choice_as_abscissa_are_drawn) {
   for (std::vector<Value>& row : choice.data.rows) row[0] = std::string("box");
   const FigureOutcome outcome = write_figures(folder / "figures", {}, {none, empty_logarithmic, one, choice});
   EXPECT_TRUE(outcome.problems.empty()) << outcome.problems.front();
-  EXPECT_TRUE(contains(text_of(folder / "figures/none.svg"), "There is no point to show"));
+  EXPECT_TRUE(contains(text_of(folder / "figures/none.svg"), "No data"));
   EXPECT_TRUE(contains(text_of(folder / "figures/choice.svg"), ">box<"));
 }
 

@@ -212,10 +212,10 @@ TEST(ResultsStore, Another_sweep_is_refused_with_the_first_difference) {
     refuse(other, {"shadow.constant-bias", "'0:1:2'", "'0:2:2'"}, finished);
     other = description();
     other.axes.pop_back();
-    refuse(other, {"shadow.filter", "there only"}, finished);
+    refuse(other, {"shadow.filter", "only in the folder"}, finished);
     other = description();
     other.settings.emplace_back("truth.spp", "4");
-    refuse(other, {"truth.spp", "here only"}, finished);
+    refuse(other, {"truth.spp", "only in this command"}, finished);
     other = description();
     other.columns[3].column.name = "rmse";
     refuse(other, {"mae", "rmse"}, finished);

@@ -158,7 +158,7 @@ TEST_F(RunFolderTest, Files_of_others_are_kept_and_not_overwritten_without_force
                           const RunFolder folder(theirs, compare_plan(), false);
                           folder.require_free({"figures/error.svg"});
                         })->what())
-                .find("no run recorded it"),
+                .find("no recorded run wrote it"),
             std::string::npos);
   put_text(theirs / "index.html", "mine");
   expect_refused(theirs, compare_plan(), "index.html");
