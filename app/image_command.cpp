@@ -98,6 +98,8 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   Measurement measurement;
   measurement.experiment = experiment;
   measurement.surfels = workbench.surfels(experiment.view);
+  // Tracing fills the cores while one of them compiles shaders. Shimmer moves the camera, and with it the surfels.
+  if (line.command == "compare" && !experiment.run.shimmer) workbench.begin_ao_truth(experiment);
   for (const std::uint32_t light : lights) {
     ShadowMeasurement shadow = measure_shadow(workbench, experiment, light, sides);
     if (sides.raster && sides.truth) shadow.shape = measure_shape(workbench, shadow);

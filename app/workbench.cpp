@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "core/error.h"
@@ -197,21 +198,65 @@ Experiment Workbench::in_metres(const Experiment& experiment) const {
   return umbrameter::in_metres(experiment, 2.0 * bounds_.radius());
 }
 
-const TracedAo& Workbench::ao_truth(const Experiment& experiment) {
+std::string Workbench::ao_key(const Experiment& experiment) const {
   TruthParams params = in_metres(experiment).truth;
-  const std::string key = surfel_key(experiment.view) + key_of(describe(params)) + std::to_string(experiment.run.seed);
+  return surfel_key(experiment.view) + key_of(describe(params)) + std::to_string(experiment.run.seed);
+}
+
+AoInBackground::~AoInBackground() {
+  is_cancelled = true;
+  if (traced.valid()) traced.wait();
+}
+
+void Workbench::begin_ao_truth(const Experiment& experiment) {
+  struct Cancelled {};
+  ao_in_background_ = std::make_unique<AoInBackground>();
+  AoInBackground& work = *ao_in_background_;
+  work.key = ao_key(experiment);
+  // All that the thread reads is there before it starts, and stays.
+  const Tracer& rays = tracer();
+  const GBuffer& gbuffer = surfels(experiment.view).gbuffer;
+  work.traced = std::async(std::launch::async, [&work, &rays, &gbuffer, params = in_metres(experiment).truth,
+                                                seed = static_cast<std::uint32_t>(experiment.run.seed),
+                                                key = reference_key(experiment, "ao"), title = scene_title(experiment),
+                                                folder = options_.cache, console = console_] {
+    ReferenceCache cache(folder, console);
+    const std::function<TracedAo()> trace = [&] {
+      return trace_ao(rays, gbuffer, params, seed, [&work](double share) {
+        if (work.is_cancelled) throw Cancelled{};
+        work.share = share;
+      });
+    };
+    return cache.get(key, {title, "ambient occlusion", {}, {}}, trace);
+  });
+}
+
+const TracedAo& Workbench::ao_truth(const Experiment& experiment) {
+  const TruthParams params = in_metres(experiment).truth;
+  const std::string key = ao_key(experiment);
+  const auto counted = [&](TracedAo traced) {
+    add(costs_.hemisphere, traced.statistics);
+    costs_.largest_offset = std::max(costs_.largest_offset, traced.statistics.largest_offset);
+    return traced;
+  };
   return ao_truth_.get(key, [&] {
+    if (ao_in_background_ && ao_in_background_->key == key) {
+      const std::unique_ptr<AoInBackground> work = std::move(ao_in_background_);
+      const Tracer& rays = tracer();
+      ProgressBar progress = tracing_bar("hemisphere rays", [&] { return rays.rays_traced(); });
+      while (work->traced.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
+        progress.show(work->share);
+      }
+      return counted(work->traced.get());
+    }
     const std::function<TracedAo()> trace = [&] {
       const Tracer& rays = tracer();
       ProgressBar progress = tracing_bar("hemisphere rays", [&] { return rays.rays_traced(); });
       return trace_ao(rays, surfels(experiment.view).gbuffer, params, static_cast<std::uint32_t>(experiment.run.seed),
                       progress.callback());
     };
-    TracedAo traced =
-        cache_.get(reference_key(experiment, "ao"), {scene_title(experiment), "ambient occlusion", {}, {}}, trace);
-    add(costs_.hemisphere, traced.statistics);
-    costs_.largest_offset = std::max(costs_.largest_offset, traced.statistics.largest_offset);
-    return traced;
+    return counted(
+        cache_.get(reference_key(experiment, "ao"), {scene_title(experiment), "ambient occlusion", {}, {}}, trace));
   });
 }
 

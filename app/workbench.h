@@ -2,7 +2,9 @@
 // share what they have in common.
 #pragma once
 
+#include <atomic>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <span>
@@ -51,6 +53,16 @@ struct LightFit {
   CountedPixels counted;
 };
 
+/// A reference that is being traced on another thread; ends it when it goes.
+struct AoInBackground {
+  std::string key;
+  std::atomic<double> share{0.0};  ///< done, 0 to 1
+  std::atomic<bool> is_cancelled{false};
+  std::future<TracedAo> traced{};
+
+  ~AoInBackground();
+};
+
 struct WorkbenchOptions {
   std::string gl_device;
   int threads = 0;
@@ -87,6 +99,9 @@ class Workbench {
 
   const TracedVisibility& truth(const Experiment& experiment, std::uint32_t light);
   const TracedAo& ao_truth(const Experiment& experiment);
+  /// Starts on another thread what ao_truth() of the same experiment then waits for. The view must stay the same until
+  /// it does.
+  void begin_ao_truth(const Experiment& experiment);
   /// With classes by the two-plane rule where with_truth.
   RasterVisibility draw(const Experiment& experiment, std::uint32_t light, bool with_truth);
   /// Settles by rays what the rule called false occlusion, in classes that draw() made of the same experiment.
@@ -113,6 +128,7 @@ class Workbench {
   ProgressBar bar(const char* stage) const;
   ProgressBar tracing_bar(const char* stage, std::function<std::uint64_t()> count_rays) const;
   ReferenceKey reference_key(const Experiment& experiment, const std::string& kind);
+  std::string ao_key(const Experiment& experiment) const;
   std::string light_key(const Experiment& experiment, std::uint32_t light) const;
   std::string truth_key(const Experiment& experiment, std::uint32_t light) const;
 
@@ -139,6 +155,8 @@ class Workbench {
   Memo<std::string> tracer_identity_;
   Memo<std::string> scene_content_;
   Memo<std::string> surfel_content_;
+  // Last: its thread reads the tracer and the surfels until it ends.
+  std::unique_ptr<AoInBackground> ao_in_background_;
 };
 
 }  // namespace umbrameter
