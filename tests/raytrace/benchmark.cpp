@@ -198,9 +198,13 @@ void report(const std::string& task, std::vector<Way>& ways, const std::vector<R
 // The same geometry with the flags that Embree starts with.
 ScenePtr default_scene(const Tracer::State& state) {
   ScenePtr scene(rtcNewScene(state.device.get()));
-  for (std::size_t i = 0; i < 2 * state.instances.size(); ++i) {  // those of huge triangles come behind
-    const RTCGeometry geometry = rtcGetGeometry(state.top.get(), static_cast<unsigned>(i));
-    if (geometry != nullptr) rtcAttachGeometryByID(scene.get(), geometry, static_cast<unsigned>(i));
+  const auto attach = [&](std::size_t id) {
+    const RTCGeometry geometry = rtcGetGeometry(state.top.get(), static_cast<unsigned>(id));
+    if (geometry != nullptr) rtcAttachGeometryByID(scene.get(), geometry, static_cast<unsigned>(id));
+  };
+  for (std::size_t i = 0; i < state.instances.size(); ++i) {
+    attach(i);
+    if (state.instances[i].huge != nullptr) attach(state.instances.size() + i);  // its huge triangles
   }
   rtcCommitScene(scene.get());
   check(state.device.get(), "benchmark");
