@@ -101,7 +101,8 @@ std::string advice_text(const BiasAdvice& advice) {
   const std::array<double, cause_count> shares = shares_of(used);
   const auto largest = static_cast<std::size_t>(std::max_element(shares.begin(), shares.end()) - shares.begin());
   if (is_best(advice)) {
-    text = fmt::format("error {} at {}, within 1 % of the best constant bias", percent(used.mae), bias_text(advice, used));
+    text =
+        fmt::format("error {} at {}, within 1 % of the best constant bias", percent(used.mae), bias_text(advice, used));
     if (shares[largest] > 0.0) {
       text += fmt::format("; mostly {} ({})", cause_title(static_cast<Cause>(largest)), percent(shares[largest]));
     }
