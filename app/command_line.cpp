@@ -30,7 +30,7 @@ constexpr CommandDescription sweep_command = {
     "sweep", "Measure all combinations of varied parameters",
     "Example: umbrameter sweep courtyard -o out --light sun \\\n"
     "             --vary shadow.constant-bias=0:0.2:65 --vary shadow.resolution=512,1024,2048\n"
-    "An axis is first:last:count[:log] or a list a,b,c. Open out/index.html; all cells are in out/sweep.csv."};
+    "An axis is first:last:count[:log] or a list a,b,c. Open out/index.html; out/sweep.csv has all cells."};
 constexpr CommandDescription trace_command = {
     "trace", "Render the reference alone: Embree, no OpenGL",
     "Example: umbrameter trace courtyard -o out --truth.spp 1024 --truth.ao-distance 2"};

@@ -187,7 +187,7 @@ TEST_F(SweepResume, Another_sweep_in_the_folder_is_refused_and_can_be_replaced) 
     EXPECT_NE(result.err.find("--force"), std::string::npos) << result.err;
     EXPECT_EQ(text_of(folder / "sweep.csv"), csv);
   };
-  refuse({"--truth.spp", "8"}, "truth.spp is '256' there and '8' here");
+  refuse({"--truth.spp", "8"}, "truth.spp is '256' in the folder and '8' in this command");
   refuse({"--vary", "shadow.filter=box"}, "shadow.filter is set only in this command");
   // The same words, but another file behind them.
   ASSERT_EQ(run({"scene", "corner", "-o", folder_ / "scene.glb"}).exit_code, 0);

@@ -206,7 +206,7 @@ TEST(ResultsStore, Another_sweep_is_refused_with_the_first_difference) {
   for (const bool finished : {false, true}) {
     StoreDescription other = description();
     other.settings[1].second = "32x18";
-    refuse(other, {"view.size", "'64x36' there", "'32x18' here", "-o", "--force"}, finished);
+    refuse(other, {"view.size", "'64x36' in the folder", "'32x18' in this command", "-o", "--force"}, finished);
     other = description();
     other.axes[0].second = "0:2:2";
     refuse(other, {"shadow.constant-bias", "'0:1:2'", "'0:2:2'"}, finished);
