@@ -244,12 +244,14 @@ Json material(const Material& source) {
   if (source.double_sided) members.emplace_back("doubleSided", "true");
   Members extensions;
   if (has_specular(source)) {
-    extensions.emplace_back(specular_name, object({{"specularFactor", to_json(static_cast<double>(source.specular))},
-                                                   {"specularColorFactor", numbers(source.specular_color)}}));
+    extensions.insert(extensions.end(),
+                      {{specular_name, object({{"specularFactor", to_json(static_cast<double>(source.specular))},
+                                               {"specularColorFactor", numbers(source.specular_color)}})}});
   }
   if (transmits(source)) {
-    extensions.emplace_back(transmission_name,
-                            object({{"transmissionFactor", to_json(static_cast<double>(source.transmission))}}));
+    extensions.insert(
+        extensions.end(),
+        {{transmission_name, object({{"transmissionFactor", to_json(static_cast<double>(source.transmission))}})}});
   }
   if (!extensions.empty()) members.emplace_back("extensions", object(extensions));
   return object(members);
