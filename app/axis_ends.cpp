@@ -51,7 +51,7 @@ AxisEnd end_of(std::span<const double> values, double value, const FieldDescript
 }
 
 std::vector<OpenEnd> find_open_ends(const SweepResults& sweep, const Table& best,
-                                    std::span<const std::size_t> told_axes) {
+                                    std::span<const std::size_t> listed_axes) {
   const SweepPlan& plan = sweep.plan;
   std::vector<OpenEnd> ends;
   for (std::size_t r = 0; r < std::min(best.rows.size(), most_rows); ++r) {
@@ -62,8 +62,8 @@ std::vector<OpenEnd> find_open_ends(const SweepResults& sweep, const Table& best
     for (std::size_t a = 0; a < plan.axes.size(); ++a) {
       const SweepAxis& axis = plan.axes[a];
       const Parameter& parameter = require(sweep.parameters, axis.key);
-      const bool is_told = std::find(told_axes.begin(), told_axes.end(), a) != told_axes.end();
-      if (is_told || !parameter.is_number()) continue;
+      const bool is_listed = std::find(listed_axes.begin(), listed_axes.end(), a) != listed_axes.end();
+      if (is_listed || !parameter.is_number()) continue;
       const std::vector<double> numbers = numbers_of(axis);
       const AxisEnd end = end_of(numbers, to_number(row[a]), parameter.description);
       if (end == AxisEnd::none) continue;
@@ -72,7 +72,7 @@ std::vector<OpenEnd> find_open_ends(const SweepResults& sweep, const Table& best
       const std::optional<double> beside = error_at(sweep, next);
       if (!beside || !(*beside > error)) continue;
       std::string setting;
-      for (const std::size_t t : told_axes) {
+      for (const std::size_t t : listed_axes) {
         const std::string& key = plan.axes[t].key;
         setting += (setting.empty() ? "" : ", ") + key.substr(key.find('.') + 1) + " " + short_text(row[t]);
       }

@@ -25,10 +25,10 @@ struct OpenEnd {
   std::string setting;  ///< of the other axes: "resolution 512"; empty where there are none
 };
 
-/// The open ends of the axes that rows of least error were chosen over: all but the first `columns` of `best`, which
-/// hold the axes that tell these rows apart. Looks at no more than 200 rows.
+/// The open ends of the axes over which each row of `best` is the least error: all axes but `listed_axes`, whose values
+/// tell the rows apart. Reads at most 200 rows.
 std::vector<OpenEnd> find_open_ends(const SweepResults& sweep, const Table& best,
-                                    std::span<const std::size_t> told_axes);
+                                    std::span<const std::size_t> listed_axes);
 
 /// "ao.radius: the error still falls at the upper end of the axis (2 m); extend it", one line an axis and end.
 std::vector<std::string> to_lines(const std::vector<OpenEnd>& ends);

@@ -9,7 +9,7 @@
 namespace umbrameter {
 namespace {
 
-// What stands for a value in help.
+// The name of a value in help: "DIR", "LENGTH".
 std::string placeholder(const Parameter& parameter) {
   if (std::holds_alternative<int*>(parameter.field)) return "N";
   if (std::holds_alternative<double*>(parameter.field)) return "X";

@@ -7,7 +7,7 @@
 namespace umbrameter {
 namespace {
 
-// What can stand for a value, by its placeholder.
+// The values to offer, by the name of the value in help.
 enum class Completes { nothing, files, folders, scenes, built_in_scenes, axes, commands };
 
 Completes completes(const OptionHelp& option) {

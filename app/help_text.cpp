@@ -41,7 +41,7 @@ std::string row(const std::string& left, const std::string& right, std::size_t c
   const std::size_t used = indent + count_characters(left);
   std::string text = spaces(indent) + left;
   if (right.empty()) return text + "\n";
-  // A name that is too long has a line of its own.
+  // A name that is too long takes a whole line.
   const std::size_t gap = used + 2 > column ? 0 : column - used;
   text += gap == 0 ? "\n" + spaces(column) : spaces(gap);
   return text + wrapped(right, column, column);

@@ -35,8 +35,8 @@ struct ShadowMeasurement {
   /// By the receiver's object and material, by falling weight; where statistics are.
   std::vector<PartError> objects{};
   std::vector<PartError> materials{};
-  std::optional<BiasAdvice> advice{};  ///< where it was asked for, and statistics are
-  std::optional<ShadowShape> shape;    ///< where it was asked for
+  std::optional<BiasAdvice> advice{};  ///< of compare, where any pixel is counted
+  std::optional<ShadowShape> shape;    ///< of compare
 };
 
 /// Whether the light has extent: its truth is then sampled, and its error has no causes.

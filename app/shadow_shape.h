@@ -18,7 +18,7 @@ struct ShadowShape {
   ErrorShape error;
   std::vector<CasterShape> casters{};             ///< of a light without extent
   std::optional<ContactSearch> contact_search{};  ///< likewise
-  std::optional<Shimmer> shimmer{};               ///< where it was asked for
+  std::optional<Shimmer> shimmer{};               ///< with run.shimmer
 };
 
 /// Of a measurement with both sides.

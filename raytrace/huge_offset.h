@@ -1,4 +1,4 @@
-// The offset of rays that leave huge triangles: a bound of its own for every point. For raytrace/surfel.cpp alone.
+// The offset of rays that leave huge triangles: one bound per point. For raytrace/surfel.cpp alone.
 #pragma once
 
 #include "raytrace/surfel.h"
