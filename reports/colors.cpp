@@ -110,6 +110,22 @@ std::string to_png(const Image<glm::u8vec3>& image) {
   return bytes;
 }
 
+Image<glm::u8vec3> from_png(const std::string& bytes) {
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  const auto fail = [&] {
+    const std::string problem = header.message;
+    png_image_free(&header);
+    throw Error(ExitCode::partial, "PNG", problem);
+  };
+  if (png_image_begin_read_from_memory(&header, bytes.data(), bytes.size()) == 0) fail();
+  header.format = PNG_FORMAT_RGB;
+  Image<glm::u8vec3> image(static_cast<int>(header.width), static_cast<int>(header.height));
+  const png_color white{255, 255, 255};
+  if (png_image_finish_read(&header, &white, image.pixels.data(), 3 * image.width, nullptr) == 0) fail();
+  return image;
+}
+
 void write_png(const std::filesystem::path& path, const Image<glm::u8vec3>& image) {
   if (image.empty()) throw Error(ExitCode::partial, "cannot write " + path.string(), "the image has no pixels");
   write_text(path, to_png(image));

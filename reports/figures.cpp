@@ -6,6 +6,7 @@
 #include <iterator>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "core/error.h"
@@ -21,7 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* image_zoom = "1";
 constexpr const char* plot_zoom = "2";  // plots have no pixels of their own
 
 // What became of one figure.
@@ -39,46 +39,61 @@ bool is_plain_name(const std::string& stem) {
          stem.find('\0') == std::string::npos;
 }
 
-void convert(const fs::path& folder, const std::string& stem, const std::string& svg, const char* png_zoom,
-             Written& written) {
-  for (const auto& [format, zoom] : {std::pair{"pdf", "1"}, {"png", png_zoom}}) {
-    const fs::path file = folder / (stem + "." + format);
-    const FilterResult result = run_filters({conversion(svg, format, zoom)}, 1).front();
-    if (result.problem.empty()) {
-      write_text(file, result.output);
-      continue;
-    }
-    const std::string problem = with_package(result.problem, "rsvg-convert", "librsvg2-bin");
-    if (problem == result.problem) {
-      written.conversion_problems.push_back(fmt::format("{} not made: {}", file.string(), problem));
-    } else {
-      written.missing_program = problem;
-      ++written.without_program;
-    }
+// The program's output, or nothing after it noted in `written` why there is none.
+std::optional<std::string> convert(const fs::path& file, const std::string& svg, const char* zoom, Written& written) {
+  const std::string format = file.extension().string().substr(1);
+  FilterResult result = run_filters({conversion(svg, format.c_str(), zoom)}, 1).front();
+  if (result.problem.empty()) return std::move(result.output);
+  const std::string problem = with_package(result.problem, "rsvg-convert", "librsvg2-bin");
+  if (problem == result.problem) {
+    written.conversion_problems.push_back(fmt::format("{} not made: {}", file.string(), problem));
+  } else {
+    written.missing_program = problem;
+    ++written.without_program;
   }
+  return {};
 }
 
-void write_drawing_of(const fs::path& folder, const std::string& stem, const std::string& svg, const char* png_zoom,
-                      Written& written) {
+// Checks the figure's name; writes the SVG and, from it, the PDF.
+bool write_svg_and_pdf(const fs::path& folder, const std::string& stem, const std::string& svg, Written& written) {
   if (!is_plain_name(stem)) {
     written.name_problem = fmt::format("figure '{}': not a name for a file", stem);
-    return;
+    return false;
   }
   write_text(folder / (stem + ".svg"), svg);
-  convert(folder, stem, svg, png_zoom, written);
+  const fs::path pdf = folder / (stem + ".pdf");
+  if (const std::optional<std::string> bytes = convert(pdf, svg, "1", written)) write_text(pdf, *bytes);
+  return true;
 }
 
 Written write_image(const fs::path& folder, const ImageFigure& image) {
   Written written;
-  std::string svg;
+  ImageDrawing drawing;
   try {
-    svg = to_svg(image);
+    drawing = draw(image);
   } catch (const Error& error) {
     written.drawing_problem = error.what();
     return written;
   }
-  write_drawing_of(folder, image.stem, svg, image_zoom, written);
+  if (!write_svg_and_pdf(folder, image.stem, to_svg(drawing), written)) return written;
+  const fs::path png = folder / (image.stem + ".png");
+  const std::optional<std::string> frame = convert(png, drawing.frame(), "1", written);
+  if (!frame) return written;
+  std::string bytes;
+  try {
+    bytes = to_png(drawing, *frame);
+  } catch (const Error& error) {
+    written.conversion_problems.push_back(fmt::format("{} not made: {}", png.string(), error.what()));
+    return written;
+  }
+  write_text(png, bytes);
   return written;
+}
+
+void write_plot(const fs::path& folder, const std::string& stem, const std::string& svg, Written& written) {
+  if (!write_svg_and_pdf(folder, stem, svg, written)) return;
+  const fs::path png = folder / (stem + ".png");
+  if (const std::optional<std::string> bytes = convert(png, svg, plot_zoom, written)) write_text(png, *bytes);
 }
 
 struct PlotDrawing {
@@ -187,7 +202,7 @@ FigureOutcome write_figures(const fs::path& folder, const std::vector<ImageFigur
   written.resize(images.size() + of_plots.drawings.size());
   parallel_for(of_plots.drawings.size(), [&](std::size_t i) {
     const PlotDrawing& plot = of_plots.drawings[i];
-    write_drawing_of(folder, plot.stem, plot.svg, plot_zoom, written[images.size() + i]);
+    write_plot(folder, plot.stem, plot.svg, written[images.size() + i]);
     count_one();
   });
   return {collect_problems(written, images.size(), std::move(of_plots.problems))};

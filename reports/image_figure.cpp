@@ -138,31 +138,54 @@ int add_categories(std::string& svg, const Layout& layout, const std::vector<Cat
 
 }  // namespace
 
-std::string to_svg(const ImageFigure& figure) {
+ImageDrawing draw(const ImageFigure& figure) {
   const Image<glm::u8vec3> original = colors_of(figure);
   const int enlargement = std::min((least_width + original.width - 1) / original.width, most_height / original.height);
-  const Image<glm::u8vec3> image = enlarge(original, std::max(1, enlargement));
+  ImageDrawing drawing;
+  drawing.pixels = enlarge(original, std::max(1, enlargement));
+  const Image<glm::u8vec3>& image = drawing.pixels;
   const int shown_width = std::max(image.width, least_width);
   const Layout layout{shown_width, image.height, std::max(13, std::min(shown_width / 42, image.height / 4))};
-  std::string body;
+  drawing.corner = {layout.margin(), layout.image_top()};
+  drawing.after = frame(drawing.corner.x, drawing.corner.y, image.width, image.height);
+  int height = layout.image_top() + image.height + layout.margin();
+  if (!figure.values.empty()) height = layout.below() + add_color_bar(drawing.after, layout, figure);
+  if (figure.values.empty() && !figure.category.empty()) {
+    height = layout.below() + add_categories(drawing.after, layout, figure.categories);
+  }
+  drawing.after += "</svg>\n";
+  const int width = layout.width + 2 * layout.margin();
   // A title that is wider than the picture is set smaller, down to half the size; the factor is for bold letters.
   const double fitting_size = layout.width / std::max(1.0, 1.1 * text_width(figure.title));
   const int title_size = static_cast<int>(std::clamp(fitting_size, layout.unit * 0.5, layout.unit * 1.2));
-  body += text_element(layout.margin(), layout.unit * 1.9, title_size, "start", figure.title, " font-weight=\"bold\"");
-  body += png_element(image, layout.margin(), layout.image_top(), image.width, image.height);
-  body += frame(layout.margin(), layout.image_top(), image.width, image.height);
-  int height = layout.image_top() + image.height + layout.margin();
-  if (!figure.values.empty()) height = layout.below() + add_color_bar(body, layout, figure);
-  if (figure.values.empty() && !figure.category.empty()) {
-    height = layout.below() + add_categories(body, layout, figure.categories);
+  drawing.before =
+      fmt::format(
+          "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" version=\"1.1\" "
+          "width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" font-family=\"DejaVu Sans, sans-serif\" "
+          "fill=\"#1a1a1a\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
+          width, height) +
+      text_element(layout.margin(), layout.unit * 1.9, title_size, "start", figure.title, " font-weight=\"bold\"");
+  return drawing;
+}
+
+std::string to_svg(const ImageDrawing& drawing) {
+  const Image<glm::u8vec3>& image = drawing.pixels;
+  return drawing.before + png_element(image, drawing.corner.x, drawing.corner.y, image.width, image.height) +
+         drawing.after;
+}
+
+std::string to_png(const ImageDrawing& drawing, const std::string& frame_png) {
+  Image<glm::u8vec3> page = from_png(frame_png);
+  const Image<glm::u8vec3>& image = drawing.pixels;
+  const glm::ivec2 corner = drawing.corner;
+  if (corner.x + image.width > page.width || corner.y + image.height > page.height) {
+    throw Error(ExitCode::partial, "PNG", "the drawing is smaller than the image in it");
   }
-  const int width = layout.width + 2 * layout.margin();
-  return fmt::format(
-             "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" version=\"1.1\" "
-             "width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" font-family=\"DejaVu Sans, sans-serif\" "
-             "fill=\"#1a1a1a\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-             width, height) +
-         body + "</svg>\n";
+  for (int y = 0; y < image.height; ++y) {
+    const auto row = image.pixels.begin() + static_cast<std::ptrdiff_t>(y) * image.width;
+    std::copy_n(row, image.width, &page.at(corner.x, corner.y + y));
+  }
+  return to_png(page);
 }
 
 }  // namespace umbrameter

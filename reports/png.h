@@ -11,4 +11,7 @@ namespace umbrameter {
 /// The bytes of a PNG file with an sRGB chunk. Throws Error (partial) when the image has no pixels.
 std::string to_png(const Image<glm::u8vec3>& image);
 
+/// The pixels of a PNG file, laid over white. Throws Error (partial) when the bytes are no PNG.
+Image<glm::u8vec3> from_png(const std::string& bytes);
+
 }  // namespace umbrameter

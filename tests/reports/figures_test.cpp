@@ -8,7 +8,9 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
+#include "reports/drawing.h"
 #include "reports/figure_parts.h"
+#include "reports/png.h"
 #include "tests/support/temporary_folder.h"
 
 namespace umbrameter {
@@ -80,6 +82,30 @@ TEST(Figures, Each_is_written_as_svg_pdf_and_png) {
     EXPECT_EQ(text_of(folder / ("figures/" + stem + ".pdf")).substr(0, 5), "%PDF-") << stem;
     EXPECT_EQ(text_of(folder / ("figures/" + stem + ".png")).substr(0, 4), "\x89PNG") << stem;
   }
+}
+
+TEST(Figures, Png_of_an_image_holds_its_pixels_where_the_svg_shows_them) {
+  const TemporaryFolder folder;
+  const ImageFigure figure = ramp_figure(640, 40);
+  write_figures(folder / "figures", {figure}, {});
+  const Image<glm::u8vec3> png = from_png(text_of(folder / "figures/ramp.png"));
+  const std::string svg = to_svg(draw(figure));
+  const Image<glm::u8vec3> rendered = from_png(run_filters({conversion(svg, "png", "1")}, 1).front().output);
+  ASSERT_EQ(png.width, rendered.width);
+  ASSERT_EQ(png.height, rendered.height);
+  EXPECT_TRUE(png.pixels == rendered.pixels);
+  const Image<glm::u8vec3> colors = colorize(figure.values, figure.scale);
+  const glm::ivec2 corner = draw(figure).corner;
+  for (int y = 0; y < colors.height; ++y) {
+    for (int x = 0; x < colors.width; ++x)
+      ASSERT_EQ(png.at(corner.x + x, corner.y + y), colors.at(x, y)) << x << ", " << y;
+  }
+}
+
+TEST(Figures, Png_refuses_a_frame_that_is_too_small_or_no_png) {
+  const ImageDrawing drawing = draw(ramp_figure(640, 40));
+  EXPECT_THROW(to_png(drawing, "not a picture"), Error);
+  EXPECT_THROW(to_png(drawing, to_png(Image<glm::u8vec3>(8, 8))), Error);
 }
 
 TEST(Figures, Two_runs_write_the_same_bytes) {
@@ -224,24 +250,24 @@ TEST(Figures, Images_of_extreme_shape_are_drawn) {
 }
 
 TEST(ImageFigure, A_large_image_keeps_its_pixels_and_a_small_one_is_enlarged_by_a_whole_number) {
-  EXPECT_TRUE(contains(to_svg(ramp_figure(1280, 720)), "width=\"1280\" height=\"720\" preserveAspectRatio"));
+  EXPECT_TRUE(contains(to_svg(draw(ramp_figure(1280, 720))), "width=\"1280\" height=\"720\" preserveAspectRatio"));
   // 8 · 64 = 512 is the first multiple of 64 from 480 on; 8 · 36 = 288.
-  EXPECT_TRUE(contains(to_svg(ramp_figure(64, 36)), "width=\"512\" height=\"288\" preserveAspectRatio"));
+  EXPECT_TRUE(contains(to_svg(draw(ramp_figure(64, 36))), "width=\"512\" height=\"288\" preserveAspectRatio"));
 }
 
 // Letters of a 42nd of the width would make this drawing 3000 pixels high and its PNG one of 50 million pixels.
 TEST(ImageFigure, The_letters_of_a_flat_image_do_not_outgrow_it) {
   const auto height_of = [](const std::string& svg) { return std::stoi(svg.substr(svg.find("height=\"") + 8)); };
-  EXPECT_LT(height_of(to_svg(ramp_figure(16384, 1))), 200);
-  EXPECT_LT(height_of(to_svg(ramp_figure(16384, 400))), 3 * 400);
+  EXPECT_LT(height_of(to_svg(draw(ramp_figure(16384, 1)))), 200);
+  EXPECT_LT(height_of(to_svg(draw(ramp_figure(16384, 400)))), 3 * 400);
   // Those of a usual picture are as large as its width has them: 1280 / 42 = 30.
-  EXPECT_TRUE(contains(to_svg(ramp_figure(1280, 720)), "font-size=\"30\""));
+  EXPECT_TRUE(contains(to_svg(draw(ramp_figure(1280, 720))), "font-size=\"30\""));
 }
 
 TEST(ImageFigure, The_colour_bar_names_the_ends_of_the_scale_not_of_the_image) {
   ImageFigure figure = ramp_figure();
   figure.scale = {ColorMap::error, -0.5, 0.5, "raster − truth [1]"};
-  const std::string svg = to_svg(figure);
+  const std::string svg = to_svg(draw(figure));
   for (const char* text : {">−0.5<", ">−0.25<", ">0<", ">0.25<", ">0.5<", ">raster − truth [1]<"}) {
     EXPECT_TRUE(contains(svg, text)) << text;
   }
@@ -249,9 +275,9 @@ TEST(ImageFigure, The_colour_bar_names_the_ends_of_the_scale_not_of_the_image) {
 
 TEST(ImageFigure, Gaps_are_explained_where_there_are_any) {
   ImageFigure figure = ramp_figure();
-  EXPECT_FALSE(contains(to_svg(figure), "no value"));
+  EXPECT_FALSE(contains(to_svg(draw(figure)), "no value"));
   figure.values[7] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_TRUE(contains(to_svg(figure), "no value"));
+  EXPECT_TRUE(contains(to_svg(draw(figure)), "no value"));
 }
 
 TEST(ImageFigure, Every_category_has_its_swatch) {
@@ -259,7 +285,7 @@ TEST(ImageFigure, Every_category_has_its_swatch) {
   figure.stem = "classes";
   figure.category = Image<std::uint8_t>(8, 8, 1);
   figure.categories = {{"correct", {236, 236, 236}}, {"acne", {213, 94, 0}}};
-  const std::string svg = to_svg(figure);
+  const std::string svg = to_svg(draw(figure));
   EXPECT_TRUE(contains(svg, "fill=\"#ececec\"")) << "236 is 0xec";
   EXPECT_TRUE(contains(svg, "fill=\"#d55e00\"")) << "213, 94, 0 in hexadecimal";
   EXPECT_TRUE(contains(svg, ">correct<"));
