@@ -263,9 +263,13 @@ const TracedAo& Workbench::ao_truth(const Experiment& experiment) {
 ShadowLookup Workbench::shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth) {
   const GpuGBuffer& gpu = gpu_surfels(experiment.view);
   const std::string map_key = std::to_string(light) + " " + std::to_string(experiment.shadow.resolution);
-  const ShadowMap& map = map_.get(map_key, [&] {
-    return draw_shadow_map(context(), uploaded(), scene_.lights[light], fit(experiment, light).frame,
-                           experiment.shadow);
+  const ShadowMap& map = map_.remake(map_key, [&](std::optional<ShadowMap> last) {
+    const LightFrame& frame = fit(experiment, light).frame;
+    // Drivers on a processor clear every page of a fresh texture, which takes longer than drawing a small scene.
+    ShadowMap map = last && has_textures_for(*last, frame) ? std::move(*last) : make_shadow_map(context(), frame);
+    map.frame = frame;
+    redraw_shadow_map(context(), uploaded(), scene_.lights[light], experiment.shadow, map);
+    return map;
   });
   const gl::Texture* gpu_truth = nullptr;
   if (with_truth) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "app/console.h"
 #include "app/costs.h"
@@ -28,9 +29,17 @@ template <class T>
 class Memo {
  public:
   const T& get(const std::string& key, const std::function<T()>& make) {
+    return remake(key, [&](std::optional<T> last) {
+      last.reset();
+      return make();
+    });
+  }
+
+  /// make() receives the last value, whose parts it can use again.
+  const T& remake(const std::string& key, const std::function<T(std::optional<T>)>& make) {
     if (!value_ || key != key_) {
-      value_.reset();
-      value_.emplace(make());
+      std::optional<T> last = std::exchange(value_, std::nullopt);
+      value_.emplace(make(std::move(last)));
       key_ = key;
     }
     return *value_;

@@ -35,8 +35,7 @@ void require_room(const gl::Context& context, const LightFrame& frame) {
 
 }  // namespace
 
-ShadowMap draw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light,
-                          const LightFrame& frame, const ShadowParams& params) {
+ShadowMap make_shadow_map(const gl::Context& context, const LightFrame& frame) {
   require_room(context, frame);
   ShadowMap map;
   map.frame = frame;
@@ -44,7 +43,16 @@ ShadowMap draw_shadow_map(const gl::Context& context, const UploadedScene& scene
       gl::make_texture("shadow depth", gl::Format::depth32f, frame.resolution, frame.resolution, face_count(frame));
   map.ids = gl::make_texture("shadow ids", gl::Format::rg32ui, frame.resolution, frame.resolution, face_count(frame));
   context.check("shadow map textures");
+  return map;
+}
 
+bool has_textures_for(const ShadowMap& map, const LightFrame& frame) {
+  return map.frame.resolution == frame.resolution && face_count(map.frame) == face_count(frame);
+}
+
+void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light,
+                       const ShadowParams& params, ShadowMap& map) {
+  const LightFrame& frame = map.frame;
   const std::string common = interface_defines() + map_defines(frame);
   const auto program = [&](unsigned alpha_mask) -> const gl::Program& {
     gl::ProgramSource source{{"shadow.vert", "shadow.frag"}, common + define("ALPHA_MASK", alpha_mask)};
@@ -80,6 +88,12 @@ ShadowMap draw_shadow_map(const gl::Context& context, const UploadedScene& scene
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   context.check("shadow map");
+}
+
+ShadowMap draw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light,
+                          const LightFrame& frame, const ShadowParams& params) {
+  ShadowMap map = make_shadow_map(context, frame);
+  redraw_shadow_map(context, scene, light, params, map);
   return map;
 }
 

@@ -17,8 +17,18 @@ struct ShadowMap {
   gl::Texture ids;    ///< RG32UI: instance, triangle; no_id where the light meets nothing
 };
 
-/// Every face of every triangle, masked materials by their alpha. frame.resolution decides the size.
+/// The textures of a map of this frame, with nothing drawn into them. frame.resolution decides their size.
 /// Throws Error (usage) naming shadow.resolution when the device or the memory is too small for it.
+ShadowMap make_shadow_map(const gl::Context& context, const LightFrame& frame);
+
+/// Whether the map's textures have the size and the number of layers that this frame needs.
+bool has_textures_for(const ShadowMap& map, const LightFrame& frame);
+
+/// Draws map.frame into the map's textures, whatever they hold. See draw_shadow_map().
+void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light,
+                       const ShadowParams& params, ShadowMap& map);
+
+/// Every face of every triangle, masked materials by their alpha. Throws what make_shadow_map() throws.
 ShadowMap draw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light,
                           const LightFrame& frame, const ShadowParams& params);
 
