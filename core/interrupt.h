@@ -13,7 +13,6 @@ bool is_interrupted();
 
 /// Throws Error with ExitCode::interrupted or ExitCode::terminated when a signal has arrived; `remedy` says what is
 /// kept and how to go on.
-void throw_if_interrupted(
-    std::string_view remedy = "files already complete are kept; run the same command again to finish");
+void throw_if_interrupted(std::string_view remedy = "rerun the command to start over");
 
 }  // namespace umbrameter

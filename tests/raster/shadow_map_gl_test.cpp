@@ -174,5 +174,25 @@ TEST_F(ShadowMapGl, A_resolution_beyond_the_device_is_an_error_that_names_the_pa
   }
 }
 
+TEST_F(ShadowMapGl, A_map_drawn_over_another_is_that_of_fresh_textures) {
+  Scene scene;
+  add_mesh(scene, ground(60));
+  add_mesh(scene, box({-1, 0.1f, -1}, {0, 1.5f, 0}));
+  const UploadedScene uploaded = upload(context(), scene);
+  const LightFrame first = exact_frame({0.6, 0.7, -0.2}, 128, 0.1, 0.3);
+  const LightFrame second = exact_frame({-0.2, 0.9, 0.5}, 128, 0.07, 0.3);
+  ShadowMap map = draw_shadow_map(context(), uploaded, light_of(first), first, {});
+  ASSERT_TRUE(has_textures_for(map, second));
+  map.frame = second;
+  redraw_shadow_map(context(), uploaded, light_of(second), {}, map);
+  const ShadowMapImages again = read_back(context(), map);
+  const ShadowMapImages fresh =
+      read_back(context(), draw_shadow_map(context(), uploaded, light_of(second), second, {}));
+  EXPECT_TRUE(again.depth[0].pixels == fresh.depth[0].pixels);
+  EXPECT_TRUE(again.instance[0].pixels == fresh.instance[0].pixels);
+  EXPECT_TRUE(again.triangle[0].pixels == fresh.triangle[0].pixels);
+  EXPECT_FALSE(has_textures_for(map, exact_frame({-0.2, 0.9, 0.5}, 256, 0.07, 0.3)));
+}
+
 }  // namespace
 }  // namespace umbrameter
