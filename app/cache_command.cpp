@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/reference_cache.h"
-#include "reports/text_layout.h"
+#include "experiments/reference_cache.h"
+#include "reports/files/text_layout.h"
 
 namespace umbrameter {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/experiment.h"
+#include "experiments/experiment.h"
 
 namespace umbrameter {
 namespace {

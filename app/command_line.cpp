@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "app/command_help.h"
-#include "app/experiment.h"
 #include "core/error.h"
 #include "core/suggestion.h"
+#include "experiments/experiment.h"
 
 namespace umbrameter {
 namespace {

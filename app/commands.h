@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "app/command_line.h"
-#include "app/console.h"
-#include "app/experiment.h"
 #include "core/error.h"
-#include "reports/cache_folder.h"
+#include "experiments/cache_folder.h"
+#include "experiments/console.h"
+#include "experiments/experiment.h"
 #include "scenes/load_options.h"
 
 namespace umbrameter {

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "reports/text_layout.h"
+#include "reports/files/text_layout.h"
 #include "scenes/view.h"
 
 namespace umbrameter {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "app/command_line.h"
-#include "app/console.h"
-#include "app/sweep_evaluator.h"
 #include "core/error.h"
+#include "experiments/console.h"
+#include "experiments/sweep_evaluator.h"
 
 namespace umbrameter {
 

@@ -2,7 +2,7 @@
 #include <string_view>
 
 #include "app/command_help.h"
-#include "reports/markup.h"
+#include "reports/files/markup.h"
 
 namespace umbrameter {
 namespace {

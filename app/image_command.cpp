@@ -5,12 +5,12 @@
 
 #include "app/commands.h"
 #include "app/dry_run.h"
-#include "app/reference_cache.h"
-#include "app/run_output.h"
-#include "compare/sweep.h"
 #include "core/parallel.h"
-#include "reports/data.h"
-#include "reports/markup.h"
+#include "experiments/presentation/run_output.h"
+#include "experiments/reference_cache.h"
+#include "experiments/sweep.h"
+#include "reports/files/data.h"
+#include "reports/files/markup.h"
 #include "scenes/builtin.h"
 
 namespace umbrameter {

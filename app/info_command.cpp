@@ -3,10 +3,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/scene_report.h"
+#include "experiments/presentation/scene_report.h"
 #include "raster/gl/context.h"
 #include "raytrace/tracer.h"
-#include "reports/text_layout.h"
+#include "reports/files/text_layout.h"
 
 namespace umbrameter {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "app/commands.h"
 #include "core/interrupt.h"
-#include "reports/markup.h"
-#include "reports/output.h"
+#include "reports/files/markup.h"
+#include "reports/files/output.h"
 
 namespace umbrameter {
 namespace {

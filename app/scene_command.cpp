@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/byte_size.h"
 #include "app/commands.h"
-#include "reports/output.h"
-#include "reports/text_layout.h"
+#include "experiments/byte_size.h"
+#include "reports/files/output.h"
+#include "reports/files/text_layout.h"
 #include "scenes/builtin.h"
 #include "scenes/gltf.h"
 

@@ -3,13 +3,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
-#include "app/contact_sheet.h"
-#include "app/scene_report.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
-#include "reports/drawing.h"
-#include "reports/output.h"
-#include "reports/text_layout.h"
+#include "experiments/presentation/contact_sheet.h"
+#include "experiments/presentation/scene_report.h"
+#include "reports/figures/drawing.h"
+#include "reports/files/output.h"
+#include "reports/files/text_layout.h"
 #include "scenes/builtin.h"
 
 namespace umbrameter {

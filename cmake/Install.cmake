@@ -2,7 +2,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(UMBRAMETER_MODULES core scenes raster raytrace compare reports)
+set(UMBRAMETER_MODULES core scenes techniques raster raytrace compare reports experiments)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/umbrameter)
 
 foreach(module IN LISTS UMBRAMETER_MODULES)

@@ -6,9 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "compare/shadow_lookup.h"
-#include "core/shadow_taps.h"
 #include "scenes/scene.h"
+#include "techniques/shadow/causes.h"
+#include "techniques/shadow/filter.h"
+#include "techniques/shadow/histogram.h"
+#include "techniques/shadow/reference/lookup.h"
 
 namespace umbrameter {
 
@@ -40,9 +42,5 @@ void apply_judgement(BiasHistogram& histogram, std::span<const ForeignTap> taps,
 
 /// Adds these taps to the agreement.
 void add_judgement(ClassAgreement& agreement, std::span<const ForeignTap> taps, std::span<const std::uint8_t> own);
-
-/// The list on the processor, from a map in memory, as count_bias_response() counts.
-std::vector<ForeignTap> find_foreign_taps(const Scene& scene, const MapLookup& lookup, const Image<float>& truth,
-                                          const Image<Counting>& counting, const BiasAxes& axes);
 
 }  // namespace umbrameter

@@ -6,8 +6,8 @@
 #include "core/bounds.h"
 #include "core/gbuffer.h"
 #include "core/image.h"
-#include "scenes/light_frame.h"
 #include "scenes/view.h"
+#include "techniques/shadow/map_layout.h"
 
 namespace umbrameter {
 

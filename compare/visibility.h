@@ -9,8 +9,10 @@
 #include "compare/table.h"
 #include "core/gbuffer.h"
 #include "core/image.h"
-#include "core/shadow_taps.h"
-#include "scenes/light_frame.h"
+#include "techniques/shadow/causes.h"
+#include "techniques/shadow/filter.h"
+#include "techniques/shadow/histogram.h"
+#include "techniques/shadow/map_layout.h"
 
 namespace umbrameter {
 

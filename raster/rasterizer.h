@@ -5,12 +5,13 @@
 //   draw_visibility(...), draw_ao(...)     draw_bias_response(...)    list_foreign_taps(...)    read_back(...)
 #pragma once
 
-#include "raster/bias_response_pass.h"
-#include "raster/foreign_taps_pass.h"
-#include "raster/gbuffer_pass.h"
+#include "raster/ao/ssao_pass.h"
+#include "raster/gbuffer/gbuffer_pass.h"
+#include "raster/gbuffer/uploaded_scene.h"
 #include "raster/gl/context.h"
-#include "raster/parameters.h"
-#include "raster/shadow_map.h"
-#include "raster/ssao_pass.h"
-#include "raster/uploaded_scene.h"
-#include "raster/visibility_pass.h"
+#include "raster/shadow/bias_response_pass.h"
+#include "raster/shadow/foreign_taps_pass.h"
+#include "raster/shadow/shadow_map.h"
+#include "raster/shadow/visibility_pass.h"
+#include "techniques/ao/parameters.h"
+#include "techniques/shadow/parameters.h"

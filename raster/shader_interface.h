@@ -7,9 +7,12 @@
 #include <string_view>
 
 #include "core/gbuffer.h"
-#include "core/shadow_taps.h"
-#include "raster/parameters.h"
-#include "scenes/light_frame.h"
+#include "techniques/ao/parameters.h"
+#include "techniques/shadow/causes.h"
+#include "techniques/shadow/filter.h"
+#include "techniques/shadow/histogram.h"
+#include "techniques/shadow/map_layout.h"
+#include "techniques/shadow/parameters.h"
 
 namespace umbrameter {
 

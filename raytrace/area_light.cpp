@@ -6,7 +6,7 @@
 
 #include "raytrace/sampler.h"
 #include "scenes/emitter.h"
-#include "scenes/light_frame.h"
+#include "scenes/light.h"
 
 namespace umbrameter {
 namespace {

@@ -15,7 +15,7 @@
 #include "raytrace/sampler.h"
 #include "raytrace/stopping.h"
 #include "raytrace/surfel.h"
-#include "scenes/light_frame.h"
+#include "scenes/light.h"
 
 namespace umbrameter {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/parallel.h"
-#include "core/shadow_taps.h"
 #include "raytrace/tracer.h"
-#include "scenes/light_frame.h"
+#include "techniques/shadow/causes.h"
+#include "techniques/shadow/map_layout.h"
 
 namespace umbrameter {
 

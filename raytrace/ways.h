@@ -6,7 +6,7 @@
 #include "raytrace/packet.h"
 #include "raytrace/surfel.h"
 #include "raytrace/vectors.h"
-#include "scenes/light_frame.h"
+#include "scenes/light.h"
 
 namespace umbrameter {
 

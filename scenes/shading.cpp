@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
-#include "scenes/light_frame.h"
+#include "scenes/light.h"
 
 namespace umbrameter {
 namespace {

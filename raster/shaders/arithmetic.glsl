@@ -1,5 +1,5 @@
 // Sums and products in a fixed order, so that a processor that does the same gets the same bits
-// (compare/shadow_lookup.cpp and compare/own_surface.cpp do). The language's own leave the order open.
+// (techniques/shadow/reference does). The language's own leave the order open.
 double dot_of(dvec3 a, dvec3 b) {
   precise double sum = a.x * b.x + a.y * b.y + a.z * b.z;
   return sum;

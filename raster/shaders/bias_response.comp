@@ -1,5 +1,5 @@
 // Histograms of the biases at which the taps of the listed pixels flip, by cause and slope factor: BiasHistogram of
-// core/shadow_taps.h.
+// techniques/shadow/histogram.h.
 #include "cause.glsl"
 #include "pixel_list.glsl"
 #include "response.glsl"

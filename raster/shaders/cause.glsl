@@ -1,4 +1,4 @@
-// Why a tap is wrong: Cause of core/shadow_taps.h.
+// Why a tap is wrong: Cause of techniques/shadow/causes.h.
 #include "shadow_filter.glsl"
 #include "own_surface.glsl"
 

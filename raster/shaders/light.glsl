@@ -1,4 +1,4 @@
-// The light and its map, as raster/light_block.cpp fills it. Meanings: scenes/light_frame.h.
+// The light and its map, as raster/shadow/light_block.cpp fills it. Meanings: techniques/shadow/map_layout.h.
 layout(std140, binding = BLOCK_LIGHT) uniform LightBlock {
   dmat4 light_from_world;
   dvec4 light_in_world;  // directional: unit vector to the light, w = 0; else its position, w = 1

@@ -119,7 +119,7 @@ Tap fetch_tap(Receiver receiver, ivec2 offset) {
   return tap;
 }
 
-// Side of a texel at the receiver, metres: texel_at() of scenes/light_frame.h.
+// Side of a texel at the receiver, metres: texel_at() of techniques/shadow/map_layout.h.
 float texel_at(Receiver receiver) {
   precise double side = 2.0lf * half_extent / double(resolution);
 #if MAP_KIND != MAP_ORTHOGRAPHIC

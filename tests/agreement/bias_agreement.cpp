@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "raster/shadow_filter.h"
+#include "raster/shadow/filter_defines.h"
 #include "raytrace/surface_judge.h"
 #include "raytrace/tracer.h"
 

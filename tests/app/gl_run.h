@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/exr.h"
+#include "reports/files/exr.h"
 #include "tests/app/run_program.h"
 
 namespace umbrameter {

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "compare/table.h"
-#include "reports/results_store.h"
+#include "experiments/results_store.h"
 #include "tests/app/gl_run.h"
 
 namespace umbrameter {

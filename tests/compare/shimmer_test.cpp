@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "compare/shadow_lookup.h"
 #include "flat_ground.h"
+#include "techniques/shadow/reference/lookup.h"
 
 namespace umbrameter {
 namespace {

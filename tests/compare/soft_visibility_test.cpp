@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "compare/sweep.h"
 #include "core/random.h"
+#include "experiments/sweep.h"
 #include "row_check.h"
 
 namespace umbrameter {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compare/sweep.h"
+#include "experiments/sweep.h"
 #include "row_check.h"
 
 namespace umbrameter {

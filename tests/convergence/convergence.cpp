@@ -11,9 +11,9 @@
 #include "core/error.h"
 #include "core/quantiles.h"
 #include "raytrace/tracer.h"
-#include "reports/data.h"
-#include "reports/figures.h"
-#include "reports/output.h"
+#include "reports/figures/figures.h"
+#include "reports/files/data.h"
+#include "reports/files/output.h"
 #include "tests/support/ao_cases.h"
 
 namespace umbrameter {

@@ -9,10 +9,10 @@
 
 #include "raster/rasterizer.h"
 #include "raytrace/tracer.h"
-#include "reports/output.h"
+#include "reports/files/output.h"
 #include "scenes/builtin.h"
 #include "scenes/gltf.h"
-#include "scenes/light_frame.h"
+#include "scenes/light.h"
 
 namespace umbrameter {
 namespace {

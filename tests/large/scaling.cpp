@@ -13,10 +13,10 @@
 
 #include "core/error.h"
 #include "measure_scene.h"
-#include "reports/data.h"
-#include "reports/figures.h"
-#include "reports/output.h"
-#include "reports/process.h"
+#include "reports/figures/figures.h"
+#include "reports/files/data.h"
+#include "reports/files/output.h"
+#include "reports/files/process.h"
 
 namespace umbrameter {
 namespace {

@@ -1,7 +1,7 @@
 // An alpha mask against the same bars as geometry, drawn.
 #include <variant>
 
-#include "compare/shadow_lookup.h"
+#include "techniques/shadow/reference/lookup.h"
 #include "test_scenes.h"
 #include "tests/support/fence_twins.h"
 

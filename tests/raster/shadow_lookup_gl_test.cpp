@@ -1,5 +1,5 @@
 #include "core/error.h"
-#include "raster/shadow_lookup.h"
+#include "raster/shadow/shadow_lookup.h"
 #include "test_scenes.h"
 
 namespace umbrameter {

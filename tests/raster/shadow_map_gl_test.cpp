@@ -1,8 +1,8 @@
 #include <cmath>
 #include <limits>
 
-#include "compare/shadow_lookup.h"
 #include "core/error.h"
+#include "techniques/shadow/reference/lookup.h"
 #include "test_scenes.h"
 #include "tests/support/shadow_depths.h"
 

@@ -1,8 +1,8 @@
 #include <string>
 
 #include "core/error.h"
+#include "raster/gbuffer/uploaded_scene.h"
 #include "raster/gl/api.h"
-#include "raster/uploaded_scene.h"
 #include "tests/raster/test_scenes.h"
 
 namespace umbrameter::testing_scenes {

@@ -12,7 +12,7 @@
 #include "edge_scene.h"
 #include "raytrace/spherical_rectangle.h"
 #include "raytrace/tracer.h"
-#include "scenes/light_frame.h"
+#include "scenes/light.h"
 
 namespace umbrameter {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "raytrace/surfel.h"
 #include "scenes/builtin.h"
-#include "scenes/light_frame.h"
+#include "scenes/light.h"
 #include "scenes/view.h"
 #include "tests/support/shapes.h"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "raytrace/tracer.h"
-#include "scenes/light_frame.h"
+#include "scenes/light.h"
 #include "scenes/view.h"
 #include "tests/support/fence_twins.h"
 

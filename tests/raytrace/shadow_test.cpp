@@ -6,7 +6,7 @@
 #include "raytrace/tracer.h"
 #include "scenes/builtin.h"
 #include "scenes/gltf.h"
-#include "scenes/light_frame.h"
+#include "scenes/light.h"
 #include "tests/support/reference_caster.h"
 #include "tests/support/shapes.h"
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/error.h"
-#include "reports/figures.h"
+#include "reports/figures/figures.h"
 #include "tests/support/temporary_folder.h"
 
 namespace umbrameter {

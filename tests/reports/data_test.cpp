@@ -1,4 +1,4 @@
-#include "reports/data.h"
+#include "reports/files/data.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "reports/exr.h"
+#include "reports/files/exr.h"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfInputFile.h>

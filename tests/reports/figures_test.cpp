@@ -1,4 +1,4 @@
-#include "reports/figures.h"
+#include "reports/figures/figures.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "reports/drawing.h"
-#include "reports/figure_parts.h"
-#include "reports/png.h"
+#include "reports/figures/drawing.h"
+#include "reports/figures/figure_parts.h"
+#include "reports/files/png.h"
 #include "tests/support/temporary_folder.h"
 
 namespace umbrameter {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "reports/figure_parts.h"
+#include "reports/figures/figure_parts.h"
 #include "tests/support/temporary_folder.h"
 
 namespace umbrameter {

@@ -1,4 +1,4 @@
-#include "reports/markup.h"
+#include "reports/files/markup.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "reports/output.h"
+#include "reports/files/output.h"
 
 #include <gtest/gtest.h>
 #include <sys/mount.h>

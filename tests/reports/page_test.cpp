@@ -1,4 +1,4 @@
-#include "reports/page.h"
+#include "reports/page/page.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <set>
 
 #include "core/error.h"
-#include "reports/figures.h"
-#include "reports/markup.h"
-#include "reports/page_figure.h"
-#include "reports/page_table.h"
+#include "reports/figures/figures.h"
+#include "reports/files/markup.h"
+#include "reports/page/page_figure.h"
+#include "reports/page/page_table.h"
 #include "tests/support/temporary_folder.h"
 
 namespace umbrameter {

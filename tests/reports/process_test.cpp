@@ -1,4 +1,4 @@
-#include "reports/process.h"
+#include "reports/files/process.h"
 
 #include <gtest/gtest.h>
 

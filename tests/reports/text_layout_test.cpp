@@ -1,4 +1,4 @@
-#include "reports/text_layout.h"
+#include "reports/files/text_layout.h"
 
 #include <gtest/gtest.h>
 

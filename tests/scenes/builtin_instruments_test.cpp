@@ -8,7 +8,7 @@
 #include <string>
 
 #include "scenes/builtin.h"
-#include "scenes/light_frame.h"
+#include "techniques/shadow/map_layout.h"
 #include "tests/support/reference_caster.h"
 
 namespace umbrameter {

@@ -4,8 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/shadow_taps.h"
-#include "scenes/light_frame.h"
+#include "techniques/shadow/map_layout.h"
 
 namespace umbrameter::test {
 

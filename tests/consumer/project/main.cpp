@@ -3,7 +3,7 @@
 
 #include "compare/visibility.h"
 #include "raytrace/tracer.h"
-#include "reports/data.h"
+#include "reports/files/data.h"
 #include "scenes/builtin.h"
 #include "scenes/view.h"
 

@@ -1,0 +1,77 @@
+// The one description of every measured quantity. Columns of CSV and SQLite, keys of JSON, tables and the curves of a
+// sweep all come from it.
+//
+// A statistics struct holds plain values; a free function describe(Struct&) beside it lists each of them once and
+// returns the list bound to that object, for reading and for writing.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/table.h"
+
+namespace umbrameter {
+
+/// A statistic and its 95 % interval from the reference's sampling.
+struct Estimate {
+  double value = 0.0;
+  double lower = 0.0;
+  double upper = 0.0;
+};
+
+/// The figure that shows a statistic against the axis of a sweep. Without a title there is none.
+struct CurveDescription {
+  std::string title{};  ///< "Mean absolute error of visibility"
+  std::string label{};  ///< of the value axis: "mean absolute error [% of counted pixels]"
+  bool logarithmic = false;
+};
+
+/// One described value of one object. An Estimate makes three columns: name, name_lo and name_hi.
+struct Statistic {
+  std::string name;     ///< as columns and keys write it: "mae"
+  std::string unit;     ///< "m", "px"; "1" for shares
+  std::string meaning;  ///< one sentence, no full stop
+  CurveDescription curve{};
+  std::variant<std::uint64_t*, double*, Estimate*> field;
+
+  bool has_interval() const { return std::holds_alternative<Estimate*>(field); }
+};
+
+using Statistics = std::vector<Statistic>;
+
+/// Collects the values of one struct.
+class StatisticsDescription {
+ public:
+  template <class Field>
+  StatisticsDescription& field(const char* name, Field& member, const char* unit, std::string meaning,
+                               CurveDescription curve = {}) {
+    statistics_.push_back({name, unit, std::move(meaning), std::move(curve), &member});
+    return *this;
+  }
+  Statistics take() { return std::move(statistics_); }
+
+ private:
+  Statistics statistics_;
+};
+
+/// Names that other code relies on; every statistics struct describes both.
+inline constexpr std::string_view pixels_statistic = "pixels";  ///< how many pixels were measured
+inline constexpr std::string_view error_statistic = "mae";      ///< what a sweep minimises
+
+std::string lower_name(std::string_view statistic);  ///< "mae_lo"
+std::string upper_name(std::string_view statistic);  ///< "mae_hi"
+
+std::vector<Column> columns_of(const Statistics& statistics);
+
+/// The values in the order of columns_of(). Over no pixels there is no error: real numbers become NaN, which files write
+/// as nan or null, so that nothing measured never looks like a perfect score.
+std::vector<Value> row_of(const Statistics& statistics);
+
+/// Writes the values of these columns into the object; columns that it does not describe are ignored.
+void read_row(const Statistics& statistics, std::span<const Column> columns, std::span<const Value> row);
+
+}  // namespace umbrameter

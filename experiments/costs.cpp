@@ -1,0 +1,42 @@
+#include "experiments/costs.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include "experiments/presentation/presentation.h"
+#include "reports/files/text_layout.h"
+
+namespace umbrameter {
+namespace {
+
+std::string rays_text(const char* kind, const RayCosts& costs) {
+  if (costs.rays == 0) return {};
+  const double millions = 1e-6 * static_cast<double>(costs.rays);
+  return fmt::format("; {:.4g} M {} rays in {:.3g} s, {:.3g} Mray/s", millions, kind, costs.seconds,
+                     millions / costs.seconds);
+}
+
+}  // namespace
+
+void add(RayCosts& costs, const TraceStatistics& statistics) {
+  if (statistics.from_cache) return;
+  costs.rays += statistics.rays;
+  costs.seconds += statistics.seconds;
+}
+
+std::uint64_t peak_resident_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;  // Linux counts in KiB
+}
+
+std::string costs_text(const Costs& costs) {
+  if (costs.build.triangles == 0) return {};
+  std::string text = fmt::format("traced {} triangles; built in {:.3g} s, {}", costs.build.triangles,
+                                 costs.build.seconds, bytes_text(costs.build.bytes));
+  text += rays_text("shadow", costs.shadow) + rays_text("hemisphere", costs.hemisphere);
+  if (costs.largest_offset > 0.0) text += "; offset at most " + length(costs.largest_offset);
+  return text + "; peak memory " + bytes_text(peak_resident_bytes());
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,87 @@
+#include "experiments/layers.h"
+
+#include <limits>
+
+#include "scenes/shading.h"
+
+namespace umbrameter {
+namespace {
+
+void add_shadow(LayeredImage& image, const std::string& light, const ShadowMeasurement& shadow) {
+  if (shadow.truth) add_layer(image, "truth_visibility_" + light, shadow.truth->visibility);
+  if (shadow.truth && is_soft(shadow)) {
+    add_layer(image, "truth_visibility_standard_error_" + light, shadow.truth->standard_error);
+    add_layer(image, "truth_visibility_samples_" + light, shadow.truth->samples);
+  }
+  if (shadow.raster) add_layer(image, "raster_visibility_" + light, shadow.raster->visibility);
+  if (!shadow.truth || !shadow.raster) return;
+  add_layer(image, "error_visibility_" + light, signed_error(shadow.raster->visibility, shadow.truth->visibility));
+  if (!shadow.statistics) return;
+  const Image<PixelClass> classes = classify(shadow.raster->wrong, shadow.counted);
+  Image<float> numbers(classes.width, classes.height);
+  for (std::size_t i = 0; i < classes.size(); ++i) numbers[i] = static_cast<float>(classes[i]);
+  add_layer(image, "class_" + light, numbers);
+}
+
+void add_ao(LayeredImage& image, const AoMeasurement& ao) {
+  if (ao.truth) {
+    add_layer(image, "truth_ao", ao.truth->ao);
+    add_layer(image, "truth_ao_standard_error", ao.truth->standard_error);
+    add_layer(image, "truth_ao_samples", ao.truth->samples);
+    if (!ao.truth->bent_normal.empty()) add_layer(image, "truth_bent_normal", ao.truth->bent_normal);
+    if (!ao.truth->hit_distance.empty()) add_layer(image, "truth_ao_hit_distance", ao.truth->hit_distance);
+  }
+  if (ao.raster) add_layer(image, "raster_ao", *ao.raster);
+  if (ao.statistics) add_layer(image, "error_ao", signed_error(*ao.raster, ao.truth->ao));
+}
+
+void add_picture(LayeredImage& image, const Image<vec3>& picture, const GBuffer& gbuffer) {
+  static constexpr const char* names[] = {"R", "G", "B"};
+  for (int c = 0; c < 3; ++c) {
+    Channel channel{names[c], Image<float>(picture.width, picture.height)};
+    for (std::size_t i = 0; i < picture.size(); ++i) channel.values[i] = picture[i][c];
+    image.channels.push_back(std::move(channel));
+  }
+  Channel alpha{"A", Image<float>(picture.width, picture.height)};
+  for (std::size_t i = 0; i < picture.size(); ++i) alpha.values[i] = gbuffer.is_surface(i) ? 1.0f : 0.0f;
+  image.channels.push_back(std::move(alpha));
+  image.channels.push_back({"Z", gbuffer.depth});
+}
+
+// A background pixel has no position; the G-buffer's zeros would read as points at the origin.
+Image<vec3> surface_positions(const GBuffer& gbuffer) {
+  Image<vec3> positions = gbuffer.position;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (!gbuffer.is_surface(i)) positions[i] = vec3(std::numeric_limits<float>::quiet_NaN());
+  }
+  return positions;
+}
+
+}  // namespace
+
+Image<vec3> picture_of(const Workbench& workbench, const Measurement& measurement) {
+  std::vector<LitBy> lights;
+  for (const ShadowMeasurement& shadow : measurement.shadows) {
+    const Image<float>& visibility = shadow.raster ? shadow.raster->visibility : shadow.truth->visibility;
+    lights.push_back({&workbench.scene().lights[shadow.light], &visibility});
+  }
+  const Image<float>* ao = nullptr;
+  if (measurement.ao) ao = measurement.ao->raster ? &*measurement.ao->raster : &measurement.ao->truth->ao;
+  return shade(measurement.surfels.gbuffer, lights, ao);
+}
+
+LayeredImage layers_of(const Workbench& workbench, const Measurement& measurement) {
+  LayeredImage image;
+  const GBuffer& gbuffer = measurement.surfels.gbuffer;
+  for (const ShadowMeasurement& shadow : measurement.shadows) add_shadow(image, workbench.layer(shadow.light), shadow);
+  if (measurement.ao) add_ao(image, *measurement.ao);
+  add_layer(image, "gbuffer_position", surface_positions(gbuffer));
+  add_layer(image, "gbuffer_normal", gbuffer.geometric_normal);
+  add_picture(image, picture_of(workbench, measurement), gbuffer);
+  const dmat4 view_from = view_from_world(measurement.surfels.view);
+  image.world_to_camera = mat4(view_from);
+  image.world_to_ndc = mat4(clip_from_view(measurement.surfels.view) * view_from);
+  return image;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,153 @@
+#include "experiments/presentation/bias_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace umbrameter {
+namespace {
+
+constexpr std::string_view resolution_key = "shadow.resolution";
+constexpr std::size_t most_curves = 200;
+constexpr std::size_t most_slopes = 4096;
+constexpr std::size_t most_lines = 16'384;
+
+std::size_t index_of(std::size_t cell, std::size_t stride, std::size_t count) {
+  return stride == 0 ? 0 : cell / stride % count;
+}
+
+std::size_t curve_of(const SweepPlan& plan, const std::vector<std::size_t>& others, std::size_t cell) {
+  std::size_t curve = 0;
+  for (const std::size_t a : others) {
+    const std::size_t count = plan.axes[a].values.size();
+    curve = curve * count + index_of(cell, plan.strides[a], count);
+  }
+  return curve;
+}
+
+void fill(BiasCurves& curves, const SweepResults& sweep, const std::vector<std::size_t>& others) {
+  const SweepPlan& plan = sweep.plan;
+  const std::vector<std::string> names = {"pixels",        "mae",  "acne",      "false_occlusion",
+                                          "peter_panning", "leak", "mean_texel"};
+  std::size_t cell = 0;
+  sweep.store.read(names, [&](std::span<const Value> row) {
+    const std::size_t at = cell++;
+    const std::size_t place = curve_of(plan, others, at);
+    if (place >= curves.curves.size() || to_number(row[0]) == 0.0) return;
+    BiasCurve& curve = curves.curves[place];
+    if (curve.others.empty() && !others.empty()) {
+      const std::vector<Value> values = values_at(plan, at);
+      for (const std::size_t a : others) curve.others.push_back(values[a]);
+    }
+    if (curve.reading.mean_texel == 0.0) {
+      curve.reading.mean_texel = to_number(row[6]);
+      if (sweep.depth_range) curve.depth_range = sweep.depth_range(values_at(plan, at));
+    }
+    const InnerAxis& constant = plan.constant_bias;
+    const InnerAxis& slope = plan.slope_bias;
+    const std::size_t line = index_of(at, slope.stride, slope.values.size());
+    const BiasCell read{constant.values[index_of(at, constant.stride, constant.values.size())],
+                        slope.values[line],
+                        to_number(row[1]),
+                        to_number(row[2]),
+                        to_number(row[3]),
+                        to_number(row[4]),
+                        to_number(row[5])};
+    add(curve.reading.lines[line], read);
+    add(curve.reading.front, read);
+  });
+  // Views in which nothing is counted have no error to speak of.
+  std::erase_if(curves.curves, [](const BiasCurve& curve) { return !least_error(curve.reading); });
+}
+
+void add_laws(BiasCurves& curves, std::size_t resolution) {
+  const auto without_resolution = [&](std::vector<Value> values) {
+    values.erase(values.begin() + static_cast<std::ptrdiff_t>(resolution));
+    return values;
+  };
+  std::vector<std::vector<Value>> combinations;
+  for (const BiasCurve& curve : curves.curves) {
+    const std::vector<Value> others = without_resolution(curve.others);
+    if (std::find(combinations.begin(), combinations.end(), others) == combinations.end()) {
+      combinations.push_back(others);
+    }
+  }
+  for (const std::vector<Value>& others : combinations) {
+    for (const LawOf of : {LawOf::least_error, LawOf::little_acne, LawOf::no_acne}) {
+      CurveLaw law{of, others, {}, 0, {}};
+      std::vector<LawPoint> flat;
+      std::vector<LawPoint> all;
+      for (const BiasCurve& curve : curves.curves) {
+        if (without_resolution(curve.others) != others) continue;
+        const double texel = curve.reading.mean_texel;
+        for (const BiasLine& line : curve.reading.lines) {
+          if (const auto point = law_point(curves, of, line, texel)) all.push_back(*point);
+        }
+        const auto point = law_point(curves, of, flattest(curve.reading), texel);
+        if (point) flat.push_back(*point);
+        if (!point) ++law.left_out;
+      }
+      law.law = fit_law(flat);
+      if (curves.varies_slope) law.over_slopes = fit_law(all);
+      curves.laws.push_back(std::move(law));
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<LawPoint> law_point(const BiasCurves& curves, LawOf of, const BiasLine& line, double mean_texel) {
+  const std::span<const double> axis = curves.constants;
+  std::optional<LawPoint> point;
+  if (of == LawOf::least_error) {
+    if (line.least_error) point = point_of_least_error(*line.least_error, mean_texel, axis);
+  } else {
+    const std::optional<BiasCell>& cell = of == LawOf::no_acne ? line.acne_free : line.little_acne;
+    if (cell) point = point_of_least_free(*cell, mean_texel, axis);
+  }
+  if (point && curves.unit == LengthUnit::texels) {
+    point->bias *= mean_texel;
+    point->step *= mean_texel;
+  }
+  return point;
+}
+
+BiasInUnits in_units(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
+  return in_units(Length{cell.constant, curves.unit}, curve.reading.mean_texel, curve.depth_range);
+}
+
+std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep) {
+  const SweepPlan& plan = sweep.plan;
+  BiasCurves curves;
+  curves.varies_constant = plan.constant_bias.values.size() > 1;
+  curves.varies_slope = plan.slope_bias.values.size() > 1;
+  const std::size_t slopes = plan.slope_bias.values.size();
+  if (sweep.measure != Measure::visibility || slopes > most_slopes) return std::nullopt;
+  if (!curves.varies_constant && !curves.varies_slope) return std::nullopt;
+
+  const std::vector<std::size_t> others = outer_axes_as_given(plan);
+  std::optional<std::size_t> resolution;
+  curves.combinations = 1;
+  for (const std::size_t a : others) {
+    const std::string& key = plan.axes[a].key;
+    if (key == resolution_key) resolution = curves.others.size();
+    curves.others.push_back({key, plan.axes[a].unit, require(sweep.parameters, key).description.meaning});
+    if (key != resolution_key) curves.of_a_law.push_back(curves.others.back());
+    curves.combinations *= plan.axes[a].values.size();
+  }
+  BiasCurve empty;
+  for (const double slope : plan.slope_bias.values) {
+    empty.reading.lines.emplace_back();
+    empty.reading.lines.back().slope = slope;
+  }
+  curves.curves.assign(std::min({curves.combinations, most_curves, most_lines / slopes}), empty);
+  fill(curves, sweep, others);
+  if (curves.curves.empty()) return std::nullopt;
+  curves.constants = plan.constant_bias.values;
+  curves.unit = plan.constant_unit;
+  std::sort(curves.constants.begin(), curves.constants.end());
+  if (resolution && curves.varies_constant) add_laws(curves, *resolution);
+  return curves;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,266 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "experiments/presentation/bias_report.h"
+#include "experiments/presentation/plot_axes.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::size_t most_console_curves = 6;
+constexpr std::size_t most_console_laws = 2;
+constexpr std::size_t most_rows_by_slope = 400;
+
+const Value nothing = std::string();
+
+Value known(double number) { return std::isfinite(number) ? Value(number) : nothing; }
+
+std::string setting_text(const std::vector<Column>& columns, const std::vector<Value>& values) {
+  std::string text;
+  for (std::size_t i = 0; i < columns.size() && i < values.size(); ++i) {
+    text += (i > 0 ? ", " : "") + columns[i].name.substr(columns[i].name.find('.') + 1) + " " + short_text(values[i]);
+  }
+  return text;
+}
+
+// A bias that is worth a name, of one curve.
+struct Choice {
+  const char* name;
+  std::optional<BiasCell> cell;
+};
+
+std::vector<Choice> choices_of(const BiasCurve& curve, const BiasCurves& curves) {
+  const BiasReading& reading = curve.reading;
+  const BiasLine& line = flattest(reading);
+  std::vector<Choice> choices = {{law_names[0], least_error(reading)},
+                                 {law_names[1], line.little_acne},
+                                 {law_names[2], line.acne_free},
+                                 {"least error without acne", best_without_acne(reading)},
+                                 {"knee of the Pareto front", knee(reading.front)}};
+  if (!curves.varies_constant) choices.erase(choices.begin() + 1, choices.begin() + 3);
+  return choices;
+}
+
+Table choices_table(const BiasCurves& curves) {
+  Table table;
+  table.columns = curves.others;
+  const std::vector<Column> rest = {
+      {"choice", "", "which bias; 'acne at most 0.1 %' and 'no acne' use the slope-scaled bias nearest to 0"},
+      {"constant bias", "m", "along the light"},
+      {"in texels", "texels", "constant bias in texels of mean size"},
+      {"in depth", "1", "constant bias as normalised depth: share of the map's depth range"},
+      {"slope bias", "texels", "slope-scaled bias"},
+      {"error", "%", "mean absolute error of visibility"}};
+  table.columns.insert(table.columns.end(), rest.begin(), rest.end());
+  for (std::size_t c = 0; c < cause_count; ++c) {
+    const auto cause = static_cast<Cause>(c);
+    table.columns.push_back({std::string(cause_title(cause)), "%", std::string(cause_meaning(cause))});
+  }
+  table.columns.push_back({"extra error", "%", "error minus that of 'least error'"});
+  table.columns.push_back({"extra peter-panning", "%", "peter-panning minus that of 'least error'"});
+  for (const BiasCurve& curve : curves.curves) {
+    const BiasCell least = *least_error(curve.reading);
+    for (const Choice& choice : choices_of(curve, curves)) {
+      std::vector<Value> row = curve.others;
+      row.push_back(std::string(choice.name));
+      if (!choice.cell) {
+        row.resize(table.columns.size(), nothing);
+        table.rows.push_back(std::move(row));
+        continue;
+      }
+      const BiasCell& cell = *choice.cell;
+      const BiasInUnits bias = in_units(curves, curve, cell);
+      const std::vector<Value> values = {known(bias.metres),
+                                         known(bias.texels),
+                                         known(bias.depth),
+                                         cell.slope,
+                                         100.0 * cell.mae,
+                                         100.0 * cell.acne,
+                                         100.0 * cell.false_occlusion,
+                                         100.0 * cell.peter_panning,
+                                         100.0 * cell.leak,
+                                         100.0 * (cell.mae - least.mae),
+                                         100.0 * (cell.peter_panning - least.peter_panning)};
+      row.insert(row.end(), values.begin(), values.end());
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+Table slopes_table(const BiasCurves& curves) {
+  Table table;
+  table.columns = curves.others;
+  const std::vector<Column> rest = {{"slope bias", "texels", "slope-scaled bias"},
+                                    {"least error", "%", "of all constant biases at this slope bias"},
+                                    {"at", "m", "constant bias of least error"},
+                                    {"at, in texels", "texels", "the same in texels of mean size"},
+                                    {"acne at most 0.1 % from", "m", "smallest such constant bias"},
+                                    {"from, in texels", "texels", "the same in texels of mean size"},
+                                    {"no acne from", "m", "smallest such constant bias"},
+                                    {"none from, in texels", "texels", "the same in texels of mean size"}};
+  table.columns.insert(table.columns.end(), rest.begin(), rest.end());
+  for (const BiasCurve& curve : curves.curves) {
+    for (const BiasLine& line : curve.reading.lines) {
+      if (!line.least_error || table.rows.size() >= most_rows_by_slope) continue;
+      std::vector<Value> row = curve.others;
+      row.insert(row.end(), {line.slope, 100.0 * line.least_error->mae});
+      for (const std::optional<BiasCell>& cell : {line.least_error, line.little_acne, line.acne_free}) {
+        row.push_back(cell ? known(in_units(curves, curve, *cell).metres) : nothing);
+        row.push_back(cell ? known(in_units(curves, curve, *cell).texels) : nothing);
+      }
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+Value value_of(const std::optional<Fitted>& fitted) { return fitted ? Value(fitted->value) : nothing; }
+Value error_of(const std::optional<Fitted>& fitted) {
+  return fitted && fitted->standard_error ? Value(*fitted->standard_error) : nothing;
+}
+
+Table laws_table(const BiasCurves& curves) {
+  Table table;
+  table.columns = curves.of_a_law;
+  std::vector<Column> rest = {{"fit of", "", "which bias is fitted, at the slope-scaled bias nearest to 0"},
+                              {"points", "1", "fitted points: one per resolution"},
+                              {"left out", "1", "resolutions without such a bias on the axis"},
+                              {"c0", "m", "part of the bias that does not depend on the texel size"},
+                              {"error of c0", "m", "standard error"},
+                              {"c1·tan θ", "texels", "part of the bias proportional to the texel size"},
+                              {"error of c1·tan θ", "texels", "standard error"},
+                              {"residual", "m", "RMS residual of the fit; empty for a fit through two points"},
+                              {"residual in texels", "texels", "the same in texels of each resolution"}};
+  const std::size_t columns_of_a_law = rest.size();
+  if (curves.varies_slope) {
+    rest.insert(rest.end(),
+                {{"tan θ", "1", "slope of the surface that needs most bias, from a fit over all slope-scaled biases"},
+                 {"error of tan θ", "1", "standard error"},
+                 {"c1", "texels", "slope-scaled bias needed in addition to c0, from the same fit"},
+                 {"error of c1", "texels", "standard error, to first order"},
+                 {"residual over slopes", "texels", "RMS residual of that fit"}});
+  }
+  table.columns.insert(table.columns.end(), rest.begin(), rest.end());
+  for (const CurveLaw& law : curves.laws) {
+    std::vector<Value> row = law.others;
+    row.push_back(std::string(law_names[static_cast<std::size_t>(law.of)]));
+    row.emplace_back(static_cast<std::int64_t>(law.law ? law.law->points : 0));
+    row.emplace_back(static_cast<std::int64_t>(law.left_out));
+    if (law.law) {
+      for (const Fitted& fitted : {law.law->constant, law.law->per_texel}) {
+        row.push_back(value_of(fitted));
+        row.push_back(error_of(fitted));
+      }
+      const bool has_residual = law.law->constant.standard_error.has_value();
+      row.push_back(has_residual ? Value(law.law->residual) : nothing);
+      row.push_back(has_residual ? Value(law.law->residual_texels) : nothing);
+    }
+    row.resize(curves.of_a_law.size() + columns_of_a_law, nothing);
+    if (law.over_slopes) {
+      for (const std::optional<Fitted>& fitted : {law.over_slopes->tangent, law.over_slopes->slope_factor}) {
+        row.push_back(value_of(fitted));
+        row.push_back(error_of(fitted));
+      }
+      row.emplace_back(law.over_slopes->residual_texels);
+    }
+    row.resize(table.columns.size(), nothing);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::string explanation(const BiasCurves& curves) {
+  std::string text =
+      "\n\nThe table 'Recommended biases' gives each constant bias in metres along the light, in texels of mean size "
+      "and as normalised depth. Its last two columns compare each choice with 'least error'. ";
+  text += curves.laws.empty() ? "For a fit of bias against texel size, vary both the constant bias and the resolution."
+                              : "The fit bias ≈ c0 + c1·texel·tan θ has one point per resolution, weighted by the "
+                                "step of the bias axis there. A fit through only two points has no residual and no "
+                                "standard errors.";
+  if (curves.curves.size() < curves.combinations) {
+    text += fmt::format(" The table lists {} of {} combinations of the other axes.", curves.curves.size(),
+                        curves.combinations);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
+  const BiasInUnits bias = in_units(curves, curve, cell);
+  const std::vector<double>& axis = curves.constants;
+  const auto place = std::lower_bound(axis.begin(), axis.end(), cell.constant);
+  const bool is_between = place != axis.begin() && place != axis.end() && std::next(place) != axis.end();
+  // As many digits as tell the value from its neighbours.
+  int digits = 3;
+  if (is_between && cell.constant > 0.0) {
+    const double step = 0.5 * (*std::next(place) - *std::prev(place)) / cell.constant;
+    digits = std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 2, 6);
+  }
+  const bool is_in_texels = curves.unit == LengthUnit::texels;
+  const auto own_text = [&](double constant) {
+    return is_in_texels ? fmt::format("{:.{}g} texels", constant, digits) : length(constant, digits);
+  };
+  std::string text = own_text(cell.constant);
+  std::string more = is_in_texels                 ? length(bias.metres, digits)
+                     : std::isfinite(bias.texels) ? fmt::format("{:.{}g} texels", bias.texels, digits)
+                                                  : std::string();
+  if (is_between) {
+    more += fmt::format("{}between {} and {}", more.empty() ? "" : "; ", own_text(*std::prev(place)),
+                        own_text(*std::next(place)));
+  }
+  if (!more.empty()) text += " (" + more + ")";
+  if (curves.varies_slope) text += fmt::format(", slope-scaled bias {:.3g} texels", cell.slope);
+  return text;
+}
+
+std::string law_text(const BiasLaw& law) {
+  return fmt::format("{} {} {:.3g} texels", length(law.constant.value), law.per_texel.value < 0.0 ? "−" : "+",
+                     std::abs(law.per_texel.value));
+}
+
+std::string residual_text(const BiasLaw& law) {
+  if (!law.constant.standard_error) return fmt::format("exact through its {} points", law.points);
+  return fmt::format("RMS residual {} ({:.2g} texels)", length(law.residual, 2), law.residual_texels);
+}
+
+void present_bias(Presentation& presentation, const BiasCurves& curves) {
+  ReportSection& section = presentation.section;
+  section.text += explanation(curves);
+  section.tables.push_back({"Recommended biases", choices_table(curves)});
+  if (curves.varies_slope && curves.varies_constant)
+    section.tables.push_back({"Constant biases by slope-scaled bias", slopes_table(curves)});
+  if (!curves.laws.empty()) section.tables.push_back({"Fits of bias against texel size", laws_table(curves)});
+
+  std::size_t printed = 0;
+  for (const BiasCurve& curve : curves.curves) {
+    if (printed++ == most_console_curves) {
+      presentation.answers.push_back(
+          fmt::format("… and {} more: see the report", curves.curves.size() - most_console_curves));
+      break;
+    }
+    const BiasCell least = *least_error(curve.reading);
+    const std::string setting = setting_text(curves.others, curve.others);
+    std::string line = fmt::format("{}{}lowest error {} at {}", setting, setting.empty() ? "" : ": ",
+                                   percent(least.mae), bias_text(curves, curve, least));
+    if (const std::optional<BiasCell> safe = best_without_acne(curve.reading)) {
+      line += fmt::format("; least error without acne {} at {}", percent(safe->mae), bias_text(curves, curve, *safe));
+    }
+    presentation.answers.push_back(std::move(line));
+  }
+  printed = 0;
+  for (const CurveLaw& law : curves.laws) {
+    if (!law.law || printed == most_console_laws || law.of == LawOf::no_acne) continue;
+    ++printed;
+    const std::string setting = setting_text(curves.of_a_law, law.others);
+    presentation.lines.push_back(fmt::format("fit ({}{}{}): bias ≈ {}, {}", law_names[static_cast<std::size_t>(law.of)],
+                                             setting.empty() ? "" : ", ", setting, law_text(*law.law),
+                                             residual_text(*law.law)));
+  }
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,33 @@
+#include "experiments/presentation/plot_axes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace umbrameter {
+
+std::string label_of(const SweepAxis& axis) {
+  std::string label = axis.key.substr(axis.key.find('.') + 1);
+  std::replace(label.begin(), label.end(), '-', ' ');
+  return label + (axis.unit.empty() ? "" : " [" + axis.unit + "]");
+}
+
+std::string short_text(const Value& value) {
+  const auto* real = std::get_if<double>(&value);
+  return real != nullptr ? fmt::format("{:.6g}", *real) : to_string(value);
+}
+
+Thinned thin(std::size_t count, std::size_t most) {
+  Thinned thinned;
+  while (count > 1 && (count - 2) / thinned.step + 2 > most) ++thinned.step;
+  for (std::size_t i = 0; i < count; i += thinned.step) thinned.indices.push_back(i);
+  if (thinned.indices.back() != count - 1) thinned.indices.push_back(count - 1);
+  return thinned;
+}
+
+std::string thinning_text(const Thinned& thinned, const std::string& key) {
+  if (thinned.step == 1) return "";
+  return fmt::format(" The figure shows one of every {1} values of {0}; sweep.csv has all.", key, thinned.step);
+}
+
+}  // namespace umbrameter

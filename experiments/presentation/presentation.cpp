@@ -1,0 +1,385 @@
+#include "experiments/presentation/presentation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/bias_units.h"
+#include "experiments/layers.h"
+#include "experiments/presentation/scene_report.h"
+#include "experiments/sweep.h"
+
+namespace umbrameter {
+namespace {
+
+// One range for every picture of a kind, so that two runs can be compared.
+const ColorScale visibility_scale{ColorMap::visibility, 0.0, 1.0, "visibility [1]: 0 blocked, 1 lit"};
+const ColorScale visibility_error_scale{ColorMap::error, -1.0, 1.0, "technique − reference [1]: below 0 is too dark"};
+const ColorScale ao_scale{ColorMap::visibility, 0.0, 1.0, "accessibility [1]: 1 open"};
+const ColorScale ao_error_scale{ColorMap::error, -0.5, 0.5, "technique − reference [1]: below 0 is too dark"};
+
+std::string value_text(Experiment experiment, std::string_view key) {
+  return to_string(require(describe(experiment), key).value());
+}
+
+ImageFigure scalar_figure(std::string stem, std::string title, std::string caption, const Image<float>& values,
+                          const ColorScale& scale) {
+  ImageFigure figure;
+  figure.stem = std::move(stem);
+  figure.title = std::move(title);
+  figure.caption = std::move(caption);
+  figure.values = values;
+  figure.scale = scale;
+  return figure;
+}
+
+ImageFigure class_figure(const std::string& layer, const std::string& title, const ShadowMeasurement& shadow) {
+  ImageFigure figure;
+  figure.stem = "class_" + layer;
+  figure.title = "Causes: " + title;
+  figure.caption = "Main cause of the wrong taps of each pixel.";
+  const Image<PixelClass> classes = classify(shadow.raster->wrong, shadow.counted);
+  figure.category = Image<std::uint8_t>(classes.width, classes.height);
+  for (std::size_t i = 0; i < classes.size(); ++i) figure.category[i] = static_cast<std::uint8_t>(classes[i]);
+  figure.categories = class_colors();
+  return figure;
+}
+
+ReportTable statistics_table(std::string title, const std::vector<Column>& columns, const std::vector<Value>& row) {
+  Table table{{{"quantity", "", ""}, {"value", "", ""}, {"unit", "", ""}, {"meaning", "", ""}}, {}};
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const bool is_share = columns[i].unit == "1";
+    const std::string value = is_share                 ? share_text(to_number(row[i]))
+                              : columns[i].unit == "m" ? fmt::format("{:.5g}", to_number(row[i]))
+                                                       : to_string(row[i]);
+    table.rows.push_back({columns[i].name, value, std::string(is_share ? "%" : columns[i].unit), columns[i].meaning});
+  }
+  return {std::move(title), std::move(table)};
+}
+
+std::string counted_text(const CountedPixels& counted, bool is_soft) {
+  const auto total = [&](Counting c) { return counted.totals[static_cast<std::size_t>(c)]; };
+  return fmt::format(
+      "{} counted pixels face {}the light and lie inside its map, cone and range. Not counted: {} back-facing, {} "
+      "outside the map, {} outside the cone, {} out of range, {} background.",
+      total(Counting::counted), is_soft ? "part of " : "", total(Counting::turned_away), total(Counting::outside_map),
+      total(Counting::outside_cone), total(Counting::outside_range), total(Counting::background));
+}
+
+std::string offset_text(const TraceStatistics& statistics) {
+  return fmt::format("rays start at an offset of at most {} from the surfaces.", length(statistics.largest_offset));
+}
+
+// Of a reference that was sampled.
+std::string precision_text(const SamplingPrecision& precision, const TruthParams& truth) {
+  if (precision.pixels == 0) return {};
+  std::string text = fmt::format(
+      "The 95 % confidence intervals account for the sampling noise of the reference. The interval of a single pixel "
+      "has a half width of {:.2g} on average and {:.2g} at most, with {:.0f} samples per pixel on average.",
+      precision.mean_half_width, precision.worst_half_width, precision.mean_samples);
+  if (truth.tolerance > 0.0) {
+    text +=
+        fmt::format(" {} of {} pixels stopped at truth.max-spp ({} rays) before they reached the tolerance of {:g}.",
+                    precision.pixels_at_limit, precision.pixels, truth.max_spp, truth.tolerance);
+  }
+  return text;
+}
+
+std::string precision_line(const SamplingPrecision& precision) {
+  std::string line =
+      fmt::format("{:.0f} samples per pixel; half width of a pixel's 95 % interval: mean {:.2g}, largest {:.2g}",
+                  precision.mean_samples, precision.mean_half_width, precision.worst_half_width);
+  if (precision.pixels_at_limit > 0) {
+    line += fmt::format("; {} of {} pixels stopped at truth.max-spp", precision.pixels_at_limit, precision.pixels);
+  }
+  return line;
+}
+
+// What one light's shadow rays went to.
+std::string truth_caption(const ShadowMeasurement& shadow) {
+  const std::string common = "Shadow rays against the exact geometry. Back-facing pixels are 0.";
+  if (!is_soft(shadow)) return common;
+  return fmt::format("{} The light is {}{}; {:.0f} samples per pixel measure the visible share of its {}.", common,
+                     std::holds_alternative<DistantEmitter>(shadow.emitter) ? "" : "a ", extent_text(shadow.emitter),
+                     shadow.truth->precision.mean_samples,
+                     shadow.experiment.truth.light_sampling == LightSampling::area ? "area" : "solid angle");
+}
+
+void present_soft_error(Presentation& presentation, const Workbench& workbench, const ShadowMeasurement& shadow) {
+  const std::string title = workbench.title(shadow.light);
+  const SoftVisibilityStatistics& s = *shadow.soft_statistics;
+  ReportSection& section = presentation.section;
+  add_figure(presentation,
+             scalar_figure("error_visibility_" + workbench.layer(shadow.light), "Error: " + title,
+                           "Technique − reference: blue is too dark, red is too bright.",
+                           signed_error(shadow.raster->visibility, shadow.truth->visibility), visibility_error_scale));
+  section.text +=
+      "\n\nThis is an area light. Its reference is the visible share of the light, so a single tap is neither right "
+      "nor wrong and has no cause of error. The error is split into too dark and too bright instead.";
+  if (s.error.max_x >= 0) {
+    section.text += fmt::format(" The largest error is {:.3g}, for example at pixel ({}, {}).", s.error.max_error,
+                                s.error.max_x, s.error.max_y);
+  }
+  section.headlines = {
+      {"mean absolute error", percent(s.error.mae), fmt::format("of {} counted pixels", s.error.pixels)},
+      {"too dark", percent(s.error.too_dark), "part where the technique is darker than the reference"},
+      {"too bright", percent(s.error.too_bright), "part where the technique is brighter than the reference"},
+      {"RMS error", percent(s.error.rmse), "corrected for the reference's variance"},
+      {"penumbra", percent(s.penumbra), "of the counted pixels"},
+  };
+  section.tables = {statistics_table("Visibility error: " + title, soft_visibility_columns(), to_row(s)),
+                    bias_table(shadow)};
+  presentation.answers.push_back(fmt::format(
+      "{}: error {} against its soft shadow ({}); too dark {}, too bright {}; penumbra {} of the counted pixels", title,
+      percent(s.error.mae), extent_text(shadow.emitter), percent(s.error.too_dark), percent(s.error.too_bright),
+      percent(s.penumbra)));
+}
+
+}  // namespace
+
+Table in_percent(Table table, std::size_t first_column) {
+  for (std::size_t c = first_column; c < table.columns.size(); ++c) {
+    if (table.columns[c].unit != "1") continue;
+    table.columns[c].unit = "%";
+    for (std::vector<Value>& row : table.rows) row[c] = share_text(to_number(row[c]));
+  }
+  return table;
+}
+
+const std::vector<CategoryColor>& class_colors() {
+  // Okabe and Ito's palette without its yellow, which is lost on white. On paper printed grey CIE L* is 53, 61, 46 and
+  // 70 for the causes; what is no error is lighter.
+  static const std::vector<CategoryColor> colors = [] {
+    constexpr std::array<glm::u8vec3, 7> inks = {{{240, 240, 240},
+                                                  {213, 94, 0},
+                                                  {204, 121, 167},
+                                                  {0, 114, 178},
+                                                  {86, 180, 233},
+                                                  {200, 200, 200},
+                                                  {255, 255, 255}}};
+    std::vector<CategoryColor> named;
+    for (std::size_t i = 0; i < inks.size(); ++i) named.push_back({std::string(pixel_class_names[i]), inks[i]});
+    return named;
+  }();
+  return colors;
+}
+
+void add_figure(Presentation& presentation, ImageFigure figure) {
+  presentation.section.figures.push_back(figure.stem);
+  presentation.section.figure_titles.push_back(figure.title);
+  presentation.section.captions.push_back(figure.caption);
+  presentation.images.push_back(std::move(figure));
+}
+
+void add_figure(Presentation& presentation, PlotFigure figure) {
+  presentation.section.figures.push_back(figure.stem);
+  presentation.section.figure_titles.push_back(figure.title);
+  presentation.section.captions.push_back(figure.caption);
+  presentation.plots.push_back(std::move(figure));
+}
+
+void add_figure(Presentation& presentation, HeatMapFigure figure) {
+  presentation.section.figures.push_back(figure.stem);
+  presentation.section.figure_titles.push_back(figure.title);
+  presentation.section.captions.push_back(figure.caption);
+  presentation.heat_maps.push_back(std::move(figure));
+}
+
+Presentation present_picture(const Workbench& workbench, const Measurement& measurement) {
+  Presentation presentation;
+  presentation.section.title = "The view";
+  ImageFigure figure;
+  figure.stem = "picture";
+  figure.title = "The view, shaded";
+  figure.caption = "Diffuse shading with the measured visibility and ambient occlusion, for orientation only.";
+  figure.color = tone_map(picture_of(workbench, measurement), 1.0f);
+  add_figure(presentation, std::move(figure));
+  return presentation;
+}
+
+std::string ao_limit_text(const TruthParams& params) {
+  return has_distance_limit(params) ? "up to " + length(params.ao_distance.number) : "without distance limit";
+}
+
+std::string nothing_counted_text(const CountedPixels& counted) {
+  constexpr std::array<std::string_view, 6> reasons = {"",
+                                                       "are background",
+                                                       "face away from the light",
+                                                       "lie outside its shadow map",
+                                                       "lie outside its cone",
+                                                       "lie beyond its range"};
+  if (counted.totals[static_cast<std::size_t>(Counting::counted)] > 0) return {};
+  std::uint64_t all = 0;
+  for (const std::uint64_t total : counted.totals) all += total;
+  std::string text;
+  for (std::size_t i = 0; i < reasons.size(); ++i) {
+    const std::uint64_t total = counted.totals[i];
+    if (total == all) return fmt::format("nothing to measure: all {} pixels {}", all, reasons[i]);
+    if (total > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", total, reasons[i]);
+  }
+  return fmt::format("nothing to measure: of {} pixels, {}", all, text);
+}
+
+ReportTable bias_table(const ShadowMeasurement& shadow) {
+  Table table{{{"constant bias", "", ""}, {"value", "", ""}, {"unit", "", ""}}, {}};
+  const double texel = shadow.counted.mean_texel;
+  const BiasInUnits bias = in_units(shadow.experiment.shadow.constant_bias, texel, shadow.frame.far_depth);
+  const auto known = [](double number) { return std::isfinite(number) ? fmt::format("{:.4g}", number) : "—"; };
+  table.rows.push_back({std::string("along the light"), known(bias.metres), std::string("m")});
+  table.rows.push_back(
+      {std::string("in texels of mean size ") + length(texel), known(bias.texels), std::string("texels")});
+  table.rows.push_back({std::string("as a share of the map's depth range of ") + length(shadow.frame.far_depth),
+                        known(bias.depth), std::string("normalised depth")});
+  return {"Constant bias of these images", std::move(table)};
+}
+
+std::string agreement_text(const ClassAgreement& agreement) {
+  return fmt::format(
+      "ray tests reclassified {:.2g} % of {} taps from false occlusion to acne: {:.2g} % of all wrong taps.",
+      100.0 * share_of_foreign(agreement), agreement.taps, 100.0 * share_of_wrong(agreement));
+}
+
+ReportTable worst_parts(const char* what, PartKind kind, const std::vector<PartError>& parts,
+                        std::uint32_t weight_sum) {
+  constexpr std::size_t most = 10;
+  const bool are_more = parts.size() > most;
+  return {fmt::format("Error by {}{}", what, are_more ? fmt::format(" (top {})", most) : ""),
+          in_percent(part_table(kind, parts, weight_sum, most))};
+}
+
+Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement& shadow) {
+  const Experiment& experiment = shadow.experiment;
+  const std::string& layer = workbench.layer(shadow.light);
+  const std::string title = workbench.title(shadow.light);
+  Presentation presentation;
+  ReportSection& section = presentation.section;
+  section.title = "Shadow of " + title;
+  section.text = counted_text(shadow.counted, is_soft(shadow));
+  if (shadow.truth) {
+    add_figure(presentation, scalar_figure("truth_visibility_" + layer, "Reference: " + title, truth_caption(shadow),
+                                           shadow.truth->visibility, visibility_scale));
+    presentation.details.push_back(title + ": " + offset_text(shadow.truth->statistics));
+    if (is_soft(shadow)) section.text += "\n\n" + precision_text(shadow.truth->precision, experiment.truth);
+  }
+  if (shadow.raster) {
+    add_figure(presentation,
+               scalar_figure("raster_visibility_" + layer, "Shadow map: " + title,
+                             fmt::format("{}² texels, {} filter, constant bias {}, slope bias {:g} texels.",
+                                         shadow.frame.resolution, value_text(experiment, "shadow.filter"),
+                                         length_text(experiment.shadow.constant_bias), experiment.shadow.slope_bias),
+                             shadow.raster->visibility, visibility_scale));
+  }
+  if (const std::string reason = nothing_counted_text(shadow.counted); !reason.empty()) {
+    section.text += "\n\n" + title + ": " + reason + ".";
+    presentation.answers.push_back(title + ": " + reason);
+    return presentation;
+  }
+  if (shadow.soft_statistics) {
+    present_soft_error(presentation, workbench, shadow);
+    return presentation;
+  }
+  if (!shadow.statistics) {
+    const double pixels = static_cast<double>(shadow.counted.totals[0]);
+    std::string line = fmt::format("{}: {:.0f} counted pixels", title, pixels);
+    if (shadow.raster) line += fmt::format(", mean texel {}", length(shadow.counted.mean_texel));
+    if (shadow.truth && is_soft(shadow)) line += "; " + precision_line(shadow.truth->precision);
+    presentation.answers.push_back(std::move(line));
+    return presentation;
+  }
+  const VisibilityStatistics& s = *shadow.statistics;
+  add_figure(presentation,
+             scalar_figure("error_visibility_" + layer, "Error: " + title,
+                           "Technique − reference: blue is too dark, red is too bright.",
+                           signed_error(shadow.raster->visibility, shadow.truth->visibility), visibility_error_scale));
+  add_figure(presentation, class_figure(layer, title, shadow));
+  section.headlines = {{"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", s.pixels)}};
+  const std::array<double, cause_count> shares = {s.acne, s.false_occlusion, s.peter_panning, s.leak};
+  for (std::size_t c = 0; c < cause_count; ++c) {
+    const auto cause = static_cast<Cause>(c);
+    section.headlines.push_back(
+        {std::string(cause_title(cause)), percent(shares[c]), std::string(cause_meaning(cause))});
+  }
+  const std::uint32_t weight_sum = shadow.raster->wrong.weight_sum;
+  if (shadow.advice) section.tables.push_back(advice_table(*shadow.advice));
+  section.tables.insert(section.tables.end(),
+                        {statistics_table("Visibility error: " + title, visibility_columns(), to_row(s)),
+                         bias_table(shadow), worst_parts("object", PartKind::object, shadow.objects, weight_sum),
+                         worst_parts("material", PartKind::material, shadow.materials, weight_sum)});
+  if (shadow.agreement) presentation.details.push_back(title + ": " + agreement_text(*shadow.agreement));
+  if (experiment.shadow.filter != ShadowFilter::nearest) section.text += "\n\n" + std::string(filter_caution);
+  if (s.max_x >= 0) {
+    section.text +=
+        fmt::format("\n\nThe largest error is {:.3g}, for example at pixel ({}, {}).", s.max_error, s.max_x, s.max_y);
+  }
+  const std::string parts = fmt::format("acne {}, false occlusion {}, peter-panning {}, light leak {}", percent(s.acne),
+                                        percent(s.false_occlusion), percent(s.peter_panning), percent(s.leak));
+  if (shadow.advice) {
+    presentation.answers.push_back(title + ": " + advice_text(*shadow.advice));
+    presentation.lines.push_back(fmt::format("  {}: {}", title, parts));
+  } else {
+    presentation.answers.push_back(fmt::format("{}: error {} at a bias of {}; {}", title, percent(s.mae),
+                                               length_text(experiment.shadow.constant_bias), parts));
+  }
+  return presentation;
+}
+
+Presentation present_ao(const AoMeasurement& ao) {
+  const Experiment& experiment = ao.experiment;
+  Presentation presentation;
+  ReportSection& section = presentation.section;
+  section.title = "Ambient occlusion";
+  const std::string limit = ao_limit_text(experiment.truth);
+  if (ao.truth) {
+    add_figure(presentation,
+               scalar_figure("truth_ao", "Reference: ambient occlusion",
+                             fmt::format("Hemisphere rays {}, {:.0f} per pixel, {} weight.", limit,
+                                         ao.truth->precision.mean_samples, value_text(experiment, "truth.ao-weight")),
+                             ao.truth->ao, ao_scale));
+  }
+  if (ao.raster) {
+    add_figure(presentation,
+               scalar_figure("raster_ao", "SSAO",
+                             fmt::format("{} samples, radius {}, bias {}{}.", experiment.ao.samples,
+                                         length(experiment.ao.radius.number), length(experiment.ao.bias.number),
+                                         experiment.ao.blur == AoBlur::box
+                                             ? fmt::format(", {0}×{0} box blur", experiment.ao.blur_size)
+                                             : ""),
+                             *ao.raster, ao_scale));
+  }
+  if (ao.truth) {
+    section.text = precision_text(ao.truth->precision, experiment.truth);
+    presentation.details.push_back("AO: " + offset_text(ao.truth->statistics));
+  }
+  if (!ao.statistics) {
+    if (ao.truth) {
+      presentation.answers.push_back(fmt::format("AO: reference {}, {}", limit, precision_line(ao.truth->precision)));
+    }
+    return presentation;
+  }
+  if (ao.statistics->pixels == 0) {
+    presentation.answers.emplace_back("AO: nothing to measure: all pixels are background");
+    section.text += "\n\nNothing to measure: all pixels are background.";
+    return presentation;
+  }
+  const AoStatistics& s = *ao.statistics;
+  add_figure(presentation, scalar_figure("error_ao", "Error: ambient occlusion",
+                                         "Technique − reference: blue is too dark, red is too bright.",
+                                         signed_error(*ao.raster, ao.truth->ao), ao_error_scale));
+  section.headlines = {
+      {"mean absolute error", percent(s.mae), fmt::format("of {} pixels", s.pixels)},
+      {"RMS error", percent(s.rmse), "corrected for the reference's variance"},
+      {"mean error", percent(s.mean_error), "below 0: too dark"},
+  };
+  section.text += fmt::format(
+      "\n\nThe technique looks for occluders up to {}, the reference {}. The interval of the mean absolute error can "
+      "be asymmetric: noise in the reference can only raise this error, so only the lower end is corrected for it.",
+      length(experiment.ao.radius.number), limit);
+  section.tables = {statistics_table("Ambient occlusion error", ao_columns(), to_row(s))};
+  presentation.answers.push_back(fmt::format("AO: error {}, mean error {} (SSAO radius {}, reference {})",
+                                             percent(s.mae), percent(s.mean_error), length(experiment.ao.radius.number),
+                                             limit));
+  return presentation;
+}
+
+}  // namespace umbrameter

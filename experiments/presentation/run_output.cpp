@@ -1,0 +1,163 @@
+#include "experiments/presentation/run_output.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <future>
+#include <iterator>
+#include <utility>
+
+#include "experiments/layers.h"
+#include "reports/files/data.h"
+#include "reports/files/output.h"
+
+namespace umbrameter {
+namespace {
+
+Report make_report(const RunOutput& output) {
+  Report report;
+  report.title = output.title;
+  report.subtitle = output.subtitle;
+  report.command = fmt::format("umbrameter {} -c experiment.toml -o OUT", output.summary.command);
+  report.notes = output.summary.workbench->notes();
+  for (const std::string& problem : output.summary.problems) report.notes.push_back(problem);
+  if (!output.with_figures) {
+    report.notes.emplace_back("This page has no pictures: the run used --no-figures. Rerun without it to draw them.");
+  }
+  ReportSection diagnostics;
+  diagnostics.title = "Diagnostics";
+  for (const Presentation& part : output.parts) {
+    report.sections.push_back(part.section);
+    report.answers.insert(report.answers.end(), part.answers.begin(), part.answers.end());
+    for (const std::string& text : part.details) {
+      diagnostics.text += (diagnostics.text.empty() ? "" : "\n\n") + text;
+    }
+  }
+  if (!diagnostics.text.empty()) report.sections.push_back(std::move(diagnostics));
+  Experiment experiment = output.summary.experiment;
+  if (!output.summary.sweep) experiment.axes.clear();  // an experiment file may have some that this run does not use
+  report.settings = settings_table(std::move(experiment));
+  return report;
+}
+
+std::vector<std::string> figure_files(const std::vector<Presentation>& parts) {
+  std::vector<std::string> files;
+  for (const Presentation& part : parts) {
+    for (const std::string& stem : part.section.figures) {
+      for (const char* format : {".svg", ".pdf", ".png"}) files.push_back("figures/" + stem + format);
+    }
+  }
+  return files;
+}
+
+// The page and the list of files then know of no figure, too.
+void leave_out_figures(RunOutput& output) {
+  for (Presentation& part : output.parts) {
+    part.images.clear();
+    part.plots.clear();
+    part.heat_maps.clear();
+    part.section.figures.clear();
+    part.section.figure_titles.clear();
+    part.section.captions.clear();
+  }
+}
+
+void print_answer(const Console& console, const RunOutput& output) {
+  for (const Presentation& part : output.parts) {
+    for (const std::string& text : part.answers) say(console, text);
+  }
+  for (const Presentation& part : output.parts) {
+    for (const std::string& text : part.lines) add_line(console, text);
+  }
+  for (const Presentation& part : output.parts) {
+    for (const std::string& text : part.details) diagnostic(console, text);
+  }
+  diagnostic(console, costs_text(output.summary.workbench->costs()));
+  std::fflush(stdout);  // a pipe or a file gets it now, too
+}
+
+void write_figures_of(const std::filesystem::path& folder, const Console& console, RunOutput& output) {
+  std::vector<ImageFigure> images;
+  std::vector<PlotFigure> plots;
+  std::vector<HeatMapFigure> heat_maps;
+  for (Presentation& part : output.parts) {
+    std::move(part.images.begin(), part.images.end(), std::back_inserter(images));
+    std::move(part.plots.begin(), part.plots.end(), std::back_inserter(plots));
+    std::move(part.heat_maps.begin(), part.heat_maps.end(), std::back_inserter(heat_maps));
+  }
+  ProgressBar bar(console, "figures");
+  output.summary.problems =
+      write_figures(folder / "figures", images, plots, heat_maps, [&](std::size_t done, std::size_t all) {
+        bar.show(static_cast<double>(done) / static_cast<double>(all), fmt::format("{} of {}", done, all));
+      }).problems;
+}
+
+void write_layers(const std::filesystem::path& path, const SummaryInput& summary) {
+  LayeredImage image = layers_of(*summary.workbench, *summary.measurement);
+  image.attributes["scene"] = scene_title(summary.experiment);
+  image.attributes["version"] = UMBRAMETER_VERSION;
+  write_exr(path, image);
+}
+
+void write_rows(const std::filesystem::path& path, const ResultsStore& results) {
+  std::vector<Column> columns;
+  for (const StoredColumn& stored : results.description().columns) columns.push_back(stored.column);
+  write_csv(path, columns, [&](const StoredRowSink& sink) { results.read({}, sink); });
+}
+
+}  // namespace
+
+std::string subtitle_of(const Workbench& workbench, const View& view) {
+  return fmt::format("{}×{} pixels, camera {}, {} triangles", view.width, view.height,
+                     view.camera.name.empty() ? "without a name" : view.camera.name,
+                     count(workbench.scene()).triangles);
+}
+
+std::string experiment_text(Experiment experiment) {
+  return to_toml(experiment.scene, describe(experiment), experiment.axes);
+}
+
+std::vector<std::string> run_files(bool with_rows) {
+  std::vector<std::string> files = {"experiment.toml", "images.exr", "summary.json", "index.html"};
+  if (with_rows) files.push_back("sweep.csv");
+  return files;
+}
+
+ExitCode write_run(RunFolder& run_folder, const Console& console, RunOutput output) {
+  if (!output.with_figures) leave_out_figures(output);
+  const std::filesystem::path& folder = run_folder.path();
+  const std::vector<std::string> figures = figure_files(output.parts);
+  run_folder.require_free(figures);
+  run_folder.begin();
+  run_folder.announce(figures);
+  print_answer(console, output);
+  SummaryInput& summary = output.summary;
+  const Experiment& experiment = summary.experiment;
+  write_text(folder / "experiment.toml", experiment_text(experiment));
+  summary.files.push_back("experiment.toml");
+  // Compresses on one thread, while others draw figures.
+  std::future<void> layers;
+  if (summary.measurement != nullptr) {
+    layers = std::async(std::launch::async, [&] { write_layers(folder / "images.exr", summary); });
+    summary.files.push_back("images.exr");
+  }
+  if (output.results != nullptr) {
+    write_rows(folder / "sweep.csv", *output.results);
+    summary.files.push_back("results.sqlite");
+    summary.files.push_back("sweep.csv");
+  }
+  if (output.with_figures) write_figures_of(folder, console, output);
+  if (layers.valid()) layers.get();
+  summary.files.push_back("summary.json");
+  summary.files.push_back("index.html");
+  const std::string json = to_summary_json(summary);
+  write_text(folder / "summary.json", json);
+  write_page(folder, make_report(output));
+  add_line(console, fmt::format("report: {}", (folder / "index.html").string()));
+  if (console.json) fmt::print("{}", json);
+  run_folder.finish(summary.problems.empty());
+  for (const std::string& problem : summary.problems) fmt::print(stderr, "umbrameter: {}\n", problem);
+  return summary.problems.empty() ? ExitCode::ok : ExitCode::partial;
+}
+
+}  // namespace umbrameter

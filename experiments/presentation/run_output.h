@@ -1,0 +1,39 @@
+// The files of a run, by the contract: experiment.toml, images.exr, sweep.csv, figures, summary.json, index.html.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "experiments/console.h"
+#include "experiments/presentation/presentation.h"
+#include "experiments/presentation/summary.h"
+#include "experiments/results_store.h"
+#include "reports/files/run_folder.h"
+
+namespace umbrameter {
+
+/// Everything to write. summary.files and summary.problems are filled in on the way.
+struct RunOutput {
+  std::string title;
+  std::string subtitle;
+  std::vector<Presentation> parts;
+  SummaryInput summary;
+  const ResultsStore* results = nullptr;  ///< of a sweep: sweep.csv is a view of it
+  bool with_figures = true;               ///< else no figures/ folder, and the page says so
+};
+
+/// The complete experiment file.
+std::string experiment_text(Experiment experiment);
+
+/// What write_run() writes besides figures; `with_rows` for a sweep.
+std::vector<std::string> run_files(bool with_rows);
+
+/// Prints the lines of each part, then writes the files into the folder, the page last, and prints where the page is.
+/// ExitCode::partial, with a line on stderr for each, when a figure could not be made.
+ExitCode write_run(RunFolder& folder, const Console& console, RunOutput output);
+
+/// "1280×720, camera overview, 95,204 triangles".
+std::string subtitle_of(const Workbench& workbench, const View& view);
+
+}  // namespace umbrameter

@@ -1,0 +1,173 @@
+#include "experiments/presentation/summary.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "experiments/presentation/scene_report.h"
+#include "raytrace/tracer.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Value& value) {
+  return std::visit([](const auto& v) { return Json(v); }, value);
+}
+
+const char* kind_name(MapKind kind) {
+  switch (kind) {
+    case MapKind::orthographic:
+      return "directional";
+    case MapKind::perspective:
+      return "spot";
+    case MapKind::cube:
+      return "point";
+  }
+  return "";
+}
+
+Json truth_json(const TraceStatistics& statistics, const SamplingPrecision& precision, int degrees_of_freedom) {
+  Json object = {{"rays", statistics.rays}, {"largest_offset_m", statistics.largest_offset}};
+  if (precision.pixels == 0) return object;
+  object["pixels"] = precision.pixels;
+  object["mean_samples"] = precision.mean_samples;
+  object["mean_half_width_95"] = precision.mean_half_width;
+  object["worst_half_width_95"] = precision.worst_half_width;
+  object["pixels_at_limit"] = precision.pixels_at_limit;
+  object["degrees_of_freedom"] = degrees_of_freedom;
+  return object;
+}
+
+Json parts_json(PartKind kind, const std::vector<PartError>& parts, std::uint32_t weight_sum) {
+  const Table table = part_table(kind, parts, weight_sum);
+  Json list = Json::array();
+  for (const std::vector<Value>& row : table.rows) list.push_back(row_json(table.columns, row));
+  return list;
+}
+
+Json agreement_json(const ClassAgreement& agreement) {
+  return {{"judged_taps", agreement.taps},
+          {"wrong_weight", agreement.wrong},
+          {"foreign_weight", agreement.foreign},
+          {"judged_own_weight", agreement.judged_own},
+          {"judged_own_of_foreign", share_of_foreign(agreement)},
+          {"judged_own_of_wrong", share_of_wrong(agreement)}};
+}
+
+Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow) {
+  Json object;
+  object["light"] = workbench.title(shadow.light);
+  object["layer"] = workbench.layer(shadow.light);
+  object["index"] = shadow.light;
+  object["kind"] = kind_name(shadow.frame.kind);
+  object["extent"] = to_json(shadow.emitter);
+  const double texel = shadow.counted.mean_texel;
+  object["map"] = {
+      {"resolution_texels", shadow.frame.resolution}, {"mean_texel_m", texel}, {"far_depth_m", shadow.frame.far_depth}};
+  object["constant_bias"] = to_json(in_units(shadow.experiment.shadow.constant_bias, texel, shadow.frame.far_depth));
+  Json counting = Json::object();
+  for (std::size_t i = 0; i < counting_names.size(); ++i) {
+    counting[std::string(counting_names[i])] = shadow.counted.totals[i];
+  }
+  object["pixels"] = counting;
+  if (shadow.truth) {
+    const TracedVisibility& truth = *shadow.truth;
+    object["truth"] = truth_json(truth.statistics, truth.precision, truth.degrees_of_freedom);
+  }
+  if (const std::string reason = nothing_counted_text(shadow.counted); !reason.empty()) object["not_measured"] = reason;
+  if (shadow.advice) object["recommended_bias"] = to_json(*shadow.advice);
+  if (shadow.soft_statistics) {
+    const SampledError& error = shadow.soft_statistics->error;
+    object["statistics"] = row_json(soft_visibility_columns(), to_row(*shadow.soft_statistics));
+    object["statistics"]["mean_standard_error"] = error.mean_standard_error;
+    object["max_error_at_px"] = error.max_x < 0 ? Json(nullptr) : Json{error.max_x, error.max_y};
+  }
+  if (shadow.statistics) {
+    const VisibilityStatistics& s = *shadow.statistics;
+    object["statistics"] = row_json(visibility_columns(), to_row(s));
+    object["max_error_at_px"] = s.max_x < 0 ? Json(nullptr) : Json{s.max_x, s.max_y};
+    object["confusion"] = {{"truth_lit_raster_lit", s.lit - s.false_blocked},
+                           {"truth_lit_raster_blocked", s.false_blocked},
+                           {"truth_blocked_raster_lit", s.false_lit},
+                           {"truth_blocked_raster_blocked", s.blocked - s.false_lit}};
+    if (shadow.agreement) object["class_agreement"] = agreement_json(*shadow.agreement);
+    const std::uint32_t weight_sum = shadow.raster->wrong.weight_sum;
+    object["objects"] = parts_json(PartKind::object, shadow.objects, weight_sum);
+    object["materials"] = parts_json(PartKind::material, shadow.materials, weight_sum);
+  }
+  if (shadow.shape) object["shape"] = to_json(workbench, *shadow.shape);
+  return object;
+}
+
+Json ao_json(const AoMeasurement& ao) {
+  Json object;
+  if (ao.truth) object["truth"] = truth_json(ao.truth->statistics, ao.truth->precision, ao.truth->degrees_of_freedom);
+  if (ao.statistics) {
+    object["statistics"] = row_json(ao_columns(), to_row(*ao.statistics));
+    object["max_error_at_px"] =
+        ao.statistics->max_x < 0 ? Json(nullptr) : Json{ao.statistics->max_x, ao.statistics->max_y};
+  }
+  return object;
+}
+
+}  // namespace
+
+Json to_json(const BiasInUnits& bias) {
+  const auto known = [](double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); };
+  return {{"m", known(bias.metres)}, {"texels", known(bias.texels)}, {"normalised_depth", known(bias.depth)}};
+}
+
+Json row_json(const std::vector<Column>& columns, const std::vector<Value>& row) {
+  Json object = Json::object();
+  for (std::size_t i = 0; i < columns.size(); ++i) object[columns[i].name] = to_json(row[i]);
+  return object;
+}
+
+std::string to_summary_json(const SummaryInput& input) {
+  Json summary;
+  summary["program"] = {{"name", "umbrameter"}, {"version", UMBRAMETER_VERSION}};
+  summary["command"] = input.command;
+  const Scene& scene = input.workbench->scene();
+  summary["scene"] = {{"name", scene_title(input.experiment)},
+                      {"triangles", count(scene).triangles},
+                      {"instances", scene.instances.size()},
+                      {"materials", scene.materials.size()}};
+  summary["embree"] = embree_version();
+  if (!input.gl_renderer.empty()) summary["opengl"] = input.gl_renderer;
+  summary["notes"] = input.workbench->notes();
+  // Of a sweep: those of the cell that was measured, like all that follows.
+  Experiment experiment = input.measurement != nullptr ? input.measurement->experiment : input.experiment;
+  Json parameters = Json::object();
+  for (const Parameter& parameter : describe(experiment)) parameters[parameter.key] = to_json(parameter.value());
+  summary["parameters"] = parameters;
+  if (input.sweep) {
+    Json cell = Json::object();
+    for (const auto& [key, value] : input.sweep->cell) cell[key] = to_json(value);
+    summary["cell"] = cell;
+  }
+  if (input.measurement != nullptr) {
+    summary["camera"] = input.measurement->surfels.view.camera.name;
+    summary["shadows"] = Json::array();
+    for (const ShadowMeasurement& shadow : input.measurement->shadows) {
+      summary["shadows"].push_back(shadow_json(*input.workbench, shadow));
+    }
+    if (input.measurement->ao) summary["ao"] = ao_json(*input.measurement->ao);
+  }
+  if (input.sweep) {
+    Json axes = Json::object();
+    for (const auto& [key, text] : input.experiment.axes) axes[key] = text;
+    Json best = Json::array();
+    const Table& rows = input.sweep->best;
+    for (const std::vector<Value>& row : rows.rows) best.push_back(row_json(rows.columns, row));
+    summary["sweep"] = {{"axes", axes}, {"cells", input.sweep->cells}, {"least_mae", best}};
+    summary["sweep"]["open_ends"] = to_json(input.sweep->open_ends);
+    if (input.sweep->curves) summary["curves"] = to_json(*input.sweep->curves);
+  }
+  summary["files"] = input.files;
+  summary["problems"] = input.problems;
+  // Names come from files: bytes that are no UTF-8 are replaced, never thrown on.
+  return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,29 @@
+// How a sweep is shown: its best rows and its curves, read from the store by what each needs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/presentation/axis_ends.h"
+#include "experiments/presentation/bias_report.h"
+#include "experiments/presentation/presentation.h"
+#include "experiments/sweep_results.h"
+
+namespace umbrameter {
+
+/// For each line of the plots its row of least error, by the values that tell the lines apart; at most 1,000.
+Table best_rows(const SweepResults& sweep);
+
+/// The row of least error.
+std::vector<Value> least_row(const SweepResults& sweep);
+
+/// "shadow.constant-bias 0.05 m, shadow.resolution 256": the cell of a row.
+std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row);
+
+/// The axes whose optimum lies at an end of theirs, of the rows of best_rows().
+std::vector<OpenEnd> open_ends(const SweepResults& sweep, const Table& best);
+
+Presentation present_sweep(const SweepResults& sweep, const Table& best, const std::optional<BiasCurves>& curves,
+                           const std::vector<OpenEnd>& open_ends);
+
+}  // namespace umbrameter

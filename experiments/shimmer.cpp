@@ -1,0 +1,64 @@
+#include "experiments/shimmer.h"
+
+#include <algorithm>
+#include <array>
+
+#include "experiments/measure.h"
+
+namespace umbrameter {
+namespace {
+
+// Quarters and halves of a texel or pixel, along one axis and along both.
+const std::array<dvec2, 4> moves = {dvec2(0.25, 0.25), dvec2(0.5, 0.0), dvec2(0.0, 0.5), dvec2(0.5, 0.5)};
+
+void add(Flips& sum, const Flips& flips) {
+  sum.pixels += flips.pixels;
+  sum.share += flips.share;
+}
+
+Flips mean_of(Flips sum) { return {sum.pixels / moves.size(), sum.share / static_cast<double>(moves.size())}; }
+
+}  // namespace
+
+Shimmer measure_shimmer(Workbench& workbench, const ShadowMeasurement& shadow) {
+  const Experiment& experiment = shadow.experiment;
+  const gl::Context& context = workbench.context();
+  const UploadedScene& scene = workbench.uploaded();
+  const Surfels& surfels = workbench.surfels(experiment.view);
+  const GpuGBuffer& gpu_surfels = workbench.gpu_surfels(experiment.view);
+  const Light light = workbench.light(experiment, shadow.light);
+  const Image<float>& before = shadow.raster->visibility;
+  const auto draw_map = [&](const LightFrame& frame) {
+    return draw_shadow_map(context, scene, light, frame, experiment.shadow);
+  };
+  const auto look_up = [&](const GpuGBuffer& gbuffer, const ShadowMap& map) {
+    return draw_visibility(context, {scene, gbuffer, map, light, experiment.shadow}).visibility;
+  };
+
+  Shimmer shimmer;
+  for (const dvec2& move : moves) {
+    const Image<float> after = look_up(gpu_surfels, draw_map(shift_grid(shadow.frame, move, workbench.bounds())));
+    const double share = count_flips(before, after, shadow.counted).share;
+    shimmer.grid_mean += share / static_cast<double>(moves.size());
+    shimmer.grid_largest = std::max(shimmer.grid_largest, share);
+  }
+
+  const ShadowMap map = draw_map(shadow.frame);
+  Flips drawn;
+  Flips traced;
+  for (const dvec2& move : moves) {
+    const View view = shift_view(surfels.view, move);
+    const bool is_traced = experiment.view.surfels == SurfelSource::traced;
+    const GBuffer moved =
+        is_traced ? trace_gbuffer(workbench.tracer(), view) : read_back(context, draw_gbuffer(context, scene, view));
+    add(drawn, count_flips(before, look_up(upload(context, moved), map), shadow.counted, surfels.gbuffer, moved));
+    if (is_soft(shadow)) continue;
+    const Image<float> truth = trace_visibility(workbench.tracer(), moved, light).visibility;
+    add(traced, count_flips(shadow.truth->visibility, truth, shadow.counted, surfels.gbuffer, moved));
+  }
+  shimmer.camera = mean_of(drawn);
+  if (!is_soft(shadow)) shimmer.camera_truth = mean_of(traced);
+  return shimmer;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,34 @@
+#include "raster/shadow/filter_defines.h"
+
+#include <fmt/format.h>
+
+#include "raster/shader_interface.h"
+
+namespace umbrameter {
+namespace {
+
+std::string list_of(const std::vector<vec2>& values) {
+  std::string text;
+  for (const vec2& v : values) text += fmt::format("{}vec2({:.9e}, {:.9e})", text.empty() ? "" : ", ", v.x, v.y);
+  return text;
+}
+
+}  // namespace
+
+std::string filter_defines(const FilterKernel& filter) {
+  std::string text = define("FILTER_IS_GRID", filter.is_grid() ? 1 : 0) +
+                     fmt::format("#define FILTER_WEIGHT_SUM {}u\n", filter.weight_sum()) +
+                     define("FILTER_TAPS", static_cast<unsigned>(filter.tap_count()));
+  if (filter.is_grid()) {
+    text += define("FILTER_KERNEL_SIZE", static_cast<unsigned>(filter.kernel.size())) +
+            define("FILTER_LINEAR", filter.linear_taps ? 1 : 0) + define("FILTER_PARTS", FilterKernel::texel_parts) +
+            "#define FILTER_KERNEL ";
+    for (std::size_t i = 0; i < filter.kernel.size(); ++i)
+      text += fmt::format("{}{}u", i > 0 ? ", " : "", filter.kernel[i]);
+    return text + "\n";
+  }
+  return text + define("FILTER_TURNS", static_cast<unsigned>(filter.turns.size())) + "#define FILTER_POINT_LIST " +
+         list_of(filter.points) + "\n#define FILTER_TURN_LIST " + list_of(filter.turns) + "\n";
+}
+
+}  // namespace umbrameter

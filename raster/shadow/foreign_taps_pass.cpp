@@ -1,0 +1,60 @@
+#include "raster/shadow/foreign_taps_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstdint>
+#include <vector>
+
+#include "raster/gl/api.h"
+#include "raster/shader_interface.h"
+#include "raster/shadow/filter_defines.h"
+#include "raster/shadow/response_axes.h"
+
+namespace umbrameter {
+namespace {
+
+// Taps of one run over a part of the pixels, so that there is room for every one of them: 32 MiB.
+constexpr std::size_t most_taps_at_once = std::size_t{1} << 20;
+
+static_assert(sizeof(ForeignTap) % sizeof(std::uint32_t) == 0);
+
+}  // namespace
+
+void list_foreign_taps(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes,
+                       const ForeignTapSink& sink) {
+  assert(lookup.truth != nullptr && !axes.constant.empty() && !axes.slope.empty());
+  const std::string defines = lookup_defines(lookup) + define("LIT_ALONE", 1);
+  const gl::Buffer light = bind(lookup, axes.unit);
+  const ResponseAxes bound = bind_axes(axes);
+  const gl::Buffer list = bind_pixel_list(context, lookup.gbuffer);
+  dispatch_pixels(context.program({{"response_pixels.comp"}, defines}), lookup.gbuffer);
+  const std::uint32_t pixels = count_listed(context, list);
+  if (pixels == 0) return;
+
+  const auto taps = static_cast<std::size_t>(make_filter(lookup.params).tap_count());
+  const auto at_once = static_cast<std::uint32_t>(
+      std::min<std::size_t>(pixels, std::max<std::size_t>(most_taps_at_once / taps, slot("LIST_GROUP_SIZE"))));
+  const gl::Buffer found =
+      gl::make_empty_buffer("foreign taps", sizeof(std::uint32_t) + at_once * taps * sizeof(ForeignTap));
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot("BUFFER_FOREIGN"), found.name());
+  const gl::Program& program = context.program({{"foreign_taps.comp"}, defines});
+  std::vector<std::byte> words;
+  std::vector<ForeignTap> records;
+  for (std::uint32_t first = 0; first < pixels; first += at_once) {
+    const std::uint32_t count = std::min(at_once, pixels - first);
+    std::array<std::uint32_t, 1> header{};
+    gl::write_buffer(found, 0, std::as_bytes(std::span(header)));
+    dispatch_list(program, {first, first + count});
+    gl::read_buffer(found, std::as_writable_bytes(std::span(header)));
+    context.check("foreign taps");
+    if (header[0] == 0) continue;
+    words.resize(sizeof(header) + header[0] * sizeof(ForeignTap));
+    gl::read_buffer(found, words);
+    records.resize(header[0]);
+    std::copy(words.begin() + sizeof(header), words.end(), std::as_writable_bytes(std::span(records)).begin());
+    sink(records);
+  }
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,37 @@
+// The light and its map as shaders see them. Internal to raster.
+#pragma once
+
+#include <string>
+
+#include "core/math.h"
+#include "techniques/ao/parameters.h"
+#include "techniques/shadow/map_layout.h"
+#include "techniques/shadow/parameters.h"
+
+namespace umbrameter {
+
+/// As LightBlock in shaders/light.glsl, layout std140.
+struct LightBlock {
+  dmat4 light_from_world{1.0};
+  dvec4 light_in_world{0.0};
+  dvec4 face_basis[18] = {};
+  double half_extent = 1.0;
+  double far_depth = 1.0;
+  int resolution = 1;
+  float constant_bias = 0.0f;
+  float slope_bias = 0.0f;
+  float normal_offset = 0.0f;
+  float filter_radius = 0.0f;
+  int tap_count = 0;
+  int bias_in_texels = 0;
+  int unused = 0;
+};
+static_assert(sizeof(LightBlock) == 784);
+
+/// In which unit its bias is, bind() of shadow_lookup.h says.
+LightBlock make_light_block(const Light& light, const LightFrame& frame, const ShadowParams& params);
+
+/// "#define MAP_KIND 0"
+std::string map_defines(const LightFrame& frame);
+
+}  // namespace umbrameter

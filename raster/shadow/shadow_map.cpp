@@ -1,0 +1,116 @@
+#include "raster/shadow/shadow_map.h"
+
+#include <cstdint>
+#include <string>
+
+#include "core/error.h"
+#include "raster/gl/api.h"
+#include "raster/shader_interface.h"
+#include "raster/shadow/light_block.h"
+#include "raster/texture_image.h"
+
+namespace umbrameter {
+namespace {
+
+int face_count(const LightFrame& frame) { return frame.kind == MapKind::cube ? 6 : 1; }
+
+void require_room(const gl::Context& context, const LightFrame& frame) {
+  const auto side = static_cast<std::size_t>(frame.resolution);
+  const std::size_t bytes = side * side * static_cast<std::size_t>(face_count(frame)) *
+                            (gl::texel_bytes(gl::Format::depth32f) + gl::texel_bytes(gl::Format::rg32ui));
+  std::string given = std::to_string(frame.resolution);
+  given += " texels ";
+  if (frame.resolution > context.max_texture_size()) {
+    throw Error(ExitCode::usage, "shadow.resolution",
+                given + "are more than " + context.device().renderer + " can draw",
+                "at most " + std::to_string(context.max_texture_size()));
+  }
+  if (bytes > context.memory_limit_bytes()) {
+    throw Error(ExitCode::usage, "shadow.resolution",
+                given + "take " + std::to_string(bytes >> 20) + " MiB of the machine's " +
+                    std::to_string(context.memory_limit_bytes() >> 20) + " MiB",
+                "choose a smaller resolution");
+  }
+}
+
+}  // namespace
+
+ShadowMap make_shadow_map(const gl::Context& context, const LightFrame& frame) {
+  require_room(context, frame);
+  ShadowMap map;
+  map.frame = frame;
+  map.depth =
+      gl::make_texture("shadow depth", gl::Format::depth32f, frame.resolution, frame.resolution, face_count(frame));
+  map.ids = gl::make_texture("shadow ids", gl::Format::rg32ui, frame.resolution, frame.resolution, face_count(frame));
+  context.check("shadow map textures");
+  return map;
+}
+
+bool has_textures_for(const ShadowMap& map, const LightFrame& frame) {
+  return map.frame.resolution == frame.resolution && face_count(map.frame) == face_count(frame);
+}
+
+void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light,
+                       const ShadowParams& params, ShadowMap& map) {
+  const LightFrame& frame = map.frame;
+  const std::string common = interface_defines() + map_defines(frame);
+  const auto program = [&](unsigned alpha_mask) -> const gl::Program& {
+    gl::ProgramSource source{{"shadow.vert", "shadow.frag"}, common + define("ALPHA_MASK", alpha_mask)};
+    if (frame.kind != MapKind::orthographic) source.files.insert(source.files.begin() + 1, "shadow.geom");
+    return context.program(source);
+  };
+  const gl::Buffer block = gl::make_block("light", make_light_block(light, frame, params));
+  glBindBufferBase(GL_UNIFORM_BUFFER, slot("BLOCK_LIGHT"), block.name());
+
+  const gl::Framebuffer framebuffer = gl::make_framebuffer("shadow map");
+  const unsigned target = framebuffer.name();
+  glNamedFramebufferTexture(target, GL_COLOR_ATTACHMENT0, map.ids.name(), 0);
+  glNamedFramebufferTexture(target, GL_DEPTH_ATTACHMENT, map.depth.name(), 0);
+  const GLuint empty_ids[] = {no_id, no_id, no_id, no_id};
+  const GLfloat one = 1.0f;
+  glDepthMask(GL_TRUE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDisable(GL_SCISSOR_TEST);
+  glClearNamedFramebufferuiv(target, GL_COLOR, 0, empty_ids);
+  glClearNamedFramebufferfv(target, GL_DEPTH, 0, &one);
+
+  glBindFramebuffer(GL_FRAMEBUFFER, target);
+  glViewport(0, 0, frame.resolution, frame.resolution);
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  glDepthRangef(0.0f, 1.0f);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDisable(GL_BLEND);
+  // Orthographic: what rounding puts before the near face still casts. The others clip at their own tiny near plane.
+  (frame.kind == MapKind::orthographic ? glEnable : glDisable)(GL_DEPTH_CLAMP);
+  draw_scene(scene, DrawnFor::shadow, program(0), program(1));
+  glDisable(GL_DEPTH_CLAMP);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  context.check("shadow map");
+}
+
+ShadowMap draw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light,
+                          const LightFrame& frame, const ShadowParams& params) {
+  ShadowMap map = make_shadow_map(context, frame);
+  redraw_shadow_map(context, scene, light, params, map);
+  return map;
+}
+
+ShadowMapImages read_back(const gl::Context& context, const ShadowMap& map) {
+  const int layers = face_count(map.frame);
+  ShadowMapImages images;
+  images.depth = read_layers<float>(map.depth, gl::Format::depth32f, layers);
+  for (const Image<uvec2>& ids : read_layers<uvec2>(map.ids, gl::Format::rg32ui, layers)) {
+    Image<std::uint32_t>& instance = images.instance.emplace_back(ids.width, ids.height);
+    Image<std::uint32_t>& triangle = images.triangle.emplace_back(ids.width, ids.height);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      instance[i] = ids[i].x;
+      triangle[i] = ids[i].y;
+    }
+  }
+  context.check("shadow map read back");
+  return images;
+}
+
+}  // namespace umbrameter

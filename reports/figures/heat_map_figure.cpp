@@ -1,0 +1,210 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "reports/figures/figure_parts.h"
+#include "reports/figures/plot_parts.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::size_t most_panels_in_a_row = 3;
+constexpr int panel_gap = 16;
+constexpr int legend_length = 380;
+constexpr int row_height = 24;
+constexpr int least_panel_height = 96;
+constexpr int most_panel_height = 300;
+// Its lightness rises evenly (van der Walt and Smith, A Better Default Colormap for Matplotlib, SciPy 2015).
+constexpr const char* color_scheme = "viridis";
+
+std::vector<double> different_numbers(const Table& table, std::size_t column, bool positive) {
+  std::vector<double> values;
+  for (const std::vector<Value>& row : table.rows) {
+    const std::optional<double> value = number(row[column]);
+    if (value && std::isfinite(*value) && (!positive || *value > 0.0)) values.push_back(*value);
+  }
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+// Cells meet half way between the values, on the axis as it is drawn; a first value of 0 begins its cell.
+std::vector<double> cell_edges(const std::vector<double>& values, bool logarithmic) {
+  const auto middle = [&](double a, double b) { return logarithmic ? std::sqrt(a * b) : 0.5 * (a + b); };
+  const auto mirrored = [&](double at, double other) { return logarithmic ? at * at / other : 2.0 * at - other; };
+  std::vector<double> edges;
+  if (values.size() < 2) {
+    for (const double value : values) {
+      edges.push_back(0.5 * value);
+      edges.push_back(value == 0.0 ? 1.0 : 1.5 * value);
+    }
+    std::sort(edges.begin(), edges.end());
+    return edges;
+  }
+  const double first = middle(values[0], values[1]);
+  edges.push_back(values[0] == 0.0 ? 0.0 : mirrored(values[0], first));
+  for (std::size_t i = 0; i + 1 < values.size(); ++i) edges.push_back(middle(values[i], values[i + 1]));
+  edges.push_back(mirrored(values.back(), edges.back()));
+  return edges;
+}
+
+struct Cells {
+  Json rows = Json::array();  ///< x and x2 the cell's edges, xm its value, y, p (panel), v (step), k (mark)
+  std::vector<double> edges;
+  std::size_t dropped = 0;
+};
+
+// How many of the steps the value reaches.
+std::ptrdiff_t step_of(const HeatMapFigure& figure, double value) {
+  return std::upper_bound(figure.steps.begin(), figure.steps.end(), value) - figure.steps.begin();
+}
+
+Cells collect_cells(const HeatMapFigure& figure) {
+  const auto column = [&](const std::string& name) { return column_of(figure.data, figure.stem, name); };
+  const std::size_t x = column(figure.x.column);
+  const std::size_t y = column(figure.y.column);
+  const std::size_t value = column(figure.value.column);
+  const std::size_t panel = figure.panel ? column(*figure.panel) : 0;
+  const std::size_t mark = figure.mark ? column(*figure.mark) : 0;
+  const std::vector<double> values = different_numbers(figure.data, x, figure.x.logarithmic);
+  Cells cells;
+  cells.edges = cell_edges(values, figure.x.logarithmic);
+  for (const std::vector<Value>& row : figure.data.rows) {
+    const std::optional<double> at = number(row[x]);
+    const std::optional<double> height = number(row[value]);
+    const auto place = at ? std::lower_bound(values.begin(), values.end(), *at) : values.end();
+    if (place == values.end() || *place != *at || !height || !std::isfinite(*height)) {
+      ++cells.dropped;
+      continue;
+    }
+    const auto i = static_cast<std::size_t>(place - values.begin());
+    Json cell = {{"x", cells.edges[i]}, {"x2", cells.edges[i + 1]}, {"xm", *at}, {"y", to_string(row[y])}};
+    cell["v"] = step_of(figure, *height);
+    if (figure.panel) cell["p"] = to_string(row[panel]);
+    if (figure.mark) cell["k"] = std::get<bool>(row[mark]);
+    cells.rows.push_back(std::move(cell));
+  }
+  return cells;
+}
+
+Json x_axis(const HeatMapFigure& figure, const Cells& cells, int width) {
+  Json axis = {{"title", figure.x.label}, {"grid", false}, {"tickCount", width < plot_width / 2 ? 3 : 6}};
+  Json scale = {{"nice", false}};
+  if (figure.x.logarithmic) {
+    scale["type"] = "log";
+  } else {
+    scale["zero"] = false;
+  }
+  // An axis without cells has no extent of its own.
+  scale["domain"] = cells.edges.empty() ? Json{1.0, 10.0} : Json{cells.edges.front(), cells.edges.back()};
+  return {{"field", "x"}, {"type", "quantitative"}, {"axis", axis}, {"scale", scale}};
+}
+
+// The legend gives every step the same room.
+Json color_of(const HeatMapFigure& figure) {
+  std::vector<int> numbers(figure.steps.size() + 1);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  const std::string label = fmt::format("['', {:g}][datum.value]", fmt::join(figure.steps, ", "));
+  return {{"field", "v"},
+          {"type", "quantitative"},
+          {"scale",
+           {{"type", "threshold"},
+            {"domain", std::vector<int>(numbers.begin() + 1, numbers.end())},
+            {"scheme", color_scheme}}},
+          {"legend",
+           {{"type", "gradient"},
+            {"title", figure.value.label},
+            {"gradientLength", legend_length},
+            {"values", numbers},
+            {"labelExpr", label}}}};
+}
+
+// Side by side, in rows of the same length where that can be.
+int panel_columns(std::size_t panels) {
+  for (std::size_t columns = std::min(panels, most_panels_in_a_row); columns > 1; --columns) {
+    if (panels % columns == 0) return static_cast<int>(columns);
+  }
+  return static_cast<int>(std::clamp<std::size_t>(panels, 1, most_panels_in_a_row));
+}
+
+Json make_panel(const HeatMapFigure& figure, const Cells& cells, int width) {
+  std::vector<std::string> rows = different_values(figure.data, column_of(figure.data, figure.stem, figure.y.column));
+  if (is_numeric(figure.data, column_of(figure.data, figure.stem, figure.y.column))) {
+    std::reverse(rows.begin(), rows.end());
+  }
+  const Json y = {{"field", "y"},
+                  {"type", "nominal"},
+                  {"sort", nullptr},
+                  {"scale", {{"domain", rows}}},
+                  {"axis", {{"title", figure.y.label}, {"labelExpr", short_labels}}}};
+  // Cells are outlined in their own colour, which closes the seams between them.
+  const Json mark = {{"type", "rect"}, {"strokeWidth", 0.7}, {"stroke", {{"expr", "scale('color', datum.v)"}}}};
+  const Json rectangle = {
+      {"mark", mark},
+      {"encoding",
+       {{"x", x_axis(figure, cells, width)}, {"x2", {{"field", "x2"}}}, {"y", y}, {"color", color_of(figure)}}}};
+  Json panel;
+  panel["width"] = width;
+  panel["height"] = std::clamp(row_height * static_cast<int>(rows.size()), least_panel_height, most_panel_height);
+  panel["layer"] = {rectangle};
+  if (!figure.mark) return panel;
+  Json middle = x_axis(figure, cells, width);
+  middle["field"] = "xm";
+  for (const auto& [ink, stroke, size] : {std::tuple{"black", 4.5, 120}, {"white", 2.0, 120}}) {
+    panel["layer"].push_back({{"transform", {{{"filter", "datum.k"}}}},
+                              {"mark",
+                               {{"type", "point"},
+                                {"filled", false},
+                                {"stroke", ink},
+                                {"strokeWidth", stroke},
+                                {"size", size},
+                                {"opacity", 1}}},
+                              {"encoding", {{"x", middle}, {"y", y}}}});
+  }
+  return panel;
+}
+
+}  // namespace
+
+std::string to_plot_specification(const HeatMapFigure& figure) {
+  const Cells cells = collect_cells(figure);
+  Json spec;
+  spec["$schema"] = "https://vega.github.io/schema/vega-lite/v6.json";
+  spec["description"] = figure.title;
+  spec["title"]["text"] = figure.title;
+  std::vector<std::string> subtitle = wrap_text(figure.conditions);
+  if (cells.dropped > 0) {
+    subtitle.push_back(fmt::format("Not shown: {} of {} cells {}.", cells.dropped, figure.data.rows.size(),
+                                   figure.x.logarithmic ? "at 0 or without a number" : "without a number"));
+  }
+  if (cells.rows.empty()) subtitle.emplace_back("No data.");
+  if (!subtitle.empty()) spec["title"]["subtitle"] = subtitle;
+  if (!figure.panel) {
+    const Json panel = make_panel(figure, cells, plot_width);
+    spec.insert(panel.begin(), panel.end());
+  } else {
+    const std::vector<std::string> panels =
+        different_values(figure.data, column_of(figure.data, figure.stem, *figure.panel));
+    const int columns = panel_columns(panels.size());
+    const int width = (plot_width - panel_gap * (columns - 1)) / columns;
+    spec["columns"] = columns;
+    spec["spacing"] = panel_gap;
+    spec["facet"] = {
+        {"field", "p"},
+        {"type", "nominal"},
+        {"sort", panels},
+        {"header",
+         {{"title", figure.panel_label}, {"labelExpr", short_labels}, {"labelFontSize", 13}, {"titleFontSize", 13}}}};
+    spec["spec"] = make_panel(figure, cells, width);
+    // A shared axis would stand under places without a panel, too.
+    if (panels.size() % static_cast<std::size_t>(columns) != 0) spec["resolve"]["axis"]["x"] = "independent";
+  }
+  spec["data"]["values"] = cells.rows;
+  spec["config"] = plot_look();
+  return spec.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,287 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "core/error.h"
+#include "reports/figures/figure_parts.h"
+#include "reports/figures/plot_parts.h"
+#include "reports/files/markup.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr int plot_height = 280;
+constexpr std::size_t most_points_with_markers = 12;
+
+// Okabe and Ito, Color universal design, 2008; without yellow, which is too light for a line on white, black last.
+constexpr std::array<const char*, 7> distinct_colors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                        "#56b4e9", "#e69f00", "#000000"};
+// Dark blue over teal to ochre: lightness rises by near-even steps, CIE L* 17 to 72, so that grey print keeps the
+// order.
+constexpr std::array<dvec3, 5> ordered_colors = {dvec3{46, 28, 96}, dvec3{45, 74, 139}, dvec3{31, 122, 140},
+                                                 dvec3{70, 165, 110}, dvec3{202, 176, 46}};
+constexpr std::array<const char*, 7> shapes = {"circle",        "square",        "triangle-up", "diamond",
+                                               "triangle-down", "triangle-left", "cross"};
+const std::array<std::vector<int>, 6> dashes = {std::vector<int>{1, 0}, std::vector<int>{8, 3},
+                                                std::vector<int>{2, 2}, std::vector<int>{9, 3, 2, 3},
+                                                std::vector<int>{4, 4}, std::vector<int>{10, 3, 1, 3, 1, 3}};
+
+std::string ordered_color(std::size_t i, std::size_t count) {
+  const double t = count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.0;
+  const double place = t * (ordered_colors.size() - 1);
+  const std::size_t below = std::min(static_cast<std::size_t>(place), ordered_colors.size() - 2);
+  const dvec3 color = glm::mix(ordered_colors[below], ordered_colors[below + 1], place - static_cast<double>(below));
+  return fmt::format("#{:02x}{:02x}{:02x}", std::lround(color.x), std::lround(color.y), std::lround(color.z));
+}
+
+std::optional<std::string> own_color(const PlotFigure& figure, const std::string& name) {
+  for (const CategoryColor& own : figure.series_colors) {
+    if (own.name == name) return fmt::format("#{:02x}{:02x}{:02x}", own.color.x, own.color.y, own.color.z);
+  }
+  return std::nullopt;
+}
+
+// The rows under the short names x, y, s (series), d (style), k (mark), lo, hi, without points that the axes cannot
+// show.
+struct Points {
+  Json rows = Json::array();
+  std::size_t dropped = 0;
+  std::size_t longest_line = 0;
+};
+
+std::optional<std::size_t> optional_column(const PlotFigure& figure, const std::optional<std::string>& name) {
+  if (!name) return std::nullopt;
+  return column_of(figure.data, figure.stem, *name);
+}
+
+Points collect_points(const PlotFigure& figure, bool has_numeric_x) {
+  const std::size_t x = column_of(figure.data, figure.stem, figure.x.column);
+  const std::size_t y = column_of(figure.data, figure.stem, figure.y.column);
+  const bool has_series = figure.series.has_value();
+  const std::size_t series = has_series ? column_of(figure.data, figure.stem, *figure.series) : 0;
+  const bool has_band = figure.lower && figure.upper;
+  const std::size_t lower = has_band ? column_of(figure.data, figure.stem, *figure.lower) : 0;
+  const std::size_t upper = has_band ? column_of(figure.data, figure.stem, *figure.upper) : 0;
+  const std::optional<std::size_t> style = optional_column(figure, figure.style);
+  const std::optional<std::size_t> mark = optional_column(figure, figure.mark);
+  const auto fits = [](const std::optional<double>& value, const Axis& axis) {
+    return value && std::isfinite(*value) && (!axis.logarithmic || *value > 0.0);
+  };
+  Points points;
+  std::map<std::string, std::size_t> lengths;
+  for (const std::vector<Value>& row : figure.data.rows) {
+    const std::optional<double> y_value = number(row[y]);
+    if ((has_numeric_x && !fits(number(row[x]), figure.x)) || !fits(y_value, figure.y)) {
+      ++points.dropped;
+      continue;
+    }
+    Json point;
+    if (has_numeric_x) {
+      point["x"] = *number(row[x]);
+    } else {
+      point["x"] = to_string(row[x]);
+    }
+    point["y"] = *y_value;
+    const std::string line = has_series ? to_string(row[series]) : "";
+    if (has_series) point["s"] = line;
+    if (style) point["d"] = to_string(row[*style]);
+    if (mark) point["k"] = std::get<bool>(row[*mark]);
+    if (has_band && fits(number(row[lower]), figure.y) && fits(number(row[upper]), figure.y)) {
+      point["lo"] = *number(row[lower]);
+      point["hi"] = *number(row[upper]);
+    }
+    const std::string styled = style ? line + '\n' + to_string(row[*style]) : line;
+    points.longest_line = std::max(points.longest_line, ++lengths[styled]);
+    points.rows.push_back(std::move(point));
+  }
+  return points;
+}
+
+Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Json& rows) {
+  Json result;
+  result["field"] = field;
+  result["type"] = is_numeric_axis ? "quantitative" : "nominal";
+  result["axis"]["title"] = axis.label;
+  if (!is_numeric_axis) {
+    result["sort"] = nullptr;
+    result["axis"]["labelAngle"] = 0;
+    return result;
+  }
+  const bool is_x = std::string_view(field) == "x";
+  result["axis"]["tickCount"] = axis.logarithmic ? 5 : 6;
+  result["scale"] = {{"nice", !is_x}};
+  if (axis.logarithmic) {
+    result["scale"]["type"] = "log";
+  } else if (axis.square_root) {
+    result["scale"]["type"] = "sqrt";
+    result["scale"]["zero"] = true;
+  } else {
+    result["scale"]["zero"] = !is_x;
+  }
+  const auto differs = [&](const Json& row) { return row.at(field) != rows.front().at(field); };
+  if (rows.empty()) {
+    result["scale"]["domain"] = axis.logarithmic ? Json{1, 10} : Json{0, 1};
+  } else if (is_x && std::none_of(rows.begin(), rows.end(), differs)) {
+    result["axis"]["values"] = {rows.front().at(field)};
+    result["axis"]["format"] = "~g";
+  }
+  return result;
+}
+
+// As many legend entries side by side as fit below the plot.
+int legend_columns(const std::vector<std::string>& names) {
+  std::size_t longest = 1;
+  for (const std::string& name : names) longest = std::max(longest, count_characters(name));
+  return std::max(1, plot_width / static_cast<int>(50 + 8 * longest));
+}
+
+// How the values of the series column are told apart.
+struct Series {
+  Json color;
+  Json dash;
+  Json shape;
+};
+
+// Colour and dash tell lines apart, and colour and shape the markers, each alone enough. Markers that stand on lines
+// leave the legend to these.
+Series make_series(const PlotFigure& figure, bool has_lines) {
+  const std::size_t column = column_of(figure.data, figure.stem, *figure.series);
+  const std::vector<std::string> domain = different_values(figure.data, column);
+  const bool is_ordered = is_numeric(figure.data, column);
+  Json colors = Json::array();
+  Json patterns = Json::array();
+  Json markers = Json::array();
+  for (std::size_t i = 0; i < domain.size(); ++i) {
+    colors.push_back(is_ordered ? ordered_color(i, domain.size())
+                                : own_color(figure, domain[i]).value_or(distinct_colors[i % distinct_colors.size()]));
+    patterns.push_back(dashes[i % dashes.size()]);
+    markers.push_back(shapes[i % shapes.size()]);
+  }
+  Json legend = {{"title", figure.series_label.empty() ? *figure.series : figure.series_label},
+                 {"columns", legend_columns(domain)},
+                 {"labelExpr", short_labels}};
+  if (!has_lines) legend["symbolSize"] = 110;
+  const auto channel = [&](const Json& range) {
+    return Json{{"field", "s"},
+                {"type", "nominal"},
+                {"scale", {{"domain", domain}, {"range", range}}},
+                {"sort", nullptr},
+                {"legend", legend}};
+  };
+  Series series{channel(colors), channel(patterns), channel(markers)};
+  if (has_lines) {
+    // Under its own field name: Vega-Lite joins the legends of one field.
+    series.shape["field"] = "m";
+    series.shape["legend"] = nullptr;
+  }
+  return series;
+}
+
+// Solid and dashed by the style column.
+Json make_style(const PlotFigure& figure) {
+  Json patterns = Json::array();
+  const std::vector<std::string> domain =
+      different_values(figure.data, column_of(figure.data, figure.stem, *figure.style));
+  for (std::size_t i = 0; i < domain.size(); ++i) patterns.push_back(dashes[i % dashes.size()]);
+  return {{"field", "d"},
+          {"type", "nominal"},
+          {"scale", {{"domain", domain}, {"range", patterns}}},
+          {"sort", nullptr},
+          {"legend", {{"title", figure.style_label}, {"columns", legend_columns(domain)}}}};
+}
+
+// The layers from back to front: zero line, intervals, lines, markers. Categories on the x axis get no lines, since
+// there is nothing between them, and their series stand side by side.
+Json make_layers(const PlotFigure& figure, const Points& points, bool has_numeric_x) {
+  const bool has_markers =
+      !figure.style && !figure.mark && (!has_numeric_x || points.longest_line <= most_points_with_markers);
+  const bool has_band = has_numeric_x && points.longest_line > 1;
+  std::optional<Series> series;
+  if (figure.series) series = make_series(figure, has_numeric_x);
+  const Json y = axis_of("y", figure.y, true, points.rows);
+  const auto layer = [&](Json mark) {
+    Json result = {{"mark", std::move(mark)}, {"encoding", {{"y", y}}}};
+    if (series) result["encoding"]["color"] = series->color;
+    if (series && !has_numeric_x) result["encoding"]["xOffset"] = {{"field", "s"}, {"sort", nullptr}};
+    return result;
+  };
+
+  Json layers = Json::array();
+  const auto is_negative = [](const Json& row) { return row.at("y").get<double>() < 0.0; };
+  if (std::any_of(points.rows.begin(), points.rows.end(), is_negative)) {
+    Json zero = y;
+    zero.erase("field");
+    zero["datum"] = 0;
+    zero["axis"]["grid"] = true;
+    layers.push_back({{"mark", {{"type", "rule"}, {"color", "#888888"}}}, {"encoding", {{"x", nullptr}, {"y", zero}}}});
+  }
+  if (figure.lower && figure.upper) {
+    Json interval = layer(has_band ? Json{{"type", "area"}, {"fillOpacity", 0.2}}
+                                   : Json{{"type", "rule"}, {"strokeWidth", 6}, {"strokeOpacity", 0.3}});
+    interval["transform"] = {{{"filter", "isValid(datum.lo) && isValid(datum.hi)"}}};
+    interval["encoding"]["y"]["field"] = "lo";
+    interval["encoding"]["y2"] = {{"field", "hi"}};
+    layers.push_back(std::move(interval));
+  }
+  const Json is_joined = {{{"filter", "!datum.k"}}};
+  const auto is_of_line = [](const Json& row) { return !row.contains("k") || !row.at("k").get<bool>(); };
+  const bool has_line = points.rows.empty() || std::any_of(points.rows.begin(), points.rows.end(), is_of_line);
+  if (has_numeric_x && has_line) {
+    Json line = layer({{"type", "line"}, {"strokeWidth", 2.2}});
+    if (series && !figure.style) line["encoding"]["strokeDash"] = series->dash;
+    if (figure.style) line["encoding"]["strokeDash"] = make_style(figure);
+    if (figure.mark) line["transform"] = is_joined;
+    layers.push_back(std::move(line));
+  }
+  if (has_markers) {
+    Json marker = layer({{"type", "point"}, {"filled", true}, {"size", has_numeric_x ? 55 : 80}, {"opacity", 1}});
+    if (series) {
+      marker["transform"] = {{{"calculate", "datum.s"}, {"as", "m"}}};
+      marker["encoding"]["shape"] = series->shape;
+    }
+    if (figure.mark) marker["transform"].push_back(is_joined.front());
+    layers.push_back(std::move(marker));
+  }
+  // A layer without points would have no extent, which the drawer calls a mistake.
+  const auto is_marked = [](const Json& row) { return row.contains("k") && row.at("k").get<bool>(); };
+  if (std::any_of(points.rows.begin(), points.rows.end(), is_marked)) {
+    Json ring = layer({{"type", "point"}, {"size", 130}, {"strokeWidth", 2.4}, {"fill", "white"}, {"opacity", 1}});
+    ring["transform"] = {{{"filter", "datum.k"}}};
+    layers.push_back(std::move(ring));
+  }
+  return layers;
+}
+
+}  // namespace
+
+std::string to_plot_specification(const PlotFigure& figure) {
+  const bool has_numeric_x = is_numeric(figure.data, column_of(figure.data, figure.stem, figure.x.column));
+  Points points = collect_points(figure, has_numeric_x);
+  Json spec;
+  spec["$schema"] = "https://vega.github.io/schema/vega-lite/v6.json";
+  spec["description"] = figure.title;
+  spec["width"] = plot_width;
+  spec["height"] = plot_height;
+  spec["title"]["text"] = figure.title;
+  std::vector<std::string> subtitle = wrap_text(figure.conditions);
+  if (points.dropped > 0) {
+    const bool has_log = figure.x.logarithmic || figure.y.logarithmic;
+    subtitle.push_back(
+        fmt::format("Not shown: {} of {} points {}.", points.dropped, figure.data.rows.size(),
+                    has_log ? "that are 0, negative or no number (logarithmic axis)" : "that are no number"));
+  }
+  if (points.rows.empty()) subtitle.emplace_back("No data.");
+  if (!subtitle.empty()) spec["title"]["subtitle"] = subtitle;
+
+  spec["encoding"]["x"] = axis_of("x", figure.x, has_numeric_x, points.rows);
+  spec["layer"] = make_layers(figure, points, has_numeric_x);
+  spec["data"]["values"] = std::move(points.rows);
+  spec["config"] = plot_look();
+  return spec.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace umbrameter

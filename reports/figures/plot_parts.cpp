@@ -1,0 +1,115 @@
+#include "reports/figures/plot_parts.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/error.h"
+#include "reports/files/markup.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::size_t line_length = 72;  // characters of a subtitle line
+
+}  // namespace
+
+std::optional<double> number(const Value& value) {
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
+  if (const auto* real = std::get_if<double>(&value)) return *real;
+  return std::nullopt;
+}
+
+std::size_t column_of(const Table& table, const std::string& stem, const std::string& name) {
+  const std::vector<Column>& columns = table.columns;
+  const auto found =
+      std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
+  if (found == columns.end()) {
+    throw Error(ExitCode::partial, "figure " + stem, "its table has no column '" + name + "'");
+  }
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
+bool is_numeric(const Table& table, std::size_t column) {
+  return std::all_of(table.rows.begin(), table.rows.end(),
+                     [&](const std::vector<Value>& row) { return number(row[column]).has_value(); });
+}
+
+std::vector<std::string> different_values(const Table& table, std::size_t column) {
+  std::vector<Value> values;
+  for (const std::vector<Value>& row : table.rows) {
+    if (std::find(values.begin(), values.end(), row[column]) == values.end()) values.push_back(row[column]);
+  }
+  if (is_numeric(table, column)) {
+    std::sort(values.begin(), values.end(), [](const Value& a, const Value& b) { return *number(a) < *number(b); });
+  }
+  std::vector<std::string> texts;
+  for (const Value& value : values) texts.push_back(to_string(value));
+  return texts;
+}
+
+std::vector<std::string> wrap_text(const std::string& text) {
+  std::vector<std::string> lines;
+  std::string line;
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find_first_of(" \n", begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    if (!line.empty() && line.size() + 1 + word.size() > line_length) lines.push_back(std::exchange(line, ""));
+    line += (line.empty() || word.empty() ? "" : " ") + word;
+    begin = end + 1;
+  }
+  if (!line.empty()) lines.push_back(line);
+  return lines;
+}
+
+Json plot_look() {
+  const char* font = "DejaVu Sans";
+  const char* ink = "#1a1a1a";
+  return {{"font", font},
+          {"background", "white"},
+          {"padding", 8},
+          {"view", {{"stroke", nullptr}}},
+          {"mark", {{"color", "#0072b2"}}},
+          {"title",
+           {{"anchor", "start"},
+            {"frame", "group"},
+            {"fontSize", 16},
+            {"fontWeight", "bold"},
+            {"color", ink},
+            {"subtitleFontSize", 12},
+            {"subtitleColor", "#444444"},
+            {"subtitlePadding", 4},
+            {"subtitleLineHeight", 15},
+            {"offset", 12}}},
+          {"axis",
+           {{"labelFontSize", 13},
+            {"titleFontSize", 14},
+            {"titleFontWeight", "normal"},
+            {"titleColor", ink},
+            {"labelColor", ink},
+            {"titlePadding", 8},
+            {"gridColor", "#e7e7e7"},
+            {"domainColor", "#666666"},
+            {"tickColor", "#666666"},
+            {"labelFlush", false},
+            {"labelOverlap", true},
+            {"labelSeparation", 6}}},
+          {"legend",
+           {{"orient", "bottom"},
+            {"direction", "horizontal"},
+            {"labelFontSize", 13},
+            {"titleFontSize", 13},
+            {"titleFontWeight", "normal"},
+            {"titleColor", ink},
+            {"labelColor", ink},
+            {"symbolType", "stroke"},
+            {"symbolSize", 600},
+            {"symbolStrokeWidth", 2.2},
+            {"columnPadding", 16},
+            {"titleLimit", 0},
+            {"labelLimit", 240},
+            {"layout", {{"bottom", {{"anchor", "start"}, {"direction", "vertical"}}}}},
+            {"offset", 8}}}};
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,178 @@
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <fstream>
+#include <system_error>
+
+#include "core/error.h"
+#include "reports/files/data.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::size_t largest_file = std::size_t{1} << 20;
+
+// TOML 1.0, "String": basic strings escape quote, backslash and control characters.
+std::string toml_string(std::string_view text) {
+  static constexpr char digits[] = "0123456789ABCDEF";
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += c;
+    } else if (c == '\n') {
+      result += "\\n";
+    } else if (c == '\t') {
+      result += "\\t";
+    } else if (byte < 0x20 || byte == 0x7f) {
+      result += "\\u00";
+      result += digits[byte >> 4];
+      result += digits[byte & 15];
+    } else {
+      result += c;
+    }
+  }
+  return result + "\"";
+}
+
+// A comment ends with the line, and TOML allows no control characters in it.
+std::string comment_text(std::string text) {
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7f) c = ' ';
+  }
+  return text;
+}
+
+std::string value_text(const Value& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return toml_string(*text);
+  std::string text = to_string(value);
+  const auto* number = std::get_if<double>(&value);
+  if (number == nullptr) return text;
+  if (std::isnan(*number)) return "nan";
+  // "1" would read back as an integer, and TOML wants "1.0e+30" or "1e+30" but never "1.".
+  if (std::isfinite(*number) && text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string comment_of(const Parameter& parameter) {
+  const FieldDescription& description = parameter.description;
+  std::string comment = description.unit.empty() ? "" : "[" + description.unit + "] ";
+  comment += description.meaning;
+  if (std::holds_alternative<ChoiceRef>(parameter.field)) comment += ": " + parameter.limits();
+  return comment_text(comment);
+}
+
+Value to_value(const toml::node& node, const std::string& key, const std::string& file) {
+  if (const auto* truth = node.as_boolean()) return truth->get();
+  if (const auto* integer = node.as_integer()) return std::int64_t{integer->get()};
+  if (const auto* number = node.as_floating_point()) return number->get();
+  if (const auto* text = node.as_string()) return text->get();
+  throw Error(ExitCode::usage, file + ":" + std::to_string(node.source().begin.line),
+              "'" + key + "' must be a number, true, false or a string");
+}
+
+std::string text_of(const toml::node& node, const std::string& key, const std::string& file) {
+  if (const auto* text = node.as_string()) return text->get();
+  throw Error(ExitCode::usage, file + ":" + std::to_string(node.source().begin.line), "'" + key + "' must be a string",
+              "write it in quotes");
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  const auto refuse = [&](int error) {
+    throw Error(ExitCode::unreadable_input, "cannot read " + path.string(), std::generic_category().message(error));
+  };
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) refuse(EISDIR);
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) refuse(errno);
+  // Devices and pipes may never end.
+  std::string text(largest_file + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad()) refuse(EIO);
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > largest_file) {
+    throw Error(ExitCode::unreadable_input, "cannot read " + path.string(),
+                "it is larger than 1 MiB, more than any experiment file", "give a TOML file such as experiment.toml");
+  }
+  return text;
+}
+
+toml::table parse(const std::string& text, const std::string& file) {
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& problem) {
+    throw Error(
+        ExitCode::usage,
+        file + ":" + std::to_string(problem.source().begin.line) + ":" + std::to_string(problem.source().begin.column),
+        std::string(problem.description()), "correct that line");
+  }
+}
+
+}  // namespace
+
+std::string to_toml(const std::string& scene, const Parameters& parameters,
+                    const std::vector<std::pair<std::string, std::string>>& axes) {
+  // A top-level key and a table cannot have the same name.
+  const bool is_table = std::any_of(parameters.begin(), parameters.end(),
+                                    [](const Parameter& parameter) { return parameter.key.starts_with("scene."); });
+  std::string text = is_table ? "" : "scene = " + toml_string(scene) + "\n";
+  std::string group;
+  for (const Parameter& parameter : parameters) {
+    const std::size_t dot = parameter.key.find('.');
+    const std::string of = parameter.key.substr(0, dot);
+    if (of != group) {
+      group = of;
+      text += (text.empty() ? "[" : "\n[") + group + "]\n";
+      if (group == "scene") text += "source = " + toml_string(scene) + "  # file, or name of a built-in scene\n";
+    }
+    text +=
+        parameter.key.substr(dot + 1) + " = " + value_text(parameter.value()) + "  # " + comment_of(parameter) + "\n";
+  }
+  if (axes.empty()) return text;
+  text += "\n[vary]  # first:last:count, first:last:count:log, or a list\n";
+  for (const auto& [key, axis] : axes) text += toml_string(key) + " = " + toml_string(axis) + "\n";
+  return text;
+}
+
+ExperimentFile read_experiment(const std::filesystem::path& path) {
+  const std::string file = path.string();
+  const toml::table table = parse(read_text(path), file);
+  // toml++ sorts keys; the order of the lines is what the user wrote, and the order of axes means something.
+  std::vector<std::pair<toml::source_position, std::pair<std::string, std::string>>> axes;
+  ExperimentFile result;
+  for (const auto& [name, node] : table) {
+    const std::string group(name.str());
+    if (group == "scene" && !node.is_table()) {
+      result.scene = text_of(node, group, file);
+      continue;
+    }
+    const toml::table* members = node.as_table();
+    if (members == nullptr) {
+      throw Error(ExitCode::usage, file + ":" + std::to_string(node.source().begin.line),
+                  "'" + group + "' is outside any table",
+                  "only 'scene' may be there; parameters belong under [scene], [view], [shadow], [ao], [truth], [run] "
+                  "or [vary]");
+    }
+    for (const auto& [member, value] : *members) {
+      const std::string key(member.str());
+      result.lines[group + "." + key] = value.source().begin.line;
+      if (group == "scene" && key == "source") {
+        result.scene = text_of(value, "scene.source", file);
+      } else if (group == "vary") {
+        axes.push_back({value.source().begin, {key, text_of(value, "vary." + key, file)}});
+      } else {
+        result.values.emplace_back(group + "." + key, to_value(value, group + "." + key, file));
+      }
+    }
+  }
+  std::sort(axes.begin(), axes.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (auto& [position, axis] : axes) result.axes.push_back(std::move(axis));
+  return result;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,162 @@
+#include "reports/files/exr.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfMatrixAttribute.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStdIO.h>
+#include <OpenEXR/ImfStringAttribute.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+#include "core/error.h"
+#include "reports/files/output.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::string_view own_prefix = "umbrameter.";
+constexpr int no_threads = 0;  // compressed in the calling thread
+
+// GLM multiplies columns (M·v) and stores column by column; Imath multiplies rows (v·M) and stores row by row.
+// The row-vector form of M is its transpose, so the sixteen numbers stand in memory in the same order:
+// Imath's m[i][j] is GLM's column i, row j.
+Imath::M44f to_imath(const mat4& matrix) {
+  Imath::M44f result;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) result[i][j] = matrix[i][j];
+  }
+  return result;
+}
+
+mat4 from_imath(const Imath::M44f& matrix) {
+  mat4 result;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) result[i][j] = matrix[i][j];
+  }
+  return result;
+}
+
+// Strides are in bytes; OpenEXR takes a base pointer to non-const memory even where it only reads.
+Imf::Slice slice_of(const Image<float>& image, const Imath::V2i& origin) {
+  const std::size_t row = sizeof(float) * static_cast<std::size_t>(image.width);
+  return Imf::Slice::Make(Imf::FLOAT, image.pixels.data(), origin, image.width, image.height, sizeof(float), row);
+}
+
+Imf::Header header_of(const LayeredImage& image, int width, int height) {
+  Imf::Header header(width, height);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  for (const Channel& channel : image.channels) header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
+  Imf::addWorldToCamera(header, to_imath(image.world_to_camera));
+  Imf::addWorldToNDC(header, to_imath(image.world_to_ndc));
+  for (const auto& [key, value] : image.attributes) {
+    header.insert(std::string(own_prefix) + key, Imf::StringAttribute(value));
+  }
+  return header;
+}
+
+void check(const std::filesystem::path& path, const LayeredImage& image) {
+  const auto refuse = [&](const std::string& why) {
+    throw Error(ExitCode::partial, "cannot write " + path.string(), why);
+  };
+  if (image.channels.empty()) refuse("the image has no channels");
+  const Image<float>& first = image.channels.front().values;
+  if (first.empty()) refuse("the image has no pixels");
+  std::set<std::string> names;
+  for (const Channel& channel : image.channels) {
+    // Viewers take what stands before the last dot as the layer, some split at every dot.
+    if (channel.name.empty() || std::count(channel.name.begin(), channel.name.end(), '.') > 1) {
+      refuse("'" + channel.name + "' is not a valid channel name: it may have at most one dot");
+    }
+    if (!names.insert(channel.name).second) refuse("two channels have the name '" + channel.name + "'");
+    if (channel.values.width != first.width || channel.values.height != first.height) {
+      refuse("channel '" + channel.name + "' differs in size from '" + image.channels.front().name + "'");
+    }
+  }
+}
+
+}  // namespace
+
+void add_layer(LayeredImage& image, const std::string& layer, const Image<float>& values) {
+  image.channels.push_back({layer + ".Y", values});
+}
+
+void add_layer(LayeredImage& image, const std::string& layer, const Image<vec3>& values) {
+  static constexpr const char* names[] = {".X", ".Y", ".Z"};
+  for (int c = 0; c < 3; ++c) {
+    Channel channel{layer + names[c], Image<float>(values.width, values.height)};
+    for (std::size_t i = 0; i < values.size(); ++i) channel.values[i] = values[i][c];
+    image.channels.push_back(std::move(channel));
+  }
+}
+
+void write_exr(const std::filesystem::path& path, const LayeredImage& image) {
+  check(path, image);
+  const Image<float>& first = image.channels.front().values;
+  std::string bytes;
+  try {
+    Imf::StdOSStream stream;
+    {
+      Imf::OutputFile file(stream, header_of(image, first.width, first.height), no_threads);
+      Imf::FrameBuffer buffer;
+      for (const Channel& channel : image.channels) buffer.insert(channel.name, slice_of(channel.values, {0, 0}));
+      file.setFrameBuffer(buffer);
+      file.writePixels(first.height);
+    }
+    bytes = stream.str();
+  } catch (const std::exception& exception) {
+    throw Error(ExitCode::partial, "cannot write " + path.string(), exception.what());
+  }
+  write_text(path, bytes);
+}
+
+LayeredImage read_exr(const std::filesystem::path& path) {
+  const auto refuse = [&](const std::string& why) {
+    throw Error(ExitCode::unreadable_input, "cannot read " + path.string(), why);
+  };
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) refuse(std::generic_category().message(EISDIR));
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) refuse(std::generic_category().message(errno));
+  LayeredImage image;
+  try {
+    Imf::StdIFStream input(stream, path.c_str());
+    Imf::InputFile file(input, no_threads);
+    const Imf::Header& header = file.header();
+    const Imath::Box2i window = header.dataWindow();
+    // OpenEXR has checked that the window is neither empty nor beyond its own limits.
+    const Imath::V2i size = window.size() + Imath::V2i(1);
+    Imf::FrameBuffer buffer;
+    for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+      if (c.channel().xSampling != 1 || c.channel().ySampling != 1) {
+        throw std::runtime_error(std::string("channel '") + c.name() + "' is subsampled");
+      }
+      image.channels.push_back({c.name(), Image<float>(size.x, size.y)});
+    }
+    for (const Channel& channel : image.channels) buffer.insert(channel.name, slice_of(channel.values, window.min));
+    file.setFrameBuffer(buffer);
+    file.readPixels(window.min.y, window.max.y);
+    for (auto a = header.begin(); a != header.end(); ++a) {
+      const std::string_view name = a.name();
+      const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());
+      if (text != nullptr && name.substr(0, own_prefix.size()) == own_prefix) {
+        image.attributes[std::string(name.substr(own_prefix.size()))] = text->value();
+      }
+    }
+    if (Imf::hasWorldToCamera(header)) image.world_to_camera = from_imath(Imf::worldToCamera(header));
+    if (Imf::hasWorldToNDC(header)) image.world_to_ndc = from_imath(Imf::worldToNDC(header));
+  } catch (const std::bad_alloc&) {
+    refuse("not enough memory for its size");
+  } catch (const std::exception& exception) {
+    refuse(exception.what());
+  }
+  return image;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,110 @@
+#include "techniques/shadow/filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/random.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr int turn_count = 64;
+constexpr std::uint32_t gaussian_sum = 128;
+
+std::vector<std::uint32_t> tent(int size) {
+  std::vector<std::uint32_t> weights;
+  for (int i = 0; i < size; ++i) weights.push_back(static_cast<std::uint32_t>(std::min(i, size - 1 - i) + 1));
+  return weights;
+}
+
+// The middle takes what rounding leaves over.
+std::vector<std::uint32_t> gaussian(int size) {
+  const double deviation = (size + 1) / 6.0;
+  std::vector<double> shares;
+  double sum = 0.0;
+  for (int i = 0; i < size; ++i) {
+    const double x = (i - size / 2) / deviation;
+    shares.push_back(std::exp(-0.5 * x * x));
+    sum += shares.back();
+  }
+  std::vector<std::uint32_t> weights;
+  std::uint32_t given = 0;
+  for (const double share : shares) {
+    weights.push_back(static_cast<std::uint32_t>(std::lround(gaussian_sum * share / sum)));
+    given += weights.back();
+  }
+  weights[static_cast<std::size_t>(size / 2)] += gaussian_sum - given;
+  return weights;
+}
+
+// Of ever more candidates, always the one that is farthest from the points so far.
+std::vector<vec2> poisson_disk(int count) {
+  std::vector<vec2> points;
+  std::uint32_t draw = 0;
+  for (int i = 0; i < count; ++i) {
+    vec2 best(0);
+    float farthest = -1.0f;
+    for (int candidate = 0; candidate < 32 * (i + 1); ++candidate) {
+      vec2 point;
+      do {
+        point.x = 2.0f * to_unit_float(hash(draw++)) - 1.0f;
+        point.y = 2.0f * to_unit_float(hash(draw++)) - 1.0f;
+      } while (point.x * point.x + point.y * point.y > 1.0f);
+      float nearest = 4.0f;
+      for (const vec2& other : points) {
+        const vec2 way = point - other;
+        nearest = std::min(nearest, way.x * way.x + way.y * way.y);
+      }
+      if (nearest > farthest) {
+        farthest = nearest;
+        best = point;
+      }
+    }
+    points.push_back(best);
+  }
+  return points;
+}
+
+std::vector<vec2> even_turns() {
+  std::vector<vec2> turns;
+  for (int i = 0; i < turn_count; ++i) {
+    const double angle = 2.0 * pi * i / turn_count;
+    turns.emplace_back(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)));
+  }
+  return turns;
+}
+
+}  // namespace
+
+FilterKernel make_filter(const ShadowParams& params) {
+  FilterKernel filter;
+  filter.linear_taps = params.filter_taps == FilterTaps::linear;
+  switch (params.filter) {
+    case ShadowFilter::nearest:
+      filter.linear_taps = false;
+      filter.kernel = {1};
+      break;
+    case ShadowFilter::bilinear:
+      filter.linear_taps = true;
+      filter.kernel = {1};
+      break;
+    case ShadowFilter::box:
+      filter.kernel.assign(static_cast<std::size_t>(params.filter_size), 1);
+      break;
+    case ShadowFilter::tent:
+      filter.kernel = tent(params.filter_size);
+      break;
+    case ShadowFilter::gaussian:
+      filter.kernel = gaussian(params.filter_size);
+      break;
+    case ShadowFilter::poisson:
+      filter.linear_taps = false;
+      filter.points = poisson_disk(params.filter_samples);
+      filter.turns = even_turns();
+      filter.radius = static_cast<float>(params.filter_radius);
+      break;
+  }
+  return filter;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,52 @@
+// PCF kernels: which texels a filter reads and what each weighs.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/math.h"
+#include "techniques/shadow/parameters.h"
+
+namespace umbrameter {
+
+/// What a filter's taps weigh. Grid: the outer product of `kernel` with itself about the receiver's texel, every tap a
+/// nearest one or, with linear_taps, the four that a bilinear comparison reads. Disk: texels under `points`, turned per
+/// pixel by one of `turns`, of weight 1 each.
+struct FilterKernel {
+  /// Parts of a texel to which a bilinear tap's place is rounded, as graphics hardware does (eight bits).
+  static constexpr std::uint32_t texel_parts = 256;
+  /// Taps along a side of a grid: with the next odd size a tent of linear taps outweighs 32 bits.
+  static constexpr int largest_size = 29;
+
+  std::vector<std::uint32_t> kernel;  ///< of a grid: whole weights along one side, an odd number of them
+  bool linear_taps = false;
+  std::vector<vec2> points;  ///< of a disk: within the unit disk; empty for a grid
+  std::vector<vec2> turns;   ///< of a disk: cosine and sine
+  float radius = 0.0f;       ///< of a disk, texels
+
+  bool is_grid() const { return points.empty(); }
+  /// Texels along a side of a grid.
+  int side() const { return static_cast<int>(kernel.size()) + (linear_taps ? 1 : 0); }
+  int tap_count() const { return is_grid() ? side() * side() : static_cast<int>(points.size()); }
+  std::uint32_t weight_sum() const {
+    if (!is_grid()) return static_cast<std::uint32_t>(points.size());
+    std::uint32_t sum = 0;
+    for (const std::uint32_t weight : kernel) sum += weight;
+    if (linear_taps) sum *= texel_parts;
+    return sum * sum;
+  }
+};
+
+/// A tent, the heaviest kernel, weighs ((n + 1)/2)² along a side.
+constexpr std::uint64_t largest_weight_sum(std::uint64_t size) {
+  const std::uint64_t side = (size + 1) / 2 * ((size + 1) / 2) * FilterKernel::texel_parts;
+  return side * side;
+}
+static_assert(largest_weight_sum(FilterKernel::largest_size) < std::uint64_t{1} << 32);
+
+/// Box: equal weights. Tent: 1 2 … 2 1. Gaussian: standard deviation (filter_size + 1) / 6 texels, weights rounded to
+/// 1/128 along each side. Bilinear: one linear tap, what `sampler2DShadow` with a linear filter computes. Poisson: best
+/// candidates (D. Mitchell, Spectrally Optimal Sampling for Distribution Ray Tracing, 1991).
+FilterKernel make_filter(const ShadowParams& params);
+
+}  // namespace umbrameter

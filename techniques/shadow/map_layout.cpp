@@ -1,0 +1,111 @@
+#include "techniques/shadow/map_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace umbrameter {
+namespace {
+
+constexpr double max_cone_angle = 89.9 * pi / 180.0;
+
+// Lets the shaders' single precision round a surface on the box's skin without leaving the map's depth range.
+double rounding_room(const Bounds& bounds) { return 1e-6 * (bounds.radius() + glm::length(bounds.center())) + 1e-9; }
+
+dmat4 rigid_inverse(const dmat3& rotation, const dvec3& translation) {
+  const dmat3 transposed = glm::transpose(rotation);
+  dmat4 inverse(transposed);
+  inverse[3] = dvec4(-(transposed * translation), 1.0);
+  return inverse;
+}
+
+dvec3 in_light_space(const LightFrame& frame, const dvec3& position) {
+  return dvec3(frame.light_from_world * dvec4(position, 1.0));
+}
+
+LightFrame fit_directional(const dmat3& axes, const Bounds& bounds, int resolution) {
+  Bounds box;
+  for (int i = 0; i < 8; ++i) box.include(glm::transpose(axes) * bounds.corner(i));
+  const double room = rounding_room(bounds);
+  const dvec3 extent = box.extent();
+  const double side = std::max({extent.x, extent.y, room});
+  LightFrame frame;
+  frame.kind = MapKind::orthographic;
+  frame.half_extent = 0.5 * side * resolution / std::max(resolution - 2, 1);
+  frame.far_depth = extent.z + 2.0 * room;
+  const dvec3 origin{box.center().x, box.center().y, box.max.z + room};
+  frame.light_from_world = rigid_inverse(axes, axes * origin);
+  return frame;
+}
+
+}  // namespace
+
+dmat3 cube_face(int face) {
+  dvec3 forward(0.0);
+  forward[face / 2] = face % 2 == 0 ? 1.0 : -1.0;
+  const dvec3 up = face / 2 == 1 ? dvec3(0.0, 0.0, 1.0) : dvec3(0.0, 1.0, 0.0);
+  return {glm::cross(forward, up), up, forward};
+}
+
+LightFrame fit_light(const Light& light, const Bounds& bounds, int resolution) {
+  Bounds fitted = bounds;
+  if (fitted.empty()) fitted.include(light.position());
+  LightFrame frame;
+  if (std::holds_alternative<DirectionalLight>(light.shape)) {
+    frame = fit_directional(axes_of(light), fitted, resolution);
+  } else {
+    const auto* spot = std::get_if<SpotLight>(&light.shape);
+    frame.kind = spot != nullptr ? MapKind::perspective : MapKind::cube;
+    frame.half_extent = spot != nullptr ? std::tan(std::clamp(spot->outer_cone_angle, 1e-6, max_cone_angle)) : 1.0;
+    frame.light_from_world = rigid_inverse(axes_of(light), light.position());
+    const double room = rounding_room(fitted);
+    frame.far_depth = room;
+    for (int i = 0; i < 8; ++i) {
+      frame.far_depth = std::max(frame.far_depth, depth_of(frame, fitted.corner(i)) + room);
+    }
+  }
+  frame.resolution = resolution;
+  return frame;
+}
+
+double depth_of(const LightFrame& frame, const dvec3& position) {
+  const dvec3 local = in_light_space(frame, position);
+  return frame.kind == MapKind::cube ? glm::length(local) : -local.z;
+}
+
+double texel_at(const LightFrame& frame, const dvec3& position) {
+  const double texel = 2.0 * frame.half_extent / frame.resolution;
+  if (frame.kind == MapKind::orthographic) return texel;
+  const dvec3 local = in_light_space(frame, position);
+  if (frame.kind == MapKind::perspective) return texel * std::max(-local.z, 0.0);
+  return texel * std::max({std::abs(local.x), std::abs(local.y), std::abs(local.z)});
+}
+
+bool is_inside(const LightFrame& frame, const dvec3& position) {
+  if (frame.kind == MapKind::cube) return true;
+  const dvec3 local = in_light_space(frame, position);
+  const bool perspective = frame.kind == MapKind::perspective;
+  if (perspective && !(-local.z > 0.0)) return false;
+  const double half = perspective ? frame.half_extent * -local.z : frame.half_extent;
+  return std::abs(local.x) <= half && std::abs(local.y) <= half;
+}
+
+Counting counting_of(const Light& light, const LightFrame& frame, const dvec3& position,
+                     const dvec3& geometric_normal) {
+  if (!faces(light, position, geometric_normal)) return Counting::turned_away;
+  const dvec3 direction = to_light(light, position);
+  if (!is_inside(frame, position)) return Counting::outside_map;
+  double range = 0.0;
+  if (const auto* spot = std::get_if<SpotLight>(&light.shape)) {
+    // Of sine and cosine, so that narrow cones lose no digits.
+    const double angle =
+        std::atan2(glm::length(glm::cross(light.axis(), -direction)), glm::dot(light.axis(), -direction));
+    if (angle > spot->outer_cone_angle) return Counting::outside_cone;
+    range = spot->range;
+  } else if (const auto* point = std::get_if<PointLight>(&light.shape)) {
+    range = point->range;
+  }
+  if (range > 0.0 && glm::length(light.position() - position) > range) return Counting::outside_range;
+  return Counting::counted;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,42 @@
+#include "techniques/shadow/reference/foreign_taps.h"
+
+#include <algorithm>
+
+#include "techniques/shadow/reference/own_surface.h"
+
+namespace umbrameter {
+namespace {
+
+std::uint32_t packed(std::size_t x, std::size_t y) { return static_cast<std::uint32_t>(x | y << 16u); }
+
+}  // namespace
+
+std::vector<ForeignTap> find_foreign_taps(const Scene& scene, const MapLookup& lookup, const Image<float>& truth,
+                                          const Image<Counting>& counting, const BiasAxes& axes) {
+  const float least_slope = *std::min_element(axes.slope.begin(), axes.slope.end());
+  const GBuffer& gbuffer = lookup.gbuffer;
+  std::vector<ForeignTap> found;
+  std::vector<Tap> taps;
+  for (std::size_t pixel = 0; pixel < truth.size(); ++pixel) {
+    if (counting[pixel] != Counting::counted || !(truth[pixel] >= 0.5f)) continue;
+    const SurfelLookup surfel = look_up(lookup, pixel);
+    if (!surfel.faces_light) continue;
+    const auto width = static_cast<std::size_t>(gbuffer.width);
+    const std::uint32_t at = packed(pixel % width, static_cast<std::size_t>(gbuffer.height) - 1 - pixel / width);
+    fetch_taps(lookup, surfel, pixel, taps);
+    for (const Tap& tap : taps) {
+      const float bias_unit = bias_unit_of(axes.unit, surfel.texel);
+      const float flip = flip_of(tap.critical_bias, surfel.slope, least_slope);
+      const bool says_lit = lights(axes.constant.front(), bias_unit, flip);
+      if (tap.weight == 0 || says_lit || !is_foreign(scene, lookup, tap, surfel.receiver, pixel, true)) continue;
+      const auto face = static_cast<std::size_t>(tap.face);
+      const std::size_t texel = texel_index(lookup.frame, tap.texel);
+      found.push_back({at, packed(static_cast<std::size_t>(tap.texel.x), static_cast<std::size_t>(tap.texel.y)),
+                       static_cast<std::uint32_t>(tap.face), tap.weight, tap.critical_bias, surfel.slope, bias_unit,
+                       lookup.map.instance[face][texel], lookup.map.triangle[face][texel]});
+    }
+  }
+  return found;
+}
+
+}  // namespace umbrameter

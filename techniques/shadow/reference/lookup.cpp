@@ -1,0 +1,173 @@
+#include "techniques/shadow/reference/lookup.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/random.h"
+#include "techniques/shadow/reference/ordered.h"
+
+namespace umbrameter {
+namespace {
+
+int face_of(const dvec3& direction) {
+  const dvec3 d = glm::abs(direction);
+  if (d.x >= d.y && d.x >= d.z) return direction.x >= 0.0 ? 0 : 1;
+  if (d.y >= d.z) return direction.y >= 0.0 ? 2 : 3;
+  return direction.z >= 0.0 ? 4 : 5;
+}
+
+dvec3 on_face(int face, const dvec3& p) {
+  const dmat3 basis = cube_face(face);
+  return {dot_of(basis[0], p), dot_of(basis[1], p), dot_of(basis[2], p)};
+}
+
+ivec2 floor_of(const dvec2& v) { return {static_cast<int>(std::floor(v.x)), static_cast<int>(std::floor(v.y))}; }
+
+bool is_on_map(const ivec2& texel, int resolution) {
+  return texel.x >= 0 && texel.y >= 0 && texel.x < resolution && texel.y < resolution;
+}
+
+Tap fetch_tap(const MapLookup& lookup, const Receiver& receiver, const ivec2& offset) {
+  const LightFrame& frame = lookup.frame;
+  const int resolution = frame.resolution;
+  Tap tap;
+  tap.texel = receiver.texel + offset;
+  tap.face = receiver.face;
+  bool is_there = is_on_map(tap.texel, resolution);
+  if (frame.kind == MapKind::cube && !is_there) {
+    const dvec3 direction = texel_ray(frame, tap.texel, tap.face).direction;
+    tap.face = face_of(direction);
+    const dvec3 q = on_face(tap.face, direction);
+    const dvec2 texels = (dvec2(q.x, q.y) / (q.z * frame.half_extent) * 0.5 + 0.5) * static_cast<double>(resolution);
+    tap.texel = glm::clamp(floor_of(texels), ivec2(0), ivec2(resolution - 1));
+    is_there = true;
+  }
+  if (!receiver.is_inside || !is_there) return tap;
+  const float stored = lookup.map.depth[static_cast<std::size_t>(tap.face)][texel_index(frame, tap.texel)];
+  tap.has_blocker = stored < 1.0f;
+  if (tap.has_blocker) {
+    tap.critical_bias = static_cast<float>(receiver.depth - static_cast<double>(stored) * frame.far_depth);
+  }
+  return tap;
+}
+
+float texel_side(const LightFrame& frame, const Receiver& receiver) {
+  double side = 2.0 * frame.half_extent / static_cast<double>(frame.resolution);
+  if (frame.kind != MapKind::orthographic) side *= receiver.axis_depth;
+  return static_cast<float>(side);
+}
+
+void fetch_grid(const MapLookup& lookup, const Receiver& receiver, std::vector<Tap>& taps) {
+  const FilterKernel& filter = lookup.filter;
+  const int size = static_cast<int>(filter.kernel.size());
+  ivec2 first(-(size / 2));
+  std::array<std::uint32_t, 2> part{};
+  if (filter.linear_taps) {
+    const dvec2 base = glm::floor(receiver.texels - 0.5);
+    first += ivec2(base) - receiver.texel;
+    const dvec2 parts = glm::floor((receiver.texels - 0.5 - base) * double{FilterKernel::texel_parts} + 0.5);
+    part = {static_cast<std::uint32_t>(parts.x), static_cast<std::uint32_t>(parts.y)};
+  }
+  const auto axis_weight = [&](int i, std::uint32_t right) {
+    const auto at = static_cast<std::size_t>(i);
+    if (!filter.linear_taps) return filter.kernel[at];
+    return (i < size ? filter.kernel[at] * (FilterKernel::texel_parts - right) : 0u) +
+           (i > 0 ? filter.kernel[at - 1] * right : 0u);
+  };
+  for (int y = 0; y < filter.side(); ++y) {
+    for (int x = 0; x < filter.side(); ++x) {
+      Tap& tap = taps.emplace_back(fetch_tap(lookup, receiver, first + ivec2(x, y)));
+      tap.weight = axis_weight(x, part[0]) * axis_weight(y, part[1]);
+    }
+  }
+}
+
+void fetch_disk(const MapLookup& lookup, const Receiver& receiver, std::size_t pixel, std::vector<Tap>& taps) {
+  const FilterKernel& filter = lookup.filter;
+  const auto width = static_cast<std::size_t>(lookup.gbuffer.width);
+  const std::uint32_t number =
+      hash(static_cast<std::uint32_t>(pixel % width), static_cast<std::uint32_t>(pixel / width));
+  const vec2 turn = filter.turns[number % filter.turns.size()];
+  for (const vec2& p : filter.points) {
+    const vec2 turned(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+    const dvec2 texels = receiver.texels + dvec2(turned) * static_cast<double>(filter.radius);
+    taps.emplace_back(fetch_tap(lookup, receiver, floor_of(texels) - receiver.texel)).weight = 1;
+  }
+}
+
+}  // namespace
+
+Receiver project_to_map(const LightFrame& frame, const dvec3& world) {
+  Receiver r;
+  const dvec3 p = moved_by(frame.light_from_world, world);
+  r.in_light = p;
+  dvec2 projected(0.0);
+  if (frame.kind == MapKind::orthographic) {
+    r.axis_depth = r.depth = -p.z;
+    r.is_inside = true;
+    projected = dvec2(p.x, p.y) / frame.half_extent;
+  } else {
+    dvec3 q(p.x, p.y, -p.z);
+    r.depth = q.z;
+    if (frame.kind == MapKind::cube) {
+      r.face = face_of(p);
+      q = on_face(r.face, p);
+      r.depth = length_of(p);
+    }
+    r.axis_depth = q.z;
+    r.is_inside = r.axis_depth > 0.0;
+    if (r.is_inside) projected = dvec2(q.x, q.y) / (q.z * frame.half_extent);
+  }
+  const auto resolution = static_cast<double>(frame.resolution);
+  r.texels = glm::clamp((projected * 0.5 + 0.5) * resolution, -2.0, resolution + 2.0);
+  r.texel = floor_of(r.texels);
+  if (frame.kind == MapKind::cube) r.texel = glm::clamp(r.texel, ivec2(0), ivec2(frame.resolution - 1));
+  r.is_inside = r.is_inside && is_on_map(r.texel, frame.resolution);
+  return r;
+}
+
+TexelRay texel_ray(const LightFrame& frame, const ivec2& texel, int face) {
+  const dvec2 c = ((dvec2(texel) + 0.5) / static_cast<double>(frame.resolution) * 2.0 - 1.0) * frame.half_extent;
+  switch (frame.kind) {
+    case MapKind::orthographic:
+      return {{c.x, c.y, 0.0}, {0.0, 0.0, -1.0}};
+    case MapKind::perspective:
+      return {dvec3(0.0), {c.x, c.y, -1.0}};
+    case MapKind::cube:
+      break;
+  }
+  const dmat3 basis = cube_face(face);
+  return {dvec3(0.0), basis[0] * c.x + basis[1] * c.y + basis[2]};
+}
+
+SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel) {
+  SurfelLookup result;
+  const dvec3 position(lookup.gbuffer.position[pixel]);
+  const dvec3 normal(lookup.gbuffer.geometric_normal[pixel]);
+  const dvec4 place = homogeneous_place(lookup.light);
+  const dvec3 to_light = place.w == 0.0 ? dvec3(place) : dvec3(place) - position;
+  const double cosine = dot_of(normal, to_light);
+  result.faces_light = cosine > 0.0;
+  result.receiver = project_to_map(lookup.frame, position);
+  const double sine = length_of(cross_of(normal, to_light));
+  const float texel = texel_side(lookup.frame, result.receiver);
+  result.slope = texel * static_cast<float>(sine / cosine);
+  result.texel = texel;
+  if (lookup.normal_offset != 0.0f) {
+    const double shift =
+        static_cast<double>(lookup.normal_offset) * static_cast<double>(texel) * (sine / length_of(to_light));
+    result.receiver = project_to_map(lookup.frame, position + normal * shift);
+  }
+  return result;
+}
+
+void fetch_taps(const MapLookup& lookup, const SurfelLookup& surfel, std::size_t pixel, std::vector<Tap>& taps) {
+  taps.clear();
+  if (lookup.filter.is_grid()) {
+    fetch_grid(lookup, surfel.receiver, taps);
+  } else {
+    fetch_disk(lookup, surfel.receiver, pixel, taps);
+  }
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,73 @@
+// A light's map looked up on the processor: the same numbers, to the bit, as the shaders' light_map.glsl,
+// surfel_lookup.glsl and shadow_filter.glsl give where arithmetic is IEEE 754.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/gbuffer.h"
+#include "techniques/shadow/causes.h"
+#include "techniques/shadow/filter.h"
+#include "techniques/shadow/map_layout.h"
+
+namespace umbrameter {
+
+/// All that a look-up reads.
+struct MapLookup {
+  const GBuffer& gbuffer;
+  const LightFrame& frame;
+  const Light& light;
+  const ShadowMapImages& map;
+  const FilterKernel& filter;
+  float normal_offset = 0.0f;  ///< texels
+};
+
+/// Where a position falls on the map.
+struct Receiver {
+  dvec3 in_light{0.0};      ///< light space, metres
+  double depth = 0.0;       ///< metres, as the map counts it
+  double axis_depth = 0.0;  ///< metres along the axis of the map or face
+  dvec2 texels{0.0};        ///< from the map's lower left corner
+  ivec2 texel{0};
+  int face = 0;
+  bool is_inside = false;
+};
+Receiver project_to_map(const LightFrame& frame, const dvec3& world);
+
+/// A texel's answer; v counts rows from the bottom.
+struct Tap {
+  ivec2 texel{0};
+  int face = 0;
+  bool has_blocker = false;
+  float critical_bias = -std::numeric_limits<float>::infinity();  ///< metres: lit exactly from this bias on
+  std::uint32_t weight = 0;
+};
+
+/// The light's ray through a texel's centre, light space; the direction is not unit.
+struct TexelRay {
+  dvec3 origin{0.0};
+  dvec3 direction{0.0, 0.0, -1.0};
+};
+TexelRay texel_ray(const LightFrame& frame, const ivec2& texel, int face);
+
+/// Where a texel stands in a face of ShadowMapImages, whose top row is the first.
+inline std::size_t texel_index(const LightFrame& frame, const ivec2& texel) {
+  return static_cast<std::size_t>(frame.resolution - 1 - texel.y) * static_cast<std::size_t>(frame.resolution) +
+         static_cast<std::size_t>(texel.x);
+}
+
+/// A surfel as the map sees it.
+struct SurfelLookup {
+  bool faces_light = false;  ///< geometric N·L > 0
+  Receiver receiver;
+  float slope = 0.0f;  ///< texel size at the receiver times tan of the angle to the light, metres
+  float texel = 0.0f;  ///< side of a texel at the receiver, metres
+};
+SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel);
+
+/// All taps of the filter at a surfel; those without weight among them.
+void fetch_taps(const MapLookup& lookup, const SurfelLookup& surfel, std::size_t pixel, std::vector<Tap>& taps);
+
+}  // namespace umbrameter

@@ -1,0 +1,96 @@
+#include "techniques/shadow/reference/own_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "techniques/shadow/reference/ordered.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr double half_ulp = 0x1p-24;
+
+double signed_distance(const Facet& f, const dvec3& point) { return dot_of(f.normal, point - f.a); }
+
+double rounding_bound(const Facet& f, const dvec3& point, double point_error) {
+  const dvec3 n = cross_of(f.ab, f.ac);
+  const double squared = dot_of(n, n);
+  if (!(squared > 0.0)) return point_error;
+  const double v = dot_of(cross_of(point - f.a, f.ac), n) / squared;
+  const double w = dot_of(cross_of(f.ab, point - f.a), n) / squared;
+  return point_error + f.vertex_error * (std::abs(1.0 - v - w) + std::abs(v) + std::abs(w));
+}
+
+}  // namespace
+
+Facet facet_of(const Scene& scene, const LightFrame& frame, std::uint32_t instance, std::uint32_t triangle) {
+  const Instance& placed = scene.instances[instance];
+  const Mesh& mesh = scene.meshes[placed.mesh];
+  const uvec3 v = mesh.triangles[triangle];
+  const vec3 a = mesh.positions[v.x];
+  const vec3 b = mesh.positions[v.y];
+  const vec3 c = mesh.positions[v.z];
+  const dmat4& world_from_mesh = placed.world_from_mesh;
+  dmat4 light_from_mesh(0.0);
+  for (int column = 0; column < 3; ++column) {
+    light_from_mesh[column] = dvec4(turned_by(frame.light_from_world, dvec3(world_from_mesh[column])), 0.0);
+  }
+  light_from_mesh[3] = dvec4(moved_by(frame.light_from_world, dvec3(world_from_mesh[3])), 1.0);
+  Facet f;
+  f.a = moved_by(light_from_mesh, dvec3(a));
+  f.ab = turned_by(light_from_mesh, dvec3(b) - dvec3(a));
+  f.ac = turned_by(light_from_mesh, dvec3(c) - dvec3(a));
+  const dvec3 n = cross_of(f.ab, f.ac);
+  const double area = length_of(n);
+  f.normal = area > 0.0 ? n / area : dvec3(0.0);
+  const bool is_turned = frame.kind == MapKind::orthographic ? f.normal.z < 0.0 : dot_of(f.normal, f.a) > 0.0;
+  if (is_turned) f.normal = -f.normal;
+  const dvec3 largest(glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c))));
+  dvec3 reach;
+  for (int row = 0; row < 3; ++row) {
+    const dvec3 x(world_from_mesh[0][row], world_from_mesh[1][row], world_from_mesh[2][row]);
+    reach[row] = dot_of(glm::abs(x), largest) + std::abs(world_from_mesh[3][row]);
+  }
+  f.vertex_error = half_ulp * length_of(reach);
+  return f;
+}
+
+dvec3 foot_on(const Facet& facet, const dvec3& position) {
+  return position - facet.normal * signed_distance(facet, position);
+}
+
+dvec3 sample_on(const Facet& f, const TexelRay& ray) {
+  const dvec3 p = cross_of(ray.direction, f.ac);
+  const double determinant = dot_of(f.ab, p);
+  const dvec3 q = cross_of(ray.origin - f.a, f.ab);
+  dvec2 weight = std::abs(determinant) > 0.0
+                     ? dvec2(dot_of(ray.origin - f.a, p), dot_of(ray.direction, q)) / determinant
+                     : dvec2(1.0 / 3.0);
+  weight = glm::max(weight, 0.0);
+  weight /= std::max(1.0, weight.x + weight.y);
+  return f.a + weight.x * f.ab + weight.y * f.ac;
+}
+
+bool is_own_surface(const LightFrame& frame, const Receiver& receiver, const Facet& own, const Tap& tap,
+                    const Facet& blocker) {
+  const dvec3 r = foot_on(own, receiver.in_light);
+  if (signed_distance(blocker, r) >= -rounding_bound(blocker, r, own.vertex_error)) return true;
+  const dvec3 s = sample_on(blocker, texel_ray(frame, tap.texel, tap.face));
+  return signed_distance(own, s) <= rounding_bound(own, s, blocker.vertex_error);
+}
+
+bool is_foreign(const Scene& scene, const MapLookup& lookup, const Tap& tap, const Receiver& receiver,
+                std::size_t pixel, bool is_lit_in_truth) {
+  if (!tap.has_blocker || !(is_lit_in_truth || tap.critical_bias > 0.0f)) return false;
+  const LightFrame& frame = lookup.frame;
+  const GBuffer& gbuffer = lookup.gbuffer;
+  const auto face = static_cast<std::size_t>(tap.face);
+  const std::size_t texel = texel_index(frame, tap.texel);
+  const std::uint32_t instance = lookup.map.instance[face][texel];
+  const std::uint32_t triangle = lookup.map.triangle[face][texel];
+  if (instance == gbuffer.instance[pixel] && triangle == gbuffer.triangle[pixel]) return false;
+  return !is_own_surface(frame, receiver, facet_of(scene, frame, gbuffer.instance[pixel], gbuffer.triangle[pixel]), tap,
+                         facet_of(scene, frame, instance, triangle));
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,34 @@
+#include "experiments/number_text.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace umbrameter {
+namespace {
+
+TEST(NumberText, A_share_has_three_significant_digits) {
+  EXPECT_EQ(percent(0.0871234), "8.71 %");
+  EXPECT_EQ(percent(0.1234), "12.3 %");
+  EXPECT_EQ(percent(1.0), "100 %");
+  EXPECT_EQ(percent(0.000123456), "0.0123 %");
+  EXPECT_EQ(percent(0.0), "0 %");
+  EXPECT_EQ(percent(std::numeric_limits<double>::quiet_NaN()), "—") << "what was not measured is no number";
+}
+
+TEST(NumberText, An_interval_decides_how_many_decimals_its_value_has) {
+  EXPECT_EQ(percent(Estimate{0.105432, 0.104, 0.106}), "10.54 % [10.40, 10.60]");  // half width 0.10 %
+  EXPECT_EQ(percent(Estimate{0.105432, 0.0854, 0.1254}), "10.5 % [8.5, 12.5]");    // half width 2.0 %
+  EXPECT_EQ(percent(Estimate{0.25, 0.25, 0.25}), "25.0 %");
+}
+
+TEST(NumberText, A_length_is_in_the_unit_that_suits) {
+  EXPECT_EQ(length(0.0123456), "1.23 cm");
+  EXPECT_EQ(length(0.0123456, 2), "1.2 cm");
+  EXPECT_EQ(length(12345.0), "12.3 km");
+  EXPECT_EQ(length_text({1.5, LengthUnit::texels}), "1.5 texels");
+  EXPECT_EQ(length_text(Length{0.5}), "50 cm");
+}
+
+}  // namespace
+}  // namespace umbrameter

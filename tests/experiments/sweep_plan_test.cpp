@@ -1,0 +1,171 @@
+#include "experiments/sweep_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "core/error.h"
+
+namespace umbrameter {
+namespace {
+
+// Parameters of the names that the order of evaluation is about.
+struct Sample {
+  int size = 1;
+  int spp = 1;
+  int resolution = 256;
+  double constant_bias = 0.02;
+  double slope_bias = 0.5;
+  int filter_size = 3;
+  std::string filter = "nearest";
+};
+
+Parameters describe(Sample& s) {
+  return concatenate({Description("view").field("size", s.size, {"px", "size"}).take(),
+                      Description("truth").field("spp", s.spp, {"1", "rays"}).take(),
+                      Description("shadow")
+                          .field("resolution", s.resolution, {"texels", "resolution"})
+                          .field("constant-bias", s.constant_bias, {"m", "constant bias"})
+                          .field("slope-bias", s.slope_bias, {"texels", "slope-scaled bias"})
+                          .field("filter-size", s.filter_size, {"texels", "filter size"})
+                          .field("filter", s.filter, {"", "filter"})
+                          .take()});
+}
+
+SweepPlan plan_of(const std::vector<std::string>& assignments) {
+  Sample sample;
+  const Parameters parameters = describe(sample);
+  std::vector<SweepAxis> axes;
+  for (const std::string& assignment : assignments) axes.push_back(parse_axis(parameters, assignment));
+  return plan_sweep(parameters, axes);
+}
+
+// Every cell's own values, got from its index alone: the last axis runs fastest.
+std::vector<Value> grid_values(const SweepPlan& plan, std::size_t cell) {
+  std::vector<Value> values(plan.axes.size());
+  for (std::size_t a = plan.axes.size(); a-- > 0;) {
+    values[a] = plan.axes[a].values[cell % plan.axes[a].values.size()];
+    cell /= plan.axes[a].values.size();
+  }
+  return values;
+}
+
+// Every cell stands in one group, once, with its own values; no group is larger than allowed.
+void expect_covered(const SweepPlan& plan) {
+  std::vector<bool> seen(plan.cells);
+  std::size_t count = 0;
+  for (std::size_t g = 0; g < count_groups(plan); ++g) {
+    const CellGroup group = group_at(plan, g);
+    ASSERT_LE(group.size(), most_group_cells);
+    for (std::size_t c = 0; c < group.constant_bias.values.size(); ++c) {
+      for (std::size_t s = 0; s < group.slope_bias.values.size(); ++s) {
+        const std::size_t cell = group.cell(c, s);
+        ASSERT_LT(cell, plan.cells);
+        ASSERT_FALSE(seen[cell]) << cell;
+        seen[cell] = true;
+        ++count;
+        // Comparing all of a million would take longer than the plan.
+        if (cell % 97 != 0 && plan.cells > 10'000) continue;
+        ASSERT_EQ(values_at(group, c, s), grid_values(plan, cell)) << cell;
+      }
+    }
+  }
+  EXPECT_EQ(count, plan.cells);
+}
+
+TEST(SweepPlan, Every_cell_stands_in_one_group_with_its_values_whatever_the_order_of_axes) {
+  std::vector<std::string> axes = {"shadow.constant-bias=0:1:3", "shadow.filter=a,b", "shadow.resolution=256,512",
+                                   "shadow.slope-bias=0:2:4", "truth.spp=1,2,3"};
+  std::sort(axes.begin(), axes.end());
+  int orders = 0;
+  do {
+    const SweepPlan plan = plan_of(axes);
+    EXPECT_EQ(plan.cells, 3u * 2 * 2 * 4 * 3);
+    EXPECT_EQ(count_groups(plan), 2u * 2 * 3);
+    expect_covered(plan);
+    for (std::size_t cell = 0; cell < plan.cells; ++cell) ASSERT_EQ(values_at(plan, cell), grid_values(plan, cell));
+  } while (std::next_permutation(axes.begin(), axes.end()) && ++orders < 120);
+}
+
+TEST(SweepPlan, What_is_expensive_changes_least_often) {
+  std::vector<std::string> axes = {"shadow.constant-bias=0,1",
+                                   "shadow.filter-size=1,3,5,7,9",
+                                   "shadow.filter=a,b",
+                                   "shadow.resolution=256,512,1024",
+                                   "truth.spp=1,2",
+                                   "view.size=1,2,3,4"};
+  std::sort(axes.begin(), axes.end());
+  int orders = 0;
+  do {
+    const SweepPlan plan = plan_of(axes);
+    std::map<std::string, int> changes;
+    std::vector<Value> before;
+    for (std::size_t g = 0; g < count_groups(plan); ++g) {
+      const CellGroup group = group_at(plan, g);
+      for (std::size_t a = 0; a < plan.axes.size(); ++a) {
+        if (g > 0 && group.values[a] != before[a]) ++changes[plan.axes[a].key];
+      }
+      before = group.values;
+    }
+    // The first value is no change. A new truth belongs to each size, a new map to each truth.
+    EXPECT_EQ(changes["view.size"], 4 - 1);
+    EXPECT_EQ(changes["truth.spp"], 4 * 2 - 1);
+    EXPECT_EQ(changes["shadow.resolution"], 4 * 2 * 3 - 1);
+    EXPECT_EQ(changes.count("shadow.constant-bias"), 0u) << "one group has all of them";
+  } while (std::next_permutation(axes.begin(), axes.end()) && ++orders < 60);
+}
+
+TEST(SweepPlan, Biases_that_are_not_varied_are_the_experiments_own) {
+  const SweepPlan plan = plan_of({"shadow.resolution=256,512"});
+  ASSERT_EQ(count_groups(plan), 2u);
+  const CellGroup group = group_at(plan, 1);
+  EXPECT_EQ(group.size(), 1u);
+  EXPECT_EQ(group.constant_bias.values, (std::vector<double>{0.02}));
+  EXPECT_EQ(group.slope_bias.values, (std::vector<double>{0.5}));
+  EXPECT_FALSE(group.constant_bias.axis);
+  EXPECT_EQ(group.values, (std::vector<Value>{std::int64_t{512}}));
+  EXPECT_EQ(values_at(group, 0, 0), group.values);
+  EXPECT_EQ(group.cell(0, 0), 1u);
+}
+
+TEST(SweepPlan, A_huge_inner_grid_is_split_into_groups_that_keep_constant_biases_together) {
+  const SweepPlan long_axis = plan_of({"shadow.constant-bias=0:1:1000000"});
+  EXPECT_EQ(count_groups(long_axis), 16u) << "1,000,000 / 65,536, rounded up";
+  expect_covered(long_axis);
+  const SweepPlan wide =
+      plan_of({"shadow.slope-bias=0:1:300", "shadow.resolution=1,2", "shadow.constant-bias=0:1:1000"});
+  // 65 slope-scaled biases with 1,000 constant ones fit into 65,536 cells: five groups for 300 of them.
+  EXPECT_EQ(count_groups(wide), 2u * 5);
+  EXPECT_EQ(group_at(wide, 0).constant_bias.values.size(), 1000u);
+  EXPECT_EQ(group_at(wide, 0).slope_bias.values.size(), 65u);
+  expect_covered(wide);
+  const SweepPlan both = plan_of({"shadow.slope-bias=0:1:3", "shadow.constant-bias=0:1:100000"});
+  EXPECT_EQ(count_groups(both), 3u * 2);
+  expect_covered(both);
+}
+
+TEST(SweepPlan, A_group_of_a_billion_cells_is_made_from_its_number_at_once) {
+  const SweepPlan plan = plan_of({"shadow.filter-size=1:999999:500000", "shadow.resolution=1:2000:2000"});
+  ASSERT_EQ(plan.cells, 1'000'000'000u);
+  ASSERT_EQ(count_groups(plan), 1'000'000'000u);
+  const CellGroup last = group_at(plan, 999'999'999);
+  EXPECT_EQ(last.first_cell, 999'999'999u);
+  EXPECT_EQ(last.values, (std::vector<Value>{std::int64_t{999'999}, std::int64_t{2000}}));
+  // The filter changes first: the second group differs from the first in it alone.
+  EXPECT_EQ(group_at(plan, 1).values, (std::vector<Value>{std::int64_t{3}, std::int64_t{1}}));
+  EXPECT_EQ(group_at(plan, 1).first_cell, 2000u);
+}
+
+TEST(SweepPlan, Empty_and_repeated_axes_are_refused) {
+  Sample sample;
+  const Parameters parameters = describe(sample);
+  const SweepAxis bias = parse_axis(parameters, "shadow.constant-bias=0:1:3");
+  EXPECT_THROW(plan_sweep(parameters, {bias, bias}), Error);
+  EXPECT_THROW(plan_sweep(parameters, {{"shadow.constant-bias", "", {}}}), Error);
+  EXPECT_THROW(plan_sweep(parameters, {{"shadow.unknown", "1", {1.0}}}), Error);
+}
+
+}  // namespace
+}  // namespace umbrameter
