@@ -20,20 +20,20 @@ const char* kind_of(const Light& light) {
   return std::holds_alternative<SpotLight>(light.shape) ? "spot" : "point";
 }
 
-std::string light_text(const Workbench& workbench, const Experiment& experiment, std::uint32_t light) {
-  return fmt::format("{} ({}{})", workbench.title(light), kind_of(workbench.light(experiment, light)),
-                     is_area(workbench.light(experiment, light)) ? ", area light" : "");
+std::string light_text(const Stages& stages, const Experiment& experiment, std::uint32_t light) {
+  return fmt::format("{} ({}{})", stages.title(light), kind_of(stages.light(experiment, light)),
+                     is_area(stages.light(experiment, light)) ? ", area light" : "");
 }
 
-Row scene_row(const Workbench& workbench, const Experiment& experiment) {
-  const SceneCounts counts = count(workbench.scene());
+Row scene_row(const Stages& stages, const Experiment& experiment) {
+  const SceneCounts counts = count(stages.scene());
   return {"scene", fmt::format("{}, {} triangles", scene_title(experiment), grouped(counts.triangles))};
 }
 
-Row view_row(const Console& console, const Workbench& workbench, const ViewParams& params) {
+Row view_row(const Console& console, const Stages& stages, const ViewParams& params) {
   std::vector<std::string> notes;
   const double aspect = static_cast<double>(params.size.width) / params.size.height;
-  const Camera camera = select_camera(workbench.scene(), params.camera, aspect, notes);
+  const Camera camera = select_camera(stages.scene(), params.camera, aspect, notes);
   for (const std::string& text : notes) note(console, text);
   return {"view", fmt::format("{}×{} pixels, {}", params.size.width, params.size.height,
                               camera.name.empty() ? "a camera without a name" : "camera " + camera.name)};
@@ -62,17 +62,17 @@ ExitCode show(const Console& console, const std::vector<Row>& rows) {
 
 }  // namespace
 
-ExitCode show_image_plan(const CommandLine& line, const Console& console, Workbench& workbench,
+ExitCode show_image_plan(const CommandLine& line, const Console& console, Stages& stages,
                          const Experiment& experiment) {
-  std::vector<Row> rows = {scene_row(workbench, experiment), view_row(console, workbench, experiment.view)};
+  std::vector<Row> rows = {scene_row(stages, experiment), view_row(console, stages, experiment.view)};
   std::string lights;
-  for (const std::uint32_t light : workbench.lights(experiment.view.light)) {
-    lights += (lights.empty() ? "" : ", ") + light_text(workbench, experiment, light);
+  for (const std::uint32_t light : stages.lights(experiment.view.light)) {
+    lights += (lights.empty() ? "" : ", ") + light_text(stages, experiment, light);
   }
   rows.emplace_back("lights", lights);
   if (line.command != "trace") {
     rows.emplace_back("technique", fmt::format("shadow maps of {}² texels, {} filter; AO with {} samples per pixel",
-                                               experiment.shadow.resolution, value_of(experiment, "shadow.filter"),
+                                               experiment.shadow.map.resolution, value_of(experiment, "shadow.filter"),
                                                experiment.ao.samples));
   }
   if (line.command != "raster") {
@@ -130,17 +130,18 @@ TimeEstimate estimate_time(const SweepPlan& plan, double budget, const std::func
   return estimate;
 }
 
-ExitCode show_sweep_plan(const Console& console, Workbench& workbench, const PlannedSweep& sweep) {
+ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSweep& sweep) {
   const SweepPlan& plan = sweep.plan;
-  std::vector<Row> rows = {scene_row(workbench, sweep.experiment), view_row(console, workbench, sweep.experiment.view)};
-  if (sweep.measure != Measure::ao) {
+  std::vector<Row> rows = {scene_row(stages, sweep.experiment), view_row(console, stages, sweep.experiment.view)};
+  const bool is_ao = std::holds_alternative<AoStatistics>(sweep.statistics);
+  if (!is_ao) {
     std::string lights;
-    for (const std::uint32_t light : swept_lights(workbench, sweep.experiment, sweep.axes)) {
-      lights += (lights.empty() ? "" : ", ") + light_text(workbench, sweep.experiment, light);
+    for (const std::uint32_t light : swept_lights(stages, sweep.experiment, sweep.axes)) {
+      lights += (lights.empty() ? "" : ", ") + light_text(stages, sweep.experiment, light);
     }
     rows.emplace_back("light", lights);
   }
-  rows.emplace_back("measures", sweep.measure == Measure::ao ? "ambient occlusion" : "shadows");
+  rows.emplace_back("measures", is_ao ? "ambient occlusion" : "shadows");
   std::string axes;
   for (const SweepAxis& axis : sweep.axes) {
     axes += (axes.empty() ? "" : "; ") + fmt::format("{}, {} values ({})", axis.key, axis.values.size(), axis.text);
@@ -150,10 +151,10 @@ ExitCode show_sweep_plan(const Console& console, Workbench& workbench, const Pla
   const std::size_t groups = count_groups(plan);
   rows.emplace_back("groups",
                     fmt::format("{} of up to {} cells; {}", grouped(groups), grouped(group_at(plan, 0).size()),
-                                sweep.measure == Measure::visibility
+                                is_one_pass(stages, sweep.experiment, sweep.axes, sweep.statistics)
                                     ? "one pass measures all constant and slope-scaled biases of a group"
                                     : "each cell is measured separately"));
-  const EvaluateGroup evaluate = make_evaluator(workbench, sweep.experiment, sweep.axes, sweep.measure);
+  const EvaluateGroup evaluate = make_evaluator(stages, sweep.experiment, sweep.axes, sweep.statistics);
   const TimeEstimate estimate = estimate_time(plan, estimate_budget, [&](std::size_t index) {
     const auto start = std::chrono::steady_clock::now();
     evaluate(group_at(plan, index), [](std::size_t, std::size_t, std::span<const Value>) {});

@@ -9,19 +9,18 @@
 namespace umbrameter {
 
 /// Of compare, trace and raster: scene, view, lights, what is rendered, files. Renders nothing.
-ExitCode show_image_plan(const CommandLine& line, const Console& console, Workbench& workbench,
-                         const Experiment& experiment);
+ExitCode show_image_plan(const CommandLine& line, const Console& console, Stages& stages, const Experiment& experiment);
 
 struct PlannedSweep {
   Experiment experiment;
   const std::vector<SweepAxis>& axes;
   const SweepPlan& plan;
-  Measure measure;
+  const CellStatistics& statistics;
 };
 
 /// Of a sweep: scene, view, light, axes, cells, groups, and the time that it would take. The estimate measures the
 /// first group and, for each axis, the first and the last group at which it changes, for at most about 20 s.
-ExitCode show_sweep_plan(const Console& console, Workbench& workbench, const PlannedSweep& sweep);
+ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSweep& sweep);
 
 struct TimeEstimate {
   double seconds = 0.0;         ///< of all groups

@@ -86,43 +86,47 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
     run_folder.emplace(line.output, RunPlan{line.command, experiment_text(given), run_files(false)}, line.force);
   }
   const ThreadLimit threads(line.threads);
-  Workbench workbench(load_scene(given.scene, given.view.scene, given.reading, load_options(line)),
-                      {line.gl_device, line.threads, chosen_cache(line, console), given.scene}, console);
-  const Experiment experiment = workbench.in_metres(given);
+  Stages stages(load_scene(given.scene, given.view.scene, given.reading, load_options(line)),
+                {line.gl_device, line.threads, chosen_cache(line, console), given.scene}, console);
+  const Experiment experiment = stages.in_metres(given);
   const Sides sides = sides_of(line.command);
-  const std::vector<std::uint32_t> lights = workbench.lights(experiment.view.light);
-  workbench.require_sense_for(experiment, lights);
-  if (line.dry_run) return show_image_plan(line, console, workbench, experiment);
+  const std::vector<std::uint32_t> lights = stages.lights(experiment.view.light);
+  stages.require_sense_for(experiment, lights);
+  if (line.dry_run) return show_image_plan(line, console, stages, experiment);
   RunFolder& folder = *run_folder;
 
   Measurement measurement;
   measurement.experiment = experiment;
-  measurement.surfels = workbench.surfels(experiment.view);
+  measurement.surfels = stages.surfels(experiment);
   // Tracing fills the cores while one of them compiles shaders. Shimmer moves the camera, and with it the surfels.
-  if (line.command == "compare" && !experiment.run.shimmer) workbench.begin_ao_truth(experiment);
+  if (line.command == "compare" && !experiment.run.shimmer) stages.begin_ao_truth(experiment);
   for (const std::uint32_t light : lights) {
-    ShadowMeasurement shadow = measure_shadow(workbench, experiment, light, sides);
-    if (sides.raster && sides.truth) shadow.shape = measure_shape(workbench, shadow);
-    if (shadow.statistics && shadow.statistics->pixels > 0) shadow.advice = advise_bias(workbench, experiment, light);
-    if (shadow.shape && experiment.run.shimmer) shadow.shape->shimmer = measure_shimmer(workbench, shadow);
+    ShadowMeasurement shadow = measure_shadow(stages, experiment, light, sides);
+    if (sides.raster && sides.truth) shadow.shape = measure_shape(stages, shadow);
+    const VisibilityStatistics* causes = by_cause(shadow);
+    const bool has_bias_curve = causes != nullptr && causes->pixels > 0;
+    if (has_bias_curve && stages.capabilities(experiment).taps_independent_of_bias) {
+      shadow.advice = advise_bias(stages, experiment, light);
+    }
+    if (shadow.shape && experiment.run.shimmer) shadow.shape->shimmer = measure_shimmer(stages, shadow);
     measurement.shadows.push_back(std::move(shadow));
   }
-  measurement.ao = measure_ao(workbench, experiment, sides);
+  measurement.ao = measure_ao(stages, experiment, sides);
 
   RunOutput output;
   output.title = fmt::format("{}: {}", scene_title(experiment),
                              line.command == "compare" ? "technique against reference"
                              : line.command == "trace" ? "reference"
                                                        : "technique");
-  output.subtitle = subtitle_of(workbench, measurement.surfels.view);
-  output.parts.push_back(present_picture(workbench, measurement));
+  output.subtitle = subtitle_of(stages, measurement.surfels.view);
+  output.parts.push_back(present_picture(stages, measurement));
   for (const ShadowMeasurement& shadow : measurement.shadows) {
-    output.parts.push_back(present_shadow(workbench, shadow));
-    if (shadow.shape) present_shape(output.parts.back(), workbench, shadow);
+    output.parts.push_back(present_shadow(stages, shadow));
+    if (shadow.shape) present_shape(output.parts.back(), stages, shadow);
   }
   output.parts.push_back(present_ao(*measurement.ao));
-  output.summary = {line.command, given, &workbench, &measurement, {}, {}, {}, {}};
-  if (sides.raster) output.summary.gl_renderer = workbench.context().device().renderer;
+  output.summary = {line.command, given, &stages, &measurement, {}, {}, {}, {}};
+  if (sides.raster) output.summary.gl_renderer = stages.context().device().renderer;
   output.with_figures = !line.no_figures;
   return write_run(folder, console, std::move(output));
 }

@@ -56,26 +56,26 @@ std::string bounds_text(const Light& light) {
 }
 
 // All that the rows depend on besides the axes: who asks again with one of these changed gets no old row.
-std::vector<std::pair<std::string, std::string>> settings_of(Workbench& workbench, Experiment experiment,
-                                                             Measure measure) {
+std::vector<std::pair<std::string, std::string>> settings_of(Stages& stages, Experiment experiment,
+                                                             SweptQuantity quantity) {
   std::vector<std::pair<std::string, std::string>> settings;
   settings.emplace_back("scene", experiment.scene);
   for (const Parameter& parameter : describe(experiment)) {
     settings.emplace_back(parameter.key, to_string(parameter.value()));
   }
-  settings.emplace_back("measured", measure == Measure::ao ? "ao" : "visibility");
-  settings.emplace_back("content of the scene", scene_content(workbench.scene()));
+  settings.emplace_back("measured", quantity == SweptQuantity::ao ? "ao" : "visibility");
+  settings.emplace_back("content of the scene", scene_content(stages.scene()));
   std::string lights;
-  for (std::uint32_t i = 0; i < workbench.scene().lights.size(); ++i) {
-    const Light light = workbench.light(experiment, i);
+  for (std::uint32_t i = 0; i < stages.scene().lights.size(); ++i) {
+    const Light light = stages.light(experiment, i);
     lights += light_content(light) + bounds_text(light) + " ";
   }
   settings.emplace_back("content of the lights", lights);
-  settings.emplace_back("content of the view", surfel_content(workbench.surfels(experiment.view).gbuffer));
+  settings.emplace_back("content of the view", surfel_content(stages.surfels(experiment).gbuffer));
   std::string cameras;
-  for (const Camera& camera : workbench.scene().cameras) cameras += camera_content(camera) + " ";
+  for (const Camera& camera : stages.scene().cameras) cameras += camera_content(camera) + " ";
   settings.emplace_back("content of the cameras", cameras);
-  settings.emplace_back("OpenGL", workbench.context().device().renderer);
+  settings.emplace_back("OpenGL", stages.context().device().renderer);
   settings.emplace_back("program", tracer_identity());
   return settings;
 }
@@ -88,7 +88,7 @@ std::vector<std::pair<std::string, Value>> cell_values(const std::vector<SweepAx
 }
 
 // One bar for all of it, tracing included.
-void measure_missing(const SweepPlan& plan, ResultsStore& store, Workbench& workbench, const EvaluateGroup& evaluate,
+void measure_missing(const SweepPlan& plan, ResultsStore& store, Stages& stages, const EvaluateGroup& evaluate,
                      const Console& console) {
   const std::size_t kept = store.count();
   if (kept > 0) note(console, fmt::format("{} of {} cells are done; resuming", kept, plan.cells));
@@ -99,7 +99,7 @@ void measure_missing(const SweepPlan& plan, ResultsStore& store, Workbench& work
       const auto done = static_cast<std::size_t>(std::llround(advance.cells * static_cast<double>(plan.cells)));
       bar.show(advance.share, fmt::format("{} of {}", done, plan.cells));
     };
-    workbench.report_tracing([&](double share) {
+    stages.report_tracing([&](double share) {
       advance_tracing(advance, share);
       show();
     });
@@ -107,7 +107,7 @@ void measure_missing(const SweepPlan& plan, ResultsStore& store, Workbench& work
       advance_cells(advance, share);
       show();
     });
-    workbench.report_tracing({});
+    stages.report_tracing({});
   } catch (const Error& error) {
     if (error.code() != ExitCode::interrupted && error.code() != ExitCode::terminated) throw;
     if (store.count() == 0) throw_if_interrupted("no cell is done; rerun the command to start over");
@@ -122,31 +122,31 @@ void measure_missing(const SweepPlan& plan, ResultsStore& store, Workbench& work
 ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   Experiment experiment = make_experiment(line);
   const std::vector<SweepAxis> axes = make_axes(line, experiment);
-  Measure measure = choose_measure(experiment.run.measure, axes);
+  const SweptQuantity quantity = choose_quantity(experiment.run.measure, axes);
   const Parameters parameters = describe(experiment);
-  const SweepPlan plan = plan_sweep(parameters, axes);
+  const SweepPlan plan = plan_sweep(parameters, axes, cost_of_change);
   std::optional<RunFolder> run_folder;
   if (!line.dry_run) {
     run_folder.emplace(line.output, RunPlan{line.command, experiment_text(experiment), run_files(true), true},
                        line.force);
   }
   const ThreadLimit threads(line.threads);
-  Workbench workbench(load_scene(experiment.scene, experiment.view.scene, experiment.reading, load_options(line)),
-                      {line.gl_device, line.threads, chosen_cache(line, console), experiment.scene}, console);
-  const std::vector<std::uint32_t> lights = workbench.lights(experiment.view.light);
-  if (measure == Measure::visibility && !varies_group(axes, "view.light") && lights.size() > 1) {
+  Stages stages(load_scene(experiment.scene, experiment.view.scene, experiment.reading, load_options(line)),
+                {line.gl_device, line.threads, chosen_cache(line, console), experiment.scene}, console);
+  const std::vector<std::uint32_t> lights = stages.lights(experiment.view.light);
+  if (quantity == SweptQuantity::visibility && !varies_group(axes, "view.light") && lights.size() > 1) {
     // A sweep is about one light; which one is part of the stored experiment.
     experiment.view.light = std::to_string(lights.front());
     note(console, fmt::format("the scene has {} lights; this sweep uses '{}'; select another with --light",
-                              lights.size(), workbench.title(lights.front())));
+                              lights.size(), stages.title(lights.front())));
   }
   if (!varies_group(axes, "light.")) {
-    workbench.require_sense_for(experiment, swept_lights(workbench, experiment, axes));
+    stages.require_sense_for(experiment, swept_lights(stages, experiment, axes));
   }
-  if (measure == Measure::visibility && has_soft_cells(workbench, experiment, axes)) measure = Measure::soft_visibility;
+  const CellStatistics statistics = choose_statistics(stages, experiment, axes, quantity);
 
   if (line.dry_run) {
-    return show_sweep_plan(console, workbench, {workbench.in_metres(experiment), axes, plan, measure});
+    return show_sweep_plan(console, stages, {stages.in_metres(experiment), axes, plan, statistics});
   }
 
   RunFolder& folder = *run_folder;
@@ -154,16 +154,16 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   folder.announce(ResultsStore::file_names());
   ResultsStore store =
       ResultsStore::open(line.output,
-                         {toml, settings_of(workbench, experiment, measure), experiment.axes,
-                          stored_columns(parameters, plan, columns_of(measure), sample_row(measure)), plan.cells},
+                         {toml, settings_of(stages, experiment, quantity), experiment.axes,
+                          stored_columns(parameters, plan, columns_of(statistics), row_of(statistics)), plan.cells},
                          line.force);
   if (store.complete()) {
     note(console, fmt::format("all {} cells are done; --force recomputes them", plan.cells));
   } else {
-    const EvaluateGroup evaluate = make_evaluator(workbench, workbench.in_metres(experiment), axes, measure);
+    const EvaluateGroup evaluate = make_evaluator(stages, stages.in_metres(experiment), axes, statistics);
     bool is_begun = false;
     measure_missing(
-        plan, store, workbench,
+        plan, store, stages,
         [&](const CellGroup& group, const RowSink& keep) {
           evaluate(group, keep);
           if (std::exchange(is_begun, true)) return;
@@ -177,33 +177,32 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   // The view does not move the map's range: with the view at hand nothing has to be drawn for it.
   const auto depth_range = [&](const std::vector<Value>& values) {
     Experiment cell = at_cell(experiment, axes, values);
-    const std::uint32_t light = workbench.lights(cell.view.light).front();
+    const std::uint32_t light = stages.lights(cell.view.light).front();
     cell.view = experiment.view;
-    return workbench.fit(cell, light).frame.far_depth;
+    return stages.layout(cell, light).far_depth;
   };
-  const bool is_limit_fixed = measure == Measure::ao && !varies_group(axes, "truth.ao-distance");
-  const std::string ao_limit = is_limit_fixed ? ao_limit_text(workbench.in_metres(experiment).truth) : "";
-  const SweepResults results{parameters, plan, store, measure, depth_range, ao_limit};
+  const bool is_limit_fixed = quantity == SweptQuantity::ao && !varies_group(axes, "truth.ao-distance");
+  const std::string ao_limit = is_limit_fixed ? ao_limit_text(stages.in_metres(experiment).truth) : "";
+  const SweepResults results{parameters, plan, store, statistics, depth_range, ao_limit};
   const Table best_of_lines = best_rows(results);
   const std::optional<BiasCurves> curves = read_bias_curves(results);
   const std::vector<Value> least = least_row(results);
-  const Experiment best =
-      workbench.in_metres(at_cell(workbench.in_metres(experiment), axes,
-                                  {least.begin(), least.begin() + static_cast<std::ptrdiff_t>(axes.size())}));
+  const Experiment best = stages.in_metres(at_cell(
+      stages.in_metres(experiment), axes, {least.begin(), least.begin() + static_cast<std::ptrdiff_t>(axes.size())}));
   Measurement measurement;
   measurement.experiment = best;
-  measurement.surfels = workbench.surfels(best.view);
+  measurement.surfels = stages.surfels(best);
   RunOutput output;
   output.title = fmt::format("{}: sweep", scene_title(experiment));
-  output.subtitle = subtitle_of(workbench, measurement.surfels.view);
+  output.subtitle = subtitle_of(stages, measurement.surfels.view);
   const std::vector<OpenEnd> ends = open_ends(results, best_of_lines);
   output.parts.push_back(present_sweep(results, best_of_lines, curves, ends));
-  if (measure == Measure::ao) {
-    measurement.ao = measure_ao(workbench, best, {});
+  if (quantity == SweptQuantity::ao) {
+    measurement.ao = measure_ao(stages, best, {});
     output.parts.push_back(present_ao(*measurement.ao));
   } else {
-    measurement.shadows.push_back(measure_shadow(workbench, best, workbench.lights(best.view.light).front(), {}));
-    output.parts.push_back(present_shadow(workbench, measurement.shadows.front()));
+    measurement.shadows.push_back(measure_shadow(stages, best, stages.lights(best.view.light).front(), {}));
+    output.parts.push_back(present_shadow(stages, measurement.shadows.front()));
   }
   // The sweep's own part has the answer.
   Presentation& of_cell = output.parts.back();
@@ -211,14 +210,14 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   ReportSection& section = of_cell.section;
   section.title += " in the cell of least error";
   section.text = fmt::format("This section shows the cell {}.\n\n", cell_text(results, least)) + section.text;
-  output.parts.push_back(present_picture(workbench, measurement));
+  output.parts.push_back(present_picture(stages, measurement));
   output.results = &store;
   output.summary = {line.command,
                     experiment,
-                    &workbench,
+                    &stages,
                     &measurement,
                     SweepSummary{plan.cells, best_of_lines, cell_values(axes, least), curves, ends},
-                    workbench.context().device().renderer,
+                    stages.context().device().renderer,
                     {},
                     {}};
   output.with_figures = !line.no_figures;

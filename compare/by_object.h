@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "compare/table.h"
 #include "compare/visibility.h"
+#include "core/table.h"
 #include "scenes/scene.h"
 
 namespace umbrameter {

@@ -145,16 +145,6 @@ Estimate estimate_part(double value, const PartSums& part, int degrees_of_freedo
 
 }  // namespace
 
-void add_estimate(std::vector<Column>& columns, const std::string& name, const std::string& meaning) {
-  columns.push_back({name, "1", meaning});
-  columns.push_back({name + "_lo", "1", "lower end of its 95 % interval"});
-  columns.push_back({name + "_hi", "1", "upper end of its 95 % interval"});
-}
-
-void add_estimate(std::vector<Value>& row, const Estimate& estimate) {
-  row.insert(row.end(), {Value(estimate.value), Value(estimate.lower), Value(estimate.upper)});
-}
-
 SampledError analyze_sampled(const Image<float>& raster, const SampledImage& truth, const IsCounted& is_counted) {
   assert(raster.size() == truth.value.size());
   assert(truth.variance.empty() || raster.size() == truth.variance.size());

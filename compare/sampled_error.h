@@ -7,21 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "compare/table.h"
 #include "core/image.h"
+#include "core/statistics.h"
 
 namespace umbrameter {
-
-/// A statistic and its 95 % interval from the reference's sampling.
-struct Estimate {
-  double value = 0.0;
-  double lower = 0.0;
-  double upper = 0.0;
-};
-
-/// Its share and the ends of its interval as three columns of a table, and as three cells of a row.
-void add_estimate(std::vector<Column>& columns, const std::string& name, const std::string& meaning);
-void add_estimate(std::vector<Value>& row, const Estimate& estimate);
 
 struct SampledError {
   std::uint64_t pixels = 0;

@@ -19,40 +19,28 @@ SoftVisibilityStatistics analyze_soft_visibility(const Image<float>& raster, con
   return statistics;
 }
 
-std::vector<Column> soft_visibility_columns() {
-  std::vector<Column> columns = {
-      {"pixels", "px", "counted pixels: they face part of the light and lie inside its map, cone and range"}};
-  add_estimate(columns, "lit", "mean visibility of the reference");
-  columns.push_back({"penumbra", "1", "share in the penumbra: neither lit nor blocked in the reference"});
-  add_estimate(columns, "mae", "mean absolute error of visibility");
-  add_estimate(columns, "rmse", "root mean square error, corrected for the variance of the reference");
-  add_estimate(columns, "mean_error", "mean of technique − reference");
-  add_estimate(columns, "false_blocked",
-               "part of the mean absolute error where the technique is too dark; the lower end is conservative: it is "
-               "corrected for about twice the noise of the reference");
-  add_estimate(
-      columns, "false_lit",
-      "part of the mean absolute error where the technique is too bright; the lower end is conservative: it is "
-      "corrected for about twice the noise of the reference");
-  columns.push_back({"mean_raster", "1", "mean visibility of the technique"});
-  columns.push_back({"max_error", "1", "largest absolute error, including the noise of the reference"});
-  columns.push_back(mean_texel_column());
-  return columns;
-}
-
-std::vector<Value> to_row(const SoftVisibilityStatistics& s) {
-  std::vector<Value> row = {static_cast<std::int64_t>(s.error.pixels)};
-  add_estimate(row, s.error.mean_truth);
-  row.emplace_back(s.penumbra);
-  add_estimate(row, s.error.mae);
-  add_estimate(row, s.error.rmse);
-  add_estimate(row, s.error.mean_error);
-  add_estimate(row, s.error.too_dark);
-  add_estimate(row, s.error.too_bright);
-  row.emplace_back(s.error.mean_raster);
-  row.emplace_back(s.error.max_error);
-  row.emplace_back(s.mean_texel);
-  return measured_row(std::move(row), s.error.pixels);
+Statistics describe(SoftVisibilityStatistics& s) {
+  const std::string conservative =
+      "; the lower end is conservative: it is corrected for about twice the noise of the reference";
+  return StatisticsDescription()
+      .field("pixels", s.error.pixels, "px",
+             "counted pixels: they face part of the light and lie inside its map, cone and range")
+      .field("lit", s.error.mean_truth, "1", "mean visibility of the reference")
+      .field("penumbra", s.penumbra, "1", "share in the penumbra: neither lit nor blocked in the reference")
+      .field("mae", s.error.mae, "1", "mean absolute error of visibility",
+             {"Mean absolute error of visibility", "mean absolute error [%], 95 % interval"})
+      .field("rmse", s.error.rmse, "1", "root mean square error, corrected for the variance of the reference")
+      .field("mean_error", s.error.mean_error, "1", "mean of technique − reference")
+      .field("false_blocked", s.error.too_dark, "1",
+             "part of the mean absolute error where the technique is too dark" + conservative,
+             {"Too dark", "too dark [% of counted pixels], 95 % interval"})
+      .field("false_lit", s.error.too_bright, "1",
+             "part of the mean absolute error where the technique is too bright" + conservative,
+             {"Too bright", "too bright [% of counted pixels], 95 % interval"})
+      .field("mean_raster", s.error.mean_raster, "1", "mean visibility of the technique")
+      .field("max_error", s.error.max_error, "1", "largest absolute error, including the noise of the reference")
+      .field("mean_texel", s.mean_texel, "m", mean_texel_meaning)
+      .take();
 }
 
 }  // namespace umbrameter

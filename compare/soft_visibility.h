@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "compare/sampled_error.h"
-#include "compare/table.h"
 #include "compare/visibility.h"
 
 namespace umbrameter {
@@ -21,8 +20,6 @@ struct SoftVisibilityStatistics {
 SoftVisibilityStatistics analyze_soft_visibility(const Image<float>& raster, const SampledImage& truth,
                                                  const CountedPixels& counted);
 
-/// The statistics as one row, in the order of soft_visibility_columns(): the measured columns of a sweep.
-std::vector<Column> soft_visibility_columns();
-std::vector<Value> to_row(const SoftVisibilityStatistics& statistics);
+Statistics describe(SoftVisibilityStatistics& statistics);
 
 }  // namespace umbrameter

@@ -126,31 +126,27 @@ Image<PixelClass> classify(const WrongTaps& wrong, const CountedPixels& counted)
   return result;
 }
 
-std::vector<Column> visibility_columns() {
-  std::vector<Column> columns = {
-      {"pixels", "px", "counted pixels: they face the light and lie inside its map, cone and range"},
-      {"lit", "1", "share lit in the reference"},
-      {"blocked", "1", "share blocked in the reference"},
-      {"mae", "1", "mean absolute error of visibility"},
-      {"rmse", "1", "root mean square error of visibility"},
-  };
-  for (std::size_t c = 0; c < cause_count; ++c) {
-    columns.push_back({std::string(cause_names[c]), "1", std::string(cause_meaning(static_cast<Cause>(c)))});
-  }
-  columns.insert(columns.end(), {{"mean_error", "1", "mean of technique − reference"},
-                                 {"max_error", "1", "largest absolute error"},
-                                 {"false_blocked", "1", "reference lit, technique blocked"},
-                                 {"false_lit", "1", "reference blocked, technique lit"},
-                                 mean_texel_column()});
-  return columns;
-}
-
-Column mean_texel_column() { return {"mean_texel", "m", "mean size of a shadow-map texel at the counted pixels"}; }
-
-std::vector<Value> to_row(const VisibilityStatistics& s) {
-  return measured_row({static_cast<std::int64_t>(s.pixels), s.lit, s.blocked, s.mae, s.rmse, s.acne, s.false_occlusion,
-                       s.peter_panning, s.leak, s.mean_error, s.max_error, s.false_blocked, s.false_lit, s.mean_texel},
-                      s.pixels);
+Statistics describe(VisibilityStatistics& s) {
+  const auto meaning = [](Cause cause) { return std::string(cause_meaning(cause)); };
+  return StatisticsDescription()
+      .field("pixels", s.pixels, "px", "counted pixels: they face the light and lie inside its map, cone and range")
+      .field("lit", s.lit, "1", "share lit in the reference")
+      .field("blocked", s.blocked, "1", "share blocked in the reference")
+      .field("mae", s.mae, "1", "mean absolute error of visibility",
+             {"Mean absolute error of visibility", "mean absolute error [% of counted pixels]", true})
+      .field("rmse", s.rmse, "1", "root mean square error of visibility")
+      .field("acne", s.acne, "1", meaning(Cause::acne), {"Acne", "acne [% of counted pixels]"})
+      .field("false_occlusion", s.false_occlusion, "1", meaning(Cause::false_occlusion),
+             {"False occlusion", "false occlusion [% of counted pixels]"})
+      .field("peter_panning", s.peter_panning, "1", meaning(Cause::peter_panning),
+             {"Peter-panning", "peter-panning [% of counted pixels]"})
+      .field("leak", s.leak, "1", meaning(Cause::light_leak), {"Light leak", "light leak [% of counted pixels]"})
+      .field("mean_error", s.mean_error, "1", "mean of technique − reference")
+      .field("max_error", s.max_error, "1", "largest absolute error")
+      .field("false_blocked", s.false_blocked, "1", "reference lit, technique blocked")
+      .field("false_lit", s.false_lit, "1", "reference blocked, technique lit")
+      .field("mean_texel", s.mean_texel, "m", mean_texel_meaning)
+      .take();
 }
 
 }  // namespace umbrameter

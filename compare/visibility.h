@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <string_view>
 
-#include "compare/table.h"
 #include "core/gbuffer.h"
 #include "core/image.h"
+#include "core/statistics.h"
 #include "techniques/shadow/causes.h"
 #include "techniques/shadow/filter.h"
 #include "techniques/shadow/histogram.h"
@@ -55,6 +55,10 @@ struct VisibilityStatistics {
   double false_lit = 0.0;      ///< truth blocked, raster lit: of a filtered pixel its lit part
   double mean_texel = 0.0;     ///< mean side of a texel at the counted surfels, metres
 };
+
+Statistics describe(VisibilityStatistics& statistics);
+
+inline constexpr const char* mean_texel_meaning = "mean size of a shadow-map texel at the counted pixels";
 
 /// How many pixels each counting class holds, indexed by Counting.
 using CountingTotals = std::array<std::uint64_t, 6>;
@@ -103,10 +107,5 @@ Image<float> signed_error(const Image<float>& raster, const Image<float>& truth)
 
 /// The class with the largest share of each pixel's wrong taps; ties go to the first in PixelClass's order.
 Image<PixelClass> classify(const WrongTaps& wrong, const CountedPixels& counted);
-
-/// The statistics as one row, in the order of visibility_columns(): the measured columns of sweep.csv.
-std::vector<Column> visibility_columns();
-Column mean_texel_column();
-std::vector<Value> to_row(const VisibilityStatistics& statistics);
 
 }  // namespace umbrameter

@@ -7,11 +7,12 @@ namespace {
 
 struct Cells {
   std::vector<Value>& row;
-  double unmeasured;  ///< added to real numbers: 0, or NaN where no pixel was measured
+  bool is_measured;
+  Value number(double value) const { return is_measured ? value : std::numeric_limits<double>::quiet_NaN(); }
   void operator()(const std::uint64_t* count) const { row.emplace_back(static_cast<std::int64_t>(*count)); }
-  void operator()(const double* number) const { row.emplace_back(*number + unmeasured); }
+  void operator()(const double* value) const { row.push_back(this->number(*value)); }
   void operator()(const Estimate* estimate) const {
-    for (const double number : {estimate->value, estimate->lower, estimate->upper}) row.emplace_back(number + unmeasured);
+    for (const double end : {estimate->value, estimate->lower, estimate->upper}) row.push_back(number(end));
   }
 };
 
@@ -22,17 +23,19 @@ bool counts_no_pixel(const Statistics& statistics) {
   return false;
 }
 
-void set_value(const Statistic& statistic, const std::string& column, const Value& value) {
+// The object's value that a column holds.
+RowReader::Target target_of(const Statistic& statistic, std::string_view column) {
   if (auto* const* count = std::get_if<std::uint64_t*>(&statistic.field)) {
-    if (column == statistic.name) **count = static_cast<std::uint64_t>(std::get<std::int64_t>(value));
+    if (column == statistic.name) return *count;
   } else if (auto* const* number = std::get_if<double*>(&statistic.field)) {
-    if (column == statistic.name) **number = to_number(value);
+    if (column == statistic.name) return *number;
   } else {
     Estimate& estimate = *std::get<Estimate*>(statistic.field);
-    if (column == statistic.name) estimate.value = to_number(value);
-    if (column == lower_name(statistic.name)) estimate.lower = to_number(value);
-    if (column == upper_name(statistic.name)) estimate.upper = to_number(value);
+    if (column == statistic.name) return &estimate.value;
+    if (column == lower_name(statistic.name)) return &estimate.lower;
+    if (column == upper_name(statistic.name)) return &estimate.upper;
   }
+  return std::monostate{};
 }
 
 }  // namespace
@@ -53,14 +56,26 @@ std::vector<Column> columns_of(const Statistics& statistics) {
 
 std::vector<Value> row_of(const Statistics& statistics) {
   std::vector<Value> row;
-  const double unmeasured = counts_no_pixel(statistics) ? std::numeric_limits<double>::quiet_NaN() : 0.0;
-  for (const Statistic& statistic : statistics) std::visit(Cells{row, unmeasured}, statistic.field);
+  const Cells cells{row, !counts_no_pixel(statistics)};
+  for (const Statistic& statistic : statistics) std::visit(cells, statistic.field);
   return row;
 }
 
-void read_row(const Statistics& statistics, std::span<const Column> columns, std::span<const Value> row) {
-  for (const Statistic& statistic : statistics) {
-    for (std::size_t c = 0; c < columns.size(); ++c) set_value(statistic, columns[c].name, row[c]);
+RowReader::RowReader(const Statistics& statistics, std::span<const std::string> columns) {
+  for (const std::string& column : columns) {
+    Target& target = targets_.emplace_back();
+    for (const Statistic& statistic : statistics) {
+      if (std::holds_alternative<std::monostate>(target)) target = target_of(statistic, column);
+    }
+  }
+}
+
+void RowReader::read(std::span<const Value> row) const {
+  for (std::size_t c = 0; c < targets_.size(); ++c) {
+    if (double* const* number = std::get_if<double*>(&targets_[c])) **number = to_number(row[c]);
+    if (std::uint64_t* const* count = std::get_if<std::uint64_t*>(&targets_[c])) {
+      **count = static_cast<std::uint64_t>(std::get<std::int64_t>(row[c]));
+    }
   }
 }
 

@@ -67,11 +67,27 @@ std::string upper_name(std::string_view statistic);  ///< "mae_hi"
 
 std::vector<Column> columns_of(const Statistics& statistics);
 
-/// The values in the order of columns_of(). Over no pixels there is no error: real numbers become NaN, which files write
-/// as nan or null, so that nothing measured never looks like a perfect score.
+/// The values in the order of columns_of(). Over no pixels there is no error: real numbers become NaN, which files
+/// write as nan or null, so that nothing measured never looks like a perfect score.
 std::vector<Value> row_of(const Statistics& statistics);
 
-/// Writes the values of these columns into the object; columns that it does not describe are ignored.
-void read_row(const Statistics& statistics, std::span<const Column> columns, std::span<const Value> row);
+/// The same of a struct with a describe().
+template <class Struct>
+requires requires(Struct& object) { describe(object); }
+std::vector<Column> columns_of(Struct object) { return columns_of(describe(object)); }
+template <class Struct>
+requires requires(Struct& object) { describe(object); }
+std::vector<Value> row_of(Struct object) { return row_of(describe(object)); }
+
+/// Reads rows with these columns into an object, by name. Columns that the object does not describe are ignored.
+class RowReader {
+ public:
+  using Target = std::variant<std::monostate, std::uint64_t*, double*>;
+  RowReader(const Statistics& statistics, std::span<const std::string> columns);
+  void read(std::span<const Value> row) const;
+
+ private:
+  std::vector<Target> targets_;
+};
 
 }  // namespace umbrameter

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "compare/table.h"
 #include "core/parameters.h"
+#include "core/table.h"
 #include "raytrace/parameters.h"
 #include "scenes/emitter.h"
 #include "scenes/scene_params.h"

@@ -9,14 +9,14 @@ namespace {
 
 void add_shadow(LayeredImage& image, const std::string& light, const ShadowMeasurement& shadow) {
   if (shadow.truth) add_layer(image, "truth_visibility_" + light, shadow.truth->visibility);
-  if (shadow.truth && is_soft(shadow)) {
+  if (shadow.truth && has_area_light(shadow)) {
     add_layer(image, "truth_visibility_standard_error_" + light, shadow.truth->standard_error);
     add_layer(image, "truth_visibility_samples_" + light, shadow.truth->samples);
   }
   if (shadow.raster) add_layer(image, "raster_visibility_" + light, shadow.raster->visibility);
   if (!shadow.truth || !shadow.raster) return;
   add_layer(image, "error_visibility_" + light, signed_error(shadow.raster->visibility, shadow.truth->visibility));
-  if (!shadow.statistics) return;
+  if (by_cause(shadow) == nullptr) return;
   const Image<PixelClass> classes = classify(shadow.raster->wrong, shadow.counted);
   Image<float> numbers(classes.width, classes.height);
   for (std::size_t i = 0; i < classes.size(); ++i) numbers[i] = static_cast<float>(classes[i]);
@@ -59,25 +59,25 @@ Image<vec3> surface_positions(const GBuffer& gbuffer) {
 
 }  // namespace
 
-Image<vec3> picture_of(const Workbench& workbench, const Measurement& measurement) {
+Image<vec3> picture_of(const Stages& stages, const Measurement& measurement) {
   std::vector<LitBy> lights;
   for (const ShadowMeasurement& shadow : measurement.shadows) {
     const Image<float>& visibility = shadow.raster ? shadow.raster->visibility : shadow.truth->visibility;
-    lights.push_back({&workbench.scene().lights[shadow.light], &visibility});
+    lights.push_back({&stages.scene().lights[shadow.light], &visibility});
   }
   const Image<float>* ao = nullptr;
   if (measurement.ao) ao = measurement.ao->raster ? &*measurement.ao->raster : &measurement.ao->truth->ao;
   return shade(measurement.surfels.gbuffer, lights, ao);
 }
 
-LayeredImage layers_of(const Workbench& workbench, const Measurement& measurement) {
+LayeredImage layers_of(const Stages& stages, const Measurement& measurement) {
   LayeredImage image;
   const GBuffer& gbuffer = measurement.surfels.gbuffer;
-  for (const ShadowMeasurement& shadow : measurement.shadows) add_shadow(image, workbench.layer(shadow.light), shadow);
+  for (const ShadowMeasurement& shadow : measurement.shadows) add_shadow(image, stages.layer(shadow.light), shadow);
   if (measurement.ao) add_ao(image, *measurement.ao);
   add_layer(image, "gbuffer_position", surface_positions(gbuffer));
   add_layer(image, "gbuffer_normal", gbuffer.geometric_normal);
-  add_picture(image, picture_of(workbench, measurement), gbuffer);
+  add_picture(image, picture_of(stages, measurement), gbuffer);
   const dmat4 view_from = view_from_world(measurement.surfels.view);
   image.world_to_camera = mat4(view_from);
   image.world_to_ndc = mat4(clip_from_view(measurement.surfels.view) * view_from);

@@ -6,47 +6,66 @@ SampledImage sampled(const TracedVisibility& truth) {
   return {truth.visibility, truth.variance, truth.samples, truth.degrees_of_freedom};
 }
 
-ShadowMeasurement measure_shadow(Workbench& workbench, const Experiment& experiment, std::uint32_t light, Sides sides) {
-  const LightFit& fit = workbench.fit(experiment, light);
-  const Light lamp = workbench.light(experiment, light);
-  const bool is_soft = is_area(lamp);
+namespace {
+
+void measure_causes(Stages& stages, ShadowMeasurement& measurement) {
+  const Experiment& experiment = measurement.experiment;
+  WrongTaps& wrong = measurement.raster->wrong;
+  if (experiment.run.classes == ClassRule::exact) {
+    measurement.agreement = stages.judge(experiment, measurement.light, wrong);
+  }
+  measurement.statistics = analyze_visibility(wrong, measurement.truth->visibility, measurement.counted);
+  const GBuffer& gbuffer = stages.surfels(experiment).gbuffer;
+  const auto by_part = [&](PartKind kind) {
+    return errors_by_part(stages.scene(), kind, gbuffer, wrong, measurement.counted);
+  };
+  measurement.objects = by_part(PartKind::object);
+  measurement.materials = by_part(PartKind::material);
+}
+
+}  // namespace
+
+EdgeStatistics measure_edges(Stages& stages, const Experiment& experiment, std::uint32_t light,
+                             const Image<float>& drawn) {
+  const Light lamp = stages.light(experiment, light);
+  const ShapeInput input{stages.surfels(experiment).gbuffer, stages.truth(experiment, light).visibility,
+                         stages.counted(experiment, light), lamp, stages.layout(experiment, light)};
+  return analyze_edges(input, drawn, analyze_error_shape(input, drawn));
+}
+
+ShadowMeasurement measure_shadow(Stages& stages, const Experiment& experiment, std::uint32_t light, Sides sides) {
+  const Light lamp = stages.light(experiment, light);
+  const bool has_causes = !is_area(lamp) && stages.capabilities(experiment).sums_comparisons;
   ShadowMeasurement measurement;
   measurement.experiment = experiment;
   measurement.light = light;
-  measurement.frame = fit.frame;
-  measurement.counted = fit.counted;
+  measurement.frame = stages.layout(experiment, light);
+  measurement.counted = stages.counted(experiment, light);
   measurement.emitter = lamp.emitter;
-  if (sides.truth) measurement.truth = workbench.truth(experiment, light);
-  if (sides.raster) measurement.raster = workbench.draw(experiment, light, sides.truth && !is_soft);
+  if (sides.truth) measurement.truth = stages.truth(experiment, light);
+  if (sides.raster) measurement.raster = stages.draw(experiment, light, sides.truth && has_causes);
   if (!sides.raster || !sides.truth) return measurement;
   const Image<float>& drawn = measurement.raster->visibility;
-  const TracedVisibility& truth = *measurement.truth;
-  if (is_soft) {
-    measurement.soft_statistics = analyze_soft_visibility(drawn, sampled(truth), measurement.counted);
+  if (has_causes) {
+    measure_causes(stages, measurement);
+  } else if (is_area(lamp)) {
+    measurement.statistics = analyze_soft_visibility(drawn, sampled(*measurement.truth), measurement.counted);
   } else {
-    WrongTaps& wrong = measurement.raster->wrong;
-    if (experiment.run.classes == ClassRule::exact) measurement.agreement = workbench.judge(experiment, light, wrong);
-    measurement.statistics = analyze_visibility(wrong, truth.visibility, measurement.counted);
-    const GBuffer& gbuffer = workbench.surfels(experiment.view).gbuffer;
-    const auto by_part = [&](PartKind kind) {
-      return errors_by_part(workbench.scene(), kind, gbuffer, wrong, measurement.counted);
-    };
-    measurement.objects = by_part(PartKind::object);
-    measurement.materials = by_part(PartKind::material);
+    measurement.statistics = measure_edges(stages, experiment, light, drawn);
   }
   return measurement;
 }
 
-AoMeasurement measure_ao(Workbench& workbench, const Experiment& experiment, Sides sides) {
+AoMeasurement measure_ao(Stages& stages, const Experiment& experiment, Sides sides) {
   AoMeasurement measurement;
   measurement.experiment = experiment;
-  if (sides.truth) measurement.truth = workbench.ao_truth(experiment);
-  if (sides.raster) measurement.raster = workbench.draw_ao(experiment);
+  if (sides.truth) measurement.truth = stages.ao_truth(experiment);
+  if (sides.raster) measurement.raster = stages.draw_ao(experiment);
   if (sides.raster && sides.truth) {
     const TracedAo& truth = *measurement.truth;
     measurement.statistics =
         analyze_ao(*measurement.raster, {truth.ao, truth.variance, truth.samples, truth.degrees_of_freedom},
-                   workbench.surfels(experiment.view).gbuffer);
+                   stages.surfels(experiment).gbuffer);
   }
   return measurement;
 }

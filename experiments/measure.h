@@ -2,15 +2,17 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "compare/ao.h"
 #include "compare/by_object.h"
+#include "compare/edge_statistics.h"
 #include "compare/soft_visibility.h"
 #include "compare/visibility.h"
 #include "experiments/presentation/bias_advice.h"
 #include "experiments/presentation/shadow_shape.h"
-#include "experiments/workbench.h"
+#include "experiments/stages.h"
 
 namespace umbrameter {
 
@@ -20,6 +22,17 @@ struct Sides {
   bool truth = true;
 };
 
+/// What can be said of a shadow error. Against a binary reference, of a technique that sums comparisons: its causes. Of
+/// another technique: how the error lies about the reference's edges. Against an area light: its sign, with intervals.
+using ShadowStatistics = std::variant<VisibilityStatistics, EdgeStatistics, SoftVisibilityStatistics>;
+
+/// The same, or ambient occlusion: what the cells of a sweep hold.
+using CellStatistics = std::variant<VisibilityStatistics, EdgeStatistics, SoftVisibilityStatistics, AoStatistics>;
+
+inline Statistics describe(CellStatistics& statistics) {
+  return std::visit([](auto& each) { return describe(each); }, statistics);
+}
+
 struct ShadowMeasurement {
   Experiment experiment;  ///< what it was made with; whoever shows it reads parameters from here
   std::uint32_t light = 0;
@@ -28,10 +41,8 @@ struct ShadowMeasurement {
   std::optional<RasterVisibility> raster;
   std::optional<TracedVisibility> truth;
   Emitter emitter;
-  /// Where both sides are: of a light without extent, and of one with.
-  std::optional<VisibilityStatistics> statistics;
-  std::optional<SoftVisibilityStatistics> soft_statistics;
-  std::optional<ClassAgreement> agreement{};  ///< where the classes are exact
+  std::optional<ShadowStatistics> statistics;  ///< where both sides are
+  std::optional<ClassAgreement> agreement{};   ///< where the classes are exact
   /// By the receiver's object and material, by falling weight; where statistics are.
   std::vector<PartError> objects{};
   std::vector<PartError> materials{};
@@ -39,8 +50,15 @@ struct ShadowMeasurement {
   std::optional<ShadowShape> shape;    ///< of compare
 };
 
-/// Whether the light has extent: its truth is then sampled, and its error has no causes.
-inline bool is_soft(const ShadowMeasurement& shadow) { return !std::holds_alternative<std::monostate>(shadow.emitter); }
+/// Whether the reference is a share of the light, and sampled.
+inline bool has_area_light(const ShadowMeasurement& shadow) {
+  return !std::holds_alternative<std::monostate>(shadow.emitter);
+}
+
+/// The statistics by cause; nullptr where the error has none.
+inline const VisibilityStatistics* by_cause(const ShadowMeasurement& shadow) {
+  return shadow.statistics ? std::get_if<VisibilityStatistics>(&*shadow.statistics) : nullptr;
+}
 
 /// The truth of one light for the statistics, which it must outlive.
 SampledImage sampled(const TracedVisibility& truth);
@@ -59,7 +77,11 @@ struct Measurement {
   std::optional<AoMeasurement> ao;
 };
 
-ShadowMeasurement measure_shadow(Workbench& workbench, const Experiment& experiment, std::uint32_t light, Sides sides);
-AoMeasurement measure_ao(Workbench& workbench, const Experiment& experiment, Sides sides);
+/// Of a technique's visibility against the binary reference of a light without extent.
+EdgeStatistics measure_edges(Stages& stages, const Experiment& experiment, std::uint32_t light,
+                             const Image<float>& drawn);
+
+ShadowMeasurement measure_shadow(Stages& stages, const Experiment& experiment, std::uint32_t light, Sides sides);
+AoMeasurement measure_ao(Stages& stages, const Experiment& experiment, Sides sides);
 
 }  // namespace umbrameter

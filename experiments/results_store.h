@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "compare/table.h"
+#include "core/table.h"
 
 namespace umbrameter {
 

@@ -20,24 +20,24 @@ Flips mean_of(Flips sum) { return {sum.pixels / moves.size(), sum.share / static
 
 }  // namespace
 
-Shimmer measure_shimmer(Workbench& workbench, const ShadowMeasurement& shadow) {
+Shimmer measure_shimmer(Stages& stages, const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
-  const gl::Context& context = workbench.context();
-  const UploadedScene& scene = workbench.uploaded();
-  const Surfels& surfels = workbench.surfels(experiment.view);
-  const GpuGBuffer& gpu_surfels = workbench.gpu_surfels(experiment.view);
-  const Light light = workbench.light(experiment, shadow.light);
+  const gl::Context& context = stages.context();
+  const UploadedScene& scene = stages.uploaded();
+  const Surfels& surfels = stages.surfels(experiment);
+  const GpuGBuffer& gpu_surfels = stages.gpu_surfels(experiment);
+  const Light light = stages.light(experiment, shadow.light);
   const Image<float>& before = shadow.raster->visibility;
-  const auto draw_map = [&](const LightFrame& frame) {
-    return draw_shadow_map(context, scene, light, frame, experiment.shadow);
-  };
+  const auto draw_map = [&](const LightFrame& frame) { return draw_shadow_map(context, scene, light, frame); };
   const auto look_up = [&](const GpuGBuffer& gbuffer, const ShadowMap& map) {
-    return draw_visibility(context, {scene, gbuffer, map, light, experiment.shadow}).visibility;
+    return draw_visibility(context,
+                           {scene, gbuffer, map, light, experiment.shadow.bias, make_technique(experiment.shadow)})
+        .visibility;
   };
 
   Shimmer shimmer;
   for (const dvec2& move : moves) {
-    const Image<float> after = look_up(gpu_surfels, draw_map(shift_grid(shadow.frame, move, workbench.bounds())));
+    const Image<float> after = look_up(gpu_surfels, draw_map(shift_grid(shadow.frame, move, stages.bounds())));
     const double share = count_flips(before, after, shadow.counted).share;
     shimmer.grid_mean += share / static_cast<double>(moves.size());
     shimmer.grid_largest = std::max(shimmer.grid_largest, share);
@@ -50,14 +50,14 @@ Shimmer measure_shimmer(Workbench& workbench, const ShadowMeasurement& shadow) {
     const View view = shift_view(surfels.view, move);
     const bool is_traced = experiment.view.surfels == SurfelSource::traced;
     const GBuffer moved =
-        is_traced ? trace_gbuffer(workbench.tracer(), view) : read_back(context, draw_gbuffer(context, scene, view));
+        is_traced ? trace_gbuffer(stages.tracer(), view) : read_back(context, draw_gbuffer(context, scene, view));
     add(drawn, count_flips(before, look_up(upload(context, moved), map), shadow.counted, surfels.gbuffer, moved));
-    if (is_soft(shadow)) continue;
-    const Image<float> truth = trace_visibility(workbench.tracer(), moved, light).visibility;
+    if (has_area_light(shadow)) continue;
+    const Image<float> truth = trace_visibility(stages.tracer(), moved, light).visibility;
     add(traced, count_flips(shadow.truth->visibility, truth, shadow.counted, surfels.gbuffer, moved));
   }
   shimmer.camera = mean_of(drawn);
-  if (!is_soft(shadow)) shimmer.camera_truth = mean_of(traced);
+  if (!has_area_light(shadow)) shimmer.camera_truth = mean_of(traced);
   return shimmer;
 }
 

@@ -8,7 +8,7 @@
 namespace umbrameter {
 
 struct ShadowMeasurement;
-class Workbench;
+class Stages;
 
 struct Shimmer {
   double grid_mean = 0.0;     ///< share of the counted pixels, over the moves of the map's grid
@@ -19,6 +19,6 @@ struct Shimmer {
 };
 
 /// Draws the map and the visibility anew for four moves of the map's grid and four of the camera.
-Shimmer measure_shimmer(Workbench& workbench, const ShadowMeasurement& shadow);
+Shimmer measure_shimmer(Stages& stages, const ShadowMeasurement& shadow);
 
 }  // namespace umbrameter

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/table.h"
 #include "core/parameters.h"
+#include "core/table.h"
 
 namespace umbrameter {
 

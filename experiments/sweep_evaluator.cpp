@@ -1,6 +1,7 @@
 #include "experiments/sweep_evaluator.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "compare/bias_response.h"
 #include "core/error.h"
@@ -10,23 +11,39 @@
 namespace umbrameter {
 namespace {
 
-std::vector<Value> measure_cell(Workbench& workbench, const Experiment& experiment, Measure measure) {
-  if (measure == Measure::ao) return to_row(*measure_ao(workbench, experiment, {}).statistics);
-  const std::uint32_t light = workbench.lights(experiment.view.light).front();
-  const TracedVisibility& truth = workbench.truth(experiment, light);
-  const RasterVisibility raster = workbench.draw(experiment, light, false);
-  return to_row(analyze_soft_visibility(raster.visibility, sampled(truth), workbench.fit(experiment, light).counted));
-}
+// Measures one cell into statistics of the kind that it is given.
+struct MeasureCell {
+  Stages& stages;
+  const Experiment& experiment;
 
-void measure_cells(Workbench& workbench, const Experiment& experiment, const std::vector<SweepAxis>& axes,
-                   Measure measure, const CellGroup& group, const RowSink& keep) {
+  std::uint32_t light() const { return stages.lights(experiment.view.light).front(); }
+  RasterVisibility draw() const { return stages.draw(experiment, light(), false); }
+
+  CellStatistics operator()(const VisibilityStatistics&) const {
+    return std::get<VisibilityStatistics>(*measure_shadow(stages, experiment, light(), {}).statistics);
+  }
+  CellStatistics operator()(const EdgeStatistics&) const {
+    return measure_edges(stages, experiment, light(), draw().visibility);
+  }
+  CellStatistics operator()(const SoftVisibilityStatistics&) const {
+    const TracedVisibility& truth = stages.truth(experiment, light());
+    return analyze_soft_visibility(draw().visibility, sampled(truth), stages.counted(experiment, light()));
+  }
+  CellStatistics operator()(const AoStatistics&) const { return *measure_ao(stages, experiment, {}).statistics; }
+};
+
+void measure_cells(Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
+                   const CellStatistics& statistics, const CellGroup& group, const RowSink& keep) {
   // Extents are varied: not every combination of them need make sense.
   const Experiment of_group = at_cell(experiment, axes, group.values);
-  if (measure != Measure::ao) workbench.require_sense_for(of_group, swept_lights(workbench, experiment, axes));
+  if (!std::holds_alternative<AoStatistics>(statistics)) {
+    stages.require_sense_for(of_group, swept_lights(stages, experiment, axes));
+  }
   for (std::size_t c = 0; c < group.constant_bias.values.size(); ++c) {
     for (std::size_t s = 0; s < group.slope_bias.values.size(); ++s) {
       throw_if_interrupted();
-      keep(c, s, measure_cell(workbench, at_cell(experiment, axes, values_at(group, c, s)), measure));
+      const Experiment cell = at_cell(experiment, axes, values_at(group, c, s));
+      keep(c, s, row_of(std::visit(MeasureCell{stages, cell}, statistics)));
     }
   }
 }
@@ -38,21 +55,33 @@ std::vector<float> to_floats(const std::vector<double>& values) {
 }
 
 // All of the group from one pass.
-void measure_biases(Workbench& workbench, const Experiment& experiment, const CellGroup& group, const RowSink& keep) {
-  const std::uint32_t light = workbench.lights(experiment.view.light).front();
+void measure_biases(Stages& stages, const Experiment& experiment, const CellGroup& group, const RowSink& keep) {
+  const std::uint32_t light = stages.lights(experiment.view.light).front();
   const std::vector<float> constant = to_floats(group.constant_bias.values);
-  BiasAxes biases{constant, to_floats(group.slope_bias.values), experiment.shadow.constant_bias.unit};
+  BiasAxes biases{constant, to_floats(group.slope_bias.values), experiment.shadow.bias.constant.unit};
   std::sort(biases.constant.begin(), biases.constant.end());
   biases.constant.erase(std::unique(biases.constant.begin(), biases.constant.end()), biases.constant.end());
-  const BiasHistogram histogram = workbench.bias_response(experiment, light, biases);
-  const TruthCounts truth =
-      count_truth(workbench.truth(experiment, light).visibility, workbench.fit(experiment, light).counted);
+  const BiasHistogram histogram = stages.bias_response(experiment, light, biases);
+  const TruthCounts truth = count_truth(stages.truth(experiment, light).visibility, stages.counted(experiment, light));
   for (std::size_t s = 0; s < biases.slope.size(); ++s) {
     const std::vector<VisibilitySums> sums = sums_at_biases(histogram, s);
     for (std::size_t c = 0; c < constant.size(); ++c) {
       const auto found = std::lower_bound(biases.constant.begin(), biases.constant.end(), constant[c]);
-      keep(c, s, to_row(to_statistics(sums[static_cast<std::size_t>(found - biases.constant.begin())], truth)));
+      keep(c, s, row_of(to_statistics(sums[static_cast<std::size_t>(found - biases.constant.begin())], truth)));
     }
+  }
+}
+
+// Each combination of the axes' words: which technique, kernel and light. Capabilities depend on no number.
+void for_each_technique(Experiment experiment, const std::vector<SweepAxis>& axes,
+                        const std::function<void(const Experiment&)>& take, std::size_t axis = 0) {
+  if (axis == axes.size()) return take(experiment);
+  const Parameters parameters = describe(experiment);
+  const bool is_word = !axes[axis].values.empty() && std::holds_alternative<std::string>(axes[axis].values.front());
+  for (const Value& value : axes[axis].values) {
+    set_value(parameters, axes[axis], value);
+    for_each_technique(experiment, axes, take, axis + 1);
+    if (!is_word) return;
   }
 }
 
@@ -62,18 +91,18 @@ bool varies_group(const std::vector<SweepAxis>& axes, std::string_view group) {
   return std::any_of(axes.begin(), axes.end(), [&](const SweepAxis& axis) { return axis.key.rfind(group, 0) == 0; });
 }
 
-Measure choose_measure(SweepMeasure given, const std::vector<SweepAxis>& axes) {
-  if (given == SweepMeasure::visibility) return Measure::visibility;
-  if (given == SweepMeasure::ao) return Measure::ao;
+SweptQuantity choose_quantity(SweepMeasure given, const std::vector<SweepAxis>& axes) {
+  if (given == SweepMeasure::visibility) return SweptQuantity::visibility;
+  if (given == SweepMeasure::ao) return SweptQuantity::ao;
   const bool ao = varies_group(axes, "ao.") || varies_group(axes, "truth.");
   if (ao && (varies_group(axes, "shadow.") || varies_group(axes, "light."))) {
     throw Error(ExitCode::usage, "sweep", "the axes vary both shadows and ambient occlusion",
                 "choose what to measure: --measure visibility or --measure ao");
   }
-  return ao ? Measure::ao : Measure::visibility;
+  return ao ? SweptQuantity::ao : SweptQuantity::visibility;
 }
 
-std::vector<std::uint32_t> swept_lights(const Workbench& workbench, const Experiment& experiment,
+std::vector<std::uint32_t> swept_lights(const Stages& stages, const Experiment& experiment,
                                         const std::vector<SweepAxis>& axes) {
   std::vector<std::string> names = {experiment.view.light};
   for (const SweepAxis& axis : axes) {
@@ -82,25 +111,34 @@ std::vector<std::uint32_t> swept_lights(const Workbench& workbench, const Experi
     for (const Value& value : axis.values) names.push_back(to_string(value));
   }
   std::vector<std::uint32_t> lights;
-  for (const std::string& name : names) lights.push_back(workbench.lights(name).front());
+  for (const std::string& name : names) lights.push_back(stages.lights(name).front());
   return lights;
 }
 
-bool has_soft_cells(const Workbench& workbench, const Experiment& experiment, const std::vector<SweepAxis>& axes) {
-  if (varies_group(axes, "light.")) return true;
-  const std::vector<std::uint32_t> lights = swept_lights(workbench, experiment, axes);
-  return std::any_of(lights.begin(), lights.end(),
-                     [&](std::uint32_t light) { return is_area(workbench.light(experiment, light)); });
+CellStatistics choose_statistics(const Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
+                                 SweptQuantity quantity) {
+  if (quantity == SweptQuantity::ao) return AoStatistics{};
+  const std::vector<std::uint32_t> lights = swept_lights(stages, experiment, axes);
+  const bool has_area_lights =
+      varies_group(axes, "light.") || std::any_of(lights.begin(), lights.end(), [&](std::uint32_t light) {
+        return is_area(stages.light(experiment, light));
+      });
+  if (has_area_lights) return SoftVisibilityStatistics{};
+  bool all_sum_comparisons = true;
+  for_each_technique(experiment, axes, [&](const Experiment& cell) {
+    all_sum_comparisons = all_sum_comparisons && stages.capabilities(cell).sums_comparisons;
+  });
+  if (!all_sum_comparisons) return EdgeStatistics{};
+  return VisibilityStatistics{};
 }
 
-std::vector<Column> columns_of(Measure measure) {
-  if (measure == Measure::ao) return ao_columns();
-  return measure == Measure::soft_visibility ? soft_visibility_columns() : visibility_columns();
-}
-
-std::vector<Value> sample_row(Measure measure) {
-  if (measure == Measure::ao) return to_row(AoStatistics{});
-  return measure == Measure::soft_visibility ? to_row(SoftVisibilityStatistics{}) : to_row(VisibilityStatistics{});
+bool is_one_pass(const Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
+                 const CellStatistics& statistics) {
+  if (!std::holds_alternative<VisibilityStatistics>(statistics)) return false;
+  bool all = true;
+  for_each_technique(experiment, axes,
+                     [&](const Experiment& cell) { all = all && stages.capabilities(cell).taps_independent_of_bias; });
+  return all;
 }
 
 Experiment at_cell(Experiment experiment, const std::vector<SweepAxis>& axes, const std::vector<Value>& values) {
@@ -109,13 +147,14 @@ Experiment at_cell(Experiment experiment, const std::vector<SweepAxis>& axes, co
   return experiment;
 }
 
-EvaluateGroup make_evaluator(Workbench& workbench, const Experiment& experiment, const std::vector<SweepAxis>& axes,
-                             Measure measure) {
-  return [&workbench, experiment, axes, measure](const CellGroup& group, const RowSink& keep) {
-    if (measure == Measure::visibility) {
-      measure_biases(workbench, at_cell(experiment, axes, group.values), group, keep);
+EvaluateGroup make_evaluator(Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
+                             const CellStatistics& statistics) {
+  const bool one_pass = is_one_pass(stages, experiment, axes, statistics);
+  return [&stages, experiment, axes, statistics, one_pass](const CellGroup& group, const RowSink& keep) {
+    if (one_pass) {
+      measure_biases(stages, at_cell(experiment, axes, group.values), group, keep);
     } else {
-      measure_cells(workbench, experiment, axes, measure, group, keep);
+      measure_cells(stages, experiment, axes, statistics, group, keep);
     }
   };
 }

@@ -10,18 +10,6 @@
 namespace umbrameter {
 namespace {
 
-// What changing a parameter makes necessary, the most expensive first.
-enum class Cost { surfels, truth, shadow_map, pass };
-
-Cost cost_of(std::string_view key) {
-  const auto is_in = [&](std::string_view group) { return key.starts_with(group); };
-  if (is_in("view.") && key != "view.light") return Cost::surfels;
-  if (is_in("view.") || is_in("light.") || is_in("truth.") || is_in("run.")) return Cost::truth;
-  // The map knows no filter. Of other parameters of the shadow it is not known here: they count as the map's.
-  if (is_in("shadow.filter") || is_in("ao.")) return Cost::pass;
-  return Cost::shadow_map;
-}
-
 void require_axis(const Parameters& parameters, const SweepAxis& axis, std::set<std::string>& keys) {
   require(parameters, axis.key);
   if (axis.values.empty()) throw Error(ExitCode::usage, "--vary " + axis.key, "the axis has no value");
@@ -78,7 +66,7 @@ std::size_t take_part(InnerAxis& inner, std::size_t part, std::size_t size) {
 
 }  // namespace
 
-SweepPlan plan_sweep(const Parameters& parameters, std::vector<SweepAxis> axes) {
+SweepPlan plan_sweep(const Parameters& parameters, std::vector<SweepAxis> axes, const CostOfChange& cost) {
   SweepPlan plan;
   std::set<std::string> keys;
   for (const SweepAxis& axis : axes) require_axis(parameters, axis, keys);
@@ -95,7 +83,7 @@ SweepPlan plan_sweep(const Parameters& parameters, std::vector<SweepAxis> axes) 
     if (key != constant_bias_key && key != slope_bias_key) plan.outer.push_back(a);
   }
   std::stable_sort(plan.outer.begin(), plan.outer.end(),
-                   [&](std::size_t a, std::size_t b) { return cost_of(plan.axes[a].key) < cost_of(plan.axes[b].key); });
+                   [&](std::size_t a, std::size_t b) { return cost(plan.axes[a].key) > cost(plan.axes[b].key); });
   plan.constant_bias = make_inner(parameters, plan, constant_bias_key);
   plan.slope_bias = make_inner(parameters, plan, slope_bias_key);
   plan.constant_unit = unit_of_constants(parameters, plan);

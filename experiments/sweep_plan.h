@@ -36,9 +36,12 @@ struct SweepPlan {
   std::size_t cells = 1;
 };
 
-/// Throws Error (usage) for an empty or repeated axis or too many cells. Values that are not varied are read off the
-/// parameters.
-SweepPlan plan_sweep(const Parameters& parameters, std::vector<SweepAxis> axes);
+/// What changing the parameter of that full name costs, in any unit.
+using CostOfChange = std::function<double(std::string_view parameter)>;
+
+/// The axes that cost most to change come first. Throws Error (usage) for an empty or repeated axis or too many cells.
+/// Values that are not varied are read off the parameters.
+SweepPlan plan_sweep(const Parameters& parameters, std::vector<SweepAxis> axes, const CostOfChange& cost);
 
 /// The values of all axes at a cell.
 std::vector<Value> values_at(const SweepPlan& plan, std::size_t cell);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/stage_inputs.h"
+
 namespace umbrameter {
 namespace {
 
@@ -25,9 +27,10 @@ void update_share(SweepAdvance& advance) {
 std::size_t count_references(const SweepPlan& plan) {
   std::size_t references = 1;
   for (const SweepAxis& axis : plan.axes) {
-    for (const char* group : {"view.", "light.", "truth.", "run."}) {
-      if (axis.key.starts_with(group)) references *= axis.values.size();
-    }
+    const bool is_traced_again = depends_on(Stage::binary_reference, axis.key) ||
+                                 depends_on(Stage::area_reference, axis.key) ||
+                                 depends_on(Stage::ao_reference, axis.key);
+    if (is_traced_again) references *= axis.values.size();
   }
   return references;
 }

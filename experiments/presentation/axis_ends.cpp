@@ -35,7 +35,7 @@ std::size_t neighbour_of_end(const std::vector<double>& numbers, std::size_t end
 
 std::optional<double> error_at(const SweepResults& sweep, std::size_t cell) {
   const std::vector<std::size_t> cells = {cell};
-  const Table rows = sweep.store.rows(cells, {"mae"});
+  const Table rows = sweep.store.rows(cells, {std::string(error_statistic)});
   if (rows.rows.empty()) return std::nullopt;
   return to_number(rows.rows[0][0]);
 }
@@ -56,7 +56,7 @@ std::vector<OpenEnd> find_open_ends(const SweepResults& sweep, const Table& best
   std::vector<OpenEnd> ends;
   for (std::size_t r = 0; r < std::min(best.rows.size(), most_rows); ++r) {
     const std::vector<Value>& row = best.rows[r];
-    const double error = to_number(row[column_index(best, "mae")]);
+    const double error = to_number(row[column_index(best, error_statistic)]);
     std::size_t cell = 0;
     for (std::size_t a = 0; a < plan.axes.size(); ++a) cell += index_in(plan.axes[a], row[a]) * plan.strides[a];
     for (std::size_t a = 0; a < plan.axes.size(); ++a) {

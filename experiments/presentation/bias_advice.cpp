@@ -65,29 +65,30 @@ bool is_best(const BiasAdvice& advice) { return advice.line.least_error->mae >= 
 
 bool is_open_ended(const BiasAdvice& advice) { return advice.line.least_error->constant >= advice.largest; }
 
-BiasAdvice advise_bias(Workbench& workbench, const Experiment& experiment, std::uint32_t light) {
-  const LightFit& fit = workbench.fit(experiment, light);
-  const Length& used = experiment.shadow.constant_bias;
+BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32_t light) {
+  const LightFrame& layout = stages.layout(experiment, light);
+  const CountedPixels& counted = stages.counted(experiment, light);
+  const Length& used = experiment.shadow.bias.constant;
   BiasAdvice advice;
   advice.unit = used.unit;
-  advice.mean_texel = fit.counted.mean_texel;
-  advice.depth_range = fit.frame.far_depth;
+  advice.mean_texel = counted.mean_texel;
+  advice.depth_range = layout.far_depth;
   const double texel = used.unit == LengthUnit::texels ? 1.0 : advice.mean_texel;
   const std::vector<double> biases = readable_axis(least_texels * texel, most_texels * texel);
   advice.largest = biases.back();
 
-  BiasAxes axes{{static_cast<float>(used.number)}, {static_cast<float>(experiment.shadow.slope_bias)}, used.unit};
+  BiasAxes axes{{static_cast<float>(used.number)}, {static_cast<float>(experiment.shadow.bias.slope)}, used.unit};
   for (const double bias : biases) axes.constant.push_back(static_cast<float>(bias));
   std::sort(axes.constant.begin(), axes.constant.end());
   axes.constant.erase(std::unique(axes.constant.begin(), axes.constant.end()), axes.constant.end());
-  const std::vector<VisibilitySums> sums = sums_at_biases(workbench.bias_response(experiment, light, axes), 0);
-  const TruthCounts truth = count_truth(workbench.truth(experiment, light).visibility, fit.counted);
+  const std::vector<VisibilitySums> sums = sums_at_biases(stages.bias_response(experiment, light, axes), 0);
+  const TruthCounts truth = count_truth(stages.truth(experiment, light).visibility, counted);
   const auto cell_at = [&](double bias) {
     const auto found = std::lower_bound(axes.constant.begin(), axes.constant.end(), static_cast<float>(bias));
     const auto index = static_cast<std::size_t>(found - axes.constant.begin());
-    return cell_of(bias, experiment.shadow.slope_bias, to_statistics(sums[index], truth));
+    return cell_of(bias, experiment.shadow.bias.slope, to_statistics(sums[index], truth));
   };
-  advice.line.slope = experiment.shadow.slope_bias;
+  advice.line.slope = experiment.shadow.bias.slope;
   for (const double bias : biases) add(advice.line, cell_at(bias));
   advice.used = cell_at(used.number);
   if (used.number >= 0.0) add(advice.line, advice.used);

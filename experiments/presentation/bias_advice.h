@@ -7,7 +7,7 @@
 
 #include "compare/bias_curves.h"
 #include "compare/bias_units.h"
-#include "experiments/workbench.h"
+#include "experiments/stages.h"
 #include "reports/page/page.h"
 
 namespace umbrameter {
@@ -29,7 +29,7 @@ bool is_best(const BiasAdvice& advice);
 bool is_open_ended(const BiasAdvice& advice);
 
 /// One light's map and reference. At least one pixel must be counted.
-BiasAdvice advise_bias(Workbench& workbench, const Experiment& experiment, std::uint32_t light);
+BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32_t light);
 
 /// "acne 8.7 % at 1.5 texels (6.4 cm); use 2.8 texels (12 cm): total error 9.1 % → 1.2 %; free of acne from 3.5
 /// texels".

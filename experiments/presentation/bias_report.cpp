@@ -27,20 +27,24 @@ std::size_t curve_of(const SweepPlan& plan, const std::vector<std::size_t>& othe
 
 void fill(BiasCurves& curves, const SweepResults& sweep, const std::vector<std::size_t>& others) {
   const SweepPlan& plan = sweep.plan;
-  const std::vector<std::string> names = {"pixels",        "mae",  "acne",      "false_occlusion",
-                                          "peter_panning", "leak", "mean_texel"};
+  VisibilityStatistics statistics;
+  std::vector<std::string> names;
+  for (const Statistic& statistic : describe(statistics)) names.push_back(statistic.name);
+  const RowReader reader(describe(statistics), names);
   std::size_t cell = 0;
   sweep.store.read(names, [&](std::span<const Value> row) {
     const std::size_t at = cell++;
     const std::size_t place = curve_of(plan, others, at);
-    if (place >= curves.curves.size() || to_number(row[0]) == 0.0) return;
+    if (place >= curves.curves.size()) return;
+    reader.read(row);
+    if (statistics.pixels == 0) return;
     BiasCurve& curve = curves.curves[place];
     if (curve.others.empty() && !others.empty()) {
       const std::vector<Value> values = values_at(plan, at);
       for (const std::size_t a : others) curve.others.push_back(values[a]);
     }
     if (curve.reading.mean_texel == 0.0) {
-      curve.reading.mean_texel = to_number(row[6]);
+      curve.reading.mean_texel = statistics.mean_texel;
       if (sweep.depth_range) curve.depth_range = sweep.depth_range(values_at(plan, at));
     }
     const InnerAxis& constant = plan.constant_bias;
@@ -48,11 +52,11 @@ void fill(BiasCurves& curves, const SweepResults& sweep, const std::vector<std::
     const std::size_t line = index_of(at, slope.stride, slope.values.size());
     const BiasCell read{constant.values[index_of(at, constant.stride, constant.values.size())],
                         slope.values[line],
-                        to_number(row[1]),
-                        to_number(row[2]),
-                        to_number(row[3]),
-                        to_number(row[4]),
-                        to_number(row[5])};
+                        statistics.mae,
+                        statistics.acne,
+                        statistics.false_occlusion,
+                        statistics.peter_panning,
+                        statistics.leak};
     add(curve.reading.lines[line], read);
     add(curve.reading.front, read);
   });
@@ -122,7 +126,7 @@ std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep) {
   curves.varies_constant = plan.constant_bias.values.size() > 1;
   curves.varies_slope = plan.slope_bias.values.size() > 1;
   const std::size_t slopes = plan.slope_bias.values.size();
-  if (sweep.measure != Measure::visibility || slopes > most_slopes) return std::nullopt;
+  if (!sweep.is_by_cause() || slopes > most_slopes) return std::nullopt;
   if (!curves.varies_constant && !curves.varies_slope) return std::nullopt;
 
   const std::vector<std::size_t> others = outer_axes_as_given(plan);

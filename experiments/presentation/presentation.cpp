@@ -46,7 +46,10 @@ ImageFigure class_figure(const std::string& layer, const std::string& title, con
   return figure;
 }
 
-ReportTable statistics_table(std::string title, const std::vector<Column>& columns, const std::vector<Value>& row) {
+template <class Struct>
+ReportTable statistics_table(std::string title, const Struct& statistics) {
+  const std::vector<Column> columns = columns_of(statistics);
+  const std::vector<Value> row = row_of(statistics);
   Table table{{{"quantity", "", ""}, {"value", "", ""}, {"unit", "", ""}, {"meaning", "", ""}}, {}};
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const bool is_share = columns[i].unit == "1";
@@ -99,21 +102,54 @@ std::string precision_line(const SamplingPrecision& precision) {
 // What one light's shadow rays went to.
 std::string truth_caption(const ShadowMeasurement& shadow) {
   const std::string common = "Shadow rays against the exact geometry. Back-facing pixels are 0.";
-  if (!is_soft(shadow)) return common;
+  if (!has_area_light(shadow)) return common;
   return fmt::format("{} The light is {}{}; {:.0f} samples per pixel measure the visible share of its {}.", common,
                      std::holds_alternative<DistantEmitter>(shadow.emitter) ? "" : "a ", extent_text(shadow.emitter),
                      shadow.truth->precision.mean_samples,
                      shadow.experiment.truth.light_sampling == LightSampling::area ? "area" : "solid angle");
 }
 
-void present_soft_error(Presentation& presentation, const Workbench& workbench, const ShadowMeasurement& shadow) {
-  const std::string title = workbench.title(shadow.light);
-  const SoftVisibilityStatistics& s = *shadow.soft_statistics;
-  ReportSection& section = presentation.section;
+void add_error_figure(Presentation& presentation, const Stages& stages, const ShadowMeasurement& shadow) {
   add_figure(presentation,
-             scalar_figure("error_visibility_" + workbench.layer(shadow.light), "Error: " + title,
+             scalar_figure("error_visibility_" + stages.layer(shadow.light), "Error: " + stages.title(shadow.light),
                            "Technique − reference: blue is too dark, red is too bright.",
                            signed_error(shadow.raster->visibility, shadow.truth->visibility), visibility_error_scale));
+}
+
+void present_edge_error(Presentation& presentation, const Stages& stages, const ShadowMeasurement& shadow,
+                        const EdgeStatistics& s) {
+  const std::string title = stages.title(shadow.light);
+  ReportSection& section = presentation.section;
+  add_error_figure(presentation, stages, shadow);
+  section.text += fmt::format(
+      "\n\nThis technique does not sum depth comparisons, so no single tap is right or wrong and its error has no "
+      "causes. The error is split by sign and by distance to the reference's shadow edges instead; at an edge means at "
+      "most {:g} texels from it.",
+      edge_band_texels);
+  if (s.max_x >= 0) {
+    section.text +=
+        fmt::format(" The largest error is {:.3g}, for example at pixel ({}, {}).", s.max_error, s.max_x, s.max_y);
+  }
+  section.headlines = {
+      {"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", s.pixels)},
+      {"too dark away from edges", percent(s.too_dark_away), "like acne"},
+      {"too dark at edges", percent(s.too_dark_at_edge), "blur and occluders in the kernel"},
+      {"too bright at edges", percent(s.too_bright_at_edge), "blur and lost contact"},
+      {"too bright away from edges", percent(s.too_bright_away), "light bleeding"},
+  };
+  section.tables = {statistics_table("Visibility error: " + title, s), bias_table(shadow)};
+  section.text += "\n\n" + std::string(filter_caution);
+  presentation.answers.push_back(
+      fmt::format("{}: error {}; away from edges too dark {}, too bright {}; at edges too dark {}, too bright {}",
+                  title, percent(s.mae), percent(s.too_dark_away), percent(s.too_bright_away),
+                  percent(s.too_dark_at_edge), percent(s.too_bright_at_edge)));
+}
+
+void present_soft_error(Presentation& presentation, const Stages& stages, const ShadowMeasurement& shadow,
+                        const SoftVisibilityStatistics& s) {
+  const std::string title = stages.title(shadow.light);
+  ReportSection& section = presentation.section;
+  add_error_figure(presentation, stages, shadow);
   section.text +=
       "\n\nThis is an area light. Its reference is the visible share of the light, so a single tap is neither right "
       "nor wrong and has no cause of error. The error is split into too dark and too bright instead.";
@@ -128,8 +164,7 @@ void present_soft_error(Presentation& presentation, const Workbench& workbench, 
       {"RMS error", percent(s.error.rmse), "corrected for the reference's variance"},
       {"penumbra", percent(s.penumbra), "of the counted pixels"},
   };
-  section.tables = {statistics_table("Visibility error: " + title, soft_visibility_columns(), to_row(s)),
-                    bias_table(shadow)};
+  section.tables = {statistics_table("Visibility error: " + title, s), bias_table(shadow)};
   presentation.answers.push_back(fmt::format(
       "{}: error {} against its soft shadow ({}); too dark {}, too bright {}; penumbra {} of the counted pixels", title,
       percent(s.error.mae), extent_text(shadow.emitter), percent(s.error.too_dark), percent(s.error.too_bright),
@@ -186,14 +221,14 @@ void add_figure(Presentation& presentation, HeatMapFigure figure) {
   presentation.heat_maps.push_back(std::move(figure));
 }
 
-Presentation present_picture(const Workbench& workbench, const Measurement& measurement) {
+Presentation present_picture(const Stages& stages, const Measurement& measurement) {
   Presentation presentation;
   presentation.section.title = "The view";
   ImageFigure figure;
   figure.stem = "picture";
   figure.title = "The view, shaded";
   figure.caption = "Diffuse shading with the measured visibility and ambient occlusion, for orientation only.";
-  figure.color = tone_map(picture_of(workbench, measurement), 1.0f);
+  figure.color = tone_map(picture_of(stages, measurement), 1.0f);
   add_figure(presentation, std::move(figure));
   return presentation;
 }
@@ -224,7 +259,7 @@ std::string nothing_counted_text(const CountedPixels& counted) {
 ReportTable bias_table(const ShadowMeasurement& shadow) {
   Table table{{{"constant bias", "", ""}, {"value", "", ""}, {"unit", "", ""}}, {}};
   const double texel = shadow.counted.mean_texel;
-  const BiasInUnits bias = in_units(shadow.experiment.shadow.constant_bias, texel, shadow.frame.far_depth);
+  const BiasInUnits bias = in_units(shadow.experiment.shadow.bias.constant, texel, shadow.frame.far_depth);
   const auto known = [](double number) { return std::isfinite(number) ? fmt::format("{:.4g}", number) : "—"; };
   table.rows.push_back({std::string("along the light"), known(bias.metres), std::string("m")});
   table.rows.push_back(
@@ -248,26 +283,26 @@ ReportTable worst_parts(const char* what, PartKind kind, const std::vector<PartE
           in_percent(part_table(kind, parts, weight_sum, most))};
 }
 
-Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement& shadow) {
+Presentation present_shadow(const Stages& stages, const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
-  const std::string& layer = workbench.layer(shadow.light);
-  const std::string title = workbench.title(shadow.light);
+  const std::string& layer = stages.layer(shadow.light);
+  const std::string title = stages.title(shadow.light);
   Presentation presentation;
   ReportSection& section = presentation.section;
   section.title = "Shadow of " + title;
-  section.text = counted_text(shadow.counted, is_soft(shadow));
+  section.text = counted_text(shadow.counted, has_area_light(shadow));
   if (shadow.truth) {
     add_figure(presentation, scalar_figure("truth_visibility_" + layer, "Reference: " + title, truth_caption(shadow),
                                            shadow.truth->visibility, visibility_scale));
     presentation.details.push_back(title + ": " + offset_text(shadow.truth->statistics));
-    if (is_soft(shadow)) section.text += "\n\n" + precision_text(shadow.truth->precision, experiment.truth);
+    if (has_area_light(shadow)) section.text += "\n\n" + precision_text(shadow.truth->precision, experiment.truth);
   }
   if (shadow.raster) {
     add_figure(presentation,
                scalar_figure("raster_visibility_" + layer, "Shadow map: " + title,
                              fmt::format("{}² texels, {} filter, constant bias {}, slope bias {:g} texels.",
                                          shadow.frame.resolution, value_text(experiment, "shadow.filter"),
-                                         length_text(experiment.shadow.constant_bias), experiment.shadow.slope_bias),
+                                         length_text(experiment.shadow.bias.constant), experiment.shadow.bias.slope),
                              shadow.raster->visibility, visibility_scale));
   }
   if (const std::string reason = nothing_counted_text(shadow.counted); !reason.empty()) {
@@ -275,23 +310,24 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
     presentation.answers.push_back(title + ": " + reason);
     return presentation;
   }
-  if (shadow.soft_statistics) {
-    present_soft_error(presentation, workbench, shadow);
-    return presentation;
-  }
   if (!shadow.statistics) {
     const double pixels = static_cast<double>(shadow.counted.totals[0]);
     std::string line = fmt::format("{}: {:.0f} counted pixels", title, pixels);
     if (shadow.raster) line += fmt::format(", mean texel {}", length(shadow.counted.mean_texel));
-    if (shadow.truth && is_soft(shadow)) line += "; " + precision_line(shadow.truth->precision);
+    if (shadow.truth && has_area_light(shadow)) line += "; " + precision_line(shadow.truth->precision);
     presentation.answers.push_back(std::move(line));
     return presentation;
   }
-  const VisibilityStatistics& s = *shadow.statistics;
-  add_figure(presentation,
-             scalar_figure("error_visibility_" + layer, "Error: " + title,
-                           "Technique − reference: blue is too dark, red is too bright.",
-                           signed_error(shadow.raster->visibility, shadow.truth->visibility), visibility_error_scale));
+  if (const auto* soft = std::get_if<SoftVisibilityStatistics>(&*shadow.statistics)) {
+    present_soft_error(presentation, stages, shadow, *soft);
+    return presentation;
+  }
+  if (const auto* edges = std::get_if<EdgeStatistics>(&*shadow.statistics)) {
+    present_edge_error(presentation, stages, shadow, *edges);
+    return presentation;
+  }
+  const VisibilityStatistics& s = *by_cause(shadow);
+  add_error_figure(presentation, stages, shadow);
   add_figure(presentation, class_figure(layer, title, shadow));
   section.headlines = {{"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", s.pixels)}};
   const std::array<double, cause_count> shares = {s.acne, s.false_occlusion, s.peter_panning, s.leak};
@@ -303,11 +339,11 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
   const std::uint32_t weight_sum = shadow.raster->wrong.weight_sum;
   if (shadow.advice) section.tables.push_back(advice_table(*shadow.advice));
   section.tables.insert(section.tables.end(),
-                        {statistics_table("Visibility error: " + title, visibility_columns(), to_row(s)),
-                         bias_table(shadow), worst_parts("object", PartKind::object, shadow.objects, weight_sum),
+                        {statistics_table("Visibility error: " + title, s), bias_table(shadow),
+                         worst_parts("object", PartKind::object, shadow.objects, weight_sum),
                          worst_parts("material", PartKind::material, shadow.materials, weight_sum)});
   if (shadow.agreement) presentation.details.push_back(title + ": " + agreement_text(*shadow.agreement));
-  if (experiment.shadow.filter != ShadowFilter::nearest) section.text += "\n\n" + std::string(filter_caution);
+  if (experiment.shadow.pcf.filter != ShadowFilter::nearest) section.text += "\n\n" + std::string(filter_caution);
   if (s.max_x >= 0) {
     section.text +=
         fmt::format("\n\nThe largest error is {:.3g}, for example at pixel ({}, {}).", s.max_error, s.max_x, s.max_y);
@@ -319,7 +355,7 @@ Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement&
     presentation.lines.push_back(fmt::format("  {}: {}", title, parts));
   } else {
     presentation.answers.push_back(fmt::format("{}: error {} at a bias of {}; {}", title, percent(s.mae),
-                                               length_text(experiment.shadow.constant_bias), parts));
+                                               length_text(experiment.shadow.bias.constant), parts));
   }
   return presentation;
 }
@@ -357,12 +393,12 @@ Presentation present_ao(const AoMeasurement& ao) {
     }
     return presentation;
   }
-  if (ao.statistics->pixels == 0) {
+  if (ao.statistics->error.pixels == 0) {
     presentation.answers.emplace_back("AO: nothing to measure: all pixels are background");
     section.text += "\n\nNothing to measure: all pixels are background.";
     return presentation;
   }
-  const AoStatistics& s = *ao.statistics;
+  const SampledError& s = ao.statistics->error;
   add_figure(presentation, scalar_figure("error_ao", "Error: ambient occlusion",
                                          "Technique − reference: blue is too dark, red is too bright.",
                                          signed_error(*ao.raster, ao.truth->ao), ao_error_scale));
@@ -375,7 +411,7 @@ Presentation present_ao(const AoMeasurement& ao) {
       "\n\nThe technique looks for occluders up to {}, the reference {}. The interval of the mean absolute error can "
       "be asymmetric: noise in the reference can only raise this error, so only the lower end is corrected for it.",
       length(experiment.ao.radius.number), limit);
-  section.tables = {statistics_table("Ambient occlusion error", ao_columns(), to_row(s))};
+  section.tables = {statistics_table("Ambient occlusion error", *ao.statistics)};
   presentation.answers.push_back(fmt::format("AO: error {}, mean error {} (SSAO radius {}, reference {})",
                                              percent(s.mae), percent(s.mean_error), length(experiment.ao.radius.number),
                                              limit));

@@ -28,8 +28,8 @@ struct Presentation {
   std::vector<std::string> details{};  ///< diagnostics: for the page's last section and --verbose
 };
 
-Presentation present_picture(const Workbench& workbench, const Measurement& measurement);
-Presentation present_shadow(const Workbench& workbench, const ShadowMeasurement& shadow);
+Presentation present_picture(const Stages& stages, const Measurement& measurement);
+Presentation present_shadow(const Stages& stages, const ShadowMeasurement& shadow);
 Presentation present_ao(const AoMeasurement& ao);
 
 /// How far the reference of ambient occlusion looks: "up to 58.6 cm" or "without distance limit".

@@ -19,7 +19,7 @@ Report make_report(const RunOutput& output) {
   report.title = output.title;
   report.subtitle = output.subtitle;
   report.command = fmt::format("umbrameter {} -c experiment.toml -o OUT", output.summary.command);
-  report.notes = output.summary.workbench->notes();
+  report.notes = output.summary.stages->notes();
   for (const std::string& problem : output.summary.problems) report.notes.push_back(problem);
   if (!output.with_figures) {
     report.notes.emplace_back("This page has no pictures: the run used --no-figures. Rerun without it to draw them.");
@@ -72,7 +72,7 @@ void print_answer(const Console& console, const RunOutput& output) {
   for (const Presentation& part : output.parts) {
     for (const std::string& text : part.details) diagnostic(console, text);
   }
-  diagnostic(console, costs_text(output.summary.workbench->costs()));
+  diagnostic(console, costs_text(output.summary.stages->costs()));
   std::fflush(stdout);  // a pipe or a file gets it now, too
 }
 
@@ -93,7 +93,7 @@ void write_figures_of(const std::filesystem::path& folder, const Console& consol
 }
 
 void write_layers(const std::filesystem::path& path, const SummaryInput& summary) {
-  LayeredImage image = layers_of(*summary.workbench, *summary.measurement);
+  LayeredImage image = layers_of(*summary.stages, *summary.measurement);
   image.attributes["scene"] = scene_title(summary.experiment);
   image.attributes["version"] = UMBRAMETER_VERSION;
   write_exr(path, image);
@@ -107,10 +107,9 @@ void write_rows(const std::filesystem::path& path, const ResultsStore& results) 
 
 }  // namespace
 
-std::string subtitle_of(const Workbench& workbench, const View& view) {
+std::string subtitle_of(const Stages& stages, const View& view) {
   return fmt::format("{}×{} pixels, camera {}, {} triangles", view.width, view.height,
-                     view.camera.name.empty() ? "without a name" : view.camera.name,
-                     count(workbench.scene()).triangles);
+                     view.camera.name.empty() ? "without a name" : view.camera.name, count(stages.scene()).triangles);
 }
 
 std::string experiment_text(Experiment experiment) {

@@ -34,6 +34,6 @@ std::vector<std::string> run_files(bool with_rows);
 ExitCode write_run(RunFolder& folder, const Console& console, RunOutput output);
 
 /// "1280×720, camera overview, 95,204 triangles".
-std::string subtitle_of(const Workbench& workbench, const View& view);
+std::string subtitle_of(const Stages& stages, const View& view);
 
 }  // namespace umbrameter

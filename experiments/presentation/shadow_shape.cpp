@@ -44,8 +44,8 @@ Json length_json(const ReceiverLength& length) {
   return {{"m", length.metres}, {"texels", length.texels}, {"px", length.pixels}};
 }
 
-Json caster_json(const Workbench& workbench, const CasterShape& caster) {
-  Json object = {{"object", workbench.scene().objects[caster.object].name}, {"index", caster.object}};
+Json caster_json(const Stages& stages, const CasterShape& caster) {
+  Json object = {{"object", stages.scene().objects[caster.object].name}, {"index", caster.object}};
   object["contact_gap"] = {{"contacts_px", caster.contacts}, {"lost_px", caster.lost}};
   if (caster.contacts > 0) {
     object["contact_gap"]["median"] = length_json(caster.gap_median);
@@ -73,19 +73,20 @@ Json shimmer_json(const Shimmer& shimmer) {
 
 }  // namespace
 
-ShadowShape measure_shape(Workbench& workbench, const ShadowMeasurement& shadow) {
+ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
-  const Surfels& surfels = workbench.surfels(experiment.view);
-  const Light light = workbench.light(experiment, shadow.light);
+  const Surfels& surfels = stages.surfels(experiment);
+  const Light light = stages.light(experiment, shadow.light);
   const ShapeInput input{surfels.gbuffer, shadow.truth->visibility, shadow.counted, light, shadow.frame};
-  if (is_soft(shadow)) return {analyze_error_shape(input, shadow.raster->visibility)};
-  const TracedCasters traced = trace_casters(workbench.tracer(), surfels.gbuffer, light);
+  const VisibilityStatistics* causes = by_cause(shadow);
+  if (causes == nullptr) return {analyze_error_shape(input, shadow.raster->visibility)};
+  const TracedCasters traced = trace_casters(stages.tracer(), surfels.gbuffer, light);
   const RasterVisibility& raster = *shadow.raster;
   CasterShapes casters = analyze_casters(
-      {input, raster.visibility, raster.wrong, traced.instance, traced.distance, workbench.scene(), surfels.view});
+      {input, raster.visibility, raster.wrong, traced.instance, traced.distance, stages.scene(), surfels.view});
   const std::string missing = missing_contacts_text(casters.search);
-  if (!missing.empty() && shadow.statistics->peter_panning > 0.0) {
-    workbench.add_notes({workbench.title(shadow.light) + ": " + missing});
+  if (!missing.empty() && causes->peter_panning > 0.0) {
+    stages.add_notes({stages.title(shadow.light) + ": " + missing});
   }
   return {analyze_error_shape(input, raster.wrong), std::move(casters.casters), casters.search};
 }
@@ -107,7 +108,7 @@ std::string missing_contacts_text(const ContactSearch& search) {
   return text;
 }
 
-nlohmann::ordered_json to_json(const Workbench& workbench, const ShadowShape& shape) {
+nlohmann::ordered_json to_json(const Stages& stages, const ShadowShape& shape) {
   Json object = {{"reference_edges_px", shape.error.edges}};
   object["edge_distance"] = {{"all", distances_json(shape.error.all)}};
   if (shape.shimmer) object["shimmer"] = shimmer_json(*shape.shimmer);
@@ -126,7 +127,7 @@ nlohmann::ordered_json to_json(const Workbench& workbench, const ShadowShape& sh
   }
   if (shape.contact_search) object["contact_search"] = search_json(*shape.contact_search);
   object["casters"] = Json::array();
-  for (const CasterShape& caster : shape.casters) object["casters"].push_back(caster_json(workbench, caster));
+  for (const CasterShape& caster : shape.casters) object["casters"].push_back(caster_json(stages, caster));
   return object;
 }
 

@@ -22,16 +22,16 @@ struct ShadowShape {
 };
 
 /// Of a measurement with both sides.
-ShadowShape measure_shape(Workbench& workbench, const ShadowMeasurement& shadow);
+ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow);
 
 /// Why no contact gap could be measured, as a sentence without its full stop; empty where one was, and without a
 /// shadow.
 std::string missing_contacts_text(const ContactSearch& search);
 
 /// The value of "shape".
-nlohmann::ordered_json to_json(const Workbench& workbench, const ShadowShape& shape);
+nlohmann::ordered_json to_json(const Stages& stages, const ShadowShape& shape);
 
 /// Adds the tables and the figure to a light's section.
-void present_shape(Presentation& presentation, const Workbench& workbench, const ShadowMeasurement& shadow);
+void present_shape(Presentation& presentation, const Stages& stages, const ShadowMeasurement& shadow);
 
 }  // namespace umbrameter

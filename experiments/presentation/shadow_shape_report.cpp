@@ -79,7 +79,7 @@ Table component_table(const ErrorShape& shape) {
   return table;
 }
 
-Table caster_table(const Workbench& workbench, const std::vector<CasterShape>& casters) {
+Table caster_table(const Stages& stages, const std::vector<CasterShape>& casters) {
   std::vector<CasterShape> listed = casters;
   std::stable_sort(listed.begin(), listed.end(), [](const CasterShape& a, const CasterShape& b) {
     return a.contacts + a.edges > b.contacts + b.edges;
@@ -103,7 +103,7 @@ Table caster_table(const Workbench& workbench, const std::vector<CasterShape>& c
     const auto cell = [](bool is_known, double value) { return is_known ? fmt::format("{:.3g}", value) : "—"; };
     const bool touches = caster.contacts > 0;
     const bool has_edges = caster.edges > 0;
-    table.rows.push_back({workbench.scene().objects[caster.object].name, static_cast<std::int64_t>(caster.contacts),
+    table.rows.push_back({stages.scene().objects[caster.object].name, static_cast<std::int64_t>(caster.contacts),
                           cell(touches, caster.gap_median.metres), cell(touches, caster.gap_median.texels),
                           cell(touches, caster.gap_median.pixels), cell(touches, caster.gap_largest.metres),
                           static_cast<std::int64_t>(caster.edges), cell(has_edges, caster.inset_median.metres),
@@ -151,7 +151,7 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
 
 }  // namespace
 
-void present_shape(Presentation& presentation, const Workbench& workbench, const ShadowMeasurement& shadow) {
+void present_shape(Presentation& presentation, const Stages& stages, const ShadowMeasurement& shadow) {
   const ShadowShape& shape = *shadow.shape;
   ReportSection& section = presentation.section;
   section.text += edges_text(shape.error);
@@ -162,12 +162,11 @@ void present_shape(Presentation& presentation, const Workbench& workbench, const
   const std::string missing = shape.contact_search ? missing_contacts_text(*shape.contact_search) : std::string();
   if (!missing.empty()) section.text += fmt::format("\n\nFor this light {}.", missing);
   if (!shape.casters.empty()) {
-    section.tables.push_back({"Contact gap and shadow inset by caster", caster_table(workbench, shape.casters)});
+    section.tables.push_back({"Contact gap and shadow inset by caster", caster_table(stages, shape.casters)});
   }
   if (shape.shimmer) section.tables.push_back({"Shimmer", shimmer_table(*shape.shimmer)});
   if (shape.error.all.texels) {
-    add_figure(presentation,
-               distance_figure(workbench.layer(shadow.light), workbench.title(shadow.light), shape.error));
+    add_figure(presentation, distance_figure(stages.layer(shadow.light), stages.title(shadow.light), shape.error));
   }
 }
 

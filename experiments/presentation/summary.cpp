@@ -55,17 +55,36 @@ Json agreement_json(const ClassAgreement& agreement) {
           {"judged_own_of_wrong", share_of_wrong(agreement)}};
 }
 
-Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow) {
+template <class Struct>
+Json statistics_json(const Struct& statistics) {
+  return row_json(columns_of(statistics), row_of(statistics));
+}
+
+Json place_json(int x, int y) { return x < 0 ? Json(nullptr) : Json{x, y}; }
+
+void add_causes(Json& object, const ShadowMeasurement& shadow, const VisibilityStatistics& s) {
+  object["max_error_at_px"] = place_json(s.max_x, s.max_y);
+  object["confusion"] = {{"truth_lit_raster_lit", s.lit - s.false_blocked},
+                         {"truth_lit_raster_blocked", s.false_blocked},
+                         {"truth_blocked_raster_lit", s.false_lit},
+                         {"truth_blocked_raster_blocked", s.blocked - s.false_lit}};
+  if (shadow.agreement) object["class_agreement"] = agreement_json(*shadow.agreement);
+  const std::uint32_t weight_sum = shadow.raster->wrong.weight_sum;
+  object["objects"] = parts_json(PartKind::object, shadow.objects, weight_sum);
+  object["materials"] = parts_json(PartKind::material, shadow.materials, weight_sum);
+}
+
+Json shadow_json(const Stages& stages, const ShadowMeasurement& shadow) {
   Json object;
-  object["light"] = workbench.title(shadow.light);
-  object["layer"] = workbench.layer(shadow.light);
+  object["light"] = stages.title(shadow.light);
+  object["layer"] = stages.layer(shadow.light);
   object["index"] = shadow.light;
   object["kind"] = kind_name(shadow.frame.kind);
   object["extent"] = to_json(shadow.emitter);
   const double texel = shadow.counted.mean_texel;
   object["map"] = {
       {"resolution_texels", shadow.frame.resolution}, {"mean_texel_m", texel}, {"far_depth_m", shadow.frame.far_depth}};
-  object["constant_bias"] = to_json(in_units(shadow.experiment.shadow.constant_bias, texel, shadow.frame.far_depth));
+  object["constant_bias"] = to_json(in_units(shadow.experiment.shadow.bias.constant, texel, shadow.frame.far_depth));
   Json counting = Json::object();
   for (std::size_t i = 0; i < counting_names.size(); ++i) {
     counting[std::string(counting_names[i])] = shadow.counted.totals[i];
@@ -77,26 +96,19 @@ Json shadow_json(const Workbench& workbench, const ShadowMeasurement& shadow) {
   }
   if (const std::string reason = nothing_counted_text(shadow.counted); !reason.empty()) object["not_measured"] = reason;
   if (shadow.advice) object["recommended_bias"] = to_json(*shadow.advice);
-  if (shadow.soft_statistics) {
-    const SampledError& error = shadow.soft_statistics->error;
-    object["statistics"] = row_json(soft_visibility_columns(), to_row(*shadow.soft_statistics));
-    object["statistics"]["mean_standard_error"] = error.mean_standard_error;
-    object["max_error_at_px"] = error.max_x < 0 ? Json(nullptr) : Json{error.max_x, error.max_y};
-  }
   if (shadow.statistics) {
-    const VisibilityStatistics& s = *shadow.statistics;
-    object["statistics"] = row_json(visibility_columns(), to_row(s));
-    object["max_error_at_px"] = s.max_x < 0 ? Json(nullptr) : Json{s.max_x, s.max_y};
-    object["confusion"] = {{"truth_lit_raster_lit", s.lit - s.false_blocked},
-                           {"truth_lit_raster_blocked", s.false_blocked},
-                           {"truth_blocked_raster_lit", s.false_lit},
-                           {"truth_blocked_raster_blocked", s.blocked - s.false_lit}};
-    if (shadow.agreement) object["class_agreement"] = agreement_json(*shadow.agreement);
-    const std::uint32_t weight_sum = shadow.raster->wrong.weight_sum;
-    object["objects"] = parts_json(PartKind::object, shadow.objects, weight_sum);
-    object["materials"] = parts_json(PartKind::material, shadow.materials, weight_sum);
+    const ShadowStatistics& statistics = *shadow.statistics;
+    object["statistics"] = std::visit([](const auto& each) { return statistics_json(each); }, statistics);
+    if (const auto* soft = std::get_if<SoftVisibilityStatistics>(&statistics)) {
+      object["statistics"]["mean_standard_error"] = soft->error.mean_standard_error;
+      object["max_error_at_px"] = place_json(soft->error.max_x, soft->error.max_y);
+    } else if (const auto* edges = std::get_if<EdgeStatistics>(&statistics)) {
+      object["max_error_at_px"] = place_json(edges->max_x, edges->max_y);
+    } else {
+      add_causes(object, shadow, std::get<VisibilityStatistics>(statistics));
+    }
   }
-  if (shadow.shape) object["shape"] = to_json(workbench, *shadow.shape);
+  if (shadow.shape) object["shape"] = to_json(stages, *shadow.shape);
   return object;
 }
 
@@ -104,9 +116,9 @@ Json ao_json(const AoMeasurement& ao) {
   Json object;
   if (ao.truth) object["truth"] = truth_json(ao.truth->statistics, ao.truth->precision, ao.truth->degrees_of_freedom);
   if (ao.statistics) {
-    object["statistics"] = row_json(ao_columns(), to_row(*ao.statistics));
-    object["max_error_at_px"] =
-        ao.statistics->max_x < 0 ? Json(nullptr) : Json{ao.statistics->max_x, ao.statistics->max_y};
+    const SampledError& error = ao.statistics->error;
+    object["statistics"] = statistics_json(*ao.statistics);
+    object["max_error_at_px"] = place_json(error.max_x, error.max_y);
   }
   return object;
 }
@@ -128,14 +140,14 @@ std::string to_summary_json(const SummaryInput& input) {
   Json summary;
   summary["program"] = {{"name", "umbrameter"}, {"version", UMBRAMETER_VERSION}};
   summary["command"] = input.command;
-  const Scene& scene = input.workbench->scene();
+  const Scene& scene = input.stages->scene();
   summary["scene"] = {{"name", scene_title(input.experiment)},
                       {"triangles", count(scene).triangles},
                       {"instances", scene.instances.size()},
                       {"materials", scene.materials.size()}};
   summary["embree"] = embree_version();
   if (!input.gl_renderer.empty()) summary["opengl"] = input.gl_renderer;
-  summary["notes"] = input.workbench->notes();
+  summary["notes"] = input.stages->notes();
   // Of a sweep: those of the cell that was measured, like all that follows.
   Experiment experiment = input.measurement != nullptr ? input.measurement->experiment : input.experiment;
   Json parameters = Json::object();
@@ -150,7 +162,7 @@ std::string to_summary_json(const SummaryInput& input) {
     summary["camera"] = input.measurement->surfels.view.camera.name;
     summary["shadows"] = Json::array();
     for (const ShadowMeasurement& shadow : input.measurement->shadows) {
-      summary["shadows"].push_back(shadow_json(*input.workbench, shadow));
+      summary["shadows"].push_back(shadow_json(*input.stages, shadow));
     }
     if (input.measurement->ao) summary["ao"] = ao_json(*input.measurement->ao);
   }

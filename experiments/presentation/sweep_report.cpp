@@ -44,34 +44,6 @@ Layout lay_out(const Parameters& parameters, const std::vector<SweepAxis>& axes)
   return layout;
 }
 
-struct Curve {
-  const char* column;
-  const char* title;
-  const char* label;
-  bool has_interval;
-  bool logarithmic;
-};
-constexpr Curve visibility_curves[] = {
-    {"mae", "Mean absolute error of visibility", "mean absolute error [% of counted pixels]", false, true},
-    {"acne", "Acne", "acne [% of counted pixels]", false, false},
-    {"peter_panning", "Peter-panning", "peter-panning [% of counted pixels]", false, false},
-    {"false_occlusion", "False occlusion", "false occlusion [% of counted pixels]", false, false},
-    {"leak", "Light leak", "light leak [% of counted pixels]", false, false}};
-constexpr Curve soft_visibility_curves[] = {
-    {"mae", "Mean absolute error of visibility", "mean absolute error [%], 95 % interval", true, false},
-    {"false_blocked", "Too dark", "too dark [% of counted pixels], 95 % interval", true, false},
-    {"false_lit", "Too bright", "too bright [% of counted pixels], 95 % interval", true, false}};
-constexpr Curve ao_curves[] = {
-    {"mae", "Mean absolute error of accessibility", "mean absolute error [%], 95 % interval", true, false},
-    {"rmse", "RMS error of accessibility", "RMS error [%], 95 % interval", true, false},
-    {"mean_error", "Mean error of accessibility", "technique − reference [%], 95 % interval", true, false}};
-
-std::span<const Curve> curves_of(Measure measure) {
-  if (measure == Measure::ao) return ao_curves;
-  if (measure == Measure::soft_visibility) return soft_visibility_curves;
-  return visibility_curves;
-}
-
 bool is_geometric(const SweepAxis& axis) { return axis.text.size() > 4 && axis.text.ends_with(":log"); }
 
 // The cells of one plot: a combination of the axes that are neither x nor series.
@@ -107,23 +79,24 @@ PlotCells cells_of_plot(const SweepPlan& plan, const Layout& layout, std::size_t
   return plot;
 }
 
-PlotFigure make_plot(const SweepResults& sweep, const Layout& layout, const PlotCells& cells, const Curve& curve) {
+PlotFigure make_plot(const SweepResults& sweep, const Layout& layout, const PlotCells& cells,
+                     const Statistic& statistic) {
   const SweepAxis& x = sweep.plan.axes[layout.x];
   PlotFigure plot;
-  plot.title = curve.title;
+  plot.title = statistic.curve.title;
   plot.conditions = cells.conditions;
   plot.caption = cells.caption;
   plot.x = {x.key, label_of(x), is_geometric(x)};
-  plot.y = {curve.column, curve.label, curve.logarithmic};
-  std::vector<std::string> names = {x.key, curve.column};
+  plot.y = {statistic.name, statistic.curve.label, statistic.curve.logarithmic};
+  std::vector<std::string> names = {x.key, statistic.name};
   if (layout.series) {
     plot.series = sweep.plan.axes[*layout.series].key;
     plot.series_label = label_of(sweep.plan.axes[*layout.series]);
     names.push_back(*plot.series);
   }
-  if (curve.has_interval) {
-    plot.lower = std::string(curve.column) + "_lo";
-    plot.upper = std::string(curve.column) + "_hi";
+  if (statistic.has_interval()) {
+    plot.lower = lower_name(statistic.name);
+    plot.upper = upper_name(statistic.name);
     names.push_back(*plot.lower);
     names.push_back(*plot.upper);
   }
@@ -141,12 +114,14 @@ std::vector<PlotFigure> make_plots(const SweepResults& sweep, const Layout& layo
   std::size_t parts = 1;
   for (const std::size_t a : layout.rest) parts *= count_values(sweep.plan, a);
   std::vector<PlotFigure> plots;
+  CellStatistics statistics = sweep.statistics;
   for (std::size_t part = 0; part < parts; ++part) {
     const PlotCells cells = cells_of_plot(sweep.plan, layout, part);
-    for (const Curve& curve : curves_of(sweep.measure)) {
+    for (const Statistic& statistic : describe(statistics)) {
+      if (statistic.curve.title.empty()) continue;
       if (plots.size() >= most_plots) return plots;
-      PlotFigure plot = make_plot(sweep, layout, cells, curve);
-      plot.stem = std::string(curve.column) + (layout.rest.empty() ? "" : fmt::format("_{}", part));
+      PlotFigure plot = make_plot(sweep, layout, cells, statistic);
+      plot.stem = statistic.name + (layout.rest.empty() ? "" : fmt::format("_{}", part));
       plots.push_back(std::move(plot));
     }
   }
@@ -179,7 +154,7 @@ std::string row_text(const Table& table, const std::vector<Value>& row, std::siz
 Table best_rows(const SweepResults& sweep) {
   std::vector<std::string> keys;
   for (const std::size_t a : listed_axes(sweep)) keys.push_back(sweep.plan.axes[a].key);
-  return sweep.store.least("mae", keys, most_best_rows);
+  return sweep.store.least(std::string(error_statistic), keys, most_best_rows);
 }
 
 std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row) {
@@ -188,7 +163,9 @@ std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row) 
   return row_text(table, row, sweep.plan.axes.size());
 }
 
-std::vector<Value> least_row(const SweepResults& sweep) { return sweep.store.least("mae", {}, 1).rows.front(); }
+std::vector<Value> least_row(const SweepResults& sweep) {
+  return sweep.store.least(std::string(error_statistic), {}, 1).rows.front();
+}
 
 std::vector<OpenEnd> open_ends(const SweepResults& sweep, const Table& best) {
   return find_open_ends(sweep, best, listed_axes(sweep));
@@ -199,9 +176,9 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   Presentation presentation;
   const std::size_t axes = sweep.plan.axes.size();
   ReportSection& section = presentation.section;
-  section.title = sweep.measure == Measure::ao ? "Ambient occlusion error in all cells" : "Shadow error in all cells";
+  section.title = sweep.is_ao() ? "Ambient occlusion error in all cells" : "Shadow error in all cells";
   const std::vector<Value> least = least_row(sweep);
-  const std::size_t mae = column_index(best, "mae");
+  const std::size_t mae = column_index(best, error_statistic);
   const std::string error = percent(to_number(least[mae]));
   if (!std::isfinite(to_number(least[mae]))) {
     presentation.answers.emplace_back("nothing to measure: no cell of the sweep has counted pixels");
@@ -222,7 +199,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   if (!sweep.ao_limit.empty())
     section.text += " The reference looks for occluders " + sweep.ao_limit + " in every cell.";
   const bool varies_filter = varies_group(sweep.plan.axes, "shadow.filter");
-  if (varies_filter && sweep.measure == Measure::visibility) section.text += "\n\n" + std::string(filter_caution);
+  if (varies_filter && !sweep.is_ao()) section.text += "\n\n" + std::string(filter_caution);
   for (const std::string& warning : warnings) section.text += "\n\nWarning: " + warning + ".";
   if (!curves) {
     std::size_t lines = 1;

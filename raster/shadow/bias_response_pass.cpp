@@ -45,7 +45,7 @@ void draw_part(const gl::Context& context, const ShadowLookup& lookup, const std
   std::vector<std::uint32_t> words(axes.slope.size() * bins * slot("HISTOGRAM_WORDS"));
   const gl::Buffer counts = gl::make_buffer("bias histogram", std::span<const std::uint32_t>(words));
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot("BUFFER_HISTOGRAM"), counts.name());
-  const auto taps = static_cast<std::size_t>(make_filter(lookup.params).tap_count());
+  const auto taps = static_cast<std::size_t>(kernel_of(lookup).tap_count());
   dispatch_whole_list(context, context.program({{"bias_response.comp"}, defines}), pixels, taps * axes.slope.size());
   gl::read_buffer(counts, std::as_writable_bytes(std::span(words)));
   context.check("bias response");
@@ -63,7 +63,7 @@ void draw_part(const gl::Context& context, const ShadowLookup& lookup, const std
 BiasHistogram draw_bias_response(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes) {
   assert(lookup.truth != nullptr && !axes.constant.empty() && !axes.slope.empty());
   assert(std::is_sorted(axes.constant.begin(), axes.constant.end()));
-  BiasHistogram histogram{axes, make_filter(lookup.params).weight_sum(), {}};
+  BiasHistogram histogram{axes, kernel_of(lookup).weight_sum(), {}};
   const std::string defines = lookup_defines(lookup);
   const std::size_t bytes = (axes.constant.size() + 1) * slot("HISTOGRAM_WORDS") * sizeof(std::uint32_t);
   const std::size_t at_once = std::max<std::size_t>(most_histogram_bytes / bytes, 1);

@@ -10,7 +10,7 @@
 namespace umbrameter {
 
 /// Counts the taps that are wrong at some bias of the axes by where they flip: every tap flips once, so that the
-/// histogram holds the error at all of them. params.constant_bias and params.slope_bias are not read; all else is.
+/// histogram holds the error at all of them. params.bias.constant and params.bias.slope are not read; all else is.
 /// The look-up must have a truth. Rendering each cell gives the same counts.
 BiasHistogram draw_bias_response(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes);
 

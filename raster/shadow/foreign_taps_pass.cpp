@@ -32,7 +32,7 @@ void list_foreign_taps(const gl::Context& context, const ShadowLookup& lookup, c
   const std::uint32_t pixels = count_listed(context, list);
   if (pixels == 0) return;
 
-  const auto taps = static_cast<std::size_t>(make_filter(lookup.params).tap_count());
+  const auto taps = static_cast<std::size_t>(kernel_of(lookup).tap_count());
   const auto at_once = static_cast<std::uint32_t>(
       std::min<std::size_t>(pixels, std::max<std::size_t>(most_taps_at_once / taps, slot("LIST_GROUP_SIZE"))));
   const gl::Buffer found =

@@ -16,8 +16,8 @@ namespace umbrameter {
 using ForeignTapSink = std::function<void(std::span<const ForeignTap>)>;
 
 /// Every tap that draw_bias_response() counts as false occlusion at some bias of the axes, once. Of one configuration
-/// the axes hold its own biases, and these are the taps that draw_visibility() counts. params.constant_bias and
-/// params.slope_bias are not looked at. The look-up must have a truth. Memory stays bounded however many there are.
+/// the axes hold its own biases, and these are the taps that draw_visibility() counts. params.bias.constant and
+/// params.bias.slope are not looked at. The look-up must have a truth. Memory stays bounded however many there are.
 void list_foreign_taps(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes,
                        const ForeignTapSink& sink);
 

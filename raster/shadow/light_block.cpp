@@ -3,11 +3,10 @@
 #include <cstddef>
 
 #include "raster/shader_interface.h"
-#include "raster/shadow/filter_defines.h"
 
 namespace umbrameter {
 
-LightBlock make_light_block(const Light& light, const LightFrame& frame, const ShadowParams& params) {
+LightBlock make_light_block(const Light& light, const LightFrame& frame) {
   LightBlock block;
   block.light_from_world = frame.light_from_world;
   block.light_in_world = homogeneous_place(light);
@@ -18,11 +17,6 @@ LightBlock make_light_block(const Light& light, const LightFrame& frame, const S
   block.half_extent = frame.half_extent;
   block.far_depth = frame.far_depth;
   block.resolution = frame.resolution;
-  block.constant_bias = static_cast<float>(params.constant_bias.number);
-  block.slope_bias = static_cast<float>(params.slope_bias);
-  block.normal_offset = static_cast<float>(params.normal_offset);
-  block.tap_count = make_filter(params).tap_count();
-  block.filter_radius = static_cast<float>(params.filter_radius);
   return block;
 }
 

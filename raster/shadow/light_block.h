@@ -4,9 +4,7 @@
 #include <string>
 
 #include "core/math.h"
-#include "techniques/ao/parameters.h"
 #include "techniques/shadow/map_layout.h"
-#include "techniques/shadow/parameters.h"
 
 namespace umbrameter {
 
@@ -28,8 +26,8 @@ struct LightBlock {
 };
 static_assert(sizeof(LightBlock) == 784);
 
-/// In which unit its bias is, bind() of shadow_lookup.h says.
-LightBlock make_light_block(const Light& light, const LightFrame& frame, const ShadowParams& params);
+/// The light and its map, as drawing the map needs them. Bias and filter are 0: bind() of shadow_lookup.h adds them.
+LightBlock make_light_block(const Light& light, const LightFrame& frame);
 
 /// "#define MAP_KIND 0"
 std::string map_defines(const LightFrame& frame);

@@ -44,12 +44,21 @@ gl::Texture upload_truth(const gl::Context& context, const Image<float>& visibil
   return upload(context, truth);
 }
 
+const FilterKernel& kernel_of(const ShadowLookup& lookup) { return std::get<Pcf>(lookup.technique).kernel; }
+
 std::string lookup_defines(const ShadowLookup& lookup) {
-  return interface_defines() + map_defines(lookup.map.frame) + filter_defines(make_filter(lookup.params));
+  return interface_defines() + map_defines(lookup.map.frame) + filter_defines(kernel_of(lookup));
 }
 
 gl::Buffer bind(const ShadowLookup& lookup, LengthUnit bias_unit) {
-  LightBlock values = make_light_block(lookup.light, lookup.map.frame, lookup.params);
+  LightBlock values = make_light_block(lookup.light, lookup.map.frame);
+  values.constant_bias = static_cast<float>(lookup.bias.constant.number);
+  values.slope_bias = static_cast<float>(lookup.bias.slope);
+  values.normal_offset = static_cast<float>(lookup.bias.normal_offset);
+  if (const auto* pcf = std::get_if<Pcf>(&lookup.technique)) {
+    values.tap_count = pcf->kernel.tap_count();
+    values.filter_radius = pcf->kernel.radius;
+  }
   values.bias_in_texels = bias_unit == LengthUnit::texels ? 1 : 0;
   gl::Buffer block = gl::make_block("light", values);
   glBindBufferBase(GL_UNIFORM_BUFFER, slot("BLOCK_LIGHT"), block.name());

@@ -9,9 +9,8 @@
 #include "raster/gbuffer/uploaded_scene.h"
 #include "raster/gl/context.h"
 #include "raster/shadow/shadow_map.h"
-#include "techniques/ao/parameters.h"
 #include "techniques/shadow/map_layout.h"
-#include "techniques/shadow/parameters.h"
+#include "techniques/shadow/technique.h"
 
 namespace umbrameter {
 
@@ -21,9 +20,13 @@ struct ShadowLookup {
   const GpuGBuffer& gbuffer;
   const ShadowMap& map;
   const Light& light;
-  const ShadowParams& params;
+  BiasParams bias;
+  ShadowTechnique technique;
   const gl::Texture* truth = nullptr;  ///< made by upload() or upload_truth(); lit from 0.5 on
 };
+
+/// The taps of a technique that sums comparisons.
+const FilterKernel& kernel_of(const ShadowLookup& lookup);
 
 /// One float a pixel.
 gl::Texture upload(const gl::Context& context, const Image<float>& image);

@@ -50,8 +50,7 @@ bool has_textures_for(const ShadowMap& map, const LightFrame& frame) {
   return map.frame.resolution == frame.resolution && face_count(map.frame) == face_count(frame);
 }
 
-void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light,
-                       const ShadowParams& params, ShadowMap& map) {
+void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light, ShadowMap& map) {
   const LightFrame& frame = map.frame;
   const std::string common = interface_defines() + map_defines(frame);
   const auto program = [&](unsigned alpha_mask) -> const gl::Program& {
@@ -59,7 +58,7 @@ void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, c
     if (frame.kind != MapKind::orthographic) source.files.insert(source.files.begin() + 1, "shadow.geom");
     return context.program(source);
   };
-  const gl::Buffer block = gl::make_block("light", make_light_block(light, frame, params));
+  const gl::Buffer block = gl::make_block("light", make_light_block(light, frame));
   glBindBufferBase(GL_UNIFORM_BUFFER, slot("BLOCK_LIGHT"), block.name());
 
   const gl::Framebuffer framebuffer = gl::make_framebuffer("shadow map");
@@ -91,9 +90,9 @@ void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, c
 }
 
 ShadowMap draw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light,
-                          const LightFrame& frame, const ShadowParams& params) {
+                          const LightFrame& frame) {
   ShadowMap map = make_shadow_map(context, frame);
-  redraw_shadow_map(context, scene, light, params, map);
+  redraw_shadow_map(context, scene, light, map);
   return map;
 }
 

@@ -4,12 +4,10 @@
 #include "raster/gbuffer/uploaded_scene.h"
 #include "raster/gl/context.h"
 #include "raster/gl/objects.h"
-#include "techniques/ao/parameters.h"
 #include "techniques/shadow/causes.h"
 #include "techniques/shadow/filter.h"
 #include "techniques/shadow/histogram.h"
 #include "techniques/shadow/map_layout.h"
-#include "techniques/shadow/parameters.h"
 
 namespace umbrameter {
 
@@ -21,19 +19,18 @@ struct ShadowMap {
 };
 
 /// The textures of a map of this frame, with nothing drawn into them. frame.resolution decides their size.
-/// Throws Error (usage) naming shadow.resolution when the device or the memory is too small for it.
+/// Throws Error (usage) naming shadow.map.resolution when the device or the memory is too small for it.
 ShadowMap make_shadow_map(const gl::Context& context, const LightFrame& frame);
 
 /// Whether the map's textures have the size and the number of layers that this frame needs.
 bool has_textures_for(const ShadowMap& map, const LightFrame& frame);
 
 /// Draws map.frame into the map's textures, whatever they hold. See draw_shadow_map().
-void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light,
-                       const ShadowParams& params, ShadowMap& map);
+void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light, ShadowMap& map);
 
 /// Every face of every triangle, masked materials by their alpha. Throws what make_shadow_map() throws.
 ShadowMap draw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light,
-                          const LightFrame& frame, const ShadowParams& params);
+                          const LightFrame& frame);
 
 ShadowMapImages read_back(const gl::Context& context, const ShadowMap& map);
 

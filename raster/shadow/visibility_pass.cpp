@@ -25,7 +25,7 @@ RasterVisibility draw_visibility(const gl::Context& context, const ShadowLookup&
   const bool has_truth = lookup.truth != nullptr;
   const std::string defines = lookup_defines(lookup) + define("HAS_TRUTH", has_truth ? 1 : 0);
   const gl::Program& program = context.program({{"visibility.comp"}, defines});
-  const gl::Buffer block = bind(lookup, lookup.params.constant_bias.unit);
+  const gl::Buffer block = bind(lookup, lookup.bias.constant.unit);
   const gl::Texture visibility = gl::make_texture("visibility", gl::Format::r32f, gbuffer.width, gbuffer.height);
   glBindImageTexture(slot("IMAGE_VISIBILITY"), visibility.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
   gl::Buffer pixels;
@@ -34,7 +34,7 @@ RasterVisibility draw_visibility(const gl::Context& context, const ShadowLookup&
 
   RasterVisibility result;
   result.visibility = read_image<float>(visibility, gl::Format::r32f);
-  const FilterKernel filter = make_filter(lookup.params);
+  const FilterKernel& filter = kernel_of(lookup);
   result.wrong = {Image<uvec4>(gbuffer.width, gbuffer.height, uvec4(0)), filter.weight_sum()};
   if (has_truth) {
     const gl::Program& classify = context.program({{"classify.comp"}, defines});

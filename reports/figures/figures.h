@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "compare/table.h"
 #include "core/image.h"
 #include "core/math.h"
+#include "core/table.h"
 
 namespace umbrameter {
 

@@ -8,8 +8,8 @@
 #include <span>
 #include <string>
 
-#include "compare/table.h"
 #include "core/parameters.h"
+#include "core/table.h"
 
 namespace umbrameter {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/table.h"
+#include "core/table.h"
 
 namespace umbrameter {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "compare/table.h"
+#include "core/table.h"
 
 namespace umbrameter {
 

@@ -76,9 +76,9 @@ std::vector<vec2> even_turns() {
 
 }  // namespace
 
-FilterKernel make_filter(const ShadowParams& params) {
+FilterKernel make_filter(const PcfParams& params) {
   FilterKernel filter;
-  filter.linear_taps = params.filter_taps == FilterTaps::linear;
+  filter.linear_taps = params.taps == FilterTaps::linear;
   switch (params.filter) {
     case ShadowFilter::nearest:
       filter.linear_taps = false;
@@ -89,19 +89,19 @@ FilterKernel make_filter(const ShadowParams& params) {
       filter.kernel = {1};
       break;
     case ShadowFilter::box:
-      filter.kernel.assign(static_cast<std::size_t>(params.filter_size), 1);
+      filter.kernel.assign(static_cast<std::size_t>(params.size), 1);
       break;
     case ShadowFilter::tent:
-      filter.kernel = tent(params.filter_size);
+      filter.kernel = tent(params.size);
       break;
     case ShadowFilter::gaussian:
-      filter.kernel = gaussian(params.filter_size);
+      filter.kernel = gaussian(params.size);
       break;
     case ShadowFilter::poisson:
       filter.linear_taps = false;
-      filter.points = poisson_disk(params.filter_samples);
+      filter.points = poisson_disk(params.samples);
       filter.turns = even_turns();
-      filter.radius = static_cast<float>(params.filter_radius);
+      filter.radius = static_cast<float>(params.radius);
       break;
   }
   return filter;

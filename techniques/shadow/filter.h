@@ -44,9 +44,9 @@ constexpr std::uint64_t largest_weight_sum(std::uint64_t size) {
 }
 static_assert(largest_weight_sum(FilterKernel::largest_size) < std::uint64_t{1} << 32);
 
-/// Box: equal weights. Tent: 1 2 … 2 1. Gaussian: standard deviation (filter_size + 1) / 6 texels, weights rounded to
+/// Box: equal weights. Tent: 1 2 … 2 1. Gaussian: standard deviation (size + 1) / 6 texels, weights rounded to
 /// 1/128 along each side. Bilinear: one linear tap, what `sampler2DShadow` with a linear filter computes. Poisson: best
 /// candidates (D. Mitchell, Spectrally Optimal Sampling for Distribution Ray Tracing, 1991).
-FilterKernel make_filter(const ShadowParams& params);
+FilterKernel make_filter(const PcfParams& params);
 
 }  // namespace umbrameter

@@ -14,36 +14,49 @@ constexpr std::array<std::string_view, 2> filter_taps_names{"nearest", "linear"}
 
 }  // namespace
 
-Parameters describe(ShadowParams& params) {
+Parameters describe(ShadowMapParams& params) {
   return Description("shadow")
       .field(
           "resolution", params.resolution,
           {.unit = "texels", .meaning = "side of the shadow map or cube face", .min = 1, .max = 16384, .basic = true})
-      .field("constant-bias", params.constant_bias,
+      .take();
+}
+
+Parameters describe(BiasParams& params) {
+  return Description("shadow")
+      .field("constant-bias", params.constant,
              {.unit = "m",
               .meaning = "constant bias, along the light's axis or ray",
               .units = {.texels = true},
               .basic = true})
-      .field("slope-bias", params.slope_bias,
-             {.unit = "texels", .meaning = "slope-scaled bias, times tan θ", .basic = true})
+      .field("slope-bias", params.slope, {.unit = "texels", .meaning = "slope-scaled bias, times tan θ", .basic = true})
       .field("normal-offset", params.normal_offset,
              {.unit = "texels", .meaning = "normal offset, times sin θ", .basic = true})
+      .take();
+}
+
+Parameters describe(PcfParams& params) {
+  return Description("shadow")
       .choice("filter", params.filter, shadow_filter_names,
               {.unit = {}, .meaning = "PCF kernel", .basic = true, .aliases = {{"pcf", "box"}}})
-      .field("filter-size", params.filter_size,
+      .field("filter-size", params.size,
              {.unit = "texels",
               .meaning = "side of the box, tent or Gaussian kernel",
               .min = 1,
               .max = FilterKernel::largest_size,
               .odd = true,
               .basic = true})
-      .choice("filter-taps", params.filter_taps, filter_taps_names,
+      .choice("filter-taps", params.taps, filter_taps_names,
               {.unit = {}, .meaning = "taps of a box, tent or Gaussian kernel; linear: bilinear 2×2"})
-      .field("filter-samples", params.filter_samples,
+      .field("filter-samples", params.samples,
              {.unit = "1", .meaning = "taps of the Poisson disk", .min = 1, .max = 64})
-      .field("filter-radius", params.filter_radius,
+      .field("filter-radius", params.radius,
              {.unit = "texels", .meaning = "radius of the Poisson disk", .min = 0, .max = 64})
       .take();
+}
+
+Parameters describe(ShadowParams& params) {
+  return concatenate({describe(params.map), describe(params.bias), describe(params.pcf)});
 }
 
 }  // namespace umbrameter

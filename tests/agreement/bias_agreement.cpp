@@ -13,9 +13,9 @@ namespace {
 
 NamedFilter filter(std::string name, ShadowFilter kind, int size, FilterTaps taps = FilterTaps::nearest) {
   NamedFilter named{std::move(name), {}};
-  named.params.filter = kind;
-  named.params.filter_size = size;
-  named.params.filter_taps = taps;
+  named.params.pcf.filter = kind;
+  named.params.pcf.size = size;
+  named.params.pcf.taps = taps;
   return named;
 }
 
@@ -89,7 +89,7 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
     const CountedPixels counted = count_pixels(gbuffer, light, frame);
     const TruthCounts counts = count_truth(visibility, counted);
     const gl::Texture truth = upload_truth(context, visibility, counted.counting);
-    const ShadowMap map = draw_shadow_map(context, uploaded, light, frame, {});
+    const ShadowMap map = draw_shadow_map(context, uploaded, light, frame);
     const ShadowMapImages images = read_back(context, map);
     const auto judged = [&](const std::vector<ForeignTap>& taps) {
       return judge_own(tracer, frame, surfaces_of(scene, frame, gbuffer, taps));
@@ -98,10 +98,10 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
       const bool is_judged = static_cast<std::size_t>(&filter - grid.filters.data()) < grid.judged_filters;
       for (const double normal_offset : grid.normal_offsets) {
         ShadowParams params = filter.params;
-        params.normal_offset = normal_offset;
-        const ShadowLookup lookup{uploaded, surfels, map, light, params, &truth};
+        params.bias.normal_offset = normal_offset;
+        ShadowLookup lookup{uploaded, surfels, map, light, params.bias, make_technique(params), &truth};
         const BiasHistogram drawn = draw_bias_response(context, lookup, grid.axes);
-        const FilterKernel kernel = make_filter(params);
+        const FilterKernel kernel = make_filter(params.pcf);
         const MapLookup on_processor{gbuffer, frame, light, images, kernel, static_cast<float>(normal_offset)};
         const BiasHistogram computed =
             count_bias_response(scene, on_processor, visibility, counted.counting, grid.axes);
@@ -127,16 +127,16 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
           const std::vector<VisibilitySums> at = sums_at_biases(drawn, s);
           const std::vector<VisibilitySums> exact_at = sums_at_biases(exact, s);
           for (std::size_t k = 0; k < at.size(); ++k) {
-            params.constant_bias = Length{static_cast<double>(grid.axes.constant[k]), grid.axes.unit};
-            params.slope_bias = static_cast<double>(grid.axes.slope[s]);
+            lookup.bias.constant = Length{static_cast<double>(grid.axes.constant[k]), grid.axes.unit};
+            lookup.bias.slope = static_cast<double>(grid.axes.slope[s]);
             RasterVisibility cell = draw_visibility(context, lookup);
             const VisibilitySums sums = sum_wrong_taps(cell.wrong, counted);
             ++agreement.cells;
             if (has_wrong(sums)) ++agreement.wrong_cells;
             if (!(sums == at[k])) {
               agreement.disagreements.push_back(where + ": one pass and the cell differ at bias " +
-                                                to_string(params.constant_bias) + ", slope " +
-                                                std::to_string(params.slope_bias));
+                                                to_string(params.bias.constant) + ", slope " +
+                                                std::to_string(params.bias.slope));
             }
             agreement.identity_gap =
                 std::max(agreement.identity_gap,
@@ -147,8 +147,8 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
             apply_judgement(cell.wrong, gbuffer, of_cell, judged(of_cell));
             if (!(sum_wrong_taps(cell.wrong, counted) == exact_at[k])) {
               agreement.disagreements.push_back(where + ": by the judge one pass and the cell differ at bias " +
-                                                to_string(params.constant_bias) + ", slope " +
-                                                std::to_string(params.slope_bias));
+                                                to_string(params.bias.constant) + ", slope " +
+                                                std::to_string(params.bias.slope));
             }
           }
         }

@@ -51,13 +51,13 @@ void run(const std::string& name, const Setup& setup) {
   const CountedPixels counted = count_pixels(gbuffer, light, frame);
   const Image<float> visibility = trace_visibility(Tracer(scene), gbuffer, light).visibility;
   const gl::Texture truth = upload_truth(context, visibility, counted.counting);
-  const ShadowMap map = draw_shadow_map(context, uploaded, light, frame, {});
+  const ShadowMap map = draw_shadow_map(context, uploaded, light, frame);
   fmt::print("{}: {}x{}, map of {} texels, {} biases from 0 to 20 texels, {}\n", name, setup.width, setup.height,
              setup.resolution, setup.biases, context.device().renderer);
   for (const Case& filter : {Case{"nearest", ShadowFilter::nearest}, {"box of 3x3", ShadowFilter::box}}) {
     ShadowParams params;
-    params.filter = filter.filter;
-    const ShadowLookup lookup{uploaded, surfels, map, light, params, &truth};
+    params.pcf.filter = filter.filter;
+    ShadowLookup lookup{uploaded, surfels, map, light, params.bias, make_technique(params), &truth};
     BiasAxes one;
     for (int k = 0; k < setup.biases; ++k) {
       one.constant.push_back(static_cast<float>(20.0 * counted.mean_texel * k / setup.biases));
@@ -72,7 +72,7 @@ void run(const std::string& name, const Setup& setup) {
     const auto cells = [&] {
       for (int k = 0; k < setup.timed_cells; ++k) {
         const int bias = k * setup.biases / setup.timed_cells;
-        params.constant_bias = static_cast<double>(one.constant[static_cast<std::size_t>(bias)]);
+        lookup.bias.constant = static_cast<double>(one.constant[static_cast<std::size_t>(bias)]);
         sum_wrong_taps(draw_visibility(context, lookup).wrong, counted);
       }
     };

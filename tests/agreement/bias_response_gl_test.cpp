@@ -35,8 +35,8 @@ TEST_F(BiasResponseGl, One_pass_counts_what_the_processor_and_each_cell_count) {
   expect_agreement(lights_[0], grid);
   // Under the other kinds a box of nearest taps and a tent of linear ones add no path that the others lack.
   const auto is_left_out = [](const NamedFilter& filter) {
-    return (filter.params.filter == ShadowFilter::box && filter.params.filter_taps == FilterTaps::nearest) ||
-           filter.params.filter == ShadowFilter::tent;
+    return (filter.params.pcf.filter == ShadowFilter::box && filter.params.pcf.taps == FilterTaps::nearest) ||
+           filter.params.pcf.filter == ShadowFilter::tent;
   };
   grid.filters.erase(std::remove_if(grid.filters.begin(), grid.filters.end(), is_left_out), grid.filters.end());
   ASSERT_EQ(grid.filters.size(), 5u);
@@ -58,9 +58,9 @@ TEST_F(BiasResponseGl, Biases_in_texels_agree_too_under_every_kind_of_light) {
 
 TEST_F(BiasResponseGl, The_largest_filter_agrees_too) {
   NamedFilter tent{"29×29 tent of linear taps", {}};
-  tent.params.filter = ShadowFilter::tent;
-  tent.params.filter_size = FilterKernel::largest_size;
-  tent.params.filter_taps = FilterTaps::linear;
+  tent.params.pcf.filter = ShadowFilter::tent;
+  tent.params.pcf.size = FilterKernel::largest_size;
+  tent.params.pcf.taps = FilterTaps::linear;
   view_.width = 48;
   view_.height = 27;
   expect_agreement(lights_[2], {{{0.02f, 0.3f}, {0.0f, 1.5f}}, {96}, {tent}});

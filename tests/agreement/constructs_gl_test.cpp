@@ -95,10 +95,8 @@ TEST_F(ConstructsGl, A_shadow_map_and_rays_along_the_light_meet_the_same_surface
   const Light light = shapes::directional({0.4, 1.0, 0.8});
   for_each_scene([&](const Construct& construct, Scene scene) {
     const LightFrame frame = fit_light(light, bounds_of(scene), side);
-    ShadowParams params;
-    params.resolution = side;
     const ShadowMapImages map =
-        read_back(context(), draw_shadow_map(context(), upload(context(), scene), light, frame, params));
+        read_back(context(), draw_shadow_map(context(), upload(context(), scene), light, frame));
     // Shadows are cast by both faces.
     for (Material& material : scene.materials) material.double_sided = true;
     View view{side, side, {}};

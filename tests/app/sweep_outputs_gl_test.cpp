@@ -8,7 +8,7 @@
 #include <span>
 #include <sstream>
 
-#include "compare/table.h"
+#include "core/table.h"
 #include "experiments/results_store.h"
 #include "tests/app/gl_run.h"
 

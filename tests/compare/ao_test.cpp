@@ -29,7 +29,7 @@ TEST(Ao, An_exact_reference_leaves_no_interval) {
   Image<float> raster(2, 1, 0.25f);
   raster[1] = 1.0f;
   const Image<float> none(2, 1, 0.0f);
-  const AoStatistics s = analyze_ao(raster, {truth, none, none, 0}, all_surface(2, 1));
+  const SampledError s = analyze_ao(raster, {truth, none, none, 0}, all_surface(2, 1)).error;
   EXPECT_EQ(s.pixels, 2u);
   EXPECT_DOUBLE_EQ(s.mae.value, 0.375);
   EXPECT_DOUBLE_EQ(s.mae.lower, 0.375);
@@ -46,11 +46,11 @@ TEST(Ao, Background_does_not_count) {
   raster[1] = 0.0f;
   const Image<float> truth(2, 1, 0.5f);
   const Image<float> exact(2, 1, 0.0f);
-  const AoStatistics s = analyze_ao(raster, {truth, exact, exact, 0}, gbuffer);
+  const SampledError s = analyze_ao(raster, {truth, exact, exact, 0}, gbuffer).error;
   EXPECT_EQ(s.pixels, 1u);
   EXPECT_EQ(s.mae.value, 0.0);
-  const AoStatistics none = analyze_ao(raster, {raster, exact, exact, 0}, GBuffer(2, 1));
-  const std::vector<Value> row = to_row(none);
+  const SampledError none = analyze_ao(raster, {raster, exact, exact, 0}, GBuffer(2, 1)).error;
+  const std::vector<Value> row = row_of(AoStatistics{none});
   EXPECT_EQ(to_number(row[0]), 0.0);
   for (std::size_t i = 1; i < row.size(); ++i) EXPECT_TRUE(std::isnan(to_number(row[i]))) << i;
 }
@@ -61,7 +61,8 @@ TEST(Ao, The_noise_of_the_reference_is_not_reported_as_rms_error) {
   for (std::uint32_t i = 0; i < truth.size(); ++i) truth[i] = static_cast<float>(0.5 + 0.1 * gaussian(i, 5));
   const Image<float> variance(400, 400, 0.01f);
   const Image<float> samples(400, 400, 64.0f);
-  const AoStatistics s = analyze_ao(Image<float>(400, 400, 0.5f), {truth, variance, samples, 7}, all_surface(400, 400));
+  const SampledError s =
+      analyze_ao(Image<float>(400, 400, 0.5f), {truth, variance, samples, 7}, all_surface(400, 400)).error;
   // The mean square has a standard deviation of √2 · 0.01 / 400 = 3.5e-5; five of them bound the RMSE by 0.0134.
   EXPECT_LT(s.rmse.value, 0.0134);
   EXPECT_EQ(s.rmse.lower, 0.0);
@@ -76,7 +77,8 @@ TEST(Ao, The_interval_holds_the_true_mean_error_95_times_in_100) {
   for (std::uint32_t seed = 0; seed < trials; ++seed) {
     Image<float> truth(20, 20);
     for (std::uint32_t i = 0; i < truth.size(); ++i) truth[i] = static_cast<float>(0.6 + 0.05 * gaussian(i, seed));
-    const AoStatistics s = analyze_ao(Image<float>(20, 20, 0.7f), {truth, variance, samples, 7}, all_surface(20, 20));
+    const SampledError s =
+        analyze_ao(Image<float>(20, 20, 0.7f), {truth, variance, samples, 7}, all_surface(20, 20)).error;
     held += s.mean_error.lower <= 0.1 && 0.1 <= s.mean_error.upper ? 1 : 0;
   }
   // Binomial(400, 0.95): 380 ± 4 · 4.36.
@@ -89,7 +91,7 @@ TEST(Ao, The_interval_of_one_pixel_s_mean_is_student_s_and_that_of_many_normal) 
     const Image<float> ao(side, side, 0.5f);
     const Image<float> variance(side, side, 0.01f);
     const Image<float> samples(side, side, 1e6f);
-    const AoStatistics s = analyze_ao(ao, {ao, variance, samples, 7}, all_surface(side, side));
+    const SampledError s = analyze_ao(ao, {ao, variance, samples, 7}, all_surface(side, side)).error;
     EXPECT_NEAR(s.mean_truth.upper - 0.5, (side == 1 ? 2.364624 : 1.959964) * 0.1 / side, 1e-5 / side);
   }
 }
@@ -97,13 +99,13 @@ TEST(Ao, The_interval_of_one_pixel_s_mean_is_student_s_and_that_of_many_normal) 
 TEST(Ao, Rays_that_all_agree_still_leave_an_interval) {
   // 100 pixels of 64 rays, all open: 6400 rays miss a share of 3/6400 with a probability of 5 %.
   const Image<float> open(10, 10, 1.0f);
-  const AoStatistics s =
-      analyze_ao(open, {open, Image<float>(10, 10, 0.0f), Image<float>(10, 10, 64.0f), 7}, all_surface(10, 10));
+  const SampledError s =
+      analyze_ao(open, {open, Image<float>(10, 10, 0.0f), Image<float>(10, 10, 64.0f), 7}, all_surface(10, 10)).error;
   EXPECT_NEAR(s.mean_truth.lower, 1.0 - 2.99573 / 6400.0, 1e-8);
 }
 
 TEST(Ao, Rows_stand_under_their_column) {
-  AoStatistics s;
+  SampledError s;
   s.pixels = 1;
   s.mae = {2, 3, 4};
   s.rmse = {5, 6, 7};
@@ -111,25 +113,25 @@ TEST(Ao, Rows_stand_under_their_column) {
   s.mean_raster = 11;
   s.mean_truth = {12, 13, 14};
   s.max_error = 15;
-  test::expect_row({ao_columns(), {to_row(s)}}, {{"pixels", 1},
-                                                 {"mae", 2},
-                                                 {"mae_lo", 3},
-                                                 {"mae_hi", 4},
-                                                 {"rmse", 5},
-                                                 {"rmse_lo", 6},
-                                                 {"rmse_hi", 7},
-                                                 {"mean_error", 8},
-                                                 {"mean_error_lo", 9},
-                                                 {"mean_error_hi", 10},
-                                                 {"mean_raster", 11},
-                                                 {"mean_truth", 12},
-                                                 {"mean_truth_lo", 13},
-                                                 {"mean_truth_hi", 14},
-                                                 {"max_error", 15}});
+  test::expect_row({columns_of(AoStatistics{}), {row_of(AoStatistics{s})}}, {{"pixels", 1},
+                                                                             {"mae", 2},
+                                                                             {"mae_lo", 3},
+                                                                             {"mae_hi", 4},
+                                                                             {"rmse", 5},
+                                                                             {"rmse_lo", 6},
+                                                                             {"rmse_hi", 7},
+                                                                             {"mean_error", 8},
+                                                                             {"mean_error_lo", 9},
+                                                                             {"mean_error_hi", 10},
+                                                                             {"mean_raster", 11},
+                                                                             {"mean_truth", 12},
+                                                                             {"mean_truth_lo", 13},
+                                                                             {"mean_truth_hi", 14},
+                                                                             {"max_error", 15}});
 }
 
 TEST(Ao, Every_column_has_a_unit) {
-  for (const Column& column : ao_columns()) EXPECT_FALSE(column.unit.empty()) << column.name;
+  for (const Column& column : columns_of(AoStatistics{})) EXPECT_FALSE(column.unit.empty()) << column.name;
 }
 
 }  // namespace

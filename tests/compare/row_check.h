@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "compare/table.h"
+#include "core/table.h"
 
 namespace umbrameter::test {
 

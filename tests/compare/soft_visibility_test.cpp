@@ -161,37 +161,37 @@ TEST(SoftVisibility, Rows_stand_under_their_column) {
   s.error.mean_raster = 21;
   s.error.max_error = 22;
   s.mean_texel = 23;
-  test::expect_row({soft_visibility_columns(), {to_row(s)}}, {{"pixels", 1},
-                                                              {"lit", 2},
-                                                              {"lit_lo", 3},
-                                                              {"lit_hi", 4},
-                                                              {"penumbra", 5},
-                                                              {"mae", 6},
-                                                              {"mae_lo", 7},
-                                                              {"mae_hi", 8},
-                                                              {"rmse", 9},
-                                                              {"rmse_lo", 10},
-                                                              {"rmse_hi", 11},
-                                                              {"mean_error", 12},
-                                                              {"mean_error_lo", 13},
-                                                              {"mean_error_hi", 14},
-                                                              {"false_blocked", 15},
-                                                              {"false_blocked_lo", 16},
-                                                              {"false_blocked_hi", 17},
-                                                              {"false_lit", 18},
-                                                              {"false_lit_lo", 19},
-                                                              {"false_lit_hi", 20},
-                                                              {"mean_raster", 21},
-                                                              {"max_error", 22},
-                                                              {"mean_texel", 23}});
+  test::expect_row({columns_of(SoftVisibilityStatistics{}), {row_of(s)}}, {{"pixels", 1},
+                                                                           {"lit", 2},
+                                                                           {"lit_lo", 3},
+                                                                           {"lit_hi", 4},
+                                                                           {"penumbra", 5},
+                                                                           {"mae", 6},
+                                                                           {"mae_lo", 7},
+                                                                           {"mae_hi", 8},
+                                                                           {"rmse", 9},
+                                                                           {"rmse_lo", 10},
+                                                                           {"rmse_hi", 11},
+                                                                           {"mean_error", 12},
+                                                                           {"mean_error_lo", 13},
+                                                                           {"mean_error_hi", 14},
+                                                                           {"false_blocked", 15},
+                                                                           {"false_blocked_lo", 16},
+                                                                           {"false_blocked_hi", 17},
+                                                                           {"false_lit", 18},
+                                                                           {"false_lit_lo", 19},
+                                                                           {"false_lit_hi", 20},
+                                                                           {"mean_raster", 21},
+                                                                           {"max_error", 22},
+                                                                           {"mean_texel", 23}});
 }
 
 TEST(SoftVisibility, Rows_fit_their_columns_and_hold_no_numbers_without_pixels) {
   const Image<float> zero(2, 1);
   const SoftVisibilityStatistics none =
       analyze_soft_visibility(zero, {zero, zero, zero, 0}, {Image<Counting>(2, 1, Counting::background)});
-  const std::vector<Value> row = to_row(none);
-  ASSERT_EQ(row.size(), soft_visibility_columns().size());
+  const std::vector<Value> row = row_of(none);
+  ASSERT_EQ(row.size(), columns_of(SoftVisibilityStatistics{}).size());
   EXPECT_EQ(to_number(row[0]), 0.0);
   for (std::size_t i = 1; i < row.size(); ++i) EXPECT_TRUE(std::isnan(to_number(row[i]))) << i;
 }

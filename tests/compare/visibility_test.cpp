@@ -63,7 +63,7 @@ TEST(Visibility, Nothing_counted_gives_no_numbers_so_that_none_looks_like_a_perf
   four.counted = {Image<Counting>(4, 1, Counting::background), {}, 0.0};
   const VisibilityStatistics s = analyze_visibility(four.wrong, four.truth, four.counted);
   EXPECT_EQ(s.pixels, 0u);
-  const std::vector<Value> row = to_row(s);
+  const std::vector<Value> row = row_of(s);
   EXPECT_EQ(to_number(row[0]), 0.0);
   for (std::size_t i = 1; i < row.size(); ++i) EXPECT_TRUE(std::isnan(to_number(row[i]))) << i;
 }
@@ -76,8 +76,8 @@ TEST(Visibility, A_pixel_takes_the_class_of_its_largest_share) {
 }
 
 TEST(Visibility, Every_column_has_a_unit_and_a_value) {
-  const std::vector<Column> columns = visibility_columns();
-  EXPECT_EQ(columns.size(), to_row(VisibilityStatistics{}).size());
+  const std::vector<Column> columns = columns_of(VisibilityStatistics{});
+  EXPECT_EQ(columns.size(), row_of(VisibilityStatistics{}).size());
   for (const Column& column : columns) {
     EXPECT_FALSE(column.unit.empty()) << column.name;
     EXPECT_FALSE(column.meaning.empty()) << column.name;
@@ -100,20 +100,20 @@ TEST(Visibility, Rows_stand_under_their_column) {
   s.false_blocked = 12;
   s.false_lit = 13;
   s.mean_texel = 14;
-  test::expect_row({visibility_columns(), {to_row(s)}}, {{"pixels", 1},
-                                                         {"lit", 2},
-                                                         {"blocked", 3},
-                                                         {"mae", 4},
-                                                         {"rmse", 5},
-                                                         {"acne", 6},
-                                                         {"false_occlusion", 7},
-                                                         {"peter_panning", 8},
-                                                         {"leak", 9},
-                                                         {"mean_error", 10},
-                                                         {"max_error", 11},
-                                                         {"false_blocked", 12},
-                                                         {"false_lit", 13},
-                                                         {"mean_texel", 14}});
+  test::expect_row({columns_of(VisibilityStatistics{}), {row_of(s)}}, {{"pixels", 1},
+                                                                       {"lit", 2},
+                                                                       {"blocked", 3},
+                                                                       {"mae", 4},
+                                                                       {"rmse", 5},
+                                                                       {"acne", 6},
+                                                                       {"false_occlusion", 7},
+                                                                       {"peter_panning", 8},
+                                                                       {"leak", 9},
+                                                                       {"mean_error", 10},
+                                                                       {"max_error", 11},
+                                                                       {"false_blocked", 12},
+                                                                       {"false_lit", 13},
+                                                                       {"mean_texel", 14}});
 }
 
 TEST(Visibility, Pixels_are_counted_by_facing_map_cone_and_range) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/stage_inputs.h"
 #include "experiments/stored_sweep.h"
 
 namespace umbrameter {
@@ -34,7 +35,7 @@ struct FakeSweep {
     const Parameters parameters = describe(sample);
     std::vector<SweepAxis> axes;
     for (const std::string& assignment : assignments) axes.push_back(parse_axis(parameters, assignment));
-    plan = plan_sweep(parameters, axes);
+    plan = plan_sweep(parameters, axes, cost_of_change);
     const std::vector<Value> row = {std::int64_t{0}, 0.0};
     description.columns = stored_columns(parameters, plan, measured, row);
     for (const SweepAxis& axis : axes) description.axes.emplace_back(axis.key, axis.text);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "experiments/stage_inputs.h"
 
 namespace umbrameter {
 namespace {
@@ -39,7 +40,7 @@ SweepPlan plan_of(const std::vector<std::string>& assignments) {
   const Parameters parameters = describe(sample);
   std::vector<SweepAxis> axes;
   for (const std::string& assignment : assignments) axes.push_back(parse_axis(parameters, assignment));
-  return plan_sweep(parameters, axes);
+  return plan_sweep(parameters, axes, cost_of_change);
 }
 
 // Every cell's own values, got from its index alone: the last axis runs fastest.
@@ -162,9 +163,9 @@ TEST(SweepPlan, Empty_and_repeated_axes_are_refused) {
   Sample sample;
   const Parameters parameters = describe(sample);
   const SweepAxis bias = parse_axis(parameters, "shadow.constant-bias=0:1:3");
-  EXPECT_THROW(plan_sweep(parameters, {bias, bias}), Error);
-  EXPECT_THROW(plan_sweep(parameters, {{"shadow.constant-bias", "", {}}}), Error);
-  EXPECT_THROW(plan_sweep(parameters, {{"shadow.unknown", "1", {1.0}}}), Error);
+  EXPECT_THROW(plan_sweep(parameters, {bias, bias}, cost_of_change), Error);
+  EXPECT_THROW(plan_sweep(parameters, {{"shadow.constant-bias", "", {}}}, cost_of_change), Error);
+  EXPECT_THROW(plan_sweep(parameters, {{"shadow.unknown", "1", {1.0}}}, cost_of_change), Error);
 }
 
 }  // namespace

@@ -81,11 +81,12 @@ TEST_F(LargeScenesGl, Instances_by_the_ten_thousand_draw_and_trace_the_same_ids)
 
   // From the side, the light's map sees the same as it does from rays.
   const Light light = directional_light({0.3, 1.0, 0.2});
-  const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 1024), {});
+  const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 1024));
   ShadowParams params;
-  params.constant_bias = 0.05;
+  params.bias.constant = 0.05;
   const GpuGBuffer surfels = upload(context(), drawn);
-  const RasterVisibility raster = draw_visibility(context(), {uploaded, surfels, map, light, params, nullptr});
+  const RasterVisibility raster =
+      draw_visibility(context(), {uploaded, surfels, map, light, params.bias, make_technique(params)});
   const TracedVisibility truth = trace_visibility(tracer, drawn, light);
   EXPECT_NEAR(mean(raster.visibility), mean(truth.visibility), 0.02);
 }

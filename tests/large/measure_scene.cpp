@@ -83,9 +83,8 @@ Measurements measure_scene(const std::filesystem::path& file) {
                        uploaded = upload(context, *scene);
                        read_back(context, draw_gbuffer(context, *uploaded, view));
                      }));
-  found.emplace_back(step_names[2], least_seconds_of([&] {
-                       read_back(context, draw_shadow_map(context, *uploaded, light, frame, {}));
-                     }));
+  found.emplace_back(step_names[2],
+                     least_seconds_of([&] { read_back(context, draw_shadow_map(context, *uploaded, light, frame)); }));
   found.emplace_back(stage_names[1], peak_mebibytes());
 
   std::optional<Tracer> tracer;

@@ -42,14 +42,15 @@ std::uint64_t render_everything(const gl::Context& context) {
   const gl::Texture truth = upload(context, Image<float>(200, 120, 1.0f));
   for (const Light& light :
        {directional_light({1.5, 2, 1}), spot_light({2, 5, 2}, {0, 0, 0}, 0.7), point_light({2, 3, 2.5})}) {
-    const ShadowMap map = draw_shadow_map(context, uploaded, light, fit_light(light, bounds_of(scene), 256), {});
+    const ShadowMap map = draw_shadow_map(context, uploaded, light, fit_light(light, bounds_of(scene), 256));
     const ShadowMapImages images = read_back(context, map);
     for (const Image<float>& face : images.depth) hash = digest(hash, face.pixels);
     for (const Image<std::uint32_t>& face : images.triangle) hash = digest(hash, face.pixels);
     ShadowParams params;
-    params.filter = ShadowFilter::box;
-    params.constant_bias = 0.003;
-    const RasterVisibility found = draw_visibility(context, {uploaded, surfels, map, light, params, &truth});
+    params.pcf.filter = ShadowFilter::box;
+    params.bias.constant = 0.003;
+    const RasterVisibility found =
+        draw_visibility(context, {uploaded, surfels, map, light, params.bias, make_technique(params), &truth});
     hash = digest(hash, found.visibility.pixels);
     hash = digest(hash, found.wrong.weights.pixels);
   }

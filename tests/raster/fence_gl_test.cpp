@@ -37,8 +37,8 @@ TEST_F(DrawnFence, The_mask_and_its_geometric_twin_have_the_same_shadow_map_off_
   for (const Light& light : twins_.masked.lights) {
     const int resolution = std::holds_alternative<PointLight>(light.shape) ? 1024 : 2048;
     const LightFrame frame = fit_light(light, bounds, resolution);
-    const ShadowMapImages a = read_back(context(), draw_shadow_map(context(), masked, light, frame, {}));
-    const ShadowMapImages b = read_back(context(), draw_shadow_map(context(), solid, light, frame, {}));
+    const ShadowMapImages a = read_back(context(), draw_shadow_map(context(), masked, light, frame));
+    const ShadowMapImages b = read_back(context(), draw_shadow_map(context(), solid, light, frame));
     TwinCount count;
     for (int face = 0; face < static_cast<int>(a.depth.size()); ++face) {
       const auto layer = static_cast<std::size_t>(face);

@@ -50,7 +50,7 @@ class KnownAnswersGl : public GlTest {
     Plane plane;
     plane.light = light_of(frame);
     plane.scene = upload(context(), scene);
-    plane.map = draw_shadow_map(context(), plane.scene, plane.light, frame, {});
+    plane.map = draw_shadow_map(context(), plane.scene, plane.light, frame);
     const double reach = 0.5 * frame.half_extent;
     plane.surfels = upload(context(), surfels_on_ground(256, 256, -reach, reach, -reach, reach));
     return plane;
@@ -61,13 +61,15 @@ class KnownAnswersGl : public GlTest {
                                       float truth) const {
     const gl::Texture image = upload(context(), Image<float>(256, 256, truth));
     const BiasHistogram histogram = draw_bias_response(
-        context(), {plane.scene, plane.surfels, plane.map, plane.light, params, &image}, {to_floats(biases), {0.0f}});
+        context(), {plane.scene, plane.surfels, plane.map, plane.light, params.bias, make_technique(params), &image},
+        {to_floats(biases), {0.0f}});
     return sums_at_biases(histogram, 0);
   }
 
   RasterVisibility measure(const Plane& plane, const ShadowParams& params) const {
     const gl::Texture lit = upload(context(), Image<float>(256, 256, 1.0f));
-    return draw_visibility(context(), {plane.scene, plane.surfels, plane.map, plane.light, params, &lit});
+    return draw_visibility(
+        context(), {plane.scene, plane.surfels, plane.map, plane.light, params.bias, make_technique(params), &lit});
   }
 };
 
@@ -118,7 +120,7 @@ TEST_F(KnownAnswersGl, The_acne_share_meets_the_table) {
                         Row{45, .04, .226735}, Row{45, .08, .060136}}) {
     const Plane plane = make_plane({60, row.psi}, 128, 0.1);
     ShadowParams params;
-    params.constant_bias = row.bias;
+    params.bias.constant = row.bias;
     EXPECT_NEAR(static_cast<double>(mean(measure(plane, params).wrong).x), row.share, 4e-3)
         << row.psi << " " << row.bias;
   }
@@ -145,9 +147,9 @@ TEST_F(KnownAnswersGl, The_least_bias_without_acne_follows_its_formula) {
       const double p_plus_q = std::abs(std::cos(slope.psi * degrees)) + std::abs(std::sin(slope.psi * degrees));
       for (const Case& c : cases) {
         ShadowParams params;
-        params.filter = c.filter;
-        params.filter_size = c.size;
-        params.filter_taps = c.taps;
+        params.pcf.filter = c.filter;
+        params.pcf.size = c.size;
+        params.pcf.taps = c.taps;
         const double least = c.rho * t * p_plus_q * std::tan(slope.theta * degrees);
         const std::vector<double> biases = evenly(0.0, 1.1 * least, 1101);
         const std::vector<VisibilitySums> found = respond(plane, params, biases, 1.0f);
@@ -169,10 +171,10 @@ TEST_F(KnownAnswersGl, A_slope_scaled_bias_counts_texels) {
   for (const double theta : {20.0, 50.0, 70.0}) {
     const Plane plane = make_plane({theta, 0}, 256, 0.05);
     ShadowParams params;
-    params.constant_bias = 0.0;
-    params.slope_bias = 0.51;
+    params.bias.constant = 0.0;
+    params.bias.slope = 0.51;
     EXPECT_EQ(mean(measure(plane, params).visibility), 1.0) << theta;
-    params.slope_bias = 0.25;  // item 12: 1/2 - s/p
+    params.bias.slope = 0.25;  // item 12: 1/2 - s/p
     EXPECT_NEAR(mean(measure(plane, params).visibility), 1.0 - 0.25, 4e-3) << theta;
   }
 }
@@ -193,7 +195,7 @@ TEST_F(KnownAnswersGl, The_lit_strip_behind_a_wall_follows_its_formula) {
     for (const int resolution : {512, 1024, 2048}) {
       // Turned against the wall, so that the strip meets texels in every phase.
       const LightFrame frame = exact_frame(towards, resolution, 10.0 / resolution, 20 * degrees);
-      const ShadowMap map = draw_shadow_map(context(), uploaded, light_of(frame), frame, {});
+      const ShadowMap map = draw_shadow_map(context(), uploaded, light_of(frame), frame);
       const std::vector<double> biases = evenly(0.0, 0.45, 32);
       const BiasHistogram histogram = draw_bias_response(
           context(), {uploaded, surfels, map, light_of(frame), {}, &blocked}, {to_floats(biases), {0.0f}});

@@ -15,7 +15,7 @@ using test::to_metres;
 class ShadowMapGl : public GlTest {
  protected:
   ShadowMapImages draw(const Scene& scene, const Light& light, const LightFrame& frame) const {
-    return read_back(context(), draw_shadow_map(context(), upload(context(), scene), light, frame, {}));
+    return read_back(context(), draw_shadow_map(context(), upload(context(), scene), light, frame));
   }
 };
 
@@ -165,9 +165,9 @@ TEST_F(ShadowMapGl, A_resolution_beyond_the_device_is_an_error_that_names_the_pa
   Light light = directional_light({0, 1, 0});
   LightFrame frame;
   frame.resolution = context().max_texture_size() + 1;
-  EXPECT_THROW(draw_shadow_map(context(), empty, light, frame, {}), Error);
+  EXPECT_THROW(draw_shadow_map(context(), empty, light, frame), Error);
   try {
-    draw_shadow_map(context(), empty, light, frame, {});
+    draw_shadow_map(context(), empty, light, frame);
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::usage);
     EXPECT_NE(std::string(error.what()).find("shadow.resolution"), std::string::npos);
@@ -181,13 +181,12 @@ TEST_F(ShadowMapGl, A_map_drawn_over_another_is_that_of_fresh_textures) {
   const UploadedScene uploaded = upload(context(), scene);
   const LightFrame first = exact_frame({0.6, 0.7, -0.2}, 128, 0.1, 0.3);
   const LightFrame second = exact_frame({-0.2, 0.9, 0.5}, 128, 0.07, 0.3);
-  ShadowMap map = draw_shadow_map(context(), uploaded, light_of(first), first, {});
+  ShadowMap map = draw_shadow_map(context(), uploaded, light_of(first), first);
   ASSERT_TRUE(has_textures_for(map, second));
   map.frame = second;
-  redraw_shadow_map(context(), uploaded, light_of(second), {}, map);
+  redraw_shadow_map(context(), uploaded, light_of(second), map);
   const ShadowMapImages again = read_back(context(), map);
-  const ShadowMapImages fresh =
-      read_back(context(), draw_shadow_map(context(), uploaded, light_of(second), second, {}));
+  const ShadowMapImages fresh = read_back(context(), draw_shadow_map(context(), uploaded, light_of(second), second));
   EXPECT_TRUE(again.depth[0].pixels == fresh.depth[0].pixels);
   EXPECT_TRUE(again.instance[0].pixels == fresh.instance[0].pixels);
   EXPECT_TRUE(again.triangle[0].pixels == fresh.triangle[0].pixels);

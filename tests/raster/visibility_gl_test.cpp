@@ -100,18 +100,18 @@ TEST_F(VisibilityGl, The_classes_add_up_to_the_error_at_every_pixel_for_every_ki
        {directional_light({1.5, 2, 1}), spot_light({2, 5, 2}, {0, 0, 0}, 0.7), point_light({2, 3, 2.5})}) {
     const Image<float> truth = trace_truth(scene, gbuffer, light);
     const gl::Texture truth_texture = upload(context(), truth);
-    const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 128), {});
+    const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 128));
     vec4 most(0);
     for (const Filter filter : {Filter{ShadowFilter::nearest, 3}, Filter{ShadowFilter::box, 3}}) {
       for (const double bias : {-0.05, 0.0, 0.02, 0.3, 3.0}) {
         for (const double slope : {0.0, 1.0}) {
           ShadowParams params;
-          params.constant_bias = bias;
-          params.slope_bias = slope;
-          params.filter = filter.filter;
-          params.filter_size = filter.size;
-          const RasterVisibility found =
-              draw_visibility(context(), {uploaded, surfels, map, light, params, &truth_texture});
+          params.bias.constant = bias;
+          params.bias.slope = slope;
+          params.pcf.filter = filter.filter;
+          params.pcf.size = filter.size;
+          const RasterVisibility found = draw_visibility(
+              context(), {uploaded, surfels, map, light, params.bias, make_technique(params), &truth_texture});
           for (std::size_t i = 0; i < truth.size(); ++i) {
             const vec4 c = shares(found.wrong, i);
             ASSERT_NEAR(c.x + c.y + c.z + c.w, std::abs(found.visibility[i] - truth[i]), 1e-6f) << i;
@@ -126,7 +126,8 @@ TEST_F(VisibilityGl, The_classes_add_up_to_the_error_at_every_pixel_for_every_ki
           }
           most = glm::max(most, mean(found.wrong));
           // Visibility without a truth is the same picture.
-          ASSERT_EQ(draw_visibility(context(), {uploaded, surfels, map, light, params, nullptr}).visibility,
+          ASSERT_EQ(draw_visibility(context(), {uploaded, surfels, map, light, params.bias, make_technique(params)})
+                        .visibility,
                     found.visibility);
         }
       }
@@ -144,18 +145,18 @@ TEST_F(VisibilityGl, Visibility_never_falls_as_the_bias_grows) {
   const GpuGBuffer surfels = draw_gbuffer(context(), uploaded, perspective_view(120, 80, {4, 5, 6}, {0, 0.5, 0}));
   for (const Light& light :
        {directional_light({1.5, 2, 1}), spot_light({2, 5, 2}, {0, 0, 0}, 0.7), point_light({2, 3, 2.5})}) {
-    const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 128), {});
+    const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 128));
     for (const bool is_slope : {false, true}) {
       ShadowParams params;
-      params.filter = ShadowFilter::box;
-      params.filter_size = 5;
+      params.pcf.filter = ShadowFilter::box;
+      params.pcf.size = 5;
       Image<float> before(120, 80, 0.0f);
       double grown = 0.0;
       for (const double bias : {-1.0, 0.0, 0.01, 0.1, 0.5, 2.0, 100.0}) {
-        params.constant_bias = is_slope ? 0.02 : bias;
-        params.slope_bias = is_slope ? bias : 0.0;
+        params.bias.constant = is_slope ? 0.02 : bias;
+        params.bias.slope = is_slope ? bias : 0.0;
         const Image<float> now =
-            draw_visibility(context(), {uploaded, surfels, map, light, params, nullptr}).visibility;
+            draw_visibility(context(), {uploaded, surfels, map, light, params.bias, make_technique(params)}).visibility;
         for (std::size_t i = 0; i < now.size(); ++i) ASSERT_GE(now[i], before[i]) << i << " at " << bias;
         grown += mean(now) - mean(before);
         before = now;
@@ -189,12 +190,13 @@ TEST_F(VisibilityGl, Constant_and_slope_scaled_bias_flip_a_tap_at_its_critical_b
   for (const Light& light :
        {directional_light({1.5, 4, 1}), spot_light({3, 6, 2}, {0, 0, 0}, 0.7), point_light({3, 6, 2.5})}) {
     const LightFrame frame = fit_light(light, bounds_of(scene), 1024);
-    const ShadowMap map = draw_shadow_map(context(), uploaded, light, frame, {});
+    const ShadowMap map = draw_shadow_map(context(), uploaded, light, frame);
     const auto is_lit = [&](double constant, double slope) {
       ShadowParams params;
-      params.constant_bias = constant;
-      params.slope_bias = slope;
-      return draw_visibility(context(), {uploaded, surfel, map, light, params, nullptr}).visibility[0] == 1.0f;
+      params.bias.constant = constant;
+      params.bias.slope = slope;
+      return draw_visibility(context(), {uploaded, surfel, map, light, params.bias, make_technique(params)})
+                 .visibility[0] == 1.0f;
     };
     const dvec3 l = to_light(light, position);
     const double tangent = std::sqrt(1.0 - l.y * l.y) / l.y;
@@ -215,21 +217,22 @@ TEST_F(VisibilityGl, Each_class_has_the_cause_that_it_is_named_for) {
   const UploadedScene uploaded = upload(context(), scene);
   const LightFrame frame = exact_frame({0.02, 1, 0.01}, 64, 0.25, 0.1);
   const Light light = light_of(frame);
-  const ShadowMap map = draw_shadow_map(context(), uploaded, light, frame, {});
+  const ShadowMap map = draw_shadow_map(context(), uploaded, light, frame);
   const GpuGBuffer under = upload(context(), surfels_on_ground(32, 32, -4, 4, -4, 4));
   const gl::Texture lit = upload(context(), Image<float>(32, 32, 1.0f));
   const gl::Texture blocked = upload(context(), Image<float>(32, 32, 0.0f));
   const auto classes = [&](const UploadedScene& in, const ShadowMap& with, double bias, const gl::Texture& truth) {
     ShadowParams params;
-    params.constant_bias = bias;
-    return mean(draw_visibility(context(), {in, under, with, light, params, &truth}).wrong);
+    params.bias.constant = bias;
+    return mean(
+        draw_visibility(context(), {in, under, with, light, params.bias, make_technique(params), &truth}).wrong);
   };
   EXPECT_EQ(classes(uploaded, map, 0.1, lit), vec4(0, 1, 0, 0)) << "the slab above stands in front";
   EXPECT_EQ(classes(uploaded, map, 4.0, blocked), vec4(0, 0, 1, 0)) << "the bias is more than the slab's height";
   Scene bare;
   add_mesh(bare, ground(20));
   const UploadedScene uploaded_bare = upload(context(), bare);
-  const ShadowMap bare_map = draw_shadow_map(context(), uploaded_bare, light, frame, {});
+  const ShadowMap bare_map = draw_shadow_map(context(), uploaded_bare, light, frame);
   EXPECT_EQ(classes(uploaded_bare, bare_map, 0.1, blocked), vec4(0, 0, 0, 1)) << "the map holds no blocker";
   EXPECT_EQ(classes(uploaded_bare, bare_map, -0.1, lit), vec4(1, 0, 0, 0)) << "the plane shadows itself";
   EXPECT_EQ(classes(uploaded_bare, bare_map, 0.1, lit), vec4(0));
@@ -256,11 +259,12 @@ TEST_F(VisibilityGl, A_flat_floor_of_many_turned_tiles_is_one_surface) {
   const gl::Texture lit = upload(context(), Image<float>(200, 200, 1.0f));
   const dvec3 above = middle + 4.0 * up + 3.0 * dvec3(turned[0]);
   for (const Light& light : {directional_light(above - middle), spot_light(above, middle, 0.6), point_light(above)}) {
-    const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 256), {});
+    const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 256));
     ShadowParams params;
-    params.constant_bias = 0.0;
-    params.filter = ShadowFilter::box;
-    const vec4 classes = mean(draw_visibility(context(), {uploaded, surfels, map, light, params, &lit}).wrong);
+    params.bias.constant = 0.0;
+    params.pcf.filter = ShadowFilter::box;
+    const vec4 classes = mean(
+        draw_visibility(context(), {uploaded, surfels, map, light, params.bias, make_technique(params), &lit}).wrong);
     EXPECT_GT(classes.x, 0.2f);
     EXPECT_EQ(classes.y, 0.0f);
   }
@@ -274,10 +278,11 @@ TEST_F(VisibilityGl, A_sphere_shadows_itself_with_acne_and_not_with_false_occlus
   const GpuGBuffer surfels = draw_gbuffer(context(), uploaded, view);
   const gl::Texture lit = upload(context(), Image<float>(128, 128, 1.0f));
   const Light light = directional_light({2, 4, 0});
-  const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 128), {});
+  const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 128));
   ShadowParams params;
-  params.constant_bias = 0.0;
-  const vec4 classes = mean(draw_visibility(context(), {uploaded, surfels, map, light, params, &lit}).wrong);
+  params.bias.constant = 0.0;
+  const vec4 classes = mean(
+      draw_visibility(context(), {uploaded, surfels, map, light, params.bias, make_technique(params), &lit}).wrong);
   EXPECT_GT(classes.x, 0.1f);
   EXPECT_LT(classes.y, 0.005f * classes.x);
 }
@@ -289,16 +294,20 @@ TEST_F(VisibilityGl, Box_taps_go_on_over_the_edges_of_cube_faces) {
   scene.materials[0].double_sided = true;
   const UploadedScene uploaded = upload(context(), scene);
   const Light light = point_light({0.2, 0.1, -0.3});
-  const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 16), {});
+  const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 16));
   for (const dvec3& target : {dvec3(1, 1, 1), dvec3(-1, 0.5, 1), dvec3(0.3, -1, -1)}) {
     const GpuGBuffer surfels = draw_gbuffer(context(), uploaded, perspective_view(96, 96, {0, 0, 0}, target, 2.0));
     ShadowParams params;
-    params.filter = ShadowFilter::box;
-    params.filter_size = 7;
-    params.constant_bias = -20.0;  // a tap with any blocker says blocked
-    EXPECT_EQ(mean(draw_visibility(context(), {uploaded, surfels, map, light, params, nullptr}).visibility), 0.0);
-    params.constant_bias = 20.0;
-    EXPECT_EQ(mean(draw_visibility(context(), {uploaded, surfels, map, light, params, nullptr}).visibility), 1.0);
+    params.pcf.filter = ShadowFilter::box;
+    params.pcf.size = 7;
+    params.bias.constant = -20.0;  // a tap with any blocker says blocked
+    EXPECT_EQ(mean(draw_visibility(context(), {uploaded, surfels, map, light, params.bias, make_technique(params)})
+                       .visibility),
+              0.0);
+    params.bias.constant = 20.0;
+    EXPECT_EQ(mean(draw_visibility(context(), {uploaded, surfels, map, light, params.bias, make_technique(params)})
+                       .visibility),
+              1.0);
   }
 }
 
@@ -308,14 +317,18 @@ TEST_F(VisibilityGl, Off_the_map_everything_is_lit) {
   add_mesh(scene, box({-20, 2, -20}, {20, 3, 20}));
   const UploadedScene uploaded = upload(context(), scene);
   const Light light = spot_light({0, 5, 0}, {0, 0, 0.01}, 0.3);
-  const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 64), {});
+  const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 64));
   // The cone meets the floor within 5 tan 0.3 = 1.55 m of the origin, the map's corner within 2.2 m.
   ShadowParams params;
-  params.filter = ShadowFilter::box;
+  params.pcf.filter = ShadowFilter::box;
   const GpuGBuffer outside = upload(context(), surfels_on_ground(16, 16, 4, 6, -1, 1));
   const GpuGBuffer within = upload(context(), surfels_on_ground(16, 16, -0.5, 0.5, -0.5, 0.5));
-  EXPECT_EQ(mean(draw_visibility(context(), {uploaded, outside, map, light, params, nullptr}).visibility), 1.0);
-  EXPECT_EQ(mean(draw_visibility(context(), {uploaded, within, map, light, params, nullptr}).visibility), 0.0);
+  EXPECT_EQ(
+      mean(draw_visibility(context(), {uploaded, outside, map, light, params.bias, make_technique(params)}).visibility),
+      1.0);
+  EXPECT_EQ(
+      mean(draw_visibility(context(), {uploaded, within, map, light, params.bias, make_technique(params)}).visibility),
+      0.0);
 }
 
 TEST_F(VisibilityGl, A_masked_fence_casts_the_holes_of_its_mask) {
@@ -334,9 +347,9 @@ TEST_F(VisibilityGl, A_masked_fence_casts_the_holes_of_its_mask) {
     LightFrame frame =
         is_cube ? fit_light(light, bounds_of(scene), 2048) : exact_frame({0.001, 1, 0.002}, 256, 0.05, 0);
     const UploadedScene uploaded = upload(context(), scene);
-    const ShadowMap map = draw_shadow_map(context(), uploaded, light, frame, {});
+    const ShadowMap map = draw_shadow_map(context(), uploaded, light, frame);
     ShadowParams params;
-    params.constant_bias = 0.5;
+    params.bias.constant = 0.5;
     // Alpha is 1/2 at the middle, x = 0: transparent to its left, opaque to its right.
     const GpuGBuffer left = upload(context(), surfels_on_ground(16, 16, -1.5, -0.3, -1.5, 1.5));
     const GpuGBuffer right = upload(context(), surfels_on_ground(16, 16, 0.3, 1.5, -1.5, 1.5));

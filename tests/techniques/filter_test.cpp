@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "raster/shadow/filter_defines.h"
+#include "techniques/shadow/filter.h"
 
 namespace umbrameter {
 namespace {
@@ -10,10 +10,10 @@ namespace {
 using Weights = std::vector<std::uint32_t>;
 
 FilterKernel filter_of(ShadowFilter filter, int size, FilterTaps taps = FilterTaps::nearest) {
-  ShadowParams params;
+  PcfParams params;
   params.filter = filter;
-  params.filter_size = size;
-  params.filter_taps = taps;
+  params.size = size;
+  params.taps = taps;
   return make_filter(params);
 }
 
@@ -46,14 +46,13 @@ TEST(ShadowFilter, Linear_taps_read_one_texel_more_and_weigh_a_texel_s_parts) {
   EXPECT_EQ(largest.tap_count(), 900);
   EXPECT_EQ(largest.weight_sum(), 3'317'760'000u);  // (15² · 256)²
   EXPECT_EQ(largest_weight_sum(29), 3'317'760'000u);
-  EXPECT_NE(filter_defines(largest).find("FILTER_WEIGHT_SUM 3317760000u\n"), std::string::npos);
 }
 
 TEST(ShadowFilter, Points_of_a_disk_lie_in_it_and_apart) {
-  ShadowParams params;
+  PcfParams params;
   params.filter = ShadowFilter::poisson;
   for (const int count : {1, 16, 64}) {
-    params.filter_samples = count;
+    params.samples = count;
     const FilterKernel disk = make_filter(params);
     ASSERT_EQ(disk.points.size(), static_cast<std::size_t>(count));
     EXPECT_EQ(disk.weight_sum(), static_cast<std::uint32_t>(count));

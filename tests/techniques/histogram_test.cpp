@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "techniques/shadow/histogram.h"
+
+#include <gtest/gtest.h>
 
 namespace umbrameter {
 namespace {

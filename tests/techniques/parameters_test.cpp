@@ -35,11 +35,11 @@ TEST(RasterParameters, Keys_reach_the_fields_that_they_name) {
   require(parameters, "shadow.slope-bias").set_text("1.5");
   require(parameters, "shadow.filter").set_text("box");
   require(parameters, "shadow.filter-size").set_text("29");
-  EXPECT_EQ(shadow.resolution, 300);
-  EXPECT_EQ(shadow.constant_bias, Length{-0.25});
-  EXPECT_EQ(shadow.slope_bias, 1.5);
-  EXPECT_EQ(shadow.filter, ShadowFilter::box);
-  EXPECT_EQ(shadow.filter_size, 29);
+  EXPECT_EQ(shadow.map.resolution, 300);
+  EXPECT_EQ(shadow.bias.constant, Length{-0.25});
+  EXPECT_EQ(shadow.bias.slope, 1.5);
+  EXPECT_EQ(shadow.pcf.filter, ShadowFilter::box);
+  EXPECT_EQ(shadow.pcf.size, 29);
 
   AoParams ao;
   const Parameters ao_parameters = describe(ao);

@@ -26,7 +26,7 @@ int main() {
   const CountedPixels counted = count_pixels(gbuffer, light, fit_light(light, bounds_of(scene), 1024));
   const WrongTaps none{Image<uvec4>(truth.width, truth.height, uvec4(0)), 1};
   const VisibilityStatistics statistics = analyze_visibility(none, truth, counted);
-  const Table table{visibility_columns(), {to_row(statistics)}};
+  const Table table{columns_of(VisibilityStatistics{}), {row_of(statistics)}};
   std::cout << to_csv(table);
   return statistics.mae == 0.0 && statistics.lit > 0.0 && statistics.blocked > 0.0 ? 0 : 1;
 }

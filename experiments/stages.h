@@ -1,5 +1,5 @@
-// One scene on both sides. Builds each thing at its first use and keeps the last, so that the cells of a sweep
-// share what they have in common.
+// The stages of a run over one scene, each at its first use. The last result of a stage is kept under the parameters
+// that it depends on (stage_inputs.h), so that the cells of a sweep share what they have in common.
 #pragma once
 
 #include <atomic>
@@ -17,6 +17,7 @@
 #include "experiments/costs.h"
 #include "experiments/experiment.h"
 #include "experiments/reference_cache.h"
+#include "experiments/stage_inputs.h"
 #include "raster/rasterizer.h"
 #include "raytrace/tracer.h"
 #include "scenes/scene.h"
@@ -56,12 +57,6 @@ struct Surfels {
   GBuffer gbuffer;
 };
 
-/// One light's map laid over the scene, and the pixels that it answers for.
-struct LightFit {
-  LightFrame frame;
-  CountedPixels counted;
-};
-
 /// A reference that is being traced on another thread; ends it when it goes.
 struct AoInBackground {
   std::string key;
@@ -72,17 +67,17 @@ struct AoInBackground {
   ~AoInBackground();
 };
 
-struct WorkbenchOptions {
+struct StageOptions {
   std::string gl_device;
   int threads = 0;
   std::optional<CacheFolder> cache{};  ///< for references
   std::string source{};                ///< the scene's file or built-in name, for messages
 };
 
-class Workbench {
+class Stages {
  public:
   /// A scene without lights is given a sun, with a note.
-  Workbench(Scene scene, WorkbenchOptions options, const Console& console);
+  Stages(Scene scene, StageOptions options, const Console& console);
 
   const Scene& scene() const { return scene_; }
   const Bounds& bounds() const { return bounds_; }
@@ -102,9 +97,15 @@ class Workbench {
   const gl::Context& context();
   const UploadedScene& uploaded();
 
-  const Surfels& surfels(const ViewParams& params);
-  const GpuGBuffer& gpu_surfels(const ViewParams& params);
-  const LightFit& fit(const Experiment& experiment, std::uint32_t light);
+  const Surfels& surfels(const Experiment& experiment);
+  const GpuGBuffer& gpu_surfels(const Experiment& experiment);
+  const LightFrame& layout(const Experiment& experiment, std::uint32_t light);
+  const CountedPixels& counted(const Experiment& experiment, std::uint32_t light);
+
+  /// Of the experiment's technique.
+  TechniqueCapabilities capabilities(const Experiment& experiment) const {
+    return capabilities_of(make_technique(experiment.shadow));
+  }
 
   const TracedVisibility& truth(const Experiment& experiment, std::uint32_t light);
   const TracedAo& ao_truth(const Experiment& experiment);
@@ -136,13 +137,12 @@ class Workbench {
   ShadowLookup shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth);
   ProgressBar bar(const char* stage) const;
   ProgressBar tracing_bar(const char* stage, std::function<std::uint64_t()> count_rays) const;
-  ReferenceKey reference_key(const Experiment& experiment, const std::string& kind);
-  std::string ao_key(const Experiment& experiment) const;
-  std::string light_key(const Experiment& experiment, std::uint32_t light) const;
-  std::string truth_key(const Experiment& experiment, std::uint32_t light) const;
+  ReferenceKey reference_key(const Experiment& experiment, Stage stage, const std::string& kind);
+  std::string key(Stage stage, const Experiment& experiment, std::uint32_t light) const;
+  Stage reference_stage(const Experiment& experiment, std::uint32_t light) const;
 
   Scene scene_;
-  WorkbenchOptions options_;
+  StageOptions options_;
   Console console_;
   Progress tracing_;
   Bounds bounds_;
@@ -156,7 +156,8 @@ class Workbench {
   std::unique_ptr<UploadedScene> uploaded_;
   Memo<Surfels> surfels_;
   Memo<GpuGBuffer> gpu_surfels_;
-  Memo<LightFit> fit_;
+  Memo<LightFrame> layout_;
+  Memo<CountedPixels> counted_;
   Memo<ShadowMap> map_;
   Memo<TracedVisibility> truth_;
   Memo<gl::Texture> gpu_truth_;

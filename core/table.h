@@ -27,8 +27,4 @@ std::size_t column_index(const Table& table, std::string_view name);
 /// A numeric value as double.
 double to_number(const Value& value);
 
-/// A row of statistics over that many pixels. Over none there is no error: its real numbers become NaN, which files
-/// write as nan or null, so that nothing measured never looks like a perfect score.
-std::vector<Value> measured_row(std::vector<Value> row, std::uint64_t pixels);
-
 }  // namespace umbrameter

@@ -1,7 +1,6 @@
-#include "compare/table.h"
+#include "core/table.h"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 
 namespace umbrameter {
@@ -16,14 +15,6 @@ std::size_t column_index(const Table& table, std::string_view name) {
 double to_number(const Value& value) {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
   return std::get<double>(value);
-}
-
-std::vector<Value> measured_row(std::vector<Value> row, std::uint64_t pixels) {
-  if (pixels > 0) return row;
-  for (Value& value : row) {
-    if (auto* number = std::get_if<double>(&value)) *number = std::numeric_limits<double>::quiet_NaN();
-  }
-  return row;
 }
 
 }  // namespace umbrameter

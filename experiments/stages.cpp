@@ -1,4 +1,4 @@
-#include "experiments/workbench.h"
+#include "experiments/stages.h"
 
 #include <fmt/format.h>
 
@@ -11,12 +11,6 @@
 
 namespace umbrameter {
 namespace {
-
-std::string surfel_key(const ViewParams& params) {
-  ViewParams copy = params;
-  copy.light.clear();
-  return key_of(describe(copy));
-}
 
 std::uint64_t sum_of(const uvec4& v) { return std::uint64_t{v.x} + v.y + v.z + v.w; }
 
@@ -39,7 +33,7 @@ void require_measurable(const Bounds& bounds, const dvec3& origin, const std::st
 
 }  // namespace
 
-Workbench::Workbench(Scene scene, WorkbenchOptions options, const Console& console)
+Stages::Stages(Scene scene, StageOptions options, const Console& console)
     : scene_(std::move(scene)),
       options_(std::move(options)),
       console_(console),
@@ -57,7 +51,7 @@ Workbench::Workbench(Scene scene, WorkbenchOptions options, const Console& conso
   layers_ = layer_names(scene_.lights);
 }
 
-void Workbench::add_notes(const std::vector<std::string>& notes) {
+void Stages::add_notes(const std::vector<std::string>& notes) {
   for (const std::string& text : notes) {
     if (std::find(notes_.begin(), notes_.end(), text) != notes_.end()) continue;
     notes_.push_back(text);
@@ -65,7 +59,7 @@ void Workbench::add_notes(const std::vector<std::string>& notes) {
   }
 }
 
-std::string Workbench::title(std::uint32_t light) const {
+std::string Stages::title(std::uint32_t light) const {
   const std::string& name = scene_.lights[light].name;
   if (name.empty()) return "light " + std::to_string(light);
   const auto namesakes =
@@ -73,27 +67,27 @@ std::string Workbench::title(std::uint32_t light) const {
   return namesakes > 1 ? name + " (" + std::to_string(light) + ")" : name;
 }
 
-std::vector<std::uint32_t> Workbench::lights(const std::string& name_or_index) const {
+std::vector<std::uint32_t> Stages::lights(const std::string& name_or_index) const {
   return select_lights(scene_, name_or_index);
 }
 
-void Workbench::require_sense_for(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const {
+void Stages::require_sense_for(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const {
   std::vector<Light> measured;
   for (const std::uint32_t light : lights) measured.push_back(scene_.lights[light]);
   require_sense(experiment.light, measured);
 }
 
-ProgressBar Workbench::bar(const char* stage) const {
+ProgressBar Stages::bar(const char* stage) const {
   if (tracing_) return ProgressBar(Progress());
   return ProgressBar(console_, stage);
 }
 
-ProgressBar Workbench::tracing_bar(const char* stage, std::function<std::uint64_t()> count_rays) const {
+ProgressBar Stages::tracing_bar(const char* stage, std::function<std::uint64_t()> count_rays) const {
   if (tracing_) return ProgressBar(tracing_);
   return ProgressBar(console_, stage, std::move(count_rays));
 }
 
-const Tracer& Workbench::tracer() {
+const Tracer& Stages::tracer() {
   if (!tracer_) {
     ProgressBar progress = bar("acceleration structure");
     tracer_.emplace(scene_, progress.callback());
@@ -102,20 +96,21 @@ const Tracer& Workbench::tracer() {
   return *tracer_;
 }
 
-const gl::Context& Workbench::context() {
+const gl::Context& Stages::context() {
   if (!context_) {
     context_ = std::make_unique<gl::Context>(gl::Context::make({options_.gl_device, options_.threads}));
   }
   return *context_;
 }
 
-const UploadedScene& Workbench::uploaded() {
+const UploadedScene& Stages::uploaded() {
   if (!uploaded_) uploaded_ = std::make_unique<UploadedScene>(upload(context(), scene_));
   return *uploaded_;
 }
 
-const Surfels& Workbench::surfels(const ViewParams& params) {
-  return surfels_.get(surfel_key(params), [&] {
+const Surfels& Stages::surfels(const Experiment& experiment) {
+  return surfels_.get(key_of(Stage::surfels, experiment), [&] {
+    const ViewParams& params = experiment.view;
     const double aspect = static_cast<double>(params.size.width) / params.size.height;
     std::vector<std::string> assumed;
     View view{params.size.width, params.size.height, select_camera(scene_, params.camera, aspect, assumed)};
@@ -131,59 +126,56 @@ const Surfels& Workbench::surfels(const ViewParams& params) {
   });
 }
 
-const GpuGBuffer& Workbench::gpu_surfels(const ViewParams& params) {
-  const Surfels& both = surfels(params);
-  return gpu_surfels_.get(surfel_key(params), [&] { return upload(context(), both.gbuffer); });
+const GpuGBuffer& Stages::gpu_surfels(const Experiment& experiment) {
+  const Surfels& both = surfels(experiment);
+  return gpu_surfels_.get(key_of(Stage::surfels, experiment), [&] { return upload(context(), both.gbuffer); });
 }
 
-std::string Workbench::light_key(const Experiment& experiment, std::uint32_t light) const {
-  return surfel_key(experiment.view) + "light " + std::to_string(light);
+std::string Stages::key(Stage stage, const Experiment& experiment, std::uint32_t light) const {
+  return key_of(stage, experiment) + "of light " + std::to_string(light);
 }
 
-const LightFit& Workbench::fit(const Experiment& experiment, std::uint32_t light) {
-  LightParams extent = experiment.light;
-  const std::string key = light_key(experiment, light) + " " + std::to_string(experiment.shadow.resolution) + "\n" +
-                          key_of(describe(extent));
-  return fit_.get(key, [&] {
-    const LightFrame frame = fit_light(scene_.lights[light], bounds_, experiment.shadow.resolution);
-    return LightFit{frame, count_pixels(surfels(experiment.view).gbuffer, this->light(experiment, light), frame)};
+const LightFrame& Stages::layout(const Experiment& experiment, std::uint32_t light) {
+  return layout_.get(key(Stage::layout, experiment, light),
+                     [&] { return fit_light(scene_.lights[light], bounds_, experiment.shadow.map.resolution); });
+}
+
+const CountedPixels& Stages::counted(const Experiment& experiment, std::uint32_t light) {
+  return counted_.get(key(Stage::counted, experiment, light), [&] {
+    return count_pixels(surfels(experiment).gbuffer, this->light(experiment, light), layout(experiment, light));
   });
 }
 
-ReferenceKey Workbench::reference_key(const Experiment& experiment, const std::string& kind) {
+ReferenceKey Stages::reference_key(const Experiment& experiment, Stage stage, const std::string& kind) {
   if (!cache_.enabled()) return {};
-  TruthParams params = in_metres(experiment).truth;
   return {kind,
           tracer_identity_.get("", tracer_identity),
           scene_content_.get("", [&] { return scene_content(scene_); }),
-          surfel_content_.get(surfel_key(experiment.view),
-                              [&] { return surfel_content(surfels(experiment.view).gbuffer); }),
+          surfel_content_.get(key_of(Stage::surfels, experiment),
+                              [&] { return surfel_content(surfels(experiment).gbuffer); }),
           "",
-          key_of(describe(params)),
+          own_key_of(stage, in_metres(experiment)),
           static_cast<std::uint32_t>(experiment.run.seed)};
 }
 
-Light Workbench::light(const Experiment& experiment, std::uint32_t light) const {
+Light Stages::light(const Experiment& experiment, std::uint32_t light) const {
   return with_extent(scene_.lights[light], experiment.light);
 }
 
-// Hard shadows depend on the light alone, soft ones on how they are sampled, too.
-std::string Workbench::truth_key(const Experiment& experiment, std::uint32_t light) const {
-  std::string key = light_key(experiment, light);
-  if (!is_area(this->light(experiment, light))) return key;
-  Experiment copy = experiment;
-  return key + key_of(describe(copy.light)) + key_of(describe(copy.truth)) + std::to_string(copy.run.seed);
+Stage Stages::reference_stage(const Experiment& experiment, std::uint32_t light) const {
+  return is_area(this->light(experiment, light)) ? Stage::area_reference : Stage::binary_reference;
 }
 
-const TracedVisibility& Workbench::truth(const Experiment& experiment, std::uint32_t light) {
-  return truth_.get(truth_key(experiment, light), [&] {
+const TracedVisibility& Stages::truth(const Experiment& experiment, std::uint32_t light) {
+  const Stage stage = reference_stage(experiment, light);
+  return truth_.get(key(stage, experiment, light), [&] {
     const Light lamp = this->light(experiment, light);
-    ReferenceKey key = reference_key(experiment, "visibility");
+    ReferenceKey key = reference_key(experiment, stage, "visibility");
     key.light = light_content(lamp);
     const std::function<TracedVisibility()> trace = [&] {
       const Tracer& rays = tracer();
       ProgressBar progress = tracing_bar("shadow rays", [&] { return rays.rays_traced(); });
-      return trace_visibility(rays, surfels(experiment.view).gbuffer, lamp,
+      return trace_visibility(rays, surfels(experiment).gbuffer, lamp,
                               {experiment.truth, static_cast<std::uint32_t>(experiment.run.seed)}, progress.callback());
     };
     TracedVisibility traced =
@@ -194,13 +186,8 @@ const TracedVisibility& Workbench::truth(const Experiment& experiment, std::uint
   });
 }
 
-Experiment Workbench::in_metres(const Experiment& experiment) const {
+Experiment Stages::in_metres(const Experiment& experiment) const {
   return umbrameter::in_metres(experiment, 2.0 * bounds_.radius());
-}
-
-std::string Workbench::ao_key(const Experiment& experiment) const {
-  TruthParams params = in_metres(experiment).truth;
-  return surfel_key(experiment.view) + key_of(describe(params)) + std::to_string(experiment.run.seed);
 }
 
 AoInBackground::~AoInBackground() {
@@ -208,32 +195,33 @@ AoInBackground::~AoInBackground() {
   if (traced.valid()) traced.wait();
 }
 
-void Workbench::begin_ao_truth(const Experiment& experiment) {
+void Stages::begin_ao_truth(const Experiment& experiment) {
   struct Cancelled {};
   ao_in_background_ = std::make_unique<AoInBackground>();
   AoInBackground& work = *ao_in_background_;
-  work.key = ao_key(experiment);
+  work.key = key_of(Stage::ao_reference, in_metres(experiment));
   // All that the thread reads is there before it starts, and stays.
   const Tracer& rays = tracer();
-  const GBuffer& gbuffer = surfels(experiment.view).gbuffer;
-  work.traced = std::async(std::launch::async, [&work, &rays, &gbuffer, params = in_metres(experiment).truth,
-                                                seed = static_cast<std::uint32_t>(experiment.run.seed),
-                                                key = reference_key(experiment, "ao"), title = scene_title(experiment),
-                                                folder = options_.cache, console = console_] {
-    ReferenceCache cache(folder, console);
-    const std::function<TracedAo()> trace = [&] {
-      return trace_ao(rays, gbuffer, params, seed, [&work](double share) {
-        if (work.is_cancelled) throw Cancelled{};
-        work.share = share;
+  const GBuffer& gbuffer = surfels(experiment).gbuffer;
+  work.traced =
+      std::async(std::launch::async, [&work, &rays, &gbuffer, params = in_metres(experiment).truth,
+                                      seed = static_cast<std::uint32_t>(experiment.run.seed),
+                                      key = reference_key(experiment, Stage::ao_reference, "ao"),
+                                      title = scene_title(experiment), folder = options_.cache, console = console_] {
+        ReferenceCache cache(folder, console);
+        const std::function<TracedAo()> trace = [&] {
+          return trace_ao(rays, gbuffer, params, seed, [&work](double share) {
+            if (work.is_cancelled) throw Cancelled{};
+            work.share = share;
+          });
+        };
+        return cache.get(key, {title, "ambient occlusion", {}, {}}, trace);
       });
-    };
-    return cache.get(key, {title, "ambient occlusion", {}, {}}, trace);
-  });
 }
 
-const TracedAo& Workbench::ao_truth(const Experiment& experiment) {
+const TracedAo& Stages::ao_truth(const Experiment& experiment) {
   const TruthParams params = in_metres(experiment).truth;
-  const std::string key = ao_key(experiment);
+  const std::string key = key_of(Stage::ao_reference, in_metres(experiment));
   const auto counted = [&](TracedAo traced) {
     add(costs_.hemisphere, traced.statistics);
     costs_.largest_offset = std::max(costs_.largest_offset, traced.statistics.largest_offset);
@@ -252,39 +240,40 @@ const TracedAo& Workbench::ao_truth(const Experiment& experiment) {
     const std::function<TracedAo()> trace = [&] {
       const Tracer& rays = tracer();
       ProgressBar progress = tracing_bar("hemisphere rays", [&] { return rays.rays_traced(); });
-      return trace_ao(rays, surfels(experiment.view).gbuffer, params, static_cast<std::uint32_t>(experiment.run.seed),
+      return trace_ao(rays, surfels(experiment).gbuffer, params, static_cast<std::uint32_t>(experiment.run.seed),
                       progress.callback());
     };
-    return counted(
-        cache_.get(reference_key(experiment, "ao"), {scene_title(experiment), "ambient occlusion", {}, {}}, trace));
+    return counted(cache_.get(reference_key(experiment, Stage::ao_reference, "ao"),
+                              {scene_title(experiment), "ambient occlusion", {}, {}}, trace));
   });
 }
 
-ShadowLookup Workbench::shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth) {
-  const GpuGBuffer& gpu = gpu_surfels(experiment.view);
-  const std::string map_key = std::to_string(light) + " " + std::to_string(experiment.shadow.resolution);
-  const ShadowMap& map = map_.remake(map_key, [&](std::optional<ShadowMap> last) {
-    const LightFrame& frame = fit(experiment, light).frame;
+ShadowLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth) {
+  const GpuGBuffer& gpu = gpu_surfels(experiment);
+  const ShadowMap& map = map_.remake(key(Stage::map, experiment, light), [&](std::optional<ShadowMap> last) {
+    const LightFrame& frame = layout(experiment, light);
     // Drivers on a processor clear every page of a fresh texture, which takes longer than drawing a small scene.
     ShadowMap map = last && has_textures_for(*last, frame) ? std::move(*last) : make_shadow_map(context(), frame);
     map.frame = frame;
-    redraw_shadow_map(context(), uploaded(), scene_.lights[light], experiment.shadow, map);
+    redraw_shadow_map(context(), uploaded(), scene_.lights[light], map);
     return map;
   });
   const gl::Texture* gpu_truth = nullptr;
   if (with_truth) {
-    gpu_truth = &gpu_truth_.get(truth_key(experiment, light) + map_key, [&] {
-      return upload_truth(context(), truth(experiment, light).visibility, fit(experiment, light).counted.counting);
+    const Stage reference = reference_stage(experiment, light);
+    gpu_truth = &gpu_truth_.get(key(reference, experiment, light) + key(Stage::counted, experiment, light), [&] {
+      return upload_truth(context(), truth(experiment, light).visibility, counted(experiment, light).counting);
     });
   }
-  return {uploaded(), gpu, map, scene_.lights[light], experiment.shadow, gpu_truth};
+  return {uploaded(), gpu, map, scene_.lights[light], experiment.shadow.bias, make_technique(experiment.shadow),
+          gpu_truth};
 }
 
-RasterVisibility Workbench::draw(const Experiment& experiment, std::uint32_t light, bool with_truth) {
+RasterVisibility Stages::draw(const Experiment& experiment, std::uint32_t light, bool with_truth) {
   return draw_visibility(context(), shadow_lookup(experiment, light, with_truth));
 }
 
-BiasHistogram Workbench::bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes) {
+BiasHistogram Stages::bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes) {
   BiasHistogram histogram = draw_bias_response(context(), shadow_lookup(experiment, light, true), axes);
   if (experiment.run.classes == ClassRule::fast) return histogram;
   judge_taps(experiment, light, axes, [&](std::span<const ForeignTap> taps, std::span<const std::uint8_t> own) {
@@ -293,11 +282,11 @@ BiasHistogram Workbench::bias_response(const Experiment& experiment, std::uint32
   return histogram;
 }
 
-void Workbench::judge_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes,
-                           const JudgedTaps& take) {
+void Stages::judge_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes,
+                        const JudgedTaps& take) {
   const ShadowLookup lookup = shadow_lookup(experiment, light, true);
   const LightFrame& frame = lookup.map.frame;
-  const GBuffer& gbuffer = surfels(experiment.view).gbuffer;
+  const GBuffer& gbuffer = surfels(experiment).gbuffer;
   const Tracer& rays = tracer();
   ProgressBar progress = bar("classes");
   list_foreign_taps(context(), lookup, axes, [&](std::span<const ForeignTap> taps) {
@@ -305,13 +294,13 @@ void Workbench::judge_taps(const Experiment& experiment, std::uint32_t light, co
   });
 }
 
-ClassAgreement Workbench::judge(const Experiment& experiment, std::uint32_t light, WrongTaps& wrong) {
+ClassAgreement Stages::judge(const Experiment& experiment, std::uint32_t light, WrongTaps& wrong) {
   ClassAgreement agreement;
   for (const uvec4& weights : wrong.weights.pixels) agreement.wrong += sum_of(weights);
-  const GBuffer& gbuffer = surfels(experiment.view).gbuffer;
-  const Length& bias = experiment.shadow.constant_bias;
+  const GBuffer& gbuffer = surfels(experiment).gbuffer;
+  const Length& bias = experiment.shadow.bias.constant;
   const BiasAxes biases{
-      {static_cast<float>(bias.number)}, {static_cast<float>(experiment.shadow.slope_bias)}, bias.unit};
+      {static_cast<float>(bias.number)}, {static_cast<float>(experiment.shadow.bias.slope)}, bias.unit};
   judge_taps(experiment, light, biases, [&](std::span<const ForeignTap> taps, std::span<const std::uint8_t> own) {
     apply_judgement(wrong, gbuffer, taps, own);
     add_judgement(agreement, taps, own);
@@ -319,9 +308,9 @@ ClassAgreement Workbench::judge(const Experiment& experiment, std::uint32_t ligh
   return agreement;
 }
 
-Image<float> Workbench::draw_ao(const Experiment& experiment) {
-  return umbrameter::draw_ao(context(), gpu_surfels(experiment.view), surfels(experiment.view).view,
-                             in_metres(experiment).ao, static_cast<std::uint32_t>(experiment.run.seed));
+Image<float> Stages::draw_ao(const Experiment& experiment) {
+  return umbrameter::draw_ao(context(), gpu_surfels(experiment), surfels(experiment).view, in_metres(experiment).ao,
+                             static_cast<std::uint32_t>(experiment.run.seed));
 }
 
 }  // namespace umbrameter

@@ -1,0 +1,90 @@
+#include "experiments/stage_inputs.h"
+
+#include <algorithm>
+#include <array>
+
+namespace umbrameter {
+namespace {
+
+constexpr std::size_t stage_count = static_cast<std::size_t>(Stage::ao_reference) + 1;
+
+// Which scene is loaded is decided before any stage; which light is measured is a stage's argument.
+Parameters view_parameters(Experiment& experiment) {
+  Parameters all = describe(experiment.view);
+  std::erase_if(all, [](const Parameter& parameter) {
+    const auto* text = std::get_if<std::string*>(&parameter.field);
+    return text != nullptr && parameter.key != "view.camera";
+  });
+  return all;
+}
+
+Parameters run_parameter(Experiment& experiment, std::string_view key) {
+  return {require(describe(experiment.run), key)};
+}
+
+Parameters visibility_parameters(Experiment& experiment) {
+  return concatenate(
+      {describe(experiment.shadow.bias), describe(experiment.shadow.pcf), run_parameter(experiment, "run.classes")});
+}
+
+Parameters sampling_parameters(Experiment& experiment) {
+  return concatenate({describe(experiment.truth), run_parameter(experiment, "run.seed")});
+}
+
+const std::array<StageInputs, stage_count>& stages() {
+  static const std::array<StageInputs, stage_count> all = {{
+      {"surfels", view_parameters, {}, 10.0},
+      {"light", [](Experiment& e) { return Parameters{require(describe(e.view), "view.light")}; }, {}, 0.0},
+      {"emitter", [](Experiment& e) { return describe(e.light); }, {Stage::light}, 0.0},
+      {"layout", [](Experiment& e) { return describe(e.shadow.map); }, {Stage::light}, 1.0},
+      {"counted pixels",
+       [](Experiment&) { return Parameters{}; },
+       {Stage::surfels, Stage::emitter, Stage::layout},
+       1.0},
+      {"shadow map", [](Experiment&) { return Parameters{}; }, {Stage::layout}, 10.0},
+      {"visibility", visibility_parameters, {Stage::surfels, Stage::map}, 2.0},
+      {"reference", [](Experiment&) { return Parameters{}; }, {Stage::surfels, Stage::light}, 100.0},
+      {"reference of an area light", sampling_parameters, {Stage::surfels, Stage::emitter}, 1000.0},
+      {"ambient occlusion",
+       [](Experiment& e) {
+         return concatenate({describe(e.ao), run_parameter(e, "run.seed")});
+       },
+       {Stage::surfels},
+       2.0},
+      {"reference of ambient occlusion", sampling_parameters, {Stage::surfels}, 1000.0},
+  }};
+  return all;
+}
+
+bool reads(Stage stage, std::string_view parameter) {
+  Experiment experiment;
+  return find(inputs_of(stage).reads(experiment), parameter) != nullptr;
+}
+
+}  // namespace
+
+const StageInputs& inputs_of(Stage stage) { return stages()[static_cast<std::size_t>(stage)]; }
+
+std::string own_key_of(Stage stage, Experiment experiment) { return key_of(inputs_of(stage).reads(experiment)); }
+
+std::string key_of(Stage stage, Experiment experiment) {
+  std::string key;
+  for (const Stage before : inputs_of(stage).after) key += key_of(before, experiment);
+  return key + std::string(inputs_of(stage).name) + "\n" + own_key_of(stage, std::move(experiment));
+}
+
+bool depends_on(Stage stage, std::string_view parameter) {
+  const std::vector<Stage>& before = inputs_of(stage).after;
+  return reads(stage, parameter) ||
+         std::any_of(before.begin(), before.end(), [&](Stage earlier) { return depends_on(earlier, parameter); });
+}
+
+double cost_of_change(std::string_view parameter) {
+  double cost = 0.0;
+  for (std::size_t s = 0; s < stage_count; ++s) {
+    if (depends_on(static_cast<Stage>(s), parameter)) cost += stages()[s].cost;
+  }
+  return cost;
+}
+
+}  // namespace umbrameter

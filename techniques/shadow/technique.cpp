@@ -1,0 +1,11 @@
+#include "techniques/shadow/technique.h"
+
+namespace umbrameter {
+
+ShadowTechnique make_technique(const ShadowParams& params) { return Pcf{make_filter(params.pcf)}; }
+
+TechniqueCapabilities capabilities_of(const ShadowTechnique& technique) {
+  return std::visit([](const auto& each) { return each.capabilities; }, technique);
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,37 @@
+// The shadow techniques and what each can do. Code asks a technique for its capabilities, never for its name.
+//
+// To add one: a file beside this one with its parameters and their describe(); a line in ShadowTechniqueName, its name,
+// a member of ShadowParams and an alternative of ShadowTechnique; its passes in raster/shadow/.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <variant>
+
+#include "techniques/shadow/filter.h"
+#include "techniques/shadow/parameters.h"
+
+namespace umbrameter {
+
+/// What decides how a technique's error can be measured.
+struct TechniqueCapabilities {
+  /// Visibility is a weighted sum of depth comparisons. Then each wrong tap has one cause.
+  bool sums_comparisons = false;
+  /// Which texels are compared, and with what weight, does not depend on the bias. Then one pass over the taps measures
+  /// every bias.
+  bool taps_independent_of_bias = false;
+};
+
+/// Percentage-closer filtering: a weighted sum of depth comparisons.
+struct Pcf {
+  static constexpr TechniqueCapabilities capabilities{.sums_comparisons = true, .taps_independent_of_bias = true};
+  FilterKernel kernel;
+};
+
+using ShadowTechnique = std::variant<Pcf>;
+
+ShadowTechnique make_technique(const ShadowParams& params);
+
+TechniqueCapabilities capabilities_of(const ShadowTechnique& technique);
+
+}  // namespace umbrameter
