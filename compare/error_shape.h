@@ -56,7 +56,7 @@ struct ShapeInput {
   const Image<float>& truth;  ///< 1 lit, 0 blocked; lit from ½ on
   const CountedPixels& counted;
   const Light& light;
-  const LightFrame& frame;
+  const MapLayout& frame;
 };
 
 /// By the causes of the wrong taps. Distances are to the edge that is nearest in the image.

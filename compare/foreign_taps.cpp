@@ -42,7 +42,7 @@ std::size_t pixel_of(const ForeignTap& tap, const GBuffer& gbuffer) {
   return gbuffer.instance.index(at.x, gbuffer.height - 1 - at.y);
 }
 
-TapSurfaces surfaces_of(const Scene& scene, const LightFrame& frame, const GBuffer& gbuffer, const ForeignTap& tap) {
+TapSurfaces surfaces_of(const Scene& scene, const MapLayout& frame, const GBuffer& gbuffer, const ForeignTap& tap) {
   const std::size_t pixel = pixel_of(tap, gbuffer);
   TapSurfaces surfaces;
   surfaces.receiver = {{}, gbuffer.instance[pixel], gbuffer.triangle[pixel]};
@@ -54,7 +54,7 @@ TapSurfaces surfaces_of(const Scene& scene, const LightFrame& frame, const GBuff
   return surfaces;
 }
 
-std::vector<TapSurfaces> surfaces_of(const Scene& scene, const LightFrame& frame, const GBuffer& gbuffer,
+std::vector<TapSurfaces> surfaces_of(const Scene& scene, const MapLayout& frame, const GBuffer& gbuffer,
                                      std::span<const ForeignTap> taps) {
   std::vector<TapSurfaces> surfaces;
   surfaces.reserve(taps.size());

@@ -29,8 +29,8 @@ double share_of_wrong(const ClassAgreement& agreement);
 std::size_t pixel_of(const ForeignTap& tap, const GBuffer& gbuffer);
 
 /// The receiver's point on its own triangle, without any normal offset, and the one that the map holds.
-TapSurfaces surfaces_of(const Scene& scene, const LightFrame& frame, const GBuffer& gbuffer, const ForeignTap& tap);
-std::vector<TapSurfaces> surfaces_of(const Scene& scene, const LightFrame& frame, const GBuffer& gbuffer,
+TapSurfaces surfaces_of(const Scene& scene, const MapLayout& frame, const GBuffer& gbuffer, const ForeignTap& tap);
+std::vector<TapSurfaces> surfaces_of(const Scene& scene, const MapLayout& frame, const GBuffer& gbuffer,
                                      std::span<const ForeignTap> taps);
 
 /// Turns the taps that are judged own (1, one entry a tap) from false occlusion to acne: at their pixels, or in the

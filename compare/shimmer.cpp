@@ -15,7 +15,7 @@ const dvec3 z_axis(0, 0, 1);
 dmat4 turn(double angle, const dvec3& axis) { return glm::rotate(dmat4(1.0), angle, axis); }
 
 // A depth along an axis is largest at a corner.
-double largest_depth(const LightFrame& frame, const Bounds& bounds) {
+double largest_depth(const MapLayout& frame, const Bounds& bounds) {
   double largest = depth_of(frame, bounds.corner(0));
   for (int i = 1; i < 8; ++i) largest = std::max(largest, depth_of(frame, bounds.corner(i)));
   return largest;
@@ -37,9 +37,9 @@ Flips count(const Image<float>& before, const Image<float>& after, const Takes& 
 
 }  // namespace
 
-LightFrame shift_grid(const LightFrame& frame, const dvec2& texels, const Bounds& bounds) {
-  const dvec2 shift = texels * (2.0 * frame.half_extent / frame.resolution);
-  LightFrame shifted = frame;
+MapLayout shift_grid(const MapLayout& frame, const dvec2& texels, const Bounds& bounds) {
+  const dvec2 shift = texels * (2.0 * frame.views.front().half_extent / frame.resolution);
+  MapLayout shifted = frame;
   dmat4 change = glm::translate(dmat4(1.0), dvec3(shift, 0.0));
   if (frame.kind != MapKind::orthographic) {
     change = turn(std::atan(shift.y), x_axis) * turn(-std::atan(shift.x), y_axis);

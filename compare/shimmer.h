@@ -14,7 +14,7 @@ namespace umbrameter {
 /// The frame with its grid moved, so that in the middle of the map positions fall that many texels to the right and up.
 /// Orthographic maps move, the others turn about the light; a cube's side faces by as much about the third axis, too.
 /// `bounds` are those that the frame was fitted to: what a spot's axis turns to may be deeper than before.
-LightFrame shift_grid(const LightFrame& frame, const dvec2& texels, const Bounds& bounds);
+MapLayout shift_grid(const MapLayout& frame, const dvec2& texels, const Bounds& bounds);
 
 /// The view turned, an orthographic one moved, so that in the middle of the image a pixel sees what lay that many
 /// pixels to the right and down.

@@ -17,7 +17,7 @@ std::string_view cause_meaning(Cause cause) {
 
 std::uint32_t wrong_weight(const uvec4& by_cause) { return by_cause.x + by_cause.y + by_cause.z + by_cause.w; }
 
-CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const LightFrame& frame) {
+CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const MapLayout& frame) {
   CountedPixels counted{Image<Counting>(gbuffer.width, gbuffer.height, Counting::background)};
   std::vector<double> texels(static_cast<std::size_t>(gbuffer.height), 0.0);
   parallel_for(static_cast<std::size_t>(gbuffer.height), [&](std::size_t y) {

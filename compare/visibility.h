@@ -71,7 +71,7 @@ struct CountedPixels {
   CountingTotals totals{};
   double mean_texel = 0.0;  ///< metres, over the counted ones
 };
-CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const LightFrame& frame);
+CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const MapLayout& frame);
 
 /// The counted pixels, and those of them that a binary truth calls lit.
 struct TruthCounts {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <string_view>
 
+#include "compare/metrics/metric.h"
+
 namespace umbrameter {
 namespace {
 
@@ -23,6 +25,8 @@ Parameters describe(RunParams& params) {
               {.unit = {}, .meaning = "what a sweep measures; auto: depends on the axes"})
       .field("shimmer", params.shimmer,
              {"", "measure shimmer: shadow map and camera move by fractions of a texel or pixel"})
+      .field("metrics", params.metrics,
+             {"", "image metrics of visibility and AO that compare reports: " + metric_names() + "; comma-separated"})
       .take();
 }
 

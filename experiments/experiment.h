@@ -28,6 +28,7 @@ struct RunParams {
   ClassRule classes = ClassRule::exact;
   SweepMeasure measure = SweepMeasure::automatic;
   bool shimmer = false;
+  std::string metrics;  ///< names of image metrics, comma-separated
 };
 Parameters describe(RunParams& params);
 

@@ -8,6 +8,14 @@ SampledImage sampled(const TracedVisibility& truth) {
 
 namespace {
 
+std::vector<MetricScore> score(const Experiment& experiment, const MetricInput& input) {
+  std::vector<MetricScore> scores;
+  for (const Metric* metric : select_metrics(experiment.run.metrics)) {
+    scores.push_back({metric, metric->measure(input).score});
+  }
+  return scores;
+}
+
 void measure_causes(Stages& stages, ShadowMeasurement& measurement) {
   const Experiment& experiment = measurement.experiment;
   WrongTaps& wrong = measurement.raster->wrong;
@@ -53,6 +61,9 @@ ShadowMeasurement measure_shadow(Stages& stages, const Experiment& experiment, s
   } else {
     measurement.statistics = measure_edges(stages, experiment, light, drawn);
   }
+  measurement.metrics = score(experiment, {drawn, measurement.truth->visibility, [&](std::size_t i) {
+                                             return measurement.counted.counting[i] == Counting::counted;
+                                           }});
   return measurement;
 }
 
@@ -66,6 +77,9 @@ AoMeasurement measure_ao(Stages& stages, const Experiment& experiment, Sides sid
     measurement.statistics =
         analyze_ao(*measurement.raster, {truth.ao, truth.variance, truth.samples, truth.degrees_of_freedom},
                    stages.surfels(experiment).gbuffer);
+    const GBuffer& gbuffer = stages.surfels(experiment).gbuffer;
+    measurement.metrics =
+        score(experiment, {*measurement.raster, truth.ao, [&](std::size_t i) { return gbuffer.is_surface(i); }});
   }
   return measurement;
 }

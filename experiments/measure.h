@@ -8,6 +8,7 @@
 #include "compare/ao.h"
 #include "compare/by_object.h"
 #include "compare/edge_statistics.h"
+#include "compare/metrics/metric.h"
 #include "compare/soft_visibility.h"
 #include "compare/visibility.h"
 #include "experiments/presentation/bias_advice.h"
@@ -33,15 +34,22 @@ inline Statistics describe(CellStatistics& statistics) {
   return std::visit([](auto& each) { return describe(each); }, statistics);
 }
 
+/// One of run.metrics.
+struct MetricScore {
+  const Metric* metric = nullptr;
+  double score = 0.0;
+};
+
 struct ShadowMeasurement {
   Experiment experiment;  ///< what it was made with; whoever shows it reads parameters from here
   std::uint32_t light = 0;
-  LightFrame frame;
+  MapLayout frame;
   CountedPixels counted;
   std::optional<RasterVisibility> raster;
   std::optional<TracedVisibility> truth;
   Emitter emitter;
   std::optional<ShadowStatistics> statistics;  ///< where both sides are
+  std::vector<MetricScore> metrics{};          ///< where both sides are
   std::optional<ClassAgreement> agreement{};   ///< where the classes are exact
   /// By the receiver's object and material, by falling weight; where statistics are.
   std::vector<PartError> objects{};
@@ -68,6 +76,7 @@ struct AoMeasurement {
   std::optional<Image<float>> raster;
   std::optional<TracedAo> truth;
   std::optional<AoStatistics> statistics;
+  std::vector<MetricScore> metrics{};  ///< where both sides are
 };
 
 struct Measurement {

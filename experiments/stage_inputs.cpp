@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "techniques/shadow/technique.h"
+
 namespace umbrameter {
 namespace {
 
@@ -42,7 +44,8 @@ const std::array<StageInputs, stage_count>& stages() {
        {Stage::surfels, Stage::emitter, Stage::layout},
        1.0},
       {"shadow map", [](Experiment&) { return Parameters{}; }, {Stage::layout}, 10.0},
-      {"visibility", visibility_parameters, {Stage::surfels, Stage::map}, 2.0},
+      {"filtered map", [](Experiment& e) { return filtered_map_parameters(e.shadow); }, {Stage::map}, 3.0},
+      {"visibility", visibility_parameters, {Stage::surfels, Stage::filtered_map}, 2.0},
       {"reference", [](Experiment&) { return Parameters{}; }, {Stage::surfels, Stage::light}, 100.0},
       {"reference of an area light", sampling_parameters, {Stage::surfels, Stage::emitter}, 1000.0},
       {"ambient occlusion",

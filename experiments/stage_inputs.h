@@ -17,6 +17,7 @@ enum class Stage {
   layout,            ///< the light's map laid over the scene
   counted,           ///< the pixels that the map answers for
   map,               ///< the shadow map
+  filtered_map,      ///< what a technique makes of it before the look-up
   visibility,        ///< the technique's visibility, by bias and filter
   binary_reference,  ///< shadow rays to a light without extent
   area_reference,    ///< shadow rays to an area light

@@ -135,7 +135,7 @@ std::string Stages::key(Stage stage, const Experiment& experiment, std::uint32_t
   return key_of(stage, experiment) + "of light " + std::to_string(light);
 }
 
-const LightFrame& Stages::layout(const Experiment& experiment, std::uint32_t light) {
+const MapLayout& Stages::layout(const Experiment& experiment, std::uint32_t light) {
   return layout_.get(key(Stage::layout, experiment, light),
                      [&] { return fit_light(scene_.lights[light], bounds_, experiment.shadow.map.resolution); });
 }
@@ -251,7 +251,7 @@ const TracedAo& Stages::ao_truth(const Experiment& experiment) {
 ShadowLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth) {
   const GpuGBuffer& gpu = gpu_surfels(experiment);
   const ShadowMap& map = map_.remake(key(Stage::map, experiment, light), [&](std::optional<ShadowMap> last) {
-    const LightFrame& frame = layout(experiment, light);
+    const MapLayout& frame = layout(experiment, light);
     // Drivers on a processor clear every page of a fresh texture, which takes longer than drawing a small scene.
     ShadowMap map = last && has_textures_for(*last, frame) ? std::move(*last) : make_shadow_map(context(), frame);
     map.frame = frame;
@@ -265,8 +265,10 @@ ShadowLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t l
       return upload_truth(context(), truth(experiment, light).visibility, counted(experiment, light).counting);
     });
   }
-  return {uploaded(), gpu, map, scene_.lights[light], experiment.shadow.bias, make_technique(experiment.shadow),
-          gpu_truth};
+  const ShadowTechnique technique = make_technique(experiment.shadow);
+  const FilteredMap& filtered = filtered_map_.get(key(Stage::filtered_map, experiment, light),
+                                                  [&] { return filter_map(context(), map, technique); });
+  return {uploaded(), gpu, map, scene_.lights[light], experiment.shadow.bias, technique, gpu_truth, &filtered};
 }
 
 RasterVisibility Stages::draw(const Experiment& experiment, std::uint32_t light, bool with_truth) {
@@ -285,7 +287,7 @@ BiasHistogram Stages::bias_response(const Experiment& experiment, std::uint32_t 
 void Stages::judge_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes,
                         const JudgedTaps& take) {
   const ShadowLookup lookup = shadow_lookup(experiment, light, true);
-  const LightFrame& frame = lookup.map.frame;
+  const MapLayout& frame = lookup.map.frame;
   const GBuffer& gbuffer = surfels(experiment).gbuffer;
   const Tracer& rays = tracer();
   ProgressBar progress = bar("classes");

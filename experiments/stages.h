@@ -99,7 +99,7 @@ class Stages {
 
   const Surfels& surfels(const Experiment& experiment);
   const GpuGBuffer& gpu_surfels(const Experiment& experiment);
-  const LightFrame& layout(const Experiment& experiment, std::uint32_t light);
+  const MapLayout& layout(const Experiment& experiment, std::uint32_t light);
   const CountedPixels& counted(const Experiment& experiment, std::uint32_t light);
 
   /// Of the experiment's technique.
@@ -156,9 +156,10 @@ class Stages {
   std::unique_ptr<UploadedScene> uploaded_;
   Memo<Surfels> surfels_;
   Memo<GpuGBuffer> gpu_surfels_;
-  Memo<LightFrame> layout_;
+  Memo<MapLayout> layout_;
   Memo<CountedPixels> counted_;
   Memo<ShadowMap> map_;
+  Memo<FilteredMap> filtered_map_;
   Memo<TracedVisibility> truth_;
   Memo<gl::Texture> gpu_truth_;
   Memo<TracedAo> ao_truth_;

@@ -32,7 +32,7 @@ struct LightRay {
 
 class Judge {
  public:
-  Judge(const Tracer& tracer, const LightFrame& frame)
+  Judge(const Tracer& tracer, const MapLayout& frame)
       : tracer_(tracer), frame_(frame), world_from_light_(glm::inverse(frame.light_from_world)) {
     const std::vector<Instance>& instances = tracer.scene().instances;
     const auto& masks = tracer.state().mesh_masks;
@@ -170,14 +170,14 @@ class Judge {
   }
 
   const Tracer& tracer_;
-  const LightFrame& frame_;
+  const MapLayout& frame_;
   dmat4 world_from_light_;
   bool has_masks_ = false;
 };
 
 }  // namespace
 
-std::vector<std::uint8_t> judge_own(const Tracer& tracer, const LightFrame& frame, std::span<const TapSurfaces> taps,
+std::vector<std::uint8_t> judge_own(const Tracer& tracer, const MapLayout& frame, std::span<const TapSurfaces> taps,
                                     const Progress& progress) {
   constexpr std::size_t batch = 256;
   const Judge judge(tracer, frame);

@@ -17,7 +17,7 @@ namespace umbrameter {
 /// The light must see both points. Rays halve the way between them on the map's plane, always into the half with the
 /// larger step of depth that slopes do not explain, until it is as short as rays can tell apart; docs/classes.md
 /// derives the decision. The answer does not depend on the number of threads.
-std::vector<std::uint8_t> judge_own(const Tracer& tracer, const LightFrame& frame, std::span<const TapSurfaces> taps,
+std::vector<std::uint8_t> judge_own(const Tracer& tracer, const MapLayout& frame, std::span<const TapSurfaces> taps,
                                     const Progress& progress = {});
 
 }  // namespace umbrameter

@@ -66,7 +66,7 @@ bool is_best(const BiasAdvice& advice) { return advice.line.least_error->mae >= 
 bool is_open_ended(const BiasAdvice& advice) { return advice.line.least_error->constant >= advice.largest; }
 
 BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32_t light) {
-  const LightFrame& layout = stages.layout(experiment, light);
+  const MapLayout& layout = stages.layout(experiment, light);
   const CountedPixels& counted = stages.counted(experiment, light);
   const Length& used = experiment.shadow.bias.constant;
   BiasAdvice advice;

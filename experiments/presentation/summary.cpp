@@ -74,6 +74,10 @@ void add_causes(Json& object, const ShadowMeasurement& shadow, const VisibilityS
   object["materials"] = parts_json(PartKind::material, shadow.materials, weight_sum);
 }
 
+void add_metrics(Json& object, const std::vector<MetricScore>& scores) {
+  for (const MetricScore& scored : scores) object["metrics"][std::string(scored.metric->name)] = scored.score;
+}
+
 Json shadow_json(const Stages& stages, const ShadowMeasurement& shadow) {
   Json object;
   object["light"] = stages.title(shadow.light);
@@ -108,6 +112,7 @@ Json shadow_json(const Stages& stages, const ShadowMeasurement& shadow) {
       add_causes(object, shadow, std::get<VisibilityStatistics>(statistics));
     }
   }
+  add_metrics(object, shadow.metrics);
   if (shadow.shape) object["shape"] = to_json(stages, *shadow.shape);
   return object;
 }
@@ -120,6 +125,7 @@ Json ao_json(const AoMeasurement& ao) {
     object["statistics"] = statistics_json(*ao.statistics);
     object["max_error_at_px"] = place_json(error.max_x, error.max_y);
   }
+  add_metrics(object, ao.metrics);
   return object;
 }
 

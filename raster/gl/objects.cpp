@@ -88,6 +88,8 @@ Texture make_buffer_texture(const std::string& label, Format format, const Buffe
 
 std::size_t texel_bytes(Format format) { return names_of(format).bytes; }
 
+unsigned internal_format(Format format) { return static_cast<unsigned>(names_of(format).internal); }
+
 Texture make_texture(const std::string& label, Format format, int width, int height, int layers) {
   const FormatNames names = names_of(format);
   unsigned name = 0;

@@ -85,6 +85,9 @@ enum class Format { r32f, rgb32f, rgba32f, rg32ui, rgb32ui, rgba32ui, rgba8, dep
 /// Bytes of one texel.
 std::size_t texel_bytes(Format format);
 
+/// OpenGL's number of the format.
+unsigned internal_format(Format format);
+
 /// A buffer as texels for samplerBuffer and usamplerBuffer: r32f, rgb32f, rgba32f, rg32ui and rgb32ui. It keeps the
 /// buffer's memory alive.
 Texture make_buffer_texture(const std::string& label, Format format, const Buffer& buffer);

@@ -3,7 +3,7 @@ layout(std140, binding = BLOCK_LIGHT) uniform LightBlock {
   dmat4 light_from_world;
   dvec4 light_in_world;  // directional: unit vector to the light, w = 0; else its position, w = 1
   dvec4 face_basis[18];  // of cube face i, in light space: [3i] right, [3i + 1] up, [3i + 2] forward
-  double half_extent;
+  dvec4 map_views[MAX_MAP_VIEWS];  // x, y: centre in light space, metres; z: half extent, metres or tangent
   double far_depth;
   int resolution;
   float constant_bias;  // metres, or texels at the receiver
@@ -12,4 +12,5 @@ layout(std140, binding = BLOCK_LIGHT) uniform LightBlock {
   float filter_radius;  // texels
   int tap_count;        // of the filter: here, so that no compiler unrolls loops over taps
   int bias_in_texels;   // 1 where constant biases, those of axes too, are texels; 0: metres
+  int view_count;
 };

@@ -46,7 +46,13 @@ Receiver project_to_map(dvec3 world) {
   r.axis_depth = -p.z;
   r.depth = r.axis_depth;
   r.is_inside = true;
-  projected = p.xy / half_extent;
+  // The first view that contains the position, with room for the taps of a kernel; else the last.
+  for (r.face = 0; r.face + 1 < view_count; ++r.face) {
+    dvec4 view = map_views[r.face];
+    dvec2 reach = dvec2(view.z * (1.0lf - 2.0lf * double(MAP_VIEW_MARGIN) / double(resolution)));
+    if (all(lessThanEqual(abs(p.xy - view.xy), reach))) break;
+  }
+  projected = (p.xy - map_views[r.face].xy) / map_views[r.face].z;
 #else
 #if MAP_KIND == MAP_CUBE
   r.face = face_of(p);
@@ -59,7 +65,7 @@ Receiver project_to_map(dvec3 world) {
   r.depth = r.axis_depth;
 #endif
   r.is_inside = r.axis_depth > 0.0lf;
-  projected = r.is_inside ? q.xy / (q.z * half_extent) : dvec2(0.0lf);
+  projected = r.is_inside ? q.xy / (q.z * map_views[0].z) : dvec2(0.0lf);
 #endif
   precise dvec2 texels = (projected * 0.5lf + 0.5lf) * double(resolution);
   r.texels = clamp(texels, -2.0lf, double(resolution) + 2.0lf);
@@ -71,15 +77,20 @@ Receiver project_to_map(dvec3 world) {
   return r;
 }
 
-// Position of a texel's centre in map coordinates times half_extent: metres, or tangents.
-dvec2 texel_center(ivec2 texel) {
-  precise dvec2 center = ((dvec2(texel) + 0.5lf) / double(resolution) * 2.0lf - 1.0lf) * half_extent;
+// Where a texel's centre lies in light space: metres, or tangents.
+dvec2 texel_center(ivec3 texel) {
+#if MAP_KIND == MAP_ORTHOGRAPHIC
+  dvec4 view = map_views[texel.z];
+#else
+  dvec4 view = map_views[0];
+#endif
+  precise dvec2 center = view.xy + ((dvec2(texel.xy) + 0.5lf) / double(resolution) * 2.0lf - 1.0lf) * view.z;
   return center;
 }
 
 // The light's ray through the centre of a texel, light space; the direction is not unit.
 void texel_ray(ivec3 texel, out dvec3 origin, out dvec3 direction) {
-  dvec2 c = texel_center(texel.xy);
+  dvec2 c = texel_center(texel);
 #if MAP_KIND == MAP_ORTHOGRAPHIC
   origin = dvec3(c, 0.0lf);
   direction = dvec3(0.0lf, 0.0lf, -1.0lf);
@@ -106,7 +117,7 @@ Tap fetch_tap(Receiver receiver, ivec2 offset) {
     texel_ray(tap.texel, origin, direction);
     int face = face_of(direction);
     dvec3 q = on_face(face, direction);
-    precise dvec2 texels = (q.xy / (q.z * half_extent) * 0.5lf + 0.5lf) * double(resolution);
+    precise dvec2 texels = (q.xy / (q.z * map_views[0].z) * 0.5lf + 0.5lf) * double(resolution);
     ivec2 texel = ivec2(floor(texels));
     tap.texel = ivec3(clamp(texel, ivec2(0), ivec2(resolution - 1)), face);
     is_on_map = true;
@@ -121,6 +132,11 @@ Tap fetch_tap(Receiver receiver, ivec2 offset) {
 
 // Side of a texel at the receiver, metres: texel_at() of techniques/shadow/map_layout.h.
 float texel_at(Receiver receiver) {
+  #if MAP_KIND == MAP_ORTHOGRAPHIC
+  double half_extent = map_views[receiver.face].z;
+#else
+  double half_extent = map_views[0].z;
+#endif
   precise double side = 2.0lf * half_extent / double(resolution);
 #if MAP_KIND != MAP_ORTHOGRAPHIC
   side *= receiver.axis_depth;

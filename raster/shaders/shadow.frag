@@ -18,7 +18,7 @@ void main() {
   if (!(base_color_at(surface_texcoord, false).a >= alpha_cutoff)) discard;
 #endif
 #if MAP_KIND != MAP_ORTHOGRAPHIC
-  vec2 p = (2.0 * gl_FragCoord.xy / float(resolution) - 1.0) * float(half_extent);
+  vec2 p = (2.0 * gl_FragCoord.xy / float(resolution) - 1.0) * float(map_views[0].z);
 #if MAP_KIND == MAP_CUBE
   vec3 direction = normalize(vec3(face_basis[3 * face].xyz) * p.x + vec3(face_basis[3 * face + 1].xyz) * p.y +
                              vec3(face_basis[3 * face + 2].xyz));

@@ -36,7 +36,7 @@ void main() {
   vec2 range = vec2(min(min(-a.z, -b.z), -c.z), max(max(-a.z, -b.z), -c.z));
 #endif
   float near = nearest_share * float(far_depth);
-  float tangent = float(half_extent);
+  float tangent = float(map_views[0].z);
   for (int f = 0; f < face_count; ++f) {
     vec4 clip[3];
     for (int i = 0; i < 3; ++i) {

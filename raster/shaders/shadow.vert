@@ -4,6 +4,7 @@ layout(location = ATTRIBUTE_POSITION) in vec3 position;
 layout(location = ATTRIBUTE_TEXCOORD) in vec2 texcoord;
 layout(location = ATTRIBUTE_INSTANCE) in uint drawn_instance;
 #if MAP_KIND == MAP_ORTHOGRAPHIC
+layout(location = UNIFORM_MAP_VIEW) uniform int map_view;
 layout(location = 0) flat out uint instance;
 layout(location = 1) out vec2 surface_texcoord;
 #else
@@ -18,7 +19,8 @@ void main() {
 #if MAP_KIND == MAP_ORTHOGRAPHIC
   instance = id;
   surface_texcoord = texcoord;
-  gl_Position = vec4(vec3(p.x / half_extent, p.y / half_extent, -p.z / far_depth), 1.0);
+  dvec4 view = map_views[map_view];
+  gl_Position = vec4(vec3((p.x - view.x) / view.z, (p.y - view.y) / view.z, -p.z / far_depth), 1.0);
 #else
   vertex_instance = id;
   vertex_texcoord = texcoord;

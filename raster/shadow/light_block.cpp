@@ -6,7 +6,7 @@
 
 namespace umbrameter {
 
-LightBlock make_light_block(const Light& light, const LightFrame& frame) {
+LightBlock make_light_block(const Light& light, const MapLayout& frame) {
   LightBlock block;
   block.light_from_world = frame.light_from_world;
   block.light_in_world = homogeneous_place(light);
@@ -14,12 +14,15 @@ LightBlock make_light_block(const Light& light, const LightFrame& frame) {
     const dmat3 basis = cube_face(face);
     for (int axis = 0; axis < 3; ++axis) block.face_basis[3 * face + axis] = dvec4(basis[axis], 0.0);
   }
-  block.half_extent = frame.half_extent;
+  block.view_count = static_cast<int>(frame.views.size());
+  for (std::size_t v = 0; v < frame.views.size(); ++v) {
+    block.views[v] = dvec4(frame.views[v].center, frame.views[v].half_extent, 0.0);
+  }
   block.far_depth = frame.far_depth;
   block.resolution = frame.resolution;
   return block;
 }
 
-std::string map_defines(const LightFrame& frame) { return define("MAP_KIND", static_cast<unsigned>(frame.kind)); }
+std::string map_defines(const MapLayout& frame) { return define("MAP_KIND", static_cast<unsigned>(frame.kind)); }
 
 }  // namespace umbrameter

@@ -13,7 +13,7 @@ struct LightBlock {
   dmat4 light_from_world{1.0};
   dvec4 light_in_world{0.0};
   dvec4 face_basis[18] = {};
-  double half_extent = 1.0;
+  dvec4 views[max_map_views] = {};
   double far_depth = 1.0;
   int resolution = 1;
   float constant_bias = 0.0f;
@@ -22,14 +22,15 @@ struct LightBlock {
   float filter_radius = 0.0f;
   int tap_count = 0;
   int bias_in_texels = 0;
-  int unused = 0;
+  int view_count = 1;
+  int unused[6] = {};
 };
-static_assert(sizeof(LightBlock) == 784);
+static_assert(sizeof(LightBlock) == 1056);
 
 /// The light and its map, as drawing the map needs them. Bias and filter are 0: bind() of shadow_lookup.h adds them.
-LightBlock make_light_block(const Light& light, const LightFrame& frame);
+LightBlock make_light_block(const Light& light, const MapLayout& frame);
 
 /// "#define MAP_KIND 0"
-std::string map_defines(const LightFrame& frame);
+std::string map_defines(const MapLayout& frame);
 
 }  // namespace umbrameter

@@ -8,6 +8,7 @@
 #include "raster/gbuffer/gbuffer_pass.h"
 #include "raster/gbuffer/uploaded_scene.h"
 #include "raster/gl/context.h"
+#include "raster/shadow/filtered_map.h"
 #include "raster/shadow/shadow_map.h"
 #include "techniques/shadow/map_layout.h"
 #include "techniques/shadow/technique.h"
@@ -22,7 +23,8 @@ struct ShadowLookup {
   const Light& light;
   BiasParams bias;
   ShadowTechnique technique;
-  const gl::Texture* truth = nullptr;  ///< made by upload() or upload_truth(); lit from 0.5 on
+  const gl::Texture* truth = nullptr;     ///< made by upload() or upload_truth(); lit from 0.5 on
+  const FilteredMap* filtered = nullptr;  ///< where the technique has one
 };
 
 /// The taps of a technique that sums comparisons.

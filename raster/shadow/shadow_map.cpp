@@ -12,11 +12,11 @@
 namespace umbrameter {
 namespace {
 
-int face_count(const LightFrame& frame) { return frame.kind == MapKind::cube ? 6 : 1; }
+int layer_count(const MapLayout& layout) { return static_cast<int>(layout.views.size()); }
 
-void require_room(const gl::Context& context, const LightFrame& frame) {
+void require_room(const gl::Context& context, const MapLayout& frame) {
   const auto side = static_cast<std::size_t>(frame.resolution);
-  const std::size_t bytes = side * side * static_cast<std::size_t>(face_count(frame)) *
+  const std::size_t bytes = side * side * static_cast<std::size_t>(layer_count(frame)) *
                             (gl::texel_bytes(gl::Format::depth32f) + gl::texel_bytes(gl::Format::rg32ui));
   std::string given = std::to_string(frame.resolution);
   given += " texels ";
@@ -33,25 +33,38 @@ void require_room(const gl::Context& context, const LightFrame& frame) {
   }
 }
 
+// One view after another, each into its layer. The other kinds draw all layers at once through a geometry shader.
+void draw_views(const UploadedScene& scene, const gl::Program& solid, const gl::Program& masked,
+                const gl::Framebuffer& framebuffer, const ShadowMap& map) {
+  for (int view = 0; view < layer_count(map.frame); ++view) {
+    glNamedFramebufferTextureLayer(framebuffer.name(), GL_COLOR_ATTACHMENT0, map.ids.name(), 0, view);
+    glNamedFramebufferTextureLayer(framebuffer.name(), GL_DEPTH_ATTACHMENT, map.depth.name(), 0, view);
+    for (const gl::Program* program : {&solid, &masked}) {
+      glProgramUniform1i(program->name(), location("UNIFORM_MAP_VIEW"), view);
+    }
+    draw_scene(scene, DrawnFor::shadow, solid, masked);
+  }
+}
+
 }  // namespace
 
-ShadowMap make_shadow_map(const gl::Context& context, const LightFrame& frame) {
+ShadowMap make_shadow_map(const gl::Context& context, const MapLayout& frame) {
   require_room(context, frame);
   ShadowMap map;
   map.frame = frame;
   map.depth =
-      gl::make_texture("shadow depth", gl::Format::depth32f, frame.resolution, frame.resolution, face_count(frame));
-  map.ids = gl::make_texture("shadow ids", gl::Format::rg32ui, frame.resolution, frame.resolution, face_count(frame));
+      gl::make_texture("shadow depth", gl::Format::depth32f, frame.resolution, frame.resolution, layer_count(frame));
+  map.ids = gl::make_texture("shadow ids", gl::Format::rg32ui, frame.resolution, frame.resolution, layer_count(frame));
   context.check("shadow map textures");
   return map;
 }
 
-bool has_textures_for(const ShadowMap& map, const LightFrame& frame) {
-  return map.frame.resolution == frame.resolution && face_count(map.frame) == face_count(frame);
+bool has_textures_for(const ShadowMap& map, const MapLayout& frame) {
+  return map.frame.resolution == frame.resolution && layer_count(map.frame) == layer_count(frame);
 }
 
 void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light, ShadowMap& map) {
-  const LightFrame& frame = map.frame;
+  const MapLayout& frame = map.frame;
   const std::string common = interface_defines() + map_defines(frame);
   const auto program = [&](unsigned alpha_mask) -> const gl::Program& {
     gl::ProgramSource source{{"shadow.vert", "shadow.frag"}, common + define("ALPHA_MASK", alpha_mask)};
@@ -82,7 +95,11 @@ void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, c
   glDisable(GL_BLEND);
   // Orthographic: what rounding puts before the near face still casts. The others clip at their own tiny near plane.
   (frame.kind == MapKind::orthographic ? glEnable : glDisable)(GL_DEPTH_CLAMP);
-  draw_scene(scene, DrawnFor::shadow, program(0), program(1));
+  if (frame.kind == MapKind::orthographic) {
+    draw_views(scene, program(0), program(1), framebuffer, map);
+  } else {
+    draw_scene(scene, DrawnFor::shadow, program(0), program(1));
+  }
   glDisable(GL_DEPTH_CLAMP);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -90,14 +107,14 @@ void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, c
 }
 
 ShadowMap draw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light,
-                          const LightFrame& frame) {
+                          const MapLayout& frame) {
   ShadowMap map = make_shadow_map(context, frame);
   redraw_shadow_map(context, scene, light, map);
   return map;
 }
 
 ShadowMapImages read_back(const gl::Context& context, const ShadowMap& map) {
-  const int layers = face_count(map.frame);
+  const int layers = layer_count(map.frame);
   ShadowMapImages images;
   images.depth = read_layers<float>(map.depth, gl::Format::depth32f, layers);
   for (const Image<uvec2>& ids : read_layers<uvec2>(map.ids, gl::Format::rg32ui, layers)) {

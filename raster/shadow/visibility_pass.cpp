@@ -18,9 +18,7 @@ Image<uvec4> draw_wrong(const gl::Context& context, const gl::Program& program, 
   return read_image<uvec4>(wrong, gl::Format::rgba32ui);
 }
 
-}  // namespace
-
-RasterVisibility draw_visibility(const gl::Context& context, const ShadowLookup& lookup) {
+RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const Pcf& pcf) {
   const GpuGBuffer& gbuffer = lookup.gbuffer;
   const bool has_truth = lookup.truth != nullptr;
   const std::string defines = lookup_defines(lookup) + define("HAS_TRUTH", has_truth ? 1 : 0);
@@ -34,7 +32,7 @@ RasterVisibility draw_visibility(const gl::Context& context, const ShadowLookup&
 
   RasterVisibility result;
   result.visibility = read_image<float>(visibility, gl::Format::r32f);
-  const FilterKernel& filter = kernel_of(lookup);
+  const FilterKernel& filter = pcf.kernel;
   result.wrong = {Image<uvec4>(gbuffer.width, gbuffer.height, uvec4(0)), filter.weight_sum()};
   if (has_truth) {
     const gl::Program& classify = context.program({{"classify.comp"}, defines});
@@ -42,6 +40,12 @@ RasterVisibility draw_visibility(const gl::Context& context, const ShadowLookup&
   }
   context.check("visibility");
   return result;
+}
+
+}  // namespace
+
+RasterVisibility draw_visibility(const gl::Context& context, const ShadowLookup& lookup) {
+  return std::visit([&](const auto& technique) { return draw(context, lookup, technique); }, lookup.technique);
 }
 
 }  // namespace umbrameter

@@ -18,19 +18,19 @@ dmat4 rigid_inverse(const dmat3& rotation, const dvec3& translation) {
   return inverse;
 }
 
-dvec3 in_light_space(const LightFrame& frame, const dvec3& position) {
+dvec3 in_light_space(const MapLayout& frame, const dvec3& position) {
   return dvec3(frame.light_from_world * dvec4(position, 1.0));
 }
 
-LightFrame fit_directional(const dmat3& axes, const Bounds& bounds, int resolution) {
+MapLayout fit_directional(const dmat3& axes, const Bounds& bounds, int resolution) {
   Bounds box;
   for (int i = 0; i < 8; ++i) box.include(glm::transpose(axes) * bounds.corner(i));
   const double room = rounding_room(bounds);
   const dvec3 extent = box.extent();
   const double side = std::max({extent.x, extent.y, room});
-  LightFrame frame;
+  MapLayout frame;
   frame.kind = MapKind::orthographic;
-  frame.half_extent = 0.5 * side * resolution / std::max(resolution - 2, 1);
+  frame.views.front().half_extent = 0.5 * side * resolution / std::max(resolution - 2, 1);
   frame.far_depth = extent.z + 2.0 * room;
   const dvec3 origin{box.center().x, box.center().y, box.max.z + room};
   frame.light_from_world = rigid_inverse(axes, axes * origin);
@@ -46,16 +46,17 @@ dmat3 cube_face(int face) {
   return {glm::cross(forward, up), up, forward};
 }
 
-LightFrame fit_light(const Light& light, const Bounds& bounds, int resolution) {
+MapLayout fit_light(const Light& light, const Bounds& bounds, int resolution) {
   Bounds fitted = bounds;
   if (fitted.empty()) fitted.include(light.position());
-  LightFrame frame;
+  MapLayout frame;
   if (std::holds_alternative<DirectionalLight>(light.shape)) {
     frame = fit_directional(axes_of(light), fitted, resolution);
   } else {
     const auto* spot = std::get_if<SpotLight>(&light.shape);
     frame.kind = spot != nullptr ? MapKind::perspective : MapKind::cube;
-    frame.half_extent = spot != nullptr ? std::tan(std::clamp(spot->outer_cone_angle, 1e-6, max_cone_angle)) : 1.0;
+    const double tangent = spot != nullptr ? std::tan(std::clamp(spot->outer_cone_angle, 1e-6, max_cone_angle)) : 1.0;
+    frame.views.assign(spot != nullptr ? 1 : 6, {dvec2(0.0), tangent});
     frame.light_from_world = rigid_inverse(axes_of(light), light.position());
     const double room = rounding_room(fitted);
     frame.far_depth = room;
@@ -67,30 +68,42 @@ LightFrame fit_light(const Light& light, const Bounds& bounds, int resolution) {
   return frame;
 }
 
-double depth_of(const LightFrame& frame, const dvec3& position) {
+double depth_of(const MapLayout& frame, const dvec3& position) {
   const dvec3 local = in_light_space(frame, position);
   return frame.kind == MapKind::cube ? glm::length(local) : -local.z;
 }
 
-double texel_at(const LightFrame& frame, const dvec3& position) {
-  const double texel = 2.0 * frame.half_extent / frame.resolution;
-  if (frame.kind == MapKind::orthographic) return texel;
-  const dvec3 local = in_light_space(frame, position);
-  if (frame.kind == MapKind::perspective) return texel * std::max(-local.z, 0.0);
+std::size_t view_of(const MapLayout& layout, const dvec3& local) {
+  std::size_t view = 0;
+  if (layout.kind != MapKind::orthographic) return view;
+  for (; view + 1 < layout.views.size(); ++view) {
+    const MapView& candidate = layout.views[view];
+    const double reach = candidate.half_extent * (1.0 - 2.0 * map_view_margin / layout.resolution);
+    const dvec2 offset = glm::abs(dvec2(local) - candidate.center);
+    if (offset.x <= reach && offset.y <= reach) break;
+  }
+  return view;
+}
+
+double texel_at(const MapLayout& layout, const dvec3& position) {
+  const dvec3 local = in_light_space(layout, position);
+  const double texel = 2.0 * layout.views[view_of(layout, local)].half_extent / layout.resolution;
+  if (layout.kind == MapKind::orthographic) return texel;
+  if (layout.kind == MapKind::perspective) return texel * std::max(-local.z, 0.0);
   return texel * std::max({std::abs(local.x), std::abs(local.y), std::abs(local.z)});
 }
 
-bool is_inside(const LightFrame& frame, const dvec3& position) {
-  if (frame.kind == MapKind::cube) return true;
-  const dvec3 local = in_light_space(frame, position);
-  const bool perspective = frame.kind == MapKind::perspective;
+bool is_inside(const MapLayout& layout, const dvec3& position) {
+  if (layout.kind == MapKind::cube) return true;
+  const dvec3 local = in_light_space(layout, position);
+  const bool perspective = layout.kind == MapKind::perspective;
   if (perspective && !(-local.z > 0.0)) return false;
-  const double half = perspective ? frame.half_extent * -local.z : frame.half_extent;
-  return std::abs(local.x) <= half && std::abs(local.y) <= half;
+  const MapView& view = layout.views.back();
+  const double half = perspective ? view.half_extent * -local.z : view.half_extent;
+  return std::abs(local.x - view.center.x) <= half && std::abs(local.y - view.center.y) <= half;
 }
 
-Counting counting_of(const Light& light, const LightFrame& frame, const dvec3& position,
-                     const dvec3& geometric_normal) {
+Counting counting_of(const Light& light, const MapLayout& frame, const dvec3& position, const dvec3& geometric_normal) {
   if (!faces(light, position, geometric_normal)) return Counting::turned_away;
   const dvec3 direction = to_light(light, position);
   if (!is_inside(frame, position)) return Counting::outside_map;

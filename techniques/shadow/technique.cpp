@@ -4,6 +4,8 @@ namespace umbrameter {
 
 ShadowTechnique make_technique(const ShadowParams& params) { return Pcf{make_filter(params.pcf)}; }
 
+Parameters filtered_map_parameters(ShadowParams&) { return {}; }
+
 TechniqueCapabilities capabilities_of(const ShadowTechnique& technique) {
   return std::visit([](const auto& each) { return each.capabilities; }, technique);
 }

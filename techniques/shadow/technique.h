@@ -32,6 +32,9 @@ using ShadowTechnique = std::variant<Pcf>;
 
 ShadowTechnique make_technique(const ShadowParams& params);
 
+/// The parameters from which a shadow map is filtered before it is looked up; all others act at the look-up.
+Parameters filtered_map_parameters(ShadowParams& params);
+
 TechniqueCapabilities capabilities_of(const ShadowTechnique& technique);
 
 }  // namespace umbrameter

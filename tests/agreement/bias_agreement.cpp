@@ -85,7 +85,7 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
   const Tracer tracer(scene);
   const Image<float> visibility = trace_visibility(tracer, gbuffer, light).visibility;
   for (const int resolution : grid.resolutions) {
-    const LightFrame frame = fit_light(light, bounds_of(scene), resolution);
+    const MapLayout frame = fit_light(light, bounds_of(scene), resolution);
     const CountedPixels counted = count_pixels(gbuffer, light, frame);
     const TruthCounts counts = count_truth(visibility, counted);
     const gl::Texture truth = upload_truth(context, visibility, counted.counting);

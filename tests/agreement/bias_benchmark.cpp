@@ -47,7 +47,7 @@ void run(const std::string& name, const Setup& setup) {
   const GpuGBuffer surfels = draw_gbuffer(context, uploaded, view);
   const GBuffer gbuffer = read_back(context, surfels);
   const Light& light = scene.lights.front();
-  const LightFrame frame = fit_light(light, bounds_of(scene), setup.resolution);
+  const MapLayout frame = fit_light(light, bounds_of(scene), setup.resolution);
   const CountedPixels counted = count_pixels(gbuffer, light, frame);
   const Image<float> visibility = trace_visibility(Tracer(scene), gbuffer, light).visibility;
   const gl::Texture truth = upload_truth(context, visibility, counted.counting);

@@ -94,14 +94,15 @@ TEST_F(ConstructsGl, A_shadow_map_and_rays_along_the_light_meet_the_same_surface
   constexpr int side = 160;
   const Light light = shapes::directional({0.4, 1.0, 0.8});
   for_each_scene([&](const Construct& construct, Scene scene) {
-    const LightFrame frame = fit_light(light, bounds_of(scene), side);
+    const MapLayout frame = fit_light(light, bounds_of(scene), side);
     const ShadowMapImages map =
         read_back(context(), draw_shadow_map(context(), upload(context(), scene), light, frame));
     // Shadows are cast by both faces.
     for (Material& material : scene.materials) material.double_sided = true;
     View view{side, side, {}};
     view.camera.world_from_camera = glm::inverse(frame.light_from_world);
-    view.camera.projection = OrthographicProjection{frame.half_extent, frame.half_extent, 0.0, frame.far_depth};
+    view.camera.projection =
+        OrthographicProjection{frame.views.front().half_extent, frame.views.front().half_extent, 0.0, frame.far_depth};
     const GBuffer traced = trace_gbuffer(Tracer(scene), view);
     const std::vector<Image<float>> depths = to_metres(map, frame);
     const Image<float> coverage = coverage_of(map.instance[0]);

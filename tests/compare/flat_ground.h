@@ -10,7 +10,7 @@ struct FlatGround {
   GBuffer gbuffer;
   CountedPixels counted;
   Light light;
-  LightFrame frame;
+  MapLayout frame;
 
   /// The light comes from `to_light`, its map has texels of that many metres.
   FlatGround(int width, int height, double pixel, const dvec3& to_light, double texel) : gbuffer(width, height) {
@@ -31,7 +31,7 @@ struct FlatGround {
     light.world_from_light = dmat4(dvec4(x, 0), dvec4(glm::cross(z, x), 0), dvec4(z, 0), dvec4(0, 0, 0, 1));
     frame.kind = MapKind::orthographic;
     frame.resolution = 1000;
-    frame.half_extent = 0.5 * texel * frame.resolution;
+    frame.views.front().half_extent = 0.5 * texel * frame.resolution;
   }
 };
 

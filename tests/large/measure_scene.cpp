@@ -73,7 +73,7 @@ Measurements measure_scene(const std::filesystem::path& file) {
   const View view{width, height, select_camera(*scene, {}, static_cast<double>(width) / height, notes)};
   add_missing_light(*scene, notes);
   const Light& light = scene->lights[0];
-  const LightFrame frame = fit_light(light, bounds_of(*scene), map_resolution);
+  const MapLayout frame = fit_light(light, bounds_of(*scene), map_resolution);
 
   // Reading back waits until everything is drawn.
   const gl::Context context = gl::Context::make();

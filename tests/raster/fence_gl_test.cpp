@@ -22,7 +22,7 @@ class DrawnFence : public GlTest {
 };
 
 // The ray that a texel's centre stands for.
-Ray world_ray(const LightFrame& frame, int face, int x, int y) {
+Ray world_ray(const MapLayout& frame, int face, int x, int y) {
   const dmat4 world_from_light = glm::inverse(frame.light_from_world);
   const TexelRay ray = texel_ray(frame, {x, frame.resolution - 1 - y}, face);
   return {dvec3(world_from_light * dvec4(ray.origin, 1.0)),
@@ -36,7 +36,7 @@ TEST_F(DrawnFence, The_mask_and_its_geometric_twin_have_the_same_shadow_map_off_
   const Bounds bounds = bounds_of(twins_.masked);
   for (const Light& light : twins_.masked.lights) {
     const int resolution = std::holds_alternative<PointLight>(light.shape) ? 1024 : 2048;
-    const LightFrame frame = fit_light(light, bounds, resolution);
+    const MapLayout frame = fit_light(light, bounds, resolution);
     const ShadowMapImages a = read_back(context(), draw_shadow_map(context(), masked, light, frame));
     const ShadowMapImages b = read_back(context(), draw_shadow_map(context(), solid, light, frame));
     TwinCount count;

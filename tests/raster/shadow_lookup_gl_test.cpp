@@ -15,7 +15,7 @@ TEST_F(ShadowLookupGl, A_bilinear_tap_weighs_texels_by_how_near_their_centres_ar
   add_mesh(scene, ground(60));
   add_mesh(scene, quad({-20, 1, 20}, {0, 1, 20}, {0, 1, -20}, {-20, 1, -20}));
   const UploadedScene uploaded = upload(context(), scene);
-  const LightFrame frame = exact_frame({0, 1, 1e-9}, 64, 0.5, 0.0);
+  const MapLayout frame = exact_frame({0, 1, 1e-9}, 64, 0.5, 0.0);
   const ShadowMap map = draw_shadow_map(context(), uploaded, light_of(frame), frame);
   ShadowParams params;
   params.bias.constant = 0.1;

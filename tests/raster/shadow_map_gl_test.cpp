@@ -14,19 +14,19 @@ using test::to_metres;
 
 class ShadowMapGl : public GlTest {
  protected:
-  ShadowMapImages draw(const Scene& scene, const Light& light, const LightFrame& frame) const {
+  ShadowMapImages draw(const Scene& scene, const Light& light, const MapLayout& frame) const {
     return read_back(context(), draw_shadow_map(context(), upload(context(), scene), light, frame));
   }
 };
 
 // Position of a texel's centre in light space at depth 1 along the axis (orthographic: without its depth).
-dvec2 center(const LightFrame& frame, int x, int y) {
-  const double step = 2.0 * frame.half_extent / frame.resolution;
-  return {(x + 0.5) * step - frame.half_extent, frame.half_extent - (y + 0.5) * step};
+dvec2 center(const MapLayout& frame, int x, int y) {
+  const double step = 2.0 * frame.views.front().half_extent / frame.resolution;
+  return {(x + 0.5) * step - frame.views.front().half_extent, frame.views.front().half_extent - (y + 0.5) * step};
 }
 
 // Depth at which a ray of light space meets the plane y = 0 of the world; direction scaled as depth counts.
-double depth_on_floor(const LightFrame& frame, const dvec3& origin, const dvec3& direction) {
+double depth_on_floor(const MapLayout& frame, const dvec3& origin, const dvec3& direction) {
   const dmat4 world_from_light = glm::inverse(frame.light_from_world);
   const dvec3 o(world_from_light * dvec4(origin, 1));
   const dvec3 d(world_from_light * dvec4(direction, 0));
@@ -36,7 +36,7 @@ double depth_on_floor(const LightFrame& frame, const dvec3& origin, const dvec3&
 TEST_F(ShadowMapGl, An_orthographic_map_holds_the_depth_of_the_plane_at_each_texel_centre) {
   Scene scene;
   add_mesh(scene, ground(60));
-  const LightFrame frame = exact_frame({0.6, 0.7, -0.2}, 128, 0.1, 0.3);
+  const MapLayout frame = exact_frame({0.6, 0.7, -0.2}, 128, 0.1, 0.3);
   const ShadowMapImages map = draw(scene, light_of(frame), frame);
   const std::vector<Image<float>> depths = to_metres(map, frame);
   ASSERT_EQ(map.depth.size(), 1u);
@@ -56,7 +56,7 @@ TEST_F(ShadowMapGl, A_spot_map_holds_linear_depth_along_its_axis) {
   Scene scene;
   add_mesh(scene, ground(200));
   const Light light = spot_light({1, 4, 2}, {0.5, 0, 0}, 0.6);
-  const LightFrame frame = fit_light(light, bounds_of(scene), 128);
+  const MapLayout frame = fit_light(light, bounds_of(scene), 128);
   const ShadowMapImages map = draw(scene, light, frame);
   const std::vector<Image<float>> depths = to_metres(map, frame);
   for (int y = 0; y < 128; ++y) {
@@ -71,7 +71,7 @@ TEST_F(ShadowMapGl, A_cube_map_holds_radial_distance_on_all_six_faces) {
   Scene scene;
   add_mesh(scene, box({-3, -2, -4}, {5, 3, 4}));
   const Light light = point_light({0.5, 0.25, -0.75});
-  const LightFrame frame = fit_light(light, bounds_of(scene), 64);
+  const MapLayout frame = fit_light(light, bounds_of(scene), 64);
   const ShadowMapImages map = draw(scene, light, frame);
   const std::vector<Image<float>> depths = to_metres(map, frame);
   ASSERT_EQ(map.depth.size(), 6u);
@@ -108,7 +108,7 @@ TEST_F(ShadowMapGl, Depths_agree_with_depth_of_for_every_kind_of_light) {
   const dvec3 middle(0, 1.25, 0);  // on the quad's diagonal
   for (const Light& light :
        {directional_light({1, 3, 0.5}), spot_light({0.5, 4, 1}, middle, 0.5), point_light({0.5, 4, 1})}) {
-    const LightFrame frame = fit_light(light, bounds_of(scene), 257);
+    const MapLayout frame = fit_light(light, bounds_of(scene), 257);
     const ShadowMapImages map = draw(scene, light, frame);
     const std::vector<Image<float>> depths = to_metres(map, frame);
     // The texel that looks at the middle: the one whose depth there is nearest in angle or position.
@@ -150,7 +150,7 @@ TEST_F(ShadowMapGl, Back_faces_and_mirrored_instances_cast) {
   mirror[1][1] = -1.0;
   mirror[3] = dvec4(3, 0, 0, 1);
   scene.instances.push_back({0, 0, mirror});
-  const LightFrame frame = exact_frame({0.0, 1.0, 0.001}, 64, 0.2, 0.0);
+  const MapLayout frame = exact_frame({0.0, 1.0, 0.001}, 64, 0.2, 0.0);
   const ShadowMapImages map = draw(scene, light_of(frame), frame);
   int seen[2] = {};
   for (const std::uint32_t id : map.instance[0].pixels) {
@@ -163,7 +163,7 @@ TEST_F(ShadowMapGl, Back_faces_and_mirrored_instances_cast) {
 TEST_F(ShadowMapGl, A_resolution_beyond_the_device_is_an_error_that_names_the_parameter) {
   const UploadedScene empty = upload(context(), Scene{});
   Light light = directional_light({0, 1, 0});
-  LightFrame frame;
+  MapLayout frame;
   frame.resolution = context().max_texture_size() + 1;
   EXPECT_THROW(draw_shadow_map(context(), empty, light, frame), Error);
   try {
@@ -179,8 +179,8 @@ TEST_F(ShadowMapGl, A_map_drawn_over_another_is_that_of_fresh_textures) {
   add_mesh(scene, ground(60));
   add_mesh(scene, box({-1, 0.1f, -1}, {0, 1.5f, 0}));
   const UploadedScene uploaded = upload(context(), scene);
-  const LightFrame first = exact_frame({0.6, 0.7, -0.2}, 128, 0.1, 0.3);
-  const LightFrame second = exact_frame({-0.2, 0.9, 0.5}, 128, 0.07, 0.3);
+  const MapLayout first = exact_frame({0.6, 0.7, -0.2}, 128, 0.1, 0.3);
+  const MapLayout second = exact_frame({-0.2, 0.9, 0.5}, 128, 0.07, 0.3);
   ShadowMap map = draw_shadow_map(context(), uploaded, light_of(first), first);
   ASSERT_TRUE(has_textures_for(map, second));
   map.frame = second;

@@ -85,21 +85,21 @@ Light point_light(const dvec3& position) {
   return light;
 }
 
-LightFrame exact_frame(const dvec3& towards_light, int resolution, double texel, double azimuth) {
+MapLayout exact_frame(const dvec3& towards_light, int resolution, double texel, double azimuth) {
   const dvec3 z = glm::normalize(towards_light);
   const dvec3 slope = glm::normalize(dvec3(0, 1, 0) - z * z.y);
   const dvec3 across = glm::cross(z, slope);
   const dvec3 x = std::cos(azimuth) * slope + std::sin(azimuth) * across;
-  LightFrame frame;
+  MapLayout frame;
   frame.resolution = resolution;
-  frame.half_extent = 0.5 * texel * resolution;
+  frame.views.front().half_extent = 0.5 * texel * resolution;
   frame.far_depth = 100.0;
   frame.light_from_world =
       glm::inverse(dmat4(dvec4(x, 0), dvec4(glm::cross(z, x), 0), dvec4(z, 0), dvec4(50.0 * z, 1)));
   return frame;
 }
 
-Light light_of(const LightFrame& frame) {
+Light light_of(const MapLayout& frame) {
   Light light;
   light.world_from_light = glm::inverse(frame.light_from_world);
   return light;

@@ -189,7 +189,7 @@ TEST_F(VisibilityGl, Constant_and_slope_scaled_bias_flip_a_tap_at_its_critical_b
   const GpuGBuffer surfel = upload(context(), one);
   for (const Light& light :
        {directional_light({1.5, 4, 1}), spot_light({3, 6, 2}, {0, 0, 0}, 0.7), point_light({3, 6, 2.5})}) {
-    const LightFrame frame = fit_light(light, bounds_of(scene), 1024);
+    const MapLayout frame = fit_light(light, bounds_of(scene), 1024);
     const ShadowMap map = draw_shadow_map(context(), uploaded, light, frame);
     const auto is_lit = [&](double constant, double slope) {
       ShadowParams params;
@@ -215,7 +215,7 @@ TEST_F(VisibilityGl, Each_class_has_the_cause_that_it_is_named_for) {
   add_mesh(scene, ground(20));
   add_mesh(scene, box({-8, 2, -8}, {8, 2.5f, 8}));
   const UploadedScene uploaded = upload(context(), scene);
-  const LightFrame frame = exact_frame({0.02, 1, 0.01}, 64, 0.25, 0.1);
+  const MapLayout frame = exact_frame({0.02, 1, 0.01}, 64, 0.25, 0.1);
   const Light light = light_of(frame);
   const ShadowMap map = draw_shadow_map(context(), uploaded, light, frame);
   const GpuGBuffer under = upload(context(), surfels_on_ground(32, 32, -4, 4, -4, 4));
@@ -344,8 +344,7 @@ TEST_F(VisibilityGl, A_masked_fence_casts_the_holes_of_its_mask) {
   scene.materials[1].alpha_mode = AlphaMode::mask;
   for (const bool is_cube : {false, true}) {
     const Light light = is_cube ? point_light({0.001, 200, 0.002}) : directional_light({0.001, 1, 0.002});
-    LightFrame frame =
-        is_cube ? fit_light(light, bounds_of(scene), 2048) : exact_frame({0.001, 1, 0.002}, 256, 0.05, 0);
+    MapLayout frame = is_cube ? fit_light(light, bounds_of(scene), 2048) : exact_frame({0.001, 1, 0.002}, 256, 0.05, 0);
     const UploadedScene uploaded = upload(context(), scene);
     const ShadowMap map = draw_shadow_map(context(), uploaded, light, frame);
     ShadowParams params;
@@ -354,8 +353,12 @@ TEST_F(VisibilityGl, A_masked_fence_casts_the_holes_of_its_mask) {
     const GpuGBuffer left = upload(context(), surfels_on_ground(16, 16, -1.5, -0.3, -1.5, 1.5));
     const GpuGBuffer right = upload(context(), surfels_on_ground(16, 16, 0.3, 1.5, -1.5, 1.5));
     const Light seen = is_cube ? light : light_of(frame);
-    EXPECT_EQ(mean(draw_visibility(context(), {uploaded, left, map, seen, params, nullptr}).visibility), 1.0);
-    EXPECT_EQ(mean(draw_visibility(context(), {uploaded, right, map, seen, params, nullptr}).visibility), 0.0);
+    EXPECT_EQ(
+        mean(draw_visibility(context(), {uploaded, left, map, seen, params.bias, make_technique(params)}).visibility),
+        1.0);
+    EXPECT_EQ(
+        mean(draw_visibility(context(), {uploaded, right, map, seen, params.bias, make_technique(params)}).visibility),
+        0.0);
   }
 }
 

@@ -27,7 +27,7 @@ std::vector<Light> lights_from(const dvec3& towards_light) {
 }
 
 // The point that the light sees on its way to a position in the world.
-SurfacePoint seen_towards(const ReferenceCaster& caster, const Light& light, const LightFrame& frame,
+SurfacePoint seen_towards(const ReferenceCaster& caster, const Light& light, const MapLayout& frame,
                           const dvec3& position) {
   const dvec3 direction = -to_light(light, position);
   const dvec3 origin = position - 50.0 * direction;
@@ -43,7 +43,7 @@ void expect_own(const Scene& scene, const dvec3& towards_light, const dvec3& rec
   const Tracer tracer(scene);
   const ReferenceCaster caster(scene);
   for (const Light& light : lights_from(towards_light)) {
-    const LightFrame frame = fit_light(light, bounds_of(scene), 1024);
+    const MapLayout frame = fit_light(light, bounds_of(scene), 1024);
     const TapSurfaces tap{seen_towards(caster, light, frame, receiver), seen_towards(caster, light, frame, sample)};
     EXPECT_EQ(judge_own(tracer, frame, {&tap, 1}).front() != 0, own) << "light " << light.shape.index();
     const TapSurfaces turned{tap.sample, tap.receiver};
@@ -181,7 +181,7 @@ TEST(SurfaceJudge, A_wall_that_reaches_over_an_edge_of_the_cube_is_one_surface) 
   const ReferenceCaster caster(scene);
   Light light;
   light.shape = PointLight{};
-  const LightFrame frame = fit_light(light, bounds_of(scene), 256);
+  const MapLayout frame = fit_light(light, bounds_of(scene), 256);
   const TapSurfaces tap{{{2.0, 0.1, 1.0}, 0, 0}, {{1.2, -0.2, 2.0}, 1, 0}};
   TapSurfaces known = tap;
   known.receiver = seen_towards(caster, light, frame, tap.receiver.in_light);
@@ -192,7 +192,7 @@ TEST(SurfaceJudge, A_wall_that_reaches_over_an_edge_of_the_cube_is_one_surface) 
 TEST(SurfaceJudge, Its_verdicts_do_not_depend_on_the_number_of_threads) {
   const Scene scene = load_scene("contact-box");
   const Light light = scene.lights.front();
-  const LightFrame frame = fit_light(light, bounds_of(scene), 512);
+  const MapLayout frame = fit_light(light, bounds_of(scene), 512);
   const Tracer tracer(scene);
   const Bounds bounds = bounds_of(scene);
   const ReferenceCaster caster(scene);

@@ -231,7 +231,7 @@ TEST(LongPosts, Have_the_thickness_and_the_distance_in_their_names_and_stand_in_
 // One map over the whole road: a texel is wider than the posts of 2, 5 and 10 cm, at the viewer's feet as far away.
 TEST(LongPosts, Are_thinner_than_the_texels_of_a_single_map) {
   const Scene scene = load_scene("long-posts");
-  const LightFrame frame = fit_light(light_named(scene, "sun"), bounds_of(scene), 1024);
+  const MapLayout frame = fit_light(light_named(scene, "sun"), bounds_of(scene), 1024);
   EXPECT_GT(texel_at(frame, dvec3(0, 0, 5)), 0.1);
   EXPECT_LT(texel_at(frame, dvec3(0, 0, 5)), 0.25);
   EXPECT_EQ(texel_at(frame, dvec3(0, 0, 5)), texel_at(frame, dvec3(0, 0, -155)));

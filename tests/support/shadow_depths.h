@@ -9,7 +9,7 @@
 namespace umbrameter::test {
 
 /// Of each face, as depth_of(); infinity where the light meets nothing.
-inline std::vector<Image<float>> to_metres(const ShadowMapImages& images, const LightFrame& frame) {
+inline std::vector<Image<float>> to_metres(const ShadowMapImages& images, const MapLayout& frame) {
   std::vector<Image<float>> faces = images.depth;
   for (Image<float>& face : faces) {
     for (float& depth : face.pixels) {

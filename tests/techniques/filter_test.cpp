@@ -1,8 +1,8 @@
+#include "techniques/shadow/filter.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "techniques/shadow/filter.h"
 
 namespace umbrameter {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "techniques/shadow/reference/lookup.h"
+
 namespace umbrameter {
 namespace {
 
@@ -12,7 +14,7 @@ TEST(ShadowLookup, A_flip_is_rounded_after_the_product_as_shaders_round_it) {
 }
 
 TEST(ShadowLookup, A_texel_s_row_counts_from_the_bottom_and_an_image_s_from_the_top) {
-  LightFrame frame;
+  MapLayout frame;
   frame.resolution = 4;
   EXPECT_EQ(texel_index(frame, {0, 3}), 0u);
   EXPECT_EQ(texel_index(frame, {3, 3}), 3u);

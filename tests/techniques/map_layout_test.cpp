@@ -29,17 +29,17 @@ dmat4 straight_down(const dvec3& position = dvec3(0)) {
 }
 
 TEST(DirectionalMap, The_square_covers_the_wider_side_with_one_texel_of_margin) {
-  const LightFrame frame = fit_light(make_light(straight_down(), DirectionalLight{}), box({-4, 0, -1}, {4, 3, 1}), 102);
+  const MapLayout frame = fit_light(make_light(straight_down(), DirectionalLight{}), box({-4, 0, -1}, {4, 3, 1}), 102);
   EXPECT_EQ(frame.kind, MapKind::orthographic);
   // 8 m on the inner 100 of 102 texels: half extent 4 · 102/100, texel 0.08 m.
-  EXPECT_NEAR(frame.half_extent, 4.08, 1e-9);
+  EXPECT_NEAR(frame.views.front().half_extent, 4.08, 1e-9);
   EXPECT_NEAR(texel_at(frame, {0, 0, 0}), 0.08, 1e-9);
   EXPECT_NEAR(frame.far_depth, 3.0, 1e-4);
   EXPECT_GT(frame.far_depth, 3.0);
 }
 
 TEST(DirectionalMap, Depth_runs_from_the_upper_face_along_the_light) {
-  const LightFrame frame =
+  const MapLayout frame =
       fit_light(make_light(straight_down({100, 100, 100}), DirectionalLight{}), box({-4, 0, -1}, {4, 3, 1}), 102);
   EXPECT_NEAR(depth_of(frame, {3, 3, 1}), 0.0, 1e-4);
   EXPECT_GE(depth_of(frame, {3, 3, 1}), 0.0);
@@ -50,15 +50,15 @@ TEST(DirectionalMap, Depth_runs_from_the_upper_face_along_the_light) {
 TEST(DirectionalMap, Roll_of_the_light_turns_the_square) {
   // A 2 × 2 m floor seen along a light rolled by 45° spans its diagonal, 2·√2 m.
   const dmat4 rolled = straight_down() * glm::rotate(dmat4(1.0), pi / 4, dvec3(0, 0, 1));
-  const LightFrame frame = fit_light(make_light(rolled, DirectionalLight{}), box({-1, 0, -1}, {1, 0, 1}), 1002);
-  EXPECT_NEAR(2.0 * frame.half_extent, 2.0 * std::sqrt(2.0) * 1002.0 / 1000.0, 1e-9);
+  const MapLayout frame = fit_light(make_light(rolled, DirectionalLight{}), box({-1, 0, -1}, {1, 0, 1}), 1002);
+  EXPECT_NEAR(2.0 * frame.views.front().half_extent, 2.0 * std::sqrt(2.0) * 1002.0 / 1000.0, 1e-9);
 }
 
 TEST(DirectionalMap, Every_corner_is_at_least_one_texel_inside) {
   const Bounds bounds = box({1000, -5, 20}, {1030, 40, 25});
   const dmat4 pose = glm::rotate(dmat4(1.0), -0.8, glm::normalize(dvec3(1, 0.4, 0.2)));
   for (const int resolution : {4, 16, 1024}) {
-    const LightFrame frame = fit_light(make_light(pose, DirectionalLight{}), bounds, resolution);
+    const MapLayout frame = fit_light(make_light(pose, DirectionalLight{}), bounds, resolution);
     double reach = 0.0;
     for (int i = 0; i < 8; ++i) {
       EXPECT_TRUE(is_inside(frame, bounds.corner(i)));
@@ -68,7 +68,7 @@ TEST(DirectionalMap, Every_corner_is_at_least_one_texel_inside) {
       EXPECT_LT(depth_of(frame, bounds.corner(i)), frame.far_depth);
     }
     const double texel = texel_at(frame, bounds.center());
-    EXPECT_NEAR((frame.half_extent - reach) / texel, 1.0, 1e-6);
+    EXPECT_NEAR((frame.views.front().half_extent - reach) / texel, 1.0, 1e-6);
     EXPECT_FALSE(is_inside(frame, bounds.center() + 100.0 * dvec3(1, 0, 0)));
   }
 }
@@ -78,9 +78,9 @@ TEST(DirectionalMap, Flat_empty_and_tiny_cases_stay_finite) {
   point.include({1, 2, 3});
   for (const Bounds& bounds : {Bounds{}, point, box({0, 0, 0}, {0, 5, 0})}) {
     for (const int resolution : {1, 2, 3}) {
-      const LightFrame frame = fit_light(make_light(straight_down(), DirectionalLight{}), bounds, resolution);
-      EXPECT_GT(frame.half_extent, 0.0);
-      EXPECT_TRUE(std::isfinite(frame.half_extent));
+      const MapLayout frame = fit_light(make_light(straight_down(), DirectionalLight{}), bounds, resolution);
+      EXPECT_GT(frame.views.front().half_extent, 0.0);
+      EXPECT_TRUE(std::isfinite(frame.views.front().half_extent));
       EXPECT_GT(frame.far_depth, 0.0);
     }
   }
@@ -88,9 +88,9 @@ TEST(DirectionalMap, Flat_empty_and_tiny_cases_stay_finite) {
 
 TEST(SpotMap, It_opens_by_the_outer_cone_and_texels_grow_with_depth) {
   const SpotLight spot{0.0, 0.1, pi / 4};
-  const LightFrame frame = fit_light(make_light(straight_down({0, 10, 0}), spot), box({-3, 0, -3}, {3, 1, 3}), 1000);
+  const MapLayout frame = fit_light(make_light(straight_down({0, 10, 0}), spot), box({-3, 0, -3}, {3, 1, 3}), 1000);
   EXPECT_EQ(frame.kind, MapKind::perspective);
-  EXPECT_NEAR(frame.half_extent, 1.0, 1e-12);  // tan 45°
+  EXPECT_NEAR(frame.views.front().half_extent, 1.0, 1e-12);  // tan 45°
   EXPECT_NEAR(depth_of(frame, {2, 1, 0}), 9.0, 1e-12);
   EXPECT_NEAR(texel_at(frame, {2, 1, 0}), 0.018, 1e-12);  // 2 · 9 / 1000
   EXPECT_NEAR(frame.far_depth, 10.0, 1e-3);
@@ -98,8 +98,8 @@ TEST(SpotMap, It_opens_by_the_outer_cone_and_texels_grow_with_depth) {
 }
 
 TEST(SpotMap, The_square_frustum_decides_inside) {
-  const LightFrame frame = fit_light(make_light(straight_down({0, 10, 0}), SpotLight{0.0, 0.0, pi / 4}),
-                                     box({-30, 0, -30}, {30, 1, 30}), 64);
+  const MapLayout frame = fit_light(make_light(straight_down({0, 10, 0}), SpotLight{0.0, 0.0, pi / 4}),
+                                    box({-30, 0, -30}, {30, 1, 30}), 64);
   EXPECT_TRUE(is_inside(frame, {9.9, 0, 9.9}));
   EXPECT_FALSE(is_inside(frame, {10.1, 0, 0}));
   EXPECT_FALSE(is_inside(frame, {0, 10, 0})) << "the light itself";
@@ -107,16 +107,16 @@ TEST(SpotMap, The_square_frustum_decides_inside) {
 }
 
 TEST(SpotMap, A_half_space_cone_is_kept_to_a_finite_map) {
-  const LightFrame frame =
+  const MapLayout frame =
       fit_light(make_light(straight_down({0, 10, 0}), SpotLight{0.0, 0.0, pi / 2}), box({-1, 0, -1}, {1, 1, 1}), 64);
-  EXPECT_NEAR(frame.half_extent, 572.957, 1e-3);  // tan 89.9°
+  EXPECT_NEAR(frame.views.front().half_extent, 572.957, 1e-3);  // tan 89.9°
 }
 
 TEST(CubeMap, Depth_is_radial_and_texels_are_those_of_the_face) {
-  const LightFrame frame =
+  const MapLayout frame =
       fit_light(make_light(glm::translate(dmat4(1.0), dvec3(1, 2, 3)), PointLight{}), box({-1, 0, 0}, {1, 2, 3}), 512);
   EXPECT_EQ(frame.kind, MapKind::cube);
-  EXPECT_EQ(frame.half_extent, 1.0);
+  EXPECT_EQ(frame.views.front().half_extent, 1.0);
   EXPECT_NEAR(depth_of(frame, {4, 6, 3}), 5.0, 1e-12);
   EXPECT_NEAR(texel_at(frame, {4, 6, 3}), 2.0 * 4.0 / 512.0, 1e-12);
   EXPECT_NEAR(frame.far_depth, std::sqrt(4.0 + 4.0 + 9.0), 1e-3);
@@ -132,7 +132,7 @@ TEST(ToLight, It_is_against_the_axis_or_towards_the_position) {
 
 TEST(Counting, Each_reason_has_its_class) {
   const Light spot = make_light(straight_down({0, 10, 0}), SpotLight{10.5, 0.1, pi / 4});
-  const LightFrame frame = fit_light(spot, box({-30, -5, -30}, {30, 1, 30}), 64);
+  const MapLayout frame = fit_light(spot, box({-30, -5, -30}, {30, 1, 30}), 64);
   const dvec3 up(0, 1, 0);
   EXPECT_EQ(counting_of(spot, frame, {0, 0, 0}, up), Counting::counted);
   EXPECT_EQ(counting_of(spot, frame, {0, 0, 0}, -up), Counting::turned_away);
@@ -148,7 +148,7 @@ TEST(Counting, A_surfel_that_faces_part_of_a_light_counts_and_one_that_faces_non
   Light light;
   light.shape = PointLight{};
   light.world_from_light[3] = dvec4(4, 0, 0, 1);
-  const LightFrame cube = fit_light(light, bounds, 64);
+  const MapLayout cube = fit_light(light, bounds, 64);
   const auto at = [&](double y) { return counting_of(light, cube, {0, y, 0}, {0, 1, 0}); };
   EXPECT_EQ(at(0.01), Counting::turned_away) << "no extent: its place decides";
   EXPECT_EQ(at(-0.01), Counting::counted);
@@ -168,7 +168,7 @@ TEST(Counting, A_surfel_that_faces_part_of_a_light_counts_and_one_that_faces_non
   const double below = 3.0 * pi / 180.0;
   sun.world_from_light = {dvec4(0, 0, -1, 0), dvec4(std::sin(below), std::cos(below), 0, 0),
                           dvec4(std::cos(below), -std::sin(below), 0, 0), dvec4(0, 0, 0, 1)};
-  const LightFrame square = fit_light(sun, bounds, 64);
+  const MapLayout square = fit_light(sun, bounds, 64);
   for (const auto& [degrees, expected] : {std::pair{5.9, Counting::turned_away}, {6.1, Counting::counted}}) {
     sun.emitter = DistantEmitter{degrees * pi / 180.0};
     EXPECT_EQ(counting_of(sun, square, {0, 0, 0}, {0, 1, 0}), expected) << degrees;
@@ -178,7 +178,7 @@ TEST(Counting, A_surfel_that_faces_part_of_a_light_counts_and_one_that_faces_non
 TEST(Counting, The_cone_ends_at_its_angle) {
   const double outer = 0.5;
   const Light spot = make_light(straight_down({0, 1, 0}), SpotLight{0.0, 0.0, outer});
-  const LightFrame frame = fit_light(spot, box({-3, 0, -3}, {3, 0, 3}), 64);
+  const MapLayout frame = fit_light(spot, box({-3, 0, -3}, {3, 0, 3}), 64);
   const auto at = [&](double angle) {
     const double reach = std::tan(angle) / std::sqrt(2.0);  // along the diagonal, inside the square
     return counting_of(spot, frame, {reach, 0, reach}, {0, 1, 0});
@@ -190,7 +190,7 @@ TEST(Counting, The_cone_ends_at_its_angle) {
 TEST(Counting, Point_lights_have_a_range_and_directional_ones_none) {
   const Bounds bounds = box({-9, 0, -9}, {9, 0, 9});
   const Light point = make_light(glm::translate(dmat4(1.0), dvec3(0, 3, 0)), PointLight{5.0});
-  const LightFrame cube = fit_light(point, bounds, 64);
+  const MapLayout cube = fit_light(point, bounds, 64);
   EXPECT_EQ(counting_of(point, cube, {3.9, 0, 0}, {0, 1, 0}), Counting::counted);
   EXPECT_EQ(counting_of(point, cube, {4.1, 0, 0}, {0, 1, 0}), Counting::outside_range);
   const Light directional = make_light(straight_down(), DirectionalLight{});

@@ -28,7 +28,7 @@ bool is_on_map(const ivec2& texel, int resolution) {
 }
 
 Tap fetch_tap(const MapLookup& lookup, const Receiver& receiver, const ivec2& offset) {
-  const LightFrame& frame = lookup.frame;
+  const MapLayout& frame = lookup.frame;
   const int resolution = frame.resolution;
   Tap tap;
   tap.texel = receiver.texel + offset;
@@ -38,7 +38,8 @@ Tap fetch_tap(const MapLookup& lookup, const Receiver& receiver, const ivec2& of
     const dvec3 direction = texel_ray(frame, tap.texel, tap.face).direction;
     tap.face = face_of(direction);
     const dvec3 q = on_face(tap.face, direction);
-    const dvec2 texels = (dvec2(q.x, q.y) / (q.z * frame.half_extent) * 0.5 + 0.5) * static_cast<double>(resolution);
+    const dvec2 texels =
+        (dvec2(q.x, q.y) / (q.z * frame.views.front().half_extent) * 0.5 + 0.5) * static_cast<double>(resolution);
     tap.texel = glm::clamp(floor_of(texels), ivec2(0), ivec2(resolution - 1));
     is_there = true;
   }
@@ -51,8 +52,9 @@ Tap fetch_tap(const MapLookup& lookup, const Receiver& receiver, const ivec2& of
   return tap;
 }
 
-float texel_side(const LightFrame& frame, const Receiver& receiver) {
-  double side = 2.0 * frame.half_extent / static_cast<double>(frame.resolution);
+float texel_side(const MapLayout& frame, const Receiver& receiver) {
+  const std::size_t view = frame.kind == MapKind::orthographic ? static_cast<std::size_t>(receiver.face) : 0;
+  double side = 2.0 * frame.views[view].half_extent / static_cast<double>(frame.resolution);
   if (frame.kind != MapKind::orthographic) side *= receiver.axis_depth;
   return static_cast<float>(side);
 }
@@ -97,7 +99,7 @@ void fetch_disk(const MapLookup& lookup, const Receiver& receiver, std::size_t p
 
 }  // namespace
 
-Receiver project_to_map(const LightFrame& frame, const dvec3& world) {
+Receiver project_to_map(const MapLayout& frame, const dvec3& world) {
   Receiver r;
   const dvec3 p = moved_by(frame.light_from_world, world);
   r.in_light = p;
@@ -105,7 +107,9 @@ Receiver project_to_map(const LightFrame& frame, const dvec3& world) {
   if (frame.kind == MapKind::orthographic) {
     r.axis_depth = r.depth = -p.z;
     r.is_inside = true;
-    projected = dvec2(p.x, p.y) / frame.half_extent;
+    r.face = static_cast<int>(view_of(frame, p));
+    const MapView& view = frame.views[static_cast<std::size_t>(r.face)];
+    projected = (dvec2(p.x, p.y) - view.center) / view.half_extent;
   } else {
     dvec3 q(p.x, p.y, -p.z);
     r.depth = q.z;
@@ -116,7 +120,7 @@ Receiver project_to_map(const LightFrame& frame, const dvec3& world) {
     }
     r.axis_depth = q.z;
     r.is_inside = r.axis_depth > 0.0;
-    if (r.is_inside) projected = dvec2(q.x, q.y) / (q.z * frame.half_extent);
+    if (r.is_inside) projected = dvec2(q.x, q.y) / (q.z * frame.views.front().half_extent);
   }
   const auto resolution = static_cast<double>(frame.resolution);
   r.texels = glm::clamp((projected * 0.5 + 0.5) * resolution, -2.0, resolution + 2.0);
@@ -126,8 +130,10 @@ Receiver project_to_map(const LightFrame& frame, const dvec3& world) {
   return r;
 }
 
-TexelRay texel_ray(const LightFrame& frame, const ivec2& texel, int face) {
-  const dvec2 c = ((dvec2(texel) + 0.5) / static_cast<double>(frame.resolution) * 2.0 - 1.0) * frame.half_extent;
+TexelRay texel_ray(const MapLayout& frame, const ivec2& texel, int face) {
+  const MapView& view = frame.views[frame.kind == MapKind::orthographic ? static_cast<std::size_t>(face) : 0];
+  const dvec2 c =
+      view.center + ((dvec2(texel) + 0.5) / static_cast<double>(frame.resolution) * 2.0 - 1.0) * view.half_extent;
   switch (frame.kind) {
     case MapKind::orthographic:
       return {{c.x, c.y, 0.0}, {0.0, 0.0, -1.0}};

@@ -17,7 +17,7 @@ namespace umbrameter {
 /// All that a look-up reads.
 struct MapLookup {
   const GBuffer& gbuffer;
-  const LightFrame& frame;
+  const MapLayout& frame;
   const Light& light;
   const ShadowMapImages& map;
   const FilterKernel& filter;
@@ -34,7 +34,7 @@ struct Receiver {
   int face = 0;
   bool is_inside = false;
 };
-Receiver project_to_map(const LightFrame& frame, const dvec3& world);
+Receiver project_to_map(const MapLayout& frame, const dvec3& world);
 
 /// A texel's answer; v counts rows from the bottom.
 struct Tap {
@@ -50,10 +50,10 @@ struct TexelRay {
   dvec3 origin{0.0};
   dvec3 direction{0.0, 0.0, -1.0};
 };
-TexelRay texel_ray(const LightFrame& frame, const ivec2& texel, int face);
+TexelRay texel_ray(const MapLayout& frame, const ivec2& texel, int face);
 
 /// Where a texel stands in a face of ShadowMapImages, whose top row is the first.
-inline std::size_t texel_index(const LightFrame& frame, const ivec2& texel) {
+inline std::size_t texel_index(const MapLayout& frame, const ivec2& texel) {
   return static_cast<std::size_t>(frame.resolution - 1 - texel.y) * static_cast<std::size_t>(frame.resolution) +
          static_cast<std::size_t>(texel.x);
 }

@@ -23,7 +23,7 @@ double rounding_bound(const Facet& f, const dvec3& point, double point_error) {
 
 }  // namespace
 
-Facet facet_of(const Scene& scene, const LightFrame& frame, std::uint32_t instance, std::uint32_t triangle) {
+Facet facet_of(const Scene& scene, const MapLayout& frame, std::uint32_t instance, std::uint32_t triangle) {
   const Instance& placed = scene.instances[instance];
   const Mesh& mesh = scene.meshes[placed.mesh];
   const uvec3 v = mesh.triangles[triangle];
@@ -71,7 +71,7 @@ dvec3 sample_on(const Facet& f, const TexelRay& ray) {
   return f.a + weight.x * f.ab + weight.y * f.ac;
 }
 
-bool is_own_surface(const LightFrame& frame, const Receiver& receiver, const Facet& own, const Tap& tap,
+bool is_own_surface(const MapLayout& frame, const Receiver& receiver, const Facet& own, const Tap& tap,
                     const Facet& blocker) {
   const dvec3 r = foot_on(own, receiver.in_light);
   if (signed_distance(blocker, r) >= -rounding_bound(blocker, r, own.vertex_error)) return true;
@@ -82,7 +82,7 @@ bool is_own_surface(const LightFrame& frame, const Receiver& receiver, const Fac
 bool is_foreign(const Scene& scene, const MapLookup& lookup, const Tap& tap, const Receiver& receiver,
                 std::size_t pixel, bool is_lit_in_truth) {
   if (!tap.has_blocker || !(is_lit_in_truth || tap.critical_bias > 0.0f)) return false;
-  const LightFrame& frame = lookup.frame;
+  const MapLayout& frame = lookup.frame;
   const GBuffer& gbuffer = lookup.gbuffer;
   const auto face = static_cast<std::size_t>(tap.face);
   const std::size_t texel = texel_index(frame, tap.texel);

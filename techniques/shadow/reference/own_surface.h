@@ -15,7 +15,7 @@ struct Facet {
   dvec3 normal{0.0};          ///< unit, on the light's side
   double vertex_error = 0.0;  ///< metres, by which rounding may have moved a vertex
 };
-Facet facet_of(const Scene& scene, const LightFrame& frame, std::uint32_t instance, std::uint32_t triangle);
+Facet facet_of(const Scene& scene, const MapLayout& frame, std::uint32_t instance, std::uint32_t triangle);
 
 /// The point of a facet's plane that is nearest to a position, light space.
 dvec3 foot_on(const Facet& facet, const dvec3& position);
@@ -24,7 +24,7 @@ dvec3 foot_on(const Facet& facet, const dvec3& position);
 dvec3 sample_on(const Facet& facet, const TexelRay& ray);
 
 /// `own` is the receiver's facet, `blocker` that of the tap.
-bool is_own_surface(const LightFrame& frame, const Receiver& receiver, const Facet& own, const Tap& tap,
+bool is_own_surface(const MapLayout& frame, const Receiver& receiver, const Facet& own, const Tap& tap,
                     const Facet& blocker);
 
 /// Whether a tap that differs from the truth is due to another surface, nearer to the light, than the receiver's own:

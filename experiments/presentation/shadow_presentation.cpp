@@ -1,0 +1,222 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "compare/bias_units.h"
+#include "experiments/presentation/presentation.h"
+#include "experiments/presentation/presentation_parts.h"
+#include "experiments/presentation/scene_report.h"
+
+namespace umbrameter {
+namespace {
+
+// One range for every picture of a kind, so that two runs can be compared.
+const ColorScale visibility_scale{ColorMap::visibility, 0.0, 1.0, "visibility [1]: 0 blocked, 1 lit"};
+const ColorScale visibility_error_scale{ColorMap::error, -1.0, 1.0, "technique − reference [1]: below 0 is too dark"};
+
+ImageFigure class_figure(const std::string& layer, const std::string& title, const ShadowMeasurement& shadow) {
+  ImageFigure figure;
+  figure.stem = "class_" + layer;
+  figure.title = "Causes: " + title;
+  figure.caption = "Main cause of the wrong taps of each pixel.";
+  const Image<PixelClass> classes = classify(shadow.raster->wrong, shadow.counted);
+  figure.category = Image<std::uint8_t>(classes.width, classes.height);
+  for (std::size_t i = 0; i < classes.size(); ++i) figure.category[i] = static_cast<std::uint8_t>(classes[i]);
+  figure.categories = class_colors();
+  return figure;
+}
+
+std::string counted_text(const CountedPixels& counted, bool is_soft) {
+  const auto total = [&](Counting c) { return counted.totals[static_cast<std::size_t>(c)]; };
+  return fmt::format(
+      "{} counted pixels face {}the light and lie inside its map, cone and range. Not counted: {} back-facing, {} "
+      "outside the map, {} outside the cone, {} out of range, {} background.",
+      total(Counting::counted), is_soft ? "part of " : "", total(Counting::turned_away), total(Counting::outside_map),
+      total(Counting::outside_cone), total(Counting::outside_range), total(Counting::background));
+}
+
+// What one light's shadow rays went to.
+std::string truth_caption(const ShadowMeasurement& shadow) {
+  const std::string common = "Shadow rays against the exact geometry. Back-facing pixels are 0.";
+  if (!has_area_light(shadow)) return common;
+  return fmt::format("{} The light is {}{}; {:.0f} samples per pixel measure the visible share of its {}.", common,
+                     std::holds_alternative<DistantEmitter>(shadow.emitter) ? "" : "a ", extent_text(shadow.emitter),
+                     shadow.truth->precision.mean_samples,
+                     shadow.experiment.truth.light_sampling == LightSampling::area ? "area" : "solid angle");
+}
+
+void add_error_figure(Presentation& presentation, const Stages& stages, const ShadowMeasurement& shadow) {
+  add_figure(presentation,
+             scalar_figure("error_visibility_" + stages.layer(shadow.light), "Error: " + stages.title(shadow.light),
+                           "Technique − reference: blue is too dark, red is too bright.",
+                           signed_error(shadow.raster->visibility, shadow.truth->visibility), visibility_error_scale));
+}
+
+void present_edge_error(Presentation& presentation, const Stages& stages, const ShadowMeasurement& shadow,
+                        const EdgeStatistics& s) {
+  const std::string title = stages.title(shadow.light);
+  ReportSection& section = presentation.section;
+  add_error_figure(presentation, stages, shadow);
+  section.text += fmt::format(
+      "\n\nThis technique does not sum depth comparisons, so no single tap is right or wrong and its error has no "
+      "causes. The error is split by sign and by distance to the reference's shadow edges instead; at an edge means at "
+      "most {:g} texels from it.",
+      edge_band_texels);
+  if (s.max_x >= 0) {
+    section.text +=
+        fmt::format(" The largest error is {:.3g}, for example at pixel ({}, {}).", s.max_error, s.max_x, s.max_y);
+  }
+  section.headlines = {
+      {"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", s.pixels)},
+      {"too dark away from edges", percent(s.too_dark_away), "like acne"},
+      {"too dark at edges", percent(s.too_dark_at_edge), "blur and occluders in the kernel"},
+      {"too bright at edges", percent(s.too_bright_at_edge), "blur and lost contact"},
+      {"too bright away from edges", percent(s.too_bright_away), "light bleeding"},
+  };
+  section.tables = {statistics_table("Visibility error: " + title, s), bias_table(shadow)};
+  section.text += "\n\n" + std::string(filter_caution);
+  presentation.answers.push_back(
+      fmt::format("{}: error {}; away from edges too dark {}, too bright {}; at edges too dark {}, too bright {}",
+                  title, percent(s.mae), percent(s.too_dark_away), percent(s.too_bright_away),
+                  percent(s.too_dark_at_edge), percent(s.too_bright_at_edge)));
+}
+
+void present_soft_error(Presentation& presentation, const Stages& stages, const ShadowMeasurement& shadow,
+                        const SoftVisibilityStatistics& s) {
+  const std::string title = stages.title(shadow.light);
+  ReportSection& section = presentation.section;
+  add_error_figure(presentation, stages, shadow);
+  section.text +=
+      "\n\nThis is an area light. Its reference is the visible share of the light, so a single tap is neither right "
+      "nor wrong and has no cause of error. The error is split into too dark and too bright instead.";
+  if (s.error.max_x >= 0) {
+    section.text += fmt::format(" The largest error is {:.3g}, for example at pixel ({}, {}).", s.error.max_error,
+                                s.error.max_x, s.error.max_y);
+  }
+  section.headlines = {
+      {"mean absolute error", percent(s.error.mae), fmt::format("of {} counted pixels", s.error.pixels)},
+      {"too dark", percent(s.error.too_dark), "part where the technique is darker than the reference"},
+      {"too bright", percent(s.error.too_bright), "part where the technique is brighter than the reference"},
+      {"RMS error", percent(s.error.rmse), "corrected for the reference's variance"},
+      {"penumbra", percent(s.penumbra), "of the counted pixels"},
+  };
+  section.tables = {statistics_table("Visibility error: " + title, s), bias_table(shadow)};
+  presentation.answers.push_back(fmt::format(
+      "{}: error {} against its soft shadow ({}); too dark {}, too bright {}; penumbra {} of the counted pixels", title,
+      percent(s.error.mae), extent_text(shadow.emitter), percent(s.error.too_dark), percent(s.error.too_bright),
+      percent(s.penumbra)));
+}
+
+std::string agreement_text(const ClassAgreement& agreement) {
+  return fmt::format(
+      "ray tests reclassified {:.2g} % of {} taps from false occlusion to acne: {:.2g} % of all wrong taps.",
+      100.0 * share_of_foreign(agreement), agreement.taps, 100.0 * share_of_wrong(agreement));
+}
+
+ReportTable worst_parts(const char* what, PartKind kind, const std::vector<PartError>& parts,
+                        std::uint32_t weight_sum) {
+  constexpr std::size_t most = 10;
+  const bool are_more = parts.size() > most;
+  return {fmt::format("Error by {}{}", what, are_more ? fmt::format(" (top {})", most) : ""),
+          in_percent(part_table(kind, parts, weight_sum, most))};
+}
+
+Presentation present_shadow_error(const Stages& stages, const ShadowMeasurement& shadow) {
+  const Experiment& experiment = shadow.experiment;
+  const std::string& layer = stages.layer(shadow.light);
+  const std::string title = stages.title(shadow.light);
+  Presentation presentation;
+  ReportSection& section = presentation.section;
+  section.title = "Shadow of " + title;
+  section.text = counted_text(shadow.counted, has_area_light(shadow));
+  if (shadow.truth) {
+    add_figure(presentation, scalar_figure("truth_visibility_" + layer, "Reference: " + title, truth_caption(shadow),
+                                           shadow.truth->visibility, visibility_scale));
+    presentation.details.push_back(title + ": " + offset_text(shadow.truth->statistics));
+    if (has_area_light(shadow)) section.text += "\n\n" + precision_text(shadow.truth->precision, experiment.truth);
+  }
+  if (shadow.raster) {
+    add_figure(presentation,
+               scalar_figure("raster_visibility_" + layer, "Shadow map: " + title,
+                             fmt::format("{}² texels, {} filter, constant bias {}, slope bias {:g} texels.",
+                                         shadow.frame.resolution, value_text(experiment, "shadow.filter"),
+                                         length_text(experiment.shadow.bias.constant), experiment.shadow.bias.slope),
+                             shadow.raster->visibility, visibility_scale));
+  }
+  if (const std::string reason = nothing_counted_text(shadow.counted); !reason.empty()) {
+    section.text += "\n\n" + title + ": " + reason + ".";
+    presentation.answers.push_back(title + ": " + reason);
+    return presentation;
+  }
+  if (!shadow.statistics) {
+    const double pixels = static_cast<double>(shadow.counted.totals[0]);
+    std::string line = fmt::format("{}: {:.0f} counted pixels", title, pixels);
+    if (shadow.raster) line += fmt::format(", mean texel {}", length(shadow.counted.mean_texel));
+    if (shadow.truth && has_area_light(shadow)) line += "; " + precision_line(shadow.truth->precision);
+    presentation.answers.push_back(std::move(line));
+    return presentation;
+  }
+  if (const auto* soft = std::get_if<SoftVisibilityStatistics>(&*shadow.statistics)) {
+    present_soft_error(presentation, stages, shadow, *soft);
+    return presentation;
+  }
+  if (const auto* edges = std::get_if<EdgeStatistics>(&*shadow.statistics)) {
+    present_edge_error(presentation, stages, shadow, *edges);
+    return presentation;
+  }
+  const VisibilityStatistics& s = *by_cause(shadow);
+  add_error_figure(presentation, stages, shadow);
+  add_figure(presentation, class_figure(layer, title, shadow));
+  section.headlines = {{"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", s.pixels)}};
+  const std::array<double, cause_count> shares = {s.acne, s.false_occlusion, s.peter_panning, s.leak};
+  for (std::size_t c = 0; c < cause_count; ++c) {
+    const auto cause = static_cast<Cause>(c);
+    section.headlines.push_back(
+        {std::string(cause_title(cause)), percent(shares[c]), std::string(cause_meaning(cause))});
+  }
+  const std::uint32_t weight_sum = shadow.raster->wrong.weight_sum;
+  if (shadow.advice) section.tables.push_back(advice_table(*shadow.advice));
+  section.tables.insert(section.tables.end(),
+                        {statistics_table("Visibility error: " + title, s), bias_table(shadow),
+                         worst_parts("object", PartKind::object, shadow.objects, weight_sum),
+                         worst_parts("material", PartKind::material, shadow.materials, weight_sum)});
+  if (shadow.agreement) presentation.details.push_back(title + ": " + agreement_text(*shadow.agreement));
+  if (experiment.shadow.pcf.filter != ShadowFilter::nearest) section.text += "\n\n" + std::string(filter_caution);
+  if (s.max_x >= 0) {
+    section.text +=
+        fmt::format("\n\nThe largest error is {:.3g}, for example at pixel ({}, {}).", s.max_error, s.max_x, s.max_y);
+  }
+  const std::string parts = fmt::format("acne {}, false occlusion {}, peter-panning {}, light leak {}", percent(s.acne),
+                                        percent(s.false_occlusion), percent(s.peter_panning), percent(s.leak));
+  if (shadow.advice) {
+    presentation.answers.push_back(title + ": " + advice_text(*shadow.advice));
+    presentation.lines.push_back(fmt::format("  {}: {}", title, parts));
+  } else {
+    presentation.answers.push_back(fmt::format("{}: error {} at a bias of {}; {}", title, percent(s.mae),
+                                               length_text(experiment.shadow.bias.constant), parts));
+  }
+  return presentation;
+}
+
+}  // namespace
+
+ReportTable bias_table(const ShadowMeasurement& shadow) {
+  Table table{{{"constant bias", "", ""}, {"value", "", ""}, {"unit", "", ""}}, {}};
+  const double texel = shadow.counted.mean_texel;
+  const BiasInUnits bias = in_units(shadow.experiment.shadow.bias.constant, texel, shadow.frame.far_depth);
+  const auto known = [](double number) { return std::isfinite(number) ? fmt::format("{:.4g}", number) : "—"; };
+  table.rows.push_back({std::string("along the light"), known(bias.metres), std::string("m")});
+  table.rows.push_back(
+      {std::string("in texels of mean size ") + length(texel), known(bias.texels), std::string("texels")});
+  table.rows.push_back({std::string("as a share of the map's depth range of ") + length(shadow.frame.far_depth),
+                        known(bias.depth), std::string("normalised depth")});
+  return {"Constant bias of these images", std::move(table)};
+}
+
+Presentation present_shadow(const Stages& stages, const ShadowMeasurement& shadow) {
+  Presentation presentation = present_shadow_error(stages, shadow);
+  add_metrics_table(presentation.section, shadow.metrics);
+  return presentation;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,14 @@
+#include "raster/shadow/filtered_map.h"
+
+namespace umbrameter {
+namespace {
+
+FilteredMap filter(const gl::Context&, const ShadowMap&, const Pcf&) { return {}; }
+
+}  // namespace
+
+FilteredMap filter_map(const gl::Context& context, const ShadowMap& map, const ShadowTechnique& technique) {
+  return std::visit([&](const auto& each) { return filter(context, map, each); }, technique);
+}
+
+}  // namespace umbrameter
