@@ -65,6 +65,19 @@ std::vector<vec2> poisson_disk(int count) {
   return points;
 }
 
+// Point i at radius √((i + ½)/n) and i golden angles: equal areas, no two directions alike. (H. Vogel, A better way to
+// construct the sunflower head, 1979.)
+std::vector<vec2> vogel_disk(int count) {
+  const double golden_angle = pi * (3.0 - std::sqrt(5.0));
+  std::vector<vec2> points;
+  for (int i = 0; i < count; ++i) {
+    const double radius = std::sqrt((i + 0.5) / count);
+    const double angle = i * golden_angle;
+    points.emplace_back(static_cast<float>(radius * std::cos(angle)), static_cast<float>(radius * std::sin(angle)));
+  }
+  return points;
+}
+
 std::vector<vec2> even_turns() {
   std::vector<vec2> turns;
   for (int i = 0; i < turn_count; ++i) {
@@ -98,8 +111,9 @@ FilterKernel make_filter(const PcfParams& params) {
       filter.kernel = gaussian(params.size);
       break;
     case ShadowFilter::poisson:
+    case ShadowFilter::vogel:
       filter.linear_taps = false;
-      filter.points = poisson_disk(params.samples);
+      filter.points = params.filter == ShadowFilter::vogel ? vogel_disk(params.samples) : poisson_disk(params.samples);
       filter.turns = even_turns();
       filter.radius = static_cast<float>(params.radius);
       break;

@@ -8,8 +8,8 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::array<std::string_view, 6> shadow_filter_names{"nearest", "bilinear", "box",
-                                                              "tent",    "gaussian", "poisson"};
+constexpr std::array<std::string_view, 7> shadow_filter_names{"nearest",  "bilinear", "box",  "tent",
+                                                              "gaussian", "poisson",  "vogel"};
 constexpr std::array<std::string_view, 2> filter_taps_names{"nearest", "linear"};
 
 }  // namespace
@@ -49,9 +49,9 @@ Parameters describe(PcfParams& params) {
       .choice("filter-taps", params.taps, filter_taps_names,
               {.unit = {}, .meaning = "taps of a box, tent or Gaussian kernel; linear: bilinear 2×2"})
       .field("filter-samples", params.samples,
-             {.unit = "1", .meaning = "taps of the Poisson disk", .min = 1, .max = 64})
+             {.unit = "1", .meaning = "taps of the Poisson or Vogel disk", .min = 1, .max = 64})
       .field("filter-radius", params.radius,
-             {.unit = "texels", .meaning = "radius of the Poisson disk", .min = 0, .max = 64})
+             {.unit = "texels", .meaning = "radius of the Poisson or Vogel disk", .min = 0, .max = 64})
       .take();
 }
 

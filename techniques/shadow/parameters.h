@@ -5,7 +5,7 @@
 
 namespace umbrameter {
 
-enum class ShadowFilter : int { nearest, bilinear, box, tent, gaussian, poisson };
+enum class ShadowFilter : int { nearest, bilinear, box, tent, gaussian, poisson, vogel };
 enum class FilterTaps : int { nearest, linear };
 
 /// The shadow map itself.

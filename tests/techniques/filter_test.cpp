@@ -67,5 +67,22 @@ TEST(ShadowFilter, Points_of_a_disk_lie_in_it_and_apart) {
   }
 }
 
+TEST(ShadowFilter, A_vogel_disk_puts_one_point_in_each_ring_of_equal_area) {
+  PcfParams params;
+  params.filter = ShadowFilter::vogel;
+  for (const int count : {1, 7, 64}) {
+    params.samples = count;
+    const FilterKernel disk = make_filter(params);
+    ASSERT_EQ(disk.tap_count(), count);
+    EXPECT_EQ(disk.weight_sum(), static_cast<std::uint32_t>(count));
+    for (int i = 0; i < count; ++i) {
+      const vec2 p = disk.points[static_cast<std::size_t>(i)];
+      // Ring i of n lies between radii √(i/n) and √((i + 1)/n).
+      const double ring = count * static_cast<double>(p.x * p.x + p.y * p.y);
+      EXPECT_NEAR(ring, i + 0.5, 1e-4);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace umbrameter
