@@ -48,5 +48,6 @@ MetricResult mean_of_pixels(const MetricInput& input, double (*of_pixel)(double 
 
 extern const Metric mae_metric;
 extern const Metric rmse_metric;
+extern const Metric psnr_metric;
 
 }  // namespace umbrameter

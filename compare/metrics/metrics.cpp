@@ -8,7 +8,7 @@
 namespace umbrameter {
 
 std::span<const Metric> metrics() {
-  static const std::array all = {mae_metric, rmse_metric};
+  static const std::array all = {mae_metric, rmse_metric, psnr_metric};
   return all;
 }
 
