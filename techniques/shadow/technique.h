@@ -8,19 +8,11 @@
 #include <string_view>
 #include <variant>
 
+#include "techniques/shadow/capabilities.h"
 #include "techniques/shadow/filter.h"
 #include "techniques/shadow/parameters.h"
 
 namespace umbrameter {
-
-/// What decides how a technique's error can be measured.
-struct TechniqueCapabilities {
-  /// Visibility is a weighted sum of depth comparisons. Then each wrong tap has one cause.
-  bool sums_comparisons = false;
-  /// Which texels are compared, and with what weight, does not depend on the bias. Then one pass over the taps measures
-  /// every bias.
-  bool taps_independent_of_bias = false;
-};
 
 /// Percentage-closer filtering: a weighted sum of depth comparisons.
 struct Pcf {
