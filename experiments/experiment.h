@@ -12,7 +12,7 @@
 #include "scenes/scene_params.h"
 #include "scenes/view.h"
 #include "techniques/ao/parameters.h"
-#include "techniques/shadow/parameters.h"
+#include "techniques/shadow/technique.h"
 
 namespace umbrameter {
 

@@ -7,12 +7,9 @@
 #include <string_view>
 
 #include "core/gbuffer.h"
-#include "techniques/ao/parameters.h"
 #include "techniques/shadow/causes.h"
-#include "techniques/shadow/filter.h"
 #include "techniques/shadow/histogram.h"
 #include "techniques/shadow/map_layout.h"
-#include "techniques/shadow/parameters.h"
 
 namespace umbrameter {
 

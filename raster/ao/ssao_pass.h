@@ -10,7 +10,6 @@
 #include "raster/gl/context.h"
 #include "scenes/view.h"
 #include "techniques/ao/parameters.h"
-#include "techniques/shadow/parameters.h"
 
 namespace umbrameter {
 

@@ -3,6 +3,7 @@
 #include "raster/gl/api.h"
 #include "raster/shader_interface.h"
 #include "raster/shadow/filter_defines.h"
+#include "raster/shadow/technique_passes.h"
 #include "raster/texture_image.h"
 
 namespace umbrameter {
@@ -17,6 +18,8 @@ Image<uvec4> draw_wrong(const gl::Context& context, const gl::Program& program, 
   dispatch_whole_list(context, program, pixels, static_cast<std::size_t>(taps));
   return read_image<uvec4>(wrong, gl::Format::rgba32ui);
 }
+
+}  // namespace
 
 RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const Pcf& pcf) {
   const GpuGBuffer& gbuffer = lookup.gbuffer;
@@ -41,8 +44,6 @@ RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, co
   context.check("visibility");
   return result;
 }
-
-}  // namespace
 
 RasterVisibility draw_visibility(const gl::Context& context, const ShadowLookup& lookup) {
   return std::visit([&](const auto& technique) { return draw(context, lookup, technique); }, lookup.technique);

@@ -55,8 +55,4 @@ Parameters describe(PcfParams& params) {
       .take();
 }
 
-Parameters describe(ShadowParams& params) {
-  return concatenate({describe(params.map), describe(params.bias), describe(params.pcf)});
-}
-
 }  // namespace umbrameter

@@ -1,4 +1,4 @@
-// The shadow.* parameters: what a shadow-map technique is set to.
+// Parameters of shadow maps, bias and PCF. technique.h puts the shadow.* parameters together.
 #pragma once
 
 #include "core/parameters.h"
@@ -33,13 +33,5 @@ struct PcfParams {
   double radius = 2.0;
 };
 Parameters describe(PcfParams& params);
-
-/// The shadow.* parameters, by the stage that reads them.
-struct ShadowParams {
-  ShadowMapParams map;
-  BiasParams bias;
-  PcfParams pcf;
-};
-Parameters describe(ShadowParams& params);
 
 }  // namespace umbrameter

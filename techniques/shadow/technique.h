@@ -1,7 +1,7 @@
 // The shadow techniques and what each can do. Code asks a technique for its capabilities, never for its name.
 //
-// To add one: a file beside this one with its parameters and their describe(); a line in ShadowTechniqueName, its name,
-// a member of ShadowParams and an alternative of ShadowTechnique; its passes in raster/shadow/.
+// To add one: a file beside this one with its parameters and their describe(); here its name, a member of ShadowParams
+// and an alternative of ShadowTechnique; its passes in raster/shadow/ and a line in raster/shadow/technique_passes.h.
 #pragma once
 
 #include <array>
@@ -13,6 +13,14 @@
 #include "techniques/shadow/parameters.h"
 
 namespace umbrameter {
+
+/// The shadow.* parameters, by the stage that reads them.
+struct ShadowParams {
+  ShadowMapParams map;
+  BiasParams bias;
+  PcfParams pcf;
+};
+Parameters describe(ShadowParams& params);
 
 /// Percentage-closer filtering: a weighted sum of depth comparisons.
 struct Pcf {

@@ -1,11 +1,11 @@
-#include "techniques/shadow/parameters.h"
+#include "techniques/ao/parameters.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "core/error.h"
-#include "techniques/ao/parameters.h"
+#include "techniques/shadow/technique.h"
 
 namespace umbrameter {
 namespace {

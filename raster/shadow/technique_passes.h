@@ -1,0 +1,12 @@
+// The passes of every shadow technique: filter() makes its filtered map, draw() its visibility.
+#pragma once
+
+#include "raster/shadow/filtered_map.h"
+#include "raster/shadow/visibility_pass.h"
+
+namespace umbrameter {
+
+FilteredMap filter(const gl::Context& context, const ShadowMap& map, const Pcf& pcf);
+RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const Pcf& pcf);
+
+}  // namespace umbrameter
