@@ -1,6 +1,7 @@
 // The passes of every shadow technique: filter() makes its filtered map, draw() its visibility.
 #pragma once
 
+#include "raster/shadow/esm_pass.h"
 #include "raster/shadow/filtered_map.h"
 #include "raster/shadow/visibility_pass.h"
 

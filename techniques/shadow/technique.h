@@ -9,16 +9,22 @@
 #include <variant>
 
 #include "techniques/shadow/capabilities.h"
+#include "techniques/shadow/esm.h"
 #include "techniques/shadow/filter.h"
 #include "techniques/shadow/parameters.h"
 
 namespace umbrameter {
 
+/// In the order of ShadowTechnique's alternatives.
+enum class ShadowTechniqueName : int { pcf, esm };
+
 /// The shadow.* parameters, by the stage that reads them.
 struct ShadowParams {
   ShadowMapParams map;
   BiasParams bias;
+  ShadowTechniqueName technique = ShadowTechniqueName::pcf;
   PcfParams pcf;
+  EsmParams esm;
 };
 Parameters describe(ShadowParams& params);
 
@@ -28,7 +34,7 @@ struct Pcf {
   FilterKernel kernel;
 };
 
-using ShadowTechnique = std::variant<Pcf>;
+using ShadowTechnique = std::variant<Pcf, Esm>;
 
 ShadowTechnique make_technique(const ShadowParams& params);
 

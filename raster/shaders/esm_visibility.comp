@@ -1,0 +1,39 @@
+// Exponential shadow map: visibility of each surfel from the filtered map, bilinear between texels.
+#include "surfel_lookup.glsl"
+layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
+uniform sampler2DArray moments;
+layout(r32f) writeonly uniform image2D visibility_image;
+uniform float exponent;
+
+// By hand: hardware weighs texels with 8 bits.
+float moment_at(Receiver receiver) {
+  vec2 place = vec2(receiver.texels) - 0.5;
+  ivec2 base = ivec2(floor(place));
+  vec2 part = place - vec2(base);
+  ivec2 low = clamp(base, ivec2(0), ivec2(resolution - 1));
+  ivec2 high = clamp(base + 1, ivec2(0), ivec2(resolution - 1));
+  float bottom = mix(texelFetch(moments, ivec3(low, receiver.face), 0).r,
+                     texelFetch(moments, ivec3(high.x, low.y, receiver.face), 0).r, part.x);
+  float top = mix(texelFetch(moments, ivec3(low.x, high.y, receiver.face), 0).r,
+                  texelFetch(moments, ivec3(high, receiver.face), 0).r, part.x);
+  return mix(bottom, top, part.y);
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, textureSize(ids, 0)))) return;
+  float visibility = 1.0;
+  if (texelFetch(ids, pixel, 0).r != NO_ID) {
+    visibility = 0.0;
+    Lookup surfel = look_up(pixel);
+    if (surfel.faces_light) {
+      visibility = 1.0;
+      if (surfel.receiver.is_inside) {
+        double bias = double(constant_bias * surfel.bias_unit + slope_bias * surfel.slope);
+        float depth = float((surfel.receiver.depth - bias) / far_depth);
+        visibility = clamp(exp(-exponent * depth) * moment_at(surfel.receiver), 0.0, 1.0);
+      }
+    }
+  }
+  imageStore(visibility_image, pixel, vec4(visibility));
+}
