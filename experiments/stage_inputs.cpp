@@ -38,7 +38,7 @@ const std::array<StageInputs, stage_count>& stages() {
       {"surfels", view_parameters, {}, 10.0},
       {"light", [](Experiment& e) { return Parameters{require(describe(e.view), "view.light")}; }, {}, 0.0},
       {"emitter", [](Experiment& e) { return describe(e.light); }, {Stage::light}, 0.0},
-      {"layout", [](Experiment& e) { return describe(e.shadow.map); }, {Stage::light}, 1.0},
+      {"layout", [](Experiment& e) { return describe(e.shadow.map); }, {Stage::surfels, Stage::light}, 1.0},
       {"counted pixels",
        [](Experiment&) { return Parameters{}; },
        {Stage::surfels, Stage::emitter, Stage::layout},

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "raytrace/surface_judge.h"
+#include "techniques/shadow/cascades.h"
 
 namespace umbrameter {
 namespace {
@@ -136,8 +137,9 @@ std::string Stages::key(Stage stage, const Experiment& experiment, std::uint32_t
 }
 
 const MapLayout& Stages::layout(const Experiment& experiment, std::uint32_t light) {
-  return layout_.get(key(Stage::layout, experiment, light),
-                     [&] { return fit_light(scene_.lights[light], bounds_, experiment.shadow.map.resolution); });
+  return layout_.get(key(Stage::layout, experiment, light), [&] {
+    return fit_map(scene_.lights[light], bounds_, experiment.shadow.map, surfels(experiment).gbuffer);
+  });
 }
 
 const CountedPixels& Stages::counted(const Experiment& experiment, std::uint32_t light) {

@@ -19,6 +19,8 @@ Parameters describe(ShadowMapParams& params) {
       .field(
           "resolution", params.resolution,
           {.unit = "texels", .meaning = "side of the shadow map or cube face", .min = 1, .max = 16384, .basic = true})
+      .field("cascades", params.cascades,
+             {.unit = "1", .meaning = "views of a directional light's map, nearer ones finer", .min = 1, .max = 8})
       .take();
 }
 

@@ -11,6 +11,7 @@ enum class FilterTaps : int { nearest, linear };
 /// The shadow map itself.
 struct ShadowMapParams {
   int resolution = 1024;
+  int cascades = 1;
 };
 Parameters describe(ShadowMapParams& params);
 
