@@ -98,8 +98,9 @@ const Tracer& Stages::tracer() {
 }
 
 const gl::Context& Stages::context() {
+  if (!context_) context_ = options_.context;
   if (!context_) {
-    context_ = std::make_unique<gl::Context>(gl::Context::make({options_.gl_device, options_.threads}));
+    context_ = std::make_shared<gl::Context>(gl::Context::make({options_.gl_device, options_.threads}));
   }
   return *context_;
 }

@@ -72,6 +72,8 @@ struct StageOptions {
   int threads = 0;
   std::optional<CacheFolder> cache{};  ///< for references
   std::string source{};                ///< the scene's file or built-in name, for messages
+  /// Where to draw; one is made where there is none. It must be current on the calling thread.
+  std::shared_ptr<gl::Context> context{};
 };
 
 class Stages {
@@ -152,7 +154,7 @@ class Stages {
   Costs costs_;
   std::optional<Tracer> tracer_;
   // In this order: what lives on the GPU goes before its context does.
-  std::unique_ptr<gl::Context> context_;
+  std::shared_ptr<gl::Context> context_;
   std::unique_ptr<UploadedScene> uploaded_;
   Memo<Surfels> surfels_;
   Memo<GpuGBuffer> gpu_surfels_;

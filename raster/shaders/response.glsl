@@ -1,4 +1,4 @@
-// The axes of a bias response, as raster/response_axes.cpp lays them out.
+// The axes of a bias response, as raster/shadow/response_axes.cpp lays them out.
 layout(std140, binding = BLOCK_RESPONSE) uniform ResponseBlock {
   float least_bias;
   float largest_bias;

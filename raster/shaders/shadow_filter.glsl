@@ -1,5 +1,5 @@
 // The taps of the filter, the one interface of every filter: how many there are, and of each its texel, its critical
-// bias and a whole-number weight. The weights add up to weight_sum (raster/shadow_filter.h; FilterKernel).
+// bias and a whole-number weight. The weights add up to weight_sum (techniques/shadow/filter.h; FilterKernel).
 #include "surfel_lookup.glsl"
 
 const int most_taps = FILTER_TAPS;  // tap_count of them are there

@@ -1,4 +1,4 @@
-// The camera, in double precision, as raster/view_block.h fills it.
+// The camera, in double precision, as raster/gbuffer/view_block.h fills it.
 layout(std140, binding = BLOCK_VIEW) uniform View {
   dmat4 clip_from_world;
   dmat4 view_from_world;

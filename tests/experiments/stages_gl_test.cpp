@@ -1,0 +1,153 @@
+// No stage may answer from a result that an earlier experiment left behind.
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "core/error.h"
+#include "experiments/measure.h"
+#include "experiments/stages.h"
+#include "experiments/sweep_table.h"
+#include "scenes/builtin.h"
+
+namespace umbrameter {
+namespace {
+
+// Another value that the parameter accepts, as text; for a choice, all of them.
+std::vector<std::string> values_of(const Parameter& parameter) {
+  const FieldDescription& limits = parameter.description;
+  if (const auto* choice = std::get_if<ChoiceRef>(&parameter.field)) return choice->names;
+  if (std::holds_alternative<bool*>(parameter.field)) return {"false", "true"};
+  if (std::holds_alternative<Size*>(parameter.field)) return {"64x36", "48x36"};
+  if (const auto* const* length = std::get_if<Length*>(&parameter.field)) {
+    Length other = **length;
+    other.number = 1.5 * other.number + 0.01;
+    return {to_string(**length), to_string(other)};
+  }
+  if (const auto* const* integer = std::get_if<int*>(&parameter.field)) {
+    const int step = limits.power_of_two ? **integer : 2;
+    const bool has_room = **integer + step <= limits.max;
+    return {std::to_string(**integer), std::to_string(has_room ? **integer + step : **integer - step)};
+  }
+  if (const auto* const* real = std::get_if<double*>(&parameter.field)) {
+    const double other = **real + 0.5 <= limits.max ? **real + 0.5 : **real - 0.5;
+    return {to_string(Value(**real)), to_string(Value(other))};
+  }
+  return {};
+}
+
+class StagesGl : public testing::Test {
+ protected:
+  void SetUp() override {
+    try {
+      context_ = std::make_shared<gl::Context>(gl::Context::make());
+    } catch (const Error& error) {
+      GTEST_SKIP() << error.what();
+    }
+  }
+
+  std::unique_ptr<Stages> make_stages() const {
+    StageOptions options;
+    options.context = context_;
+    return std::make_unique<Stages>(load_scene("contact-box"), options, Console{.quiet = true});
+  }
+
+  static Experiment base(const std::vector<std::string>& settings) {
+    Experiment experiment;
+    experiment.view.size = {64, 36};
+    experiment.truth.spp = 8;
+    experiment.truth.ao_distance = 0.3;
+    experiment.ao.radius = 0.3;
+    experiment.ao.bias = 0.01;
+    experiment.ao.samples = 8;
+    experiment.shadow.map.resolution = 64;
+    const Parameters parameters = describe(experiment);
+    for (const std::string& setting : settings) {
+      const std::size_t equals = setting.find('=');
+      require(parameters, setting.substr(0, equals)).set_text(setting.substr(equals + 1));
+    }
+    return experiment;
+  }
+
+  // All that a run yields for the first light, as values that compare bit by bit.
+  static std::vector<float> measure(Stages& stages, const Experiment& experiment) {
+    const ShadowMeasurement shadow = measure_shadow(stages, experiment, 0, {});
+    const AoMeasurement ao = measure_ao(stages, experiment, {});
+    std::vector<float> all;
+    for (const Image<float>* image :
+         {&shadow.raster->visibility, &shadow.truth->visibility, &*ao.raster, &ao.truth->ao}) {
+      all.insert(all.end(), image->pixels.begin(), image->pixels.end());
+    }
+    for (const uvec4& wrong : shadow.raster->wrong.weights.pixels) {
+      for (int c = 0; c < 4; ++c) all.push_back(static_cast<float>(wrong[c]));
+    }
+    return all;
+  }
+
+  void expect_fresh(const std::vector<std::string>& settings) const {
+    const std::unique_ptr<Stages> kept = make_stages();
+    Experiment experiment = base(settings);
+    std::size_t varied = 0;
+    for (const Parameter& parameter : describe(experiment)) {
+      const bool selects_scene = parameter.key.starts_with("scene.") || parameter.key == "view.scene";
+      const std::vector<std::string> values = values_of(parameter);
+      if (selects_scene || values.size() < 2) continue;
+      ++varied;
+      for (const std::string& value : values) {
+        Experiment changed = base(settings);
+        require(describe(changed), parameter.key).set_text(value);
+        std::vector<float> again;
+        try {
+          again = measure(*kept, changed);
+        } catch (const Error&) {
+          continue;  // the value makes no sense for this light
+        }
+        EXPECT_TRUE(again == measure(*make_stages(), changed)) << parameter.key << " = " << value;
+      }
+    }
+    EXPECT_GT(varied, 30u);
+  }
+
+ private:
+  std::shared_ptr<gl::Context> context_;
+};
+
+TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_box_filter) {
+  expect_fresh({"shadow.filter=box"});
+}
+
+TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_disk) {
+  expect_fresh({"shadow.filter=poisson"});
+}
+
+TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_filtered_map) {
+  expect_fresh({"shadow.technique=esm"});
+}
+
+TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_an_area_light) {
+  expect_fresh({"light.angle=2"});
+}
+
+// The cells of one sweep against a run of each.
+TEST_F(StagesGl, Cells_of_a_sweep_are_those_of_single_runs) {
+  const std::unique_ptr<Stages> stages = make_stages();
+  for (const std::string technique : {"pcf", "esm"}) {
+    const Experiment experiment = base({"shadow.technique=" + technique});
+    const Table table = sweep_table(
+        *stages, experiment,
+        {"shadow.resolution=32,64", "shadow.cascades=1,2", "shadow.constant-bias=0.01,0.05", "shadow.slope-bias=0,1"});
+    ASSERT_EQ(table.rows.size(), 16u);
+    for (const std::vector<Value>& row : table.rows) {
+      Experiment cell = experiment;
+      const Parameters parameters = describe(cell);
+      for (std::size_t a = 0; a < 4; ++a) require(parameters, table.columns[a].name).set(row[a]);
+      const std::unique_ptr<Stages> fresh = make_stages();
+      ShadowStatistics single = *measure_shadow(*fresh, cell, 0, {}).statistics;
+      const std::vector<Value> expected = std::visit([](auto& each) { return row_of(describe(each)); }, single);
+      EXPECT_EQ(row.size(), 4 + expected.size());
+      EXPECT_TRUE(std::equal(expected.begin(), expected.end(), row.begin() + 4)) << technique;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace umbrameter
