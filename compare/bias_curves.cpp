@@ -53,7 +53,7 @@ void add(ParetoFront& front, const BiasCell& cell) {
   }
   while (after != cells.end() && after->second.peter_panning >= cell.peter_panning) after = cells.erase(after);
   cells.emplace_hint(after, cell.acne, cell);
-  if (cells.size() > ParetoFront::most_cells) thin(front);
+  if (cells.size() > ParetoFront::max_cells) thin(front);
 }
 
 std::optional<BiasCell> knee(const ParetoFront& front) {

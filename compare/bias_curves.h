@@ -39,7 +39,7 @@ void add(BiasLine& line, const BiasCell& cell);
 /// cells with both equal the one of least constant bias, then of least slope-scaled bias, stands for all.
 struct ParetoFront {
   /// A front that grows beyond loses every second cell between its ends.
-  static constexpr std::size_t most_cells = 4096;
+  static constexpr std::size_t max_cells = 4096;
   std::map<double, BiasCell> by_acne{};
   bool thinned = false;
 };

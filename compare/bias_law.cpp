@@ -8,18 +8,18 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::size_t most_coefficients = 3;
+constexpr std::size_t max_coefficients = 3;
 // What is left of a column once the others are taken out, as a share of it, below which it tells nothing new.
-constexpr double least_share = 1e-9;
+constexpr double min_share = 1e-9;
 constexpr double least_tangent = 1e-6;
 
-using Row = std::array<double, most_coefficients>;
+using Row = std::array<double, max_coefficients>;
 
 // Weighted least squares by modified Gram-Schmidt: Björck, Solving linear least squares problems by Gram-Schmidt
 // orthogonalization, BIT 7, 1967.
 struct Solution {
   Row value{};
-  std::array<Row, most_coefficients> covariance{};  ///< for residuals of variance 1
+  std::array<Row, max_coefficients> covariance{};  ///< for residuals of variance 1
 };
 
 double inner(const std::vector<double>& a, const std::vector<double>& b) {
@@ -35,8 +35,8 @@ double inner(const Row& a, const Row& b, std::size_t count) {
 }
 
 std::optional<Solution> solve(const std::vector<Row>& rows, const std::vector<double>& right, std::size_t count) {
-  std::array<std::vector<double>, most_coefficients> q;
-  std::array<Row, most_coefficients> r{};
+  std::array<std::vector<double>, max_coefficients> q;
+  std::array<Row, max_coefficients> r{};
   Row projected{};
   std::vector<double> rest = right;
   for (std::size_t j = 0; j < count; ++j) {
@@ -49,13 +49,13 @@ std::optional<Solution> solve(const std::vector<Row>& rows, const std::vector<do
       for (std::size_t i = 0; i < rows.size(); ++i) q[j][i] -= r[k][j] * q[k][i];
     }
     r[j][j] = std::sqrt(inner(q[j], q[j]));
-    if (!(r[j][j] > least_share * whole)) return std::nullopt;
+    if (!(r[j][j] > min_share * whole)) return std::nullopt;
     for (double& value : q[j]) value /= r[j][j];
     projected[j] = inner(q[j], rest);
     for (std::size_t i = 0; i < rows.size(); ++i) rest[i] -= projected[j] * q[j][i];
   }
   Solution solution;
-  std::array<Row, most_coefficients> inverse{};  // of r, upper triangular
+  std::array<Row, max_coefficients> inverse{};  // of r, upper triangular
   for (std::size_t column = 0; column < count; ++column) {
     for (std::size_t row = column + 1; row-- > 0;) {
       double value = row == column ? 1.0 : 0.0;

@@ -26,10 +26,10 @@ std::vector<PartError> empty_parts(const Scene& scene, PartKind kind) {
 
 std::vector<PartError> errors_by_part(const Scene& scene, PartKind kind, const GBuffer& gbuffer, const WrongTaps& wrong,
                                       const CountedPixels& counted) {
-  assert(wrong.weights.size() == counted.counting.size() && wrong.weights.size() == gbuffer.instance.size());
+  assert(wrong.weights.size() == counted.exclusion.size() && wrong.weights.size() == gbuffer.instance.size());
   std::vector<PartError> parts = empty_parts(scene, kind);
   for (std::size_t i = 0; i < wrong.weights.size(); ++i) {
-    if (counted.counting[i] != Counting::counted) continue;
+    if (counted.exclusion[i] != PixelExclusion::none) continue;
     const Instance& placed = scene.instances[gbuffer.instance[i]];
     PartError& part = parts[kind == PartKind::object ? placed.object : scene.meshes[placed.mesh].material];
     ++part.pixels;

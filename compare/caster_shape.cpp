@@ -97,8 +97,8 @@ class Casters {
   }
   // The object whose true shadow a pixel lies in.
   std::uint32_t caster_of(std::size_t pixel) const {
-    const bool is_blocked = input_.shape.counted.counting[pixel] == Counting::counted && gbuffer_.is_surface(pixel) &&
-                            input_.shape.truth[pixel] < 0.5f;
+    const bool is_blocked = input_.shape.counted.exclusion[pixel] == PixelExclusion::none &&
+                            gbuffer_.is_surface(pixel) && input_.shape.truth[pixel] < 0.5f;
     return is_blocked ? object_of(input_.caster[pixel]) : no_id;
   }
 
@@ -153,8 +153,8 @@ class Casters {
     // A step is chosen by the scale where it starts. In perspective it covers 0.5 / (1 + 0.5 / v) pixels, v pixels
     // before its vanishing point: at least a quarter of a pixel until that is half a pixel away. A straight way across
     // the image is shorter than its width and height together.
-    const int most_steps = 4 * (gbuffer_.width + gbuffer_.height);
-    for (int step = 0; step < most_steps; ++step) {
+    const int max_steps = 4 * (gbuffer_.width + gbuffer_.height);
+    for (int step = 0; step < max_steps; ++step) {
       const double scale = image_.scale(start + way * away, away);
       if (!(scale > 0.0)) return {};
       way += step_pixels / scale;

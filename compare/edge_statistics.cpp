@@ -23,7 +23,7 @@ EdgeStatistics analyze_edges(const ShapeInput& input, const Image<float>& techni
   double squares = 0.0;
   double sum = 0.0;
   for (std::size_t i = 0; i < technique.size(); ++i) {
-    if (input.counted.counting[i] != Counting::counted) continue;
+    if (input.counted.exclusion[i] != PixelExclusion::none) continue;
     const double error = static_cast<double>(technique[i]) - static_cast<double>(input.truth[i]);
     absolute += std::abs(error);
     squares += error * error;

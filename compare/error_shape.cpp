@@ -117,7 +117,7 @@ ErrorShape measure_distances(const ShapeInput& input, std::size_t part_count, do
   std::vector<EdgeDistances> parts(part_count + 1);
   std::vector<WrongPixel> wrong;
   for (std::size_t i = 0; i < input.truth.size(); ++i) {
-    if (input.counted.counting[i] != Counting::counted) continue;
+    if (input.counted.exclusion[i] != PixelExclusion::none) continue;
     const Weights weights = weights_at(i);
     double sum = 0.0;
     for (std::size_t p = 0; p < part_count; ++p) {

@@ -43,7 +43,7 @@ struct RowSums {
   double squared_variance = 0.0;
   double variance = 0.0;
   double variance_squared = 0.0;
-  double least_samples = std::numeric_limits<double>::infinity();
+  double min_samples = std::numeric_limits<double>::infinity();
   double scatter = 0.0;
   double max_error = 0.0;
   int max_x = -1;
@@ -120,7 +120,7 @@ RowSums sum_row(int y, const Image<float>& raster, const SampledImage& truth, co
     add_part(sums.too_dark, -error, variance, {noise.value, -noise.slope});
     sums.variance_squared += variance * variance;
     const double samples = truth.samples.empty() ? 0.0 : static_cast<double>(truth.samples[i]);
-    if (samples > 0.0) sums.least_samples = std::min(sums.least_samples, samples);
+    if (samples > 0.0) sums.min_samples = std::min(sums.min_samples, samples);
     if (std::abs(error) > sums.max_error) {
       sums.max_error = std::abs(error);
       sums.max_x = x;
@@ -168,7 +168,7 @@ SampledError analyze_sampled(const Image<float>& raster, const SampledImage& tru
     total.variance_squared += row.variance_squared;
     total.too_dark.add(row.too_dark);
     total.too_bright.add(row.too_bright);
-    total.least_samples = std::min(total.least_samples, row.least_samples);
+    total.min_samples = std::min(total.min_samples, row.min_samples);
     if (row.max_error > statistics.max_error) {
       statistics.max_error = row.max_error;
       statistics.max_x = row.max_x;
@@ -179,7 +179,7 @@ SampledError analyze_sampled(const Image<float>& raster, const SampledImage& tru
   if (total.pixels == 0) return statistics;
   const double scale = 1.0 / static_cast<double>(total.pixels);
   const double quantile = quantile_of(total.variance, total.variance_squared, truth.degrees_of_freedom);
-  const double unseen = std::min(rule_of_three / total.least_samples, 1.0);
+  const double unseen = std::min(rule_of_three / total.min_samples, 1.0);
   const double half_width = std::max(quantile * std::sqrt(total.variance), unseen) * scale;
   const auto around = [half_width](double value) { return Estimate{value, value - half_width, value + half_width}; };
   statistics.mean_raster = total.raster * scale;

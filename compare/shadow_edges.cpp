@@ -130,14 +130,14 @@ bool is_one_surface(const GBuffer& gbuffer, std::size_t pixel, std::size_t neigh
 }
 
 ShadowEdges find_shadow_edges(const Image<float>& visibility, const GBuffer& gbuffer, const CountedPixels& counted) {
-  assert(visibility.size() == gbuffer.instance.size() && visibility.size() == counted.counting.size());
+  assert(visibility.size() == gbuffer.instance.size() && visibility.size() == counted.exclusion.size());
   assert(visibility.size() < no_id / 2);
   const int width = visibility.width;
   const int height = visibility.height;
   ShadowEdges edges{Image<std::uint8_t>(width, height, 0), 0};
   const auto is_edge = [&](std::size_t a, std::size_t b) {
-    return (visibility[a] >= 0.5f) != (visibility[b] >= 0.5f) && counted.counting[a] == Counting::counted &&
-           counted.counting[b] == Counting::counted && is_one_surface(gbuffer, a, b);
+    return (visibility[a] >= 0.5f) != (visibility[b] >= 0.5f) && counted.exclusion[a] == PixelExclusion::none &&
+           counted.exclusion[b] == PixelExclusion::none && is_one_surface(gbuffer, a, b);
   };
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {

@@ -70,13 +70,13 @@ View shift_view(const View& view, const dvec2& pixels) {
 }
 
 Flips count_flips(const Image<float>& before, const Image<float>& after, const CountedPixels& counted) {
-  return count(before, after, [&](std::size_t i) { return counted.counting[i] == Counting::counted; });
+  return count(before, after, [&](std::size_t i) { return counted.exclusion[i] == PixelExclusion::none; });
 }
 
 Flips count_flips(const Image<float>& before, const Image<float>& after, const CountedPixels& counted,
                   const GBuffer& gbuffer_before, const GBuffer& gbuffer_after) {
   return count(before, after, [&](std::size_t i) {
-    return counted.counting[i] == Counting::counted && gbuffer_before.instance[i] == gbuffer_after.instance[i] &&
+    return counted.exclusion[i] == PixelExclusion::none && gbuffer_before.instance[i] == gbuffer_after.instance[i] &&
            gbuffer_before.triangle[i] == gbuffer_after.triangle[i];
   });
 }

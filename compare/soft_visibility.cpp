@@ -6,7 +6,7 @@ namespace umbrameter {
 
 SoftVisibilityStatistics analyze_soft_visibility(const Image<float>& raster, const SampledImage& truth,
                                                  const CountedPixels& counted) {
-  const auto is_counted = [&](std::size_t i) { return counted.counting[i] == Counting::counted; };
+  const auto is_counted = [&](std::size_t i) { return counted.exclusion[i] == PixelExclusion::none; };
   SoftVisibilityStatistics statistics;
   statistics.error = analyze_sampled(raster, truth, is_counted);
   std::uint64_t between = 0;

@@ -18,29 +18,29 @@ std::string_view cause_meaning(Cause cause) {
 std::uint32_t wrong_weight(const uvec4& by_cause) { return by_cause.x + by_cause.y + by_cause.z + by_cause.w; }
 
 CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const MapLayout& frame) {
-  CountedPixels counted{Image<Counting>(gbuffer.width, gbuffer.height, Counting::background)};
+  CountedPixels counted{Image<PixelExclusion>(gbuffer.width, gbuffer.height, PixelExclusion::background)};
   std::vector<double> texels(static_cast<std::size_t>(gbuffer.height), 0.0);
   parallel_for(static_cast<std::size_t>(gbuffer.height), [&](std::size_t y) {
     for (int x = 0; x < gbuffer.width; ++x) {
       const std::size_t i = gbuffer.instance.index(x, static_cast<int>(y));
       if (!gbuffer.is_surface(i)) continue;
       const dvec3 position(gbuffer.position[i]);
-      counted.counting[i] = counting_of(light, frame, position, dvec3(gbuffer.geometric_normal[i]));
-      if (counted.counting[i] == Counting::counted) texels[y] += texel_at(frame, position);
+      counted.exclusion[i] = exclusion_of(light, frame, position, dvec3(gbuffer.geometric_normal[i]));
+      if (counted.exclusion[i] == PixelExclusion::none) texels[y] += texel_at(frame, position);
     }
   });
-  for (const Counting counting : counted.counting.pixels) ++counted.totals[static_cast<std::size_t>(counting)];
+  for (const PixelExclusion counting : counted.exclusion.pixels) ++counted.totals[static_cast<std::size_t>(counting)];
   for (const double texel : texels) counted.mean_texel += texel;
-  const std::uint64_t pixels = counted.totals[static_cast<std::size_t>(Counting::counted)];
+  const std::uint64_t pixels = counted.totals[static_cast<std::size_t>(PixelExclusion::none)];
   if (pixels > 0) counted.mean_texel /= static_cast<double>(pixels);
   return counted;
 }
 
 TruthCounts count_truth(const Image<float>& truth, const CountedPixels& counted) {
-  assert(truth.size() == counted.counting.size());
+  assert(truth.size() == counted.exclusion.size());
   TruthCounts counts{0, 0, counted.mean_texel};
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (counted.counting[i] != Counting::counted) continue;
+    if (counted.exclusion[i] != PixelExclusion::none) continue;
     ++counts.pixels;
     if (truth[i] >= 0.5f) ++counts.lit;
   }
@@ -48,11 +48,11 @@ TruthCounts count_truth(const Image<float>& truth, const CountedPixels& counted)
 }
 
 VisibilitySums sum_wrong_taps(const WrongTaps& wrong, const CountedPixels& counted) {
-  assert(wrong.weights.size() == counted.counting.size());
+  assert(wrong.weights.size() == counted.exclusion.size());
   VisibilitySums sums;
   sums.weight_sum = wrong.weight_sum;
   for (std::size_t i = 0; i < wrong.weights.size(); ++i) {
-    if (counted.counting[i] != Counting::counted) continue;
+    if (counted.exclusion[i] != PixelExclusion::none) continue;
     const uvec4& by_cause = wrong.weights[i];
     const std::uint32_t all = wrong_weight(by_cause);
     if (all == 0) continue;
@@ -91,7 +91,7 @@ VisibilityStatistics analyze_visibility(const WrongTaps& wrong, const Image<floa
   const VisibilitySums sums = sum_wrong_taps(wrong, counted);
   VisibilityStatistics statistics = to_statistics(sums, count_truth(truth, counted));
   for (std::size_t i = 0; sums.largest > 0 && i < wrong.weights.size(); ++i) {
-    if (counted.counting[i] != Counting::counted || wrong_weight(wrong.weights[i]) != sums.largest) continue;
+    if (counted.exclusion[i] != PixelExclusion::none || wrong_weight(wrong.weights[i]) != sums.largest) continue;
     const auto width = static_cast<std::size_t>(wrong.weights.width);
     statistics.max_x = static_cast<int>(i % width);
     statistics.max_y = static_cast<int>(i / width);
@@ -110,9 +110,9 @@ Image<float> signed_error(const Image<float>& raster, const Image<float>& truth)
 Image<PixelClass> classify(const WrongTaps& wrong, const CountedPixels& counted) {
   Image<PixelClass> result(wrong.weights.width, wrong.weights.height, PixelClass::correct);
   for (std::size_t i = 0; i < result.size(); ++i) {
-    if (counted.counting[i] == Counting::background) {
+    if (counted.exclusion[i] == PixelExclusion::background) {
       result[i] = PixelClass::background;
-    } else if (counted.counting[i] != Counting::counted) {
+    } else if (counted.exclusion[i] != PixelExclusion::none) {
       result[i] = PixelClass::not_counted;
     } else {
       std::uint32_t largest = 0;

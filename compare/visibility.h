@@ -60,15 +60,15 @@ Statistics describe(VisibilityStatistics& statistics);
 
 inline constexpr const char* mean_texel_meaning = "mean size of a shadow-map texel at the counted pixels";
 
-/// How many pixels each counting class holds, indexed by Counting.
-using CountingTotals = std::array<std::uint64_t, 6>;
-inline constexpr std::array<std::string_view, 6> counting_names = {"counted",     "background",   "turned_away",
-                                                                   "outside_map", "outside_cone", "outside_range"};
+/// How many pixels each counting class holds, indexed by PixelExclusion.
+using ExclusionTotals = std::array<std::uint64_t, 6>;
+inline constexpr std::array<std::string_view, 6> exclusion_names = {"counted",     "background",   "turned_away",
+                                                                    "outside_map", "outside_cone", "outside_range"};
 
 /// Which pixels statistics count for a light, and why not the others.
 struct CountedPixels {
-  Image<Counting> counting;
-  CountingTotals totals{};
+  Image<PixelExclusion> exclusion;
+  ExclusionTotals totals{};
   double mean_texel = 0.0;  ///< metres, over the counted ones
 };
 CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const MapLayout& frame);

@@ -7,7 +7,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::size_t most_suggestions = 3;
+constexpr std::size_t max_suggestions = 3;
 
 std::string_view last_part(std::string_view name) {
   const std::size_t dot = name.rfind('.');
@@ -40,18 +40,18 @@ bool has_words(const std::vector<std::string_view>& words, const std::vector<std
 
 // Smaller is better; nothing for a name that has nothing in common with the given one.
 std::optional<int> rank(std::string_view given, std::string_view name) {
-  constexpr int most_edits = 3;
+  constexpr int max_edits = 3;
   if (is_slip(given, name)) return edit_distance(given, name);
   const std::string_view part = last_part(name);
   const std::string_view given_part = last_part(given);
   const std::string_view group = name.substr(0, name.size() - part.size());
   const bool is_other_group = group != given.substr(0, given.size() - given_part.size());
-  const int first = most_edits + 1 + (is_other_group ? 1 : 0);
+  const int first = max_edits + 1 + (is_other_group ? 1 : 0);
   const auto words = words_of(part);
   const auto wanted = words_of(given_part);
   if (has_words(words, wanted, false)) return first;
   if (is_slip(part, given_part)) return first + 1 + edit_distance(part, given_part);
-  if (has_words(words, wanted, true)) return first + 2 + most_edits;
+  if (has_words(words, wanted, true)) return first + 2 + max_edits;
   return std::nullopt;
 }
 
@@ -81,7 +81,7 @@ std::vector<std::string> similar_names(std::string_view given, std::span<const s
   std::vector<std::string> best;
   for (const auto& [r, name] : ranked) {
     // Only the best rank: behind a slip of one letter, what merely shares a word is no candidate.
-    if (best.size() == most_suggestions || r != ranked.front().first) break;
+    if (best.size() == max_suggestions || r != ranked.front().first) break;
     best.push_back(name);
   }
   return best;

@@ -97,11 +97,11 @@ std::string compress(const std::vector<CachedImage>& images) {
       out.append(block.data(), block.size() - stream.avail_out);
     } while (stream.avail_out == 0);
   };
-  constexpr std::size_t most_at_once = 1u << 30;  // zlib counts in 32 bits
+  constexpr std::size_t max_at_once = 1u << 30;  // zlib counts in 32 bits
   for (const CachedImage& image : images) {
     for (std::string_view rest = view_of(image); !rest.empty();) {
-      feed(rest.substr(0, most_at_once), Z_NO_FLUSH);
-      rest.remove_prefix(std::min(rest.size(), most_at_once));
+      feed(rest.substr(0, max_at_once), Z_NO_FLUSH);
+      rest.remove_prefix(std::min(rest.size(), max_at_once));
     }
   }
   feed({}, Z_FINISH);
@@ -112,8 +112,8 @@ std::string compress(const std::vector<CachedImage>& images) {
 // Fills the images; false where the stream does not hold exactly what they take.
 bool expand(CacheEntry& entry, std::string_view pixels) {
   // A stream cannot grow by more (zlib, Technical Details): sizes beyond that are never allocated.
-  constexpr std::uint64_t most_growth = 1032;
-  std::uint64_t room = (pixels.size() + 1) * most_growth;
+  constexpr std::uint64_t max_growth = 1032;
+  std::uint64_t room = (pixels.size() + 1) * max_growth;
   for (CachedImage& image : entry.images) {
     if (image.width < 0 || image.height < 0 || image.pixel_bytes < 0) return false;
     const std::uint64_t area = static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
@@ -126,10 +126,10 @@ bool expand(CacheEntry& entry, std::string_view pixels) {
   if (inflateInit(&stream) != Z_OK) throw std::bad_alloc();
   int state = Z_OK;
   const auto take = [&](std::byte* into, std::size_t bytes) {
-    constexpr std::size_t most_at_once = 1u << 30;
+    constexpr std::size_t max_at_once = 1u << 30;
     while (bytes > 0 && state == Z_OK) {
-      const std::size_t part = std::min(bytes, most_at_once);
-      const std::size_t given = std::min(pixels.size(), most_at_once);
+      const std::size_t part = std::min(bytes, max_at_once);
+      const std::size_t given = std::min(pixels.size(), max_at_once);
       stream.next_out = reinterpret_cast<Bytef*>(into);
       stream.avail_out = static_cast<uInt>(part);
       stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(pixels.data()));

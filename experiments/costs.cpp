@@ -35,7 +35,7 @@ std::string costs_text(const Costs& costs) {
   std::string text = fmt::format("traced {} triangles; built in {:.3g} s, {}", costs.build.triangles,
                                  costs.build.seconds, bytes_text(costs.build.bytes));
   text += rays_text("shadow", costs.shadow) + rays_text("hemisphere", costs.hemisphere);
-  if (costs.largest_offset > 0.0) text += "; offset at most " + length(costs.largest_offset);
+  if (costs.largest_offset > 0.0) text += "; offset at most " + metres_text(costs.largest_offset);
   return text + "; peak memory " + bytes_text(peak_resident_bytes());
 }
 

@@ -62,7 +62,7 @@ ShadowMeasurement measure_shadow(Stages& stages, const Experiment& experiment, s
     measurement.statistics = measure_edges(stages, experiment, light, drawn);
   }
   measurement.metrics = score(experiment, {drawn, measurement.truth->visibility, [&](std::size_t i) {
-                                             return measurement.counted.counting[i] == Counting::counted;
+                                             return measurement.counted.exclusion[i] == PixelExclusion::none;
                                            }});
   return measurement;
 }

@@ -35,11 +35,11 @@ std::string percent(const Estimate& share) {
 }
 
 std::string length_text(const Length& any) {
-  return any.unit == LengthUnit::metres ? length(any.number)
+  return any.unit == LengthUnit::metres ? metres_text(any.number)
                                         : fmt::format("{:.4g} {}", any.number, unit_name(any.unit));
 }
 
-std::string length(double metres, int digits) {
+std::string metres_text(double metres, int digits) {
   if (!std::isfinite(metres)) return "—";
   const double size = std::abs(metres);
   if (size >= 1000.0) return fmt::format("{:.{}g} km", metres / 1000.0, digits);

@@ -13,7 +13,7 @@ std::string percent(double share);
 /// "4.12 % [4.09, 4.15]": value and 95 % interval, as many decimals as give its half width two significant digits.
 std::string percent(const Estimate& share);
 /// In the unit that suits, three significant digits unless told otherwise: "12.5 mm", "1.2 m".
-std::string length(double metres, int digits = 3);
+std::string metres_text(double metres, int digits = 3);
 /// The same of a length in metres; "1.5 texels" of one in texels.
 std::string length_text(const Length& any);
 

@@ -24,9 +24,12 @@ Parameters run_parameter(Experiment& experiment, std::string_view key) {
   return {require(describe(experiment.run), key)};
 }
 
+// Everything of the technique that neither the map nor its filter reads.
 Parameters visibility_parameters(Experiment& experiment) {
-  return concatenate(
-      {describe(experiment.shadow.bias), describe(experiment.shadow.pcf), run_parameter(experiment, "run.classes")});
+  Parameters all = describe(experiment.shadow);
+  const Parameters earlier = concatenate({describe(experiment.shadow.map), filtered_map_parameters(experiment.shadow)});
+  std::erase_if(all, [&](const Parameter& parameter) { return find(earlier, parameter.key) != nullptr; });
+  return concatenate({all, run_parameter(experiment, "run.classes")});
 }
 
 Parameters sampling_parameters(Experiment& experiment) {

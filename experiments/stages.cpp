@@ -265,7 +265,7 @@ ShadowLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t l
   if (with_truth) {
     const Stage reference = reference_stage(experiment, light);
     gpu_truth = &gpu_truth_.get(key(reference, experiment, light) + key(Stage::counted, experiment, light), [&] {
-      return upload_truth(context(), truth(experiment, light).visibility, counted(experiment, light).counting);
+      return upload_truth(context(), truth(experiment, light).visibility, counted(experiment, light).exclusion);
     });
   }
   const ShadowTechnique technique = make_technique(experiment.shadow);
@@ -281,7 +281,7 @@ RasterVisibility Stages::draw(const Experiment& experiment, std::uint32_t light,
 BiasHistogram Stages::bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes) {
   BiasHistogram histogram = draw_bias_response(context(), shadow_lookup(experiment, light, true), axes);
   if (experiment.run.classes == ClassRule::fast) return histogram;
-  judge_taps(experiment, light, axes, [&](std::span<const ForeignTap> taps, std::span<const std::uint8_t> own) {
+  judge_taps(experiment, light, axes, [&](std::span<const UnresolvedTap> taps, std::span<const std::uint8_t> own) {
     apply_judgement(histogram, taps, own);
   });
   return histogram;
@@ -294,7 +294,7 @@ void Stages::judge_taps(const Experiment& experiment, std::uint32_t light, const
   const GBuffer& gbuffer = surfels(experiment).gbuffer;
   const Tracer& rays = tracer();
   ProgressBar progress = bar("classes");
-  list_foreign_taps(context(), lookup, axes, [&](std::span<const ForeignTap> taps) {
+  list_unresolved_taps(context(), lookup, axes, [&](std::span<const UnresolvedTap> taps) {
     take(taps, judge_own(rays, frame, surfaces_of(scene_, frame, gbuffer, taps), progress.callback()));
   });
 }
@@ -306,7 +306,7 @@ ClassAgreement Stages::judge(const Experiment& experiment, std::uint32_t light, 
   const Length& bias = experiment.shadow.bias.constant;
   const BiasAxes biases{
       {static_cast<float>(bias.number)}, {static_cast<float>(experiment.shadow.bias.slope)}, bias.unit};
-  judge_taps(experiment, light, biases, [&](std::span<const ForeignTap> taps, std::span<const std::uint8_t> own) {
+  judge_taps(experiment, light, biases, [&](std::span<const UnresolvedTap> taps, std::span<const std::uint8_t> own) {
     apply_judgement(wrong, gbuffer, taps, own);
     add_judgement(agreement, taps, own);
   });

@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "compare/foreign_taps.h"
+#include "compare/unresolved_taps.h"
 #include "compare/visibility.h"
 #include "experiments/console.h"
 #include "experiments/costs.h"
@@ -134,7 +134,7 @@ class Stages {
   void add_notes(const std::vector<std::string>& notes);
 
  private:
-  using JudgedTaps = std::function<void(std::span<const ForeignTap>, std::span<const std::uint8_t>)>;
+  using JudgedTaps = std::function<void(std::span<const UnresolvedTap>, std::span<const std::uint8_t>)>;
   void judge_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes, const JudgedTaps& take);
   ShadowLookup shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth);
   ProgressBar bar(const char* stage) const;

@@ -11,8 +11,8 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::size_t most_values = 1'000'000;
-constexpr std::size_t most_cells = 1'000'000'000;
+constexpr std::size_t max_values = 1'000'000;
+constexpr std::size_t max_cells = 1'000'000'000;
 
 std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> parts;
@@ -69,8 +69,8 @@ std::vector<double> parse_range(std::string_view key, std::string_view text, con
   const double first = parse_end(parts[0]);
   const double last = parse_end(parts[1]);
   const double count = parse_real(key, text, parts[2]);
-  if (count < 1.0 || count != std::floor(count) || count > static_cast<double>(most_values)) {
-    reject(key, text, "the count must be an integer from 1 to " + std::to_string(most_values));
+  if (count < 1.0 || count != std::floor(count) || count > static_cast<double>(max_values)) {
+    reject(key, text, "the count must be an integer from 1 to " + std::to_string(max_values));
   }
   if (count == 1.0 && first != last) reject(key, text, "a count of 1 needs equal ends");
   const bool logarithmic = parts.size() == 4;
@@ -169,8 +169,8 @@ SweepAxis parse_axis(const Parameters& parameters, std::string_view assignment) 
 std::size_t count_cells(const std::vector<SweepAxis>& axes) {
   std::size_t cells = 1;
   for (const SweepAxis& axis : axes) {
-    if (!axis.values.empty() && cells > most_cells / axis.values.size()) {
-      throw Error(ExitCode::usage, "sweep", "more than " + std::to_string(most_cells) + " cells",
+    if (!axis.values.empty() && cells > max_cells / axis.values.size()) {
+      throw Error(ExitCode::usage, "sweep", "more than " + std::to_string(max_cells) + " cells",
                   "make an axis shorter or split the sweep");
     }
     cells *= axis.values.size();

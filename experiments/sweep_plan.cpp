@@ -47,10 +47,10 @@ LengthUnit unit_of_constants(const Parameters& parameters, const SweepPlan& plan
 // How many of the biases go into one group. A pass is paid for each slope-scaled bias, hardly for a constant one: so
 // the constant ones stay together as long as they can.
 std::size_t constants_in_group(const SweepPlan& plan) {
-  return std::min(plan.constant_bias.values.size(), most_group_cells);
+  return std::min(plan.constant_bias.values.size(), max_group_cells);
 }
 std::size_t slopes_in_group(const SweepPlan& plan) {
-  return std::min(plan.slope_bias.values.size(), most_group_cells / constants_in_group(plan));
+  return std::min(plan.slope_bias.values.size(), max_group_cells / constants_in_group(plan));
 }
 
 std::size_t divide_up(std::size_t number, std::size_t by) { return (number + by - 1) / by; }

@@ -17,7 +17,7 @@ inline constexpr std::string_view constant_bias_key = "shadow.constant-bias";
 inline constexpr std::string_view slope_bias_key = "shadow.slope-bias";
 
 /// A group is stored in one transaction; a larger inner grid is split, the slope-scaled biases first.
-inline constexpr std::size_t most_group_cells = 65'536;
+inline constexpr std::size_t max_group_cells = 65'536;
 
 /// Values of an inner axis; of the plan all, of a group its own.
 struct InnerAxis {

@@ -2,7 +2,7 @@
 //
 //   context = gl::Context::make()          scene = upload(context, Scene)
 //   gbuffer = draw_gbuffer(...)            map = draw_shadow_map(...)
-//   draw_visibility(...), draw_ao(...)     draw_bias_response(...)    list_foreign_taps(...)    read_back(...)
+//   draw_visibility(...), draw_ao(...)     draw_bias_response(...)    list_unresolved_taps(...)    read_back(...)
 #pragma once
 
 #include "raster/ao/ssao_pass.h"
@@ -10,8 +10,8 @@
 #include "raster/gbuffer/uploaded_scene.h"
 #include "raster/gl/context.h"
 #include "raster/shadow/bias_response_pass.h"
-#include "raster/shadow/foreign_taps_pass.h"
 #include "raster/shadow/shadow_map.h"
+#include "raster/shadow/unresolved_taps_pass.h"
 #include "raster/shadow/visibility_pass.h"
 #include "techniques/ao/parameters.h"
 #include "techniques/shadow/parameters.h"

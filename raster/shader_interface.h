@@ -30,7 +30,7 @@ inline constexpr ShaderSlot shader_slots[] = {
     {"BUFFER_PIXELS", 2},
     {"BUFFER_AXES", 3},
     {"BUFFER_HISTOGRAM", 4},
-    {"BUFFER_FOREIGN", 5},
+    {"BUFFER_UNRESOLVED", 5},
     {"ATTRIBUTE_POSITION", 0},
     {"ATTRIBUTE_TEXCOORD", 1},
     {"ATTRIBUTE_INSTANCE", 2},
@@ -67,7 +67,7 @@ inline constexpr ShaderSlot shader_slots[] = {
     {"HISTOGRAM_WORDS", 16},   // a bin: two of each cause's weight, three of each square, one of each largest
     {"HISTOGRAM_SQUARES", 8},  // where they start
     {"HISTOGRAM_LARGEST", 14},
-    {"FOREIGN_WORDS", sizeof(ForeignTap) / sizeof(std::uint32_t)},
+    {"UNRESOLVED_WORDS", sizeof(UnresolvedTap) / sizeof(std::uint32_t)},
     {"CAUSE_ACNE", static_cast<unsigned>(Cause::acne)},
     {"CAUSE_FALSE_OCCLUSION", static_cast<unsigned>(Cause::false_occlusion)},
     {"CAUSE_PETER_PANNING", static_cast<unsigned>(Cause::peter_panning)},

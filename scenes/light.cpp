@@ -11,7 +11,7 @@ dmat3 axes_of(const Light& light) {
   return {x, glm::cross(z, x), z};
 }
 
-dvec4 homogeneous_place(const Light& light) {
+dvec4 homogeneous_position(const Light& light) {
   const bool is_directional = std::holds_alternative<DirectionalLight>(light.shape);
   return is_directional ? dvec4(to_light(light, dvec3(0.0)), 0.0) : dvec4(light.position(), 1.0);
 }

@@ -9,7 +9,7 @@ namespace umbrameter {
 dmat3 axes_of(const Light& light);
 
 /// Directional: the unit vector to the light, w = 0. Else the light's position, w = 1.
-dvec4 homogeneous_place(const Light& light);
+dvec4 homogeneous_position(const Light& light);
 
 /// Unit vector from a world position to the light.
 dvec3 to_light(const Light& light, const dvec3& position);

@@ -13,7 +13,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::size_t most_rows = 200;
+constexpr std::size_t max_rows = 200;
 
 std::vector<double> numbers_of(const SweepAxis& axis) {
   std::vector<double> numbers;
@@ -54,7 +54,7 @@ std::vector<OpenEnd> find_open_ends(const SweepResults& sweep, const Table& best
                                     std::span<const std::size_t> listed_axes) {
   const SweepPlan& plan = sweep.plan;
   std::vector<OpenEnd> ends;
-  for (std::size_t r = 0; r < std::min(best.rows.size(), most_rows); ++r) {
+  for (std::size_t r = 0; r < std::min(best.rows.size(), max_rows); ++r) {
     const std::vector<Value>& row = best.rows[r];
     const double error = to_number(row[column_index(best, error_statistic)]);
     std::size_t cell = 0;

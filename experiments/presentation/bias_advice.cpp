@@ -15,8 +15,8 @@ namespace umbrameter {
 namespace {
 
 // From a hundredth of a texel, which no acne notices, to a hundred, where contact shadows are long gone.
-constexpr double least_texels = 0.01;
-constexpr double most_texels = 100.0;
+constexpr double min_texels = 0.01;
+constexpr double max_texels = 100.0;
 
 // Numbers with few digits in steps of 2 to 5 %, from `first` to the first one at or beyond `last`; 0 before them. What
 // is printed is then the very bias whose error is printed.
@@ -51,8 +51,8 @@ BiasInUnits in_units(const BiasAdvice& advice, const BiasCell& cell) {
 std::string bias_text(const BiasAdvice& advice, const BiasCell& cell) {
   const BiasInUnits bias = in_units(advice, cell);
   const std::string texels = fmt::format("{:.3g} texels", bias.texels);
-  return advice.unit == LengthUnit::texels ? fmt::format("{} ({})", texels, length(bias.metres))
-                                           : fmt::format("{} ({})", length(bias.metres), texels);
+  return advice.unit == LengthUnit::texels ? fmt::format("{} ({})", texels, metres_text(bias.metres))
+                                           : fmt::format("{} ({})", metres_text(bias.metres), texels);
 }
 
 std::string short_bias_text(const BiasAdvice& advice, const BiasCell& cell) {
@@ -74,7 +74,7 @@ BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32
   advice.mean_texel = counted.mean_texel;
   advice.depth_range = layout.far_depth;
   const double texel = used.unit == LengthUnit::texels ? 1.0 : advice.mean_texel;
-  const std::vector<double> biases = readable_axis(least_texels * texel, most_texels * texel);
+  const std::vector<double> biases = readable_axis(min_texels * texel, max_texels * texel);
   advice.largest = biases.back();
 
   BiasAxes axes{{static_cast<float>(used.number)}, {static_cast<float>(experiment.shadow.bias.slope)}, used.unit};

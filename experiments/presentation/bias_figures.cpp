@@ -11,11 +11,11 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::size_t most_biases = 500;  // of a line
-constexpr std::size_t most_lines = 24;
-constexpr std::size_t most_columns = 150;  // of a heat map
-constexpr std::size_t most_slopes = 24;
-constexpr std::size_t most_panels = 9;
+constexpr std::size_t max_biases = 500;  // of a line
+constexpr std::size_t max_lines = 24;
+constexpr std::size_t max_columns = 150;  // of a heat map
+constexpr std::size_t max_slopes = 24;
+constexpr std::size_t max_panels = 9;
 constexpr std::size_t least_resolutions = 3;  // that make a heat map of their own
 
 constexpr const char* error_label = "mean absolute error [% of counted pixels]";
@@ -96,8 +96,8 @@ Axis constant_axis(const Drawing& drawing) {
 // Rows of lines of y against the constant bias; columns as asked.
 Table read_lines(const Drawing& drawing, const std::vector<std::string>& columns, std::vector<Value>& lines,
                  std::string& caption) {
-  const Thinned biases = thin(drawing.plan().constant_bias.values.size(), most_biases);
-  const Thinned series = thin(drawing.lines(), most_lines);
+  const Thinned biases = thin(drawing.plan().constant_bias.values.size(), max_biases);
+  const Thinned series = thin(drawing.lines(), max_lines);
   std::vector<std::size_t> cells;
   for (const std::size_t line : series.indices) {
     for (const std::size_t bias : biases.indices) {
@@ -154,7 +154,7 @@ PlotFigure error_plot(const Drawing& drawing) {
     if (plot.x.logarithmic && bias <= 0.0) continue;
     plot.data.rows.push_back({bias, 100.0 * to_number(rows.rows[i][1]), lines[i], false});
   }
-  for (const std::size_t line : thin(drawing.lines(), most_lines).indices) {
+  for (const std::size_t line : thin(drawing.lines(), max_lines).indices) {
     const BiasCurve* curve = curve_at(drawing, line);
     if (curve == nullptr) continue;
     const std::optional<BiasCell>& least = curve->reading.lines[drawing.slope].least_error;
@@ -188,9 +188,9 @@ HeatMapFigure heat_map(const Drawing& drawing, HeatRows kind) {
     figure.panel = "panel";
     figure.panel_label = label_of(drawing.plan().axes[*drawing.part.line_axis]);
   }
-  const Thinned lines = thin(drawing.lines(), by_slope ? most_panels : most_lines);
-  const Thinned slopes = by_slope ? thin(plan.slope_bias.values.size(), most_slopes) : Thinned{{drawing.slope}, 1};
-  const Thinned biases = thin(constant.values.size(), most_columns);
+  const Thinned lines = thin(drawing.lines(), by_slope ? max_panels : max_lines);
+  const Thinned slopes = by_slope ? thin(plan.slope_bias.values.size(), max_slopes) : Thinned{{drawing.slope}, 1};
+  const Thinned biases = thin(constant.values.size(), max_columns);
   figure.caption += thinning_text(biases, drawing.constant_key) + thinning_text(slopes, drawing.slope_key);
   if (drawing.part.line_axis) figure.caption += thinning_text(lines, drawing.line_key);
   const auto least_of = [&](std::size_t line) -> std::optional<BiasCell> {
@@ -241,7 +241,7 @@ PlotFigure front_plot(const Drawing& drawing) {
       "point farthest below the chord between the ends of the front. Shares of the counted pixels.";
   plot.mark = "knee";
   plot.data.columns = plain_columns({"acne", "peter_panning", "line", "knee"});
-  const Thinned lines = thin(drawing.lines(), most_lines);
+  const Thinned lines = thin(drawing.lines(), max_lines);
   if (drawing.part.line_axis) plot.caption += thinning_text(lines, drawing.line_key);
   bool is_thinned = false;
   for (const std::size_t line : lines.indices) {
@@ -252,7 +252,7 @@ PlotFigure front_plot(const Drawing& drawing) {
     };
     std::vector<const BiasCell*> cells;
     for (const auto& [acne, cell] : curve->reading.front.by_acne) cells.push_back(&cell);
-    const Thinned drawn = thin(cells.size(), most_biases);
+    const Thinned drawn = thin(cells.size(), max_biases);
     is_thinned = is_thinned || drawn.step > 1 || curve->reading.front.thinned;
     for (const std::size_t i : drawn.indices) add_row(*cells[i], false);
     if (const std::optional<BiasCell> found = knee(curve->reading.front)) add_row(*found, true);

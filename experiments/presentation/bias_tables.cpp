@@ -10,9 +10,9 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::size_t most_console_curves = 6;
-constexpr std::size_t most_console_laws = 2;
-constexpr std::size_t most_rows_by_slope = 400;
+constexpr std::size_t max_console_curves = 6;
+constexpr std::size_t max_console_laws = 2;
+constexpr std::size_t max_rows_by_slope = 400;
 
 const Value nothing = std::string();
 
@@ -105,7 +105,7 @@ Table slopes_table(const BiasCurves& curves) {
   table.columns.insert(table.columns.end(), rest.begin(), rest.end());
   for (const BiasCurve& curve : curves.curves) {
     for (const BiasLine& line : curve.reading.lines) {
-      if (!line.least_error || table.rows.size() >= most_rows_by_slope) continue;
+      if (!line.least_error || table.rows.size() >= max_rows_by_slope) continue;
       std::vector<Value> row = curve.others;
       row.insert(row.end(), {line.slope, 100.0 * line.least_error->mae});
       for (const std::optional<BiasCell>& cell : {line.least_error, line.little_acne, line.acne_free}) {
@@ -203,10 +203,10 @@ std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const Bi
   }
   const bool is_in_texels = curves.unit == LengthUnit::texels;
   const auto own_text = [&](double constant) {
-    return is_in_texels ? fmt::format("{:.{}g} texels", constant, digits) : length(constant, digits);
+    return is_in_texels ? fmt::format("{:.{}g} texels", constant, digits) : metres_text(constant, digits);
   };
   std::string text = own_text(cell.constant);
-  std::string more = is_in_texels                 ? length(bias.metres, digits)
+  std::string more = is_in_texels                 ? metres_text(bias.metres, digits)
                      : std::isfinite(bias.texels) ? fmt::format("{:.{}g} texels", bias.texels, digits)
                                                   : std::string();
   if (is_between) {
@@ -219,13 +219,13 @@ std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const Bi
 }
 
 std::string law_text(const BiasLaw& law) {
-  return fmt::format("{} {} {:.3g} texels", length(law.constant.value), law.per_texel.value < 0.0 ? "−" : "+",
+  return fmt::format("{} {} {:.3g} texels", metres_text(law.constant.value), law.per_texel.value < 0.0 ? "−" : "+",
                      std::abs(law.per_texel.value));
 }
 
 std::string residual_text(const BiasLaw& law) {
   if (!law.constant.standard_error) return fmt::format("exact through its {} points", law.points);
-  return fmt::format("RMS residual {} ({:.2g} texels)", length(law.residual, 2), law.residual_texels);
+  return fmt::format("RMS residual {} ({:.2g} texels)", metres_text(law.residual, 2), law.residual_texels);
 }
 
 void present_bias(Presentation& presentation, const BiasCurves& curves) {
@@ -238,9 +238,9 @@ void present_bias(Presentation& presentation, const BiasCurves& curves) {
 
   std::size_t printed = 0;
   for (const BiasCurve& curve : curves.curves) {
-    if (printed++ == most_console_curves) {
+    if (printed++ == max_console_curves) {
       presentation.answers.push_back(
-          fmt::format("… and {} more: see the report", curves.curves.size() - most_console_curves));
+          fmt::format("… and {} more: see the report", curves.curves.size() - max_console_curves));
       break;
     }
     const BiasCell least = *least_error(curve.reading);
@@ -254,7 +254,7 @@ void present_bias(Presentation& presentation, const BiasCurves& curves) {
   }
   printed = 0;
   for (const CurveLaw& law : curves.laws) {
-    if (!law.law || printed == most_console_laws || law.of == LawOf::no_acne) continue;
+    if (!law.law || printed == max_console_laws || law.of == LawOf::no_acne) continue;
     ++printed;
     const std::string setting = setting_text(curves.of_a_law, law.others);
     presentation.lines.push_back(fmt::format("fit ({}{}{}): bias ≈ {}, {}", law_names[static_cast<std::size_t>(law.of)],

@@ -57,7 +57,8 @@ void add_metrics_table(ReportSection& section, const std::vector<MetricScore>& s
 }
 
 std::string offset_text(const TraceStatistics& statistics) {
-  return fmt::format("rays start at an offset of at most {} from the surfaces.", length(statistics.largest_offset));
+  return fmt::format("rays start at an offset of at most {} from the surfaces.",
+                     metres_text(statistics.largest_offset));
 }
 
 std::string precision_text(const SamplingPrecision& precision, const TruthParams& truth) {
@@ -145,7 +146,7 @@ Presentation present_picture(const Stages& stages, const Measurement& measuremen
 }
 
 std::string ao_limit_text(const TruthParams& params) {
-  return has_distance_limit(params) ? "up to " + length(params.ao_distance.number) : "without distance limit";
+  return has_distance_limit(params) ? "up to " + metres_text(params.ao_distance.number) : "without distance limit";
 }
 
 std::string nothing_counted_text(const CountedPixels& counted) {
@@ -155,7 +156,7 @@ std::string nothing_counted_text(const CountedPixels& counted) {
                                                        "lie outside its shadow map",
                                                        "lie outside its cone",
                                                        "lie beyond its range"};
-  if (counted.totals[static_cast<std::size_t>(Counting::counted)] > 0) return {};
+  if (counted.totals[static_cast<std::size_t>(PixelExclusion::none)] > 0) return {};
   std::uint64_t all = 0;
   for (const std::uint64_t total : counted.totals) all += total;
   std::string text;
@@ -181,14 +182,14 @@ Presentation present_ao(const AoMeasurement& ao) {
                              ao.truth->ao, ao_scale));
   }
   if (ao.raster) {
-    add_figure(presentation,
-               scalar_figure("raster_ao", "SSAO",
-                             fmt::format("{} samples, radius {}, bias {}{}.", experiment.ao.samples,
-                                         length(experiment.ao.radius.number), length(experiment.ao.bias.number),
-                                         experiment.ao.blur == AoBlur::box
-                                             ? fmt::format(", {0}×{0} box blur", experiment.ao.blur_size)
-                                             : ""),
-                             *ao.raster, ao_scale));
+    add_figure(presentation, scalar_figure("raster_ao", "SSAO",
+                                           fmt::format("{} samples, radius {}, bias {}{}.", experiment.ao.samples,
+                                                       metres_text(experiment.ao.radius.number),
+                                                       metres_text(experiment.ao.bias.number),
+                                                       experiment.ao.blur == AoBlur::box
+                                                           ? fmt::format(", {0}×{0} box blur", experiment.ao.blur_size)
+                                                           : ""),
+                                           *ao.raster, ao_scale));
   }
   if (ao.truth) {
     section.text = precision_text(ao.truth->precision, experiment.truth);
@@ -217,12 +218,12 @@ Presentation present_ao(const AoMeasurement& ao) {
   section.text += fmt::format(
       "\n\nThe technique looks for occluders up to {}, the reference {}. The interval of the mean absolute error can "
       "be asymmetric: noise in the reference can only raise this error, so only the lower end is corrected for it.",
-      length(experiment.ao.radius.number), limit);
+      metres_text(experiment.ao.radius.number), limit);
   section.tables = {statistics_table("Ambient occlusion error", *ao.statistics)};
   add_metrics_table(section, ao.metrics);
   presentation.answers.push_back(fmt::format("AO: error {}, mean error {} (SSAO radius {}, reference {})",
-                                             percent(s.mae), percent(s.mean_error), length(experiment.ao.radius.number),
-                                             limit));
+                                             percent(s.mae), percent(s.mean_error),
+                                             metres_text(experiment.ao.radius.number), limit));
   return presentation;
 }
 

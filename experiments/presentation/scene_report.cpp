@@ -138,7 +138,7 @@ SceneReport make_scene_report(const std::string& source, const std::string& part
   report.units = guess_units(report.bounds, metres_per_unit(report.unit));
   report.memory = bytes_in_memory(report.scene);
   report.gpu = bytes_when_uploaded(report.scene);
-  const bool is_small = report.counts.stored_triangles <= most_triangles_built_unasked;
+  const bool is_small = report.counts.stored_triangles <= max_triangles_built_unasked;
   if (report.counts.triangles > 0 && (is_small || options.measure_memory)) {
     report.tracer_bytes = Tracer(report.scene).build_statistics().bytes;
   }

@@ -34,7 +34,7 @@ struct SceneReport {
 };
 
 /// Scenes with more stored triangles than this are traced only on demand: building takes about a second here.
-inline constexpr std::uint64_t most_triangles_built_unasked = 1'000'000;
+inline constexpr std::uint64_t max_triangles_built_unasked = 1'000'000;
 
 struct SceneReportOptions {
   LoadOptions load;

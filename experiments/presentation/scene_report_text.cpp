@@ -10,7 +10,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::size_t most_listed = 12;
+constexpr std::size_t max_listed = 12;
 constexpr std::size_t longest_name = 28;
 constexpr std::size_t label_width = 11;
 constexpr std::size_t line_width = 100;
@@ -27,7 +27,7 @@ class Lines {
   template <class T>
   void add_list(std::string_view label, const std::vector<T>& items, std::vector<std::string> (*row)(const T&)) {
     Cells rows;
-    for (std::size_t i = 0; i < std::min(items.size(), most_listed); ++i) {
+    for (std::size_t i = 0; i < std::min(items.size(), max_listed); ++i) {
       std::vector<std::string>& cells = rows.emplace_back();
       cells.push_back(fmt::format("{:>2}", i));
       cells.push_back(items[i].name.empty() ? "(no name)" : shortened(items[i].name, longest_name));
@@ -35,8 +35,8 @@ class Lines {
     }
     if (items.empty()) put(label, "none");
     for (const std::string& line : aligned(rows)) put(label, line);
-    if (items.size() > most_listed) {
-      put(label, fmt::format("… and {} more (--json lists all)", grouped(items.size() - most_listed)));
+    if (items.size() > max_listed) {
+      put(label, fmt::format("… and {} more (--json lists all)", grouped(items.size() - max_listed)));
     }
   }
   void add_rows(std::string_view label, const Cells& rows) {

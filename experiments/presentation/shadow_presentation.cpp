@@ -27,12 +27,13 @@ ImageFigure class_figure(const std::string& layer, const std::string& title, con
 }
 
 std::string counted_text(const CountedPixels& counted, bool is_soft) {
-  const auto total = [&](Counting c) { return counted.totals[static_cast<std::size_t>(c)]; };
+  const auto total = [&](PixelExclusion c) { return counted.totals[static_cast<std::size_t>(c)]; };
   return fmt::format(
       "{} counted pixels face {}the light and lie inside its map, cone and range. Not counted: {} back-facing, {} "
       "outside the map, {} outside the cone, {} out of range, {} background.",
-      total(Counting::counted), is_soft ? "part of " : "", total(Counting::turned_away), total(Counting::outside_map),
-      total(Counting::outside_cone), total(Counting::outside_range), total(Counting::background));
+      total(PixelExclusion::none), is_soft ? "part of " : "", total(PixelExclusion::back_facing),
+      total(PixelExclusion::outside_map), total(PixelExclusion::outside_cone), total(PixelExclusion::outside_range),
+      total(PixelExclusion::background));
 }
 
 // What one light's shadow rays went to.
@@ -110,7 +111,7 @@ void present_soft_error(Presentation& presentation, const Stages& stages, const 
 std::string agreement_text(const ClassAgreement& agreement) {
   return fmt::format(
       "ray tests reclassified {:.2g} % of {} taps from false occlusion to acne: {:.2g} % of all wrong taps.",
-      100.0 * share_of_foreign(agreement), agreement.taps, 100.0 * share_of_wrong(agreement));
+      100.0 * share_of_unresolved(agreement), agreement.taps, 100.0 * share_of_wrong(agreement));
 }
 
 ReportTable worst_parts(const char* what, PartKind kind, const std::vector<PartError>& parts,
@@ -151,7 +152,7 @@ Presentation present_shadow_error(const Stages& stages, const ShadowMeasurement&
   if (!shadow.statistics) {
     const double pixels = static_cast<double>(shadow.counted.totals[0]);
     std::string line = fmt::format("{}: {:.0f} counted pixels", title, pixels);
-    if (shadow.raster) line += fmt::format(", mean texel {}", length(shadow.counted.mean_texel));
+    if (shadow.raster) line += fmt::format(", mean texel {}", metres_text(shadow.counted.mean_texel));
     if (shadow.truth && has_area_light(shadow)) line += "; " + precision_line(shadow.truth->precision);
     presentation.answers.push_back(std::move(line));
     return presentation;
@@ -207,8 +208,8 @@ ReportTable bias_table(const ShadowMeasurement& shadow) {
   const auto known = [](double number) { return std::isfinite(number) ? fmt::format("{:.4g}", number) : "—"; };
   table.rows.push_back({std::string("along the light"), known(bias.metres), std::string("m")});
   table.rows.push_back(
-      {std::string("in texels of mean size ") + length(texel), known(bias.texels), std::string("texels")});
-  table.rows.push_back({std::string("as a share of the map's depth range of ") + length(shadow.frame.far_depth),
+      {std::string("in texels of mean size ") + metres_text(texel), known(bias.texels), std::string("texels")});
+  table.rows.push_back({std::string("as a share of the map's depth range of ") + metres_text(shadow.frame.far_depth),
                         known(bias.depth), std::string("normalised depth")});
   return {"Constant bias of these images", std::move(table)};
 }

@@ -10,7 +10,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::size_t most_casters = 12;  // that the page lists
+constexpr std::size_t max_casters = 12;  // that the page lists
 
 constexpr std::array<std::string_view, 2> soft_titles = {"too dark", "too bright"};
 
@@ -84,7 +84,7 @@ Table caster_table(const Stages& stages, const std::vector<CasterShape>& casters
   std::stable_sort(listed.begin(), listed.end(), [](const CasterShape& a, const CasterShape& b) {
     return a.contacts + a.edges > b.contacts + b.edges;
   });
-  if (listed.size() > most_casters) listed.resize(most_casters);
+  if (listed.size() > max_casters) listed.resize(max_casters);
   const std::string gap = "lit strip between the foot of the caster and its shadow, ";
   const std::string inset =
       "how far the outline of the shadow lies inside that of the reference; negative: outside; median";

@@ -49,9 +49,9 @@ Json parts_json(PartKind kind, const std::vector<PartError>& parts, std::uint32_
 Json agreement_json(const ClassAgreement& agreement) {
   return {{"judged_taps", agreement.taps},
           {"wrong_weight", agreement.wrong},
-          {"foreign_weight", agreement.foreign},
+          {"foreign_weight", agreement.unresolved},
           {"judged_own_weight", agreement.judged_own},
-          {"judged_own_of_foreign", share_of_foreign(agreement)},
+          {"judged_own_of_foreign", share_of_unresolved(agreement)},
           {"judged_own_of_wrong", share_of_wrong(agreement)}};
 }
 
@@ -90,8 +90,8 @@ Json shadow_json(const Stages& stages, const ShadowMeasurement& shadow) {
       {"resolution_texels", shadow.frame.resolution}, {"mean_texel_m", texel}, {"far_depth_m", shadow.frame.far_depth}};
   object["constant_bias"] = to_json(in_units(shadow.experiment.shadow.bias.constant, texel, shadow.frame.far_depth));
   Json counting = Json::object();
-  for (std::size_t i = 0; i < counting_names.size(); ++i) {
-    counting[std::string(counting_names[i])] = shadow.counted.totals[i];
+  for (std::size_t i = 0; i < exclusion_names.size(); ++i) {
+    counting[std::string(exclusion_names[i])] = shadow.counted.totals[i];
   }
   object["pixels"] = counting;
   if (shadow.truth) {

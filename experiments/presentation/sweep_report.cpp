@@ -13,11 +13,11 @@ namespace umbrameter {
 namespace {
 
 // What a reader can tell apart and a page can hold; all else is in the store.
-constexpr std::size_t most_plots = 12;
-constexpr std::size_t most_points = 16'000;  // of a plot
-constexpr std::size_t most_points_of_line = 2'000;
-constexpr std::size_t most_lines = 64;
-constexpr std::size_t most_best_rows = 1'000;
+constexpr std::size_t max_plots = 12;
+constexpr std::size_t max_points = 16'000;  // of a plot
+constexpr std::size_t max_points_of_line = 2'000;
+constexpr std::size_t max_lines = 64;
+constexpr std::size_t max_best_rows = 1'000;
 
 // How the axes are laid out in figures: x is the numeric axis with the most values, lines are the next, and every
 // combination of the rest gets a figure of its own.
@@ -66,9 +66,9 @@ PlotCells cells_of_plot(const SweepPlan& plan, const Layout& layout, std::size_t
     plot.conditions = plan.axes[*a].key + " = " + short_text(plan.axes[*a].values[index]) +
                       (plot.conditions.empty() ? "" : ", ") + plot.conditions;
   }
-  const Thinned lines = thin(layout.series ? count_values(plan, *layout.series) : 1, most_lines);
+  const Thinned lines = thin(layout.series ? count_values(plan, *layout.series) : 1, max_lines);
   const Thinned points =
-      thin(count_values(plan, layout.x), std::min(most_points_of_line, most_points / lines.indices.size()));
+      thin(count_values(plan, layout.x), std::min(max_points_of_line, max_points / lines.indices.size()));
   for (const std::size_t line : lines.indices) {
     const std::size_t of_line = first + (layout.series ? line * plan.strides[*layout.series] : 0);
     for (const std::size_t point : points.indices) plot.cells.push_back(of_line + point * plan.strides[layout.x]);
@@ -119,7 +119,7 @@ std::vector<PlotFigure> make_plots(const SweepResults& sweep, const Layout& layo
     const PlotCells cells = cells_of_plot(sweep.plan, layout, part);
     for (const Statistic& statistic : describe(statistics)) {
       if (statistic.curve.title.empty()) continue;
-      if (plots.size() >= most_plots) return plots;
+      if (plots.size() >= max_plots) return plots;
       PlotFigure plot = make_plot(sweep, layout, cells, statistic);
       plot.stem = statistic.name + (layout.rest.empty() ? "" : fmt::format("_{}", part));
       plots.push_back(std::move(plot));
@@ -154,7 +154,7 @@ std::string row_text(const Table& table, const std::vector<Value>& row, std::siz
 Table best_rows(const SweepResults& sweep) {
   std::vector<std::string> keys;
   for (const std::size_t a : listed_axes(sweep)) keys.push_back(sweep.plan.axes[a].key);
-  return sweep.store.least(std::string(error_statistic), keys, most_best_rows);
+  return sweep.store.least(std::string(error_statistic), keys, max_best_rows);
 }
 
 std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row) {
@@ -191,7 +191,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   const std::vector<std::string> warnings = to_lines(open_ends);
   const Layout layout = lay_out(sweep.parameters, sweep.plan.axes);
   if (curves && curves->varies_constant) {
-    add_bias_figures(presentation, sweep, *curves, most_plots);
+    add_bias_figures(presentation, sweep, *curves, max_plots);
   } else {
     for (PlotFigure& plot : make_plots(sweep, layout)) add_figure(presentation, std::move(plot));
   }

@@ -15,12 +15,12 @@ double length_of(dvec3 a) {
   return sqrt(squared);
 }
 
-dvec3 turned_by(dmat4 m, dvec3 v) {
+dvec3 transform_vector(dmat4 m, dvec3 v) {
   precise dvec3 sum = m[0].xyz * v.x + m[1].xyz * v.y + m[2].xyz * v.z;
   return sum;
 }
 
-dvec3 moved_by(dmat4 m, dvec3 p) {
-  precise dvec3 sum = turned_by(m, p) + m[3].xyz;
+dvec3 transform_point(dmat4 m, dvec3 p) {
+  precise dvec3 sum = transform_vector(m, p) + m[3].xyz;
   return sum;
 }

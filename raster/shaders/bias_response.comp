@@ -44,9 +44,9 @@ uint bin_of(float flip, float bias_unit) {
 struct WrongTap {
   float critical_bias;
   uint weight;
-  bool is_foreign;
+  bool is_other_surface;
 };
-WrongTap wrong_taps[most_taps];  // wrong at some bias
+WrongTap wrong_taps[max_taps];  // wrong at some bias
 int wrong_count = 0;
 
 // Into the order in which taps turn wrong as the bias moves away from where it is easiest to be right, which is one for
@@ -80,8 +80,8 @@ void main() {
   Lookup surfel = look_up(pixel);
   Pattern pattern = make_pattern(surfel.receiver, pixel);
   bool is_lit_in_truth = is_truly_lit(pixel);
-  float easiest_bias = is_lit_in_truth ? least_bias : largest_bias;
-  float easiest_factor = is_lit_in_truth ? least_slope : largest_slope;
+  float easiest_bias = is_lit_in_truth ? min_bias : largest_bias;
+  float easiest_factor = is_lit_in_truth ? min_slope : largest_slope;
   Facet own = fetch_facet(id);
   for (int i = 0; i < tap_count; ++i) {
     WeightedTap tap = filter_tap(surfel.receiver, pattern, i);
@@ -89,13 +89,13 @@ void main() {
         lights(easiest_bias, surfel.bias_unit, flip_of(tap.tap.critical_bias, surfel.slope, easiest_factor));
     if (tap.weight == 0u || says_lit == is_lit_in_truth) continue;
     int cause = cause_of(tap.tap, is_lit_in_truth, surfel.receiver, id, own);
-    bool is_foreign = cause == (is_lit_in_truth ? CAUSE_FALSE_OCCLUSION : CAUSE_PETER_PANNING);
-    wrong_taps[wrong_count++] = WrongTap(tap.tap.critical_bias, tap.weight, is_foreign);
+    bool is_other_surface = cause == (is_lit_in_truth ? CAUSE_FALSE_OCCLUSION : CAUSE_PETER_PANNING);
+    wrong_taps[wrong_count++] = WrongTap(tap.tap.critical_bias, tap.weight, is_other_surface);
   }
   sort_taps(is_lit_in_truth);
   uint side = is_lit_in_truth ? 0u : 1u;
   uint own_word = 2u * uint(is_lit_in_truth ? CAUSE_ACNE : CAUSE_LIGHT_LEAK);
-  uint foreign_word = 2u * uint(is_lit_in_truth ? CAUSE_FALSE_OCCLUSION : CAUSE_PETER_PANNING);
+  uint other_word = 2u * uint(is_lit_in_truth ? CAUSE_FALSE_OCCLUSION : CAUSE_PETER_PANNING);
   // Bin 0 is lit at every bias, the last one blocked at every one: right all along where the truth says so.
   uint never = is_lit_in_truth ? 0u : uint(bias_count);
   for (int s = 0; s < slope_count; ++s) {
@@ -108,19 +108,19 @@ void main() {
       // Blocked just below the bin's biases where the truth is lit, lit just at them where it is blocked.
       float bound = axis_values[is_lit_in_truth ? bin - 1u : bin];
       uint own_weight = 0u;
-      uint foreign_weight = 0u;
+      uint other_weight = 0u;
       do {
-        own_weight += wrong_taps[i].is_foreign ? 0u : wrong_taps[i].weight;
-        foreign_weight += wrong_taps[i].is_foreign ? wrong_taps[i].weight : 0u;
+        own_weight += wrong_taps[i].is_other_surface ? 0u : wrong_taps[i].weight;
+        other_weight += wrong_taps[i].is_other_surface ? wrong_taps[i].weight : 0u;
         ++i;
       } while (i < wrong_count &&
                lights(bound, surfel.bias_unit, flip_of(wrong_taps[i].critical_bias, surfel.slope, factor)) !=
                    is_lit_in_truth);
       uint first = HISTOGRAM_WORDS * (uint(s) * uint(bias_count + 1) + bin);
       if (own_weight > 0u) add_wide(first + own_word, own_weight);
-      if (foreign_weight > 0u) add_wide(first + foreign_word, foreign_weight);
+      if (other_weight > 0u) add_wide(first + other_word, other_weight);
       // As taps of weight w join those of an earlier sum, the squared error grows by w(w + sum) + w·sum.
-      uint weight = own_weight + foreign_weight;
+      uint weight = own_weight + other_weight;
       add_product(first + HISTOGRAM_SQUARES + 3u * side, weight, weight + sum);
       if (sum > 0u) add_product(first + HISTOGRAM_SQUARES + 3u * side, weight, sum);
       sum += weight;

@@ -38,7 +38,7 @@ dvec3 on_face(int face, dvec3 p) {
 
 Receiver project_to_map(dvec3 world) {
   Receiver r;
-  dvec3 p = moved_by(light_from_world, world);
+  dvec3 p = transform_point(light_from_world, world);
   r.in_light = p;
   r.face = 0;
   precise dvec2 projected;

@@ -1,8 +1,8 @@
 // The axes of a bias response, as raster/shadow/response_axes.cpp lays them out.
 layout(std140, binding = BLOCK_RESPONSE) uniform ResponseBlock {
-  float least_bias;
+  float min_bias;
   float largest_bias;
-  float least_slope;
+  float min_slope;
   float largest_slope;
   int bias_count;
   int slope_count;

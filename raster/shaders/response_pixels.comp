@@ -15,8 +15,8 @@ void main() {
   if (!is_lit_in_truth) return;
 #endif
   // A flip falls as the slope factor grows: a tap is most easily blocked by the least bias of all, lit by the largest.
-  float bias = is_lit_in_truth ? least_bias : largest_bias;
-  float factor = is_lit_in_truth ? least_slope : largest_slope;
+  float bias = is_lit_in_truth ? min_bias : largest_bias;
+  float factor = is_lit_in_truth ? min_slope : largest_slope;
   Pattern pattern = make_pattern(surfel.receiver, pixel);
   bool is_wrong = false;
   for (int i = 0; i < tap_count; ++i) {

@@ -2,7 +2,7 @@
 // bias and a whole-number weight. The weights add up to weight_sum (techniques/shadow/filter.h; FilterKernel).
 #include "surfel_lookup.glsl"
 
-const int most_taps = FILTER_TAPS;  // tap_count of them are there
+const int max_taps = FILTER_TAPS;  // tap_count of them are there
 const uint weight_sum = FILTER_WEIGHT_SUM;
 
 struct WeightedTap {

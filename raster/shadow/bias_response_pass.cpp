@@ -14,7 +14,7 @@ namespace umbrameter {
 namespace {
 
 // Slope factors that one pass takes, so that its histogram stays within this many bytes.
-constexpr std::size_t most_histogram_bytes = std::size_t{64} << 20;
+constexpr std::size_t max_histogram_bytes = std::size_t{64} << 20;
 
 WideCount wide(std::span<const std::uint32_t> words) {
   WideCount value = 0;
@@ -66,7 +66,7 @@ BiasHistogram draw_bias_response(const gl::Context& context, const ShadowLookup&
   BiasHistogram histogram{axes, kernel_of(lookup).weight_sum(), {}};
   const std::string defines = lookup_defines(lookup);
   const std::size_t bytes = (axes.constant.size() + 1) * slot("HISTOGRAM_WORDS") * sizeof(std::uint32_t);
-  const std::size_t at_once = std::max<std::size_t>(most_histogram_bytes / bytes, 1);
+  const std::size_t at_once = std::max<std::size_t>(max_histogram_bytes / bytes, 1);
   for (std::size_t first = 0; first < axes.slope.size(); first += at_once) {
     const auto begin = axes.slope.begin() + static_cast<std::ptrdiff_t>(first);
     const auto count = std::min(at_once, axes.slope.size() - first);

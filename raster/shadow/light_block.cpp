@@ -9,7 +9,7 @@ namespace umbrameter {
 LightBlock make_light_block(const Light& light, const MapLayout& frame) {
   LightBlock block;
   block.light_from_world = frame.light_from_world;
-  block.light_in_world = homogeneous_place(light);
+  block.light_in_world = homogeneous_position(light);
   for (int face = 0; face < 6; ++face) {
     const dmat3 basis = cube_face(face);
     for (int axis = 0; axis < 3; ++axis) block.face_basis[3 * face + axis] = dvec4(basis[axis], 0.0);

@@ -12,9 +12,9 @@ namespace {
 
 /// As ResponseBlock in shaders/response.glsl, layout std140.
 struct ResponseBlock {
-  float least_bias = 0.0f;
+  float min_bias = 0.0f;
   float largest_bias = 0.0f;
-  float least_slope = 0.0f;
+  float min_slope = 0.0f;
   float largest_slope = 0.0f;
   int bias_count = 0;
   int slope_count = 0;

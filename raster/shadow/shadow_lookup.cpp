@@ -20,13 +20,13 @@ namespace {
 
 // A desktop ends a dispatch that holds the device for some seconds. So many steps are a fraction of a second on a slow
 // GPU, even where each classifies a tap: some 600 operations in double precision, of which it does 10^11 a second.
-constexpr std::size_t most_steps_at_once = std::size_t{1} << 26;
+constexpr std::size_t max_steps_at_once = std::size_t{1} << 26;
 
 // Fewer pixels would leave most of a GPU idle.
-constexpr std::size_t least_at_once = 4096;
+constexpr std::size_t min_at_once = 4096;
 
 // OpenGL promises no more than 65535 work groups (GL_MAX_COMPUTE_WORK_GROUP_COUNT).
-constexpr std::size_t most_at_once = std::size_t{65535} * slot("LIST_GROUP_SIZE");
+constexpr std::size_t max_at_once = std::size_t{65535} * slot("LIST_GROUP_SIZE");
 
 }  // namespace
 
@@ -36,10 +36,11 @@ gl::Texture upload(const gl::Context& context, const Image<float>& image) {
   return texture;
 }
 
-gl::Texture upload_truth(const gl::Context& context, const Image<float>& visibility, const Image<Counting>& counting) {
+gl::Texture upload_truth(const gl::Context& context, const Image<float>& visibility,
+                         const Image<PixelExclusion>& counting) {
   Image<float> truth = visibility;
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (counting[i] != Counting::counted) truth[i] = -1.0f;
+    if (counting[i] != PixelExclusion::none) truth[i] = -1.0f;
   }
   return upload(context, truth);
 }
@@ -102,7 +103,7 @@ std::uint32_t count_listed(const gl::Context& context, const gl::Buffer& pixel_l
 }
 
 void dispatch_list(const gl::Program& program, const ListedPixels& pixels) {
-  assert(pixels.end >= pixels.first && pixels.end - pixels.first <= most_at_once);
+  assert(pixels.end >= pixels.first && pixels.end - pixels.first <= max_at_once);
   glUseProgram(program.name());
   glUniform1ui(location("UNIFORM_FIRST_PIXEL"), pixels.first);
   glUniform1ui(location("UNIFORM_END_PIXEL"), pixels.end);
@@ -114,7 +115,7 @@ void dispatch_whole_list(const gl::Context& context, const gl::Program& program,
                          std::size_t steps) {
   const std::uint32_t pixels = count_listed(context, pixel_list);
   const auto at_once = static_cast<std::uint32_t>(
-      std::clamp<std::size_t>(most_steps_at_once / std::max<std::size_t>(steps, 1), least_at_once, most_at_once));
+      std::clamp<std::size_t>(max_steps_at_once / std::max<std::size_t>(steps, 1), min_at_once, max_at_once));
   for (std::uint32_t first = 0; first < pixels; first += std::min(at_once, pixels - first)) {
     dispatch_list(program, {first, first + std::min(at_once, pixels - first)});
     if (at_once < pixels) glFlush();

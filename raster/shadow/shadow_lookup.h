@@ -34,7 +34,8 @@ const FilterKernel& kernel_of(const ShadowLookup& lookup);
 gl::Texture upload(const gl::Context& context, const Image<float>& image);
 
 /// A truth in which pixels that no statistics count are below 0: they have no wrong taps.
-gl::Texture upload_truth(const gl::Context& context, const Image<float>& visibility, const Image<Counting>& counting);
+gl::Texture upload_truth(const gl::Context& context, const Image<float>& visibility,
+                         const Image<PixelExclusion>& counting);
 
 /// The shaders' text that the look-up decides. Biases, offset and radius stay out: a sweep must not compile anew.
 std::string lookup_defines(const ShadowLookup& lookup);

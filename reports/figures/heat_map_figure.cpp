@@ -11,12 +11,12 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::size_t most_panels_in_a_row = 3;
+constexpr std::size_t max_panels_in_a_row = 3;
 constexpr int panel_gap = 16;
 constexpr int legend_length = 380;
 constexpr int row_height = 24;
 constexpr int least_panel_height = 96;
-constexpr int most_panel_height = 300;
+constexpr int max_panel_height = 300;
 // Its lightness rises evenly (van der Walt and Smith, A Better Default Colormap for Matplotlib, SciPy 2015).
 constexpr const char* color_scheme = "viridis";
 
@@ -124,10 +124,10 @@ Json color_of(const HeatMapFigure& figure) {
 
 // Side by side, in rows of the same length where that can be.
 int panel_columns(std::size_t panels) {
-  for (std::size_t columns = std::min(panels, most_panels_in_a_row); columns > 1; --columns) {
+  for (std::size_t columns = std::min(panels, max_panels_in_a_row); columns > 1; --columns) {
     if (panels % columns == 0) return static_cast<int>(columns);
   }
-  return static_cast<int>(std::clamp<std::size_t>(panels, 1, most_panels_in_a_row));
+  return static_cast<int>(std::clamp<std::size_t>(panels, 1, max_panels_in_a_row));
 }
 
 Json make_panel(const HeatMapFigure& figure, const Cells& cells, int width) {
@@ -148,7 +148,7 @@ Json make_panel(const HeatMapFigure& figure, const Cells& cells, int width) {
        {{"x", x_axis(figure, cells, width)}, {"x2", {{"field", "x2"}}}, {"y", y}, {"color", color_of(figure)}}}};
   Json panel;
   panel["width"] = width;
-  panel["height"] = std::clamp(row_height * static_cast<int>(rows.size()), least_panel_height, most_panel_height);
+  panel["height"] = std::clamp(row_height * static_cast<int>(rows.size()), least_panel_height, max_panel_height);
   panel["layer"] = {rectangle};
   if (!figure.mark) return panel;
   Json middle = x_axis(figure, cells, width);

@@ -11,14 +11,14 @@
 namespace umbrameter {
 namespace {
 
-constexpr int least_width = 480;   // smaller images are shown with whole-numbered enlargement
-constexpr int most_height = 1600;  // of an enlarged image
+constexpr int min_width = 480;    // smaller images are shown with whole-numbered enlargement
+constexpr int max_height = 1600;  // of an enlarged image
 constexpr int bar_ticks = 5;
 
 // Lengths follow the width of the image, so that a figure scaled to a column has letters of the same size. Those of a
 // flat image follow its height instead: letters would else take many times the area of the image.
 struct Layout {
-  int width = 0;   // of the image as shown or least_width, px
+  int width = 0;   // of the image as shown or min_width, px
   int height = 0;  // of the image as shown, px
   int unit = 0;    // font size of labels, px
   int margin() const { return unit; }
@@ -140,11 +140,11 @@ int add_categories(std::string& svg, const Layout& layout, const std::vector<Cat
 
 ImageDrawing draw(const ImageFigure& figure) {
   const Image<glm::u8vec3> original = colors_of(figure);
-  const int enlargement = std::min((least_width + original.width - 1) / original.width, most_height / original.height);
+  const int enlargement = std::min((min_width + original.width - 1) / original.width, max_height / original.height);
   ImageDrawing drawing;
   drawing.pixels = enlarge(original, std::max(1, enlargement));
   const Image<glm::u8vec3>& image = drawing.pixels;
-  const int shown_width = std::max(image.width, least_width);
+  const int shown_width = std::max(image.width, min_width);
   const Layout layout{shown_width, image.height, std::max(13, std::min(shown_width / 42, image.height / 4))};
   drawing.corner = {layout.margin(), layout.image_top()};
   drawing.after = frame(drawing.corner.x, drawing.corner.y, image.width, image.height);

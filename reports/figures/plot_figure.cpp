@@ -15,7 +15,7 @@ namespace umbrameter {
 namespace {
 
 constexpr int plot_height = 280;
-constexpr std::size_t most_points_with_markers = 12;
+constexpr std::size_t max_points_with_markers = 12;
 
 // Okabe and Ito, Color universal design, 2008; without yellow, which is too light for a line on white, black last.
 constexpr std::array<const char*, 7> distinct_colors = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
@@ -198,7 +198,7 @@ Json make_style(const PlotFigure& figure) {
 // there is nothing between them, and their series stand side by side.
 Json make_layers(const PlotFigure& figure, const Points& points, bool has_numeric_x) {
   const bool has_markers =
-      !figure.style && !figure.mark && (!has_numeric_x || points.longest_line <= most_points_with_markers);
+      !figure.style && !figure.mark && (!has_numeric_x || points.longest_line <= max_points_with_markers);
   const bool has_band = has_numeric_x && points.longest_line > 1;
   std::optional<Series> series;
   if (figure.series) series = make_series(figure, has_numeric_x);

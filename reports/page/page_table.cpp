@@ -10,7 +10,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::size_t most_rows = 500;
+constexpr std::size_t max_rows = 500;
 
 std::string cell_text(const Value& value) {
   const auto* number = std::get_if<double>(&value);
@@ -73,7 +73,7 @@ std::string table_markup(const Table& table, const std::string& caption) {
   if (table.columns.empty()) return {};
   std::vector<bool> numeric;
   for (std::size_t c = 0; c < table.columns.size(); ++c) numeric.push_back(is_numeric(table, c));
-  const std::size_t shown = std::min(table.rows.size(), most_rows);
+  const std::size_t shown = std::min(table.rows.size(), max_rows);
   std::string rows;
   for (std::size_t r = 0; r < shown; ++r) rows += row_markup(table.rows[r], numeric);
   if (rows.empty()) {

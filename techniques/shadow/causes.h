@@ -38,8 +38,8 @@ struct TapSurfaces {
 };
 
 /// A wrong tap of a pixel that the truth calls lit, whose sample the two-plane rule takes for another surface. Laid out
-/// as shaders/foreign_taps.comp writes it.
-struct ForeignTap {
+/// as shaders/unresolved_taps.comp writes it.
+struct UnresolvedTap {
   std::uint32_t pixel = 0;  ///< x, and y from the bottom in the upper half
   std::uint32_t texel = 0;  ///< x, and y from the bottom in the upper half
   std::uint32_t face = 0;

@@ -103,22 +103,23 @@ bool is_inside(const MapLayout& layout, const dvec3& position) {
   return std::abs(local.x - view.center.x) <= half && std::abs(local.y - view.center.y) <= half;
 }
 
-Counting counting_of(const Light& light, const MapLayout& frame, const dvec3& position, const dvec3& geometric_normal) {
-  if (!faces(light, position, geometric_normal)) return Counting::turned_away;
+PixelExclusion exclusion_of(const Light& light, const MapLayout& frame, const dvec3& position,
+                            const dvec3& geometric_normal) {
+  if (!faces(light, position, geometric_normal)) return PixelExclusion::back_facing;
   const dvec3 direction = to_light(light, position);
-  if (!is_inside(frame, position)) return Counting::outside_map;
+  if (!is_inside(frame, position)) return PixelExclusion::outside_map;
   double range = 0.0;
   if (const auto* spot = std::get_if<SpotLight>(&light.shape)) {
     // Of sine and cosine, so that narrow cones lose no digits.
     const double angle =
         std::atan2(glm::length(glm::cross(light.axis(), -direction)), glm::dot(light.axis(), -direction));
-    if (angle > spot->outer_cone_angle) return Counting::outside_cone;
+    if (angle > spot->outer_cone_angle) return PixelExclusion::outside_cone;
     range = spot->range;
   } else if (const auto* point = std::get_if<PointLight>(&light.shape)) {
     range = point->range;
   }
-  if (range > 0.0 && glm::length(light.position() - position) > range) return Counting::outside_range;
-  return Counting::counted;
+  if (range > 0.0 && glm::length(light.position() - position) > range) return PixelExclusion::outside_range;
+  return PixelExclusion::none;
 }
 
 }  // namespace umbrameter

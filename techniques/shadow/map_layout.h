@@ -68,11 +68,12 @@ double texel_at(const MapLayout& frame, const dvec3& position);
 /// Whether the position falls on the map.
 bool is_inside(const MapLayout& frame, const dvec3& position);
 
-/// Why a pixel is counted in shadow statistics, or not.
-enum class Counting : std::uint8_t { counted, background, turned_away, outside_map, outside_cone, outside_range };
+/// Why shadow statistics leave a pixel out; none where they count it.
+enum class PixelExclusion : std::uint8_t { none, background, back_facing, outside_map, outside_cone, outside_range };
 
-/// The counting class of one surfel: whether it faces() the light by its geometric normal, then by map, cone and range,
+/// Of one surfel: whether it faces() the light by its geometric normal, then by map, cone and range,
 /// which the middle of the light decides.
-Counting counting_of(const Light& light, const MapLayout& frame, const dvec3& position, const dvec3& geometric_normal);
+PixelExclusion exclusion_of(const Light& light, const MapLayout& frame, const dvec3& position,
+                            const dvec3& geometric_normal);
 
 }  // namespace umbrameter

@@ -24,7 +24,7 @@ double mean_error(const Image<float>& raster, const Image<float>& truth, const C
   double error = 0.0;
   std::uint64_t pixels = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (counted.counting[i] != Counting::counted) continue;
+    if (counted.exclusion[i] != PixelExclusion::none) continue;
     ++pixels;
     error += std::abs(static_cast<double>(raster[i]) - static_cast<double>(truth[i]));
   }
@@ -35,17 +35,17 @@ bool has_wrong(const VisibilitySums& sums) {
   return std::any_of(sums.wrong.begin(), sums.wrong.end(), [](std::uint64_t weight) { return weight > 0; });
 }
 
-auto fields_of(const ForeignTap& t) {
+auto fields_of(const UnresolvedTap& t) {
   return std::tie(t.pixel, t.texel, t.face, t.weight, t.critical_bias, t.slope, t.bias_unit, t.instance, t.triangle);
 }
 
-bool comes_before(const ForeignTap& a, const ForeignTap& b) { return fields_of(a) < fields_of(b); }
+bool comes_before(const UnresolvedTap& a, const UnresolvedTap& b) { return fields_of(a) < fields_of(b); }
 
 // In one order, whatever order they were found in.
-std::vector<ForeignTap> listed(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes) {
-  std::vector<ForeignTap> all;
-  list_foreign_taps(context, lookup, axes,
-                    [&](std::span<const ForeignTap> taps) { all.insert(all.end(), taps.begin(), taps.end()); });
+std::vector<UnresolvedTap> listed(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes) {
+  std::vector<UnresolvedTap> all;
+  list_unresolved_taps(context, lookup, axes,
+                       [&](std::span<const UnresolvedTap> taps) { all.insert(all.end(), taps.begin(), taps.end()); });
   std::sort(all.begin(), all.end(), comes_before);
   return all;
 }
@@ -88,10 +88,10 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
     const MapLayout frame = fit_light(light, bounds_of(scene), resolution);
     const CountedPixels counted = count_pixels(gbuffer, light, frame);
     const TruthCounts counts = count_truth(visibility, counted);
-    const gl::Texture truth = upload_truth(context, visibility, counted.counting);
+    const gl::Texture truth = upload_truth(context, visibility, counted.exclusion);
     const ShadowMap map = draw_shadow_map(context, uploaded, light, frame);
     const ShadowMapImages images = read_back(context, map);
-    const auto judged = [&](const std::vector<ForeignTap>& taps) {
+    const auto judged = [&](const std::vector<UnresolvedTap>& taps) {
       return judge_own(tracer, frame, surfaces_of(scene, frame, gbuffer, taps));
     };
     for (const NamedFilter& filter : grid.filters) {
@@ -104,23 +104,26 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
         const FilterKernel kernel = make_filter(params.pcf);
         const MapLookup on_processor{gbuffer, frame, light, images, kernel, static_cast<float>(normal_offset)};
         const BiasHistogram computed =
-            count_bias_response(scene, on_processor, visibility, counted.counting, grid.axes);
+            count_bias_response(scene, on_processor, visibility, counted.exclusion, grid.axes);
         const std::string where =
             filter.name + ", " + std::to_string(resolution) + " texels, normal offset " + std::to_string(normal_offset);
         if (drawn.by_slope != computed.by_slope) {
           agreement.disagreements.push_back(where + ": device and processor differ");
         }
-        const std::vector<ForeignTap> foreign =
-            is_judged ? listed(context, lookup, grid.axes) : std::vector<ForeignTap>{};
-        std::vector<ForeignTap> found = find_foreign_taps(scene, on_processor, visibility, counted.counting, grid.axes);
+        const std::vector<UnresolvedTap> unresolved =
+            is_judged ? listed(context, lookup, grid.axes) : std::vector<UnresolvedTap>{};
+        std::vector<UnresolvedTap> found =
+            find_unresolved_taps(scene, on_processor, visibility, counted.exclusion, grid.axes);
         std::sort(found.begin(), found.end(), comes_before);
-        const auto is_equal = [](const ForeignTap& a, const ForeignTap& b) { return fields_of(a) == fields_of(b); };
-        if (is_judged && !std::equal(foreign.begin(), foreign.end(), found.begin(), found.end(), is_equal)) {
-          agreement.disagreements.push_back(where + ": device and processor list different foreign taps");
+        const auto is_equal = [](const UnresolvedTap& a, const UnresolvedTap& b) {
+          return fields_of(a) == fields_of(b);
+        };
+        if (is_judged && !std::equal(unresolved.begin(), unresolved.end(), found.begin(), found.end(), is_equal)) {
+          agreement.disagreements.push_back(where + ": device and processor list different unresolved taps");
         }
-        const std::vector<std::uint8_t> own = judged(foreign);
+        const std::vector<std::uint8_t> own = judged(unresolved);
         BiasHistogram exact = drawn;
-        apply_judgement(exact, foreign, own);
+        apply_judgement(exact, unresolved, own);
         agreement.judged_taps += own.size();
         agreement.own_taps += static_cast<std::size_t>(std::count(own.begin(), own.end(), 1));
         for (std::size_t s = 0; s < grid.axes.slope.size(); ++s) {
@@ -142,7 +145,7 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
                 std::max(agreement.identity_gap,
                          std::abs(mean_error(cell.visibility, visibility, counted) - to_statistics(sums, counts).mae));
             if (!is_judged) continue;
-            const std::vector<ForeignTap> of_cell =
+            const std::vector<UnresolvedTap> of_cell =
                 listed(context, lookup, {{grid.axes.constant[k]}, {grid.axes.slope[s]}, grid.axes.unit});
             apply_judgement(cell.wrong, gbuffer, of_cell, judged(of_cell));
             if (!(sum_wrong_taps(cell.wrong, counted) == exact_at[k])) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compare/bias_response.h"
-#include "compare/foreign_taps.h"
+#include "compare/unresolved_taps.h"
 #include "raster/rasterizer.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"

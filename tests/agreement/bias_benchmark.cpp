@@ -50,7 +50,7 @@ void run(const std::string& name, const Setup& setup) {
   const MapLayout frame = fit_light(light, bounds_of(scene), setup.resolution);
   const CountedPixels counted = count_pixels(gbuffer, light, frame);
   const Image<float> visibility = trace_visibility(Tracer(scene), gbuffer, light).visibility;
-  const gl::Texture truth = upload_truth(context, visibility, counted.counting);
+  const gl::Texture truth = upload_truth(context, visibility, counted.exclusion);
   const ShadowMap map = draw_shadow_map(context, uploaded, light, frame);
   fmt::print("{}: {}x{}, map of {} texels, {} biases from 0 to 20 texels, {}\n", name, setup.width, setup.height,
              setup.resolution, setup.biases, context.device().renderer);

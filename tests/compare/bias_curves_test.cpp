@@ -150,8 +150,8 @@ TEST(ParetoFront, A_long_one_is_thinned_between_its_ends) {
   ParetoFront front;
   for (int i = 0; i <= 10'000; ++i) add(front, cell(i, 1.0 - 0.0001 * i, 0.0001 * i));
   EXPECT_TRUE(front.thinned);
-  EXPECT_LE(front.by_acne.size(), ParetoFront::most_cells);
-  EXPECT_GE(front.by_acne.size(), ParetoFront::most_cells / 2);
+  EXPECT_LE(front.by_acne.size(), ParetoFront::max_cells);
+  EXPECT_GE(front.by_acne.size(), ParetoFront::max_cells / 2);
   EXPECT_DOUBLE_EQ(front.by_acne.begin()->second.constant, 10'000.0);
   EXPECT_DOUBLE_EQ(front.by_acne.rbegin()->second.constant, 0.0);
 }

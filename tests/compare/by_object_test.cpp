@@ -12,7 +12,7 @@ struct ThreeInstances {
   Scene scene = shapes::empty_scene();
   GBuffer gbuffer{5, 1};
   WrongTaps wrong{Image<uvec4>(5, 1, uvec4(0)), 8};
-  CountedPixels counted{Image<Counting>(5, 1, Counting::counted), {}, 0.5};
+  CountedPixels counted{Image<PixelExclusion>(5, 1, PixelExclusion::none), {}, 0.5};
   ThreeInstances() {
     scene.materials.push_back(scene.materials.front());
     scene.materials.back().name = "paint";
@@ -23,7 +23,7 @@ struct ThreeInstances {
     gbuffer.instance.pixels = {0, 1, 2, 2, 0};
     wrong.weights.pixels = {uvec4(1, 0, 0, 0), uvec4(0, 2, 0, 0), uvec4(0, 0, 4, 0), uvec4(0, 0, 0, 8),
                             uvec4(8, 0, 0, 0)};
-    counted.counting[4] = Counting::turned_away;
+    counted.exclusion[4] = PixelExclusion::back_facing;
   }
 };
 

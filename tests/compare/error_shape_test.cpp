@@ -80,7 +80,7 @@ TEST(ErrorShape, The_parts_weigh_what_the_whole_does) {
 TEST(ErrorShape, Pixels_that_are_not_counted_do_not_weigh) {
   Row row;
   row.wrong.weights[3] = uvec4(4, 0, 0, 0);
-  row.ground.counted.counting[3] = Counting::outside_map;
+  row.ground.counted.exclusion[3] = PixelExclusion::outside_map;
   const ErrorShape shape = analyze_error_shape(row.input(), row.wrong);
   EXPECT_EQ(shape.all.weight, 0.0);
   EXPECT_EQ(shape.components->count, 0u);

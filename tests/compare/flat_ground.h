@@ -23,7 +23,7 @@ struct FlatGround {
         gbuffer.shading_normal.at(x, y) = vec3(0, 1, 0);
       }
     }
-    counted.counting = Image<Counting>(width, height, Counting::counted);
+    counted.exclusion = Image<PixelExclusion>(width, height, PixelExclusion::none);
     counted.totals[0] = gbuffer.instance.size();
     counted.mean_texel = texel;
     const dvec3 z = glm::normalize(to_light);

@@ -46,7 +46,7 @@ TEST(ShadowEdges, A_slope_below_45_degrees_between_neighbours_is_no_jump) {
 
 TEST(ShadowEdges, Pixels_that_are_not_counted_have_none) {
   FlatGround ground(6, 3, 1.0, zenith, 1.0);
-  ground.counted.counting.at(3, 1) = Counting::turned_away;
+  ground.counted.exclusion.at(3, 1) = PixelExclusion::back_facing;
   EXPECT_EQ(find_shadow_edges(blocked_from(ground, 3), ground.gbuffer, ground.counted).count, 2u);
 }
 

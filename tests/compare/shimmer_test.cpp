@@ -94,7 +94,7 @@ TEST(Shimmer, Flips_are_the_mean_change_of_the_counted_pixels_on_one_triangle) {
   Image<float> before(4, 1, 1.0f);
   Image<float> after = before;
   after.pixels = {0.0f, 0.5f, 1.0f, 0.0f};
-  ground.counted.counting[3] = Counting::turned_away;
+  ground.counted.exclusion[3] = PixelExclusion::back_facing;
   EXPECT_EQ(count_flips(before, after, ground.counted).pixels, 3u);
   EXPECT_DOUBLE_EQ(count_flips(before, after, ground.counted).share, 0.5);
   GBuffer other = ground.gbuffer;
@@ -102,7 +102,7 @@ TEST(Shimmer, Flips_are_the_mean_change_of_the_counted_pixels_on_one_triangle) {
   const Flips same = count_flips(before, after, ground.counted, ground.gbuffer, other);
   EXPECT_EQ(same.pixels, 2u);
   EXPECT_DOUBLE_EQ(same.share, 0.25);
-  ground.counted.counting = Image<Counting>(4, 1, Counting::background);
+  ground.counted.exclusion = Image<PixelExclusion>(4, 1, PixelExclusion::background);
   EXPECT_EQ(count_flips(before, after, ground.counted).share, 0.0);
 }
 

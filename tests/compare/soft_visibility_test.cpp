@@ -12,7 +12,7 @@ namespace umbrameter {
 namespace {
 
 CountedPixels all_counted(int width, int height) {
-  CountedPixels counted{Image<Counting>(width, height, Counting::counted)};
+  CountedPixels counted{Image<PixelExclusion>(width, height, PixelExclusion::none)};
   counted.mean_texel = 0.25;
   return counted;
 }
@@ -26,7 +26,7 @@ TEST(SoftVisibility, The_error_is_split_by_sign) {
   raster[1] = 1.0f;
   raster[3] = 0.0f;
   CountedPixels counted = all_counted(4, 1);
-  counted.counting[3] = Counting::turned_away;
+  counted.exclusion[3] = PixelExclusion::back_facing;
   const Image<float> none(4, 1, 0.0f);
   const SoftVisibilityStatistics s = analyze_soft_visibility(raster, {truth, none, none, 0}, counted);
   EXPECT_EQ(s.error.pixels, 3u);
@@ -189,7 +189,7 @@ TEST(SoftVisibility, Rows_stand_under_their_column) {
 TEST(SoftVisibility, Rows_fit_their_columns_and_hold_no_numbers_without_pixels) {
   const Image<float> zero(2, 1);
   const SoftVisibilityStatistics none =
-      analyze_soft_visibility(zero, {zero, zero, zero, 0}, {Image<Counting>(2, 1, Counting::background)});
+      analyze_soft_visibility(zero, {zero, zero, zero, 0}, {Image<PixelExclusion>(2, 1, PixelExclusion::background)});
   const std::vector<Value> row = row_of(none);
   ASSERT_EQ(row.size(), columns_of(SoftVisibilityStatistics{}).size());
   EXPECT_EQ(to_number(row[0]), 0.0);

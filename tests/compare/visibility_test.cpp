@@ -14,11 +14,11 @@ namespace {
 struct FourPixels {
   Image<float> truth{4, 1};
   WrongTaps wrong{Image<uvec4>(4, 1, uvec4(0)), 8};
-  CountedPixels counted{Image<Counting>(4, 1, Counting::counted), {}, 0.5};
+  CountedPixels counted{Image<PixelExclusion>(4, 1, PixelExclusion::none), {}, 0.5};
   FourPixels() {
     truth.pixels = {1, 1, 0, 1};
     wrong.weights.pixels = {uvec4(0), uvec4(4, 2, 0, 0), uvec4(0, 0, 1, 3), uvec4(8, 0, 0, 0)};
-    counted.counting.pixels[3] = Counting::turned_away;
+    counted.exclusion.pixels[3] = PixelExclusion::back_facing;
   }
 };
 
@@ -60,7 +60,7 @@ TEST(Visibility, Without_wrong_taps_there_is_no_error) {
 
 TEST(Visibility, Nothing_counted_gives_no_numbers_so_that_none_looks_like_a_perfect_score) {
   FourPixels four;
-  four.counted = {Image<Counting>(4, 1, Counting::background), {}, 0.0};
+  four.counted = {Image<PixelExclusion>(4, 1, PixelExclusion::background), {}, 0.0};
   const VisibilityStatistics s = analyze_visibility(four.wrong, four.truth, four.counted);
   EXPECT_EQ(s.pixels, 0u);
   const std::vector<Value> row = row_of(s);
@@ -132,12 +132,12 @@ TEST(Visibility, Pixels_are_counted_by_facing_map_cone_and_range) {
     gbuffer.geometric_normal[i] = i == 1 ? vec3(0, -1, 0) : vec3(0, 1, 0);
   }
   const CountedPixels counted = count_pixels(gbuffer, light, fit_light(light, bounds, 256));
-  EXPECT_EQ(counted.counting[0], Counting::counted);
-  EXPECT_EQ(counted.counting[1], Counting::turned_away);
-  EXPECT_EQ(counted.counting[2], Counting::outside_cone);   // inside the square map, 51° off the axis
-  EXPECT_EQ(counted.counting[3], Counting::outside_range);  // 44° off the axis, √(16 + 15.21) = 5.59 m away
-  EXPECT_EQ(counted.counting[4], Counting::outside_map);
-  EXPECT_EQ(counted.counting[5], Counting::background);
+  EXPECT_EQ(counted.exclusion[0], PixelExclusion::none);
+  EXPECT_EQ(counted.exclusion[1], PixelExclusion::back_facing);
+  EXPECT_EQ(counted.exclusion[2], PixelExclusion::outside_cone);   // inside the square map, 51° off the axis
+  EXPECT_EQ(counted.exclusion[3], PixelExclusion::outside_range);  // 44° off the axis, √(16 + 15.21) = 5.59 m away
+  EXPECT_EQ(counted.exclusion[4], PixelExclusion::outside_map);
+  EXPECT_EQ(counted.exclusion[5], PixelExclusion::background);
   // One texel spans 2 · tan 45° · 4 m / 256 at the only counted surfel.
   EXPECT_NEAR(counted.mean_texel, 8.0 / 256.0, 1e-9);
 }

@@ -23,9 +23,9 @@ TEST(NumberText, An_interval_decides_how_many_decimals_its_value_has) {
 }
 
 TEST(NumberText, A_length_is_in_the_unit_that_suits) {
-  EXPECT_EQ(length(0.0123456), "1.23 cm");
-  EXPECT_EQ(length(0.0123456, 2), "1.2 cm");
-  EXPECT_EQ(length(12345.0), "12.3 km");
+  EXPECT_EQ(metres_text(0.0123456), "1.23 cm");
+  EXPECT_EQ(metres_text(0.0123456, 2), "1.2 cm");
+  EXPECT_EQ(metres_text(12345.0), "12.3 km");
   EXPECT_EQ(length_text({1.5, LengthUnit::texels}), "1.5 texels");
   EXPECT_EQ(length_text(Length{0.5}), "50 cm");
 }

@@ -59,7 +59,7 @@ void expect_covered(const SweepPlan& plan) {
   std::size_t count = 0;
   for (std::size_t g = 0; g < count_groups(plan); ++g) {
     const CellGroup group = group_at(plan, g);
-    ASSERT_LE(group.size(), most_group_cells);
+    ASSERT_LE(group.size(), max_group_cells);
     for (std::size_t c = 0; c < group.constant_bias.values.size(); ++c) {
       for (std::size_t s = 0; s < group.slope_bias.values.size(); ++s) {
         const std::size_t cell = group.cell(c, s);

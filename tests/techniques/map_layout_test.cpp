@@ -130,38 +130,38 @@ TEST(ToLight, It_is_against_the_axis_or_towards_the_position) {
               1e-15);
 }
 
-TEST(Counting, Each_reason_has_its_class) {
+TEST(PixelExclusion, Each_reason_has_its_class) {
   const Light spot = make_light(straight_down({0, 10, 0}), SpotLight{10.5, 0.1, pi / 4});
   const MapLayout frame = fit_light(spot, box({-30, -5, -30}, {30, 1, 30}), 64);
   const dvec3 up(0, 1, 0);
-  EXPECT_EQ(counting_of(spot, frame, {0, 0, 0}, up), Counting::counted);
-  EXPECT_EQ(counting_of(spot, frame, {0, 0, 0}, -up), Counting::turned_away);
-  EXPECT_EQ(counting_of(spot, frame, {0, 0, 0}, {1, 0, 0}), Counting::turned_away) << "grazing: N.L = 0";
-  EXPECT_EQ(counting_of(spot, frame, {12, 0, 0}, up), Counting::outside_map);
-  EXPECT_EQ(counting_of(spot, frame, {9, 0, 9}, up), Counting::outside_cone) << "in the square's corner";
-  EXPECT_EQ(counting_of(spot, frame, {0, -1, 0}, up), Counting::outside_range);
+  EXPECT_EQ(exclusion_of(spot, frame, {0, 0, 0}, up), PixelExclusion::none);
+  EXPECT_EQ(exclusion_of(spot, frame, {0, 0, 0}, -up), PixelExclusion::back_facing);
+  EXPECT_EQ(exclusion_of(spot, frame, {0, 0, 0}, {1, 0, 0}), PixelExclusion::back_facing) << "grazing: N.L = 0";
+  EXPECT_EQ(exclusion_of(spot, frame, {12, 0, 0}, up), PixelExclusion::outside_map);
+  EXPECT_EQ(exclusion_of(spot, frame, {9, 0, 9}, up), PixelExclusion::outside_cone) << "in the square's corner";
+  EXPECT_EQ(exclusion_of(spot, frame, {0, -1, 0}, up), PixelExclusion::outside_range);
 }
 
-TEST(Counting, A_surfel_that_faces_part_of_a_light_counts_and_one_that_faces_none_is_turned_away) {
+TEST(PixelExclusion, A_surfel_that_faces_part_of_a_light_counts_and_one_that_faces_none_is_turned_away) {
   const Bounds bounds{{-1, -1, -1}, {1, 1, 1}};
   // From 4 m aside and h below its plane a light of half size s across shows its rim where h < s.
   Light light;
   light.shape = PointLight{};
   light.world_from_light[3] = dvec4(4, 0, 0, 1);
   const MapLayout cube = fit_light(light, bounds, 64);
-  const auto at = [&](double y) { return counting_of(light, cube, {0, y, 0}, {0, 1, 0}); };
-  EXPECT_EQ(at(0.01), Counting::turned_away) << "no extent: its place decides";
-  EXPECT_EQ(at(-0.01), Counting::counted);
+  const auto at = [&](double y) { return exclusion_of(light, cube, {0, y, 0}, {0, 1, 0}); };
+  EXPECT_EQ(at(0.01), PixelExclusion::back_facing) << "no extent: its place decides";
+  EXPECT_EQ(at(-0.01), PixelExclusion::none);
   for (const Emitter& emitter :
        {Emitter(SphereEmitter{0.5}), Emitter(DiskEmitter{0.5}), Emitter(RectangleEmitter{2.0, 1.0})}) {
     light.emitter = emitter;
-    EXPECT_EQ(at(0.49), Counting::counted) << emitter.index();
-    EXPECT_EQ(at(0.51), Counting::turned_away) << emitter.index();
+    EXPECT_EQ(at(0.49), PixelExclusion::none) << emitter.index();
+    EXPECT_EQ(at(0.51), PixelExclusion::back_facing) << emitter.index();
   }
   // A disk seen from its own plane has no height above it.
   light.emitter = DiskEmitter{0.5};
   light.world_from_light = {dvec4(1, 0, 0, 0), dvec4(0, 0, 1, 0), dvec4(0, -1, 0, 0), dvec4(4, 0, 0, 1)};
-  EXPECT_EQ(at(0.01), Counting::turned_away);
+  EXPECT_EQ(at(0.01), PixelExclusion::back_facing);
   // A sun 3 degrees below the horizon shows its rim where it is more than 6 degrees wide.
   Light sun = light;
   sun.shape = DirectionalLight{};
@@ -169,32 +169,32 @@ TEST(Counting, A_surfel_that_faces_part_of_a_light_counts_and_one_that_faces_non
   sun.world_from_light = {dvec4(0, 0, -1, 0), dvec4(std::sin(below), std::cos(below), 0, 0),
                           dvec4(std::cos(below), -std::sin(below), 0, 0), dvec4(0, 0, 0, 1)};
   const MapLayout square = fit_light(sun, bounds, 64);
-  for (const auto& [degrees, expected] : {std::pair{5.9, Counting::turned_away}, {6.1, Counting::counted}}) {
+  for (const auto& [degrees, expected] : {std::pair{5.9, PixelExclusion::back_facing}, {6.1, PixelExclusion::none}}) {
     sun.emitter = DistantEmitter{degrees * pi / 180.0};
-    EXPECT_EQ(counting_of(sun, square, {0, 0, 0}, {0, 1, 0}), expected) << degrees;
+    EXPECT_EQ(exclusion_of(sun, square, {0, 0, 0}, {0, 1, 0}), expected) << degrees;
   }
 }
 
-TEST(Counting, The_cone_ends_at_its_angle) {
+TEST(PixelExclusion, The_cone_ends_at_its_angle) {
   const double outer = 0.5;
   const Light spot = make_light(straight_down({0, 1, 0}), SpotLight{0.0, 0.0, outer});
   const MapLayout frame = fit_light(spot, box({-3, 0, -3}, {3, 0, 3}), 64);
   const auto at = [&](double angle) {
     const double reach = std::tan(angle) / std::sqrt(2.0);  // along the diagonal, inside the square
-    return counting_of(spot, frame, {reach, 0, reach}, {0, 1, 0});
+    return exclusion_of(spot, frame, {reach, 0, reach}, {0, 1, 0});
   };
-  EXPECT_EQ(at(outer - 1e-9), Counting::counted);
-  EXPECT_EQ(at(outer + 1e-9), Counting::outside_cone);
+  EXPECT_EQ(at(outer - 1e-9), PixelExclusion::none);
+  EXPECT_EQ(at(outer + 1e-9), PixelExclusion::outside_cone);
 }
 
-TEST(Counting, Point_lights_have_a_range_and_directional_ones_none) {
+TEST(PixelExclusion, Point_lights_have_a_range_and_directional_ones_none) {
   const Bounds bounds = box({-9, 0, -9}, {9, 0, 9});
   const Light point = make_light(glm::translate(dmat4(1.0), dvec3(0, 3, 0)), PointLight{5.0});
   const MapLayout cube = fit_light(point, bounds, 64);
-  EXPECT_EQ(counting_of(point, cube, {3.9, 0, 0}, {0, 1, 0}), Counting::counted);
-  EXPECT_EQ(counting_of(point, cube, {4.1, 0, 0}, {0, 1, 0}), Counting::outside_range);
+  EXPECT_EQ(exclusion_of(point, cube, {3.9, 0, 0}, {0, 1, 0}), PixelExclusion::none);
+  EXPECT_EQ(exclusion_of(point, cube, {4.1, 0, 0}, {0, 1, 0}), PixelExclusion::outside_range);
   const Light directional = make_light(straight_down(), DirectionalLight{});
-  EXPECT_EQ(counting_of(directional, fit_light(directional, bounds, 64), {9, 0, 9}, {0, 1, 0}), Counting::counted);
+  EXPECT_EQ(exclusion_of(directional, fit_light(directional, bounds, 64), {9, 0, 9}, {0, 1, 0}), PixelExclusion::none);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "core/parallel.h"
-#include "techniques/shadow/reference/own_surface.h"
+#include "techniques/shadow/reference/same_surface.h"
 
 namespace umbrameter {
 namespace {
@@ -70,7 +70,7 @@ class PixelCounter {
   static constexpr std::size_t unknown = cause_count;
 
   std::size_t cause_of(const Tap& tap, const Receiver& receiver, std::size_t pixel, bool is_lit) const {
-    const bool is_other = is_foreign(scene_, lookup_, tap, receiver, pixel, is_lit);
+    const bool is_other = is_other_surface(scene_, lookup_, tap, receiver, pixel, is_lit);
     if (is_lit) return static_cast<std::size_t>(is_other ? Cause::false_occlusion : Cause::acne);
     return static_cast<std::size_t>(is_other ? Cause::peter_panning : Cause::light_leak);
   }
@@ -86,7 +86,7 @@ class PixelCounter {
 }  // namespace
 
 BiasHistogram count_bias_response(const Scene& scene, const MapLookup& lookup, const Image<float>& truth,
-                                  const Image<Counting>& counting, const BiasAxes& axes) {
+                                  const Image<PixelExclusion>& counting, const BiasAxes& axes) {
   assert(!axes.constant.empty() && !axes.slope.empty());
   assert(truth.size() == counting.size() && truth.size() == lookup.gbuffer.instance.size());
   constexpr std::size_t part_count = 16;
@@ -96,7 +96,7 @@ BiasHistogram count_bias_response(const Scene& scene, const MapLookup& lookup, c
   parallel_for(part_count, [&](std::size_t part) {
     PixelCounter counter(scene, lookup, axes);
     for (std::size_t i = part * truth.size() / part_count; i < (part + 1) * truth.size() / part_count; ++i) {
-      if (counting[i] == Counting::counted) counter.count(i, truth[i] >= 0.5f, parts[part]);
+      if (counting[i] == PixelExclusion::none) counter.count(i, truth[i] >= 0.5f, parts[part]);
     }
   });
   BiasHistogram histogram{axes, lookup.filter.weight_sum(), empty};

@@ -10,6 +10,6 @@ namespace umbrameter {
 /// The histogram, from a map in memory. The truth is binary; only counted pixels matter. The
 /// axes are as BiasAxes asks; neither may be empty.
 BiasHistogram count_bias_response(const Scene& scene, const MapLookup& lookup, const Image<float>& truth,
-                                  const Image<Counting>& counting, const BiasAxes& axes);
+                                  const Image<PixelExclusion>& counting, const BiasAxes& axes);
 
 }  // namespace umbrameter

@@ -101,7 +101,7 @@ void fetch_disk(const MapLookup& lookup, const Receiver& receiver, std::size_t p
 
 Receiver project_to_map(const MapLayout& frame, const dvec3& world) {
   Receiver r;
-  const dvec3 p = moved_by(frame.light_from_world, world);
+  const dvec3 p = transform_point(frame.light_from_world, world);
   r.in_light = p;
   dvec2 projected(0.0);
   if (frame.kind == MapKind::orthographic) {
@@ -150,7 +150,7 @@ SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel) {
   SurfelLookup result;
   const dvec3 position(lookup.gbuffer.position[pixel]);
   const dvec3 normal(lookup.gbuffer.geometric_normal[pixel]);
-  const dvec4 place = homogeneous_place(lookup.light);
+  const dvec4 place = homogeneous_position(lookup.light);
   const dvec3 to_light = place.w == 0.0 ? dvec3(place) : dvec3(place) - position;
   const double cosine = dot_of(normal, to_light);
   result.faces_light = cosine > 0.0;

@@ -16,10 +16,10 @@ inline dvec3 cross_of(const dvec3& a, const dvec3& b) {
 
 inline double length_of(const dvec3& a) { return std::sqrt(dot_of(a, a)); }
 
-inline dvec3 turned_by(const dmat4& m, const dvec3& v) {
+inline dvec3 transform_vector(const dmat4& m, const dvec3& v) {
   return dvec3(m[0]) * v.x + dvec3(m[1]) * v.y + dvec3(m[2]) * v.z;
 }
 
-inline dvec3 moved_by(const dmat4& m, const dvec3& p) { return turned_by(m, p) + dvec3(m[3]); }
+inline dvec3 transform_point(const dmat4& m, const dvec3& p) { return transform_vector(m, p) + dvec3(m[3]); }
 
 }  // namespace umbrameter

@@ -8,7 +8,7 @@
 namespace umbrameter {
 
 /// The list on the processor, from a map in memory, as count_bias_response() counts.
-std::vector<ForeignTap> find_foreign_taps(const Scene& scene, const MapLookup& lookup, const Image<float>& truth,
-                                          const Image<Counting>& counting, const BiasAxes& axes);
+std::vector<UnresolvedTap> find_unresolved_taps(const Scene& scene, const MapLookup& lookup, const Image<float>& truth,
+                                                const Image<PixelExclusion>& counting, const BiasAxes& axes);
 
 }  // namespace umbrameter

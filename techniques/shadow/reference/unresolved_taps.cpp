@@ -1,8 +1,8 @@
-#include "techniques/shadow/reference/foreign_taps.h"
+#include "techniques/shadow/reference/unresolved_taps.h"
 
 #include <algorithm>
 
-#include "techniques/shadow/reference/own_surface.h"
+#include "techniques/shadow/reference/same_surface.h"
 
 namespace umbrameter {
 namespace {
@@ -11,14 +11,14 @@ std::uint32_t packed(std::size_t x, std::size_t y) { return static_cast<std::uin
 
 }  // namespace
 
-std::vector<ForeignTap> find_foreign_taps(const Scene& scene, const MapLookup& lookup, const Image<float>& truth,
-                                          const Image<Counting>& counting, const BiasAxes& axes) {
-  const float least_slope = *std::min_element(axes.slope.begin(), axes.slope.end());
+std::vector<UnresolvedTap> find_unresolved_taps(const Scene& scene, const MapLookup& lookup, const Image<float>& truth,
+                                                const Image<PixelExclusion>& counting, const BiasAxes& axes) {
+  const float min_slope = *std::min_element(axes.slope.begin(), axes.slope.end());
   const GBuffer& gbuffer = lookup.gbuffer;
-  std::vector<ForeignTap> found;
+  std::vector<UnresolvedTap> found;
   std::vector<Tap> taps;
   for (std::size_t pixel = 0; pixel < truth.size(); ++pixel) {
-    if (counting[pixel] != Counting::counted || !(truth[pixel] >= 0.5f)) continue;
+    if (counting[pixel] != PixelExclusion::none || !(truth[pixel] >= 0.5f)) continue;
     const SurfelLookup surfel = look_up(lookup, pixel);
     if (!surfel.faces_light) continue;
     const auto width = static_cast<std::size_t>(gbuffer.width);
@@ -26,9 +26,9 @@ std::vector<ForeignTap> find_foreign_taps(const Scene& scene, const MapLookup& l
     fetch_taps(lookup, surfel, pixel, taps);
     for (const Tap& tap : taps) {
       const float bias_unit = bias_unit_of(axes.unit, surfel.texel);
-      const float flip = flip_of(tap.critical_bias, surfel.slope, least_slope);
+      const float flip = flip_of(tap.critical_bias, surfel.slope, min_slope);
       const bool says_lit = lights(axes.constant.front(), bias_unit, flip);
-      if (tap.weight == 0 || says_lit || !is_foreign(scene, lookup, tap, surfel.receiver, pixel, true)) continue;
+      if (tap.weight == 0 || says_lit || !is_other_surface(scene, lookup, tap, surfel.receiver, pixel, true)) continue;
       const auto face = static_cast<std::size_t>(tap.face);
       const std::size_t texel = texel_index(lookup.frame, tap.texel);
       found.push_back({at, packed(static_cast<std::size_t>(tap.texel.x), static_cast<std::size_t>(tap.texel.y)),

@@ -1,4 +1,4 @@
-// Whether a tap's sample lies on the receiver's own surface, by the two-plane rule: what shaders/own_surface.glsl
+// Whether a tap's sample lies on the receiver's own surface, by the two-plane rule: what shaders/same_surface.glsl
 // decides, on the processor. The reasons stand there.
 #pragma once
 
@@ -24,12 +24,12 @@ dvec3 foot_on(const Facet& facet, const dvec3& position);
 dvec3 sample_on(const Facet& facet, const TexelRay& ray);
 
 /// `own` is the receiver's facet, `blocker` that of the tap.
-bool is_own_surface(const MapLayout& frame, const Receiver& receiver, const Facet& own, const Tap& tap,
-                    const Facet& blocker);
+bool is_same_surface(const MapLayout& frame, const Receiver& receiver, const Facet& own, const Tap& tap,
+                     const Facet& blocker);
 
 /// Whether a tap that differs from the truth is due to another surface, nearer to the light, than the receiver's own:
 /// false occlusion where the truth is lit, else peter-panning. Only a nearer sample can have been erased by the bias.
-bool is_foreign(const Scene& scene, const MapLookup& lookup, const Tap& tap, const Receiver& receiver,
-                std::size_t pixel, bool is_lit_in_truth);
+bool is_other_surface(const Scene& scene, const MapLookup& lookup, const Tap& tap, const Receiver& receiver,
+                      std::size_t pixel, bool is_lit_in_truth);
 
 }  // namespace umbrameter

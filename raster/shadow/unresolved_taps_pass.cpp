@@ -1,4 +1,4 @@
-#include "raster/shadow/foreign_taps_pass.h"
+#include "raster/shadow/unresolved_taps_pass.h"
 
 #include <algorithm>
 #include <array>
@@ -15,14 +15,14 @@ namespace umbrameter {
 namespace {
 
 // Taps of one run over a part of the pixels, so that there is room for every one of them: 32 MiB.
-constexpr std::size_t most_taps_at_once = std::size_t{1} << 20;
+constexpr std::size_t max_taps_at_once = std::size_t{1} << 20;
 
-static_assert(sizeof(ForeignTap) % sizeof(std::uint32_t) == 0);
+static_assert(sizeof(UnresolvedTap) % sizeof(std::uint32_t) == 0);
 
 }  // namespace
 
-void list_foreign_taps(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes,
-                       const ForeignTapSink& sink) {
+void list_unresolved_taps(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes,
+                          const UnresolvedTapSink& sink) {
   assert(lookup.truth != nullptr && !axes.constant.empty() && !axes.slope.empty());
   const std::string defines = lookup_defines(lookup) + define("LIT_ALONE", 1);
   const gl::Buffer light = bind(lookup, axes.unit);
@@ -34,22 +34,22 @@ void list_foreign_taps(const gl::Context& context, const ShadowLookup& lookup, c
 
   const auto taps = static_cast<std::size_t>(kernel_of(lookup).tap_count());
   const auto at_once = static_cast<std::uint32_t>(
-      std::min<std::size_t>(pixels, std::max<std::size_t>(most_taps_at_once / taps, slot("LIST_GROUP_SIZE"))));
+      std::min<std::size_t>(pixels, std::max<std::size_t>(max_taps_at_once / taps, slot("LIST_GROUP_SIZE"))));
   const gl::Buffer found =
-      gl::make_empty_buffer("foreign taps", sizeof(std::uint32_t) + at_once * taps * sizeof(ForeignTap));
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot("BUFFER_FOREIGN"), found.name());
-  const gl::Program& program = context.program({{"foreign_taps.comp"}, defines});
+      gl::make_empty_buffer("unresolved taps", sizeof(std::uint32_t) + at_once * taps * sizeof(UnresolvedTap));
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot("BUFFER_UNRESOLVED"), found.name());
+  const gl::Program& program = context.program({{"unresolved_taps.comp"}, defines});
   std::vector<std::byte> words;
-  std::vector<ForeignTap> records;
+  std::vector<UnresolvedTap> records;
   for (std::uint32_t first = 0; first < pixels; first += at_once) {
     const std::uint32_t count = std::min(at_once, pixels - first);
     std::array<std::uint32_t, 1> header{};
     gl::write_buffer(found, 0, std::as_bytes(std::span(header)));
     dispatch_list(program, {first, first + count});
     gl::read_buffer(found, std::as_writable_bytes(std::span(header)));
-    context.check("foreign taps");
+    context.check("unresolved taps");
     if (header[0] == 0) continue;
-    words.resize(sizeof(header) + header[0] * sizeof(ForeignTap));
+    words.resize(sizeof(header) + header[0] * sizeof(UnresolvedTap));
     gl::read_buffer(found, words);
     records.resize(header[0]);
     std::copy(words.begin() + sizeof(header), words.end(), std::as_writable_bytes(std::span(records)).begin());

@@ -1,4 +1,4 @@
-#include "compare/foreign_taps.h"
+#include "compare/unresolved_taps.h"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,12 @@ namespace {
 
 constexpr std::uint32_t at(std::uint32_t x, std::uint32_t y) { return x | y << 16u; }
 
-TEST(ForeignTaps, A_tap_that_is_judged_own_turns_from_false_occlusion_to_acne_at_its_pixel) {
+TEST(UnresolvedTaps, A_tap_that_is_judged_own_turns_from_false_occlusion_to_acne_at_its_pixel) {
   const GBuffer gbuffer(2, 3);
   WrongTaps wrong{Image<uvec4>(2, 3, uvec4(0)), 8};
   wrong.weights.at(1, 2) = uvec4(1, 5, 0, 0);  // the bottom row, which taps count as 0
   wrong.weights.at(0, 0) = uvec4(0, 4, 0, 0);
-  const std::vector<ForeignTap> taps = {{at(1, 0), 0, 0, 3}, {at(1, 0), 1, 0, 2}, {at(0, 2), 2, 0, 4}};
+  const std::vector<UnresolvedTap> taps = {{at(1, 0), 0, 0, 3}, {at(1, 0), 1, 0, 2}, {at(0, 2), 2, 0, 4}};
   const std::vector<std::uint8_t> own = {1, 0, 1};
   apply_judgement(wrong, gbuffer, taps, own);
   EXPECT_EQ(wrong.weights.at(1, 2), uvec4(4, 2, 0, 0));
@@ -24,12 +24,12 @@ TEST(ForeignTaps, A_tap_that_is_judged_own_turns_from_false_occlusion_to_acne_at
   agreement.wrong = 10;
   add_judgement(agreement, taps, own);
   EXPECT_EQ(agreement.taps, 3u);
-  EXPECT_DOUBLE_EQ(share_of_foreign(agreement), 7.0 / 9.0);
+  EXPECT_DOUBLE_EQ(share_of_unresolved(agreement), 7.0 / 9.0);
   EXPECT_DOUBLE_EQ(share_of_wrong(agreement), 0.7);
-  EXPECT_EQ(share_of_foreign({}), 0.0);
+  EXPECT_EQ(share_of_unresolved({}), 0.0);
 }
 
-TEST(ForeignTaps, In_a_histogram_it_turns_in_the_bin_of_its_flip_at_every_slope) {
+TEST(UnresolvedTaps, In_a_histogram_it_turns_in_the_bin_of_its_flip_at_every_slope) {
   // A tap of critical bias 0.25 on a pixel of slope 0.1 flips at 0.25, and with slope factor 2 at 0.05: blocked at one
   // and at none of the biases 0.1 and 0.3.
   BiasHistogram histogram;
@@ -38,7 +38,7 @@ TEST(ForeignTaps, In_a_histogram_it_turns_in_the_bin_of_its_flip_at_every_slope)
   histogram.by_slope[0][1].weights = {0, 6, 0, 0};
   histogram.by_slope[0][1].squares = {36, 0};
   const BiasHistogram before = histogram;
-  const std::vector<ForeignTap> taps = {{0, 0, 0, 5, 0.25f, 0.1f}};
+  const std::vector<UnresolvedTap> taps = {{0, 0, 0, 5, 0.25f, 0.1f}};
   apply_judgement(histogram, taps, std::vector<std::uint8_t>{0});
   EXPECT_EQ(histogram.by_slope, before.by_slope);
   apply_judgement(histogram, taps, std::vector<std::uint8_t>{1});
@@ -47,10 +47,10 @@ TEST(ForeignTaps, In_a_histogram_it_turns_in_the_bin_of_its_flip_at_every_slope)
   EXPECT_EQ(histogram.by_slope[1], before.by_slope[1]);
 }
 
-TEST(ForeignTaps, A_tap_that_was_not_counted_is_an_error_and_wraps_no_weight) {
+TEST(UnresolvedTaps, A_tap_that_was_not_counted_is_an_error_and_wraps_no_weight) {
   const GBuffer gbuffer(1, 1);
   WrongTaps wrong{Image<uvec4>(1, 1, uvec4(0, 2, 0, 0)), 8};
-  const std::vector<ForeignTap> taps = {{0, 0, 0, 3, 0.25f, 0.1f}};
+  const std::vector<UnresolvedTap> taps = {{0, 0, 0, 3, 0.25f, 0.1f}};
   const std::vector<std::uint8_t> own = {1};
   EXPECT_THROW(apply_judgement(wrong, gbuffer, taps, own), Error);
   EXPECT_EQ(wrong.weights[0], uvec4(0, 2, 0, 0));

@@ -1,4 +1,4 @@
-#include "techniques/shadow/reference/own_surface.h"
+#include "techniques/shadow/reference/same_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,13 +33,13 @@ Facet facet_of(const Scene& scene, const MapLayout& frame, std::uint32_t instanc
   const dmat4& world_from_mesh = placed.world_from_mesh;
   dmat4 light_from_mesh(0.0);
   for (int column = 0; column < 3; ++column) {
-    light_from_mesh[column] = dvec4(turned_by(frame.light_from_world, dvec3(world_from_mesh[column])), 0.0);
+    light_from_mesh[column] = dvec4(transform_vector(frame.light_from_world, dvec3(world_from_mesh[column])), 0.0);
   }
-  light_from_mesh[3] = dvec4(moved_by(frame.light_from_world, dvec3(world_from_mesh[3])), 1.0);
+  light_from_mesh[3] = dvec4(transform_point(frame.light_from_world, dvec3(world_from_mesh[3])), 1.0);
   Facet f;
-  f.a = moved_by(light_from_mesh, dvec3(a));
-  f.ab = turned_by(light_from_mesh, dvec3(b) - dvec3(a));
-  f.ac = turned_by(light_from_mesh, dvec3(c) - dvec3(a));
+  f.a = transform_point(light_from_mesh, dvec3(a));
+  f.ab = transform_vector(light_from_mesh, dvec3(b) - dvec3(a));
+  f.ac = transform_vector(light_from_mesh, dvec3(c) - dvec3(a));
   const dvec3 n = cross_of(f.ab, f.ac);
   const double area = length_of(n);
   f.normal = area > 0.0 ? n / area : dvec3(0.0);
@@ -71,16 +71,16 @@ dvec3 sample_on(const Facet& f, const TexelRay& ray) {
   return f.a + weight.x * f.ab + weight.y * f.ac;
 }
 
-bool is_own_surface(const MapLayout& frame, const Receiver& receiver, const Facet& own, const Tap& tap,
-                    const Facet& blocker) {
+bool is_same_surface(const MapLayout& frame, const Receiver& receiver, const Facet& own, const Tap& tap,
+                     const Facet& blocker) {
   const dvec3 r = foot_on(own, receiver.in_light);
   if (signed_distance(blocker, r) >= -rounding_bound(blocker, r, own.vertex_error)) return true;
   const dvec3 s = sample_on(blocker, texel_ray(frame, tap.texel, tap.face));
   return signed_distance(own, s) <= rounding_bound(own, s, blocker.vertex_error);
 }
 
-bool is_foreign(const Scene& scene, const MapLookup& lookup, const Tap& tap, const Receiver& receiver,
-                std::size_t pixel, bool is_lit_in_truth) {
+bool is_other_surface(const Scene& scene, const MapLookup& lookup, const Tap& tap, const Receiver& receiver,
+                      std::size_t pixel, bool is_lit_in_truth) {
   if (!tap.has_blocker || !(is_lit_in_truth || tap.critical_bias > 0.0f)) return false;
   const MapLayout& frame = lookup.frame;
   const GBuffer& gbuffer = lookup.gbuffer;
@@ -89,8 +89,8 @@ bool is_foreign(const Scene& scene, const MapLookup& lookup, const Tap& tap, con
   const std::uint32_t instance = lookup.map.instance[face][texel];
   const std::uint32_t triangle = lookup.map.triangle[face][texel];
   if (instance == gbuffer.instance[pixel] && triangle == gbuffer.triangle[pixel]) return false;
-  return !is_own_surface(frame, receiver, facet_of(scene, frame, gbuffer.instance[pixel], gbuffer.triangle[pixel]), tap,
-                         facet_of(scene, frame, instance, triangle));
+  return !is_same_surface(frame, receiver, facet_of(scene, frame, gbuffer.instance[pixel], gbuffer.triangle[pixel]),
+                          tap, facet_of(scene, frame, instance, triangle));
 }
 
 }  // namespace umbrameter

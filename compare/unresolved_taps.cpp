@@ -1,4 +1,4 @@
-#include "compare/foreign_taps.h"
+#include "compare/unresolved_taps.h"
 
 #include <algorithm>
 #include <cassert>
@@ -6,7 +6,7 @@
 #include "compare/bias_response.h"
 #include "core/error.h"
 #include "techniques/shadow/reference/ordered.h"
-#include "techniques/shadow/reference/own_surface.h"
+#include "techniques/shadow/reference/same_surface.h"
 
 namespace umbrameter {
 namespace {
@@ -34,35 +34,37 @@ void turn_to_acne(Weight& occluded, Weight& shadowed, std::uint32_t weight) {
 
 }  // namespace
 
-double share_of_foreign(const ClassAgreement& agreement) { return share(agreement.judged_own, agreement.foreign); }
+double share_of_unresolved(const ClassAgreement& agreement) {
+  return share(agreement.judged_own, agreement.unresolved);
+}
 double share_of_wrong(const ClassAgreement& agreement) { return share(agreement.judged_own, agreement.wrong); }
 
-std::size_t pixel_of(const ForeignTap& tap, const GBuffer& gbuffer) {
+std::size_t pixel_of(const UnresolvedTap& tap, const GBuffer& gbuffer) {
   const ivec2 at = unpacked(tap.pixel);
   return gbuffer.instance.index(at.x, gbuffer.height - 1 - at.y);
 }
 
-TapSurfaces surfaces_of(const Scene& scene, const MapLayout& frame, const GBuffer& gbuffer, const ForeignTap& tap) {
+TapSurfaces surfaces_of(const Scene& scene, const MapLayout& frame, const GBuffer& gbuffer, const UnresolvedTap& tap) {
   const std::size_t pixel = pixel_of(tap, gbuffer);
   TapSurfaces surfaces;
   surfaces.receiver = {{}, gbuffer.instance[pixel], gbuffer.triangle[pixel]};
   surfaces.sample = {{}, tap.instance, tap.triangle};
   const Facet own = facet_of(scene, frame, surfaces.receiver.instance, surfaces.receiver.triangle);
   const Facet blocker = facet_of(scene, frame, tap.instance, tap.triangle);
-  surfaces.receiver.in_light = foot_on(own, moved_by(frame.light_from_world, dvec3(gbuffer.position[pixel])));
+  surfaces.receiver.in_light = foot_on(own, transform_point(frame.light_from_world, dvec3(gbuffer.position[pixel])));
   surfaces.sample.in_light = sample_on(blocker, texel_ray(frame, unpacked(tap.texel), static_cast<int>(tap.face)));
   return surfaces;
 }
 
 std::vector<TapSurfaces> surfaces_of(const Scene& scene, const MapLayout& frame, const GBuffer& gbuffer,
-                                     std::span<const ForeignTap> taps) {
+                                     std::span<const UnresolvedTap> taps) {
   std::vector<TapSurfaces> surfaces;
   surfaces.reserve(taps.size());
-  for (const ForeignTap& tap : taps) surfaces.push_back(surfaces_of(scene, frame, gbuffer, tap));
+  for (const UnresolvedTap& tap : taps) surfaces.push_back(surfaces_of(scene, frame, gbuffer, tap));
   return surfaces;
 }
 
-void apply_judgement(WrongTaps& wrong, const GBuffer& gbuffer, std::span<const ForeignTap> taps,
+void apply_judgement(WrongTaps& wrong, const GBuffer& gbuffer, std::span<const UnresolvedTap> taps,
                      std::span<const std::uint8_t> own) {
   assert(taps.size() == own.size());
   for (std::size_t i = 0; i < taps.size(); ++i) {
@@ -72,7 +74,7 @@ void apply_judgement(WrongTaps& wrong, const GBuffer& gbuffer, std::span<const F
   }
 }
 
-void apply_judgement(BiasHistogram& histogram, std::span<const ForeignTap> taps, std::span<const std::uint8_t> own) {
+void apply_judgement(BiasHistogram& histogram, std::span<const UnresolvedTap> taps, std::span<const std::uint8_t> own) {
   assert(taps.size() == own.size());
   for (std::size_t s = 0; s < histogram.axes.slope.size(); ++s) {
     for (std::size_t i = 0; i < taps.size(); ++i) {
@@ -86,11 +88,11 @@ void apply_judgement(BiasHistogram& histogram, std::span<const ForeignTap> taps,
   }
 }
 
-void add_judgement(ClassAgreement& agreement, std::span<const ForeignTap> taps, std::span<const std::uint8_t> own) {
+void add_judgement(ClassAgreement& agreement, std::span<const UnresolvedTap> taps, std::span<const std::uint8_t> own) {
   assert(taps.size() == own.size());
   for (std::size_t i = 0; i < taps.size(); ++i) {
     ++agreement.taps;
-    agreement.foreign += taps[i].weight;
+    agreement.unresolved += taps[i].weight;
     if (own[i] != 0) agreement.judged_own += taps[i].weight;
   }
 }

@@ -32,13 +32,13 @@ Facet fetch_facet(uvec2 id) {
   // Edges are taken in mesh space: floats subtract exactly in double precision, and directions need no translation.
   dmat4 light_from_mesh = dmat4(0.0lf);
   for (int column = 0; column < 3; ++column) {
-    light_from_mesh[column].xyz = turned_by(light_from_world, dvec3(x[column], y[column], z[column]));
+    light_from_mesh[column].xyz = transform_vector(light_from_world, dvec3(x[column], y[column], z[column]));
   }
-  light_from_mesh[3].xyz = moved_by(light_from_world, dvec3(x.w, y.w, z.w));
+  light_from_mesh[3].xyz = transform_point(light_from_world, dvec3(x.w, y.w, z.w));
   Facet f;
-  f.a = moved_by(light_from_mesh, dvec3(a));
-  f.ab = turned_by(light_from_mesh, dvec3(b) - dvec3(a));
-  f.ac = turned_by(light_from_mesh, dvec3(c) - dvec3(a));
+  f.a = transform_point(light_from_mesh, dvec3(a));
+  f.ab = transform_vector(light_from_mesh, dvec3(b) - dvec3(a));
+  f.ac = transform_vector(light_from_mesh, dvec3(c) - dvec3(a));
   dvec3 n = cross_of(f.ab, f.ac);
   double area = length_of(n);
   f.normal = area > 0.0lf ? n / area : dvec3(0.0lf);
@@ -81,7 +81,7 @@ dvec3 sample_on(Facet f, dvec3 origin, dvec3 direction) {
   return sample_point;
 }
 
-bool is_own(Receiver receiver, uvec2 receiver_id, Facet own, ivec3 texel, uvec2 blocker_id) {
+bool is_same_surface(Receiver receiver, uvec2 receiver_id, Facet own, ivec3 texel, uvec2 blocker_id) {
   if (receiver_id == blocker_id) return true;
   Facet blocker = fetch_facet(blocker_id);
   // The surfel is stored as floats; what counts is the point of its triangle that it stands for.

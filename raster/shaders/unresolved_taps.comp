@@ -1,11 +1,11 @@
-// The taps that are wrong at some bias of the axes and false occlusion by the two-plane rule: ForeignTap of
+// The taps that are wrong at some bias of the axes and false occlusion by the two-plane rule: UnresolvedTap of
 // techniques/shadow/causes.h, in any order. The listed pixels are lit in truth.
 #include "cause.glsl"
 #include "pixel_list.glsl"
 #include "response.glsl"
 layout(local_size_x = LIST_GROUP_SIZE) in;
-layout(std430, binding = BUFFER_FOREIGN) restrict buffer ForeignTaps {
-  uint foreign_count;
+layout(std430, binding = BUFFER_UNRESOLVED) restrict buffer UnresolvedTaps {
+  uint unresolved_count;
   uint words[];
 };
 
@@ -19,10 +19,10 @@ void main() {
   Facet own = fetch_facet(id);
   for (int i = 0; i < tap_count; ++i) {
     WeightedTap tap = filter_tap(surfel.receiver, pattern, i);
-    float flip = flip_of(tap.tap.critical_bias, surfel.slope, least_slope);
-    if (tap.weight == 0u || lights(least_bias, surfel.bias_unit, flip)) continue;
+    float flip = flip_of(tap.tap.critical_bias, surfel.slope, min_slope);
+    if (tap.weight == 0u || lights(min_bias, surfel.bias_unit, flip)) continue;
     if (cause_of(tap.tap, true, surfel.receiver, id, own) != CAUSE_FALSE_OCCLUSION) continue;
-    uint word = FOREIGN_WORDS * atomicAdd(foreign_count, 1u);
+    uint word = UNRESOLVED_WORDS * atomicAdd(unresolved_count, 1u);
     uvec2 sample_id = texelFetch(shadow_ids, tap.tap.texel, 0).rg;
     words[word] = uint(pixel.x) | uint(pixel.y) << 16u;
     words[word + 1u] = uint(tap.tap.texel.x) | uint(tap.tap.texel.y) << 16u;
