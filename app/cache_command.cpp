@@ -31,15 +31,15 @@ std::string age_text(double seconds) {
 
 Json to_json(const CacheListing& listing) {
   return {{"key", listing.name},
-          {"scene", listing.entry ? Json(listing.entry->scene) : Json(nullptr)},
-          {"what", listing.entry ? Json(listing.entry->what) : Json(nullptr)},
+          {"scene", listing.title ? Json(listing.title->scene) : Json(nullptr)},
+          {"what", listing.title ? Json(listing.title->what) : Json(nullptr)},
           {"bytes", listing.bytes},
           {"used_seconds_ago", std::round(seconds_since(listing.used))}};
 }
 
 std::vector<std::string> to_row(const CacheListing& listing) {
-  return {listing.entry ? shortened(listing.entry->scene, name_characters) : "(damaged)",
-          listing.entry ? shortened(listing.entry->what, name_characters) : "", bytes_text(listing.bytes),
+  return {listing.title ? shortened(listing.title->scene, name_characters) : "(damaged)",
+          listing.title ? shortened(listing.title->what, name_characters) : "", bytes_text(listing.bytes),
           age_text(seconds_since(listing.used)), listing.name.substr(0, key_characters)};
 }
 

@@ -1,112 +1,81 @@
 #include "experiments/cache_folder.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
-#include <string_view>
+#include <memory>
+#include <stdexcept>
 #include <system_error>
-#include <thread>
 
 #include "core/error.h"
 #include "experiments/content_hash.h"
 #include "reports/files/output.h"
+#include "reports/files/text_layout.h"
+
+// An entry is a gzip file: a line with the scene, a line with what it is, the key, the content. Gzip's checksum covers
+// all of it, and `zcat FILE | head` shows what a person can read.
 
 namespace umbrameter {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view extension = ".reference";
-// A write takes moments; a temporary file as old as this is left from one that was killed.
+constexpr const char* entry_extension = ".reference";
+constexpr const char* temporary_extension = ".tmp";
+// A write takes moments: a temporary file of this age is left from a process that was killed.
 constexpr auto abandoned_after = std::chrono::hours(24);
-constexpr auto lock_patience = std::chrono::seconds(5);
+constexpr std::size_t title_characters = 200;
 
-class File {
- public:
-  explicit File(int descriptor) : descriptor_(descriptor) {}
-  ~File() {
-    if (descriptor_ >= 0) close(descriptor_);
-  }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-  int get() const { return descriptor_; }
+using GzFile = std::unique_ptr<gzFile_s, int (*)(gzFile)>;
 
- private:
-  int descriptor_;
-};
+GzFile open_gzip(const fs::path& path, const char* mode) {
+  GzFile file(gzopen(path.c_str(), mode), gzclose);
+  if (file) gzbuffer(file.get(), 1 << 17);
+  return file;
+}
 
-std::string reason(int error) { return std::generic_category().message(error); }
+// Regular files only: opening a pipe would wait for its other end.
+GzFile open_entry(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(fs::symlink_status(path, error))) return {nullptr, gzclose};
+  return open_gzip(path, "rb");
+}
 
-std::string name_of(const std::string& key) { return ContentHash().add(std::string_view(key)).hex(); }
+// Nothing where the file ends before the line does.
+std::optional<std::string> read_line(const GzFile& file) {
+  std::array<char, 4 * title_characters + 8> line;  // UTF-8 takes at most four bytes
+  if (gzgets(file.get(), line.data(), static_cast<int>(line.size())) == nullptr) return {};
+  std::string text = line.data();
+  if (!text.ends_with('\n')) return {};
+  text.pop_back();
+  return text;
+}
+
+std::optional<CacheTitle> read_title(const GzFile& file) {
+  const std::optional<std::string> scene = read_line(file);
+  const std::optional<std::string> what = read_line(file);
+  if (!scene || !what) return {};
+  return CacheTitle{*scene, *what};
+}
+
+// All that is left; nothing where gzip's checksum or the end of the file is wrong.
+std::optional<std::string> read_rest(const GzFile& file) {
+  std::string rest;
+  std::vector<char> block(1 << 20);
+  while (const std::size_t count = gzfread(block.data(), 1, block.size(), file.get())) rest.append(block.data(), count);
+  int state = Z_OK;
+  gzerror(file.get(), &state);
+  if (state != Z_OK) return {};
+  return rest;
+}
 
 fs::path path_of(const CacheFolder& folder, const std::string& key) {
-  return folder.path / (name_of(key) + std::string(extension));
+  return folder.path / (ContentHash().add(std::string_view(key)).hex() + entry_extension);
 }
-
-bool is_entry(const fs::path& path) {
-  const std::string name = path.filename().string();
-  return name.size() == 32 + extension.size() && name.ends_with(extension) &&
-         std::all_of(name.begin(), name.begin() + 32,
-                     [](char c) { return std::string_view("0123456789abcdef").find(c) != std::string_view::npos; });
-}
-
-bool is_temporary(const fs::path& path) {
-  const std::string name = path.filename().string();
-  return name.starts_with('.') && name.ends_with(".tmp");
-}
-
-// Of open_regular(): a folder, a link or a socket.
-bool is_no_file(int error) { return error == EISDIR || error == ELOOP || error == ENXIO; }
-
-// Opens regular files only, and never waits for a pipe's other end.
-File open_regular(const fs::path& path, std::uint64_t& bytes, int& error) {
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW);
-  error = descriptor < 0 ? errno : 0;
-  struct stat status {};
-  if (descriptor >= 0 && fstat(descriptor, &status) != 0) error = errno;
-  if (error == 0 && !S_ISREG(status.st_mode)) error = EISDIR;
-  bytes = static_cast<std::uint64_t>(status.st_size);
-  return File(descriptor);
-}
-
-// At most `bytes`; less where the file ends or cannot be read on.
-std::string read_bytes(const File& file, std::uint64_t bytes) {
-  std::string content(static_cast<std::size_t>(bytes), '\0');
-  std::size_t filled = 0;
-  while (filled < content.size()) {
-    const ssize_t got = read(file.get(), content.data() + filled, content.size() - filled);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) break;
-    filled += static_cast<std::size_t>(got);
-  }
-  content.resize(filled);
-  return content;
-}
-
-// Held by the one process that makes room and writes. The system releases it when its process ends.
-class Lock {
- public:
-  explicit Lock(const fs::path& path) : file_(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-    const auto until = std::chrono::steady_clock::now() + lock_patience;
-    error_ = file_.get() < 0 ? errno : 0;
-    while (error_ == 0 && flock(file_.get(), LOCK_EX | LOCK_NB) != 0) {
-      if (errno != EWOULDBLOCK && errno != EINTR) error_ = errno;
-      if (std::chrono::steady_clock::now() > until) error_ = ETIMEDOUT;
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-  }
-  /// errno of the step that failed, or 0.
-  int error() const { return error_; }
-
- private:
-  File file_;
-  int error_ = 0;
-};
 
 struct Item {
   fs::path path;
@@ -114,13 +83,13 @@ struct Item {
   fs::file_time_type used;
 };
 
-// Files that another process removes meanwhile are left out.
-std::vector<Item> items(const CacheFolder& folder, bool (*wanted)(const fs::path&)) {
+// The last used first. Files that another process removes meanwhile are left out.
+std::vector<Item> items(const CacheFolder& folder, const char* extension) {
   std::vector<Item> found;
   std::error_code end;
   for (fs::directory_iterator i(folder.path, end); !end && i != fs::directory_iterator(); i.increment(end)) {
     std::error_code error;
-    if (!wanted(i->path()) || !fs::is_regular_file(i->symlink_status(error)) || error) continue;
+    if (i->path().extension() != extension || !fs::is_regular_file(i->symlink_status(error))) continue;
     Item item{i->path(), i->file_size(error), {}};
     if (!error) item.used = i->last_write_time(error);
     if (!error) found.push_back(std::move(item));
@@ -136,32 +105,16 @@ bool remove_file(const fs::path& path) {
   return !error;
 }
 
-// So that `bytes` more, which replace what is at `path`, stay within the limit. Called under the lock.
-void make_room(const CacheFolder& folder, const fs::path& path, std::uint64_t bytes) {
-  for (const Item& item : items(folder, is_temporary)) {
+// After the write, so that of processes that write at the same time the last one sees all entries.
+void remove_least_recently_used(const CacheFolder& folder) {
+  std::uint64_t total = 0;
+  for (const Item& item : items(folder, entry_extension)) {
+    total += item.bytes;
+    if (total > folder.limit) remove_file(item.path);
+  }
+  for (const Item& item : items(folder, temporary_extension)) {
     if (fs::file_time_type::clock::now() - item.used > abandoned_after) remove_file(item.path);
   }
-  std::vector<Item> entries = items(folder, is_entry);
-  std::uint64_t total = bytes;
-  for (const Item& item : entries) total += item.path == path ? 0 : item.bytes;
-  while (total > folder.limit && !entries.empty()) {
-    const Item least = std::move(entries.back());
-    entries.pop_back();
-    if (least.path != path && remove_file(least.path)) total -= least.bytes;
-  }
-}
-
-// With the rights that the specification asks for. Returns errno of the step that failed, or 0.
-int make_folder(const fs::path& path) {
-  std::error_code error;
-  if (fs::is_directory(path, error)) return 0;
-  if (path.has_relative_path()) {
-    if (const int failed = make_folder(path.parent_path()); failed != 0) return failed;
-  }
-  if (mkdir(path.c_str(), 0700) == 0) return 0;
-  if (errno != EEXIST) return errno;
-  // Another process may have been faster.
-  return fs::is_directory(path, error) ? 0 : ENOTDIR;
 }
 
 }  // namespace
@@ -176,66 +129,70 @@ std::optional<fs::path> xdg_cache_folder(const char* xdg_cache_home, const char*
 
 CacheRead load_entry(const CacheFolder& folder, const std::string& key) {
   const fs::path path = path_of(folder, key);
-  std::uint64_t bytes = 0;
-  int error = 0;
-  const File file = open_regular(path, bytes, error);
-  if (error == ENOENT || error == ENOTDIR) return {};
-  if (error != 0 && !is_no_file(error)) return {{}, path.string() + ": " + reason(error)};
-  CacheRead read{{}, "it is not a file"};
-  if (error == 0) read = from_cache_file(key, read_bytes(file, bytes));
-  if (read.entry) {
-    // Where the folder cannot be written to, entries do not age.
-    std::error_code ignored;
-    fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
-  } else {
-    read.problem = path.string() + ": " + read.problem + (remove_file(path) ? "" : ", and cannot be removed");
+  const GzFile file = open_entry(path);
+  if (!file) return {};
+  std::string stored_key(key.size(), '\0');
+  std::optional<std::string> content;
+  // zlib also reads files that are not compressed, without a checksum.
+  if (gzdirect(file.get()) == 0 && read_title(file) &&
+      gzfread(stored_key.data(), 1, key.size(), file.get()) == key.size() && stored_key == key) {
+    content = read_rest(file);
   }
-  return read;
+  if (!content) return {{}, path.string() + (remove_file(path) ? "" : " (it cannot be removed)")};
+  // Where the folder cannot be written to, entries do not age.
+  std::error_code ignored;
+  fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
+  return {std::move(content), {}};
 }
 
-std::string store_entry(const CacheFolder& folder, const std::string& key, const CacheEntry& entry) {
-  const std::string bytes = to_cache_file(key, entry);
-  if (bytes.size() > folder.limit) return "it is larger than the limit of the cache";
-  if (const int error = make_folder(folder.path); error != 0) return folder.path.string() + ": " + reason(error);
-  const Lock lock(folder.path / "lock");
-  if (lock.error() != 0) return (folder.path / "lock").string() + ": " + reason(lock.error());
-  const fs::path path = path_of(folder, key);
-  make_room(folder, path, bytes.size());
+std::string store_entry(const CacheFolder& folder, const std::string& key, const CacheTitle& title,
+                        const PiecesOfContent& content) {
+  const std::string head =
+      fmt::format("{}\n{}\n{}", shortened(title.scene, title_characters), shortened(title.what, title_characters), key);
   try {
-    write_text(path, bytes);
-  } catch (const Error& error) {
-    return error.what();
+    // With the rights that the specification asks for.
+    if (fs::create_directories(folder.path)) fs::permissions(folder.path, fs::perms::owner_all);
+    const fs::path path = path_of(folder, key);
+    write_whole(path, [&](const fs::path& temporary) {
+      // zlib's fastest level: the noise of sampled images shrinks hardly more by slower ones.
+      GzFile file = open_gzip(temporary, "wb1");
+      const auto write = [&](std::string_view piece) {
+        if (!file || gzfwrite(piece.data(), 1, piece.size(), file.get()) != piece.size())
+          throw_write_error(path, errno);
+      };
+      write(head);
+      content(write);
+      if (gzclose(file.release()) != Z_OK) throw_write_error(path, errno);
+      if (fs::file_size(temporary) > folder.limit) throw std::length_error("it is larger than the limit of the cache");
+    });
+  } catch (const std::exception& problem) {
+    return problem.what();
   }
+  remove_least_recently_used(folder);
   return {};
 }
 
 std::vector<CacheListing> list_entries(const CacheFolder& folder) {
   std::vector<CacheListing> listings;
-  for (const Item& item : items(folder, is_entry)) {
-    std::uint64_t bytes = 0;
-    int error = 0;
-    const File file = open_regular(item.path, bytes, error);
-    CacheListing listing{item.path.stem().string(), item.bytes, item.used, {}};
-    if (error == 0) listing.entry = peek_cache_file(read_bytes(file, std::min<std::uint64_t>(bytes, cache_head_bytes)));
-    listings.push_back(std::move(listing));
+  for (const Item& item : items(folder, entry_extension)) {
+    const GzFile file = open_entry(item.path);
+    listings.push_back(
+        {item.path.stem().string(), item.bytes, item.used, file ? read_title(file) : std::optional<CacheTitle>()});
   }
   return listings;
 }
 
 ClearedCache clear_entries(const CacheFolder& folder) {
   ClearedCache cleared;
-  const Lock lock(folder.path / "lock");
-  for (const Item& item : items(folder, is_entry)) {
-    if (remove_file(item.path)) {
-      ++cleared.entries;
-      cleared.bytes += item.bytes;
-    } else {
+  for (const Item& item : items(folder, entry_extension)) {
+    if (!remove_file(item.path)) {
       ++cleared.left;
+      continue;
     }
+    ++cleared.entries;
+    cleared.bytes += item.bytes;
   }
-  if (lock.error() == 0) {
-    for (const Item& item : items(folder, is_temporary)) remove_file(item.path);
-  }
+  for (const Item& item : items(folder, temporary_extension)) remove_file(item.path);
   return cleared;
 }
 

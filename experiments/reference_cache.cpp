@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "core/error.h"
@@ -14,82 +16,71 @@ namespace {
 
 constexpr const char* size_variable = "UMBRAMETER_CACHE_SIZE";
 
-// The parts of each kind of answer, by name: written and read in the same words. Structs are taken apart into all of
-// their members, so that none can be forgotten.
-template <class Visit>
-void visit_parts(TraceStatistics& statistics, const Visit& visit) {
-  auto& [rays, seconds, largest_offset, from_cache] = statistics;
-  visit("rays", rays);
-  visit("seconds", seconds);
-  visit("largest_offset_m", largest_offset);
-}
-template <class Visit>
-void visit_parts(SamplingPrecision& precision, const Visit& visit) {
-  auto& [pixels, worst_half_width, mean_half_width, mean_samples, pixels_at_limit] = precision;
-  visit("pixels", pixels);
-  visit("worst_half_width", worst_half_width);
-  visit("mean_half_width", mean_half_width);
-  visit("mean_samples", mean_samples);
-  visit("pixels_at_limit", pixels_at_limit);
-}
-template <class Visit>
-void visit_parts(TracedVisibility& traced, const Visit& visit) {
+// The members of each kind of result, as references. Structs are taken apart into all of their members: one more does
+// not compile until it is listed here.
+auto members(TracedVisibility& traced) {
   auto& [visibility, statistics, standard_error, variance, samples, degrees_of_freedom, precision] = traced;
-  visit("visibility", visibility);
-  visit("standard_error", standard_error);
-  visit("variance", variance);
-  visit("samples", samples);
-  visit("degrees_of_freedom", degrees_of_freedom);
-  visit_parts(precision, visit);
-  visit_parts(statistics, visit);
+  return std::tie(visibility, statistics, standard_error, variance, samples, degrees_of_freedom, precision);
 }
-template <class Visit>
-void visit_parts(TracedAo& traced, const Visit& visit) {
+auto members(TracedAo& traced) {
   auto& [ao, standard_error, variance, samples, bent_normal, hit_distance, degrees_of_freedom, precision, statistics] =
       traced;
-  visit("ao", ao);
-  visit("standard_error", standard_error);
-  visit("variance", variance);
-  visit("samples", samples);
-  visit("bent_normal", bent_normal);
-  visit("hit_distance", hit_distance);
-  visit("degrees_of_freedom", degrees_of_freedom);
-  visit_parts(precision, visit);
-  visit_parts(statistics, visit);
+  return std::tie(ao, standard_error, variance, samples, bent_normal, hit_distance, degrees_of_freedom, precision,
+                  statistics);
 }
 
-struct PartWriter {
-  CacheEntry& entry;
+// The bytes of each member, one after the other. They need neither names nor a version: the key contains the hash of
+// the program, so that no other program reads them.
+struct Writer {
+  const std::function<void(std::string_view)>& write;
   template <class T>
-  void operator()(const char* name, const Image<T>& image) const {
-    entry.images.push_back(to_cached(name, image));
+  void bytes(const T* values, std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    write({reinterpret_cast<const char*>(values), count * sizeof(T)});
   }
   template <class T>
-  void operator()(const char* name, const T& number) const {
-    entry.numbers[name] = static_cast<double>(number);
+  void operator()(const T& value) {
+    bytes(&value, 1);
+  }
+  template <class T>
+  void operator()(const Image<T>& image) {
+    bytes(&image.width, 1);
+    bytes(&image.height, 1);
+    bytes(image.pixels.data(), image.size());
   }
 };
 
-// Leaves `whole` false where a part is missing.
-struct PartReader {
-  const CacheEntry& entry;
-  bool& whole;
-  template <class T>
-  void operator()(const char* name, Image<T>& image) const {
-    std::optional<Image<T>> found;
-    for (const CachedImage& cached : entry.images) {
-      if (cached.name == name) found = from_cached<T>(cached);
-    }
-    whole = whole && found;
-    if (found) image = std::move(*found);
+// Leaves `is_whole` false where bytes are missing.
+struct Reader {
+  std::string_view rest;
+  bool is_whole = true;
+  void copy(void* to, std::size_t bytes) {
+    is_whole = is_whole && bytes <= rest.size();
+    if (!is_whole || bytes == 0) return;
+    std::memcpy(to, rest.data(), bytes);
+    rest.remove_prefix(bytes);
   }
   template <class T>
-  void operator()(const char* name, T& number) const {
-    const auto found = entry.numbers.find(name);
-    whole = whole && found != entry.numbers.end();
-    if (found != entry.numbers.end()) number = static_cast<T>(found->second);
+  void operator()(T& value) {
+    copy(&value, sizeof(T));
+  }
+  template <class T>
+  void operator()(Image<T>& image) {
+    int width = 0;
+    int height = 0;
+    (*this)(width);
+    (*this)(height);
+    if (static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > rest.size() / sizeof(T)) is_whole = false;
+    if (!is_whole) return;
+    image = Image<T>(width, height);
+    copy(image.pixels.data(), image.size() * sizeof(T));
   }
 };
+
+template <class Traced, class Visit>
+void visit_members(Traced& traced, Visit& visit) {
+  std::apply([&](auto&... member) { (visit(member), ...); }, members(traced));
+}
 
 }  // namespace
 
@@ -120,37 +111,33 @@ void ReferenceCache::note_once(const std::string& text) {
 }
 
 template <class Traced>
-Traced ReferenceCache::get_any(const ReferenceKey& key, const CacheEntry& about, const std::function<Traced()>& trace) {
+Traced ReferenceCache::get(const ReferenceKey& key, const CacheTitle& title, const std::function<Traced()>& trace) {
   if (!folder_) return trace();
   const std::string text = to_text(key);
-  CacheRead read = load_entry(*folder_, text);
-  if (read.entry) {
+  const CacheRead read = load_entry(*folder_, text);
+  if (read.content) {
     Traced traced;
-    bool whole = true;
-    visit_parts(traced, PartReader{*read.entry, whole});
-    if (whole) {
+    Reader reader{*read.content};
+    visit_members(traced, reader);
+    if (reader.is_whole && reader.rest.empty()) {
       traced.statistics.from_cache = true;
-      note_once(fmt::format("{}: using the cached reference ({} rays, traced in {:.3g} s)", about.what,
+      note_once(fmt::format("{}: using the cached reference ({} rays, traced in {:.3g} s)", title.what,
                             traced.statistics.rays, traced.statistics.seconds));
       return traced;
     }
-    read.problem = "parts of an entry are missing";
   }
   if (!read.problem.empty()) note_once("a cached reference is damaged and is traced again: " + read.problem);
   Traced traced = trace();
-  CacheEntry entry = about;
-  visit_parts(traced, PartWriter{entry});
-  const std::string problem = store_entry(*folder_, text, entry);
+  const std::string problem = store_entry(*folder_, text, title, [&](const auto& write) {
+    Writer writer{write};
+    visit_members(traced, writer);
+  });
   if (!problem.empty()) note_once("a reference could not be cached: " + problem);
   return traced;
 }
 
-TracedVisibility ReferenceCache::get(const ReferenceKey& key, const CacheEntry& about,
-                                     const std::function<TracedVisibility()>& trace) {
-  return get_any<TracedVisibility>(key, about, trace);
-}
-TracedAo ReferenceCache::get(const ReferenceKey& key, const CacheEntry& about, const std::function<TracedAo()>& trace) {
-  return get_any<TracedAo>(key, about, trace);
-}
+template TracedVisibility ReferenceCache::get(const ReferenceKey&, const CacheTitle&,
+                                              const std::function<TracedVisibility()>&);
+template TracedAo ReferenceCache::get(const ReferenceKey&, const CacheTitle&, const std::function<TracedAo()>&);
 
 }  // namespace umbrameter

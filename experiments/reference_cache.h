@@ -14,25 +14,22 @@
 namespace umbrameter {
 
 /// The folder for references and its limit: 2 GB, or what UMBRAMETER_CACHE_SIZE says ("500M", "10G", "0" for no cache).
-/// Nothing, with a note, when there is no home folder. Throws Error (usage) for a size that is none.
+/// Nothing, with a note, without a home folder. Throws Error (usage) for a size that is none.
 std::optional<CacheFolder> user_cache(const Console& console);
 
 class ReferenceCache {
  public:
-  /// Without a folder it traces always.
+  /// Without a folder it always traces.
   ReferenceCache(std::optional<CacheFolder> folder, const Console& console);
 
   bool enabled() const { return folder_.has_value(); }
 
-  /// The cached answer bit for bit, or the traced one, which is then kept. `about` names it for people: scene, then
-  /// what was traced. A cache that cannot be used is a note.
-  TracedVisibility get(const ReferenceKey& key, const CacheEntry& about,
-                       const std::function<TracedVisibility()>& trace);
-  TracedAo get(const ReferenceKey& key, const CacheEntry& about, const std::function<TracedAo()>& trace);
+  /// The cached result bit for bit, or the traced one, which is then stored. A cache that cannot be used is a note.
+  /// Of TracedVisibility and TracedAo.
+  template <class Traced>
+  Traced get(const ReferenceKey& key, const CacheTitle& title, const std::function<Traced()>& trace);
 
  private:
-  template <class Traced>
-  Traced get_any(const ReferenceKey& key, const CacheEntry& about, const std::function<Traced()>& trace);
   void note_once(const std::string& text);
 
   std::optional<CacheFolder> folder_;

@@ -181,8 +181,7 @@ const TracedVisibility& Stages::truth(const Experiment& experiment, std::uint32_
       return trace_visibility(rays, surfels(experiment).gbuffer, lamp,
                               {experiment.truth, static_cast<std::uint32_t>(experiment.run.seed)}, progress.callback());
     };
-    TracedVisibility traced =
-        cache_.get(key, {scene_title(experiment), "visibility of " + title(light), {}, {}}, trace);
+    TracedVisibility traced = cache_.get(key, {scene_title(experiment), "visibility of " + title(light)}, trace);
     add(costs_.shadow, traced.statistics);
     costs_.largest_offset = std::max(costs_.largest_offset, traced.statistics.largest_offset);
     return traced;
@@ -218,7 +217,7 @@ void Stages::begin_ao_truth(const Experiment& experiment) {
             work.share = share;
           });
         };
-        return cache.get(key, {title, "ambient occlusion", {}, {}}, trace);
+        return cache.get(key, {title, "ambient occlusion"}, trace);
       });
 }
 
@@ -247,7 +246,7 @@ const TracedAo& Stages::ao_truth(const Experiment& experiment) {
                       progress.callback());
     };
     return counted(cache_.get(reference_key(experiment, Stage::ao_reference, "ao"),
-                              {scene_title(experiment), "ambient occlusion", {}, {}}, trace));
+                              {scene_title(experiment), "ambient occlusion"}, trace));
   });
 }
 

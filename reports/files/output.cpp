@@ -23,11 +23,6 @@ std::string reason(int error) { return std::generic_category().message(error); }
 
 bool is_out_of_space(int error) { return error == ENOSPC || error == EDQUOT || error == EFBIG; }
 
-[[noreturn]] void throw_write_error(const fs::path& path, int error) {
-  throw Error(ExitCode::partial, "cannot write " + path.string(), reason(error),
-              is_out_of_space(error) ? "free some space or choose another folder" : "check the folder");
-}
-
 // Removes the file unless it was renamed away.
 class TemporaryFile {
  public:
@@ -110,6 +105,11 @@ int flush(const fs::path& path) {
 }
 
 }  // namespace
+
+void throw_write_error(const fs::path& path, int error) {
+  throw Error(ExitCode::partial, "cannot write " + path.string(), reason(error),
+              is_out_of_space(error) ? "free some space or choose another folder" : "check the folder");
+}
 
 void prepare_output_folder(const fs::path& folder) {
   const auto refuse = [&](int error) {

@@ -15,6 +15,9 @@ void prepare_output_folder(const std::filesystem::path& folder);
 /// A failed write or rename is an Error (partial) naming path and the system's reason ("No space left on device").
 void write_whole(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
 
+/// The Error (partial) of a file that cannot be written; `error` is errno.
+[[noreturn]] void throw_write_error(const std::filesystem::path& path, int error);
+
 /// write_whole() of a text or of bytes.
 void write_text(const std::filesystem::path& path, std::string_view text);
 

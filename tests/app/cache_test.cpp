@@ -120,11 +120,11 @@ TEST_F(ReferenceCache, A_damaged_entry_is_traced_anew_with_a_note) {
   }
   const ProgramResult second = trace("second");
   EXPECT_EQ(second.exit_code, 0);
-  EXPECT_NE(second.err.find("checksum"), std::string::npos) << second.err;
+  EXPECT_NE(second.err.find("damaged"), std::string::npos) << second.err;
   EXPECT_EQ(second.err.find(hit), std::string::npos) << second.err;
   EXPECT_EQ(image("second"), image("first"));
   const ProgramResult third = trace("third");
-  EXPECT_EQ(third.err.find("checksum"), std::string::npos) << third.err;
+  EXPECT_EQ(third.err.find("damaged"), std::string::npos) << third.err;
   EXPECT_NE(third.err.find(hit), std::string::npos) << third.err;
 }
 
