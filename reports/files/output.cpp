@@ -19,8 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string reason(int error) { return std::generic_category().message(error); }
-
 bool is_out_of_space(int error) { return error == ENOSPC || error == EDQUOT || error == EFBIG; }
 
 // Removes the file unless it was renamed away.
@@ -107,15 +105,15 @@ int flush(const fs::path& path) {
 }  // namespace
 
 void throw_write_error(const fs::path& path, int error) {
-  throw Error(ExitCode::partial, "cannot write " + path.string(), reason(error),
+  throw Error(ExitCode::partial, "cannot write " + path.string(), std::generic_category().message(error),
               is_out_of_space(error) ? "free some space or choose another folder" : "check the folder");
 }
 
 void prepare_output_folder(const fs::path& folder) {
   const auto refuse = [&](int error) {
     if (is_out_of_space(error)) throw_write_error(folder, error);
-    throw Error(ExitCode::usage, "cannot use " + folder.string() + " as output folder", reason(error),
-                "choose another folder with -o");
+    throw Error(ExitCode::usage, "cannot use " + folder.string() + " as output folder",
+                std::generic_category().message(error), "choose another folder with -o");
   };
   std::error_code error;
   if (folder.empty()) refuse(ENOENT);

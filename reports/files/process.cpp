@@ -29,8 +29,6 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds patience{300};
 constexpr std::chrono::milliseconds pause{2};
 
-std::string reason(int error) { return std::generic_category().message(error); }
-
 // A file in memory. Unlike a pipe it never blocks and never raises SIGPIPE.
 class MemoryFile {
  public:
@@ -110,7 +108,7 @@ class Child {
     posix_spawn_file_actions_destroy(&actions);
     if (error != 0) {
       pid_ = 0;
-      problem_ = fmt::format("cannot run {}: {}", program_, reason(error));
+      problem_ = fmt::format("cannot run {}: {}", program_, std::generic_category().message(error));
     }
   }
   ~Child() {
