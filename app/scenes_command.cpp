@@ -82,7 +82,7 @@ void say_scene(const Console& console, const Listed& scene) {
       fmt::format("{}; {}; {}", size_text(scene), counted("camera", scene.cameras), counted("light", scene.lights));
   std::string label = scene.name;
   for (const std::string& paragraph : {std::string(scene.description->purpose), facts}) {
-    for (const std::string& text : wrapped(paragraph, line_width - name_width)) {
+    for (const std::string& text : wrap_lines(paragraph, line_width - name_width)) {
       say(console, fmt::format("{:<{}}{}", label, name_width, text));
       label.clear();
     }

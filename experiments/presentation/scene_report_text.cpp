@@ -21,7 +21,7 @@ class Lines {
  public:
   /// Label in its column, text wrapped beside it.
   void add(std::string_view label, const std::string& text) {
-    for (const std::string& line : wrapped(text, line_width - label_width)) put(label, line);
+    for (const std::string& line : wrap_lines(text, line_width - label_width)) put(label, line);
   }
   /// A numbered row for each of the first items, then how many are left.
   template <class T>

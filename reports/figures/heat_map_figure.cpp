@@ -7,6 +7,7 @@
 
 #include "reports/figures/figure_parts.h"
 #include "reports/figures/plot_parts.h"
+#include "reports/files/text_layout.h"
 
 namespace umbrameter {
 namespace {
@@ -175,7 +176,7 @@ std::string to_plot_specification(const HeatMapFigure& figure) {
   spec["$schema"] = "https://vega.github.io/schema/vega-lite/v6.json";
   spec["description"] = figure.title;
   spec["title"]["text"] = figure.title;
-  std::vector<std::string> subtitle = wrap_text(figure.conditions);
+  std::vector<std::string> subtitle = wrap_lines(figure.conditions, subtitle_characters);
   if (cells.dropped > 0) {
     subtitle.push_back(fmt::format("Not shown: {} of {} cells {}.", cells.dropped, figure.data.rows.size(),
                                    figure.x.logarithmic ? "at 0 or without a number" : "without a number"));

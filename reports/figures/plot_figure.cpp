@@ -10,6 +10,7 @@
 #include "reports/figures/figure_parts.h"
 #include "reports/figures/plot_parts.h"
 #include "reports/files/markup.h"
+#include "reports/files/text_layout.h"
 
 namespace umbrameter {
 namespace {
@@ -267,7 +268,7 @@ std::string to_plot_specification(const PlotFigure& figure) {
   spec["width"] = plot_width;
   spec["height"] = plot_height;
   spec["title"]["text"] = figure.title;
-  std::vector<std::string> subtitle = wrap_text(figure.conditions);
+  std::vector<std::string> subtitle = wrap_lines(figure.conditions, subtitle_characters);
   if (points.dropped > 0) {
     const bool has_log = figure.x.logarithmic || figure.y.logarithmic;
     subtitle.push_back(

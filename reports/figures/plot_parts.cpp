@@ -1,18 +1,11 @@
 #include "reports/figures/plot_parts.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "core/error.h"
 #include "reports/files/markup.h"
 
 namespace umbrameter {
-namespace {
-
-constexpr std::size_t line_length = 72;  // characters of a subtitle line
-
-}  // namespace
-
 std::optional<double> number(const Value& value) {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
   if (const auto* real = std::get_if<double>(&value)) return *real;
@@ -45,21 +38,6 @@ std::vector<std::string> different_values(const Table& table, std::size_t column
   std::vector<std::string> texts;
   for (const Value& value : values) texts.push_back(to_string(value));
   return texts;
-}
-
-std::vector<std::string> wrap_text(const std::string& text) {
-  std::vector<std::string> lines;
-  std::string line;
-  std::size_t begin = 0;
-  while (begin < text.size()) {
-    const std::size_t end = std::min(text.find_first_of(" \n", begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    if (!line.empty() && line.size() + 1 + word.size() > line_length) lines.push_back(std::exchange(line, ""));
-    line += (line.empty() || word.empty() ? "" : " ") + word;
-    begin = end + 1;
-  }
-  if (!line.empty()) lines.push_back(line);
-  return lines;
 }
 
 Json plot_look() {

@@ -1,6 +1,7 @@
 // What the specifications of all plots share: columns by name, captions in lines, one look.
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -25,8 +26,8 @@ bool is_numeric(const Table& table, std::size_t column);
 /// The different values of a column as text: numbers by size, all else in the order of the rows.
 std::vector<std::string> different_values(const Table& table, std::size_t column);
 
-/// The lines below a title.
-std::vector<std::string> wrap_text(const std::string& text);
+/// Of a line below a title.
+inline constexpr std::size_t subtitle_characters = 72;
 
 /// For axes, legends and headers of values that are texts: numbers with four significant digits, all else as it is.
 /// The parentheses belong to it: in a header Vega-Lite replaces "datum.label" by an expression with operators in it.

@@ -38,9 +38,10 @@ TEST(TextLayout, Long_text_ends_in_dots_and_never_inside_a_character) {
 }
 
 TEST(TextLayout, Words_are_wrapped_and_long_ones_stand_alone) {
-  EXPECT_EQ(wrapped("aa bb cc", 5), (Strings{"aa bb", "cc"}));
-  EXPECT_EQ(wrapped("a  bbbbbbb c", 3), (Strings{"a", "bbbbbbb", "c"}));
-  EXPECT_EQ(wrapped("", 5), Strings{});
+  EXPECT_EQ(wrap_lines("aa bb cc", 5), (Strings{"aa bb", "cc"}));
+  EXPECT_EQ(wrap_lines("a  bbbbbbb c", 3), (Strings{"a", "bbbbbbb", "c"}));
+  EXPECT_EQ(wrap_lines("θθ θθ\nc", 5), (Strings{"θθ θθ", "c"})) << "characters count, not bytes";
+  EXPECT_EQ(wrap_lines("", 5), Strings{});
 }
 
 TEST(TextLayout, Columns_are_as_wide_as_their_widest_cell) {
