@@ -153,7 +153,7 @@ namespace gl {
 
 struct Context::State {
   Opened opened;
-  std::string errors;
+  std::string first_error;  // since the last check
   std::map<std::string, Program> programs;
   int max_texture_size = 0;
   std::size_t max_storage_bytes = 0;
@@ -166,10 +166,9 @@ struct Context::State {
 
   static void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* message,
                                     const void* user) {
-    if (type != GL_DEBUG_TYPE_ERROR) return;
-    auto& errors = static_cast<State*>(const_cast<void*>(user))->errors;
-    errors += (errors.empty() ? "" : ", ");
-    errors += length < 0 ? std::string(message) : std::string(message, static_cast<std::size_t>(length));
+    auto& first_error = static_cast<State*>(const_cast<void*>(user))->first_error;
+    if (type != GL_DEBUG_TYPE_ERROR || !first_error.empty()) return;
+    first_error = length < 0 ? std::string(message) : std::string(message, static_cast<std::size_t>(length));
   }
 };
 
@@ -226,12 +225,11 @@ std::size_t Context::memory_limit_bytes() const {
 
 void Context::check(const char* pass) const {
   for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
-    if (state_->errors.empty()) state_->errors = "error code " + std::to_string(error);
+    if (state_->first_error.empty()) state_->first_error = "error code " + std::to_string(error);
   }
-  if (state_->errors.empty()) return;
+  if (state_->first_error.empty()) return;
   // What follows the first error is mostly its consequence.
-  const std::string first = state_->errors.substr(0, state_->errors.find(", "));
-  state_->errors.clear();
+  const std::string first = std::exchange(state_->first_error, "");
   throw Error(ExitCode::no_backend, std::string("OpenGL pass '") + pass + "' on " + device().renderer, first,
               "use a smaller size or choose another device with --gl-device");
 }
