@@ -10,7 +10,7 @@
 namespace umbrameter {
 
 /// Index from 0 to size − 1 of a texel that may lie outside the texture (glTF 2.0, section 3.8.4.5).
-inline std::size_t wrapped(std::int64_t texel, int size, Wrap wrap) {
+inline std::size_t wrap_texel(std::int64_t texel, int size, Wrap wrap) {
   const std::int64_t n = size;
   if (texel >= 0 && texel < n) return static_cast<std::size_t>(texel);
   switch (wrap) {
@@ -27,10 +27,10 @@ inline std::size_t wrapped(std::int64_t texel, int size, Wrap wrap) {
 }
 
 inline std::size_t column_of(const Texture& texture, std::int64_t texel) {
-  return wrapped(texel, texture.texels.width, texture.wrap_u);
+  return wrap_texel(texel, texture.texels.width, texture.wrap_u);
 }
 inline std::size_t row_of(const Texture& texture, std::int64_t texel) {
-  return wrapped(texel, texture.texels.height, texture.wrap_v);
+  return wrap_texel(texel, texture.texels.height, texture.wrap_v);
 }
 
 /// The first of the two columns and rows of texels about a texture coordinate, before wrapping, and the weight of the
