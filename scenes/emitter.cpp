@@ -56,11 +56,11 @@ Parameters describe(LightParams& params) {
 }
 
 std::string objection(const EmitterSizes& sizes) {
-  const auto is_bad = [](const std::optional<double>& size, double most) {
-    return size && !(*size >= 0.0 && *size <= most);
+  const auto is_bad = [](const std::optional<double>& size, double max) {
+    return size && !(*size >= 0.0 && *size <= max);
   };
-  const auto out_of_range = [](const char* what, double most, const char* unit) {
-    return std::string("its ") + what + " is below 0 or above " + to_string(most) + " " + unit;
+  const auto out_of_range = [](const char* what, double max, const char* unit) {
+    return std::string("its ") + what + " is below 0 or above " + to_string(max) + " " + unit;
   };
   if (is_bad(sizes.radius, largest_emitter)) return out_of_range("radius", largest_emitter, "m");
   if (is_bad(sizes.width, largest_emitter)) return out_of_range("width", largest_emitter, "m");

@@ -39,14 +39,14 @@ double balanced_shift(const std::array<double, 8>& across, const std::array<doub
   double high = *std::max_element(across.begin(), across.end());
   for (int step = 0; step < 60; ++step) {
     const double shift = 0.5 * (low + high);
-    double most = -std::numeric_limits<double>::infinity();
-    double least = std::numeric_limits<double>::infinity();
+    double max = -std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < across.size(); ++i) {
       const double seen = (across[i] - shift) / (distance - towards[i]);
-      most = std::max(most, seen);
-      least = std::min(least, seen);
+      max = std::max(max, seen);
+      min = std::min(min, seen);
     }
-    (most + least > 0.0 ? low : high) = shift;
+    (max + min > 0.0 ? low : high) = shift;
   }
   return 0.5 * (low + high);
 }
@@ -316,17 +316,17 @@ FittedCamera fit_camera(const Scene& scene, double aspect) {
 }
 
 std::string camera_remark(const Scene& scene, const Camera& camera, double aspect) {
-  constexpr double most_behind = 0.5;
-  constexpr double most_cut = 0.01;
+  constexpr double max_behind = 0.5;
+  constexpr double max_cut = 0.01;
   const ViewContent content = look(sample_triangles(scene), camera, aspect);
   const std::string name = camera.name.empty() ? "the camera" : "camera '" + camera.name.substr(0, 60) + "'";
   // Behind a surface that is cut away there are often back faces: the cut is then the cause.
-  if (content.cut > most_cut && (content.behind <= most_behind || content.cut > most_behind)) {
+  if (content.cut > max_cut && (content.behind <= max_behind || content.cut > max_behind)) {
     return name + " is so near to surfaces that its near plane, at " +
            text_of(std::get<PerspectiveProjection>(camera.projection).near_plane) + " m, cuts them away in " +
            text_of(100.0 * content.cut) + " % of the image: it may be inside an object; move it, or lower znear";
   }
-  if (content.behind > most_behind) {
+  if (content.behind > max_behind) {
     return name + " looks through back faces in " + text_of(100.0 * content.behind) +
            " % of the image: it is inside an object or behind a wall, whose surface it does not see";
   }

@@ -48,8 +48,8 @@ Elements in_view(BufferStore& store, int view, std::uint64_t offset, std::size_t
                  const std::string& object) {
   const std::size_t tight = component_size(shape.component_type) * shape.components;
   shape.stride = stride == 0 ? tight : stride;
-  constexpr std::size_t most = 255;
-  if (shape.stride > std::max(most, tight)) {
+  constexpr std::size_t max_stride = 255;
+  if (shape.stride > std::max(max_stride, tight)) {
     fail(store.document.path, object, "its byteStride of " + std::to_string(shape.stride) + " is more than 252");
   }
   if (shape.stride < tight) fail(store.document.path, object, "its byteStride is less than one element");

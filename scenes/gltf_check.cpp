@@ -81,15 +81,15 @@ struct Checker {
   }
 
   // −1 is how some writers say that there is none.
-  void integer(json& value, const Place& place, std::int64_t least, std::int64_t most) const {
+  void integer(json& value, const Place& place, std::int64_t min, std::int64_t max) const {
     if (value.is_number_float()) {
       const double number = value.get<double>();
       // Some writers give every number a fraction.
       if (number == std::floor(number) && std::abs(number) < 1e15) value = static_cast<std::int64_t>(number);
     }
     require(value.is_number_integer(), place, "it is not an integer");
-    const bool is_huge = value.is_number_unsigned() && value.get<std::uint64_t>() > static_cast<std::uint64_t>(most);
-    if (is_huge || value.get<std::int64_t>() < least || value.get<std::int64_t>() > most) {
+    const bool is_huge = value.is_number_unsigned() && value.get<std::uint64_t>() > static_cast<std::uint64_t>(max);
+    if (is_huge || value.get<std::int64_t>() < min || value.get<std::int64_t>() > max) {
       reject(place, "the number " + value.dump() + " is out of range");
     }
   }
@@ -270,9 +270,9 @@ void check_version(const json& root, const Path& path) {
   if (const std::string known = version.empty() ? "1.0" : version; numbers_of(known).first != 2) {
     fail(path, "asset", "it is glTF " + known.substr(0, 16), "convert to 2.0");
   }
-  const std::string least = version_of(root, "minVersion");
-  if (numbers_of(least) > std::pair(2, 0)) {
-    fail(path, "asset", "its minVersion is glTF " + least.substr(0, 16) + ", and this program reads 2.0",
+  const std::string min_version = version_of(root, "minVersion");
+  if (numbers_of(min_version) > std::pair(2, 0)) {
+    fail(path, "asset", "its minVersion is glTF " + min_version.substr(0, 16) + ", and this program reads 2.0",
          "export it as glTF 2.0");
   }
 }

@@ -128,13 +128,13 @@ bool has_holes(const Material& material, bool blend_makes_holes) {
 }
 
 void note_left_out(const TextureReader& reader, std::vector<std::string>& notes) {
-  constexpr std::size_t most_listed = 6;
+  constexpr std::size_t max_listed = 6;
   for (const auto& [why, textures] : reader.left_out) {
     std::string list;
-    for (std::size_t i = 0; i < textures.size() && i < most_listed; ++i) {
+    for (std::size_t i = 0; i < textures.size() && i < max_listed; ++i) {
       list += (i == 0 ? "" : ", ") + std::to_string(textures[i]);
     }
-    if (textures.size() > most_listed) list += " and " + std::to_string(textures.size() - most_listed) + " more";
+    if (textures.size() > max_listed) list += " and " + std::to_string(textures.size() - max_listed) + " more";
     notes.push_back((textures.size() == 1 ? "texture " : "textures ") + list +
                     " left out, materials use their plain colour: " + why);
   }

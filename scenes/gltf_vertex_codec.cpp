@@ -11,7 +11,7 @@ namespace {
 
 constexpr unsigned char header_of_version_1 = 0xa1;
 constexpr std::size_t group_size = 16;
-constexpr std::size_t least_tail = 24;
+constexpr std::size_t min_tail = 24;
 
 /// Reads forward; past the end everything is zero.
 struct Reader {
@@ -106,7 +106,7 @@ bool is_vertex_stream_1(std::span<const unsigned char> encoded) {
 bool decode_vertex_stream_1(std::span<const unsigned char> encoded, std::size_t stride,
                             std::span<unsigned char> elements) {
   const std::size_t channels = stride / 4;
-  const std::size_t tail = std::max(stride + channels, least_tail);
+  const std::size_t tail = std::max(stride + channels, min_tail);
   if (!is_vertex_stream_1(encoded) || encoded.size() < 1 + tail) return false;
   const auto modes = encoded.last(channels);
   if (!std::all_of(modes.begin(), modes.end(), is_mode)) return false;

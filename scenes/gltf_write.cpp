@@ -96,14 +96,14 @@ struct Writer {
 
   MeshAccessors add_mesh(const Mesh& mesh) {
     assert(!mesh.positions.empty() && !mesh.triangles.empty());
-    vec3 least = mesh.positions.front();
-    vec3 greatest = least;
+    vec3 min = mesh.positions.front();
+    vec3 max = min;
     for (const vec3& position : mesh.positions) {
-      least = glm::min(least, position);
-      greatest = glm::max(greatest, position);
+      min = glm::min(min, position);
+      max = glm::max(max, position);
     }
     const std::size_t vertices = mesh.positions.size();
-    const Members limits{{"min", numbers(least)}, {"max", numbers(greatest)}};
+    const Members limits{{"min", numbers(min)}, {"max", numbers(max)}};
     MeshAccessors stored{
         {{"POSITION", to_json(add_accessor(mesh.positions, vertices, type_float, "VEC3", target_vertices, limits))}}};
     if (!mesh.normals.empty()) {

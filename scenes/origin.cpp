@@ -69,13 +69,13 @@ double move_meshes(Scene& scene, double radius) {
   double coarsest = 0.0;
   for (std::size_t m = 0; m < uses.size(); ++m) {
     const auto& [box, stretch] = uses[m];
-    if (box.empty() || stretch * largest(box.center()) <= most_radii_from_origin * radius) continue;
+    if (box.empty() || stretch * largest(box.center()) <= max_radii_from_origin * radius) continue;
     // Along an axis where the centre is that far away, all vertices are within a factor of two of it: subtracting a
     // single-precision number from another is exact there (Sterbenz, Floating-Point Computation, 1974).
     for (int i = 0; i < 3; ++i) {
       const double center = box.center()[i];
       const bool is_far = std::abs(center) > 4.0 * (box.max[i] - box.min[i]) &&
-                          stretch * std::abs(center) > most_radii_from_origin * radius;
+                          stretch * std::abs(center) > max_radii_from_origin * radius;
       if (is_far) ways[m][i] = static_cast<double>(static_cast<float>(center));
     }
     if (ways[m] == dvec3(0.0)) continue;
@@ -98,7 +98,7 @@ void move_to_centre(Scene& scene) {
   const Bounds bounds = bounds_of(scene);
   const double radius = bounds.radius();
   if (bounds.empty() || !(radius > 0.0)) return;
-  const dvec3 way = far_part(bounds.center(), most_radii_from_origin * radius, radius);
+  const dvec3 way = far_part(bounds.center(), max_radii_from_origin * radius, radius);
   if (way != dvec3(0.0)) {
     for (Instance& instance : scene.instances) move(instance.world_from_mesh, -way);
     for (Camera& camera : scene.cameras) move(camera.world_from_camera, -way);

@@ -31,7 +31,7 @@ class MaterialGroup {
 
   /// "12 triangles of the materials 'glass' and 'water'"; long lists and names are cut.
   std::string text(const Scene& scene) const {
-    constexpr std::size_t most_listed = 6;
+    constexpr std::size_t max_listed = 6;
     constexpr std::size_t longest_name = 40;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < is_used_.size(); ++i) {
@@ -40,7 +40,7 @@ class MaterialGroup {
       names.push_back(name.empty() ? std::to_string(i) : "'" + name.substr(0, longest_name) + "'");
     }
     std::string list;
-    const std::size_t listed = std::min(names.size(), most_listed);
+    const std::size_t listed = std::min(names.size(), max_listed);
     for (std::size_t i = 0; i < listed; ++i) {
       const bool is_last = i + 1 == listed && names.size() == listed;
       list += (i == 0 ? "" : is_last ? " and " : ", ") + names[i];

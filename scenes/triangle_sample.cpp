@@ -117,13 +117,13 @@ std::vector<std::vector<std::uint32_t>> large_triangles(const Scene& scene, doub
 
 }  // namespace
 
-TriangleSample sample_triangles(const Scene& scene, std::size_t most) {
+TriangleSample sample_triangles(const Scene& scene, std::size_t max_count) {
   TriangleSample sample;
   sample.bounds = bounds_of(scene);
   const std::uint64_t all = count(scene).triangles;
   Sampler sampler(scene, sample);
   const auto instances = static_cast<std::uint32_t>(scene.instances.size());
-  if (all <= most) {
+  if (all <= max_count) {
     sample.triangles.reserve(all);
     for (std::uint32_t i = 0; i < instances; ++i) {
       sampler.choose_instance(i);
@@ -135,7 +135,7 @@ TriangleSample sample_triangles(const Scene& scene, std::size_t most) {
   const std::vector<std::vector<std::uint32_t>> large = large_triangles(scene, sample.radius());
   std::uint64_t all_large = 0;
   for (const Instance& instance : scene.instances) all_large += large[instance.mesh].size();
-  const std::uint64_t half = std::max<std::size_t>(1, most / 2);
+  const std::uint64_t half = std::max<std::size_t>(1, max_count / 2);
   const std::uint64_t large_step = (all_large + half - 1) / half;
   const std::uint64_t small_step = (all + half - 1) / half;
   std::uint64_t next_large = 0;

@@ -8,10 +8,10 @@
 namespace umbrameter {
 namespace {
 
-constexpr double least_side = 0.01;         // metres
+constexpr double min_side = 0.01;           // metres
 constexpr double small_side = 0.5;          // metres
 constexpr double large_side = 5e3;          // metres
-constexpr double most_side = 20e3;          // metres
+constexpr double max_side = 20e3;           // metres
 constexpr double high = 200.0;              // metres
 constexpr double hill_steepness = 0.1;      // height by width
 constexpr double slender_height = 50.0;     // metres
@@ -30,9 +30,9 @@ double longest(const dvec3& extent) { return std::max({extent.x, extent.y, exten
 // Empty where the size is credible.
 std::string doubt(const dvec3& extent) {
   const double side = longest(extent);
-  if (side < least_side) return "it is shorter than 1 cm";
+  if (side < min_side) return "it is shorter than 1 cm";
   if (side < small_side) return "it is shorter than 0.5 m, smaller than furniture";
-  if (side > most_side) return "it is longer than 20 km";
+  if (side > max_side) return "it is longer than 20 km";
   if (side > large_side) return "it is longer than 5 km, and a texel of its shadow map larger than a room";
   if (extent.y > high && extent.y > hill_steepness * std::max(extent.x, extent.z)) {
     return "it is higher than 200 m, as few buildings are, and too steep for land";
@@ -67,7 +67,7 @@ UnitGuess guess_units(const Bounds& bounds, double metres) {
   guess.longest_side = longest(extent);
   guess.reason = doubt(extent);
   if (guess.reason.empty()) return guess;
-  const bool is_out_of_range = guess.longest_side < least_side || guess.longest_side > most_side;
+  const bool is_out_of_range = guess.longest_side < min_side || guess.longest_side > max_side;
   guess.verdict = is_out_of_range ? SizeVerdict::implausible : SizeVerdict::doubtful;
   for (UnitCandidate candidate : units) {
     const dvec3 scaled = extent * (candidate.metres / metres);

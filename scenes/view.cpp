@@ -40,13 +40,13 @@ Light sun() {
 
 template <class Named>
 std::string listed(const std::vector<Named>& items, const std::vector<std::size_t>& indices) {
-  constexpr std::size_t most = 24;
+  constexpr std::size_t max_listed = 24;
   std::string text;
-  for (std::size_t n = 0; n < indices.size() && n < most; ++n) {
+  for (std::size_t n = 0; n < indices.size() && n < max_listed; ++n) {
     const std::string& name = items[indices[n]].name;
     text += (n == 0 ? "" : ", ") + std::to_string(indices[n]) + (name.empty() ? "" : " '" + name + "'");
   }
-  return indices.size() > most ? text + " and " + std::to_string(indices.size() - most) + " more" : text;
+  return indices.size() > max_listed ? text + " and " + std::to_string(indices.size() - max_listed) + " more" : text;
 }
 
 template <class Named>
@@ -164,10 +164,10 @@ std::vector<std::uint32_t> select_lights(const Scene& scene, const std::string& 
 
 std::vector<std::string> layer_names(const std::vector<Light>& lights) {
   // Leaves room for what figures put before and behind it: file systems allow 255 bytes.
-  constexpr std::size_t most_characters = 64;
+  constexpr std::size_t max_characters = 64;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    std::string name = lights[i].name.substr(0, most_characters);
+    std::string name = lights[i].name.substr(0, max_characters);
     for (char& c : name) {
       const bool kept = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
       if (!kept) c = '_';

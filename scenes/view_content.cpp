@@ -110,11 +110,11 @@ class Canvas {
     const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     if (area == 0.0 || !std::isfinite(area)) return;
     // The pixels whose centres lie between the corners' extremes.
-    const auto first = [](double least, int size) {
-      return static_cast<int>(std::clamp(std::ceil(least - 0.5), 0.0, static_cast<double>(size)));
+    const auto first = [](double min, int size) {
+      return static_cast<int>(std::clamp(std::ceil(min - 0.5), 0.0, static_cast<double>(size)));
     };
-    const auto last = [](double most, int size) {
-      return static_cast<int>(std::clamp(std::floor(most - 0.5), -1.0, static_cast<double>(size - 1)));
+    const auto last = [](double max, int size) {
+      return static_cast<int>(std::clamp(std::floor(max - 0.5), -1.0, static_cast<double>(size - 1)));
     };
     const int right = last(std::max({a.x, b.x, c.x}), width_);
     const int bottom = last(std::max({a.y, b.y, c.y}), height_);

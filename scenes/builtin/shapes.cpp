@@ -113,13 +113,13 @@ Shape bevelled_slab(const dvec3& low, const dvec3& high, double bevel) {
   const dvec3 inward{bevel, 0.0, bevel};
   const dvec3 shoulder{high.x, high.y - bevel, high.z};
   Shape shape;
-  for (const auto& [least, greatest] :
+  for (const auto& [min, max] :
        {std::pair{low, dvec3(shoulder.x, low.y, shoulder.z)}, std::pair{dvec3(low.x, shoulder.y, low.z), shoulder},
         std::pair{dvec3(low.x, high.y, low.z) + inward, high - inward}}) {
-    add_point(shape, least);
-    add_point(shape, {greatest.x, least.y, least.z});
-    add_point(shape, greatest);
-    add_point(shape, {least.x, least.y, greatest.z});
+    add_point(shape, min);
+    add_point(shape, {max.x, min.y, min.z});
+    add_point(shape, max);
+    add_point(shape, {min.x, min.y, max.z});
   }
   for (std::uint32_t ring : {0u, 4u}) {
     for (std::uint32_t i = 0; i < 4; ++i) {
