@@ -82,7 +82,7 @@ void add_roof_things(Block& block, const Lot& lot, double height, std::uint32_t 
   if (detail < 1) return;
   for (int i = 0; i < 2 + detail; ++i) {
     const double u = chance(seed, 30 + static_cast<std::uint32_t>(i), 0.38, 0.58);
-    add_vent(block, spot(u, (i + 0.5) / (2 + detail)) + dvec3(0.0, 0.0, 0.0), detail);
+    add_vent(block, spot(u, (i + 0.5) / (2 + detail)), detail);
   }
   // Chimneys on the party wall.
   for (int i = 0; i < 2; ++i) {
