@@ -76,7 +76,7 @@ TEST_F(Cache, Keeps_by_key) {
 }
 
 TEST_F(Cache, Images_of_one_value_take_next_to_nothing) {
-  const std::string zeros(1280 * 720 * 4, '\0');
+  const std::string zeros(std::size_t{1280} * 720 * 4, '\0');
   store("a", zeros);
   EXPECT_LT(list_entries(folder_).at(0).bytes, zeros.size() / 100);
   EXPECT_EQ(load("a"), zeros);
