@@ -71,9 +71,10 @@ ExitCode show_image_plan(const CommandLine& line, const Console& console, Stages
   }
   rows.emplace_back("lights", lights);
   if (line.command != "trace") {
-    rows.emplace_back("technique", fmt::format("shadow maps of {}² texels, {} filter; AO with {} samples per pixel",
-                                               experiment.shadow.map.resolution, value_of(experiment, "shadow.filter"),
-                                               experiment.ao.samples));
+    rows.emplace_back("technique",
+                      fmt::format("shadow maps of {}² texels, {}, {} filter; AO with {} samples per pixel",
+                                  experiment.shadow.map.resolution, value_of(experiment, "shadow.technique"),
+                                  value_of(experiment, "shadow.filter"), experiment.ao.samples));
   }
   if (line.command != "raster") {
     const TruthParams& truth = experiment.truth;

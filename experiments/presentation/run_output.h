@@ -9,7 +9,7 @@
 #include "experiments/presentation/presentation.h"
 #include "experiments/presentation/summary.h"
 #include "experiments/results_store.h"
-#include "reports/files/run_folder.h"
+#include "experiments/run_folder.h"
 
 namespace umbrameter {
 

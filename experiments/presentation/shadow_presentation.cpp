@@ -122,6 +122,16 @@ ReportTable worst_parts(const char* what, PartKind kind, const std::vector<PartE
           in_percent(part_table(kind, parts, weight_sum, most))};
 }
 
+std::string technique_text(const ShadowMeasurement& shadow) {
+  const Experiment& experiment = shadow.experiment;
+  const std::size_t cascades = shadow.frame.kind == MapKind::orthographic ? shadow.frame.views.size() : 1;
+  const std::string views = cascades > 1 ? fmt::format("{} cascades of ", cascades) : "";
+  const bool has_kernel = capabilities_of(make_technique(experiment.shadow)).sums_comparisons;
+  return fmt::format(
+      "{}{}² texels, {}", views, shadow.frame.resolution,
+      has_kernel ? value_text(experiment, "shadow.filter") + " filter" : value_text(experiment, "shadow.technique"));
+}
+
 Presentation present_shadow_error(const Stages& stages, const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
   const std::string& layer = stages.layer(shadow.light);
@@ -139,8 +149,7 @@ Presentation present_shadow_error(const Stages& stages, const ShadowMeasurement&
   if (shadow.raster) {
     add_figure(presentation,
                scalar_figure("raster_visibility_" + layer, "Shadow map: " + title,
-                             fmt::format("{}² texels, {} filter, constant bias {}, slope bias {:g} texels.",
-                                         shadow.frame.resolution, value_text(experiment, "shadow.filter"),
+                             fmt::format("{}, constant bias {}, slope bias {:g} texels.", technique_text(shadow),
                                          length_text(experiment.shadow.bias.constant), experiment.shadow.bias.slope),
                              shadow.raster->visibility, visibility_scale));
   }

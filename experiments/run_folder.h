@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/files/run_record.h"
+#include "experiments/run_record.h"
 
 namespace umbrameter {
 

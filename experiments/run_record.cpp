@@ -1,4 +1,4 @@
-#include "reports/files/run_record.h"
+#include "experiments/run_record.h"
 
 #include <algorithm>
 #include <fstream>

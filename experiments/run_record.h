@@ -1,5 +1,5 @@
 // What one run writes into its output folder, kept in the folder itself, so that a later run can remove exactly that.
-// Of names and folders only: who may write when is decided in reports/run_folder.h.
+// Of names and folders only: who may write when is decided in experiments/run_folder.h.
 #pragma once
 
 #include <filesystem>

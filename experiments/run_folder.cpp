@@ -1,4 +1,4 @@
-#include "reports/files/run_folder.h"
+#include "experiments/run_folder.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
