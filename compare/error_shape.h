@@ -47,7 +47,8 @@ struct ErrorShape {
   /// Wrong pixels and those of each class; of a hard shadow alone, whose pixels are right or wrong.
   std::optional<ComponentStatistics> components;
   std::array<ComponentStatistics, cause_count> class_components{};
-  double outside_penumbra = 0.0;  ///< of a soft shadow: share of its error where the truth is 0 or 1
+  /// Of an area light: share of its error where the truth is 0 or 1.
+  std::optional<double> outside_penumbra;
 };
 
 /// What the shape is measured on; images of one size.

@@ -79,7 +79,11 @@ ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow) {
   const Light light = stages.light(experiment, shadow.light);
   const ShapeInput input{surfels.gbuffer, shadow.truth->visibility, shadow.counted, light, shadow.frame};
   const VisibilityStatistics* causes = by_cause(shadow);
-  if (causes == nullptr) return {analyze_error_shape(input, shadow.raster->visibility)};
+  if (causes == nullptr) {
+    ShadowShape shape{analyze_error_shape(input, shadow.raster->visibility)};
+    if (!has_area_light(shadow)) shape.error.outside_penumbra.reset();
+    return shape;
+  }
   const TracedCasters traced = trace_casters(stages.tracer(), surfels.gbuffer, light);
   const RasterVisibility& raster = *shadow.raster;
   CasterShapes casters = analyze_casters(
@@ -118,7 +122,7 @@ nlohmann::ordered_json to_json(const Stages& stages, const ShadowShape& shape) {
     object["edge_distance"][std::string(name)] = distances_json(shape.error.parts[p]);
   }
   if (!is_hard) {
-    object["outside_penumbra"] = shape.error.outside_penumbra;
+    if (shape.error.outside_penumbra) object["outside_penumbra"] = *shape.error.outside_penumbra;
     return object;
   }
   object["components"] = {{"all", components_json(*shape.error.components)}};

@@ -52,9 +52,9 @@ std::string edges_text(const ErrorShape& shape) {
   std::string text = fmt::format(
       "\n\nThe reference has {} shadow edges: pairs of adjacent pixels on one surface, one lit and one blocked.",
       shape.edges);
-  if (!shape.components) {
+  if (shape.outside_penumbra) {
     text += fmt::format(" {:.2f} % of the error lies outside the penumbra, where the reference is 0 or 1.",
-                        100.0 * shape.outside_penumbra);
+                        100.0 * *shape.outside_penumbra);
   }
   return text;
 }
