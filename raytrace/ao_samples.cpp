@@ -55,7 +55,7 @@ UMBRAMETER_VECTORS void to_disk(std::size_t size, vec2 shift, vec2 turn, Strata 
 
 // A hit counts up to `reach` from the surface point: the ray starts above it, which shortens its way by
 // offset · cosine to first order.
-template <std::size_t width, class Lift>
+template <class Lift>
 UMBRAMETER_IN_VECTORS void lift_by(const vec2* points, const Hemisphere& hemisphere, const RayLanes& to,
                                    LiftedLanes& lifted, Lift lift) {
   const mat3 frame = hemisphere.frame;
@@ -63,8 +63,9 @@ UMBRAMETER_IN_VECTORS void lift_by(const vec2* points, const Hemisphere& hemisph
   const auto offset = static_cast<float>(hemisphere.offset);
   const double reach = hemisphere.reach;
   // The compiler can tell these apart, other than what they are copied to.
-  float x[width], y[width], z[width], cosine[width], step[width], reaches[width];
-  for (std::size_t i = 0; i < width; ++i) {
+  float x[packet_width], y[packet_width], z[packet_width], cosine[packet_width], step[packet_width],
+      reaches[packet_width];
+  for (std::size_t i = 0; i < packet_width; ++i) {
     const vec3 local = lift(points[i]);
     x[i] = frame[0].x * local.x + frame[1].x * local.y + frame[2].x * local.z;
     y[i] = frame[0].y * local.x + frame[1].y * local.y + frame[2].y * local.z;
@@ -72,10 +73,10 @@ UMBRAMETER_IN_VECTORS void lift_by(const vec2* points, const Hemisphere& hemisph
     cosine[i] = local.z;
   }
   if (frame[2] != normal) {
-    for (std::size_t i = 0; i < width; ++i) cosine[i] = normal.x * x[i] + normal.y * y[i] + normal.z * z[i];
+    for (std::size_t i = 0; i < packet_width; ++i) cosine[i] = normal.x * x[i] + normal.y * y[i] + normal.z * z[i];
   }
   int may_meet_own = 0;
-  for (std::size_t i = 0; i < width; ++i) {
+  for (std::size_t i = 0; i < packet_width; ++i) {
     step[i] = offset * cosine[i];
     const double left = reach - static_cast<double>(step[i]);
     const float above = static_cast<float>(left > 0.0 ? left : 0.0);
@@ -90,54 +91,34 @@ UMBRAMETER_IN_VECTORS void lift_by(const vec2* points, const Hemisphere& hemisph
   lifted.are_clear = may_meet_own == 0;
 }
 
-template <std::size_t width>
-UMBRAMETER_IN_VECTORS void lift_lanes(const vec2* points, const Hemisphere& hemisphere, AoWeight weight,
-                                      const RayLanes& to, LiftedLanes& lifted) {
+UMBRAMETER_VECTORS void lift_lanes(const vec2* points, const Hemisphere& hemisphere, AoWeight weight,
+                                   const RayLanes& to, LiftedLanes& lifted) {
   if (weight == AoWeight::cosine) {
-    lift_by<width>(points, hemisphere, to, lifted, [](vec2 disk) { return lift_cosine(disk); });
+    lift_by(points, hemisphere, to, lifted, [](vec2 disk) { return lift_cosine(disk); });
   } else {
-    lift_by<width>(points, hemisphere, to, lifted, [](vec2 disk) { return lift_uniform(disk); });
+    lift_by(points, hemisphere, to, lifted, [](vec2 disk) { return lift_uniform(disk); });
   }
-}
-UMBRAMETER_VECTORS void lift_4(const vec2* points, const Hemisphere& hemisphere, AoWeight weight, const RayLanes& to,
-                               LiftedLanes& lifted) {
-  lift_lanes<4>(points, hemisphere, weight, to, lifted);
-}
-UMBRAMETER_VECTORS void lift_8(const vec2* points, const Hemisphere& hemisphere, AoWeight weight, const RayLanes& to,
-                               LiftedLanes& lifted) {
-  lift_lanes<8>(points, hemisphere, weight, to, lifted);
-}
-UMBRAMETER_VECTORS void lift_16(const vec2* points, const Hemisphere& hemisphere, AoWeight weight, const RayLanes& to,
-                                LiftedLanes& lifted) {
-  lift_lanes<16>(points, hemisphere, weight, to, lifted);
 }
 
 }  // namespace
 
-template <int width>
 void HemisphereSamples::lift(std::size_t first, const RayLanes& to, LiftedLanes& lifted) const {
-  const vec2* const points = points_.data() + first;
-  if constexpr (width == 4) lift_4(points, hemisphere_, weight_, to, lifted);
-  if constexpr (width == 8) lift_8(points, hemisphere_, weight_, to, lifted);
-  if constexpr (width == 16) lift_16(points, hemisphere_, weight_, to, lifted);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(width); ++i) {
+  lift_lanes(points_.data() + first, hemisphere_, weight_, to, lifted);
+  for (std::size_t i = 0; i < packet_width; ++i) {
     const vec3& origin = origins_[pixel_of(source_[first + i])];
     to.x[i] = origin.x;
     to.y[i] = origin.y;
     to.z[i] = origin.z;
   }
 }
-template void HemisphereSamples::lift<4>(std::size_t, const RayLanes&, LiftedLanes&) const;
-template void HemisphereSamples::lift<8>(std::size_t, const RayLanes&, LiftedLanes&) const;
-template void HemisphereSamples::lift<16>(std::size_t, const RayLanes&, LiftedLanes&) const;
 
 // A counting sort that keeps the points of a stratum as they were.
 void HemisphereSamples::order(std::size_t strata) {
   const std::size_t size = made_source_.size();
-  points_.resize(size + LiftedLanes::most);
-  source_.resize(size + LiftedLanes::most);
-  std::fill_n(points_.data() + size, LiftedLanes::most, vec2(0));
-  std::fill_n(source_.data() + size, LiftedLanes::most, Source{0});
+  points_.resize(size + packet_width);
+  source_.resize(size + packet_width);
+  std::fill_n(points_.data() + size, packet_width, vec2(0));
+  std::fill_n(source_.data() + size, packet_width, Source{0});
   next_.assign(strata + 1, 0);
   // The compiler cannot tell that these arrays are apart.
   std::uint32_t* __restrict const next = next_.data();

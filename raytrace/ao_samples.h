@@ -33,9 +33,8 @@ struct PixelRays {
 
 /// What else is known of a packet's rays.
 struct LiftedLanes {
-  static constexpr std::size_t most = 16;
-  std::array<float, most> step{};  ///< metres by which a ray starts beyond the surface point, along itself
-  bool are_clear = false;          ///< none can meet its own triangle
+  std::array<float, packet_width> step{};  ///< metres by which a ray starts beyond the surface point, along itself
+  bool are_clear = false;                  ///< none can meet its own triangle
 };
 
 /// Rays of some pixels, ordered by the part of the hemisphere's disk that they go through, so that successive ones,
@@ -47,7 +46,7 @@ class HemisphereSamples {
 
   void make(const TruthParams& params, const Hemisphere& hemisphere, std::span<const PixelRays> pixels);
 
-  std::size_t size() const { return points_.size() - LiftedLanes::most; }
+  std::size_t size() const { return points_.size() - packet_width; }
   /// Index of the ray's pixel times most_randomisations, plus its randomisation.
   std::size_t source(std::size_t ray) const { return source_[ray]; }
   static std::size_t source_of(std::size_t pixel, std::size_t randomisation) {
@@ -56,9 +55,7 @@ class HemisphereSamples {
 
   static std::size_t pixel_of(std::size_t source) { return source / most_randomisations; }
 
-  /// Rays from `first` on, as many as a packet of 4, 8 or 16 takes. Lanes beyond the last ray
-  /// look up from the first pixel.
-  template <int width>
+  /// A packet's rays from `first` on. Lanes beyond the last ray look up from the first pixel.
   void lift(std::size_t first, const RayLanes& to, LiftedLanes& lifted) const;
 
  private:

@@ -11,11 +11,19 @@
 #include "core/random.h"
 #include "raytrace/ao_estimate.h"
 #include "raytrace/ao_samples.h"
-#include "raytrace/packet_width.h"
+#include "raytrace/packet.h"
 #include "raytrace/stopping.h"
 #include "raytrace/surfel.h"
 
 namespace umbrameter {
+
+/// What every tile of one image has in common.
+struct AoTask {
+  const Tracer& tracer;
+  const GBuffer& gbuffer;
+  const TruthParams& params;
+  std::uint32_t seed = 0;
+};
 
 /// Rays is OcclusionPacket, or HitPacket where distances are wanted. A packet holds rays that look in about the same
 /// direction from pixels next to one another, all of the same triangle.
@@ -94,14 +102,14 @@ class AoTile {
   // Distances are summed in the rays' order, which must not depend on other pixels.
   bool may_share(const Pixel& a, const Pixel& b) const {
     const GBuffer& gbuffer = task_.gbuffer;
-    return !Rays::knows_distance && gbuffer.instance[a.index] == gbuffer.instance[b.index] &&
+    return !Rays::finds_nearest && gbuffer.instance[a.index] == gbuffer.instance[b.index] &&
            gbuffer.triangle[a.index] == gbuffer.triangle[b.index] && a.hemisphere == b.hemisphere;
   }
 
   // Pixels of one triangle and hemisphere.
   void trace_group(std::span<Pixel> pixels) {
     const std::size_t first = pixels.front().index;
-    packet_.leave(task_.gbuffer.instance[first], task_.gbuffer.triangle[first]);
+    packet_.set_own_triangle(task_.gbuffer.instance[first], task_.gbuffer.triangle[first]);
     while (!pixels.empty()) {
       for (std::span<Pixel> left = pixels; !left.empty();) {
         std::size_t size = 1;
@@ -129,14 +137,14 @@ class AoTile {
     samples_.make(task_.params, pixels.front().hemisphere, wanted_);
     const std::size_t size = samples_.size();
     std::array<std::uint32_t, HemisphereSamples::sources> open{};
-    for (std::size_t first = 0; first < size; first += Rays::width) {
-      const int count = static_cast<int>(std::min(size - first, static_cast<std::size_t>(Rays::width)));
-      samples_.template lift<Rays::width>(first, packet_.lanes_to_write(), lifted_);
+    for (std::size_t first = 0; first < size; first += packet_width) {
+      const std::size_t count = std::min(size - first, packet_width);
+      samples_.lift(first, packet_.lanes(), lifted_);
       packet_.use(count, lifted_.are_clear);
       packet_.trace();
-      for (int lane = 0; lane < count; ++lane) {
-        const std::size_t source = samples_.source(first + static_cast<std::size_t>(lane));
-        if constexpr (Rays::knows_distance) {
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        const std::size_t source = samples_.source(first + lane);
+        if constexpr (Rays::finds_nearest) {
           weigh(pixels.front(), lane, source);
         } else {
           open[source] += packet_.is_blocked(lane) ? 0u : 1u;
@@ -153,18 +161,17 @@ class AoTile {
     statistics_.rays += size;
   }
 
-  void weigh(Pixel& pixel, int lane, std::size_t randomisation) {
+  void weigh(Pixel& pixel, std::size_t lane, std::size_t randomisation) {
     double open = 1.0;
     if (packet_.is_blocked(lane)) {
-      const double distance = std::max(static_cast<double>(packet_.distance(lane)) +
-                                           static_cast<double>(lifted_.step[static_cast<std::size_t>(lane)]),
-                                       0.0);
+      const double distance =
+          std::max(static_cast<double>(packet_.distance(lane)) + static_cast<double>(lifted_.step[lane]), 0.0);
       open = 1.0 - falloff_weight(task_.params.ao_falloff, distance, task_.params.ao_distance.number);
       pixel.blocked += 1.0;
       pixel.blocked_distance += distance;
     }
     pixel.estimate.open[randomisation] += open;
-    const RayLanes rays = packet_.lanes_to_write();
+    const RayLanes rays = packet_.lanes();
     pixel.open_direction += open * dvec3(rays.dx[lane], rays.dy[lane], rays.dz[lane]);
   }
 
@@ -200,7 +207,7 @@ class AoTile {
   const AoTask& task_;
   double reach_;
   Rays packet_;
-  SurfelTable triangles_;
+  TriangleCache triangles_;
   std::vector<Pixel> pixels_;
   std::vector<PixelRays> wanted_;
   HemisphereSamples samples_;

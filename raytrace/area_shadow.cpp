@@ -23,7 +23,7 @@ namespace {
 constexpr int tile_size = 16;
 // Packets of pixels near one another look at one light: coherent rays without more ado.
 constexpr int block_size = 4;
-static_assert(block_size * block_size == Packet::width);
+static_assert(block_size * block_size == packet_width);
 // Keep the points apart from those of other quantities at the same pixel.
 constexpr std::uint32_t purpose = 0x11947u;
 constexpr std::uint32_t pilot_purpose = 0x21947u;
@@ -117,8 +117,7 @@ class TileTracer {
       std::stable_sort(pending_.begin(), pending_.end(), [&](int a, int b) { return work(a) < work(b); });
       for (std::size_t first = 0; first < pending_.size();) {
         std::size_t last = first;
-        while (last < pending_.size() && last - first < static_cast<std::size_t>(Packet::width) &&
-               work(pending_[last]) == work(pending_[first])) {
+        while (last < pending_.size() && last - first < packet_width && work(pending_[last]) == work(pending_[first])) {
           ++last;
         }
         trace_packet(first, last);
@@ -175,16 +174,16 @@ class TileTracer {
 
   // One point of every pixel. The surface itself hides what is below its horizon.
   void trace_point(std::size_t first, std::uint32_t randomisation, std::uint32_t index) {
-    std::array<double, Packet::width> weights{};
-    std::array<bool, Packet::width> is_traced{};
-    for (int l = 0; l < packet_.size(); ++l) {
-      const Pixel& pixel = pending(first + static_cast<std::size_t>(l));
+    std::array<double, packet_width> weights{};
+    std::array<bool, packet_width> is_traced{};
+    for (std::size_t l = 0; l < packet_.size(); ++l) {
+      const Pixel& pixel = pending(first + l);
       const std::uint32_t scramble = hash(static_cast<std::uint32_t>(pixel.index), randomisation, sampling_.seed,
                                           pixel.stopping.is_pilot() ? pilot_purpose : purpose);
       const LightView::Sample sample = pixel.view.sample(slanted(point_of(index, scramble), pixel.slants));
       const bool is_above = glm::dot(pixel.normal, sample.direction) > 0.0;
-      is_traced[static_cast<std::size_t>(l)] = is_above;
-      weights[static_cast<std::size_t>(l)] = sample.weight;
+      is_traced[l] = is_above;
+      weights[l] = sample.weight;
       const vec3 direction(sample.direction);
       // Nothing is hit by a ray without length.
       packet_.aim(l, {pixel.origin, direction, is_above ? reach_to_light(sample.reach) : 0.0f,
@@ -192,12 +191,12 @@ class TileTracer {
       statistics_.rays += is_above ? 1u : 0u;
     }
     packet_.trace();
-    for (int l = 0; l < packet_.size(); ++l) {
-      Sums& sums = pending(first + static_cast<std::size_t>(l)).sums[randomisation];
-      const double weight = weights[static_cast<std::size_t>(l)];
+    for (std::size_t l = 0; l < packet_.size(); ++l) {
+      Sums& sums = pending(first + l).sums[randomisation];
+      const double weight = weights[l];
       sums.all += weight;
       sums.squares += weight * weight;
-      if (is_traced[static_cast<std::size_t>(l)] && !packet_.is_blocked(l)) sums.lit += weight;
+      if (is_traced[l] && !packet_.is_blocked(l)) sums.lit += weight;
     }
   }
 
@@ -217,8 +216,8 @@ class TileTracer {
   const GBuffer& gbuffer_;
   const Light& light_;
   const TruthSampling& sampling_;
-  Packet packet_;
-  SurfelTable triangles_;
+  OcclusionPacket packet_;
+  TriangleCache triangles_;
   std::vector<Pixel> pixels_;
   std::vector<int> pending_;
   TraceStatistics statistics_;
@@ -241,9 +240,7 @@ TracedVisibility trace_area_visibility(const Tracer& tracer, const GBuffer& gbuf
         tracing.trace(tile, traced);
         tracer.state().rays_traced += tracing.statistics().rays;
         const std::lock_guard lock(mutex);
-        traced.statistics.rays += tracing.statistics().rays;
-        traced.statistics.largest_offset =
-            std::max(traced.statistics.largest_offset, tracing.statistics().largest_offset);
+        traced.statistics.add(tracing.statistics());
       },
       progress);
   traced.precision = precision_of(traced.standard_error, traced.samples, sampling.params);

@@ -91,54 +91,27 @@ inline void occluded1(RTCScene scene, RTCRay& ray, Query& query) {
 #endif
 }
 
-/// Embree's types and calls for packets of 4, 8 and 16 rays.
-template <int width>
-struct Lanes;
-template <>
-struct Lanes<4> {
-  using Rays = RTCRay4;
-  using Hits = RTCRayHit4;
-  static constexpr auto occluded = &rtcOccluded4;
-  static constexpr auto intersect = &rtcIntersect4;
-};
-template <>
-struct Lanes<8> {
-  using Rays = RTCRay8;
-  using Hits = RTCRayHit8;
-  static constexpr auto occluded = &rtcOccluded8;
-  static constexpr auto intersect = &rtcIntersect8;
-};
-template <>
-struct Lanes<16> {
-  using Rays = RTCRay16;
-  using Hits = RTCRayHit16;
-  static constexpr auto occluded = &rtcOccluded16;
-  static constexpr auto intersect = &rtcIntersect16;
-};
-
-/// valid[i] is −1 for lanes in use and 0 else; a blocked lane's tfar becomes −∞.
-template <int width>
-void occluded(const int* valid, RTCScene scene, typename Lanes<width>::Rays& rays, Query& query) {
+/// valid[i] is −1 for lanes in use and 0 otherwise; a blocked lane's tfar becomes −∞.
+inline void occluded16(const int* valid, RTCScene scene, RTCRay16& rays, Query& query) {
 #if UMBRAMETER_EMBREE_MAJOR >= 4
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);
   fill(arguments, query);
-  Lanes<width>::occluded(valid, scene, &rays, &arguments);
+  rtcOccluded16(valid, scene, &rays, &arguments);
 #else
-  Lanes<width>::occluded(valid, scene, &query.context, &rays);
+  rtcOccluded16(valid, scene, &query.context, &rays);
 #endif
 }
 
-/// valid[i] is −1 for lanes in use and 0 else; a lane that hits has its hit and the distance in tfar.
-template <int width>
-void intersect(const int* valid, RTCScene scene, typename Lanes<width>::Hits& rays, Query& query) {
+/// valid[i] is −1 for lanes in use and 0 otherwise; a lane that hits has its hit and the distance in tfar.
+inline void intersect16(const int* valid, RTCScene scene, RTCRayHit16& rays, Query& query) {
 #if UMBRAMETER_EMBREE_MAJOR >= 4
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
   fill(arguments, query);
-  Lanes<width>::intersect(valid, scene, &rays, &arguments);
+  rtcIntersect16(valid, scene, &rays, &arguments);
 #else
-  Lanes<width>::intersect(valid, scene, &query.context, &rays);
+  rtcIntersect16(valid, scene, &query.context, &rays);
 #endif
 }
 

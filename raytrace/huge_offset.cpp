@@ -32,18 +32,18 @@ double rounded_up(double value) {
 //   of a shared mesh, the origin taken into its space       InstanceInfo::origin_error
 //   and its matrix rounded to floats, for two such          2u · |n|·(|M|·|M⁻¹|·(|p| + |t|) + |t|)
 //   double precision: corners, normal and the foot of p, at most 64 roundings of the longest edge over the least height
-void describe_huge(const Tracer& tracer, SurfelTriangle& triangle) {
+void describe_huge(const Tracer& tracer, std::uint32_t instance, std::uint32_t id, SurfelTriangle& triangle) {
   const Tracer::State& state = tracer.state();
-  const InstanceInfo& info = state.instances[triangle.instance];
-  if (!triangle.has_area() || !info.huge->has(triangle.id)) return;
-  const Instance& placed = tracer.scene().instances[triangle.instance];
+  const InstanceInfo& info = state.instances[instance];
+  if (!triangle.has_area() || !info.huge->has(id)) return;
+  const Instance& placed = tracer.scene().instances[instance];
   const Mesh& mesh = tracer.scene().meshes[placed.mesh];
   const dmat3 linear(placed.world_from_mesh);
   const dvec3 translation = glm::abs(dvec3(placed.world_from_mesh[3]));
-  const dvec3 normal = glm::abs(triangle.normal());
+  const dvec3 normal = glm::abs(triangle.normal);
 
-  const dvec3 across = glm::abs(glm::transpose(linear) * triangle.normal());
-  const uvec3 vertices = mesh.triangles[triangle.id];
+  const dvec3 across = glm::abs(glm::transpose(linear) * triangle.normal);
+  const uvec3 vertices = mesh.triangles[id];
   double of_file = 0.0;
   for (int c = 0; c < 3; ++c)
     of_file = std::max(of_file, glm::dot(across, glm::abs(dvec3(mesh.positions[vertices[c]]))));
@@ -53,7 +53,7 @@ void describe_huge(const Tracer& tracer, SurfelTriangle& triangle) {
   constant += half_ulp * state.longest_edge * (16.0 + 2.0 * glm::dot(normal, in_plane));
   if (info.is_shared) {
     const dvec3 moved = 2.0 * half_ulp * (glm::transpose(absolute(linear) * absolute(glm::inverse(linear))) * normal);
-    gain += moved + glm::transpose(info.origin_error.of_place) * normal;
+    gain += moved + glm::transpose(info.origin_error.linear) * normal;
     constant += glm::dot(moved, translation) + 2.0 * half_ulp * glm::dot(normal, translation) +
                 glm::dot(normal, info.origin_error.constant);
   }
@@ -69,10 +69,8 @@ void describe_huge(const Tracer& tracer, SurfelTriangle& triangle) {
   triangle.offset_gain = gain;
   // No ray meets its own huge triangle, whether Embree calls a filter or not.
   triangle.clear_cosine = -1.0;
-  for (int i = 0; i < 3; ++i) {
-    triangle.insets[static_cast<std::size_t>(i)] = twice_area / lengths[i] / 3.0;
-    triangle.least[i] = std::numeric_limits<double>::infinity();
-  }
+  for (std::size_t i = 0; i < 3; ++i) triangle.insets[i] = twice_area / lengths[i] / 3.0;
+  triangle.min_inwards.fill(std::numeric_limits<double>::infinity());
 }
 
 // The origin itself is a few offsets away from the point, which adds less than a millionth.

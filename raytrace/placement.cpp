@@ -24,8 +24,8 @@ OriginError origin_error(const dmat4& world_from_mesh) {
   if (!(determinant > 0.0)) return {};  // flat: no ray meets it
   const double spread = glm::dot(linear[0], cofactors[0]) / determinant;
   OriginError error;
-  error.of_place = 14.0 * half_ulp * spread / determinant * (linear * glm::transpose(cofactors));
-  error.constant = error.of_place * glm::abs(dvec3(world_from_mesh[3]));
+  error.linear = 14.0 * half_ulp * spread / determinant * (linear * glm::transpose(cofactors));
+  error.constant = error.linear * glm::abs(dvec3(world_from_mesh[3]));
   return error;
 }
 

@@ -11,9 +11,9 @@ namespace umbrameter {
 inline constexpr double half_ulp = 0x1p-24;
 
 /// How far the origin of a ray at p may be off in the space of a shared mesh, seen from the world: the length of
-/// of_place · |p| + constant, metres.
+/// linear · |p| + constant, metres.
 struct OriginError {
-  dmat3 of_place{0.0};
+  dmat3 linear{0.0};
   dvec3 constant{0.0};
 };
 OriginError origin_error(const dmat4& world_from_mesh);

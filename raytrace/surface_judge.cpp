@@ -97,7 +97,7 @@ class Judge {
     point.width = half_ulp * (glm::length(origin) + 8.0 * distance);
     if (info.is_shared) {
       const dvec3 along = distance * glm::abs(dmat3(world_from_light_) * ray.direction);
-      point.width += glm::length(info.origin_error.of_place * (origin + along) + info.origin_error.constant);
+      point.width += glm::length(info.origin_error.linear * (origin + along) + info.origin_error.constant);
     }
     const double cosine = std::abs(glm::dot(point.normal, ray.direction));
     const double moved = point.width + vertex_error(tracer_.scene(), point.instance, point.triangle);

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "core/error.h"
-#include "raytrace/packet_width.h"
 #include "raytrace/tracer_state.h"
 
 namespace umbrameter {
@@ -82,8 +81,6 @@ NearestHit nearest_hit(RayQuery& query, const vec3& origin, const vec3& directio
   if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
   return {instance_of(hit.hit.instID[0], hit.hit.geomID), hit.hit.primID, hit.ray.tfar};
 }
-
-int occlusion_packet_width(const Tracer& tracer) { return tracer.state().takes_16_lanes ? 16 : 8; }
 
 std::string embree_version() { return RTC_VERSION_STRING; }
 

@@ -2,6 +2,7 @@
 // the rasteriser draws. Embree itself stays in raytrace/*.cpp.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -54,6 +55,12 @@ struct TraceStatistics {
   double seconds = 0.0;
   double largest_offset = 0.0;  ///< metres, along the geometric normal, over all surfels
   bool from_cache = false;      ///< not traced now: `seconds` is what it took when it was
+
+  /// Adds the rays of another part of the same image.
+  void add(const TraceStatistics& part) {
+    rays += part.rays;
+    largest_offset = std::max(largest_offset, part.largest_offset);
+  }
 };
 
 /// Primary hits through the pixel centres of the view, without back faces of single-sided materials.

@@ -1,9 +1,7 @@
 // What a Tracer holds, for raytrace/*.cpp alone.
 #pragma once
 
-#include <algorithm>
 #include <atomic>
-#include <iterator>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -12,6 +10,7 @@
 #include "raytrace/embree.h"
 #include "raytrace/huge_geometry.h"
 #include "raytrace/placement.h"
+#include "raytrace/ray_lanes.h"
 #include "raytrace/tracer.h"
 
 namespace umbrameter {
@@ -63,8 +62,8 @@ void build(Tracer::State& state, const Progress& progress);
 struct RayQuery {
   embree::Query query;  // first: see embree.h
   const Tracer::State* state = nullptr;
-  std::uint32_t own_instance[16];
-  std::uint32_t own_triangle[16];
+  std::uint32_t own_instance[packet_width];
+  std::uint32_t own_triangle[packet_width];
   bool is_primary = false;
   dvec3 primary_direction{0.0};
 };
@@ -86,12 +85,6 @@ inline bool is_passed(const RayQuery& query, unsigned lane, std::uint32_t instan
            shows_back(query.state->scene, instance, triangle, query.primary_direction);
   }
   return instance == query.own_instance[lane] && triangle == query.own_triangle[lane];
-}
-
-/// Of all lanes.
-inline void own_all(RayQuery& query, std::uint32_t instance, std::uint32_t triangle) {
-  std::fill(std::begin(query.own_instance), std::end(query.own_instance), instance);
-  std::fill(std::begin(query.own_triangle), std::end(query.own_triangle), triangle);
 }
 
 /// Index into Scene::instances by the two ids of a hit: a shared mesh is hit as an instance, any other as a geometry.

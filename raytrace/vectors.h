@@ -15,10 +15,3 @@
 
 /// Before what such a function calls: it is compiled with its caller, for the same processor.
 #define UMBRAMETER_IN_VECTORS [[gnu::always_inline]] inline
-
-namespace umbrameter {
-
-/// Worked on at once.
-using Four = double __attribute__((vector_size(32)));
-
-}  // namespace umbrameter

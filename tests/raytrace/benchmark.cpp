@@ -82,18 +82,17 @@ std::uint64_t count_open(const Tracer::State& state, RTCScene scene, const Ready
   return open;
 }
 
-template <int lanes>
 std::uint64_t count_open_in_packets(const Tracer::State& state, RTCScene scene, const Ready* rays, std::size_t size) {
   RayQuery query;
   prepare(query, state, false);
   filter_every_hit(query, false);
-  typename embree::Lanes<lanes>::Rays packet;
-  alignas(64) int valid[static_cast<std::size_t>(lanes)];
+  RTCRay16 packet;
+  alignas(64) int valid[packet_width];
   std::uint64_t open = 0;
-  for (std::size_t first = 0; first < size; first += lanes) {
-    for (int l = 0; l < lanes; ++l) {
-      const bool is_used = first + static_cast<std::size_t>(l) < size;
-      const Ready& from = rays[is_used ? first + static_cast<std::size_t>(l) : first];
+  for (std::size_t first = 0; first < size; first += packet_width) {
+    for (std::size_t l = 0; l < packet_width; ++l) {
+      const bool is_used = first + l < size;
+      const Ready& from = rays[is_used ? first + l : first];
       packet.org_x[l] = from.origin.x;
       packet.org_y[l] = from.origin.y;
       packet.org_z[l] = from.origin.z;
@@ -110,8 +109,8 @@ std::uint64_t count_open_in_packets(const Tracer::State& state, RTCScene scene, 
       query.own_triangle[l] = from.triangle;
       valid[l] = is_used ? -1 : 0;
     }
-    embree::occluded<lanes>(valid, scene, packet, query.query);
-    for (int l = 0; l < lanes; ++l) open += valid[l] != 0 && !(packet.tfar[l] < 0.0f) ? 1u : 0u;
+    embree::occluded16(valid, scene, packet, query.query);
+    for (std::size_t l = 0; l < packet_width; ++l) open += valid[l] != 0 && !(packet.tfar[l] < 0.0f) ? 1u : 0u;
   }
   return open;
 }
@@ -248,8 +247,8 @@ GBuffer cut_out(const GBuffer& gbuffer, const std::vector<Corner>& corners) {
   return tiles;
 }
 
-Ready leaving(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel, RayOrigin& origin) {
-  origin = ray_origin(tracer, gbuffer, pixel);
+Ready leaving(const GBuffer& gbuffer, std::size_t pixel, TriangleCache& triangles, RayOrigin& origin) {
+  origin = ray_origin(gbuffer, pixel, triangles);
   Ready ray;
   ray.origin = vec3(origin.point);
   ray.reach = std::numeric_limits<float>::infinity();
@@ -260,10 +259,11 @@ Ready leaving(const Tracer& tracer, const GBuffer& gbuffer, std::size_t pixel, R
 
 Rays random_directions(const Tracer& tracer, const GBuffer& gbuffer, int spp) {
   Rays rays;
+  TriangleCache triangles(tracer);
   for (std::size_t i = 0; i < gbuffer.instance.size(); ++i) {
     if (!gbuffer.is_surface(i)) continue;
     RayOrigin origin;
-    Ready ray = leaving(tracer, gbuffer, i, origin);
+    Ready ray = leaving(gbuffer, i, triangles, origin);
     const mat3 frame = frame_about(vec3(origin.normal));
     for (std::uint32_t s = 0; s < static_cast<std::uint32_t>(spp); ++s) {
       ray.direction = frame * lift_cosine(concentric_disk(random_point(s, hash(static_cast<std::uint32_t>(i)))));
@@ -275,10 +275,11 @@ Rays random_directions(const Tracer& tracer, const GBuffer& gbuffer, int spp) {
 
 Rays towards_light(const Tracer& tracer, const GBuffer& gbuffer, const Light& light) {
   Rays rays;
+  TriangleCache triangles(tracer);
   for (std::size_t i = 0; i < gbuffer.instance.size(); ++i) {
     if (!gbuffer.is_surface(i)) continue;
     RayOrigin origin;
-    Ready ray = leaving(tracer, gbuffer, i, origin);
+    Ready ray = leaving(gbuffer, i, triangles, origin);
     dvec3 way = -light.axis();
     if (!std::holds_alternative<DirectionalLight>(light.shape)) {
       way = light.position() - origin.point;
@@ -344,9 +345,7 @@ void run(const std::string& name, const Setup& setup) {
     const RTCScene top = state.top.get();
     std::vector<Way> ways{plain("one ray at a time, ready-made", &count_open, state, top, hemisphere),
                           plain("  the same, Embree's default flags", &count_open, state, defaults.get(), hemisphere),
-                          plain("packets of 4, ready-made", &count_open_in_packets<4>, state, top, hemisphere),
-                          plain("packets of 8, ready-made", &count_open_in_packets<8>, state, top, hemisphere),
-                          plain("packets of 16, ready-made", &count_open_in_packets<16>, state, top, hemisphere),
+                          plain("packets of 16, ready-made", &count_open_in_packets, state, top, hemisphere),
                           {"ambient occlusion, everything",
                            [&](std::size_t part) { traced = trace_ao(tracer, tiles[part], params, 1); }, count_rays}};
     report("ambient occlusion", ways, hemisphere, setup.turns, on_all_threads);

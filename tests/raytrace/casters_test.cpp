@@ -77,7 +77,7 @@ TEST(Casters, Are_there_exactly_where_the_truth_is_blocked_in_rich_scenes) {
     }
     most_triangles = std::max(most_triangles, triangles.size());
   }
-  EXPECT_GT(most_triangles, SurfelTable::capacity);  // or no tile has more than can be remembered
+  EXPECT_GT(most_triangles, TriangleCache::capacity);  // or no tile has more triangles than the cache holds
 }
 
 TEST(Casters, What_is_turned_away_takes_no_ray_and_has_no_caster) {
