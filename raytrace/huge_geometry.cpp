@@ -44,7 +44,7 @@ void for_each_hit(const Arguments& arguments, RTCRayN* rays, const Use& use) {
     const std::optional<HugeHit> hit = meet(triangle, origin, direction);
     if (!hit || !(hit->distance > static_cast<double>(RTCRayN_tnear(rays, n, i)))) continue;
     if (hit->distance > static_cast<double>(RTCRayN_tfar(rays, n, i))) continue;
-    if (geometry.mask != nullptr && !geometry.mask->is_there(triangle.id, vec2(hit->weights))) continue;
+    if (geometry.mask != nullptr && !geometry.mask->is_opaque(triangle.id, vec2(hit->weights))) continue;
     use(i, *hit, instance, triangle.id);
   }
 }

@@ -23,7 +23,7 @@ bool counts(const RTCFilterFunctionNArguments& arguments, const RayQuery& query,
   const std::uint32_t triangle = RTCHitN_primID(arguments.hit, n, i);
   if (is_passed(query, RTCRayN_id(arguments.ray, n, i), instance, triangle)) return false;
   const auto* mask = static_cast<const MeshMask*>(arguments.geometryUserPtr);
-  return mask == nullptr || mask->is_there(triangle, {RTCHitN_u(arguments.hit, n, i), RTCHitN_v(arguments.hit, n, i)});
+  return mask == nullptr || mask->is_opaque(triangle, {RTCHitN_u(arguments.hit, n, i), RTCHitN_v(arguments.hit, n, i)});
 }
 
 // One bit a lane that is asked about, of 1, 4, 8 or 16: Embree sets those to −1 and others to 0. Mostly it is one,

@@ -110,7 +110,7 @@ void make_masks(Tracer::State& state) {
   parallel_for(scene.meshes.size(), [&](std::size_t m) {
     const Mesh& mesh = scene.meshes[m];
     const AlphaMask* const mask = state.alpha_masks[mesh.material].get();
-    if (mask != nullptr) state.mesh_masks[m] = std::make_unique<MeshMask>(mesh, *mask);
+    if (mask != nullptr) state.mesh_masks[m] = std::make_unique<MeshMask>(MeshMask{mesh, *mask});
   });
 }
 

@@ -39,7 +39,7 @@ Scene masked(int width, int height, Wrap wrap_u, Wrap wrap_v) {
 
 void expect_the_same(const Scene& scene, const AlphaMask& mask, vec2 texcoord) {
   const Material& material = scene.materials[0];
-  EXPECT_EQ(mask.is_there(texcoord), alpha_at(scene, material, texcoord) >= material.alpha_cutoff)
+  EXPECT_EQ(mask.is_opaque(texcoord), alpha_at(scene, material, texcoord) >= material.alpha_cutoff)
       << "at " << texcoord.x << ", " << texcoord.y << " with cutoff " << material.alpha_cutoff << " and factor "
       << material.base_color.w;
 }
@@ -91,9 +91,9 @@ TEST(AlphaMask, Without_a_texture_the_factor_decides) {
   Scene scene;
   scene.materials.emplace_back();
   scene.materials[0].base_color.w = 0.25f;
-  EXPECT_FALSE(AlphaMask(scene, scene.materials[0]).is_there({0.3f, 0.4f}));
+  EXPECT_FALSE(AlphaMask(scene, scene.materials[0]).is_opaque({0.3f, 0.4f}));
   scene.materials[0].alpha_cutoff = 0.25f;
-  EXPECT_TRUE(AlphaMask(scene, scene.materials[0]).is_there({0.3f, 0.4f}));
+  EXPECT_TRUE(AlphaMask(scene, scene.materials[0]).is_opaque({0.3f, 0.4f}));
 }
 
 }  // namespace
