@@ -294,7 +294,7 @@ void Stages::judge_taps(const Experiment& experiment, std::uint32_t light, const
   const Tracer& rays = tracer();
   ProgressBar progress = bar("classes");
   list_unresolved_taps(context(), lookup, axes, [&](std::span<const UnresolvedTap> taps) {
-    take(taps, judge_own(rays, frame, surfaces_of(scene_, frame, gbuffer, taps), progress.callback()));
+    take(taps, judge_same_surface(rays, frame, surfaces_of(scene_, frame, gbuffer, taps), progress.callback()));
   });
 }
 

@@ -10,8 +10,8 @@
 namespace umbrameter {
 namespace {
 
-// Parts of the disk's square by which points are put in order: row by row, back and forth, so that neighbours
-// follow one another.
+// Cells of the square around the disk by which points are sorted: row by row in alternating direction, so that
+// consecutive cells are neighbours.
 struct Strata {
   int rows = 1;
   int columns = 1;
@@ -21,31 +21,31 @@ struct Strata {
     const float along = (row & 1) == 0 ? x : -x;
     return row * columns + static_cast<int>((along + 1.0f) * (0.5f * static_cast<float>(columns)));
   }
-  /// Rounding may put a point onto the far ends of a row and of the last one.
+  // One more row and cell, because rounding may put a point on the far edge of a row or of the square.
   std::size_t count() const { return static_cast<std::size_t>((rows + 1) * columns + 1); }
 };
 
-// For four points each, and so many rows that a packet's sixteen points are about as wide as high
+// About four points per cell, and as many rows as make a packet's sixteen points cover about a square
 // (docs/decisions/packets-of-neighbours.md).
 Strata strata_of(std::size_t points) {
-  constexpr std::size_t most = 1u << 16u;
-  const auto ordered = static_cast<int>(std::clamp<std::size_t>(points, 4, most));
+  constexpr std::size_t max_points = 1u << 16u;
+  const auto ordered = static_cast<int>(std::clamp<std::size_t>(points, 4, max_points));
   const int rows = static_cast<int>(std::sqrt(static_cast<double>(ordered)) / 3.0 + 0.5);
   return {rows, ordered / (4 * rows)};
 }
 
-// Floats of the widest vector. What is left over goes one by one, and would take longer than all the rest.
+// Floats per widest vector. Arrays are padded to it: a remainder handled one by one would take most of the time.
 constexpr std::size_t widest_vector = 16;
 std::size_t whole_vectors(std::size_t count) { return (count + widest_vector - 1) / widest_vector * widest_vector; }
 
-float wrapped(float value) { return value < 1.0f ? value : value - 1.0f; }
+float wrap_unit(float value) { return value < 1.0f ? value : value - 1.0f; }
 
-// The loops below are plain ones over arrays, so that the compiler makes vectors of them.
+// The loops below are written so that the compiler vectorises them.
 
 UMBRAMETER_VECTORS void to_disk(std::size_t size, vec2 shift, vec2 turn, Strata strata, const float* __restrict u,
                                 const float* __restrict v, vec2* __restrict points, std::uint16_t* __restrict stratum) {
   for (std::size_t i = 0; i < size; ++i) {
-    const vec2 d = concentric_disk({wrapped(u[i] + shift.x), wrapped(v[i] + shift.y)});
+    const vec2 d = concentric_disk({wrap_unit(u[i] + shift.x), wrap_unit(v[i] + shift.y)});
     const float x = d.x * turn.x - d.y * turn.y;
     const float y = d.x * turn.y + d.y * turn.x;
     points[i] = {x, y};
@@ -53,8 +53,8 @@ UMBRAMETER_VECTORS void to_disk(std::size_t size, vec2 shift, vec2 turn, Strata 
   }
 }
 
-// A hit counts up to `reach` from the surface point: the ray starts above it, which shortens its way by
-// offset · cosine to first order.
+// A hit counts up to `reach` from the surface point. The ray starts at `offset` above it, so its own reach is shorter
+// by offset · cosine, to first order.
 template <class Lift>
 UMBRAMETER_IN_VECTORS void lift_by(const vec2* points, const Hemisphere& hemisphere, const RayLanes& to,
                                    LiftedLanes& lifted, Lift lift) {
@@ -62,7 +62,7 @@ UMBRAMETER_IN_VECTORS void lift_by(const vec2* points, const Hemisphere& hemisph
   const vec3 normal = hemisphere.normal;
   const auto offset = static_cast<float>(hemisphere.offset);
   const double reach = hemisphere.reach;
-  // The compiler can tell these apart, other than what they are copied to.
+  // Local arrays, which the compiler knows not to overlap.
   float x[packet_width], y[packet_width], z[packet_width], cosine[packet_width], step[packet_width],
       reaches[packet_width];
   for (std::size_t i = 0; i < packet_width; ++i) {
@@ -112,7 +112,7 @@ void HemisphereSamples::lift(std::size_t first, const RayLanes& to, LiftedLanes&
   }
 }
 
-// A counting sort that keeps the points of a stratum as they were.
+// A stable counting sort.
 void HemisphereSamples::order(std::size_t strata) {
   const std::size_t size = made_source_.size();
   points_.resize(size + packet_width);
@@ -120,7 +120,7 @@ void HemisphereSamples::order(std::size_t strata) {
   std::fill_n(points_.data() + size, packet_width, vec2(0));
   std::fill_n(source_.data() + size, packet_width, Source{0});
   next_.assign(strata + 1, 0);
-  // The compiler cannot tell that these arrays are apart.
+  // Tells the compiler that the arrays do not overlap.
   std::uint32_t* __restrict const next = next_.data();
   const std::uint16_t* __restrict const stratum = made_stratum_.data();
   const vec2* __restrict const from = made_points_.data();
@@ -159,11 +159,11 @@ void HemisphereSamples::make(const TruthParams& params, const Hemisphere& hemisp
       u_.resize(whole_vectors(count));
       v_.resize(whole_vectors(count));
       make_points(params.sampler == Sampler::owen, begin, scramble, u_, v_);
-      // Shifted and turned at random: edges of occluders that run along the square's or through the middle of the disk
-      // would else have the same count in every randomisation, or one of two, and such counts are far from a normal
-      // distribution (Cranley and Patterson 1976 for the shift).
+      // Each randomisation is shifted (Cranley and Patterson 1976) and rotated at random. Otherwise, for an edge of an
+      // occluder parallel to the square's sides or through the disk's centre, all randomisations would give the same
+      // one or two counts, which are far from normally distributed.
       const vec2 shift(to_unit_float(hash(scramble, 2u)), to_unit_float(hash(scramble, 3u)));
-      // What is too much is overwritten by the next.
+      // Writes up to a vector too much, which the next randomisation overwrites.
       to_disk(u_.size(), shift, direction_at(to_unit_float(hash(scramble, 4u))), strata, u_.data(), v_.data(),
               made_points_.data() + first, made_stratum_.data() + first);
       const std::size_t source = source_of(p, static_cast<std::size_t>(r));

@@ -9,15 +9,15 @@
 
 #include "core/parallel.h"
 #include "core/random.h"
-#include "raytrace/ao_estimate.h"
+#include "raytrace/adaptive_sampling.h"
 #include "raytrace/ao_samples.h"
 #include "raytrace/packet.h"
-#include "raytrace/stopping.h"
+#include "raytrace/randomized_estimate.h"
 #include "raytrace/surfel.h"
 
 namespace umbrameter {
 
-/// What every tile of one image has in common.
+/// The inputs of all tiles of an image.
 struct AoTask {
   const Tracer& tracer;
   const GBuffer& gbuffer;
@@ -25,8 +25,8 @@ struct AoTask {
   std::uint32_t seed = 0;
 };
 
-/// Rays is OcclusionPacket, or HitPacket where distances are wanted. A packet holds rays that look in about the same
-/// direction from pixels next to one another, all of the same triangle.
+/// Rays is OcclusionPacket, or HitPacket if distances are needed. A packet holds rays of similar direction from
+/// neighbouring pixels of one triangle.
 template <class Rays>
 class AoTile {
  public:
@@ -45,21 +45,21 @@ class AoTile {
 
  private:
   static constexpr int block_size = 8;
-  static_assert(block_size * block_size <= HemisphereSamples::most_pixels);
-  // About a third of a megabyte, for the processor's second cache (docs/decisions/packets-of-neighbours.md).
-  static constexpr int most_rays_together = 16384;
+  static_assert(block_size * block_size <= HemisphereSamples::max_pixels);
+  // About a third of a megabyte, so that they fit into the L2 cache (docs/decisions/packets-of-neighbours.md).
+  static constexpr int max_rays_together = 16384;
 
   struct Pixel {
-    explicit Pixel(const TruthParams& params) : stopping(params) {}
+    explicit Pixel(const TruthParams& params) : sample_count(params) {}
     std::size_t index = 0;
     vec3 origin{0};
     Hemisphere hemisphere;
-    Stopping stopping;
-    AoEstimate estimate;
+    AdaptiveSampleCount sample_count;
+    RandomizedEstimate estimate;
     dvec3 open_direction{0.0};
     double blocked = 0.0;
     double blocked_distance = 0.0;
-    bool wants_more = true;
+    bool needs_more = true;
   };
 
   void trace_block(const Tile& block, TracedAo& result) {
@@ -89,40 +89,41 @@ class AoTile {
     Hemisphere& hemisphere = pixel.hemisphere;
     hemisphere.normal = vec3(origin.normal);
     const vec3 shading = task_.gbuffer.shading_normal[i];
-    const bool is_turned = task_.params.ao_normal == AoNormal::shading && glm::dot(shading, shading) > 0.0f;
-    hemisphere.frame = frame_about(is_turned ? glm::normalize(shading) : hemisphere.normal);
+    const bool uses_shading_normal = task_.params.ao_normal == AoNormal::shading && glm::dot(shading, shading) > 0.0f;
+    hemisphere.frame = frame_about(uses_shading_normal ? glm::normalize(shading) : hemisphere.normal);
     hemisphere.offset = origin.offset;
     hemisphere.reach = reach_;
-    // The frame and its product are rounded a few times.
+    // The margin covers the rounding of the frame and of its product with the direction.
     hemisphere.clear_cosine = static_cast<float>(origin.clear_cosine) + 0x1p-20f;
     statistics_.largest_offset = std::max(statistics_.largest_offset, origin.offset);
     return pixel;
   }
 
-  // Distances are summed in the rays' order, which must not depend on other pixels.
+  // Whether the rays of two pixels may be sorted together. Not if distances are summed, because sums of floating-point
+  // numbers depend on their order, which then must not depend on other pixels.
   bool may_share(const Pixel& a, const Pixel& b) const {
     const GBuffer& gbuffer = task_.gbuffer;
     return !Rays::finds_nearest && gbuffer.instance[a.index] == gbuffer.instance[b.index] &&
            gbuffer.triangle[a.index] == gbuffer.triangle[b.index] && a.hemisphere == b.hemisphere;
   }
 
-  // Pixels of one triangle and hemisphere.
+  // Traces pixels that share a triangle and a hemisphere.
   void trace_group(std::span<Pixel> pixels) {
     const std::size_t first = pixels.front().index;
     packet_.set_own_triangle(task_.gbuffer.instance[first], task_.gbuffer.triangle[first]);
     while (!pixels.empty()) {
       for (std::span<Pixel> left = pixels; !left.empty();) {
         std::size_t size = 1;
-        int rays = left.front().stopping.next().size();
-        for (; size < left.size() && rays + left[size].stopping.next().size() <= most_rays_together; ++size) {
-          rays += left[size].stopping.next().size();
+        int rays = left.front().sample_count.next().size();
+        for (; size < left.size() && rays + left[size].sample_count.next().size() <= max_rays_together; ++size) {
+          rays += left[size].sample_count.next().size();
         }
         trace_together(left.first(size));
         left = left.subspan(size);
       }
-      for (Pixel& pixel : pixels) pixel.wants_more = advance(pixel);
+      for (Pixel& pixel : pixels) pixel.needs_more = advance(pixel);
       const auto done =
-          std::partition(pixels.begin(), pixels.end(), [](const Pixel& pixel) { return pixel.wants_more; });
+          std::partition(pixels.begin(), pixels.end(), [](const Pixel& pixel) { return pixel.needs_more; });
       pixels = {pixels.begin(), done};
     }
   }
@@ -131,8 +132,8 @@ class AoTile {
     wanted_.clear();
     for (const Pixel& pixel : pixels) {
       const std::uint32_t stream =
-          hash(static_cast<std::uint32_t>(pixel.index), pixel.stopping.is_pilot() ? 1u : 0u, task_.seed);
-      wanted_.push_back({pixel.origin, pixel.stopping.next(), stream});
+          hash(static_cast<std::uint32_t>(pixel.index), pixel.sample_count.is_pilot() ? 1u : 0u, task_.seed);
+      wanted_.push_back({pixel.origin, pixel.sample_count.next(), stream});
     }
     samples_.make(task_.params, pixels.front().hemisphere, wanted_);
     const std::size_t size = samples_.size();
@@ -152,9 +153,9 @@ class AoTile {
       }
     }
     for (std::size_t p = 0; p < pixels.size(); ++p) {
-      AoEstimate& estimate = pixels[p].estimate;
+      RandomizedEstimate& estimate = pixels[p].estimate;
       estimate.split = wanted_[p].range.split;
-      for (std::size_t r = 0; r < most_randomisations; ++r) {
+      for (std::size_t r = 0; r < max_randomisations; ++r) {
         estimate.open[r] += open[HemisphereSamples::source_of(p, r)];
       }
     }
@@ -175,10 +176,10 @@ class AoTile {
     pixel.open_direction += open * dvec3(rays.dx[lane], rays.dy[lane], rays.dz[lane]);
   }
 
-  // Whether the pixel needs more rays.
+  // Returns whether the pixel needs more rays.
   bool advance(Pixel& pixel) const {
-    const bool was_pilot = pixel.stopping.is_pilot();
-    const bool goes_on = pixel.stopping.advance(task_.params, pixel.estimate);
+    const bool was_pilot = pixel.sample_count.is_pilot();
+    const bool goes_on = pixel.sample_count.advance(task_.params, pixel.estimate);
     if (was_pilot) {
       pixel.estimate = {};
       pixel.open_direction = dvec3(0.0);
@@ -188,7 +189,7 @@ class AoTile {
   }
 
   void store(const Pixel& pixel, TracedAo& result) const {
-    const PixelEstimate& estimate = pixel.stopping.estimate();
+    const PixelEstimate& estimate = pixel.sample_count.estimate();
     result.ao[pixel.index] = static_cast<float>(estimate.value);
     result.standard_error[pixel.index] = static_cast<float>(estimate.standard_error);
     result.variance[pixel.index] = static_cast<float>(estimate.variance);

@@ -11,8 +11,8 @@
 namespace umbrameter {
 namespace {
 
-// Of SphericalRectangle: where it is more, a rectangle is small or seen nearly edge on.
-constexpr double most_error = 0x1p-20;
+// Above this SphericalRectangle::error() a rectangle is very small or seen nearly edge-on, and is sampled by area.
+constexpr double max_error = 0x1p-20;
 
 float fraction(float value) { return value - std::floor(value); }
 
@@ -22,9 +22,9 @@ dvec3 across(const dvec3& n) {
 
 }  // namespace
 
-vec2 slanted(vec2 point, vec2 slants) {
-  const float u = fraction(point.x + slants.x * point.y);
-  return {u, fraction(point.y + slants.y * u)};
+vec2 shear(vec2 point, vec2 factors) {
+  const float u = fraction(point.x + factors.x * point.y);
+  return {u, fraction(point.y + factors.y * u)};
 }
 
 LightView::LightView(const Light& light, LightSampling sampling, const dvec3& from) : sampling_(sampling) {
@@ -33,7 +33,7 @@ LightView::LightView(const Light& light, LightSampling sampling, const dvec3& fr
   x_ = axes[0];
   y_ = axes[1];
   z_ = axes[2];
-  way_ = light.position() - from;
+  to_center_ = light.position() - from;
   is_round_ = true;
   if (const auto* rectangle = std::get_if<RectangleEmitter>(&light.emitter)) {
     is_flat_ = true;
@@ -41,23 +41,23 @@ LightView::LightView(const Light& light, LightSampling sampling, const dvec3& fr
     x_ *= 0.5 * rectangle->width;
     y_ *= 0.5 * rectangle->height;
     if (sampling == LightSampling::solid_angle) {
-      const SphericalRectangle spherical(way_, x_, y_);
-      if (spherical.error() < most_error) spherical_ = spherical;
+      const SphericalRectangle spherical(to_center_, x_, y_);
+      if (spherical.error() < max_error) spherical_ = spherical;
     }
   } else if (const auto* disk = std::get_if<DiskEmitter>(&light.emitter)) {
     is_flat_ = true;
     x_ *= disk->radius;
     y_ *= disk->radius;
   } else if (const auto* distant = std::get_if<DistantEmitter>(&light.emitter)) {
-    way_ = z_;
+    to_center_ = z_;
     tangent_ = std::tan(0.5 * distant->angular_diameter);
     cap_ = 2.0 * std::pow(std::sin(0.25 * distant->angular_diameter), 2);
   } else if (const auto* sphere = std::get_if<SphereEmitter>(&light.emitter)) {
     radius_ = sphere->radius;
-    const double distance = glm::length(way_);
-    is_within_ = !(distance > radius_);
-    if (is_within_) return;
-    z_ = way_ / distance;
+    const double distance = glm::length(to_center_);
+    is_inside_ = !(distance > radius_);
+    if (is_inside_) return;
+    z_ = to_center_ / distance;
     x_ = across(z_);
     y_ = glm::cross(z_, x_);
     tangent_ = radius_ / std::sqrt((distance - radius_) * (distance + radius_));
@@ -69,14 +69,13 @@ LightView::Sample LightView::sample(vec2 point) const {
   const dvec2 p = is_round_ ? dvec2(concentric_disk(point)) : 2.0 * dvec2(point) - 1.0;
   if (!is_flat_) return in_cone(p);
   Sample sample;
-  const dvec3 way = spherical_ ? spherical_->sample(dvec2(point)) : way_ + p.x * x_ + p.y * y_;
+  const dvec3 way = spherical_ ? spherical_->sample(dvec2(point)) : to_center_ + p.x * x_ + p.y * y_;
   const double distance = glm::length(way);
-  if (!(distance > std::numeric_limits<float>::min())) return {z_, 0.0, 1.0};  // at the surfel itself
+  if (!(distance > std::numeric_limits<float>::min())) return {z_, 0.0, 1.0};  // the point is at the surfel
   sample.direction = way / distance;
   sample.reach = distance;
-  // The solid angle of a piece is its area times cosine over squared distance. The cosine is the surfel's height over
-  // the light's plane over the distance; that height is the same for all points, and so has no part in a share. Nor is
-  // there a 0/0 where the light is seen edge on.
+  // A piece's solid angle is its area · cosine / distance², and the cosine is the surfel's height above the light's
+  // plane / distance. The height is the same for all points and cancels, which also avoids 0/0 for lights seen edge-on.
   if (sampling_ == LightSampling::solid_angle && !spherical_) sample.weight = 1.0 / (distance * distance * distance);
   return sample;
 }
@@ -86,7 +85,7 @@ LightView::Sample LightView::in_cone(const dvec2& disk) const {
   if (sampling_ == LightSampling::area) {
     sample.direction = glm::normalize(z_ + tangent_ * (disk.x * x_ + disk.y * y_));
   } else {
-    // Equal areas of the cap lie at equal heights (Archimedes): 1 − cos θ = r²·cap; sin θ over r has no 0/0.
+    // Uniform in the cap's area means uniform in height (Archimedes): 1 − cos θ = r²·cap. sin θ / r avoids 0/0.
     const double height = cap_ * glm::dot(disk, disk);
     sample.direction = (1.0 - height) * z_ + std::sqrt(cap_ * (2.0 - height)) * (disk.x * x_ + disk.y * y_);
   }
@@ -94,11 +93,11 @@ LightView::Sample LightView::in_cone(const dvec2& disk) const {
     sample.reach = std::numeric_limits<double>::infinity();
     return sample;
   }
-  // Near crossing of the sphere: t² − 2t(ω·way) + way² − R² = 0, in the form that loses no digits.
-  const double along = glm::dot(sample.direction, way_);
-  const dvec3 aside = way_ - along * sample.direction;
+  // The nearer intersection with the sphere, t² − 2t(ω·c) + c² − R² = 0 with c = to_center_, without cancellation.
+  const double along = glm::dot(sample.direction, to_center_);
+  const dvec3 aside = to_center_ - along * sample.direction;
   const double half_chord = std::sqrt(std::max(radius_ * radius_ - glm::dot(aside, aside), 0.0));
-  const double distance = glm::length(way_);
+  const double distance = glm::length(to_center_);
   sample.reach = (distance - radius_) * (distance + radius_) / (along + half_chord);
   return sample;
 }

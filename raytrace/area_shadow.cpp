@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "core/random.h"
+#include "raytrace/adaptive_sampling.h"
 #include "raytrace/area_light.h"
 #include "raytrace/packet.h"
 #include "raytrace/sampler.h"
-#include "raytrace/stopping.h"
 #include "raytrace/surfel.h"
 #include "scenes/light.h"
 
@@ -21,26 +21,26 @@ namespace umbrameter {
 namespace {
 
 constexpr int tile_size = 16;
-// Packets of pixels near one another look at one light: coherent rays without more ado.
+// A packet holds one ray from each pixel of a block.
 constexpr int block_size = 4;
 static_assert(block_size * block_size == packet_width);
-// Keep the points apart from those of other quantities at the same pixel.
+// Make the random numbers independent of those for other quantities at the same pixel.
 constexpr std::uint32_t purpose = 0x11947u;
 constexpr std::uint32_t pilot_purpose = 0x21947u;
-constexpr std::uint32_t slant_purpose = 0x31947u;
+constexpr std::uint32_t shear_purpose = 0x31947u;
 
-// Weighted points of one randomisation.
+// Sums of the weights of one randomisation's points.
 struct Sums {
   double lit = 0.0;
   double all = 0.0;
-  double squares = 0.0;
+  double squares = 0.0;  // of squared weights
 };
-using AllSums = std::array<Sums, most_randomisations>;
+using AllSums = std::array<Sums, max_randomisations>;
 
-// Even points that would say the same of the randomisations from `first` to `last`: their ratio, and its scatter by the
-// delta method (Cochran, Sampling Techniques, 1977, section 6.4). Uneven weights are worth as many as (Σ w)²/Σ w² even
-// ones (Kish, Survey Sampling, 1965, section 11.7). With weights of 1 these are the points themselves.
-void add_even(AoEstimate& even, const AllSums& sums, int first, int last) {
+// Adds the randomisations from `first` to `last` to an estimate with equal weights: the ratio lit / all, with its
+// scatter by the delta method (Cochran, Sampling Techniques, 1977, section 6.4). The effective sample size of points
+// with unequal weights is (Σ w)²/Σ w² (Kish, Survey Sampling, 1965, section 11.7). With weights of 1 nothing changes.
+void add_randomisations(RandomizedEstimate& estimate, const AllSums& sums, int first, int last) {
   Sums total;
   int points = 0;
   for (int r = first; r < last; ++r) {
@@ -48,14 +48,15 @@ void add_even(AoEstimate& even, const AllSums& sums, int first, int last) {
     total.lit += s.lit;
     total.all += s.all;
     total.squares += s.squares;
-    points += even.split.size(r);
+    points += estimate.split.size(r);
   }
   const double share = total.lit / total.all;
   for (int r = first; r < last; ++r) {
     const Sums& s = sums[static_cast<std::size_t>(r)];
-    even.open[static_cast<std::size_t>(r)] = share * even.split.size(r) + (s.lit - share * s.all) * points / total.all;
+    estimate.open[static_cast<std::size_t>(r)] =
+        share * estimate.split.size(r) + (s.lit - share * s.all) * points / total.all;
   }
-  even.worth = std::min(even.worth, total.all * total.all / (points * total.squares));
+  estimate.effective_share = std::min(estimate.effective_share, total.all * total.all / (points * total.squares));
 }
 
 struct Pixel {
@@ -65,23 +66,23 @@ struct Pixel {
   dvec3 triangle_normal{0.0};  // RayOrigin::normal
   double clear_cosine = 2.0;
   LightView view;
-  vec2 slants{1.0f};
-  Stopping stopping;
+  vec2 shear_factors{1.0f};
+  AdaptiveSampleCount sample_count;
   AllSums sums{};
 
-  // The points of next() have been traced. Whether more are wanted.
+  // Call after tracing the points of next(). Returns whether more are needed.
   bool advance(const TruthParams& params) {
-    AoEstimate even;
-    even.split = stopping.next().split;
-    const int count = even.split.count;
-    if (params.tolerance > 0.0) {  // halves have to know nothing of one another
-      add_even(even, sums, 0, count / 2);
-      add_even(even, sums, count / 2, count);
+    RandomizedEstimate estimate;
+    estimate.split = sample_count.next().split;
+    const int count = estimate.split.count;
+    if (params.tolerance > 0.0) {  // the halves must be independent
+      add_randomisations(estimate, sums, 0, count / 2);
+      add_randomisations(estimate, sums, count / 2, count);
     } else {
-      add_even(even, sums, 0, count);
+      add_randomisations(estimate, sums, 0, count);
     }
-    const bool was_pilot = stopping.is_pilot();
-    const bool goes_on = stopping.advance(params, even);
+    const bool was_pilot = sample_count.is_pilot();
+    const bool goes_on = sample_count.advance(params, estimate);
     if (was_pilot) sums = {};
     return goes_on;
   }
@@ -108,10 +109,10 @@ class TileTracer {
         }
       }
     }
-    // Pixels that want the same range of points share packets; each one's answer depends on its own rays alone.
+    // Pixels that need the same range of points share packets. A pixel's result depends on its own rays only.
     while (!pending_.empty()) {
       const auto work = [this](int i) {
-        const Stopping& s = pixels_[static_cast<std::size_t>(i)].stopping;
+        const AdaptiveSampleCount& s = pixels_[static_cast<std::size_t>(i)].sample_count;
         return std::tuple(s.is_pilot(), s.next().begin, s.next().split.points);
       };
       std::stable_sort(pending_.begin(), pending_.end(), [&](int a, int b) { return work(a) < work(b); });
@@ -133,8 +134,8 @@ class TileTracer {
  private:
   void add(std::size_t i, TracedVisibility& result) {
     const RayOrigin origin = ray_origin(gbuffer_, i, triangles_);
-    const auto slant = [&](std::uint32_t axis) {
-      return 0.5f + to_unit_float(hash(static_cast<std::uint32_t>(i), axis, sampling_.seed, slant_purpose));
+    const auto random_factor = [&](std::uint32_t axis) {
+      return 0.5f + to_unit_float(hash(static_cast<std::uint32_t>(i), axis, sampling_.seed, shear_purpose));
     };
     Pixel pixel{i,
                 vec3(origin.point),
@@ -142,9 +143,9 @@ class TileTracer {
                 origin.normal,
                 origin.clear_cosine,
                 {light_, sampling_.params.light_sampling, dvec3(vec3(origin.point))},
-                {slant(0u), slant(1u)},
-                Stopping(sampling_.params)};
-    if (pixel.view.is_within()) return;
+                {random_factor(0u), random_factor(1u)},
+                AdaptiveSampleCount(sampling_.params)};
+    if (pixel.view.is_inside()) return;
     if (!faces(light_, dvec3(gbuffer_.position[i]), pixel.normal)) {
       result.visibility[i] = 0.0f;
       return;
@@ -163,7 +164,7 @@ class TileTracer {
       packet_.add({pixel.origin, vec3(0, 0, 1), 0.0f, true}, gbuffer_.instance[pixel.index],
                   gbuffer_.triangle[pixel.index]);
     }
-    const SampleRange range = pending(first).stopping.next();
+    const SampleRange range = pending(first).sample_count.next();
     const Randomisations before{range.split.count, range.begin};
     for (int r = 0; r < range.split.count; ++r) {
       for (int i = before.size(r); i < range.split.size(r); ++i) {
@@ -172,20 +173,20 @@ class TileTracer {
     }
   }
 
-  // One point of every pixel. The surface itself hides what is below its horizon.
+  // Traces one point for each pixel of the packet. Points below the surfel's plane are hidden and need no ray.
   void trace_point(std::size_t first, std::uint32_t randomisation, std::uint32_t index) {
     std::array<double, packet_width> weights{};
     std::array<bool, packet_width> is_traced{};
     for (std::size_t l = 0; l < packet_.size(); ++l) {
       const Pixel& pixel = pending(first + l);
       const std::uint32_t scramble = hash(static_cast<std::uint32_t>(pixel.index), randomisation, sampling_.seed,
-                                          pixel.stopping.is_pilot() ? pilot_purpose : purpose);
-      const LightView::Sample sample = pixel.view.sample(slanted(point_of(index, scramble), pixel.slants));
+                                          pixel.sample_count.is_pilot() ? pilot_purpose : purpose);
+      const LightView::Sample sample = pixel.view.sample(shear(point_of(index, scramble), pixel.shear_factors));
       const bool is_above = glm::dot(pixel.normal, sample.direction) > 0.0;
       is_traced[l] = is_above;
       weights[l] = sample.weight;
       const vec3 direction(sample.direction);
-      // Nothing is hit by a ray without length.
+      // A ray of zero length hits nothing.
       packet_.aim(l, {pixel.origin, direction, is_above ? reach_to_light(sample.reach) : 0.0f,
                       !is_above || is_clear(pixel.triangle_normal, pixel.clear_cosine, direction)});
       statistics_.rays += is_above ? 1u : 0u;
@@ -205,7 +206,7 @@ class TileTracer {
   }
 
   void store(const Pixel& pixel, TracedVisibility& result) const {
-    const PixelEstimate& estimate = pixel.stopping.estimate();
+    const PixelEstimate& estimate = pixel.sample_count.estimate();
     result.visibility[pixel.index] = static_cast<float>(estimate.value);
     result.variance[pixel.index] = static_cast<float>(estimate.variance);
     result.standard_error[pixel.index] = static_cast<float>(estimate.standard_error);

@@ -1,4 +1,4 @@
-// Visibility of lights with extent. For raytrace/*.cpp alone; trace_visibility() comes here.
+// Visibility of lights with extent. For raytrace/*.cpp alone: others call trace_visibility().
 #pragma once
 
 #include "raytrace/tracer.h"

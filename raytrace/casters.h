@@ -1,4 +1,4 @@
-// Who casts each surfel's shadow: the first surface on the way to a light.
+// The instance that casts the shadow on each surfel: the first surface on the ray to a light.
 #pragma once
 
 #include "core/gbuffer.h"
@@ -7,13 +7,13 @@
 namespace umbrameter {
 
 struct TracedCasters {
-  Image<std::uint32_t> instance;  ///< no_id on background, where turned away and where nothing is in the way
-  Image<float> distance;  ///< metres from the ray's start, a step off the surfel, to the caster; 0 where none is
+  Image<std::uint32_t> instance;  ///< no_id on the background, on back-facing and on lit surfels
+  Image<float> distance;          ///< metres from the ray's origin to the caster; 0 without one
   std::uint64_t rays = 0;
 };
 
-/// By the rays of trace_visibility() to a light without extent; of one with extent to its middle. Where that calls a
-/// surfel blocked there is a caster here, and nowhere else.
+/// Traces the rays of trace_visibility(), to the centre of a light with extent. For a light without extent, exactly the
+/// surfels that trace_visibility() finds blocked have a caster.
 TracedCasters trace_casters(const Tracer& tracer, const GBuffer& gbuffer, const Light& light,
                             const Progress& progress = {});
 

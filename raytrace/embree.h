@@ -1,9 +1,9 @@
-// The only file that knows which Embree it is: 3.13 takes a context, 4 an arguments struct.
+// The only file that depends on Embree's version: 3.13 takes a context, 4 an arguments struct.
 // For raytrace/*.cpp alone.
 #pragma once
 
 #ifndef UMBRAMETER_EMBREE_MAJOR
-#error "only what is linked with Embree itself knows which one it is"
+#error "only targets that link Embree may include this"
 #endif
 #if UMBRAMETER_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>
@@ -48,8 +48,8 @@ inline void prepare(Query& query, RTCFilterFunctionN filter) {
   set_filter(query, filter);
 }
 
-/// Packets of this query hold rays that look in about the same direction. May never return where Embree takes packets
-/// of sixteen natively (docs/decisions/coherence-hint.md).
+/// Tells Embree that the packets of this query hold rays of similar direction. The query may never return where Embree
+/// traces packets of sixteen natively (docs/decisions/coherence-hint.md).
 inline void hint_coherence(Query& query) {
 #if UMBRAMETER_EMBREE_MAJOR >= 4
   query.coherence = RTC_RAY_QUERY_FLAG_COHERENT;

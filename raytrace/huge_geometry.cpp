@@ -11,7 +11,7 @@ namespace {
 
 HugeGeometry& geometry_of(void* user) { return *static_cast<HugeGeometry*>(user); }
 
-// Rounded outwards, so that no box is smaller than what it holds.
+// The bounds are rounded outwards, so that the box contains the triangle.
 float below(double value) { return std::nextafter(static_cast<float>(value), -std::numeric_limits<float>::infinity()); }
 float above(double value) { return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity()); }
 
@@ -29,7 +29,7 @@ void find_bounds(const RTCBoundsFunctionArguments* arguments) {
   bounds.upper_z = above(high.z);
 }
 
-// Calls use(lane, hit, instance, triangle) for each ray in use that has a hit that counts.
+// Calls use(lane, hit, instance, triangle) for each active ray that hits the triangle.
 template <class Arguments, class Use>
 void for_each_hit(const Arguments& arguments, RTCRayN* rays, const Use& use) {
   const HugeGeometry& geometry = geometry_of(arguments.geometryUserPtr);
@@ -38,10 +38,10 @@ void for_each_hit(const Arguments& arguments, RTCRayN* rays, const Use& use) {
   const std::uint32_t instance = instance_of(arguments.context->instID[0], geometry.instance);
   const unsigned n = arguments.N;
   for (unsigned i = 0; i < n; ++i) {
-    if (arguments.valid[i] == 0 || is_passed(query, RTCRayN_id(rays, n, i), instance, triangle.id)) continue;
+    if (arguments.valid[i] == 0 || is_ignored(query, RTCRayN_id(rays, n, i), instance, triangle.id)) continue;
     const dvec3 origin(RTCRayN_org_x(rays, n, i), RTCRayN_org_y(rays, n, i), RTCRayN_org_z(rays, n, i));
     const dvec3 direction(RTCRayN_dir_x(rays, n, i), RTCRayN_dir_y(rays, n, i), RTCRayN_dir_z(rays, n, i));
-    const std::optional<HugeHit> hit = meet(triangle, origin, direction);
+    const std::optional<HugeHit> hit = intersect_line(triangle, origin, direction);
     if (!hit || !(hit->distance > static_cast<double>(RTCRayN_tnear(rays, n, i)))) continue;
     if (hit->distance > static_cast<double>(RTCRayN_tfar(rays, n, i))) continue;
     if (geometry.mask != nullptr && !geometry.mask->is_opaque(triangle.id, vec2(hit->weights))) continue;

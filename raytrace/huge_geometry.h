@@ -1,4 +1,4 @@
-// Huge triangles as Embree sees them: a geometry whose test is ours. For raytrace/*.cpp alone.
+// Huge triangles as an Embree user geometry, which our own code intersects. For raytrace/*.cpp alone.
 #pragma once
 
 #include "raytrace/embree.h"
@@ -8,16 +8,16 @@ namespace umbrameter {
 
 class MeshMask;
 
-/// Huge triangles that are stored together. Hits on them report the instance and the triangle that they are in the
-/// scene, like hits on any other.
+/// The huge triangles of a mesh. Hits report their instance and their triangle ids in the scene, as for other
+/// triangles.
 struct HugeGeometry {
-  std::vector<HugeTriangle> triangles;  ///< by id
-  std::uint32_t instance = 0;           ///< that hits report; of a shared mesh Embree knows it
+  std::vector<HugeTriangle> triangles;  ///< sorted by id
+  std::uint32_t instance = 0;           ///< reported by hits, unless the mesh is shared: then Embree reports it
   const MeshMask* mask = nullptr;       ///< null unless the material is masked
   bool has(std::uint32_t triangle) const;
 };
 
-/// Gives the geometry, which must be of type RTC_GEOMETRY_TYPE_USER, its triangles, which must outlive it.
+/// Sets the triangles of a geometry of type RTC_GEOMETRY_TYPE_USER. They must outlive it.
 void set_huge_triangles(RTCGeometry geometry, HugeGeometry& huge);
 
 }  // namespace umbrameter

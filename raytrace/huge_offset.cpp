@@ -11,7 +11,7 @@ namespace {
 
 dmat3 absolute(const dmat3& m) { return {glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2])}; }
 
-// Shortens the mantissa to four bits: pixels with one offset share packets.
+// Rounds the mantissa up to four bits, so that more pixels have equal offsets and share packets.
 double rounded_up(double value) {
   int exponent = 0;
   const double mantissa = std::frexp(value, &exponent);
@@ -20,18 +20,19 @@ double rounded_up(double value) {
 
 }  // namespace
 
-// As in surfel.cpp the step is for other triangles in the same plane, which must not be hit. The huge triangle itself
-// is met in double precision. All errors are taken along the normal n, in which a level ground has hardly any, and
-// those of the origin where it is. With u and γ as at half_ulp:
+// As in surfel.cpp, the step is for other triangles in the same plane, which must not be hit. The huge triangle itself
+// is intersected in double precision. All errors are measured along the normal n, where a level ground has almost none,
+// and those of the origin at the point itself. With u and γ as at half_ulp:
 //   file coordinates and the translation of two such triangles, each rounded once
 //                                                           2u · (max |n·M|·|p| over the corners + |n|·|t|)
 //   the origin at p, rounded to floats                      u · |n|·|p|
 //   the vertices of a neighbour that is not huge, no farther from p than its longest edge ℓ: file and float
 //                                                           2u · |n|·(|p| + ℓ·√(1 − n²))
 //   Embree's distance to that neighbour's plane: side_error of a triangle that is no sliver        16u · ℓ
-//   of a shared mesh, the origin taken into its space       InstanceInfo::origin_error
+//   of a shared mesh, the origin transformed to its space   InstanceInfo::origin_error
 //   and its matrix rounded to floats, for two such          2u · |n|·(|M|·|M⁻¹|·(|p| + |t|) + |t|)
-//   double precision: corners, normal and the foot of p, at most 64 roundings of the longest edge over the least height
+//   in double precision: corners, normal and the projection of p, at most 64 roundings of the longest edge over the
+//   least height
 void describe_huge(const Tracer& tracer, std::uint32_t instance, std::uint32_t id, SurfelTriangle& triangle) {
   const Tracer::State& state = tracer.state();
   const InstanceInfo& info = state.instances[instance];
@@ -67,13 +68,13 @@ void describe_huge(const Tracer& tracer, std::uint32_t instance, std::uint32_t i
 
   triangle.offset = constant;
   triangle.offset_gain = gain;
-  // No ray meets its own huge triangle, whether Embree calls a filter or not.
+  // No ray hits its own huge triangle, because for_each_hit() in huge_geometry.cpp ignores it without a filter.
   triangle.clear_cosine = -1.0;
   for (std::size_t i = 0; i < 3; ++i) triangle.insets[i] = twice_area / lengths[i] / 3.0;
   triangle.min_inwards.fill(std::numeric_limits<double>::infinity());
 }
 
-// The origin itself is a few offsets away from the point, which adds less than a millionth.
+// The origin is a few offsets away from the point, which adds less than a millionth.
 double offset_at(const SurfelTriangle& huge, const dvec3& point) {
   return rounded_up((huge.offset + glm::dot(huge.offset_gain, glm::abs(point))) * (1.0 + 1e-6));
 }

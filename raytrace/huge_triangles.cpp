@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "raytrace/placement.h"
+#include "raytrace/instance_error.h"
 
 namespace umbrameter {
 namespace {
@@ -25,15 +25,15 @@ double longest_of(const Corners& corners) {
                    glm::length(corners[0] - corners[2])});
 }
 
-// Six times the volume between an edge and a unit of the direction, whose sign tells the side on which the line passes.
-// Of the edge the other way round it is the same number with the other sign, to the last bit.
+// Six times the volume of the tetrahedron spanned by an edge and the direction. Its sign is the side on which the line
+// passes the edge. For the reversed edge the result is negated exactly.
 double side_of(const dvec3& from, const dvec3& to, const dvec3& direction) {
   return glm::dot(glm::cross(from, to), direction);
 }
 
 }  // namespace
 
-std::optional<HugeHit> meet(const HugeTriangle& triangle, const dvec3& origin, const dvec3& direction) {
+std::optional<HugeHit> intersect_line(const HugeTriangle& triangle, const dvec3& origin, const dvec3& direction) {
   const dvec3 seen[] = {triangle.corners[0] - origin, triangle.corners[1] - origin, triangle.corners[2] - origin};
   const double sides[] = {side_of(seen[0], seen[1], direction), side_of(seen[1], seen[2], direction),
                           side_of(seen[2], seen[0], direction)};
@@ -57,37 +57,38 @@ std::optional<HugeHit> meet(const HugeTriangle& triangle, const dvec3& origin, c
   return HugeHit{glm::dot(normal, seen[0]) / along, weights};
 }
 
-double longest_edge(const Mesh& mesh, const dmat4& placed, double most) {
+double longest_edge(const Mesh& mesh, const dmat4& placed, double max_edge) {
   double longest = 0.0;
   for (const uvec3& triangle : mesh.triangles) {
     const double edge = longest_of(corners_of(mesh, triangle, placed));
-    if (edge <= most) longest = std::max(longest, edge);
+    if (edge <= max_edge) longest = std::max(longest, edge);
   }
   return longest;
 }
 
 double huge_edge(const std::vector<StoredMesh>& meshes) {
-  // By powers of two over the least.
+  // Numbers of triangles by ⌊log2(edge / min_huge_edge)⌋.
   std::array<std::uint64_t, 1024> counts{};
   for (const StoredMesh& stored : meshes) {
-    if (stored.longest_edge * stored.stretch <= least_huge_edge) continue;
+    if (stored.longest_edge * stored.stretch <= min_huge_edge) continue;
     for (const uvec3& triangle : stored.mesh->triangles) {
       const double edge = longest_of(corners_of(*stored.mesh, triangle, stored.placed)) * stored.stretch;
-      if (!(edge > least_huge_edge) || !std::isfinite(edge)) continue;
-      const int power = std::ilogb(edge / least_huge_edge);
+      if (!(edge > min_huge_edge) || !std::isfinite(edge)) continue;
+      const int power = std::ilogb(edge / min_huge_edge);
       ++counts[static_cast<std::size_t>(std::clamp(power, 0, static_cast<int>(counts.size()) - 1))];
     }
   }
   std::size_t first = counts.size();
   for (std::uint64_t larger = 0; first > 0; --first) {
     larger += counts[first - 1];
-    if (larger > most_huge_triangles) break;
+    if (larger > max_huge_triangles) break;
   }
-  return std::ldexp(least_huge_edge, static_cast<int>(first));
+  return std::ldexp(min_huge_edge, static_cast<int>(first));
 }
 
-// Embree finds the side on which a ray passes an edge from the corners as it sees them, the edge and their sum, all in
-// floats: γ(8) of their lengths at most, across the ray. An edge that is moved to the world is rounded there as well.
+// Embree finds the side on which a ray passes an edge from the corners relative to the ray's origin, their difference
+// and their sum, all in floats: the error across the ray is at most γ(8) of the corners' lengths. Transforming an edge
+// to the world rounds it once more.
 std::vector<HugeTriangle> huge_triangles(const StoredMesh& stored, double huge_edge) {
   std::vector<HugeTriangle> found;
   if (stored.longest_edge * stored.stretch <= huge_edge) return found;
@@ -101,7 +102,7 @@ std::vector<HugeTriangle> huge_triangles(const StoredMesh& stored, double huge_e
       const dvec3& from = corners[i];
       const dvec3& to = corners[(i + 1) % 3];
       huge.corners[i] = from;
-      if (glm::length(to - from) > longest) continue;  // so long that its other triangle is huge, too
+      if (glm::length(to - from) > longest) continue;  // so long that the neighbour is huge too
       huge.relative_margin[i] = 8.0 * half_ulp;
       huge.margin[i] = half_ulp * std::max(glm::length(from), glm::length(to));
     }

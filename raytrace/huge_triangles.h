@@ -1,5 +1,5 @@
-// Triangles so large that rounding in Embree's test would move the rays that leave them: which they are, and a test in
-// double precision. Knows nothing of Embree. For raytrace/*.cpp and tests.
+// Triangles so large that Embree's rounding would require a visible offset of the rays that leave them. Finds them and
+// intersects them in double precision, without Embree. For raytrace/*.cpp and tests.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 
 namespace umbrameter {
 
-/// Metres. Embree's floats take an offset of about 1e-6 of a triangle's longest edge: 0.05 mm here.
-inline constexpr double least_huge_edge = 50.0;
-/// Where more triangles than this are so large, they are what the scene is made of, and only larger ones are huge.
-inline constexpr std::uint64_t most_huge_triangles = 4096;
+/// Metres. With Embree's floats the offset is about 1e-6 of a triangle's longest edge: 0.05 mm here.
+inline constexpr double min_huge_edge = 50.0;
+/// If more triangles of a scene are so large, only larger ones count as huge: see huge_edge().
+inline constexpr std::uint64_t max_huge_triangles = 4096;
 
 struct HugeTriangle {
   std::uint32_t id = 0;  ///< in its mesh
   dvec3 corners[3]{};
-  /// What Embree may be off on the edges that start at each corner, relative to the lengths of both their corners as
-  /// seen from a ray's origin, and absolute, metres. Zero for edges that only huge triangles can share.
+  /// Bounds on Embree's error at the edges that start at each corner: relative to the sum of the distances of the
+  /// edge's corners from the ray's origin, and absolute, metres. Zero for edges that only huge triangles can share.
   double relative_margin[3]{};
   double margin[3]{};
 };
@@ -28,25 +28,26 @@ struct HugeHit {
   double distance = 0.0;  ///< in lengths of the direction
   dvec2 weights{0.0};     ///< of the second and third corner
 };
-/// Where the line meets the triangle, before its origin or behind. Lines through an edge that two triangles share meet
+/// Intersection with the line, in front of its origin or behind. A line through an edge that two triangles share hits
 /// one of them.
-std::optional<HugeHit> meet(const HugeTriangle& triangle, const dvec3& origin, const dvec3& direction);
+std::optional<HugeHit> intersect_line(const HugeTriangle& triangle, const dvec3& origin, const dvec3& direction);
 
-/// The longest edge of a mesh so placed, metres; of the triangles alone whose edges are no longer than `most`.
-double longest_edge(const Mesh& mesh, const dmat4& placed, double most);
+/// The longest edge of a transformed mesh, metres, among the triangles without an edge longer than `max_edge`.
+double longest_edge(const Mesh& mesh, const dmat4& placed, double max_edge);
 
-/// The meshes of a scene as a tracer stores them: those of one instance in the world, others in their own space.
+/// A mesh as the tracer stores it: in world space if it has one instance, in its own space if it has several.
 struct StoredMesh {
   const Mesh* mesh = nullptr;
   dmat4 placed{1.0};
-  double stretch = 1.0;  ///< metres in the world for one in the space that it is stored in, at most
+  double stretch = 1.0;  ///< largest scale factor from the space in which it is stored to the world
   double longest_edge = 0.0;
 };
 
-/// Metres: triangles with a longer edge are huge. Never less than least_huge_edge.
+/// Triangles with an edge longer than this are huge, metres: min_huge_edge, doubled until there are at most
+/// max_huge_triangles.
 double huge_edge(const std::vector<StoredMesh>& meshes);
 
-/// The triangles that are huge, by id.
+/// The huge triangles of a mesh, sorted by id.
 std::vector<HugeTriangle> huge_triangles(const StoredMesh& stored, double huge_edge);
 
 }  // namespace umbrameter

@@ -59,7 +59,7 @@ class Packet {
 
   explicit Packet(const Tracer::State& state, Coherence coherence = Coherence::low) : state_(&state) {
     prepare(query_, state, false);
-    if (coherence == Coherence::high && !state.takes_16_lanes) embree::hint_coherence(query_.query);
+    if (coherence == Coherence::high && !state.has_native_packets) embree::hint_coherence(query_.query);
     for (std::size_t lane = 0; lane < packet_width; ++lane) {
       aim(lane, {});  // lanes without a ray hold valid numbers too
       rays().tnear[lane] = 0.0f;

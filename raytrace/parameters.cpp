@@ -12,8 +12,8 @@
 namespace umbrameter {
 namespace {
 
-constexpr int least_min_spp = 64;
-constexpr int most_spp = 1048576;
+constexpr int lowest_spp_limit = 64;
+constexpr int highest_spp_limit = 1048576;
 
 }  // namespace
 
@@ -46,10 +46,12 @@ Parameters describe(TruthParams& params) {
               .min = 0.0,
               .max = 1.0,
               .basic = true})
-      .field("min-spp", params.min_spp,
-             {"rays", "min rays per pixel (adaptive sampling)", static_cast<double>(least_min_spp), most_spp})
-      .field("max-spp", params.max_spp,
-             {"rays", "max rays per pixel (adaptive sampling)", static_cast<double>(least_min_spp), most_spp})
+      .field(
+          "min-spp", params.min_spp,
+          {"rays", "min rays per pixel (adaptive sampling)", static_cast<double>(lowest_spp_limit), highest_spp_limit})
+      .field(
+          "max-spp", params.max_spp,
+          {"rays", "max rays per pixel (adaptive sampling)", static_cast<double>(lowest_spp_limit), highest_spp_limit})
       .choice("ao-falloff", params.ao_falloff, falloffs,
               {"", "falloff of AO occluders with distance: a curve, or that of a technique"})
       .choice("ao-normal", params.ao_normal, normals, {"", "normal that the AO hemisphere is centred on"})

@@ -1,4 +1,4 @@
-// What the reference is set to: the truth.* parameters.
+// The truth.* parameters, which control the reference.
 #pragma once
 
 #include "core/parameters.h"
@@ -7,21 +7,21 @@ namespace umbrameter {
 
 enum class AoWeight : int { cosine, uniform };
 
-/// Where a pixel's rays go: Owen-scrambled Sobol points, or independent random ones for comparison.
+/// The points that determine a pixel's rays: Owen-scrambled Sobol points, or independent random ones for comparison.
 enum class Sampler : int { owen, random };
 
-/// How much a hit occludes by its distance; falloff_weight() holds the formulas.
+/// How much a hit occludes, as a function of its distance: see falloff_weight().
 enum class AoFalloff : int { none, linear, quadratic, ssao, sao, hbao, gtao };
 
-/// What the hemisphere stands on. Directions below the triangle's plane are blocked, at distance 0.
+/// The axis of the hemisphere. Directions below the triangle's plane are blocked, at distance 0.
 enum class AoNormal : int { geometric, shading };
 
-/// Which layers are traced besides accessibility. They need the nearest hit, which is slower than any hit.
+/// Layers besides accessibility. They need the nearest hit, which is slower than any hit.
 enum class AoLayers : int { none, bent_normal, hit_distance, all };
 
-/// What of a light with extent visibility is the share of. `area`: of its area; of a sphere, of the disk that it shows
-/// the surfel; of a distant light, of its disk in the plane across its axis. `solid_angle`: of the solid angle that it
-/// spans at the surfel.
+/// The measure of an area light whose visible share is its visibility. `area`: its area; for a sphere, that of the disk
+/// that the surfel sees; for a distant light, that of its disk in the plane perpendicular to its axis. `solid_angle`:
+/// the solid angle that it spans at the surfel.
 enum class LightSampling : int { area, solid_angle };
 
 /// The truth.* parameters.
@@ -43,7 +43,7 @@ Parameters describe(TruthParams& params);
 /// Throws Error (usage) when parameters contradict one another.
 void check(const TruthParams& params);
 
-/// Share, 0 to 1, by which a hit at that distance occludes; limit is the distance limit, both in metres.
+/// How much a hit at this distance occludes, 0 to 1. `distance` and `limit`, the distance limit, are in metres.
 ///   none, linear: 1, 1 − x with x = distance / limit
 ///   quadratic, hbao: 1 − x² (Bavoil and Sainz, Image-Space Horizon-Based Ambient Occlusion, 2008)
 ///   sao: (1 − x²)³ (McGuire, Mara and Luebke, Scalable Ambient Obscurance, 2012)
@@ -53,8 +53,8 @@ void check(const TruthParams& params);
 ///     hemisphere SSAO)
 double falloff_weight(AoFalloff falloff, double distance, double limit);
 
-/// Whether the distance limit is a number of metres above 0. An automatic one limits nothing: who knows the technique
-/// puts in that technique's own.
+/// Whether the distance limit is a number of metres above 0. An automatic limit does not count: the caller must replace
+/// it by that of the technique first.
 bool has_distance_limit(const TruthParams& params);
 
 /// Distance beyond which no hit counts, metres; infinite without a limit.

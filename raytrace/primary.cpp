@@ -27,8 +27,8 @@ NearestHit first_hit(const Tracer::State& state, const Ray& ray, double reach) {
   return nearest_hit(query, vec3(ray.origin), vec3(ray.direction), static_cast<float>(finite));
 }
 
-// Where the ray meets the triangle, as weights of its second and third corner, in double precision; clamped to the
-// triangle, since Embree's own test rounds. (Moeller and Trumbore, JGT 2(1), 1997.)
+// The barycentric coordinates of the hit for the second and third corner, in double precision, and clamped to the
+// triangle because Embree's own test rounds. (Moeller and Trumbore, JGT 2(1), 1997.)
 dvec2 weights_at(const Triangle& t, const Ray& ray) {
   const dvec3 ab = t.b - t.a;
   const dvec3 ac = t.c - t.a;

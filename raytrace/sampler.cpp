@@ -9,10 +9,10 @@
 namespace umbrameter {
 namespace {
 
-// Fewer points than this each would waste the sequence's evenness.
-constexpr int least_points = 2;
-constexpr int usual_randomisations = 8;
-constexpr int ample_points = 64;
+// Points per randomisation.
+constexpr int min_points = 2;
+constexpr int default_randomisations = 8;
+constexpr int ample_points = 64;  // allows more than the default number of randomisations
 
 std::uint32_t reverse_bits(std::uint32_t x) {
   x = ((x >> 1u) & 0x55555555u) | ((x & 0x55555555u) << 1u);
@@ -34,7 +34,7 @@ std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
 
 // The second dimension's generator matrix is Pascal's triangle modulo 2 (Sobol 1967), whose entry (d, k) is odd where
 // the digits of d are among those of k (Lucas): digit d of the point is the sum of the index's digits k over such k,
-// gathered one digit of d at a time. Returned with its bits reversed, least digit first, as the scramble wants it.
+// gathered one digit of d at a time. The result has its bits reversed, least digit first, as the scramble needs them.
 std::uint32_t reversed_second_dimension(std::uint32_t index) {
   index ^= (index & 0xaaaaaaaau) >> 1u;
   index ^= (index & 0xccccccccu) >> 2u;
@@ -91,8 +91,8 @@ mat3 frame_about(vec3 n) {
 }
 
 Randomisations split(int spp) {
-  const int wanted = std::clamp(spp / ample_points, usual_randomisations, most_randomisations);
-  return {std::clamp(spp / least_points, 1, wanted), spp};
+  const int wanted = std::clamp(spp / ample_points, default_randomisations, max_randomisations);
+  return {std::clamp(spp / min_points, 1, wanted), spp};
 }
 
 }  // namespace umbrameter

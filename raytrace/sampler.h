@@ -15,15 +15,15 @@ namespace umbrameter {
 /// Owen Scrambling, JCGT 9(4), 2020). Equal scrambles give equal sequences. Each coordinate is in [0, 1).
 vec2 owen_sobol(std::uint32_t index, std::uint32_t scramble);
 
-/// Point `index` of independent random points, as even as a hash makes them. Each coordinate is in [0, 1).
+/// Point `index` of independent random points, from a hash. Each coordinate is in [0, 1).
 vec2 random_point(std::uint32_t index, std::uint32_t scramble);
 
-/// Points `begin` and on of either kind into x and y, which are of one size: the same ones, faster.
+/// Writes the points from `begin` on to x and y, of equal size: the same points as above, but faster.
 void make_points(bool is_sobol, std::uint32_t begin, std::uint32_t scramble, std::span<float> x, std::span<float> y);
 
-/// Cosine and sine of an angle of up to 45 degrees by Taylor's series, off by less than 1e-7, of which the series' end
-/// makes 3e-8 and rounding the rest: without branches or calls, loops become vectors, and every processor and C library
-/// gives the same where products and sums are not contracted.
+/// Cosine and sine of an angle of up to 45 degrees by Taylor series, with an error below 1e-7 (3e-8 from truncation,
+/// the rest from rounding). Without branches or calls, so that loops vectorise and results do not depend on the C
+/// library or, without fused multiply-add, on the processor.
 inline vec2 direction_near_x(float angle) {
   const float square = angle * angle;
   return {
@@ -32,7 +32,7 @@ inline vec2 direction_near_x(float angle) {
                                 square * (1.0f / 120.0f + square * (-1.0f / 5040.0f + square * (1.0f / 362880.0f)))))};
 }
 
-/// Once around the unit circle from +X on, at even speed, as `turn` goes from 0 to 1.
+/// The point of the unit circle at this share of a full turn from +X, 0 to 1.
 inline vec2 direction_at(float turn) {
   const auto quarter = static_cast<int>(4.0f * turn + 0.5f);
   const vec2 near = direction_near_x(static_cast<float>(pi / 2.0) * (4.0f * turn - static_cast<float>(quarter)));
@@ -40,10 +40,10 @@ inline vec2 direction_at(float turn) {
   return (quarter & 2) == 0 ? half : -half;
 }
 
-/// The unit square onto the open unit disk, areas in proportion, squares about the middle onto circles (Shirley and
-/// Chiu, A Low Distortion Map Between Disk and Square, 1997).
+/// The area-preserving concentric map from the unit square to the open unit disk (Shirley and Chiu, A Low Distortion
+/// Map Between Disk and Square, 1997).
 inline vec2 concentric_disk(vec2 point) {
-  // Just within the square, so that no direction is level.
+  // Scales the square so that no point is on the circle, where lifted directions would be in the plane.
   constexpr float inside = 1.0f - 0x1p-22f;
   const float px = inside * (2.0f * point.x - 1.0f);
   const float py = inside * (2.0f * point.y - 1.0f);
@@ -56,13 +56,13 @@ inline vec2 concentric_disk(vec2 point) {
   return {is_wide ? along : across, is_wide ? across : along};
 }
 
-/// Directions about +Z from a point of the unit disk, z > 0. Even points give these densities.
-/// cos θ / π (Malley's method: straight up)
+/// Directions about +Z from a point of the unit disk, z > 0, with these densities for uniform points:
+/// cos θ / π (Malley's method: projection along +Z).
 inline vec3 lift_cosine(vec2 disk) {
   const float squared = 1.0f - (disk.x * disk.x + disk.y * disk.y);
   return {disk.x, disk.y, std::sqrt(squared > 0x1p-24f ? squared : 0x1p-24f)};
 }
-/// 1 / 2π (Lambert's equal-area projection)
+/// 1 / 2π (Lambert's equal-area projection).
 inline vec3 lift_uniform(vec2 disk) {
   const float squared = disk.x * disk.x + disk.y * disk.y;
   const float stretch = std::sqrt(2.0f - squared);
@@ -74,16 +74,16 @@ inline vec3 lift_uniform(vec2 disk) {
 /// 2017).
 mat3 frame_about(vec3 n);
 
-/// How a pixel's rays are split into independent randomisations.
+/// The division of a pixel's rays into independent randomisations.
 struct Randomisations {
   int count = 1;
   int points = 1;  ///< in all
-  /// Points of randomisation r: the first of them hold one more where the division leaves a rest.
+  /// Points of randomisation r: the remainder of the division goes to the first ones.
   int size(int r) const { return points / count + (r < points % count ? 1 : 0); }
 };
-inline constexpr int most_randomisations = 16;
-/// For a fixed number of rays: 8 randomisations, up to 16 where each keeps 64 points, fewer where one would have less
-/// than 2. More make the interval's quantile smaller, but leave each with fewer of the sequence's even points.
+inline constexpr int max_randomisations = 16;
+/// For a fixed number of rays: 8 randomisations; up to 16 if each has at least 64 points; fewer if one would have less
+/// than 2. More randomisations reduce the interval's quantile, but shorten the low-discrepancy sequence of each.
 Randomisations split(int spp);
 
 }  // namespace umbrameter

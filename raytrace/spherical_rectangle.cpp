@@ -6,7 +6,7 @@
 namespace umbrameter {
 namespace {
 
-// The angle inside of the spherical polygon between sides with these outward normals. An arc cosine would lose half of
+// The interior angle of a spherical polygon between sides with these outward normals. An arc cosine would lose half of
 // the digits near 0 and π.
 double inner_angle(const dvec3& a, const dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), -glm::dot(a, b));
@@ -30,8 +30,7 @@ SphericalRectangle::SphericalRectangle(const dvec3& middle, const dvec3& half_x,
   }
   const dvec2 aside(std::max(std::abs(x0_), std::abs(x1_)), std::max(std::abs(y0_), std::abs(y1_)));
   farthest_ = glm::length(dvec3(aside, height_));
-  // Normals to the planes through the origin and a side, once around. The components that are 0 are left out of the
-  // cross products.
+  // Normals to the planes through the origin and each side: cross products without the terms that are 0.
   const dvec3 bottom = glm::normalize(dvec3(0.0, height_, -y0_));
   const dvec3 right = glm::normalize(dvec3(-height_, 0.0, x1_));
   const dvec3 top = glm::normalize(dvec3(0.0, -height_, y1_));
@@ -40,23 +39,23 @@ SphericalRectangle::SphericalRectangle(const dvec3& middle, const dvec3& half_x,
   const double at_x0 = inner_angle(top, left) + inner_angle(left, bottom);
   start_ = 2.0 * pi - at_x0;
   solid_angle_ = height_ < 0.0 ? std::max(at_x1 - start_, 0.0) : 0.0;
-  first_ = bottom.z;
-  second_ = top.z;
+  normal_z0_ = bottom.z;
+  normal_z1_ = top.z;
 }
 
-// Digits are lost twice: the sweep's angle is start_ and a small part more, and the sine of an elevation near 90
-// degrees comes from a cosine near 1. Over two million rectangles of 10⁻⁹ sr and more at heights of 10⁻⁷ to 1 of their
-// farthest corner's distance the error was below this in every decade of either.
+// Two steps lose digits: a small angle is added to start_, and the sine of an elevation near 90 degrees comes from a
+// cosine near 1. The bound is empirical: it held for two million rectangles of at least 10⁻⁹ sr, at heights of 10⁻⁷ to
+// 1 of the farthest corner's distance, in each decade of both.
 double SphericalRectangle::error() const { return 0x1p-49 * farthest_ / (std::abs(height_) * solid_angle_); }
 
 dvec3 SphericalRectangle::sample(const dvec2& point) const {
-  // x is where the part of the rectangle below it has this share of the solid angle.
+  // Finds x such that the part of the rectangle from x0 to x has the share point.x of the solid angle.
   const double angle = start_ + point.x * solid_angle_;
-  const double slope = (std::cos(angle) * first_ - second_) / std::sin(angle);
-  const double cosine = std::copysign(1.0 / std::hypot(slope, first_), slope);
+  const double slope = (std::cos(angle) * normal_z0_ - normal_z1_) / std::sin(angle);
+  const double cosine = std::copysign(1.0 / std::hypot(slope, normal_z0_), slope);
   const double sine = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
   const double x = sine > 0.0 ? std::clamp(-cosine * height_ / sine, x0_, x1_) : (cosine > 0.0 ? x1_ : x0_);
-  // Along y the solid angle of a strip grows with the sine of the elevation, by Archimedes.
+  // Along y the solid angle is proportional to the sine of the elevation (Archimedes).
   const double distance = std::hypot(x, height_);
   const double low = over_length(y0_, distance);
   const double high = over_length(y1_, distance);

@@ -1,21 +1,21 @@
-// A rectangle by the solid angle that it spans. For raytrace/*.cpp and tests.
+// Uniform sampling of the solid angle of a rectangle. For raytrace/*.cpp and tests.
 #pragma once
 
 #include "core/math.h"
 
 namespace umbrameter {
 
-/// Points of a rectangle that are even over its solid angle at the origin (Ureña, Fajardo and King, An Area-Preserving
-/// Parametrization for Spherical Rectangles, EGSR 2013).
+/// Samples points of a rectangle uniformly over its solid angle at the origin (Ureña, Fajardo and King, An
+/// Area-Preserving Parametrization for Spherical Rectangles, EGSR 2013).
 class SphericalRectangle {
  public:
-  /// By its middle and half its sides, which are at right angles; metres.
+  /// The rectangle is given by its centre and half its sides, which are perpendicular; metres.
   SphericalRectangle(const dvec3& middle, const dvec3& half_x, const dvec3& half_y);
 
   /// Steradians, 0 where the origin is in the rectangle's plane.
   double solid_angle() const { return solid_angle_; }
 
-  /// Part of the solid angle by which points may be off their place through rounding; infinite where that is 0.
+  /// Rounding error of the points' position, as a share of the solid angle; infinite if that is 0.
   double error() const;
 
   /// The point of the rectangle for one of the unit square, metres.
@@ -26,11 +26,11 @@ class SphericalRectangle {
   double x0_, x1_;   // sides along x and y, metres
   double y0_, y1_;
   double height_;    // of the plane along z, metres, not above 0
-  double farthest_;  // corner, metres
+  double farthest_;  // distance of the farthest corner, metres
   double solid_angle_;
-  double start_;  // angle at which the sweep along x begins
-  double first_;  // z of the normals to the planes through the origin and the sides at y0 and y1
-  double second_;
+  double start_;      // azimuth at which the sweep along x begins
+  double normal_z0_;  // z of the normals to the planes through the origin and the sides at y0 and y1
+  double normal_z1_;
 };
 
 }  // namespace umbrameter

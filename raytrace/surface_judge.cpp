@@ -16,13 +16,13 @@ namespace {
 // A point that the light sees, on the plane of its triangle.
 struct SeenPoint {
   dvec3 in_light{0.0};
-  double depth = 0.0;  // metres, as the map counts it
+  double depth = 0.0;  // metres, as in the map
   dvec3 corner{0.0};   // of the triangle, light space
-  dvec3 normal{0.0};   // unit, light space; zero where the triangle has no area
+  dvec3 normal{0.0};   // unit, light space; zero if the triangle has no area
   std::uint32_t instance = no_id;
   std::uint32_t triangle = no_id;
-  double width = 0.0;  // metres across the ray, within which rays cannot tell places apart
-  double error = 0.0;  // metres of depth, by which rounding may have moved it
+  double width = 0.0;  // metres across the ray: rays closer than this are indistinguishable
+  double error = 0.0;  // bound on the rounding error of the depth, metres
 };
 
 struct LightRay {
@@ -40,13 +40,13 @@ class Judge {
         std::any_of(instances.begin(), instances.end(), [&](const auto& i) { return masks[i.mesh] != nullptr; });
   }
 
-  // Asked of receivers that the truth calls lit: the light sees the receiver, so that a sample on its surface is joined
-  // to it by depths that the light sees. Where the truth is blocked the light sees something else at the receiver's
-  // very place: a jump is certain, and the two-plane rule's split stands.
-  bool is_own(const TapSurfaces& tap) const {
+  // For receivers that are lit in the reference: the light sees the receiver, so if the sample is on its surface, the
+  // light sees continuous depths between them. At a blocked receiver the light sees another surface, so there is a
+  // jump, and the rule about two planes has decided.
+  bool is_same_surface(const TapSurfaces& tap) const {
     SeenPoint a = seen(tap.receiver);
     SeenPoint b = seen(tap.sample);
-    // Each halving is exact to the places' own width; a segment has no more halves than a double has digits.
+    // Terminates: a double has no more digits than a segment can be halved.
     for (int i = 0; i < std::numeric_limits<double>::digits; ++i) {
       if (a.instance == b.instance && a.triangle == b.triangle) return true;
       if (distance_across(a, b) <= a.width + b.width) break;
@@ -67,8 +67,8 @@ class Judge {
     return {dvec3(0.0), glm::normalize(p)};
   }
 
-  // Straight lines on a map's plane, and from face to face of a cube, are planes through the light: halving the angle
-  // stays on them.
+  // A straight line on a map's plane, or across the faces of a cube map, spans a plane with the light, and halving the
+  // angle stays on this plane.
   LightRay between(const SeenPoint& a, const SeenPoint& b) const {
     if (is_orthographic()) return ray_through(0.5 * (a.in_light + b.in_light));
     return ray_through(glm::normalize(a.in_light) + glm::normalize(b.in_light));
@@ -85,11 +85,11 @@ class Judge {
     return glm::dot(plane.normal, plane.corner - ray.origin) / glm::dot(plane.normal, ray.direction);
   }
 
-  // What a ray cannot tell, across it: its origin and direction, each number rounded once, and Embree's differences to
-  // the corners, dot products and normal, at most eight roundings of lengths up to the distance (as surfel.cpp counts
-  // them); of a shared mesh the way into its space, too. What a vertex may be off moves the plane; either, over the
-  // cosine to the light, is the most by which depth on that plane can be off, since a place on a plane that moves by w
-  // across the ray moves by no more than w / cosine, and depth by no more than its place.
+  // The error across the ray: its origin and direction are rounded once, and Embree's differences to the corners, dot
+  // products and normal are at most eight roundings of lengths up to the distance (as in surfel.cpp); a shared mesh
+  // adds the transform to its space. The error of the vertices moves the plane. The error of the depth is at most the
+  // sum of both over the cosine to the light, because a point on a plane that moves by w across the ray moves by at
+  // most w / cosine in space.
   void set_errors(SeenPoint& point, const LightRay& ray) const {
     const InstanceInfo& info = tracer_.state().instances[point.instance];
     const dvec3 origin = glm::abs(dvec3(world_from_light_ * dvec4(ray.origin, 1.0)));
@@ -125,8 +125,8 @@ class Judge {
     return point;
   }
 
-  // The nearest point along a ray of the light; none where it meets nothing. The place is where the ray that was
-  // really traced, in floats, meets the plane of the triangle, in double precision.
+  // The nearest hit along a ray of the light, if any. Its position is the intersection of the triangle's plane with the
+  // ray as rounded to floats for Embree, in double precision.
   std::optional<SeenPoint> first_seen(const LightRay& ideal) const {
     RayQuery query;
     prepare(query, tracer_.state(), false);
@@ -147,22 +147,22 @@ class Judge {
     return point;
   }
 
-  // Depth of a point's plane on the ray of another.
+  // Depth of the plane of one point on the ray through the other.
   double depth_on(const SeenPoint& plane, const SeenPoint& other) const {
     const LightRay ray = ray_through(other.in_light);
     return depth(ray.origin + ray.direction * distance_to_plane(plane, ray));
   }
 
-  // The step of depth that neither plane explains: nothing on a plane, however it slopes or is foreshortened, less and
-  // less with the square of the way on a curve, and all of a jump. The bare step would be led astray by slopes.
+  // The depth step that neither plane explains: zero on a plane of any slope, shrinking with the square of the distance
+  // on a curved surface, and the full step at a jump. The plain depth difference would be dominated by slopes.
   double step_between(const SeenPoint& a, const SeenPoint& b) const {
     const double from_a = std::abs(depth_on(a, b) - b.depth);
     const double from_b = std::abs(depth_on(b, a) - a.depth);
     return std::min(from_a, from_b);
   }
 
-  // The way is as short as rays can tell: on one surface the step is no more than what the steeper of the two planes
-  // makes of it, and what rounding does.
+  // For points that rays can hardly distinguish: on one surface, the depth step is at most the step along the steeper
+  // of the two planes plus the rounding errors.
   bool is_continuous(const SeenPoint& a, const SeenPoint& b) const {
     const double step = std::abs(b.depth - a.depth);
     const double slope = std::max(std::abs(depth_on(a, b) - a.depth), std::abs(depth_on(b, a) - b.depth));
@@ -177,22 +177,22 @@ class Judge {
 
 }  // namespace
 
-std::vector<std::uint8_t> judge_own(const Tracer& tracer, const MapLayout& frame, std::span<const TapSurfaces> taps,
-                                    const Progress& progress) {
+std::vector<std::uint8_t> judge_same_surface(const Tracer& tracer, const MapLayout& frame,
+                                             std::span<const TapSurfaces> taps, const Progress& progress) {
   constexpr std::size_t batch = 256;
   const Judge judge(tracer, frame);
-  std::vector<std::uint8_t> own(taps.size());
+  std::vector<std::uint8_t> is_same(taps.size());
   const std::size_t batches = (taps.size() + batch - 1) / batch;
   std::size_t done = 0;
   std::mutex mutex;
   parallel_for(batches, [&](std::size_t b) {
     const std::size_t end = std::min(taps.size(), (b + 1) * batch);
-    for (std::size_t i = b * batch; i < end; ++i) own[i] = judge.is_own(taps[i]) ? 1 : 0;
+    for (std::size_t i = b * batch; i < end; ++i) is_same[i] = judge.is_same_surface(taps[i]) ? 1 : 0;
     if (!progress) return;
     const std::lock_guard lock(mutex);
     progress(static_cast<double>(++done) / static_cast<double>(batches));
   });
-  return own;
+  return is_same;
 }
 
 }  // namespace umbrameter

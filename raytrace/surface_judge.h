@@ -1,5 +1,5 @@
-// Whether a shadow map's sample and its receiver lie on one surface, as the light sees it: the exact judge of the taps
-// that no rule about two planes can settle.
+// Whether a shadow map's sample and its receiver lie on one surface, as seen from the light. Decides by rays the taps
+// that the rule about the planes of two triangles leaves open.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@
 
 namespace umbrameter {
 
-/// 1 for each pair whose receiver and sample are joined by depths that the light sees without a jump, 0 for the others.
-/// The light must see both points. Rays halve the way between them on the map's plane, always into the half with the
-/// larger step of depth that slopes do not explain, until it is as short as rays can tell apart; docs/classes.md
-/// derives the decision. The answer does not depend on the number of threads.
-std::vector<std::uint8_t> judge_own(const Tracer& tracer, const MapLayout& frame, std::span<const TapSurfaces> taps,
-                                    const Progress& progress = {});
+/// 1 for each tap between whose receiver and sample the depth seen from the light has no jump, 0 for the others. The
+/// light must see both points. Bisects the segment between them on the map's plane by rays, always into the half with
+/// the larger depth step that the slopes do not explain, until rays cannot distinguish its ends (docs/classes.md). The
+/// result does not depend on the number of threads.
+std::vector<std::uint8_t> judge_same_surface(const Tracer& tracer, const MapLayout& frame,
+                                             std::span<const TapSurfaces> taps, const Progress& progress = {});
 
 }  // namespace umbrameter

@@ -43,11 +43,11 @@ dvec3 nearest_point(const Triangle& triangle, const dvec3& position) {
 dvec3 inset_from_edges(const SurfelTriangle& t, const std::array<double, 3>& insets, dvec3 point) {
   // A push away from one edge may move the point towards another, so the loop ends after three edges in a row that need
   // no push. In a corner of angle α two pushes leave cos² α of the missing distance.
-  constexpr int most_pushes = 120;
+  constexpr int max_pushes = 120;
   const dvec3* const starts[] = {&t.corners.a, &t.corners.b, &t.corners.c};
   bool moved = false;
   int idle = 0;
-  for (int i = 0; i < most_pushes && idle < 3; ++i) {
+  for (int i = 0; i < max_pushes && idle < 3; ++i) {
     const auto edge = static_cast<std::size_t>(i % 3);
     const dvec3 inwards = t.inwards[edge];
     const double missing = insets[edge] - glm::dot(point - *starts[edge], inwards);

@@ -16,20 +16,20 @@ bool on_memory(void* counter, ssize_t bytes, bool /*after*/) {
   return true;
 }
 
-bool counts(const RTCFilterFunctionNArguments& arguments, const RayQuery& query, unsigned i) {
+bool is_accepted(const RTCFilterFunctionNArguments& arguments, const RayQuery& query, unsigned i) {
   const unsigned n = arguments.N;
   const std::uint32_t instance =
       instance_of(RTCHitN_instID(arguments.hit, n, i, 0), RTCHitN_geomID(arguments.hit, n, i));
   const std::uint32_t triangle = RTCHitN_primID(arguments.hit, n, i);
-  if (is_passed(query, RTCRayN_id(arguments.ray, n, i), instance, triangle)) return false;
+  if (is_ignored(query, RTCRayN_id(arguments.ray, n, i), instance, triangle)) return false;
   const auto* mask = static_cast<const MeshMask*>(arguments.geometryUserPtr);
   return mask == nullptr || mask->is_opaque(triangle, {RTCHitN_u(arguments.hit, n, i), RTCHitN_v(arguments.hit, n, i)});
 }
 
-// One bit a lane that is asked about, of 1, 4, 8 or 16: Embree sets those to −1 and others to 0. Mostly it is one,
-// anywhere: looking for it lane by lane would have the processor guess where.
+// A bit mask of the active lanes, of 1, 4, 8 or 16; Embree sets active ones to −1 and others to 0. Mostly one lane is
+// active, and a loop over all lanes would mispredict which one.
 template <unsigned n>
-unsigned asked(const int* valid) {
+unsigned active_lanes(const int* valid) {
   unsigned lanes = 0;
   for (unsigned i = 0; i < n; ++i) lanes |= static_cast<unsigned>(valid[i]) & (1u << i);
   return lanes;
@@ -37,7 +37,7 @@ unsigned asked(const int* valid) {
 
 }  // namespace
 
-bool shows_back(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, const dvec3& direction) {
+bool is_back_facing(const Scene& scene, std::uint32_t instance, std::uint32_t triangle, const dvec3& direction) {
   const Triangle t = world_triangle(scene, instance, triangle);
   const bool turns_away = glm::dot(glm::cross(t.b - t.a, t.c - t.a), direction) > 0.0;
   return turns_away != is_mirrored(scene.instances[instance].world_from_mesh);
@@ -47,10 +47,13 @@ void filter_hit(const RTCFilterFunctionNArguments* arguments) {
   const auto& query = *reinterpret_cast<const RayQuery*>(arguments->context);
   int* const valid = arguments->valid;
   const unsigned n = arguments->N;
-  unsigned lanes = n == 16 ? asked<16>(valid) : n == 8 ? asked<8>(valid) : n == 4 ? asked<4>(valid) : asked<1>(valid);
+  unsigned lanes = n == 16  ? active_lanes<16>(valid)
+                   : n == 8 ? active_lanes<8>(valid)
+                   : n == 4 ? active_lanes<4>(valid)
+                            : active_lanes<1>(valid);
   for (; lanes != 0; lanes &= lanes - 1) {
     const auto i = static_cast<unsigned>(std::countr_zero(lanes));
-    if (!counts(*arguments, query, i)) valid[i] = 0;
+    if (!is_accepted(*arguments, query, i)) valid[i] = 0;
   }
 }
 
@@ -99,7 +102,7 @@ Tracer::Tracer(const Scene& scene, const Progress& progress) : state_(std::make_
   if (state.device == nullptr) {
     throw Error(ExitCode::no_backend, "Embree, start", "no device", "check that Embree fits this processor");
   }
-  state.takes_16_lanes = rtcGetDeviceProperty(state.device.get(), RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
+  state.has_native_packets = rtcGetDeviceProperty(state.device.get(), RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
   rtcSetDeviceMemoryMonitorFunction(state.device.get(), on_memory, &state.bytes);
   build(state, progress);
   state.statistics = {count(scene).triangles,

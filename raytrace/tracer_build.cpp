@@ -15,7 +15,7 @@ namespace {
 
 using GeometryPtr = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, decltype(&rtcReleaseGeometry)>;
 
-// How far all commits are together, by the triangles that they hold.
+// The progress of all commits together, by number of triangles.
 struct BuildProgress {
   const Progress& report;
   double total = 0.0;
@@ -29,7 +29,7 @@ struct CommitProgress {
   double done = 0.0;
 };
 
-// With the mutex locked.
+// The mutex must be locked.
 void advance(CommitProgress& own, double share) {
   const double done = std::max(own.done, std::min(share, 1.0) * own.triangles);
   own.all.done += done - own.done;
@@ -65,12 +65,12 @@ void commit(RTCDevice device, RTCScene scene, BuildProgress& all, std::uint64_t 
   advance(own, 1.0);
 }
 
-// Vertices in mesh space, or moved to the world in double precision and rounded once.
+// Sets vertices in mesh space, or transformed to the world in double precision and rounded once.
 void set_vertices(RTCDevice device, RTCGeometry geometry, const std::vector<vec3>& positions,
                   const dmat4& world_from_mesh) {
   static_assert(sizeof(vec3) == 3 * sizeof(float) && sizeof(uvec3) == 3 * sizeof(unsigned), "as Embree reads them");
   const bool is_moved = world_from_mesh != dmat4(1.0);
-  // Embree reads sixteen bytes at the last vertex.
+  // Embree reads sixteen bytes at each vertex, also at the last one.
   const bool has_padding = positions.capacity() > positions.size();
   if (!is_moved && has_padding) {
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0,
@@ -114,7 +114,7 @@ void make_masks(Tracer::State& state) {
   });
 }
 
-// A geometry's triangles by id, without those that are huge: they become points, which no ray meets.
+// Sets a geometry's triangles. Huge ones are replaced by degenerate triangles, which no ray hits, to keep the ids.
 void set_triangles(RTCDevice device, RTCGeometry geometry, const Mesh& mesh, const HugeGeometry* huge) {
   if (huge == nullptr) {
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
@@ -158,12 +158,12 @@ void attach_instance(RTCDevice device, RTCScene target, unsigned id, RTCScene me
   attach(device, target, id, geometry.get());
 }
 
-// Where the scene's meshes are stored. A mesh of several instances has a scene of its own; any other is stored in the
-// world, at its instance.
+// Where the scene's meshes are stored. A mesh with several instances has a separate Embree scene; any other is stored
+// in world space.
 struct Storage {
-  std::vector<StoredMesh> meshes;   // by mesh; null where no instance has it
+  std::vector<StoredMesh> meshes;   // by mesh; StoredMesh::mesh is null if no instance uses it
   std::vector<std::uint32_t> uses;  // by mesh
-  std::vector<double> stretch;      // by instance: metres in the world for one in a shared mesh's space, at most
+  std::vector<double> stretch;      // by instance: largest scale factor from a shared mesh's space to the world
   bool is_shared(std::size_t mesh) const { return uses[mesh] > 1; }
 };
 
@@ -192,7 +192,7 @@ Storage find_storage(const Scene& scene) {
   return storage;
 }
 
-// Takes the huge triangles out of the meshes, whose longest edges are then those of the others.
+// Separates the huge triangles from the meshes, and updates the longest edges of the meshes.
 void find_huge(Tracer::State& state, Storage& storage) {
   const double huge_from = huge_edge(storage.meshes);
   state.huge.resize(storage.meshes.size());

@@ -1,11 +1,11 @@
-// Work on many numbers at once, compiled for several generations of vector units. For raytrace/*.cpp alone.
+// Functions that are compiled for several generations of vector units. For raytrace/*.cpp alone.
 #pragma once
 
-#include <cstddef>  // any standard header tells whether this is glibc, which can make the choice
+#include <cstddef>  // defines __GLIBC__, whose loader chooses the version
 
-/// Before a function: it is compiled once for each of these processors, and the program takes the best that it may when
-/// it starts. All do the same operations in the same order, so that results do not depend on the processor: files that
-/// use it are compiled without contraction of products and sums. Sanitizers are not ready when the choice is made.
+/// Attribute of a function: it is compiled once for each of these processors, and the best version is chosen when the
+/// program starts. All versions do the same operations in the same order, without fused multiply-add, so that results
+/// do not depend on the processor. Not with sanitizers, which are not initialised when the choice is made.
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define UMBRAMETER_VECTORS __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
@@ -13,5 +13,5 @@
 #define UMBRAMETER_VECTORS
 #endif
 
-/// Before what such a function calls: it is compiled with its caller, for the same processor.
+/// Attribute of a function called by one of the above: it is compiled with its caller, for the same processor.
 #define UMBRAMETER_IN_VECTORS [[gnu::always_inline]] inline

@@ -92,7 +92,7 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
     const ShadowMap map = draw_shadow_map(context, uploaded, light, frame);
     const ShadowMapImages images = read_back(context, map);
     const auto judged = [&](const std::vector<UnresolvedTap>& taps) {
-      return judge_own(tracer, frame, surfaces_of(scene, frame, gbuffer, taps));
+      return judge_same_surface(tracer, frame, surfaces_of(scene, frame, gbuffer, taps));
     };
     for (const NamedFilter& filter : grid.filters) {
       const bool is_judged = static_cast<std::size_t>(&filter - grid.filters.data()) < grid.judged_filters;

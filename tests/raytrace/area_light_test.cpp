@@ -227,7 +227,7 @@ TEST(LightView, A_surface_that_faces_no_part_of_a_light_is_known_without_rays) {
     const dvec3 normal = glm::normalize(dvec3(random(6), random(8), random(9)));
     for (const LightSampling sampling : {LightSampling::area, LightSampling::solid_angle}) {
       const LightView view(light, sampling, from);
-      if (view.is_within()) continue;
+      if (view.is_inside()) continue;
       double most = -1.0;
       for (int i = 0; i < 400; ++i) {
         const LightView::Sample sample =
@@ -297,7 +297,7 @@ TEST(LightView, Slanting_keeps_points_even_over_the_square) {
   int in_box = 0;
   for (int i = 0; i < side * side; ++i) {
     const vec2 point((static_cast<float>(i % side) + 0.5f) / side, (static_cast<float>(i / side) + 0.5f) / side);
-    const vec2 moved = slanted(point, {0.7f, 1.3f});
+    const vec2 moved = shear(point, {0.7f, 1.3f});
     ASSERT_TRUE(moved.x >= 0.0f && moved.x < 1.0f && moved.y >= 0.0f && moved.y < 1.0f);
     in_box += moved.x < 0.3f && moved.y > 0.6f ? 1 : 0;
   }

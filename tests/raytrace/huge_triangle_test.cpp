@@ -299,10 +299,10 @@ TEST(HugeTriangles, A_terrain_of_large_triangles_is_ordinary_and_only_what_is_la
   const Mesh hills = terrain(100, 100.0f);  // 20,000 triangles of 141 m and more, less than 200
   const Mesh plane = ground(2000.0f);
   const Mesh house = shapes::box({0, 0, 0}, {10, 10, 10});
-  EXPECT_EQ(huge_edge({stored(house)}), least_huge_edge);
-  EXPECT_EQ(huge_edge({stored(house), stored(plane)}), least_huge_edge);
+  EXPECT_EQ(huge_edge({stored(house)}), min_huge_edge);
+  EXPECT_EQ(huge_edge({stored(house), stored(plane)}), min_huge_edge);
   const double limit = huge_edge({stored(hills), stored(plane), stored(house)});
-  EXPECT_EQ(limit, 4.0 * least_huge_edge);
+  EXPECT_EQ(limit, 4.0 * min_huge_edge);
   EXPECT_TRUE(huge_triangles(stored(hills), limit).empty());
   EXPECT_EQ(huge_triangles(stored(plane), limit).size(), 2u);
   EXPECT_EQ(longest_edge(plane, dmat4(1.0), limit), 0.0);

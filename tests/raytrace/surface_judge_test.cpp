@@ -45,9 +45,10 @@ void expect_own(const Scene& scene, const dvec3& towards_light, const dvec3& rec
   for (const Light& light : lights_from(towards_light)) {
     const MapLayout frame = fit_light(light, bounds_of(scene), 1024);
     const TapSurfaces tap{seen_towards(caster, light, frame, receiver), seen_towards(caster, light, frame, sample)};
-    EXPECT_EQ(judge_own(tracer, frame, {&tap, 1}).front() != 0, own) << "light " << light.shape.index();
+    EXPECT_EQ(judge_same_surface(tracer, frame, {&tap, 1}).front() != 0, own) << "light " << light.shape.index();
     const TapSurfaces turned{tap.sample, tap.receiver};
-    EXPECT_EQ(judge_own(tracer, frame, {&turned, 1}).front() != 0, own) << "turned, light " << light.shape.index();
+    EXPECT_EQ(judge_same_surface(tracer, frame, {&turned, 1}).front() != 0, own)
+        << "turned, light " << light.shape.index();
   }
 }
 
@@ -186,7 +187,7 @@ TEST(SurfaceJudge, A_wall_that_reaches_over_an_edge_of_the_cube_is_one_surface) 
   TapSurfaces known = tap;
   known.receiver = seen_towards(caster, light, frame, tap.receiver.in_light);
   known.sample = seen_towards(caster, light, frame, tap.sample.in_light);
-  EXPECT_EQ(judge_own(tracer, frame, {&known, 1}).front(), 1);
+  EXPECT_EQ(judge_same_surface(tracer, frame, {&known, 1}).front(), 1);
 }
 
 TEST(SurfaceJudge, Its_verdicts_do_not_depend_on_the_number_of_threads) {
@@ -212,7 +213,7 @@ TEST(SurfaceJudge, Its_verdicts_do_not_depend_on_the_number_of_threads) {
   for (std::size_t i = 0; i + 1 < points.size(); ++i) taps.push_back({points[i], points[i + 1]});
   const auto judged = [&](int threads) {
     const ThreadLimit limit(threads);
-    return judge_own(tracer, frame, taps);
+    return judge_same_surface(tracer, frame, taps);
   };
   const std::vector<std::uint8_t> one = judged(1);
   EXPECT_EQ(judged(4), one);

@@ -1,16 +1,16 @@
-#include "raytrace/placement.h"
+#include "raytrace/instance_error.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace umbrameter {
 
-// Embree takes a ray into the space of a shared mesh with a float matrix that it inverts itself. Cofactors are two
-// products and a difference, the determinant three products of them, then a division: with B the cofactors' terms by
-// magnitude over |det|, and D the determinant's over |det|, an entry of the inverse is off by at most γ(10)·D·B. The
-// point's transform and the translation's add four roundings, so that 14 in all, seen from the world through |M|,
-// bound the origin: 14u · D · |M|·B·(|p| + |t|). The rounded matrix itself moves the mesh by u·(|M|·|x| + |t|), which
-// vertex_error() in surfel.cpp counts. (u and γ as at half_ulp.)
+// Embree transforms a ray to the space of a shared mesh by a float matrix, which it inverts itself. A cofactor is a
+// difference of two products, the determinant a sum of three products with cofactors, and a division follows. With B
+// the sums of the absolute terms of the cofactors over |det|, and D that of the determinant over |det|, the error of an
+// entry of the inverse is at most γ(10)·D·B. Transforming the point and the translation adds four roundings. These 14,
+// taken back to the world by |M|, bound the error of the origin: 14u · D · |M|·B·(|p| + |t|). Rounding the matrix
+// itself moves the mesh by u·(|M|·|x| + |t|), which vertex_error() in surfel.cpp includes. (u and γ as at half_ulp.)
 OriginError origin_error(const dmat4& world_from_mesh) {
   const dmat3 placed(world_from_mesh);
   const dmat3 linear(glm::abs(placed[0]), glm::abs(placed[1]), glm::abs(placed[2]));
@@ -21,7 +21,7 @@ OriginError origin_error(const dmat4& world_from_mesh) {
     cofactors[column] = {v.y * w.z + v.z * w.y, v.z * w.x + v.x * w.z, v.x * w.y + v.y * w.x};
   }
   const double determinant = std::abs(glm::determinant(placed));
-  if (!(determinant > 0.0)) return {};  // flat: no ray meets it
+  if (!(determinant > 0.0)) return {};  // flat: no ray hits it
   const double spread = glm::dot(linear[0], cofactors[0]) / determinant;
   OriginError error;
   error.linear = 14.0 * half_ulp * spread / determinant * (linear * glm::transpose(cofactors));
