@@ -32,8 +32,8 @@ bool AdaptiveSampleCount::advance(const TruthParams& params, const RandomizedEst
   if (is_pilot_) {
     is_pilot_ = false;
     estimate_.rays = points;
-    const int wanted = std::clamp(rays_needed(estimate, params), params.min_spp - points, params.max_spp - points);
-    next_ = {{max_randomisations, wanted}, 0};
+    const int needed = std::clamp(rays_needed(estimate, params), params.min_spp - points, params.max_spp - points);
+    next_ = {{max_randomisations, needed}, 0};
     return true;
   }
   const int max_points = params.max_spp - estimate_.rays;

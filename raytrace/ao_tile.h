@@ -129,13 +129,13 @@ class AoTile {
   }
 
   void trace_together(std::span<Pixel> pixels) {
-    wanted_.clear();
+    pixel_rays_.clear();
     for (const Pixel& pixel : pixels) {
       const std::uint32_t stream =
           hash(static_cast<std::uint32_t>(pixel.index), pixel.sample_count.is_pilot() ? 1u : 0u, task_.seed);
-      wanted_.push_back({pixel.origin, pixel.sample_count.next(), stream});
+      pixel_rays_.push_back({pixel.origin, pixel.sample_count.next(), stream});
     }
-    samples_.make(task_.params, pixels.front().hemisphere, wanted_);
+    samples_.make(task_.params, pixels.front().hemisphere, pixel_rays_);
     const std::size_t size = samples_.size();
     std::array<std::uint32_t, HemisphereSamples::sources> open{};
     for (std::size_t first = 0; first < size; first += packet_width) {
@@ -154,7 +154,7 @@ class AoTile {
     }
     for (std::size_t p = 0; p < pixels.size(); ++p) {
       RandomizedEstimate& estimate = pixels[p].estimate;
-      estimate.split = wanted_[p].range.split;
+      estimate.split = pixel_rays_[p].range.split;
       for (std::size_t r = 0; r < max_randomisations; ++r) {
         estimate.open[r] += open[HemisphereSamples::source_of(p, r)];
       }
@@ -210,7 +210,7 @@ class AoTile {
   Rays packet_;
   TriangleCache triangles_;
   std::vector<Pixel> pixels_;
-  std::vector<PixelRays> wanted_;
+  std::vector<PixelRays> pixel_rays_;
   HemisphereSamples samples_;
   LiftedLanes lifted_;
   TraceStatistics statistics_;

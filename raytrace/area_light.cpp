@@ -69,10 +69,10 @@ LightView::Sample LightView::sample(vec2 point) const {
   const dvec2 p = is_round_ ? dvec2(concentric_disk(point)) : 2.0 * dvec2(point) - 1.0;
   if (!is_flat_) return in_cone(p);
   Sample sample;
-  const dvec3 way = spherical_ ? spherical_->sample(dvec2(point)) : to_center_ + p.x * x_ + p.y * y_;
-  const double distance = glm::length(way);
+  const dvec3 offset = spherical_ ? spherical_->sample(dvec2(point)) : to_center_ + p.x * x_ + p.y * y_;
+  const double distance = glm::length(offset);
   if (!(distance > std::numeric_limits<float>::min())) return {z_, 0.0, 1.0};  // the point is at the surfel
-  sample.direction = way / distance;
+  sample.direction = offset / distance;
   sample.reach = distance;
   // A piece's solid angle is its area · cosine / distance², and the cosine is the surfel's height above the light's
   // plane / distance. The height is the same for all points and cancels, which also avoids 0/0 for lights seen edge-on.

@@ -21,7 +21,7 @@ constexpr int strip_height = 4;
 constexpr std::size_t max_rays = strip_height * tile_size + packet_width;
 using StripRays = RayColumns<max_rays>;
 
-// Whether any pixel shows a surface. Branch-free, so that it becomes vectors.
+// Whether any pixel shows a surface. Branch-free, so that it vectorises.
 UMBRAMETER_VECTORS bool has_surface(const std::uint32_t* instances, std::size_t count) {
   unsigned found = 0;
   for (std::size_t i = 0; i < count; ++i) found |= instances[i] != no_id ? 1u : 0u;

@@ -33,7 +33,7 @@ double vertex_error(const Scene& scene, std::uint32_t instance, std::uint32_t tr
 struct SurfelTriangle {
   Triangle corners;
   dvec3 normal;                  ///< unit; zero if the triangle has no area
-  std::array<dvec3, 3> inwards;  ///< unit, in the plane, perpendicular to the edges that start at a, b, c; likewise
+  std::array<dvec3, 3> inwards;  ///< unit, in the plane, perpendicular to the edges from a, b and c; or zero
   std::array<double, 3> insets;  ///< metres: the distance of origins from those edges; infinite without area
   /// Metres from corner a along each of `inwards` from which on a position keeps the insets. Infinite if no position
   /// may skip origin_near_edge(): without area, and for a huge triangle.
@@ -46,6 +46,7 @@ struct SurfelTriangle {
   bool is_huge() const { return offset_gain != dvec3(0.0); }
 };
 
+/// Of the triangle with these ids in the scene.
 SurfelTriangle describe_triangle(const Tracer& tracer, std::uint32_t instance, std::uint32_t id);
 
 /// Descriptions of the triangles seen by the pixels of a tile; a new one replaces the one with the same hash.
