@@ -4,9 +4,9 @@
 #include <cmath>
 #include <tuple>
 
-#include "raster/shadow/filter_defines.h"
 #include "raytrace/surface_judge.h"
 #include "raytrace/tracer.h"
+#include "techniques/shadow/reference/unresolved_taps.h"
 
 namespace umbrameter::test {
 namespace {
