@@ -1,6 +1,7 @@
 // What a program of someone else does with the installed libraries: measure one run, sweep a bias, write it down.
 #include <iostream>
 
+#include "core/error.h"
 #include "experiments/measure.h"
 #include "experiments/sweep_table.h"
 #include "reports/files/data.h"
