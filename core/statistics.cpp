@@ -54,6 +54,18 @@ std::vector<Column> columns_of(const Statistics& statistics) {
   return columns;
 }
 
+std::vector<std::string> names_of(const Statistics& statistics, std::initializer_list<const void*> members) {
+  std::vector<std::string> names;
+  for (const void* member : members) {
+    for (const Statistic& statistic : statistics) {
+      const bool is_it =
+          std::visit([&](auto* field) { return static_cast<const void*>(field) == member; }, statistic.field);
+      if (is_it) names.push_back(statistic.name);
+    }
+  }
+  return names;
+}
+
 std::vector<Value> row_of(const Statistics& statistics) {
   std::vector<Value> row;
   const Cells cells{row, !counts_no_pixel(statistics)};

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -66,6 +67,9 @@ std::string lower_name(std::string_view statistic);  ///< "mae_lo"
 std::string upper_name(std::string_view statistic);  ///< "mae_hi"
 
 std::vector<Column> columns_of(const Statistics& statistics);
+
+/// The names under which these members of the described object are listed: names_of(describe(s), {&s.mae}).
+std::vector<std::string> names_of(const Statistics& statistics, std::initializer_list<const void*> members);
 
 /// The values in the order of columns_of(). Over no pixels there is no error: real numbers become NaN, which files
 /// write as nan or null, so that nothing measured never looks like a perfect score.

@@ -63,11 +63,14 @@ void measure_biases(Stages& stages, const Experiment& experiment, const CellGrou
   biases.constant.erase(std::unique(biases.constant.begin(), biases.constant.end()), biases.constant.end());
   const BiasHistogram histogram = stages.bias_response(experiment, light, biases);
   const TruthCounts truth = count_truth(stages.truth(experiment, light).visibility, stages.counted(experiment, light));
+  VisibilityStatistics cell;
+  const Statistics described = describe(cell);  // once: it names every column
   for (std::size_t s = 0; s < biases.slope.size(); ++s) {
     const std::vector<VisibilitySums> sums = sums_at_biases(histogram, s);
     for (std::size_t c = 0; c < constant.size(); ++c) {
       const auto found = std::lower_bound(biases.constant.begin(), biases.constant.end(), constant[c]);
-      keep(c, s, row_of(to_statistics(sums[static_cast<std::size_t>(found - biases.constant.begin())], truth)));
+      cell = to_statistics(sums[static_cast<std::size_t>(found - biases.constant.begin())], truth);
+      keep(c, s, row_of(described));
     }
   }
 }

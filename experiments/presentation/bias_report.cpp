@@ -28,9 +28,11 @@ std::size_t curve_of(const SweepPlan& plan, const std::vector<std::size_t>& othe
 void fill(BiasCurves& curves, const SweepResults& sweep, const std::vector<std::size_t>& others) {
   const SweepPlan& plan = sweep.plan;
   VisibilityStatistics statistics;
-  std::vector<std::string> names;
-  for (const Statistic& statistic : describe(statistics)) names.push_back(statistic.name);
-  const RowReader reader(describe(statistics), names);
+  const Statistics described = describe(statistics);
+  const std::vector<std::string> names =
+      names_of(described, {&statistics.pixels, &statistics.mae, &statistics.acne, &statistics.false_occlusion,
+                           &statistics.peter_panning, &statistics.leak, &statistics.mean_texel});
+  const RowReader reader(described, names);
   std::size_t cell = 0;
   sweep.store.read(names, [&](std::span<const Value> row) {
     const std::size_t at = cell++;
