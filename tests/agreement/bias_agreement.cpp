@@ -6,6 +6,7 @@
 
 #include "raytrace/surface_judge.h"
 #include "raytrace/tracer.h"
+#include "techniques/shadow/cascades.h"
 #include "techniques/shadow/reference/unresolved_taps.h"
 
 namespace umbrameter::test {
@@ -85,7 +86,7 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
   const Tracer tracer(scene);
   const Image<float> visibility = trace_visibility(tracer, gbuffer, light).visibility;
   for (const int resolution : grid.resolutions) {
-    const MapLayout frame = fit_light(light, bounds_of(scene), resolution);
+    const MapLayout frame = fit_map(light, bounds_of(scene), {resolution, grid.cascades}, gbuffer);
     const CountedPixels counted = count_pixels(gbuffer, light, frame);
     const TruthCounts counts = count_truth(visibility, counted);
     const gl::Texture truth = upload_truth(context, visibility, counted.exclusion);

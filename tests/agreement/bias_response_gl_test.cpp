@@ -56,6 +56,14 @@ TEST_F(BiasResponseGl, Biases_in_texels_agree_too_under_every_kind_of_light) {
   for (const Light& light : lights_) expect_agreement(light, grid);
 }
 
+TEST_F(BiasResponseGl, Cascades_agree_too) {
+  const std::vector<NamedFilter> all = usual_filters();
+  BiasGrid grid{{{0.0f, 0.05f, 0.3f}, {0.0f, 1.5f}}, {96}, {all[0], all[2]}};
+  grid.judged_filters = 1;
+  grid.cascades = 3;
+  expect_agreement(lights_[0], grid);
+}
+
 TEST_F(BiasResponseGl, The_largest_filter_agrees_too) {
   NamedFilter tent{"29×29 tent of linear taps", {}};
   tent.params.pcf.filter = ShadowFilter::tent;
