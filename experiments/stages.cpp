@@ -255,10 +255,10 @@ ShadowLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t l
   const ShadowMap& map = map_.remake(key(Stage::map, experiment, light), [&](std::optional<ShadowMap> last) {
     const MapLayout& frame = layout(experiment, light);
     // Drivers on a processor clear every page of a fresh texture, which takes longer than drawing a small scene.
-    ShadowMap map = last && has_textures_for(*last, frame) ? std::move(*last) : make_shadow_map(context(), frame);
-    map.frame = frame;
-    redraw_shadow_map(context(), uploaded(), scene_.lights[light], map);
-    return map;
+    ShadowMap drawn = last && has_textures_for(*last, frame) ? std::move(*last) : make_shadow_map(context(), frame);
+    drawn.frame = frame;
+    redraw_shadow_map(context(), uploaded(), scene_.lights[light], drawn);
+    return drawn;
   });
   const gl::Texture* gpu_truth = nullptr;
   if (with_truth) {
