@@ -1,4 +1,4 @@
-// Ambient-occlusion error against a sampled reference, with the interval that the sampling leaves.
+// Ambient-occlusion error against a sampled reference, with 95 % intervals of the sampling.
 #pragma once
 
 #include "compare/sampled_error.h"
@@ -7,7 +7,7 @@
 
 namespace umbrameter {
 
-/// Over all surfels; accessibility, 1 is open.
+/// The error of accessibility (1 is open) over all surfels.
 struct AoStatistics {
   SampledError error;
 };

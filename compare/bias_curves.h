@@ -1,5 +1,6 @@
-// What the rows of a sweep say about the bias: the bias of least error, those without acne, the front of acne against
-// peter-panning with its knee. Takes rows one by one in any order and keeps no more than it tells; reads no files.
+// Finds recommended biases in the rows of a sweep: the bias with the least error, the least bias without acne, and the
+// Pareto front of acne against peter-panning with its knee. Takes rows one by one in any order and keeps only its
+// results; reads no files.
 #pragma once
 
 #include <cstddef>
@@ -20,50 +21,51 @@ struct BiasCell {
   double leak = 0.0;
 };
 
-/// Acne that is called nearly none: a share of the counted pixels.
+/// The largest share of the counted pixels that counts as little acne.
 inline constexpr double little_acne_share = 0.001;
 
-/// The constant biases at one slope-scaled bias.
+/// Recommended constant biases at one slope-scaled bias.
 struct BiasLine {
   double slope = 0.0;                           ///< texels
-  std::optional<BiasCell> least_error{};        ///< of equals the one of least constant bias
-  std::optional<BiasCell> acne_free{};          ///< the least constant bias without a wrong tap of that cause
-  std::optional<BiasCell> best_without_acne{};  ///< of those without acne the one of least error
-  std::optional<BiasCell> little_acne{};        ///< the least constant bias with acne of at most little_acne_share
+  std::optional<BiasCell> least_error{};        ///< least error; among equals the least constant bias
+  std::optional<BiasCell> acne_free{};          ///< least constant bias without acne
+  std::optional<BiasCell> best_without_acne{};  ///< least error among the cells without acne
+  std::optional<BiasCell> little_acne{};        ///< least constant bias with acne of at most little_acne_share
 };
 
-/// Takes cells of the line's slope-scaled bias in any order.
+/// Adds a cell with the line's slope-scaled bias. The order of cells does not matter.
 void add(BiasLine& line, const BiasCell& cell);
 
-/// The cells that no other one beats: none has less of acne or peter-panning without having more of the other. Of
-/// cells with both equal the one of least constant bias, then of least slope-scaled bias, stands for all.
+/// The cells that no other cell beats: every cell with less acne has more peter-panning, and the reverse. Among cells
+/// with equal acne and peter-panning, keeps the one with the least constant bias, then the least slope-scaled bias.
 struct ParetoFront {
-  /// A front that grows beyond loses every second cell between its ends.
+  /// If a front exceeds this size, every second cell between its ends is dropped.
   static constexpr std::size_t max_cells = 4096;
   std::map<double, BiasCell> by_acne{};
   bool thinned = false;
 };
 void add(ParetoFront& front, const BiasCell& cell);
 
-/// The cell farthest below the chord between the front's ends, both axes scaled to the front's extent: where less of
-/// one begins to cost more of the other. Nothing for a front of less than three cells or without a cell below the
+/// The cell farthest below the chord between the front's ends, with both axes scaled to the front's extent. There, less
+/// of one quantity begins to cost more of the other. Empty if the front has fewer than three cells or no cell below the
 /// chord. Satopää et al., Finding a "Kneedle" in a Haystack, ICDCS Workshops 2011, section III.
 std::optional<BiasCell> knee(const ParetoFront& front);
 
-/// All biases at one combination of the other parameters.
+/// Results over all biases at one combination of the other parameters.
 struct BiasReading {
   double mean_texel = 0.0;  ///< metres
   std::vector<BiasLine> lines{};
   ParetoFront front{};
 };
 
-/// Over all lines; of equals the one of least constant bias, then of least slope-scaled bias. Nothing without lines.
+/// The cell with the least error in all lines; among equals the least constant bias, then the least slope-scaled bias.
+/// Empty if there are no lines.
 std::optional<BiasCell> least_error(const BiasReading& reading);
 
-/// The cell without acne that has the least error.
+/// The cell with the least error among those without acne, in all lines.
 std::optional<BiasCell> best_without_acne(const BiasReading& reading);
 
-/// The line whose slope-scaled bias is nearest to none. At least one line must be there.
+/// The line whose slope-scaled bias is nearest to 0. There must be at least one line.
 const BiasLine& flattest(const BiasReading& reading);
 
 }  // namespace umbrameter

@@ -1,5 +1,4 @@
-// The law that ties the bias to the size of a texel, fitted to what sweeps over the resolution say. Reads no rows
-// itself.
+// Fits bias = c0 + c1 · texel · tan θ to biases from sweeps over the resolution. Reads no rows.
 #pragma once
 
 #include <cstddef>
@@ -11,44 +10,45 @@
 
 namespace umbrameter {
 
-/// A bias that was read off an axis, known to a step of that axis.
+/// A bias on a sweep axis, known to within one step of that axis.
 struct LawPoint {
   double texel = 0.0;  ///< mean side of a texel, metres
-  double slope = 0.0;  ///< slope-scaled bias in use, texels
+  double slope = 0.0;  ///< slope-scaled bias, texels
   double bias = 0.0;   ///< constant bias, metres
   double step = 1.0;   ///< width of the axis's interval that the bias lies in, metres
 };
 
-/// Of values of the ascending axis. Nothing at an end of the axis beyond which the true one may lie: at both for the
-/// bias of least error, at the lower one for the least bias that is free of something.
+/// A cell as a point of the fit; `axis` holds the constant biases in ascending order. Empty if the cell is at an end of
+/// the axis beyond which the optimum may lie: either end for the bias with the least error, the lower end for the least
+/// bias without an error such as acne.
 std::optional<LawPoint> point_of_least_error(const BiasCell& cell, double texel, std::span<const double> axis);
 std::optional<LawPoint> point_of_least_free(const BiasCell& cell, double texel, std::span<const double> axis);
 
 struct Fitted {
   double value = 0.0;
-  std::optional<double> standard_error{};  ///< nothing where there are no more points than coefficients
+  std::optional<double> standard_error{};  ///< empty unless there are more points than coefficients
 };
 
-/// bias = c0 + c1·texel·tan θ, for one light and view at several resolutions. Constant biases alone cannot tell c1 from
-/// tan θ and give their product. A slope-scaled bias s takes s·texel·tan θ off the constant one that is needed until
-/// nothing but c0 is left, so that over several of them bias = c0 + max(c1 − s, 0)·texel·tan θ gives both.
+/// bias = c0 + c1·texel·tan θ, for one light and view at several resolutions. Constant biases alone determine only the
+/// product c1·tan θ. A slope-scaled bias s reduces the required constant bias by s·texel·tan θ, down to c0 at least. So
+/// with several slope-scaled biases, the fit of bias = c0 + max(c1 − s, 0)·texel·tan θ determines both.
 struct BiasLaw {
   std::size_t points = 0;
-  double first_slope = 0.0;              ///< s₀, the least slope-scaled bias of the points, texels
+  double first_slope = 0.0;              ///< s₀, the smallest slope-scaled bias of the points, texels
   Fitted constant{};                     ///< c0, metres
   Fitted per_texel{};                    ///< (c1 − s₀)·tan θ, texels
-  std::optional<Fitted> tangent{};       ///< tan θ where the bias is decided, 1; needs two s below c1
+  std::optional<Fitted> tangent{};       ///< tan θ at the surface that limits the bias; needs two s below c1
   std::optional<Fitted> slope_factor{};  ///< c1, texels of slope-scaled bias
-  double flat_from = std::numeric_limits<double>::infinity();  ///< the least s taken to be c1 or more, texels
-  double residual = 0.0;                                       ///< root mean square of what the law misses, metres
-  double residual_texels = 0.0;                                ///< the same, each point's in its own texels
+  double flat_from = std::numeric_limits<double>::infinity();  ///< least s taken as ≥ c1, texels
+  double residual = 0.0;                                       ///< RMS residual, metres
+  double residual_texels = 0.0;                                ///< RMS residual, each in texels of its point
 };
 
-/// The constant bias that a law tells for a texel (metres) and a slope-scaled bias (texels), metres.
+/// The constant bias, in metres, that the fit gives for a texel size (metres) and a slope-scaled bias (texels).
 double bias_of(const BiasLaw& law, double texel, double slope);
 
-/// Least squares, each point weighted by 1/step²; of all places of the bend among the slope-scaled biases the one that
-/// misses least. Nothing where the texels do not differ.
+/// Least squares with each point weighted by 1/step². Tries every position of the bend s = c1 among the slope-scaled
+/// biases and returns the fit with the smallest residual. Empty if all texel sizes are equal.
 std::optional<BiasLaw> fit_law(std::span<const LawPoint> points);
 
 }  // namespace umbrameter

@@ -1,4 +1,4 @@
-// The exact error at every bias of an axis, from the histogram of the biases at which taps flip.
+// Computes the exact error at every bias of an axis from the histogram of the biases at which taps flip.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,8 @@
 
 namespace umbrameter {
 
-/// The sums at each constant bias of the axis, for one of its slope factors: what rendering each cell would count.
+/// The sums at each constant bias of the axes, for the slope factor with index `slope`. Rendering each cell gives the
+/// same sums.
 std::vector<VisibilitySums> sums_at_biases(const BiasHistogram& histogram, std::size_t slope);
 
 }  // namespace umbrameter

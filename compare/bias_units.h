@@ -1,20 +1,20 @@
-// A constant bias in the three units that every result states. No images, no rows.
+// Converts a constant bias to the three units that every result states.
 #pragma once
 
 #include "core/parameters.h"
 
 namespace umbrameter {
 
-/// One constant bias: along the light's axis or the point light's ray. Texels are those of the mean size over the
-/// counted pixels, so that in a map whose texels grow with the distance from the light metres (or texels) are a mean.
-/// NaN where the texel size or the depth range is not known.
+/// One constant bias in three units, along the light's axis or the point light's ray. Conversion between metres and
+/// texels uses the mean texel over the counted pixels, so for maps whose texels grow with the distance from the light
+/// the converted value is a mean. NaN if the texel size or the depth range is unknown.
 struct BiasInUnits {
   double metres = 0.0;
   double texels = 0.0;
-  double depth = 0.0;  ///< normalised map depth: a share of the map's depth range
+  double depth = 0.0;  ///< normalised depth: divided by the map's depth range
 };
 
-/// bias is in metres or texels. mean_texel and depth_range are in metres; 0 where not known.
+/// bias is in metres or texels. mean_texel and depth_range are in metres; 0 if unknown.
 BiasInUnits in_units(const Length& bias, double mean_texel, double depth_range);
 
 }  // namespace umbrameter

@@ -8,30 +8,30 @@
 
 namespace umbrameter {
 
-/// Pixels of one mark that hang together over sides or corners (8-neighbourhood).
+/// Pixels with the same mark that touch at a side or a corner (8-neighbourhood).
 struct Component {
   std::uint8_t mark = 0;
   std::uint64_t pixels = 0;
   double weight = 0.0;    ///< sum of its pixels' weights
-  double center_x = 0.0;  ///< mean of its pixels, px; it need not belong to it
+  double center_x = 0.0;  ///< mean of its pixels, px; may lie outside the component
   double center_y = 0.0;
 };
 
-/// In the order of each one's first pixel, row by row from the top; pixels of mark 0 belong to none. Images of one
-/// size.
+/// All components, in the order of their first pixels, row by row from the top. Pixels with mark 0 belong to none. The
+/// images have the same size.
 std::vector<Component> find_components(const Image<std::uint8_t>& marks, const Image<std::uint32_t>& weights);
 
-/// What is told of the components of one mark; 0 where there is none.
+/// Statistics of the components with one mark; 0 if there are none.
 struct ComponentStatistics {
   std::uint64_t count = 0;
   double mean_area = 0.0;          ///< px
   std::uint64_t largest_area = 0;  ///< px
-  double largest_share = 0.0;      ///< of the weight of all of them, the part in the largest
+  double largest_share = 0.0;      ///< share of the total weight that is in the largest component
   double largest_x = 0.0;          ///< its centre, px
   double largest_y = 0.0;
 };
 
-/// The largest has the most pixels; of several the first.
+/// The largest component is the one with the most pixels; among several, the first.
 ComponentStatistics summarize(const std::vector<Component>& components, std::uint8_t mark);
 
 }  // namespace umbrameter

@@ -1,5 +1,5 @@
-// Shadow error against a binary reference of a technique that does not sum depth comparisons. Its values between 0 and
-// 1 have no taps that could be wrong, so the error is split by sign and by distance to the reference's shadow edges.
+// Shadow error, against a binary reference, of a technique that does not sum depth comparisons. Such a technique has no
+// taps that could be wrong, so the error is split by sign and by distance to the reference's shadow edges.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,8 @@
 
 namespace umbrameter {
 
-/// An error counts as at an edge up to this distance from it, across the light's direction, in texels of the map there.
+/// An error up to this distance from an edge is an error at the edge. In map texels at the edge, perpendicular to the
+/// light's direction.
 inline constexpr double edge_band_texels = edge_reaches[two_texels];
 
 /// All shares are of the counted pixels, 0 to 1; mae is the sum of the four parts.
@@ -31,7 +32,7 @@ struct EdgeStatistics {
 };
 Statistics describe(EdgeStatistics& statistics);
 
-/// `shape` is analyze_error_shape(input, technique).
+/// `shape` must be the result of analyze_error_shape(input, technique).
 EdgeStatistics analyze_edges(const ShapeInput& input, const Image<float>& technique, const ErrorShape& shape);
 
 }  // namespace umbrameter

@@ -1,5 +1,5 @@
-// The shape of a light's shadow error: how far from the reference's edges it lies, and in how many pieces. Tells
-// jagged edges from fields of acne, which a mean cannot.
+// The shape of a light's shadow error: its distance from the reference's edges, and its connected regions. This
+// distinguishes jagged edges from areas of acne, which a mean does not.
 #pragma once
 
 #include <array>
@@ -14,56 +14,57 @@
 
 namespace umbrameter {
 
-/// Quantiles by weight.
+/// Weighted quantiles.
 struct Spread {
   double median = 0.0;
   double upper = 0.0;  ///< 95 % of the weight is at most this
   double largest = 0.0;
 };
 
-/// Distances at which the share of the error is told, texels.
+/// Distances at which EdgeDistances::within gives the share of the error, texels.
 inline constexpr std::array<double, 10> edge_reaches = {0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0};
-inline constexpr std::size_t one_texel = 2;   ///< its place in edge_reaches
-inline constexpr std::size_t two_texels = 3;  ///< its place in edge_reaches
+inline constexpr std::size_t one_texel = 2;   ///< index of 1 texel in edge_reaches
+inline constexpr std::size_t two_texels = 3;  ///< index of 2 texels in edge_reaches
 
 /// How far a part of the error lies from the reference's edges.
 struct EdgeDistances {
   double weight = 0.0;  ///< of the part, pixels
+  // All three distances are empty if there is no error or no edge.
   std::optional<Spread> pixels;
-  /// Across the light's way, in texels of the map at the edge: what the map's own steps are measured in.
+  /// Perpendicular to the light's direction, in map texels at the edge, because the map's steps have this size.
   std::optional<Spread> texels;
-  std::optional<Spread> metres;  ///< in the world. All three empty without error or without an edge
-  /// Of the part's weight the share within edge_reaches.
+  std::optional<Spread> metres;  ///< in the world
+  /// Share of the part's weight within each distance of edge_reaches.
   std::array<double, edge_reaches.size()> within{};
 };
 
-/// Names of a soft shadow's parts, in order: the signs of its error. A hard one's are cause_names.
+/// Names of the parts of a soft shadow's error, by sign. The parts of a hard shadow's error have cause_names.
 inline constexpr std::array<std::string_view, 2> soft_part_names = {"too_dark", "too_bright"};
 
 struct ErrorShape {
-  std::uint64_t edges = 0;  ///< pairs of neighbouring pixels between which the reference changes
+  std::uint64_t edges = 0;  ///< pairs of neighbouring pixels of which only one is lit in the reference
   EdgeDistances all;
   std::vector<EdgeDistances> parts;  ///< in the order of the part names
-  /// Wrong pixels and those of each class; of a hard shadow alone, whose pixels are right or wrong.
+  /// Components of all wrong pixels, and of each class. Only for a hard shadow, whose pixels are either right or wrong.
   std::optional<ComponentStatistics> components;
   std::array<ComponentStatistics, cause_count> class_components{};
-  /// Of an area light: share of its error where the truth is 0 or 1.
+  /// Only for an area light: share of the error at pixels where the truth is 0 or 1.
   std::optional<double> outside_penumbra;
 };
 
-/// What the shape is measured on; images of one size.
+/// Input of analyze_error_shape(); all images have the same size.
 struct ShapeInput {
   const GBuffer& gbuffer;
-  const Image<float>& truth;  ///< 1 lit, 0 blocked; lit from ½ on
+  const Image<float>& truth;  ///< 1 lit, 0 blocked; values ≥ ½ are lit
   const CountedPixels& counted;
   const Light& light;
   const MapLayout& frame;
 };
 
-/// By the causes of the wrong taps. Distances are to the edge that is nearest in the image.
+/// The shape by cause of the wrong taps. Distances are to the edge that is nearest in the image.
 ErrorShape analyze_error_shape(const ShapeInput& input, const WrongTaps& wrong);
 
-/// By the sign of raster − truth, for a reference that is a share: its edge is where it passes ½.
+/// The shape by sign of raster − truth, for a fractional reference, whose edge is where it crosses ½.
 ErrorShape analyze_error_shape(const ShapeInput& input, const Image<float>& raster);
 
 }  // namespace umbrameter

@@ -1,5 +1,5 @@
-// Where an image of visibility has shadow edges, and how far every pixel is from the nearest one. Silhouettes, where a
-// near surface ends before a far one, are no edges of shadows.
+// Finds the shadow edges of a visibility image, and the distance of every pixel to the nearest edge. Silhouettes, where
+// a near surface ends in front of a far one, are not shadow edges.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ inline EdgePixels pixels_of(EdgeId edge, int image_width) {
   return {first, first + (edge % 2 == 0 ? 1 : static_cast<std::size_t>(image_width))};
 }
 
-/// The middle between both surfels, world, metres.
+/// The midpoint of the two surfels; world, metres.
 dvec3 position_of(EdgeId edge, const GBuffer& gbuffer);
 
 /// Bit 0: an edge to the right of the pixel; bit 1: one below it.
@@ -31,18 +31,19 @@ struct ShadowEdges {
   std::uint64_t count = 0;
 };
 
-/// Whether two neighbouring pixels see one surface without a jump in depth between them: they belong to one instance,
-/// and the line from surfel to surfel is within 45° of both tangent planes. Of a step in depth it runs along the view.
+/// Whether two neighbouring pixels see the same surface without a depth discontinuity: they see the same instance, and
+/// the line between the surfels is within 45° of both tangent planes. At a discontinuity this line is nearly parallel
+/// to the view direction.
 bool is_one_surface(const GBuffer& gbuffer, std::size_t pixel, std::size_t neighbour);
 
-/// Between neighbours on one surface, both counted, of which one is lit (visibility at least ½) and the other is not.
-/// Images of one size, of less than 2³¹ pixels.
+/// Finds edges between neighbouring pixels that are on one surface and both counted, and of which one is lit
+/// (visibility ≥ ½) and the other is not. The images have the same size and fewer than 2³¹ pixels.
 ShadowEdges find_shadow_edges(const Image<float>& visibility, const GBuffer& gbuffer, const CountedPixels& counted);
 
 struct NearestEdges {
   Image<float>
       distance;        ///< px, from a pixel's centre to the middle between an edge's two pixels; infinite without one
-  Image<EdgeId> edge;  ///< the nearest in the image; no_id without one
+  Image<EdgeId> edge;  ///< the nearest in the image; no_id if there is no edge
 };
 
 /// The exact Euclidean distance transform (Felzenszwalb and Huttenlocher, Theory of Computing 8, 2012).

@@ -1,5 +1,5 @@
-// Shimmer: how much of a shadow changes when nothing but the shadow map's grid or the camera moves, by less than a
-// texel or a pixel. Still pictures do not show it.
+// Shimmer: the change of a shadow when only the grid of the shadow map or the camera moves, by less than a texel or a
+// pixel. Still images do not show it.
 #pragma once
 
 #include "compare/visibility.h"
@@ -11,25 +11,26 @@
 
 namespace umbrameter {
 
-/// The frame with its grid moved, so that in the middle of the map positions fall that many texels to the right and up.
-/// Orthographic maps move, the others turn about the light; a cube's side faces by as much about the third axis, too.
-/// `bounds` are those that the frame was fitted to: what a spot's axis turns to may be deeper than before.
+/// Moves the grid of a layout, so that positions in the centre of the map move by this many texels right and up.
+/// Orthographic maps are translated; the others rotate about the light, a cube also by the same angle about the third
+/// axis, which moves its side faces. `bounds` must be those that the layout was fitted to: they give the new depth
+/// range, because a rotated spot light may see farther.
 MapLayout shift_grid(const MapLayout& frame, const dvec2& texels, const Bounds& bounds);
 
-/// The view turned, an orthographic one moved, so that in the middle of the image a pixel sees what lay that many
-/// pixels to the right and down.
+/// Rotates the view, or translates an orthographic one, so that a pixel in the centre of the image sees what was this
+/// many pixels to its right and below it.
 View shift_view(const View& view, const dvec2& pixels);
 
-/// What changed between two images of visibility.
+/// The change between two visibility images.
 struct Flips {
-  std::uint64_t pixels = 0;  ///< compared
-  double share = 0.0;        ///< mean of |after − before| over them
+  std::uint64_t pixels = 0;  ///< number of compared pixels
+  double share = 0.0;        ///< mean of |after − before| over the compared pixels
 };
 
-/// Over the counted pixels.
+/// Compares the counted pixels.
 Flips count_flips(const Image<float>& before, const Image<float>& after, const CountedPixels& counted);
 
-/// Over the counted pixels that see the same triangle in both.
+/// Compares the counted pixels that see the same triangle before and after.
 Flips count_flips(const Image<float>& before, const Image<float>& after, const CountedPixels& counted,
                   const GBuffer& gbuffer_before, const GBuffer& gbuffer_after);
 

@@ -1,5 +1,5 @@
-// Wrong taps that the two-plane rule calls false occlusion: their list, the surfaces that a judge is asked about, and
-// how its verdict changes what was counted. The judge itself traces rays and lives elsewhere.
+// Wrong taps that are false occlusion by the two-plane rule: the surface points that ray tests need, and the update of
+// counts with the results of these tests. raytrace/surface_judge.h traces the rays.
 #pragma once
 
 #include <cstdint>
@@ -14,28 +14,28 @@
 
 namespace umbrameter {
 
-/// How the two-plane rule and the judge agree, in weights of taps.
+/// Agreement of the two-plane rule with the ray tests, in weights of taps.
 struct ClassAgreement {
   std::uint64_t wrong = 0;       ///< all wrong taps
-  std::uint64_t unresolved = 0;  ///< of them false occlusion by the two-plane rule
-  std::uint64_t judged_own = 0;  ///< of those acne by the judge
-  std::uint64_t taps = 0;        ///< how many were judged
+  std::uint64_t unresolved = 0;  ///< wrong taps that are false occlusion by the two-plane rule
+  std::uint64_t judged_own = 0;  ///< unresolved taps that ray tests reclassified as acne
+  std::uint64_t taps = 0;        ///< number of ray-tested taps, not weighted
 };
-/// 0 to 1; 0 of nothing.
+/// judged_own as a share of `unresolved` and of `wrong`, 0 to 1; 0 if there are none.
 double share_of_unresolved(const ClassAgreement& agreement);
 double share_of_wrong(const ClassAgreement& agreement);
 
-/// The pixel of a tap as images count it.
+/// The index of a tap's pixel in images.
 std::size_t pixel_of(const UnresolvedTap& tap, const GBuffer& gbuffer);
 
-/// The receiver's point on its own triangle, without any normal offset, and the one that the map holds.
+/// The receiver, on its triangle and without normal offset, and the map's sample.
 TapSurfaces surfaces_of(const Scene& scene, const MapLayout& frame, const GBuffer& gbuffer, const UnresolvedTap& tap);
 std::vector<TapSurfaces> surfaces_of(const Scene& scene, const MapLayout& frame, const GBuffer& gbuffer,
                                      std::span<const UnresolvedTap> taps);
 
-/// Turns the taps that are judged own (1, one entry a tap) from false occlusion to acne: at their pixels, or in the
-/// bins of their flips. A pixel's error does not change by its causes, so that squares and largest errors stay. Each
-/// tap may be judged once. Throws Error (no_backend) when one was not counted where its numbers say.
+/// Reclassifies from false occlusion to acne the taps with own[i] = 1, at their pixels or in the bins of their flips.
+/// Squared and largest errors do not change, because they do not depend on the cause. Each tap may be passed once.
+/// Throws Error (no_backend) if a tap is missing from the counts of its pixel or bin.
 void apply_judgement(WrongTaps& wrong, const GBuffer& gbuffer, std::span<const UnresolvedTap> taps,
                      std::span<const std::uint8_t> own);
 void apply_judgement(BiasHistogram& histogram, std::span<const UnresolvedTap> taps, std::span<const std::uint8_t> own);

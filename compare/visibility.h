@@ -1,5 +1,4 @@
-// Shadow error: what differs between a raster and a traced visibility image, counted over the surfels that the
-// technique is answerable for, and taken apart by cause.
+// Shadow error: the difference between a raster and a traced visibility image over the counted pixels, by cause.
 #pragma once
 
 #include <array>
@@ -16,20 +15,20 @@
 
 namespace umbrameter {
 
-/// The cause that a pixel's error is mostly due to; the numbers of the class layer.
+/// The main cause of a pixel's error. The values are those of the class layer in images.exr.
 enum class PixelClass : std::uint8_t {
   correct,
   acne,
   false_occlusion,
   peter_panning,
   light_leak,
-  not_counted,  ///< turned away, or outside the map, cone or range
+  not_counted,  ///< back-facing, or outside the map, cone or range
   background,
 };
 inline constexpr std::array<std::string_view, 7> pixel_class_names = {
     "correct", "acne", "false occlusion", "peter-panning", "light leak", "not counted", "background"};
 
-/// Of the causes, for people: the name, and what it means.
+/// Name and meaning of a cause, for people.
 constexpr std::string_view cause_title(Cause cause) {
   return pixel_class_names[static_cast<std::size_t>(PixelClass::acne) + static_cast<std::size_t>(cause)];
 }
@@ -45,14 +44,14 @@ struct VisibilityStatistics {
   double rmse = 0.0;         ///< root of the mean of (raster − truth)²
   double mean_error = 0.0;   ///< mean of raster − truth: below 0 too dark, above 0 too bright
   double max_error = 0.0;    ///< largest |raster − truth|
-  int max_x = -1;            ///< where it stands first, row by row from the top, px; −1 without an error
-  int max_y = -1;            ///< and where only sums are known
+  int max_x = -1;            ///< its first pixel, row by row from the top, px
+  int max_y = -1;            ///< both are −1 if there is no error or only sums are known
   double acne = 0.0;
   double false_occlusion = 0.0;
   double peter_panning = 0.0;
   double leak = 0.0;
-  double false_blocked = 0.0;  ///< truth lit, raster blocked: of a filtered pixel its blocked part
-  double false_lit = 0.0;      ///< truth blocked, raster lit: of a filtered pixel its lit part
+  double false_blocked = 0.0;  ///< truth lit, raster blocked; for a filtered pixel its blocked part
+  double false_lit = 0.0;      ///< truth blocked, raster lit; for a filtered pixel its lit part
   double mean_texel = 0.0;     ///< mean side of a texel at the counted surfels, metres
 };
 
@@ -60,20 +59,20 @@ Statistics describe(VisibilityStatistics& statistics);
 
 inline constexpr const char* mean_texel_meaning = "mean size of a shadow-map texel at the counted pixels";
 
-/// How many pixels each counting class holds, indexed by PixelExclusion.
+/// Number of pixels for each PixelExclusion.
 using ExclusionTotals = std::array<std::uint64_t, 6>;
 inline constexpr std::array<std::string_view, 6> exclusion_names = {"counted",     "background",   "turned_away",
                                                                     "outside_map", "outside_cone", "outside_range"};
 
-/// Which pixels statistics count for a light, and why not the others.
+/// The counted pixels of a light, and why the others are excluded.
 struct CountedPixels {
   Image<PixelExclusion> exclusion;
   ExclusionTotals totals{};
-  double mean_texel = 0.0;  ///< metres, over the counted ones
+  double mean_texel = 0.0;  ///< mean over the counted pixels, metres
 };
 CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const MapLayout& frame);
 
-/// The counted pixels, and those of them that a binary truth calls lit.
+/// The number of counted pixels, and of those that are lit in a binary truth.
 struct TruthCounts {
   std::uint64_t pixels = 0;
   std::uint64_t lit = 0;
@@ -81,24 +80,24 @@ struct TruthCounts {
 };
 TruthCounts count_truth(const Image<float>& truth, const CountedPixels& counted);
 
-/// What all statistics of a binary truth follow from: sums over the counted pixels, in weights of taps. Equal
-/// configurations have equal sums, however they were measured.
+/// Sums over the counted pixels, in weights of taps, from which all statistics against a binary truth are computed.
+/// Equal configurations have equal sums, whether rendered or taken from a histogram.
 struct VisibilitySums {
   std::uint32_t weight_sum = 1;
   std::array<std::uint64_t, cause_count> wrong{};
-  WideCount squares = 0;      ///< of each pixel's wrong weight
-  std::uint32_t largest = 0;  ///< of a pixel's wrong weight
+  WideCount squares = 0;      ///< sum of the squares of each pixel's wrong weight
+  std::uint32_t largest = 0;  ///< largest wrong weight of a pixel
   friend bool operator==(const VisibilitySums&, const VisibilitySums&) = default;
 };
 
-/// Of all causes together.
+/// Sum of the weights over all causes.
 std::uint32_t wrong_weight(const uvec4& by_cause);
 
-/// Images of one size.
+/// The images have the same size.
 VisibilitySums sum_wrong_taps(const WrongTaps& wrong, const CountedPixels& counted);
 VisibilityStatistics to_statistics(const VisibilitySums& sums, const TruthCounts& truth);
 
-/// Of one configuration, with the place of the largest error.
+/// Statistics of one configuration, including the pixel with the largest error.
 VisibilityStatistics analyze_visibility(const WrongTaps& wrong, const Image<float>& truth,
                                         const CountedPixels& counted);
 

@@ -1,4 +1,4 @@
-// Sizes in bytes as users write them.
+// Parses sizes in bytes.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace umbrameter {
 
-/// Bytes of a text such as 500M or 10G; units are decimal (K, M, G, T). `what` and `remedy` go into the Error (usage)
-/// for anything else.
+/// Number of bytes for a text such as 500M or 10G; units are decimal (K, M, G, T). For any other text, throws Error
+/// (usage) with `what` and `remedy`.
 std::uint64_t parse_bytes(std::string_view text, const std::string& what, const std::string& remedy);
 
 }  // namespace umbrameter

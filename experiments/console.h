@@ -1,4 +1,4 @@
-// What the program says: results on stdout, notes and progress on stderr.
+// Console output: results on stdout, notes and progress on stderr.
 #pragma once
 
 #include <chrono>
@@ -12,53 +12,54 @@
 namespace umbrameter {
 
 struct Console {
-  bool quiet = false;    ///< the answer alone: no progress, no notes, no further lines
-  bool json = false;     ///< stdout carries the JSON summary and nothing else
-  bool verbose = false;  ///< diagnostics too
+  bool quiet = false;    ///< only the main result: no progress, no notes, no further lines
+  bool json = false;     ///< stdout carries only the JSON summary
+  bool verbose = false;  ///< also print diagnostics
 };
 
-/// A line of the answer, on stdout; nothing with --json.
+/// Prints a line of the main result on stdout; nothing with --json.
 void say(const Console& console, const std::string& line);
 
-/// More of the result than the answer, on stdout; nothing with --json or --quiet.
+/// Prints a further line of the result on stdout; nothing with --json or --quiet.
 void add_line(const Console& console, const std::string& line);
 
-/// A diagnostic for --verbose, on stderr.
+/// Prints a diagnostic on stderr, only with --verbose.
 void diagnostic(const Console& console, const std::string& line);
 
-/// What was assumed or left out, on stderr as "note: …"; nothing with --quiet.
+/// Prints an assumption or omission on stderr as "note: …"; nothing with --quiet.
 void note(const Console& console, const std::string& line);
 
 /// Whether stderr may carry colours: a terminal, and NO_COLOR unset or empty (no-color.org).
 bool use_color();
 
-/// How far some work is.
+/// Progress of a task.
 struct Advance {
-  double share = 0.0;        ///< done of it all
-  double first_share = 0.0;  ///< was done before these seconds began, by an earlier run perhaps
+  double share = 0.0;        ///< share of the task that is done, 0 to 1
+  double first_share = 0.0;  ///< share that was done at the start of `seconds`, for example by an earlier run
   double seconds = 0.0;
-  std::uint64_t rays = 0;  ///< traced in these seconds; 0 where none are counted
+  std::uint64_t rays = 0;  ///< rays traced during `seconds`; 0 if they are not counted
 };
 
-/// "shadow rays ####.... 42 %, 12.3 Mray/s, 8 s left": the rate where rays are counted, the time left once it can be
-/// told.
+/// "shadow rays ####.... 42 %, 12.3 Mray/s, 8 s left". The rate is omitted if no rays are counted, the time left until
+/// it can be estimated.
 std::string progress_text(const std::string& label, const Advance& advance, bool color);
 
-/// A bar with percentage, rate and time left on stderr while it lives; silent where stderr is no terminal, and with
-/// --quiet.
+/// Shows a bar with percentage, rate and time left on stderr while the object lives. Shows nothing if stderr is not a
+/// terminal, or with --quiet.
 class ProgressBar {
  public:
-  /// count_rays(), where given, tells a growing number of rays, from any start and on any thread.
+  /// count_rays(), if given, returns the number of rays so far. It may start at any number and must be callable on any
+  /// thread.
   ProgressBar(const Console& console, std::string label, std::function<std::uint64_t()> count_rays = {});
-  /// Shows nothing and passes every share on; to nobody where `pass_on` is empty.
+  /// Shows nothing and passes every share to `pass_on`, which may be empty.
   explicit ProgressBar(Progress pass_on);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// `counted` follows the label: "7 of 19".
+  /// `counted` is printed after the label: "7 of 19".
   void show(double share, const std::string& counted = {});
-  /// show() as a callable that must not outlive the bar.
+  /// A callable that calls show(). It must not outlive the bar.
   Progress callback();
 
  private:
@@ -68,7 +69,7 @@ class ProgressBar {
   Progress pass_on_;
   std::uint64_t rays_before_ = 0;
   bool visible_ = false;
-  Clock::time_point start_;  ///< when the first share was told
+  Clock::time_point start_;  ///< time of the first show()
   std::optional<double> first_share_;
   Clock::time_point shown_;
 };

@@ -1,5 +1,5 @@
-// A 128-bit hash that tells changed content from equal content: XXH3 (Collet, xxHash 0.8).
-// It guards against accidents, not against forgery.
+// A 128-bit hash that detects changed content: XXH3 (Collet, xxHash 0.8).
+// It detects accidents, not forgery.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@
 
 namespace umbrameter {
 
-/// Values that are their bytes: numbers, enums, and GLM's packed vectors and matrices.
+/// Types that can be hashed by their bytes: numbers, enums, and GLM's packed vectors and matrices.
 template <class T>
 concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T> ||(std::is_trivially_copyable_v<T>&& requires {
   typename T::value_type;
   T::length();
 });
 
-/// Takes content piece by piece, bit for bit: 0.0 and -0.0 differ.
+/// Hashes content piece by piece, by its bits: 0.0 and -0.0 have different hashes.
 class ContentHash {
  public:
   ContentHash();
@@ -32,7 +32,7 @@ class ContentHash {
   ContentHash& add(const T& value) {
     return add_bytes(std::as_bytes(std::span(&value, 1)));
   }
-  /// With its length, so that ("ab", "c") and ("a", "bc") differ.
+  /// Includes the length, so that ("ab", "c") and ("a", "bc") have different hashes.
   ContentHash& add(std::string_view text);
   template <Plain T>
   ContentHash& add(const std::vector<T>& values) {

@@ -1,4 +1,5 @@
-// What a run's rays cost: for people, on stderr, since no two runs take the same time.
+// The costs of a run: rays, time and memory. They are printed on stderr, not stored with the results, because they
+// differ from run to run.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +9,14 @@
 
 namespace umbrameter {
 
-/// Rays of one kind that were traced in this run, not read from the cache.
+/// Rays of one kind that this run traced. Results read from the cache are not included.
 struct RayCosts {
   std::uint64_t rays = 0;
   double seconds = 0.0;
 };
 
 struct Costs {
-  BuildStatistics build;  ///< all 0 when nothing had to be built
+  BuildStatistics build;  ///< all 0 if nothing was built
   RayCosts shadow;
   RayCosts hemisphere;
   double largest_offset = 0.0;  ///< metres
@@ -23,10 +24,10 @@ struct Costs {
 
 void add(RayCosts& costs, const TraceStatistics& statistics);
 
-/// Most memory that the process has held so far, bytes.
+/// Peak resident memory of the process so far, bytes.
 std::uint64_t peak_resident_bytes();
 
-/// One line with triangles, build, rays, their rates and the memory; empty when nothing was traced.
+/// One line with triangles, build time, rays, ray rates and memory. Empty if nothing was traced.
 std::string costs_text(const Costs& costs);
 
 }  // namespace umbrameter

@@ -1,4 +1,4 @@
-// Everything that decides what a run measures: the scene and every described parameter.
+// The complete configuration of a run: the scene and all parameters.
 #pragma once
 
 #include <string>
@@ -16,10 +16,11 @@
 
 namespace umbrameter {
 
-/// Who settles the taps that the two-plane rule takes for another surface's: the rule itself, or rays.
+/// How taps are classified that the two-plane rule assigns to another surface: fast keeps that result, exact confirms
+/// or reclassifies them by ray tests.
 enum class ClassRule : int { fast, exact };
 
-/// What a sweep measures: what its axes belong to, shadows, or ambient occlusion.
+/// What a sweep measures: shadows or ambient occlusion; automatic: the one that its axes belong to.
 enum class SweepMeasure : int { automatic, visibility, ao };
 
 /// The run.* parameters.
@@ -41,27 +42,28 @@ struct Experiment {
   AoParams ao;
   TruthParams truth;
   RunParams run;
-  /// What a sweep varies: full parameter name, axis text.
+  /// The axes of a sweep: full parameter name, axis text.
   std::vector<std::pair<std::string, std::string>> axes;
 };
 
-/// The built-in scene's name, or the file's name without its folder, with the scene chosen in it.
+/// The built-in scene's name, or the file's name without its folder; followed by the selected scene of the file.
 std::string scene_title(const Experiment& experiment);
 
-/// With the lengths of ambient occlusion in metres; an automatic truth.ao-distance becomes the experiment's own
-/// ao.radius, so that both sides look equally far. scene_size is the diagonal of the scene's bounds, metres.
+/// Converts the lengths of ambient occlusion to metres. An automatic truth.ao-distance becomes the experiment's
+/// ao.radius, so that technique and reference use the same distance. scene_size is the diagonal of the scene's bounds,
+/// metres.
 Experiment in_metres(Experiment experiment, double scene_size);
 
-/// All parameters, bound to this experiment.
+/// All parameters, bound to the members of this experiment.
 Parameters describe(Experiment& experiment);
 
-/// The values of some parameters as one text: equal exactly when the values are equal.
+/// The values of some parameters as one text. Two texts are equal if and only if the values are equal.
 std::string key_of(const Parameters& parameters);
 
 /// The reference page of all parameters, Markdown.
 std::string parameter_reference();
 
-/// Every parameter with its value, unit and meaning; of a varied one the axis in place of the value.
+/// Every parameter with its value, unit and meaning. A varied parameter has its axis in place of the value.
 Table settings_table(Experiment experiment);
 
 }  // namespace umbrameter

@@ -1,4 +1,4 @@
-// Both sides' answers for one configuration, and their difference.
+// Measures one configuration: the results of technique and reference, and their difference.
 #pragma once
 
 #include <optional>
@@ -17,76 +17,77 @@
 
 namespace umbrameter {
 
-/// Which side's answers a command wants; the difference is there where both are.
+/// Which results a command needs. The difference is computed if both are needed.
 struct Sides {
   bool raster = true;
   bool truth = true;
 };
 
-/// What can be said of a shadow error. Against a binary reference, of a technique that sums comparisons: its causes. Of
-/// another technique: how the error lies about the reference's edges. Against an area light: its sign, with intervals.
+/// Statistics of a shadow error. VisibilityStatistics: by cause, for a binary reference and a technique that sums
+/// comparisons. EdgeStatistics: by distance to the reference's edges, for a binary reference and any other technique.
+/// SoftVisibilityStatistics: by sign, with intervals, for an area light.
 using ShadowStatistics = std::variant<VisibilityStatistics, EdgeStatistics, SoftVisibilityStatistics>;
 
-/// The same, or ambient occlusion: what the cells of a sweep hold.
+/// Statistics of a cell of a sweep: a shadow error or ambient occlusion.
 using CellStatistics = std::variant<VisibilityStatistics, EdgeStatistics, SoftVisibilityStatistics, AoStatistics>;
 
 inline Statistics describe(CellStatistics& statistics) {
   return std::visit([](auto& each) { return describe(each); }, statistics);
 }
 
-/// One of run.metrics.
+/// The score of one metric of run.metrics.
 struct MetricScore {
   const Metric* metric = nullptr;
   double score = 0.0;
 };
 
 struct ShadowMeasurement {
-  Experiment experiment;  ///< what it was made with; whoever shows it reads parameters from here
+  Experiment experiment;  ///< the parameters of this measurement
   std::uint32_t light = 0;
   MapLayout frame;
   CountedPixels counted;
   std::optional<RasterVisibility> raster;
   std::optional<TracedVisibility> truth;
   Emitter emitter;
-  std::optional<ShadowStatistics> statistics;  ///< where both sides are
-  std::vector<MetricScore> metrics{};          ///< where both sides are
-  std::optional<ClassAgreement> agreement{};   ///< where the classes are exact
-  /// By the receiver's object and material, by falling weight; where statistics are.
+  std::optional<ShadowStatistics> statistics;  ///< if raster and truth are present
+  std::vector<MetricScore> metrics{};          ///< if raster and truth are present
+  std::optional<ClassAgreement> agreement{};   ///< with run.classes=exact
+  /// By the receiver's object and by its material, in descending order of weight; if statistics are present.
   std::vector<PartError> objects{};
   std::vector<PartError> materials{};
-  std::optional<BiasAdvice> advice{};  ///< of compare, where any pixel is counted
-  std::optional<ShadowShape> shape;    ///< of compare
+  std::optional<BiasAdvice> advice{};  ///< set by the compare command, if any pixel is counted
+  std::optional<ShadowShape> shape;    ///< set by the compare command
 };
 
-/// Whether the reference is a share of the light, and sampled.
+/// Whether the light has extent, so that the reference is fractional and sampled.
 inline bool has_area_light(const ShadowMeasurement& shadow) {
   return !std::holds_alternative<std::monostate>(shadow.emitter);
 }
 
-/// The statistics by cause; nullptr where the error has none.
+/// The statistics by cause; nullptr if the error has no causes.
 inline const VisibilityStatistics* by_cause(const ShadowMeasurement& shadow) {
   return shadow.statistics ? std::get_if<VisibilityStatistics>(&*shadow.statistics) : nullptr;
 }
 
-/// The truth of one light for the statistics, which it must outlive.
+/// A view of one light's truth for the statistics. `truth` must outlive it.
 SampledImage sampled(const TracedVisibility& truth);
 
 struct AoMeasurement {
-  Experiment experiment;  ///< what it was made with
+  Experiment experiment;  ///< the parameters of this measurement
   std::optional<Image<float>> raster;
   std::optional<TracedAo> truth;
   std::optional<AoStatistics> statistics;
-  std::vector<MetricScore> metrics{};  ///< where both sides are
+  std::vector<MetricScore> metrics{};  ///< if raster and truth are present
 };
 
 struct Measurement {
-  Experiment experiment;  ///< that of all its parts
+  Experiment experiment;  ///< the parameters of all parts
   Surfels surfels;
   std::vector<ShadowMeasurement> shadows;
   std::optional<AoMeasurement> ao;
 };
 
-/// Of a technique's visibility against the binary reference of a light without extent.
+/// Compares a technique's visibility with the binary reference of a light without extent.
 EdgeStatistics measure_edges(Stages& stages, const Experiment& experiment, std::uint32_t light,
                              const Image<float>& drawn);
 

@@ -1,4 +1,4 @@
-// References kept between runs: traced once, then read from the user's cache folder.
+// Caches references between runs in the user's cache folder.
 #pragma once
 
 #include <functional>
@@ -13,19 +13,19 @@
 
 namespace umbrameter {
 
-/// The folder for references and its limit: 2 GB, or what UMBRAMETER_CACHE_SIZE says ("500M", "10G", "0" for no cache).
-/// Nothing, with a note, without a home folder. Throws Error (usage) for a size that is none.
+/// The folder for references and its limit: 2 GB, or UMBRAMETER_CACHE_SIZE ("500M", "10G", "0" for no cache). Empty,
+/// with a note, if there is no home folder. Throws Error (usage) for a malformed size.
 std::optional<CacheFolder> user_cache(const Console& console);
 
 class ReferenceCache {
  public:
-  /// Without a folder it always traces.
+  /// Without a folder, get() always traces.
   ReferenceCache(std::optional<CacheFolder> folder, const Console& console);
 
   bool enabled() const { return folder_.has_value(); }
 
-  /// The cached result bit for bit, or the traced one, which is then stored. A cache that cannot be used is a note.
-  /// Of TracedVisibility and TracedAo.
+  /// Returns the cached result, bit for bit, or traces it and stores it. Prints a note if the cache cannot be used.
+  /// Traced is TracedVisibility or TracedAo.
   template <class Traced>
   Traced get(const ReferenceKey& key, const CacheTitle& title, const std::function<Traced()>& trace);
 

@@ -1,4 +1,5 @@
-// What a traced reference depends on, as text: equal texts give equal bits. The cache's key.
+// The key of the reference cache: everything that a traced reference depends on, as text. References with equal keys
+// are bit-identical.
 #pragma once
 
 #include <cstdint>
@@ -20,24 +21,25 @@ struct ReferenceKey {
   std::uint32_t seed = 0;
 };
 
-/// One line an ingredient.
+/// One line per member.
 std::string to_text(const ReferenceKey& key);
 
-/// What rays can meet: triangles, where they are in the world, and the holes of masked materials; as a hash. Names,
-/// cameras, lights and colours do not count.
+/// Hash of everything that rays can hit: triangles, their transforms, and the holes of masked materials. Excludes
+/// names, cameras, lights and colours.
 std::string scene_content(const Scene& scene);
 
-/// Where rays start: size, ids, positions and normals, as a hash. Camera, surfel source and driver count through them.
+/// Hash of the surfels, where rays start: image size, ids, positions and normals. Camera, surfel source and driver
+/// affect it only through these.
 std::string surfel_content(const GBuffer& gbuffer);
 
-/// Kind, place and form of a light, as a hash. Its name, colour and intensity do not count.
+/// Hash of a light's kind, position and shape. Excludes its name, colour and intensity.
 std::string light_content(const Light& light);
 
-/// Place and projection of a camera, as a hash.
+/// Hash of a camera's position, orientation and projection.
 std::string camera_content(const Camera& camera);
 
-/// Who traces: a hash of this program's own file and of the processor's abilities, and Embree's version. The processor
-/// counts because Embree and the mathematics library choose their code by it.
+/// Identifies the tracing code: a hash of this program's file and of the processor's features, and Embree's version.
+/// The processor is included because Embree and the mathematics library select code by its features.
 std::string tracer_identity();
 
 }  // namespace umbrameter

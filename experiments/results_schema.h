@@ -1,4 +1,4 @@
-// The tables of a results store and what its database's errors mean. Internal to the store.
+// The SQL tables of a results store, and the conversion of database errors to Error. Internal to the store.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -12,13 +12,13 @@
 
 namespace umbrameter {
 
-/// What a user can do about a store that cannot be used.
+/// The remedy in error messages about a store that cannot be used.
 inline constexpr const char* store_remedy = "choose another folder with -o, or replace it with --force";
 
 [[noreturn]] void throw_damaged(const std::filesystem::path& path, const std::string& why);
 [[noreturn]] void throw_store_error(const std::filesystem::path& path, const SQLite::Exception& problem);
 
-/// Turns what the database throws into Error, and what only we can cause into std::logic_error.
+/// Runs `action` and converts exceptions of the database to Error, or to std::logic_error for a bug in the program.
 template <class Action>
 auto guarded(const std::filesystem::path& path, const Action& action) {
   try {
@@ -28,29 +28,29 @@ auto guarded(const std::filesystem::path& path, const Action& action) {
   }
 }
 
-/// A name for SQL.
+/// A name quoted as an SQL identifier.
 std::string identifier(std::string_view name);
 
 Value value_of(const SQLite::Column& column, ValueKind kind);
 
-/// Whether the database holds nothing yet. Throws Error (usage) when it is another program's or of another format.
+/// Whether the database is empty. Throws Error (usage) if it belongs to another program or has another format.
 bool is_empty_store(SQLite::Database& database, const std::filesystem::path& path);
 
-/// Growing: rows in the order of arrival, which costs no more the further apart their cells are, and the groups that
-/// are whole. Finished: rows by their cell.
+/// Growing: rows in the order of insertion, so that the cost does not depend on the order of cells; and the list of
+/// complete groups. Finished: rows in the order of cells.
 enum class StoreForm { growing, finished };
 /// To be called within a transaction.
 void create_tables(SQLite::Database& database, const StoreDescription& description, StoreForm form);
-/// All that create_tables() made of a growing store. To be called within a transaction.
+/// Drops the tables that create_tables() made for a growing store. To be called within a transaction.
 void drop_tables(SQLite::Database& database);
-/// For all columns of the table of cells.
+/// A statement that inserts a row with all columns into the table of cells.
 SQLite::Statement make_insert(SQLite::Database& database, const StoreDescription& description);
 void insert_row(SQLite::Database& database, SQLite::Statement& insert, std::size_t cell, std::span<const Value> values);
 
 /// Throws Error (unreadable_input) when the file is damaged.
 StoreDescription read_description(SQLite::Database& database, const std::filesystem::path& path);
 
-/// Of two stores that are not the same, in words; else empty.
+/// The first difference of two stores, for an error message; empty if they are the same.
 std::string first_difference(const StoreDescription& there, const StoreDescription& here);
 
 /// Throws Error (usage) with the first difference.

@@ -1,6 +1,6 @@
-// The rows of a sweep in a file that survives interruption: DIR/results.partial.sqlite while cells are missing, one
-// transaction a group, and DIR/results.sqlite once all are there, packed and in the order of cells. The only door to
-// the database: others ask by the functions below.
+// Stores the rows of a sweep in a file that survives interruption: DIR/results.partial.sqlite while cells are missing,
+// with one transaction per group; DIR/results.sqlite when the sweep is complete, packed and in the order of cells.
+// Other modules access the database only through this header.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@
 
 namespace umbrameter {
 
-/// How a column is stored, in the order of Value's alternatives: truths as 0 and 1, numbers that are none as NULL.
+/// How a column is stored, in the order of Value's alternatives. Truth values are stored as 0 and 1, NaN as NULL.
 enum class ValueKind : int { truth, integer, real, text };
 
 struct StoredColumn {
@@ -23,29 +23,29 @@ struct StoredColumn {
   ValueKind kind = ValueKind::real;
 };
 
-/// What a store is about. Two stores are the same, and one can continue the other, when all but the experiment's text
-/// is equal: that says the same once more, for people.
+/// Identifies the sweep of a store. Two stores are the same, so that a sweep can resume, if all members except
+/// `experiment` are equal. `experiment` repeats the same information for people.
 struct StoreDescription {
   std::string experiment;                                     ///< the complete experiment file
-  std::vector<std::pair<std::string, std::string>> settings;  ///< name and value of all that the rows depend on
+  std::vector<std::pair<std::string, std::string>> settings;  ///< name and value of all that rows depend on
   std::vector<std::pair<std::string, std::string>> axes;      ///< full parameter name, axis text
   std::vector<StoredColumn> columns;                          ///< those of the axes, then the measured ones
-  std::size_t cells = 0;                                      ///< when complete
+  std::size_t cells = 0;                                      ///< number of cells of the complete sweep
 };
 
-/// Takes the values of all columns at a cell.
+/// Receives the values of all columns of a cell.
 using CellSink = std::function<void(std::size_t cell, std::span<const Value> values)>;
-/// Takes the values of the columns asked for. The values live until the next row.
+/// Receives the values of the selected columns. The values are valid until the next row.
 using StoredRowSink = std::function<void(std::span<const Value> values)>;
 
 class ResultsStore {
  public:
-  /// Every name that a store's files may have in its folder, the database's own companions included.
+  /// Every name that a store's files may have in its folder, including SQLite's journal files.
   static std::vector<std::string> file_names();
 
-  /// Continues what the folder holds of that description, or begins; `anew` removes what is there. Throws Error:
-  /// usage when it holds another sweep, with the first difference, or another process works on it; unreadable_input
-  /// when it is damaged; partial when it cannot be written.
+  /// Resumes the folder's store if it has the same description, or creates one. With `anew`, removes an existing store
+  /// first. Throws Error: usage if the folder holds another sweep, with the first difference, or if another process is
+  /// writing to it; unreadable_input if the store is damaged; partial if it cannot be written.
   static ResultsStore open(const std::filesystem::path& folder, const StoreDescription& description, bool anew = false);
 
   /// Opens a complete store for reading. Throws as open() does.
@@ -57,27 +57,27 @@ class ResultsStore {
 
   const StoreDescription& description() const;
   const std::filesystem::path& path() const;
-  /// Whether it is the finished file; nothing can then be added.
+  /// Whether this is the finished file, to which nothing can be added.
   bool complete() const;
-  /// Number of cells that are there.
+  /// Number of stored cells.
   std::size_t count() const;
-  /// Whether the group that begins with that cell is there.
+  /// Whether the group that begins with this cell is stored.
   bool has_group(std::size_t first_cell) const;
 
-  /// All cells that fill() gives its sink in one transaction: none of them when it throws. A group that is there
-  /// already is a std::logic_error. Throws Error (partial) when the disk is full; what was there before stays.
+  /// Stores all cells that fill() passes to its sink in one transaction, or none if fill() throws. Throws
+  /// std::logic_error if the group is already stored, Error (partial) if the disk is full; earlier groups stay.
   void append(std::size_t first_cell, const std::function<void(const CellSink&)>& fill);
 
-  /// Packs the rows, in the order of cells, into the finished file, whose bytes depend on nothing but description and
-  /// rows. A cell that was given twice is a std::logic_error.
+  /// Packs the rows, in the order of cells, into the finished file. Its bytes depend only on description and rows.
+  /// Throws std::logic_error if a cell was stored twice.
   void finish();
 
-  /// All rows in the order of cells, of these columns; of all where none is named.
+  /// Passes these columns of all rows to the sink, in the order of cells; all columns if `columns` is empty.
   void read(const std::vector<std::string>& columns, const StoredRowSink& sink) const;
-  /// Some rows in the order asked for; cells that are missing are left out.
+  /// The rows of these cells, in this order. Missing cells are omitted.
   Table rows(std::span<const std::size_t> cells, const std::vector<std::string>& columns) const;
-  /// For each combination of values of the columns `per`, the row with the least `column`, the first of equals;
-  /// ordered by that combination, at most `limit` rows. Without `per` the least row of all.
+  /// For each combination of values of the columns `per`, the row with the smallest `column` (the first one of
+  /// several), ordered by combination, at most `limit` rows. If `per` is empty, the row with the smallest `column`.
   Table least(const std::string& column, const std::vector<std::string>& per, std::size_t limit) const;
 
  private:

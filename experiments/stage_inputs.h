@@ -1,5 +1,5 @@
-// The stages of a run, and the parameters that each reads. Memo keys, the cost of varying a parameter in a sweep and
-// the parameters in the reference cache's key all derive from this declaration.
+// Declares the stages of a run and the parameters that each reads. Memo keys, the cost of varying a parameter in a
+// sweep, and the parameters in the reference cache's key all derive from this declaration.
 #pragma once
 
 #include <string>
@@ -13,37 +13,37 @@ namespace umbrameter {
 enum class Stage {
   surfels,           ///< G-buffer of the view
   light,             ///< which light
-  emitter,           ///< its extent
-  layout,            ///< the light's map laid over the scene
-  counted,           ///< the pixels that the map answers for
+  emitter,           ///< the light's extent
+  layout,            ///< the projection of the light's map
+  counted,           ///< the counted pixels
   map,               ///< the shadow map
-  filtered_map,      ///< what a technique makes of it before the look-up
+  filtered_map,      ///< the technique's filtered map, if it has one
   visibility,        ///< the technique's visibility, by bias and filter
   binary_reference,  ///< shadow rays to a light without extent
   area_reference,    ///< shadow rays to an area light
-  ao,                ///< the method's ambient occlusion
+  ao,                ///< the technique's ambient occlusion
   ao_reference,      ///< hemisphere rays
 };
 
 struct StageInputs {
   std::string_view name;
-  Parameters (*reads)(Experiment& experiment);  ///< what the stage itself reads
+  Parameters (*reads)(Experiment& experiment);  ///< the parameters that the stage itself reads
   std::vector<Stage> after;                     ///< the stages whose results it reads
   double cost = 0.0;                            ///< relative time, for the order in which a sweep varies its axes
 };
 const StageInputs& inputs_of(Stage stage);
 
 /// The values of all parameters that the stage's result depends on: its own and those of the stages before it. Equal
-/// exactly when the result is.
+/// keys give equal results.
 std::string key_of(Stage stage, Experiment experiment);
 
 /// The values of the parameters that the stage itself reads.
 std::string own_key_of(Stage stage, Experiment experiment);
 
-/// Whether the stage's result depends on the parameter of that full name.
+/// Whether the stage's result depends on the parameter with this full name.
 bool depends_on(Stage stage, std::string_view parameter);
 
-/// Cost of all stages that run again when the parameter changes; see StageInputs::cost.
+/// Sum of StageInputs::cost over all stages that run again when the parameter changes.
 double cost_of_change(std::string_view parameter);
 
 }  // namespace umbrameter

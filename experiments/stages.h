@@ -1,5 +1,5 @@
-// The stages of a run over one scene, each at its first use. The last result of a stage is kept under the parameters
-// that it depends on (stage_inputs.h), so that the cells of a sweep share what they have in common.
+// Runs the stages of one scene on demand. The last result of each stage is kept, with the values of the parameters that
+// it depends on (stage_inputs.h), so that the cells of a sweep share results.
 #pragma once
 
 #include <atomic>
@@ -25,7 +25,7 @@
 
 namespace umbrameter {
 
-/// The last value made, and the key that it was made for.
+/// The last computed value and its key.
 template <class T>
 class Memo {
  public:
@@ -36,7 +36,7 @@ class Memo {
     });
   }
 
-  /// make() receives the last value, whose parts it can use again.
+  /// make() receives the last value and may reuse its parts.
   const T& remake(const std::string& key, const std::function<T(std::optional<T>)>& make) {
     if (!value_ || key != key_) {
       std::optional<T> last = std::exchange(value_, std::nullopt);
@@ -51,13 +51,13 @@ class Memo {
   std::optional<T> value_;
 };
 
-/// The surfels of a view, for both sides.
+/// The surfels of a view, for technique and reference.
 struct Surfels {
   View view;
   GBuffer gbuffer;
 };
 
-/// A reference that is being traced on another thread; ends it when it goes.
+/// A reference that is traced on another thread. The destructor cancels the tracing.
 struct AoInBackground {
   std::string key;
   std::atomic<double> share{0.0};  ///< done, 0 to 1
@@ -72,25 +72,25 @@ struct StageOptions {
   int threads = 0;
   std::optional<CacheFolder> cache{};  ///< for references
   std::string source{};                ///< the scene's file or built-in name, for messages
-  /// Where to draw; one is made where there is none. It must be current on the calling thread.
+  /// The GL context, current on the calling thread. If empty, Stages creates one.
   std::shared_ptr<gl::Context> context{};
 };
 
 class Stages {
  public:
-  /// A scene without lights is given a sun, with a note.
+  /// Adds a sun, with a note, to a scene without lights.
   Stages(Scene scene, StageOptions options, const Console& console);
 
   const Scene& scene() const { return scene_; }
   const Bounds& bounds() const { return bounds_; }
-  /// The experiment with its lengths in metres of this scene: in_metres().
+  /// in_metres() with the size of this scene.
   Experiment in_metres(const Experiment& experiment) const;
   const std::string& layer(std::uint32_t light) const { return layers_[light]; }
-  /// For people: the light's name, "light 2" where it has none, "lamp (2)" where several have it.
+  /// The light's name for people; "light 2" if it has none, "lamp (2)" if several lights have the same name.
   std::string title(std::uint32_t light) const;
   /// The light with the extent that the experiment gives it.
   Light light(const Experiment& experiment, std::uint32_t light) const;
-  /// Throws Error (usage) where the light.* parameters make no sense for these lights.
+  /// Throws Error (usage) if the light.* parameters make no sense for these lights.
   void require_sense_for(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const;
   /// Indices of the lights that a name or index selects; all when empty.
   std::vector<std::uint32_t> lights(const std::string& name_or_index) const;
@@ -104,33 +104,34 @@ class Stages {
   const MapLayout& layout(const Experiment& experiment, std::uint32_t light);
   const CountedPixels& counted(const Experiment& experiment, std::uint32_t light);
 
-  /// Of the experiment's technique.
+  /// Capabilities of the experiment's technique.
   TechniqueCapabilities capabilities(const Experiment& experiment) const {
     return capabilities_of(make_technique(experiment.shadow));
   }
 
   const TracedVisibility& truth(const Experiment& experiment, std::uint32_t light);
   const TracedAo& ao_truth(const Experiment& experiment);
-  /// Starts on another thread what ao_truth() of the same experiment then waits for. The view must stay the same until
-  /// it does.
+  /// Starts tracing on another thread; ao_truth() for the same experiment waits for the result. The view must not
+  /// change before that.
   void begin_ao_truth(const Experiment& experiment);
-  /// With classes by the two-plane rule where with_truth.
+  /// If with_truth, also classifies wrong taps by the two-plane rule.
   RasterVisibility draw(const Experiment& experiment, std::uint32_t light, bool with_truth);
-  /// Settles by rays what the rule called false occlusion, in classes that draw() made of the same experiment.
+  /// Tests by rays the taps that the two-plane rule calls false occlusion, and reclassifies them in `wrong`, the result
+  /// of draw() for the same experiment.
   ClassAgreement judge(const Experiment& experiment, std::uint32_t light, WrongTaps& wrong);
-  /// The error at every bias of the axes, which take the place of the experiment's; run.classes says by which classes.
+  /// The error at every bias of the axes, which replace the experiment's biases. Classifies taps by run.classes.
   BiasHistogram bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes);
   Image<float> draw_ao(const Experiment& experiment);
 
-  /// From now on no stage shows a bar: what is traced is reported here, for a bar about more than one stage. Empty:
-  /// each stage shows its bar again.
+  /// Reports the progress of tracing to `to`, for a bar that covers several stages; the stages then show no bars. If
+  /// `to` is empty, each stage shows its bar again.
   void report_tracing(Progress to) { tracing_ = std::move(to); }
 
-  /// Of what was traced so far.
+  /// Costs of tracing so far.
   const Costs& costs() const { return costs_; }
-  /// Every assumption made so far, once each.
+  /// Every assumption made so far, without repetitions.
   const std::vector<std::string>& notes() const { return notes_; }
-  /// Adds what is new and says it.
+  /// Adds and prints those notes that are new.
   void add_notes(const std::vector<std::string>& notes);
 
  private:
@@ -153,7 +154,7 @@ class Stages {
   ReferenceCache cache_;
   Costs costs_;
   std::optional<Tracer> tracer_;
-  // In this order: what lives on the GPU goes before its context does.
+  // Before all members that hold GPU objects, so that these are destroyed before their context.
   std::shared_ptr<gl::Context> context_;
   std::unique_ptr<UploadedScene> uploaded_;
   Memo<Surfels> surfels_;
@@ -168,7 +169,7 @@ class Stages {
   Memo<std::string> tracer_identity_;
   Memo<std::string> scene_content_;
   Memo<std::string> surfel_content_;
-  // Last: its thread reads the tracer and the surfels until it ends.
+  // The last member, destroyed first: its thread reads the tracer and the surfels until it ends.
   std::unique_ptr<AoInBackground> ao_in_background_;
 };
 

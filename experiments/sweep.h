@@ -1,4 +1,4 @@
-// Sweeps: axes over described parameters, as users write them. What is measured where is in sweep_plan.h.
+// The axes of a sweep and their parser. sweep_plan.h divides the sweep into cells and groups.
 #pragma once
 
 #include <string>
@@ -14,21 +14,21 @@ namespace umbrameter {
 struct SweepAxis {
   std::string key;
   std::string text;
-  std::vector<Value> values;  ///< each accepted by the parameter; of lengths the numbers
-  std::string unit{};         ///< of the values: the parameter's or, of lengths in another unit, that one
-  LengthUnit length_unit = LengthUnit::metres;  ///< of lengths
+  std::vector<Value> values;  ///< each accepted by the parameter; for lengths the numbers, in length_unit
+  std::string unit{};         ///< of the values: the parameter's unit, or length_unit if that differs
+  LengthUnit length_unit = LengthUnit::metres;  ///< only for lengths
 };
 
 /// Sets the axis's parameter to one of its values.
 void set_value(const Parameters& parameters, const SweepAxis& axis, const Value& value);
 
-/// Reads "first:last:count", "first:last:count:log" or a comma-separated list for the parameter of that key.
-/// Lengths have a unit each, or none (metres); a 0 without a unit goes with any other: "0:4texels:33".
+/// Parses "first:last:count", "first:last:count:log" or a comma-separated list for the parameter with this key.
+/// Each length has a unit; without a unit it is in metres. A 0 needs no unit: "0:4texels:33".
 /// Throws Error (usage) that names the axis: unknown key, malformed text, a value out of the parameter's range,
 /// lengths of several units, more than 10⁶ values.
 SweepAxis parse_axis(const Parameters& parameters, std::string_view key, std::string_view text);
 
-/// "key=text", as given to --vary.
+/// Parses "key=text", the argument of --vary.
 SweepAxis parse_axis(const Parameters& parameters, std::string_view assignment);
 
 /// Number of cells of the grid. Throws Error (usage) for more than 10⁹.

@@ -1,4 +1,4 @@
-// What a sweep measures at its cells, and how.
+// Decides what a sweep measures, and measures its groups of cells.
 #pragma once
 
 #include <string>
@@ -11,21 +11,21 @@
 
 namespace umbrameter {
 
-/// What the axes belong to.
+/// The quantity that a sweep measures.
 enum class SweptQuantity { visibility, ao };
 
-/// Whether a parameter of that group, or of that name, is varied: "ao.", "view.scene".
+/// Whether any axis varies a parameter of this group or with this name: "ao.", "view.scene".
 bool varies_group(const std::vector<SweepAxis>& axes, std::string_view group);
 
-/// Throws Error (usage) where the axes belong to both.
+/// The quantity that the axes belong to, unless `given` selects one. Throws Error (usage) if they belong to both.
 SweptQuantity choose_quantity(SweepMeasure given, const std::vector<SweepAxis>& axes);
 
-/// The lights that any cell is about.
+/// The lights that the cells measure.
 std::vector<std::uint32_t> swept_lights(const Stages& stages, const Experiment& experiment,
                                         const std::vector<SweepAxis>& axes);
 
-/// The statistics that fit every cell, all values 0: those of an area light where some cell's light has extent, else
-/// those about edges where some cell's technique does not sum comparisons, else those by cause.
+/// The kind of statistics that suits every cell, with all values 0: SoftVisibilityStatistics if any cell's light has
+/// extent; otherwise EdgeStatistics if any cell's technique does not sum comparisons; otherwise VisibilityStatistics.
 CellStatistics choose_statistics(const Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                                  SweptQuantity quantity);
 
@@ -36,7 +36,7 @@ bool is_one_pass(const Stages& stages, const Experiment& experiment, const std::
 /// The experiment with these values of the axes.
 Experiment at_cell(Experiment experiment, const std::vector<SweepAxis>& axes, const std::vector<Value>& values);
 
-/// Measures groups on the stages, which must outlive it.
+/// A function that measures groups with `stages`, which must outlive it.
 EvaluateGroup make_evaluator(Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                              const CellStatistics& statistics);
 

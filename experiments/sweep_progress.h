@@ -1,4 +1,4 @@
-// How far a sweep is, as one share: its cells and the tracing of its references.
+// The progress of a sweep as one share that combines its cells and the tracing of its references.
 #pragma once
 
 #include <cstddef>
@@ -7,22 +7,22 @@
 
 namespace umbrameter {
 
-/// The cells of one reference follow its tracing, and each half counts as much: neither cost is known before. Cells
-/// whose reference is not traced, because it is in the cache, count for both halves.
+/// For each reference, tracing and then measuring its cells count as one half each, because neither cost is known in
+/// advance. If the reference comes from the cache, its cells count for both halves.
 struct SweepAdvance {
-  std::size_t references = 1;  ///< how often the sweep traces, at most
+  std::size_t references = 1;  ///< maximum number of references that the sweep traces
   double cells = 0.0;          ///< share of the cells that are done
-  double traced = 0.0;         ///< share of the tracing of the reference that is in use
-  double share = 0.0;          ///< of all the work; never falls
+  double traced = 0.0;         ///< share of the current reference that is traced
+  double share = 0.0;          ///< share of the sweep that is done; never decreases
 };
 
-/// How many references the axes ask for, at most.
+/// The maximum number of references that the axes require.
 std::size_t count_references(const SweepPlan& plan);
 
-/// This share of the cells is done.
+/// Sets the share of the cells that are done.
 void advance_cells(SweepAdvance& advance, double cells);
 
-/// This share of a reference is traced.
+/// Sets the share of the current reference that is traced.
 void advance_tracing(SweepAdvance& advance, double traced);
 
 }  // namespace umbrameter

@@ -1,4 +1,4 @@
-// A complete sweep, as those who tell of it are given it.
+// A complete sweep, the input of reports.
 #pragma once
 
 #include <functional>
@@ -15,10 +15,10 @@ struct SweepResults {
   const Parameters& parameters;
   const SweepPlan& plan;
   const ResultsStore& store;
-  const CellStatistics& statistics;  ///< of the kind that the rows hold
-  /// The depth that the shadow map's 1 stands for at these values of the axes, metres; none for ambient occlusion.
+  const CellStatistics& statistics;  ///< the kind of statistics in the rows
+  /// The shadow map's depth range at these values of the axes, metres; empty for ambient occlusion.
   std::function<double(const std::vector<Value>& values)> depth_range;
-  /// Of ambient occlusion, how far the reference looks: "up to 58.6 cm"; empty where that is varied.
+  /// Distance limit of an ambient-occlusion reference: "up to 58.6 cm"; empty if it is varied.
   std::string ao_limit{};
 
   bool is_ao() const { return std::holds_alternative<AoStatistics>(statistics); }

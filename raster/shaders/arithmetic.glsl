@@ -1,5 +1,5 @@
-// Sums and products in a fixed order, so that a processor that does the same gets the same bits
-// (techniques/shadow/reference does). The language's own leave the order open.
+// Sums and products in a fixed order, so that the CPU implementation in techniques/shadow/reference gives bit-identical
+// results. GLSL does not define the order for its built-in dot(), cross() and length().
 double dot_of(dvec3 a, dvec3 b) {
   precise double sum = a.x * b.x + a.y * b.y + a.z * b.z;
   return sum;

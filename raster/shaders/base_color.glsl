@@ -1,5 +1,5 @@
-// Base colour and alpha, level 0, bilinear by hand: hardware weighs texels with 8 bits, and the alpha test must agree
-// with the ray tracer's.
+// Base colour and alpha from mip level 0. Bilinear filtering is done here in full precision, because hardware filters
+// with 8-bit weights and the alpha test must agree with the ray tracer's.
 layout(location = UNIFORM_BASE_COLOR) uniform vec4 base_color_factor;
 layout(location = UNIFORM_WRAP) uniform ivec2 wrap;  // enum Wrap: repeat, mirrored repeat, clamp to edge
 layout(location = UNIFORM_HAS_TEXTURE) uniform int has_texture;
@@ -14,14 +14,14 @@ int wrap_texel(int i, int n, int mode) {
   return i < 0 ? i + n : (i >= n ? i - n : i);
 }
 
-// Brings a coordinate into the first period, so that indices are at most one texel outside of it.
+// Wraps a coordinate to the first period, so that texel indices are at most one texel outside it.
 float wrap_coordinate(float u, int mode) {
   if (mode == 2) return clamp(u, -1.0, 2.0);
   if (mode == 1) return u - 2.0 * floor(0.5 * u);
   return u - floor(u);
 }
 
-// IEC 61966-2-1.
+// The sRGB transfer function of IEC 61966-2-1.
 vec3 linear_from_srgb(vec3 c) {
   return mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, lessThanEqual(c, vec3(0.04045)));
 }

@@ -1,12 +1,12 @@
-// Histograms of the biases at which the taps of the listed pixels flip, by cause and slope factor: BiasHistogram of
-// techniques/shadow/histogram.h.
+// Computes the histogram of the biases at which the taps of the listed pixels flip, by cause and slope factor:
+// BiasHistogram of techniques/shadow/histogram.h.
 #include "cause.glsl"
 #include "pixel_list.glsl"
 #include "response.glsl"
 layout(local_size_x = LIST_GROUP_SIZE) in;
 layout(std430, binding = BUFFER_HISTOGRAM) restrict buffer Histogram { uint words[]; };
 
-// Sums are wider than a word: they carry.
+// Adds to a 64-bit sum of two words, with carry.
 void add_wide(uint word, uint value) {
   uint before = atomicAdd(words[word], value);
   if (before + value < before) atomicAdd(words[word + 1u], 1u);
@@ -18,14 +18,14 @@ void add_product(uint word, uint a, uint b) {
   umulExtended(a, b, high, low);
   uint before = atomicAdd(words[word], low);
   uint carry = before + low < before ? 1u : 0u;
-  // The upper half of a product is never all ones, so that the carry fits.
+  // high + carry does not overflow: the upper half of a product is never all ones.
   uint value = high + carry;
   if (value == 0u) return;
   before = atomicAdd(words[word + 1u], value);
   if (before + value < before) atomicAdd(words[word + 2u], 1u);
 }
 
-// How many biases of the axis leave the tap blocked.
+// The number of biases of the axis at which the tap is blocked.
 uint bin_of(float flip, float bias_unit) {
   int first = 0;
   int count = bias_count;
@@ -49,9 +49,10 @@ struct WrongTap {
 WrongTap wrong_taps[max_taps];  // wrong at some bias
 int wrong_count = 0;
 
-// Into the order in which taps turn wrong as the bias moves away from where it is easiest to be right, which is one for
-// all slope factors: the bin of a flip never falls as the critical bias grows. (Knuth, The Art of Computer Programming
-// 3, 5.2.1, algorithm D, with his increments 1, 4, 13, ….)
+// Sorts the taps in the order in which they become wrong: as the bias decreases if the truth is lit, as it increases if
+// the truth is blocked. One order serves all slope factors, because the bin of a flip never decreases as the critical
+// bias grows. (Shellsort: Knuth, The Art of Computer Programming 3, 5.2.1, algorithm D, with his increments 1, 4, 13,
+// ….)
 void sort_taps(bool is_lit_in_truth) {
   int gap = 1;
   while (3 * gap + 1 < wrong_count) gap = 3 * gap + 1;
@@ -96,16 +97,18 @@ void main() {
   uint side = is_lit_in_truth ? 0u : 1u;
   uint own_word = 2u * uint(is_lit_in_truth ? CAUSE_ACNE : CAUSE_LIGHT_LEAK);
   uint other_word = 2u * uint(is_lit_in_truth ? CAUSE_FALSE_OCCLUSION : CAUSE_PETER_PANNING);
-  // Bin 0 is lit at every bias, the last one blocked at every one: right all along where the truth says so.
+  // Taps in this bin are never wrong. If the truth is lit, it is bin 0 (lit at every bias); otherwise the last bin
+  // (blocked at every bias).
   uint never = is_lit_in_truth ? 0u : uint(bias_count);
   for (int s = 0; s < slope_count; ++s) {
     float factor = axis_values[bias_count + s];
-    uint sum = 0u;  // of the taps in earlier bins
+    uint sum = 0u;  // weight of the taps in the bins visited so far
     int i = 0;
     while (i < wrong_count) {
       uint bin = bin_of(flip_of(wrong_taps[i].critical_bias, surfel.slope, factor), surfel.bias_unit);
       if (bin == never) break;
-      // Blocked just below the bin's biases where the truth is lit, lit just at them where it is blocked.
+      // The bias nearest to the flip at which the taps of this bin are wrong. If the truth is lit, it is the bias
+      // bin - 1, where they are blocked; if the truth is blocked, it is the bias bin, where they are lit.
       float bound = axis_values[is_lit_in_truth ? bin - 1u : bin];
       uint own_weight = 0u;
       uint other_weight = 0u;
@@ -119,7 +122,7 @@ void main() {
       uint first = HISTOGRAM_WORDS * (uint(s) * uint(bias_count + 1) + bin);
       if (own_weight > 0u) add_wide(first + own_word, own_weight);
       if (other_weight > 0u) add_wide(first + other_word, other_weight);
-      // As taps of weight w join those of an earlier sum, the squared error grows by w(w + sum) + w·sum.
+      // When taps of weight w are added to `sum`, the squared error grows by (sum + w)² − sum² = w(w + sum) + w·sum.
       uint weight = own_weight + other_weight;
       add_product(first + HISTOGRAM_SQUARES + 3u * side, weight, weight + sum);
       if (sum > 0u) add_product(first + HISTOGRAM_SQUARES + 3u * side, weight, sum);

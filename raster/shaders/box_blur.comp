@@ -1,4 +1,5 @@
-// One axis of a box blur; edges repeat. Background stays 1. An even side reaches one pixel further left and up.
+// One axis of a box blur of ambient occlusion. Coordinates are clamped to the edge. The background stays 1. A kernel
+// with an even number of taps extends one pixel further to the left and up.
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
 layout(binding = TEXTURE_IDS) uniform usampler2D ids;
 layout(binding = TEXTURE_AO) uniform sampler2D source;

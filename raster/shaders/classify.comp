@@ -1,4 +1,4 @@
-// The cause of each wrong tap, for the pixels that have any.
+// Sums the weights of the wrong taps by cause, for the listed pixels.
 #include "cause.glsl"
 #include "pixel_list.glsl"
 layout(local_size_x = LIST_GROUP_SIZE) in;

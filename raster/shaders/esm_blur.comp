@@ -1,5 +1,5 @@
-// One axis of the box blur of exp(c·z) over a shadow map. Edges repeat: the blur does not cross from one view to another.
-// WARP: the source is the map's depth; else it is the result of the other axis.
+// One axis of the box blur of exp(c·z) over a shadow map. Coordinates are clamped to the edge: the blur does not cross
+// from one view to another. With WARP the source is the map's depth, otherwise the result of the other axis.
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
 uniform sampler2DArray source;
 layout(r32f) writeonly uniform image2DArray blurred;

@@ -1,11 +1,11 @@
-// Exponential shadow map: visibility of each surfel from the filtered map, bilinear between texels.
+// Exponential shadow map: computes the visibility of each surfel from the filtered map, with bilinear interpolation.
 #include "surfel_lookup.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
 uniform sampler2DArray moments;
 layout(r32f) writeonly uniform image2D visibility_image;
 uniform float exponent;
 
-// By hand: hardware weighs texels with 8 bits.
+// Bilinear interpolation in full precision: hardware filters with 8-bit weights.
 float moment_at(Receiver receiver) {
   vec2 place = vec2(receiver.texels) - 0.5;
   ivec2 base = ivec2(floor(place));

@@ -1,5 +1,6 @@
-// Surfels from triangle ids: the ray through the pixel centre meets the triangle, in double precision, so that
-// positions are right to the last bit of a float and normals do not depend on how a driver interpolates.
+// Computes surfels from triangle ids. It intersects the ray through the pixel centre with the triangle in double
+// precision, so that positions are accurate to the last bit of a float and normals do not depend on how a driver
+// interpolates.
 // Intersection: Moeller and Trumbore, Fast Minimum Storage Ray/Triangle Intersection, JGT 2(1), 1997.
 #include "scene.glsl"
 #include "view.glsl"
@@ -32,7 +33,8 @@ void main() {
     dvec4 r1 = instances[id.x].rows[1];
     dvec4 r2 = instances[id.x].rows[2];
     dmat3 linear = transpose(dmat3(r0.xyz, r1.xyz, r2.xyz));
-    // Relative to the eye; edges are taken in mesh space, where floats subtract exactly in double precision.
+    // Positions are relative to the eye. Edges are computed in mesh space, where the difference of two floats is exact
+    // in double precision.
     dvec3 a = linear * dvec3(mesh_a) + (dvec3(r0.w, r1.w, r2.w) - eye.xyz);
     dvec3 ab = linear * (dvec3(mesh_position(id.x, v.y)) - dvec3(mesh_a));
     dvec3 ac = linear * (dvec3(mesh_position(id.x, v.z)) - dvec3(mesh_a));
@@ -41,7 +43,7 @@ void main() {
     dvec3 q = cross(origin - a, ab);
     dvec2 weight = abs(determinant) > 0.0lf ? dvec2(dot(origin - a, p), dot(direction, q)) / determinant
                                             : dvec2(1.0lf / 3.0lf);
-    // Rasterisers snap vertices to a fraction of a pixel: the centre may lie a little outside of the true triangle.
+    // Rasterisers snap vertices to a fraction of a pixel, so the centre may lie slightly outside the exact triangle.
     weight = max(weight, 0.0lf);
     weight /= max(1.0lf, weight.x + weight.y);
 
@@ -56,7 +58,7 @@ void main() {
     if (instances[id.x].first_normal != NO_ID) {
       dvec3 m = (1.0lf - weight.x - weight.y) * mesh_normal(id.x, v.x) + weight.x * mesh_normal(id.x, v.y) +
                 weight.y * mesh_normal(id.x, v.z);
-      // Normals transform with the cofactors of the matrix: its inverse transpose but for a factor.
+      // Normals transform with the cofactor matrix: the inverse transpose times the determinant.
       dvec3 s = dvec3(dot(cross(r1.xyz, r2.xyz), m), dot(cross(r2.xyz, r0.xyz), m), dot(cross(r0.xyz, r1.xyz), m));
       double s_length = length(s);
       if (s_length > 0.0lf) {

@@ -1,8 +1,8 @@
-// The light and its map, as raster/shadow/light_block.cpp fills it. Meanings: techniques/shadow/map_layout.h.
+// The light and its map. raster/shadow/light_block.cpp fills it; techniques/shadow/map_layout.h defines the terms.
 layout(std140, binding = BLOCK_LIGHT) uniform LightBlock {
   dmat4 light_from_world;
   dvec4 light_in_world;  // directional: unit vector to the light, w = 0; else its position, w = 1
-  dvec4 face_basis[18];  // of cube face i, in light space: [3i] right, [3i + 1] up, [3i + 2] forward
+  dvec4 face_basis[18];  // cube face i, in light space: [3i] right, [3i + 1] up, [3i + 2] forward
   dvec4 map_views[MAX_MAP_VIEWS];  // x, y: centre in light space, metres; z: half extent, metres or tangent
   double far_depth;
   int resolution;
@@ -10,7 +10,7 @@ layout(std140, binding = BLOCK_LIGHT) uniform LightBlock {
   float slope_bias;
   float normal_offset;  // texels
   float filter_radius;  // texels
-  int tap_count;        // of the filter: here, so that no compiler unrolls loops over taps
-  int bias_in_texels;   // 1 where constant biases, those of axes too, are texels; 0: metres
+  int tap_count;        // taps of the filter; a uniform, so that compilers do not unroll loops over taps
+  int bias_in_texels;   // unit of constant biases, including those of axes; 1: texels, 0: metres
   int view_count;
 };

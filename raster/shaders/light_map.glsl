@@ -1,19 +1,19 @@
-// Where a world position falls on the light's map, and what the map's taps say of it.
+// Projects world positions to the light's map, fetches taps and compares depths.
 #include "arithmetic.glsl"
 #include "light.glsl"
 layout(binding = TEXTURE_SHADOW_DEPTH) uniform sampler2DArray shadow_depth;
 layout(binding = TEXTURE_SHADOW_IDS) uniform usampler2DArray shadow_ids;
 
-// A stored depth of 1 means that the light meets nothing there: every surface is nearer than far_depth.
+// A stored depth of 1 means that the light hits nothing there, because every surface is nearer than far_depth.
 const float empty_depth = 1.0;
 const float no_blocker = uintBitsToFloat(0xff800000u);  // minus infinity: lit at every bias
 
 struct Receiver {
   dvec3 in_light;     // light space, metres
-  double depth;       // metres, as the map counts it
+  double depth;       // metres; see MapLayout in techniques/shadow/map_layout.h
   double axis_depth;  // metres along the axis of the map or face
-  dvec2 texels;       // where the projection falls, clamped to two texels about the map
-  ivec2 texel;        // that contains it
+  dvec2 texels;       // projected position in texels, clamped to the map extended by two texels on each side
+  ivec2 texel;        // the texel that contains it
   int face;
   bool is_inside;
 };
@@ -21,7 +21,7 @@ struct Receiver {
 struct Tap {
   ivec3 texel;         // x, y, face
   bool has_blocker;
-  float critical_bias;  // metres: the tap says lit exactly when the bias is at least this
+  float critical_bias;  // metres; the tap is lit if and only if the bias is at least this
 };
 
 int face_of(dvec3 direction) {
@@ -46,7 +46,7 @@ Receiver project_to_map(dvec3 world) {
   r.axis_depth = -p.z;
   r.depth = r.axis_depth;
   r.is_inside = true;
-  // The first view that contains the position, with room for the taps of a kernel; else the last.
+  // The first view that contains the position, with a margin for the taps of a kernel; otherwise the last.
   for (r.face = 0; r.face + 1 < view_count; ++r.face) {
     dvec4 view = map_views[r.face];
     dvec2 reach = dvec2(view.z * (1.0lf - 2.0lf * double(MAP_VIEW_MARGIN) / double(resolution)));
@@ -77,7 +77,7 @@ Receiver project_to_map(dvec3 world) {
   return r;
 }
 
-// Where a texel's centre lies in light space: metres, or tangents.
+// Position of a texel's centre in light space: metres (orthographic) or tangents (perspective, cube).
 dvec2 texel_center(ivec3 texel) {
 #if MAP_KIND == MAP_ORTHOGRAPHIC
   dvec4 view = map_views[texel.z];
@@ -88,7 +88,7 @@ dvec2 texel_center(ivec3 texel) {
   return center;
 }
 
-// The light's ray through the centre of a texel, light space; the direction is not unit.
+// The light's ray through the centre of a texel, in light space. The direction is not normalised.
 void texel_ray(ivec3 texel, out dvec3 origin, out dvec3 direction) {
   dvec2 c = texel_center(texel);
 #if MAP_KIND == MAP_ORTHOGRAPHIC
@@ -105,7 +105,8 @@ void texel_ray(ivec3 texel, out dvec3 origin, out dvec3 direction) {
 #endif
 }
 
-// The tap that many texels right and up of the receiver's own. Off a cube's face the direction is looked up anew.
+// The tap at an offset, in texels right and up, from the receiver's texel. If the texel lies outside a cube's face, the
+// tap is the texel of another face in the same direction.
 Tap fetch_tap(Receiver receiver, ivec2 offset) {
   Tap tap;
   tap.texel = ivec3(receiver.texel + offset, receiver.face);
@@ -130,7 +131,7 @@ Tap fetch_tap(Receiver receiver, ivec2 offset) {
   return tap;
 }
 
-// Side of a texel at the receiver, metres: texel_at() of techniques/shadow/map_layout.h.
+// Side length of a texel at the receiver, metres: texel_at() of techniques/shadow/map_layout.h.
 float texel_at(Receiver receiver) {
   #if MAP_KIND == MAP_ORTHOGRAPHIC
   double half_extent = map_views[receiver.face].z;
@@ -144,14 +145,15 @@ float texel_at(Receiver receiver) {
   return float(side);
 }
 
-// The constant bias from which on a tap is lit: slope is texel size times tan of the angle to the light. NaN where the
-// surface stands on edge to the light: blocked at every bias.
+// The smallest constant bias, in metres, at which a tap is lit. slope is texel size · tan θ. NaN if the surface is
+// parallel to the light's direction: the tap is blocked at every bias.
 float flip_of(float critical_bias, float slope, float slope_factor) {
   precise float flip = critical_bias - slope_factor * slope;
   return flip;
 }
 
-// Every comparison of the toolkit, in one form. bias_unit is the length in metres of a constant bias of 1.
+// Whether a tap is lit at a bias. Every shader compares with this function. bias_unit is the length in metres of a
+// constant bias of 1.
 bool lights(float bias, float bias_unit, float flip) {
   precise float metres = bias * bias_unit;
   return metres >= flip;

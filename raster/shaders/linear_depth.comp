@@ -1,4 +1,5 @@
-// Depth along the camera's axis in one channel, infinite on background: the one fetch of each SSAO sample.
+// Copies the depth along the camera's axis to a one-channel image, infinite on background. Each SSAO sample then needs
+// only one fetch.
 #include "view.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
 layout(binding = TEXTURE_IDS) uniform usampler2D ids;

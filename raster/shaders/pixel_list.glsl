@@ -1,5 +1,6 @@
-// A list of pixels, in any order, and the part of it that a pass takes at once. A list, because software rasterisers
-// execute what a branch skips; in parts, because a desktop ends work that holds the device for seconds.
+// A list of pixels, in any order, and the range of it that one dispatch processes. Passes use a list because software
+// rasterisers also execute branches that are not taken. They process it in ranges because a desktop's watchdog kills a
+// dispatch that runs for seconds.
 layout(location = UNIFORM_FIRST_PIXEL) uniform uint first_pixel;
 layout(location = UNIFORM_END_PIXEL) uniform uint end_pixel;
 layout(std430, binding = BUFFER_PIXELS) restrict buffer PixelList {

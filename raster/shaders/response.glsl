@@ -1,4 +1,4 @@
-// The axes of a bias response, as raster/shadow/response_axes.cpp lays them out.
+// The axes of a bias response. raster/shadow/response_axes.cpp fills the buffers.
 layout(std140, binding = BLOCK_RESPONSE) uniform ResponseBlock {
   float min_bias;
   float largest_bias;

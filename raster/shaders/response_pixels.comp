@@ -1,4 +1,4 @@
-// The pixels that have a wrong tap at some bias of the axes.
+// Lists the pixels that have a wrong tap at some bias of the axes.
 #include "shadow_filter.glsl"
 #include "pixel_list.glsl"
 #include "response.glsl"
@@ -14,7 +14,8 @@ void main() {
 #if LIT_ALONE
   if (!is_lit_in_truth) return;
 #endif
-  // A flip falls as the slope factor grows: a tap is most easily blocked by the least bias of all, lit by the largest.
+  // The flip decreases as the slope factor grows. So a tap that is blocked at any bias is blocked at the smallest
+  // constant and slope-scaled bias, and a tap that is lit at any bias is lit at the largest ones.
   float bias = is_lit_in_truth ? min_bias : largest_bias;
   float factor = is_lit_in_truth ? min_slope : largest_slope;
   Pattern pattern = make_pattern(surfel.receiver, pixel);

@@ -1,14 +1,15 @@
-// Whether a tap's sample lies on the receiver's own surface: the two-plane rule, decided from triangles.
+// The two-plane rule: whether a tap's sample and the receiver are on the same surface, decided from their triangles.
 //
-// Own: the same triangle; or the receiver is not behind the blocker's plane, seen from the light; or the sample is
-// not in front of the receiver's plane. All in light space and double precision, with normals turned to the light.
+// They are on the same surface if (1) both are on the same triangle; or (2) the receiver is not behind the plane of the
+// sample's triangle, seen from the light; or (3) the sample is not in front of the plane of the receiver's triangle.
+// All computations are in light space and double precision, with normals towards the light.
 //
 // Coplanar triangles must compare as "not behind" although their stored vertices are rounded. A vertex is known to
 // half a unit in the last place of a float: with world = M·p + t, each coordinate within 2^-24·(|M|·|p| + |t|)
-// (p and t are floats in the file). Call the length of that vector, with the largest |p| of the triangle, e. A point of the plane
-// with barycentric coordinates l moves by at most e·sum|l_i| when the vertices move by e; a point on the other
-// triangle moves by at most that triangle's e. So a signed distance within e_point + e_plane·sum|l_i| of zero may be
-// zero. Double precision adds 2^-53 of the same magnitudes, which is left out.
+// (p and t are floats in the file). Let e be the length of that vector for the largest |p| of the triangle. A point of
+// the plane with barycentric coordinates l moves by at most e·sum|l_i| when the vertices move by e; a point on the
+// other triangle moves by at most that triangle's e. So a signed distance within e_point + e_plane·sum|l_i| of zero may
+// be zero. Double precision adds an error of 2^-53 of the same magnitudes, which is neglected.
 #include "scene.glsl"
 
 const double half_ulp = 5.9604644775390625e-8lf;  // 2^-24
@@ -17,7 +18,7 @@ struct Facet {
   dvec3 a;
   dvec3 ab;
   dvec3 ac;
-  dvec3 normal;        // unit, on the light's side
+  dvec3 normal;        // unit, towards the light
   double vertex_error;  // e above, metres
 };
 
@@ -29,7 +30,8 @@ Facet fetch_facet(uvec2 id) {
   dvec4 x = instances[id.x].rows[0];
   dvec4 y = instances[id.x].rows[1];
   dvec4 z = instances[id.x].rows[2];
-  // Edges are taken in mesh space: floats subtract exactly in double precision, and directions need no translation.
+  // Edges are computed in mesh space, where the difference of two floats is exact in double precision and the
+  // translation cancels.
   dmat4 light_from_mesh = dmat4(0.0lf);
   for (int column = 0; column < 3; ++column) {
     light_from_mesh[column].xyz = transform_vector(light_from_world, dvec3(x[column], y[column], z[column]));
@@ -66,8 +68,9 @@ double rounding_bound(Facet f, dvec3 point, double point_error) {
   return bound;
 }
 
-// Where the light's ray meets the triangle; the nearest point of the triangle's edge where rasterisation reached past
-// it. (Moeller and Trumbore 1997, as in gbuffer_resolve.comp.)
+// Where the light's ray intersects the triangle. If the ray misses it, because rasterisation covers texels slightly
+// outside a triangle, the point is clamped to the triangle's edge. (Moeller and Trumbore 1997, as in
+// gbuffer_resolve.comp.)
 dvec3 sample_on(Facet f, dvec3 origin, dvec3 direction) {
   dvec3 p = cross_of(direction, f.ac);
   double determinant = dot_of(f.ab, p);
@@ -84,7 +87,7 @@ dvec3 sample_on(Facet f, dvec3 origin, dvec3 direction) {
 bool is_same_surface(Receiver receiver, uvec2 receiver_id, Facet own, ivec3 texel, uvec2 blocker_id) {
   if (receiver_id == blocker_id) return true;
   Facet blocker = fetch_facet(blocker_id);
-  // The surfel is stored as floats; what counts is the point of its triangle that it stands for.
+  // The surfel's position is rounded to floats; project it back to its triangle's plane.
   precise dvec3 r = receiver.in_light - own.normal * signed_distance(own, receiver.in_light);
   if (signed_distance(blocker, r) >= -rounding_bound(blocker, r, own.vertex_error)) return true;
   dvec3 origin;

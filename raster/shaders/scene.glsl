@@ -1,5 +1,5 @@
-// The scene's triangles, fetched by instance and triangle id. Transforms are double precision: world coordinates of
-// large scenes differ by less than a float resolves. What grows with the triangles comes through buffer textures,
+// Fetches the scene's triangles by instance and triangle id. Transforms are in double precision, because a float cannot
+// resolve small differences between world coordinates in large scenes. Triangles and vertices are in buffer textures,
 // which may be much larger than storage buffers.
 struct InstanceData {
   dvec4 rows[3];  // of world_from_mesh
@@ -18,7 +18,7 @@ dvec3 world_from_mesh(uint instance, dvec3 position) {
                dot(instances[instance].rows[2], p));
 }
 
-// Numbers of the triangle's vertices, counted from the mesh's first.
+// Indices of the triangle's vertices, relative to the first vertex of the mesh.
 uvec3 vertices_of(uint instance, uint triangle) {
   return texelFetch(triangles, int(instances[instance].first_triangle + triangle)).xyz;
 }

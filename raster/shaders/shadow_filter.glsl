@@ -1,8 +1,8 @@
-// The taps of the filter, the one interface of every filter: how many there are, and of each its texel, its critical
-// bias and a whole-number weight. The weights add up to weight_sum (techniques/shadow/filter.h; FilterKernel).
+// The taps of a filter. Every filter has the same interface: the number of taps, and the texel, critical bias and
+// integer weight of each tap. The weights add up to weight_sum (FilterKernel in techniques/shadow/filter.h).
 #include "surfel_lookup.glsl"
 
-const int max_taps = FILTER_TAPS;  // tap_count of them are there
+const int max_taps = FILTER_TAPS;  // equal to tap_count, but a compile-time constant
 const uint weight_sum = FILTER_WEIGHT_SUM;
 
 struct WeightedTap {
@@ -20,8 +20,8 @@ const int side = kernel_size;
 #endif
 
 struct Pattern {
-  ivec2 first;  // texels from the receiver's own to the first tap
-  uvec2 part;   // of a texel, that the receiver lies right and up of its lower left centre
+  ivec2 first;  // offset of the first tap from the receiver's texel, in texels
+  uvec2 part;   // bilinear: offset of the receiver from the lower left texel centre, in 1/FILTER_PARTS texel
 };
 
 Pattern make_pattern(Receiver receiver, ivec2 pixel) {
@@ -57,7 +57,7 @@ struct Pattern {
   vec2 turn;
 };
 
-// hash() of core/random.h.
+// The same function as hash() in core/random.h.
 uint hash(uint value) {
   uint state = value * 747796405u + 2891336453u;
   uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
@@ -66,7 +66,7 @@ uint hash(uint value) {
 
 Pattern make_pattern(Receiver receiver, ivec2 pixel) {
   uint column = uint(pixel.x);
-  uint row = uint(textureSize(ids, 0).y - 1 - pixel.y);  // from the top, as images count
+  uint row = uint(textureSize(ids, 0).y - 1 - pixel.y);  // row 0 is the top row
   return Pattern(disk_turns[hash(column + 0x9e3779b9u * hash(row)) % uint(FILTER_TURNS)]);
 }
 

@@ -1,6 +1,6 @@
 // Hemisphere SSAO (J. de Vries, Learn OpenGL, "SSAO"; after Mittring, Finding Next Gen: CryEngine 2, 2007), in
-// metres. Two departures: the hemisphere stands on the geometric normal, as the reference's does, and the background
-// occludes nothing.
+// metres. Two differences from the source: the hemisphere is oriented by the geometric normal, as in the reference, and
+// the background does not occlude.
 #include "view.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
 layout(binding = TEXTURE_IDS) uniform usampler2D ids;
@@ -17,7 +17,7 @@ layout(std140, binding = BLOCK_AO) uniform AoBlock {
   float bias;
 };
 
-// A unit vector across the normal, for the rare rotation vector that lies along it.
+// A unit vector perpendicular to the normal, used if the rotation vector is parallel to the normal.
 vec3 any_tangent(vec3 n) {
   return normalize(abs(n.x) > 0.5 ? cross(n, vec3(0, 1, 0)) : cross(n, vec3(1, 0, 0)));
 }
@@ -29,7 +29,7 @@ void main() {
   if (texelFetch(ids, pixel, 0).r != NO_ID) {
     vec3 position = vec3(view_from_world * dvec4(dvec3(texelFetch(position_depth, pixel, 0).xyz), 1.0lf));
     vec3 normal = normalize(vec3(dmat3(view_from_world) * dvec3(texelFetch(geometric_normal, pixel, 0).xyz)));
-    // Tiled from the top left corner, whichever row comes first in memory.
+    // The noise is tiled from the top left corner of the image; row 0 of the texture is the bottom row.
     ivec2 tile = ivec2(pixel.x, size.y - 1 - pixel.y) % noise_size;
     vec3 rotation = rotations[tile.y * noise_size + tile.x].xyz;
     vec3 across = rotation - normal * dot(rotation, normal);

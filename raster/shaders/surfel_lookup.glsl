@@ -1,4 +1,4 @@
-// A surfel of the G-buffer as the light's map sees it.
+// Projects a surfel of the G-buffer to the light's map.
 #include "light_map.glsl"
 layout(binding = TEXTURE_IDS) uniform usampler2D ids;
 layout(binding = TEXTURE_POSITION_DEPTH) uniform sampler2D position_depth;
@@ -8,8 +8,8 @@ layout(binding = TEXTURE_TRUTH) uniform sampler2D truth_image;
 struct Lookup {
   bool faces_light;  // geometric N·L > 0
   Receiver receiver;
-  float slope;      // texel size at the receiver times tan of the angle to the light, metres
-  float bias_unit;  // metres that a constant bias of 1 is here
+  float slope;      // texel size at the receiver · tan θ, metres
+  float bias_unit;  // a constant bias of 1 in metres
 };
 
 Lookup look_up(ivec2 pixel) {
@@ -25,7 +25,7 @@ Lookup look_up(ivec2 pixel) {
   result.slope = texel * float(sine / cosine);
   result.bias_unit = bias_in_texels != 0 ? texel : 1.0;
   if (normal_offset != 0.0) {
-    // By texels and the sine of the light's angle (D. Holbert, Saying "Goodbye" to Shadow Acne, GDC 2011).
+    // Factor · texel size · sin θ (D. Holbert, Saying "Goodbye" to Shadow Acne, GDC 2011).
     precise double shift = double(normal_offset) * double(texel) * (sine / length_of(to_light));
     precise dvec3 moved = position + normal * shift;
     result.receiver = project_to_map(moved);
@@ -37,6 +37,6 @@ bool is_lit(float critical_bias, Lookup surfel) {
   return lights(constant_bias, surfel.bias_unit, flip_of(critical_bias, surfel.slope, slope_bias));
 }
 
-// What the truth says: 1 lit, 0 blocked, below 0 where no statistics count the pixel.
+// The reference's visibility: 1 lit, 0 blocked, below 0 if the pixel is not counted.
 float truth_of(ivec2 pixel) { return texelFetch(truth_image, pixel, 0).r; }
 bool is_truly_lit(ivec2 pixel) { return truth_of(pixel) >= 0.5; }

@@ -1,5 +1,5 @@
-// The taps that are wrong at some bias of the axes and false occlusion by the two-plane rule: UnresolvedTap of
-// techniques/shadow/causes.h, in any order. The listed pixels are lit in truth.
+// Lists the taps that are wrong at some bias of the axes and false occlusion by the two-plane rule: UnresolvedTap of
+// techniques/shadow/causes.h, in any order. The listed pixels are lit in the truth.
 #include "cause.glsl"
 #include "pixel_list.glsl"
 #include "response.glsl"

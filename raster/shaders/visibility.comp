@@ -1,4 +1,5 @@
-// What the shadow map says of each surfel; with a truth, the list of the pixels that have wrong taps.
+// Computes the visibility of each surfel from the shadow map. With a truth, it also lists the pixels that have wrong
+// taps.
 #include "shadow_filter.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
 layout(binding = IMAGE_VISIBILITY, r32f) writeonly uniform image2D visibility_image;

@@ -1,4 +1,4 @@
-// The shadow error at every bias of an axis, from one pass.
+// Measures the shadow error at every bias of an axis in one pass.
 #pragma once
 
 #include "raster/gl/context.h"
@@ -9,9 +9,9 @@
 
 namespace umbrameter {
 
-/// Counts the taps that are wrong at some bias of the axes by where they flip: every tap flips once, so that the
-/// histogram holds the error at all of them. params.bias.constant and params.bias.slope are not read; all else is.
-/// The look-up must have a truth. Rendering each cell gives the same counts.
+/// Bins the taps that are wrong at some bias of the axes by the bias at which they flip. Every tap flips once, so the
+/// histogram gives the error at every bias; rendering each cell gives the same counts. Ignores lookup.bias.constant and
+/// lookup.bias.slope. The look-up must have a truth.
 BiasHistogram draw_bias_response(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes);
 
 }  // namespace umbrameter

@@ -9,7 +9,7 @@ namespace umbrameter {
 /// exp(c·z) of each texel, box-blurred along both axes.
 FilteredMap filter(const gl::Context& context, const ShadowMap& map, const Esm& esm);
 
-/// lookup.filtered is what filter() returned for the same map and technique.
+/// lookup.filtered must be the result of filter() for the same map and technique.
 RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const Esm& esm);
 
 }  // namespace umbrameter

@@ -1,4 +1,4 @@
-// A PCF kernel as shaders read it.
+// Passes a PCF kernel to the shaders as #defines.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace umbrameter {
 
-/// The kernel as shaders/shadow_filter.glsl reads it. The radius is not part of it.
+/// The #defines that shaders/shadow_filter.glsl needs for this kernel. The radius is a uniform and not included.
 std::string filter_defines(const FilterKernel& filter);
 
 }  // namespace umbrameter

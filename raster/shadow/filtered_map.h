@@ -1,4 +1,4 @@
-// What a technique makes of a shadow map before it is looked up. Nothing where it compares stored depths.
+// The filtered shadow map of a technique, computed before the look-up. A technique that compares depths has none.
 #pragma once
 
 #include "raster/gl/context.h"
@@ -8,10 +8,10 @@
 namespace umbrameter {
 
 struct FilteredMap {
-  gl::Texture moments;  ///< one layer a view; empty where the technique has none
+  gl::Texture moments;  ///< one layer per view; empty if the technique has no filtered map
 };
 
-/// Reads of the technique what filtered_map_parameters() lists.
+/// Depends only on the technique's parameters that filtered_map_parameters() lists.
 FilteredMap filter_map(const gl::Context& context, const ShadowMap& map, const ShadowTechnique& technique);
 
 }  // namespace umbrameter

@@ -1,4 +1,4 @@
-// The light and its map as shaders see them. Internal to raster.
+// The uniform block of a light and its map. Internal to raster.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace umbrameter {
 
-/// As LightBlock in shaders/light.glsl, layout std140.
+/// The same layout (std140) as LightBlock in shaders/light.glsl.
 struct LightBlock {
   dmat4 light_from_world{1.0};
   dvec4 light_in_world{0.0};
@@ -27,7 +27,7 @@ struct LightBlock {
 };
 static_assert(sizeof(LightBlock) == 1056);
 
-/// The light and its map, as drawing the map needs them. Bias and filter are 0: bind() of shadow_lookup.h adds them.
+/// The block for drawing the map. Bias and filter are 0; bind() in shadow_lookup.h sets them for a look-up.
 LightBlock make_light_block(const Light& light, const MapLayout& frame);
 
 /// "#define MAP_KIND 0"

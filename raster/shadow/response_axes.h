@@ -1,4 +1,4 @@
-// The biases of an axis as shaders/response.glsl reads them. Internal to raster.
+// The buffers of BiasAxes that shaders/response.glsl reads. Internal to raster.
 #pragma once
 
 #include "raster/gl/objects.h"
@@ -13,7 +13,7 @@ struct ResponseAxes {
   gl::Buffer values;
 };
 
-/// Bound while it lives. Neither axis is empty.
+/// Uploads and binds the axes; they stay bound while the result lives. Neither axis may be empty.
 [[nodiscard]] ResponseAxes bind_axes(const BiasAxes& axes);
 
 }  // namespace umbrameter

@@ -1,4 +1,4 @@
-// What every pass over a shadow map's taps reads, and how it is bound.
+// The inputs of every pass that looks up a shadow map, and the functions that bind them.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace umbrameter {
 
-/// One light's map, looked up at every surfel. The scene is the one that the map and the surfels came from.
+/// One light's map, looked up at every surfel. Map and surfels must be those of `scene`.
 struct ShadowLookup {
   const UploadedScene& scene;
   const GpuGBuffer& gbuffer;
@@ -23,48 +23,49 @@ struct ShadowLookup {
   const Light& light;
   BiasParams bias;
   ShadowTechnique technique;
-  const gl::Texture* truth = nullptr;     ///< made by upload() or upload_truth(); lit from 0.5 on
-  const FilteredMap* filtered = nullptr;  ///< where the technique has one
+  const gl::Texture* truth = nullptr;     ///< from upload() or upload_truth(); lit if ≥ 0.5
+  const FilteredMap* filtered = nullptr;  ///< nullptr if the technique has none
 };
 
-/// The taps of a technique that sums comparisons.
+/// The kernel of a technique that sums comparisons.
 const FilterKernel& kernel_of(const ShadowLookup& lookup);
 
-/// One float a pixel.
+/// A texture with one float per pixel.
 gl::Texture upload(const gl::Context& context, const Image<float>& image);
 
-/// A truth in which pixels that no statistics count are below 0: they have no wrong taps.
+/// Uploads a truth. Pixels that are not counted get a value below 0, and passes find no wrong taps there.
 gl::Texture upload_truth(const gl::Context& context, const Image<float>& visibility,
                          const Image<PixelExclusion>& counting);
 
-/// The shaders' text that the look-up decides. Biases, offset and radius stay out: a sweep must not compile anew.
+/// The #defines for a look-up. Biases, normal offset and radius are uniforms, so that a sweep over them does not
+/// recompile shaders.
 std::string lookup_defines(const ShadowLookup& lookup);
 
-/// Binds textures, triangles and the light's block, which lives as long as what is returned. Constant biases, those of
-/// bound axes too, are in bias_unit: metres or texels.
+/// Binds textures, triangles and the light's block, and returns the block's buffer, which must outlive the pass.
+/// bias_unit is the unit of constant biases, including those of bound axes: metres or texels.
 [[nodiscard]] gl::Buffer bind(const ShadowLookup& lookup, LengthUnit bias_unit);
 
-/// Room for every pixel, empty, bound: PixelList in shaders/pixel_list.glsl.
-/// Throws Error (usage) naming view.size when the device's buffers are too small for it.
+/// Makes and binds an empty list with room for every pixel: PixelList in shaders/pixel_list.glsl.
+/// Throws Error (usage) naming view.size if the list exceeds the device's maximum buffer size.
 [[nodiscard]] gl::Buffer bind_pixel_list(const gl::Context& context, const GpuGBuffer& gbuffer);
 
-/// Runs the program over every pixel, and makes what it wrote visible.
+/// Runs the program over every pixel, then issues a memory barrier.
 void dispatch_pixels(const gl::Program& program, const GpuGBuffer& gbuffer);
 
-/// How many pixels a program has listed.
+/// Number of pixels in the list.
 std::uint32_t count_listed(const gl::Context& context, const gl::Buffer& pixel_list);
 
-/// A part of a list's pixels: [first, end).
+/// A range of a list's pixels: [first, end).
 struct ListedPixels {
   std::uint32_t first = 0;
   std::uint32_t end = 0;
 };
 
-/// Runs the program over a part of the bound list, four million pixels at most, and makes what it wrote visible.
+/// Runs the program over a range of the bound list, at most four million pixels, then issues a memory barrier.
 void dispatch_list(const gl::Program& program, const ListedPixels& pixels);
 
-/// Runs it over all of the list, in parts that are short work: `steps` is how often a pixel goes through the program's
-/// innermost loop.
+/// Runs the program over the whole list, in dispatches that are short enough for the driver's watchdog. `steps` is the
+/// number of iterations of the program's innermost loop per pixel.
 void dispatch_whole_list(const gl::Context& context, const gl::Program& program, const gl::Buffer& pixel_list,
                          std::size_t steps);
 

@@ -1,4 +1,4 @@
-// The passes of every shadow technique: filter() makes its filtered map, draw() its visibility.
+// The passes of every shadow technique: filter() computes its filtered map, draw() its visibility.
 #pragma once
 
 #include "raster/shadow/esm_pass.h"

@@ -1,4 +1,4 @@
-// The taps that the two-plane rule calls false occlusion, listed for a judge.
+// Lists the taps that are false occlusion by the two-plane rule, so that ray tests can confirm or reclassify them.
 #pragma once
 
 #include <functional>
@@ -12,12 +12,13 @@
 
 namespace umbrameter {
 
-/// Takes some of the taps, whose order is not defined; called until all were given.
+/// Receives the taps in batches, in no particular order.
 using UnresolvedTapSink = std::function<void(std::span<const UnresolvedTap>)>;
 
-/// Every tap that draw_bias_response() counts as false occlusion at some bias of the axes, once. Of one configuration
-/// the axes hold its own biases, and these are the taps that draw_visibility() counts. params.bias.constant and
-/// params.bias.slope are not looked at. The look-up must have a truth. Memory stays bounded however many there are.
+/// Lists every tap that draw_bias_response() counts as false occlusion at some bias of the axes, once. If the axes hold
+/// only the biases of one configuration, these are the false-occlusion taps that draw_visibility() counts. Ignores
+/// lookup.bias.constant and lookup.bias.slope. The look-up must have a truth. Memory use does not grow with the number
+/// of taps.
 void list_unresolved_taps(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes,
                           const UnresolvedTapSink& sink);
 

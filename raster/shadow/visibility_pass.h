@@ -1,4 +1,4 @@
-// Shadow-map look-ups for every surfel, and which cause each wrong tap has.
+// Looks up the shadow map at every surfel and classifies each wrong tap by cause.
 #pragma once
 
 #include "core/image.h"
@@ -10,11 +10,11 @@
 
 namespace umbrameter {
 
-/// What a light's map says of each surfel.
+/// Visibility and wrong taps of each surfel.
 struct RasterVisibility {
-  Image<float> visibility;  ///< 1 lit, 0 blocked; 0 where turned away, 1 on background; lit off the map
-  /// 0 on background, where turned away and where the truth is below 0, and everywhere without a truth. Their sum
-  /// over weight_sum is |visibility − truth| where the truth is binary.
+  Image<float> visibility;  ///< 1 lit, 0 blocked; back-facing: 0; background and outside the map: 1
+  /// 0 on background, on back-facing surfels, where the truth is below 0, and everywhere if there is no truth. For a
+  /// binary truth, the sum of a pixel's weights divided by weight_sum is |visibility − truth|.
   WrongTaps wrong;
 };
 

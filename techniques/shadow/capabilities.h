@@ -1,14 +1,14 @@
-// What a shadow technique can do, as far as measuring it depends on that.
+// The properties of a shadow technique that decide how its error can be measured.
 #pragma once
 
 namespace umbrameter {
 
-/// What decides how a technique's error can be measured.
+/// Properties that decide how a technique's error can be measured.
 struct TechniqueCapabilities {
-  /// Visibility is a weighted sum of depth comparisons. Then each wrong tap has one cause.
+  /// Visibility is a weighted sum of depth comparisons, so that each wrong tap has one cause.
   bool sums_comparisons = false;
-  /// Which texels are compared, and with what weight, does not depend on the bias. Then one pass over the taps measures
-  /// every bias.
+  /// The compared texels and their weights do not depend on the bias, so that one pass over the taps measures every
+  /// bias.
   bool taps_independent_of_bias = false;
 };
 

@@ -1,5 +1,5 @@
-// Cascaded shadow maps of directional lights: views that cover the nearer part of what the camera sees, and the whole
-// scene as the last.
+// Cascaded shadow maps for directional lights. Each cascade covers what the camera sees up to a view depth; the last
+// covers the whole scene.
 #pragma once
 
 #include <vector>
@@ -15,9 +15,9 @@ namespace umbrameter {
 /// Environments, VRCIA 2006.) nearest and farthest are above 0.
 std::vector<double> split_depths(double nearest, double farthest, int count);
 
-/// fit_light() with params.cascades views where the light is directional. Each view but the last is the smallest square
-/// about the surfels up to its split, with room for the taps of a kernel. A view that would be no finer than the last
-/// is left out.
+/// Like fit_light(), but with params.cascades views if the light is directional. Each view except the last is the
+/// smallest square around the surfels up to its split, plus a margin for the taps of a kernel. A view that would be no
+/// finer than the last is omitted.
 MapLayout fit_map(const Light& light, const Bounds& bounds, const ShadowMapParams& params, const GBuffer& seen);
 
 }  // namespace umbrameter

@@ -1,5 +1,5 @@
-// Why a shadow map's tap is wrong, and the records in which wrong taps are counted. Whole numbers throughout, so that
-// sums do not depend on their order.
+// The causes of wrong taps, and the structs that count wrong taps. All counts are integers, so that sums do not depend
+// on their order.
 #pragma once
 
 #include <array>
@@ -11,14 +11,15 @@
 
 namespace umbrameter {
 
-/// Why a tap is wrong, in the order of every array over causes.
+/// Why a tap is wrong. Every array over causes has this order.
 enum class Cause : std::uint8_t { acne, false_occlusion, peter_panning, light_leak };
 inline constexpr std::size_t cause_count = 4;
-/// As columns and keys write them.
+/// Names in columns and keys.
 inline constexpr std::array<std::string_view, cause_count> cause_names = {"acne", "false_occlusion", "peter_panning",
                                                                           "leak"};
 
-/// The weights of each pixel's wrong taps by cause, x to w in Cause's order. All taps of a pixel weigh weight_sum.
+/// The weight of each pixel's wrong taps by cause; x to w are in the order of Cause. The weights of all taps of a pixel
+/// add up to weight_sum.
 struct WrongTaps {
   Image<uvec4> weights;
   std::uint32_t weight_sum = 1;
@@ -31,22 +32,22 @@ struct SurfacePoint {
   std::uint32_t triangle = 0;
 };
 
-/// What a tap compares: the receiver, and the point that the map holds in the tap's texel.
+/// The two points that a tap compares: the receiver, and the sample in the tap's texel.
 struct TapSurfaces {
   SurfacePoint receiver;
   SurfacePoint sample;
 };
 
-/// A wrong tap of a pixel that the truth calls lit, whose sample the two-plane rule takes for another surface. Laid out
-/// as shaders/unresolved_taps.comp writes it.
+/// A wrong tap that is false occlusion by the two-plane rule: the pixel is lit in the reference, and the rule assigns
+/// the sample to another surface. The memory layout is that of shaders/unresolved_taps.comp.
 struct UnresolvedTap {
   std::uint32_t pixel = 0;  ///< x, and y from the bottom in the upper half
   std::uint32_t texel = 0;  ///< x, and y from the bottom in the upper half
   std::uint32_t face = 0;
   std::uint32_t weight = 0;
   float critical_bias = 0.0f;  ///< metres
-  float slope = 0.0f;          ///< of the pixel: texel size times tan of the angle to the light, metres
-  float bias_unit = 1.0f;      ///< of the pixel: metres that a constant bias of 1 is there
+  float slope = 0.0f;          ///< of the pixel: texel size · tan θ, metres
+  float bias_unit = 1.0f;      ///< of the pixel: a constant bias of 1 in metres
   std::uint32_t instance = 0;  ///< of the sample
   std::uint32_t triangle = 0;
 };

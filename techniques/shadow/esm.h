@@ -13,8 +13,8 @@ struct EsmParams {
 };
 Parameters describe(EsmParams& params);
 
-/// The filtered map holds the mean of exp(c·z) over a box of texels, z being the stored depth as a share of far_depth.
-/// Visibility at depth d is min(1, exp(−c·d)·mean), which a filter of exp(c·z) makes a filtered step where all z ≤ d.
+/// The filtered map holds the mean of exp(c·z) over a box of texels, where z is the stored depth divided by far_depth.
+/// Visibility at depth d is min(1, exp(−c·d)·mean). Where all z ≤ d, this approximates a filtered depth comparison.
 struct Esm {
   static constexpr TechniqueCapabilities capabilities{};
   EsmParams params;

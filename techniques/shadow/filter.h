@@ -9,16 +9,17 @@
 
 namespace umbrameter {
 
-/// What a filter's taps weigh. Grid: the outer product of `kernel` with itself about the receiver's texel, every tap a
-/// nearest one or, with linear_taps, the four that a bilinear comparison reads. Disk: texels under `points`, turned per
-/// pixel by one of `turns`, of weight 1 each.
+/// Positions and weights of a filter's taps. Grid: the weights are the outer product of `kernel` with itself, centred
+/// on the receiver's texel; with linear_taps each tap is a bilinear comparison of four texels. Disk: the texels at
+/// `points`, rotated per pixel by one of `turns`; each has weight 1.
 struct FilterKernel {
-  /// Parts of a texel to which a bilinear tap's place is rounded, as graphics hardware does (eight bits).
+  /// The position of a bilinear tap is rounded to 1/256 texel, as in graphics hardware (eight bits).
   static constexpr std::uint32_t texel_parts = 256;
-  /// Taps along a side of a grid: with the next odd size a tent of linear taps outweighs 32 bits.
+  /// Maximum taps along a side of a grid. With the next odd size, the weights of a tent with linear taps overflow 32
+  /// bits.
   static constexpr int largest_size = 29;
 
-  std::vector<std::uint32_t> kernel;  ///< of a grid: whole weights along one side, an odd number of them
+  std::vector<std::uint32_t> kernel;  ///< of a grid: weights along one side; the size is odd
   bool linear_taps = false;
   std::vector<vec2> points;  ///< of a disk: within the unit disk; empty for a grid
   std::vector<vec2> turns;   ///< of a disk: cosine and sine
@@ -37,7 +38,7 @@ struct FilterKernel {
   }
 };
 
-/// A tent, the heaviest kernel, weighs ((n + 1)/2)² along a side.
+/// Weight sum of a tent, the kernel with the largest one. Along a side it is ((n + 1)/2)².
 constexpr std::uint64_t largest_weight_sum(std::uint64_t size) {
   const std::uint64_t side = (size + 1) / 2 * ((size + 1) / 2) * FilterKernel::texel_parts;
   return side * side;
@@ -45,8 +46,8 @@ constexpr std::uint64_t largest_weight_sum(std::uint64_t size) {
 static_assert(largest_weight_sum(FilterKernel::largest_size) < std::uint64_t{1} << 32);
 
 /// Box: equal weights. Tent: 1 2 … 2 1. Gaussian: standard deviation (size + 1) / 6 texels, weights rounded to
-/// 1/128 along each side. Bilinear: one linear tap, what `sampler2DShadow` with a linear filter computes. Poisson: best
-/// candidates (D. Mitchell, Spectrally Optimal Sampling for Distribution Ray Tracing, 1991).
+/// 1/128 along each side. Bilinear: one linear tap, like `sampler2DShadow` with a linear filter. Poisson:
+/// best-candidate samples (D. Mitchell, Spectrally Optimal Sampling for Distribution Ray Tracing, 1991).
 FilterKernel make_filter(const PcfParams& params);
 
 }  // namespace umbrameter

@@ -1,4 +1,4 @@
-// The histogram of critical biases: one pass over the taps holds the exact error at every constant bias.
+// The histogram of critical biases: one pass over the taps gives the exact error at every constant bias.
 #pragma once
 
 #include <array>
@@ -12,20 +12,21 @@ namespace umbrameter {
 
 __extension__ using WideCount = unsigned __int128;
 
-/// The biases of an axis that one pass answers together.
+/// The biases that one pass measures together.
 struct BiasAxes {
-  std::vector<float> constant;           ///< in `unit`, ascending, no two equal
+  std::vector<float> constant;           ///< in `unit`, strictly ascending
   std::vector<float> slope;              ///< texels
-  LengthUnit unit = LengthUnit::metres;  ///< metres, or texels as large as they are at the receiver
+  LengthUnit unit = LengthUnit::metres;  ///< metres, or texels at the receiver
 };
 
-/// Taps that are wrong at some bias of the axis, counted by where they flip. A tap of bin k is lit from
-/// constant[k] on and blocked below: bin 0 holds those lit at every bias, the last bin those blocked at every one.
+/// The taps that are wrong at some bias of the axis, binned by the bias at which they flip. A tap of bin k is lit at
+/// constant[k] and above, blocked below. Bin 0 holds taps that are lit at every bias, the last bin taps that are
+/// blocked at every bias.
 struct BiasHistogram {
   struct Bin {
     std::array<std::uint64_t, cause_count> weights{};
-    /// What the pixels' squared error has more on one side of the flip than on the other, and the largest error of a
-    /// pixel on that side, in weights; [0] over pixels that the truth calls lit, [1] over blocked ones.
+    /// Increase of the summed squared error of the pixels when the taps of this bin become wrong, and the largest error
+    /// of a pixel after that; in weights. [0]: pixels that are lit in the reference, [1]: blocked ones.
     std::array<WideCount, 2> squares{};
     std::array<std::uint32_t, 2> largest{};
     friend bool operator==(const Bin&, const Bin&) = default;
@@ -33,20 +34,21 @@ struct BiasHistogram {
 
   BiasAxes axes;
   std::uint32_t weight_sum = 1;
-  std::vector<std::vector<Bin>> by_slope;  ///< for each slope bias, one bin more than there are constant biases
+  std::vector<std::vector<Bin>> by_slope;  ///< for each slope-scaled bias: constant.size() + 1 bins
 };
 
-/// The constant bias in metres from which on a tap is lit. Not inline: other modules may be compiled to contract it.
+/// The smallest constant bias, in metres, at which a tap is lit. Not inline: the compiler options of other modules may
+/// allow contraction to a fused multiply-add.
 float flip_of(float critical_bias, float slope, float slope_factor);
 
-/// Metres that a constant bias of 1 is at a receiver where a texel's side is that long.
+/// A constant bias of 1 in metres, at a receiver with this texel size (metres).
 inline float bias_unit_of(LengthUnit unit, float texel) { return unit == LengthUnit::texels ? texel : 1.0f; }
 
-/// Whether that bias lights a tap that flips at `flip` metres: the shaders' lights(). Not inline, as flip_of().
+/// Whether a tap that flips at `flip` metres is lit at this bias; lights() in the shaders. Not inline, like flip_of().
 bool lights(float bias, float bias_unit, float flip);
 
-/// The bin of BiasHistogram that a tap with that flip falls into: how many biases leave it blocked; all of them where
-/// the flip is not a number. bias_unit is bias_unit_of() at the tap's receiver.
+/// The bin of BiasHistogram for a tap with this flip: the number of biases at which the tap is blocked. If the flip is
+/// NaN, that is all of them. bias_unit is bias_unit_of() at the tap's receiver.
 std::size_t bin_of(const BiasAxes& axes, float flip, float bias_unit);
 
 }  // namespace umbrameter

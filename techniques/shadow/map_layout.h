@@ -1,5 +1,5 @@
-// How a light's shadow map is laid over the world: what "depth", "texel" and "inside the map" mean.
-// The rasteriser draws by it; statistics and reports read lengths from it.
+// The projection of a light's shadow map. It defines "depth", "texel" and "inside the map".
+// The rasteriser draws with it; statistics and reports take lengths from it.
 #pragma once
 
 #include <cstdint>
@@ -15,64 +15,65 @@ enum class MapKind : int { orthographic, perspective, cube };
 
 /// One image of a shadow map: a layer of its texture.
 struct MapView {
-  dvec2 center{0.0};         ///< orthographic: of the image in light space, metres
-  double half_extent = 1.0;  ///< orthographic: metres; perspective and cube: tangent of half the opening
+  dvec2 center{0.0};         ///< orthographic: centre of the image in light space, metres
+  double half_extent = 1.0;  ///< orthographic: metres; perspective and cube: tangent of half the opening angle
 };
 
-/// At most so many views; as many as shaders hold.
+/// Maximum number of views: the size of the array in the shaders.
 inline constexpr std::size_t max_map_views = 8;
 
-/// A view that others follow serves only positions so many texels inside its border, so that the taps of a kernel stay
-/// on it.
+/// Margin of a cascade in texels. A cascade, except the last, is used only for positions at least this far inside its
+/// border, so that all taps of a kernel lie on it.
 inline constexpr int map_view_margin = 16;
 
-/// How one light's map lies over a scene.
+/// Projection of one light's map.
 ///
 /// Light space: origin at the light (orthographic: at the centre of the fitted box's near face), x right, y up,
-/// −z the way the light travels. Depth is metres: along −z for orthographic and perspective maps, the radial
-/// distance for cube maps. Map coordinates (u, v) of a view run from 0 to 1 with v up.
+/// −z the direction in which the light travels. Depth is in metres: along −z for orthographic and perspective maps,
+/// radial distance for cube maps. Map coordinates (u, v) of a view run from 0 to 1 with v up.
 ///
-/// Views: of a perspective map one; of a cube its six faces, whose axes are cube_face(); of an orthographic map one or
-/// more (cascades), of which the first that contains a position serves it.
+/// Views: a perspective map has one; a cube map has six, its faces, whose axes are cube_face(); an orthographic map has
+/// one or more (cascades). A position is looked up in the first cascade that contains it.
 struct MapLayout {
   MapKind kind = MapKind::orthographic;
   int resolution = 1024;        ///< texels along one side of a view
   dmat4 light_from_world{1.0};  ///< rigid
-  double far_depth = 1.0;       ///< metres; every surface is nearer. What the stored depth is divided by.
+  double far_depth = 1.0;       ///< metres; every surface is nearer. Stored depth = depth / far_depth.
   std::vector<MapView> views{MapView{}};
 };
 
-/// A shadow map in memory, one image a view, top row (v = 1) first.
+/// A shadow map in memory, one image per view, top row (v = 1) first.
 struct ShadowMapImages {
-  std::vector<Image<float>> depth;  ///< as stored: a share of MapLayout::far_depth; 1 where the light meets nothing
+  std::vector<Image<float>> depth;  ///< as stored: depth / MapLayout::far_depth; 1 where the light hits nothing
   std::vector<Image<std::uint32_t>> instance;
   std::vector<Image<std::uint32_t>> triangle;
 };
 
-/// Right, up and forward, as columns, of a cube map's face 0 to 5 (+x −x +y −y +z −z), light space.
+/// Right, up and forward vector (the columns) of a cube map's face, 0 to 5 (+x −x +y −y +z −z), in light space.
 dmat3 cube_face(int face);
 
-/// Directional: the smallest square about the bounds along the light's own x and y. Spot: the outer cone.
-/// Point: six faces about the light. One texel of margin keeps every receiver inside orthographic maps.
+/// Directional: the smallest square around the bounds, aligned with the light's x and y. Spot: the outer cone.
+/// Point: six faces around the light. One texel of margin keeps every receiver inside orthographic maps.
 MapLayout fit_light(const Light& light, const Bounds& bounds, int resolution);
 
-/// Index of the view that serves a position in light space. Of a cube always 0: its faces are alike.
+/// Index of the view in which a position (light space) is looked up. Always 0 for a cube: all faces have the same
+/// extent.
 std::size_t view_of(const MapLayout& layout, const dvec3& local);
 
 /// Depth of a world position, metres.
 double depth_of(const MapLayout& frame, const dvec3& position);
 
-/// Length of one texel's side at a world position, metres.
+/// Side length of a texel at a world position, metres.
 double texel_at(const MapLayout& frame, const dvec3& position);
 
 /// Whether the position falls on the map.
 bool is_inside(const MapLayout& frame, const dvec3& position);
 
-/// Why shadow statistics leave a pixel out; none where they count it.
+/// Why shadow statistics exclude a pixel; none if they count it.
 enum class PixelExclusion : std::uint8_t { none, background, back_facing, outside_map, outside_cone, outside_range };
 
-/// Of one surfel: whether it faces() the light by its geometric normal, then by map, cone and range,
-/// which the middle of the light decides.
+/// Why one surfel is excluded, if it is. Tests faces() with the geometric normal first; then map, cone and range, which
+/// are tested for the centre of the light.
 PixelExclusion exclusion_of(const Light& light, const MapLayout& frame, const dvec3& position,
                             const dvec3& geometric_normal);
 

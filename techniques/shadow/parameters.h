@@ -1,4 +1,4 @@
-// Parameters of shadow maps, bias and PCF. technique.h puts the shadow.* parameters together.
+// Parameters of shadow maps, bias and PCF. technique.h combines them into the shadow.* parameters.
 #pragma once
 
 #include "core/parameters.h"
@@ -15,9 +15,9 @@ struct ShadowMapParams {
 };
 Parameters describe(ShadowMapParams& params);
 
-/// A tap is lit exactly when constant ≥ β − slope · m, with the critical bias β = receiver depth − stored depth and
-/// m = texel size at the receiver · tan θ, all in metres. A constant bias in texels is multiplied by the texel size at
-/// the receiver.
+/// A tap is lit if and only if constant ≥ β − slope · m, where β = receiver depth − stored depth is the critical bias
+/// and m = texel size at the receiver · tan θ; all in metres. A constant bias in texels is multiplied by the texel size
+/// at the receiver.
 struct BiasParams {
   Length constant{1.5, LengthUnit::texels};
   double slope = 0.0;

@@ -1,7 +1,8 @@
-// The shadow techniques and what each can do. Code asks a technique for its capabilities, never for its name.
+// The shadow techniques and their capabilities. Other code depends on a technique's capabilities, never on its name.
 //
-// To add one: a file beside this one with its parameters and their describe(); here its name, a member of ShadowParams
-// and an alternative of ShadowTechnique; its passes in raster/shadow/ and a line in raster/shadow/technique_passes.h.
+// To add a technique: (1) put its parameters and their describe() in a new file in this folder; (2) here, add its name,
+// a member of ShadowParams and an alternative of ShadowTechnique; (3) put its passes in raster/shadow/ and add a line
+// to raster/shadow/technique_passes.h.
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@ namespace umbrameter {
 /// In the order of ShadowTechnique's alternatives.
 enum class ShadowTechniqueName : int { pcf, esm };
 
-/// The shadow.* parameters, by the stage that reads them.
+/// The shadow.* parameters, grouped by the stage that reads them.
 struct ShadowParams {
   ShadowMapParams map;
   BiasParams bias;
@@ -38,7 +39,7 @@ using ShadowTechnique = std::variant<Pcf, Esm>;
 
 ShadowTechnique make_technique(const ShadowParams& params);
 
-/// The parameters from which a shadow map is filtered before it is looked up; all others act at the look-up.
+/// The parameters that filtering a shadow map before the look-up depends on. All others only affect the look-up.
 Parameters filtered_map_parameters(ShadowParams& params);
 
 TechniqueCapabilities capabilities_of(const ShadowTechnique& technique);

@@ -1,4 +1,4 @@
-// The histogram of critical biases counted on the CPU: the reference for the shaders' histogram.
+// The histogram of critical biases on the CPU; tests compare the shaders' histogram with it.
 #pragma once
 
 #include "scenes/scene.h"
@@ -7,8 +7,7 @@
 
 namespace umbrameter {
 
-/// The histogram, from a map in memory. The truth is binary; only counted pixels matter. The
-/// axes are as BiasAxes asks; neither may be empty.
+/// The histogram for a map in memory, over the counted pixels. The truth is binary. Neither axis may be empty.
 BiasHistogram count_bias_response(const Scene& scene, const MapLookup& lookup, const Image<float>& truth,
                                   const Image<PixelExclusion>& counting, const BiasAxes& axes);
 

@@ -1,5 +1,5 @@
-// A light's map looked up on the processor: the same numbers, to the bit, as the shaders' light_map.glsl,
-// surfel_lookup.glsl and shadow_filter.glsl give where arithmetic is IEEE 754.
+// Shadow-map look-ups on the CPU. With IEEE 754 arithmetic the results are bit-identical to those of light_map.glsl,
+// surfel_lookup.glsl and shadow_filter.glsl.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace umbrameter {
 
-/// All that a look-up reads.
+/// Inputs of a look-up.
 struct MapLookup {
   const GBuffer& gbuffer;
   const MapLayout& frame;
@@ -27,47 +27,47 @@ struct MapLookup {
 /// Where a position falls on the map.
 struct Receiver {
   dvec3 in_light{0.0};      ///< light space, metres
-  double depth = 0.0;       ///< metres, as the map counts it
+  double depth = 0.0;       ///< metres; see MapLayout
   double axis_depth = 0.0;  ///< metres along the axis of the map or face
-  dvec2 texels{0.0};        ///< from the map's lower left corner
+  dvec2 texels{0.0};        ///< position in texels from the map's lower left corner
   ivec2 texel{0};
   int face = 0;
   bool is_inside = false;
 };
 Receiver project_to_map(const MapLayout& frame, const dvec3& world);
 
-/// A texel's answer; v counts rows from the bottom.
+/// One depth comparison. texel.y counts rows from the bottom.
 struct Tap {
   ivec2 texel{0};
   int face = 0;
   bool has_blocker = false;
-  float critical_bias = -std::numeric_limits<float>::infinity();  ///< metres: lit exactly from this bias on
+  float critical_bias = -std::numeric_limits<float>::infinity();  ///< metres; lit at this bias and above
   std::uint32_t weight = 0;
 };
 
-/// The light's ray through a texel's centre, light space; the direction is not unit.
+/// The light's ray through a texel's centre, in light space. The direction is not normalised.
 struct TexelRay {
   dvec3 origin{0.0};
   dvec3 direction{0.0, 0.0, -1.0};
 };
 TexelRay texel_ray(const MapLayout& frame, const ivec2& texel, int face);
 
-/// Where a texel stands in a face of ShadowMapImages, whose top row is the first.
+/// Index of a texel in an image of ShadowMapImages, which has the top row first.
 inline std::size_t texel_index(const MapLayout& frame, const ivec2& texel) {
   return static_cast<std::size_t>(frame.resolution - 1 - texel.y) * static_cast<std::size_t>(frame.resolution) +
          static_cast<std::size_t>(texel.x);
 }
 
-/// A surfel as the map sees it.
+/// A surfel projected to the map.
 struct SurfelLookup {
   bool faces_light = false;  ///< geometric N·L > 0
   Receiver receiver;
-  float slope = 0.0f;  ///< texel size at the receiver times tan of the angle to the light, metres
-  float texel = 0.0f;  ///< side of a texel at the receiver, metres
+  float slope = 0.0f;  ///< texel size at the receiver · tan θ, metres
+  float texel = 0.0f;  ///< texel size at the receiver, metres
 };
 SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel);
 
-/// All taps of the filter at a surfel; those without weight among them.
+/// All taps of the filter at a surfel, including taps of weight 0.
 void fetch_taps(const MapLookup& lookup, const SurfelLookup& surfel, std::size_t pixel, std::vector<Tap>& taps);
 
 }  // namespace umbrameter

@@ -1,5 +1,5 @@
-// Sums and products in the order of raster/shaders/arithmetic.glsl. Internal to compare, whose compiler options keep
-// them from being contracted.
+// Sums and products in the order of raster/shaders/arithmetic.glsl. Include this only in modules whose compiler options
+// forbid contraction to fused multiply-adds.
 #pragma once
 
 #include <cmath>

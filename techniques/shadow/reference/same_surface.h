@@ -1,5 +1,5 @@
-// Whether a tap's sample lies on the receiver's own surface, by the two-plane rule: what shaders/same_surface.glsl
-// decides, on the processor. The reasons stand there.
+// The two-plane rule on the CPU: whether a tap's sample and the receiver are on the same surface. The derivation is in
+// shaders/same_surface.glsl, which gives the same result.
 #pragma once
 
 #include "scenes/scene.h"
@@ -12,23 +12,25 @@ struct Facet {
   dvec3 a{0.0};
   dvec3 ab{0.0};
   dvec3 ac{0.0};
-  dvec3 normal{0.0};          ///< unit, on the light's side
-  double vertex_error = 0.0;  ///< metres, by which rounding may have moved a vertex
+  dvec3 normal{0.0};          ///< unit, towards the light
+  double vertex_error = 0.0;  ///< largest displacement of a vertex by rounding, metres
 };
 Facet facet_of(const Scene& scene, const MapLayout& frame, std::uint32_t instance, std::uint32_t triangle);
 
-/// The point of a facet's plane that is nearest to a position, light space.
+/// The point of a facet's plane that is nearest to a position; in light space.
 dvec3 foot_on(const Facet& facet, const dvec3& position);
 
-/// Where the light's ray meets the facet, light space; on its edge where rasterisation reached past it.
+/// Where the light's ray intersects the facet, in light space. If the ray misses it, because rasterisation covers
+/// texels slightly outside a triangle, the point is clamped to the facet's edge.
 dvec3 sample_on(const Facet& facet, const TexelRay& ray);
 
-/// `own` is the receiver's facet, `blocker` that of the tap.
+/// `own` is the receiver's facet, `blocker` the facet of the tap's sample.
 bool is_same_surface(const MapLayout& frame, const Receiver& receiver, const Facet& own, const Tap& tap,
                      const Facet& blocker);
 
-/// Whether a tap that differs from the truth is due to another surface, nearer to the light, than the receiver's own:
-/// false occlusion where the truth is lit, else peter-panning. Only a nearer sample can have been erased by the bias.
+/// Whether a wrong tap is due to a surface other than the receiver's: false occlusion if the pixel is lit in the
+/// reference, peter-panning if it is blocked. For peter-panning the sample must also be nearer to the light than the
+/// receiver, because the bias can only remove the shadow of a nearer sample.
 bool is_other_surface(const Scene& scene, const MapLookup& lookup, const Tap& tap, const Receiver& receiver,
                       std::size_t pixel, bool is_lit_in_truth);
 

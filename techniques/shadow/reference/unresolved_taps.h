@@ -1,4 +1,4 @@
-// Unresolved taps listed on the CPU: the reference for the shaders' list.
+// Lists unresolved taps on the CPU; tests compare the shaders' list with it.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace umbrameter {
 
-/// The list on the processor, from a map in memory, as count_bias_response() counts.
+/// Lists the unresolved taps of a map in memory. The arguments are those of count_bias_response().
 std::vector<UnresolvedTap> find_unresolved_taps(const Scene& scene, const MapLookup& lookup, const Image<float>& truth,
                                                 const Image<PixelExclusion>& counting, const BiasAxes& axes);
 
