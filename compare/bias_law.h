@@ -30,7 +30,7 @@ struct Fitted {
 };
 
 /// bias = c0 + c1·texel·tan θ, for one light and view at several resolutions. Constant biases alone determine only the
-/// product c1·tan θ. A slope-scaled bias s reduces the required constant bias by s·texel·tan θ, down to c0 at least. So
+/// product c1·tan θ. A slope-scaled bias s reduces the required constant bias by s·texel·tan θ, but not below c0. So
 /// with several slope-scaled biases, the fit of bias = c0 + max(c1 − s, 0)·texel·tan θ determines both.
 struct BiasLaw {
   std::size_t points = 0;

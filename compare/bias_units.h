@@ -11,7 +11,7 @@ namespace umbrameter {
 struct BiasInUnits {
   double metres = 0.0;
   double texels = 0.0;
-  double depth = 0.0;  ///< normalised depth: divided by the map's depth range
+  double depth = 0.0;  ///< normalised depth: metres / depth range of the map
 };
 
 /// bias is in metres or texels. mean_texel and depth_range are in metres; 0 if unknown.

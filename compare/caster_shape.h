@@ -67,9 +67,9 @@ struct CasterShapes {
 /// path along the receiver is hidden do not count.
 ///
 /// Inset: the distance from an edge of the true shadow to its matching edge in the raster visibility without acne. For
-/// each of the edge's two pixels, take the nearest raster edge; the nearer of the two matches. The inset is above 0
-/// inside the true shadow, below 0 outside, and 0 on another edge of it. A raster edge in another caster's shadow does
-/// not match.
+/// each of the edge's two pixels there is a nearest raster edge; the matching edge is the nearer one of these. The
+/// inset is above 0 if the matching edge is inside the true shadow, below 0 if outside, and 0 if it is on another edge
+/// of the true shadow. A raster edge in another caster's shadow does not match.
 CasterShapes analyze_casters(const CasterInput& input);
 
 }  // namespace umbrameter

@@ -9,8 +9,8 @@
 
 namespace umbrameter {
 
-/// An error up to this distance from an edge is an error at the edge. In map texels at the edge, perpendicular to the
-/// light's direction.
+/// Maximum distance from an edge at which an error counts as at the edge. It is measured perpendicular to the light's
+/// direction, in map texels at the edge.
 inline constexpr double edge_band_texels = edge_reaches[two_texels];
 
 /// All shares are of the counted pixels, 0 to 1; mae is the sum of the four parts.

@@ -31,7 +31,7 @@ struct EdgeDistances {
   double weight = 0.0;  ///< of the part, pixels
   // All three distances are empty if there is no error or no edge.
   std::optional<Spread> pixels;
-  /// Perpendicular to the light's direction, in map texels at the edge, because the map's steps have this size.
+  /// Perpendicular to the light's direction, in map texels at the edge: the size of the map's stair steps.
   std::optional<Spread> texels;
   std::optional<Spread> metres;  ///< in the world
   /// Share of the part's weight within each distance of edge_reaches.

@@ -17,8 +17,8 @@ struct SampledError {
   double mean_raster = 0.0;
   Estimate mean_truth;
   Estimate mean_error;  ///< raster − truth: below 0 too dark, above 0 too bright
-  Estimate mae;         ///< mean |raster − truth|; noise of the truth can only raise it: see the lower bound
-  Estimate rmse;        ///< corrected for the variance of the truth
+  Estimate mae;   ///< mean |raster − truth|; noise of the truth can only raise it; the lower bound allows for it
+  Estimate rmse;  ///< corrected for the variance of the truth
   /// Means of max(truth − raster, 0) and max(raster − truth, 0); mae = too_dark + too_bright. Noise of the truth can
   /// only raise either. The lower bounds allow for about twice the amount that noise may have added.
   Estimate too_dark;
@@ -41,8 +41,8 @@ struct SampledImage {
 using IsCounted = std::function<bool(std::size_t)>;
 
 /// Intervals of means take Student's t quantile with the degrees of freedom of the summed variance (Welch 1947,
-/// Satterthwaite 1946). They are never narrower than 3/N for N rays in all, the bound that remains when all rays agree
-/// (rule of three).
+/// Satterthwaite 1946). The half width is at least 3/N for N rays in all (rule of three): rays that all agree have a
+/// sample variance of 0 but can still miss that much.
 SampledError analyze_sampled(const Image<float>& raster, const SampledImage& truth, const IsCounted& is_counted);
 
 }  // namespace umbrameter

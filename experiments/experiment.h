@@ -16,8 +16,8 @@
 
 namespace umbrameter {
 
-/// How taps are classified that the two-plane rule assigns to another surface: fast keeps that result, exact confirms
-/// or reclassifies them by ray tests.
+/// How wrong taps are classified. fast: by the two-plane rule. exact: ray tests confirm or reclassify the taps that the
+/// rule calls false occlusion.
 enum class ClassRule : int { fast, exact };
 
 /// What a sweep measures: shadows or ambient occlusion; automatic: the one that its axes belong to.

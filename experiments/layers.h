@@ -17,7 +17,7 @@ Image<vec3> picture_of(const Stages& stages, const Measurement& measurement);
 /// - with truth.ao-layers also truth_bent_normal.X/Y/Z (unit, world) and truth_ao_hit_distance.Y (metres, infinite if
 ///   no ray hits);
 /// - gbuffer_position.X/Y/Z (world, metres; NaN on background), gbuffer_normal.X/Y/Z (geometric, world);
-/// - R, G, B, A and Z (metres along the camera's axis) without a prefix.
+/// - in the root layer R, G, B, A (the picture) and Z (metres along the camera's axis).
 LayeredImage layers_of(const Stages& stages, const Measurement& measurement);
 
 }  // namespace umbrameter

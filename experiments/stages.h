@@ -57,7 +57,7 @@ struct Surfels {
   GBuffer gbuffer;
 };
 
-/// A reference that is traced on another thread. The destructor cancels the tracing.
+/// A reference that is traced on another thread. The destructor cancels it and waits.
 struct AoInBackground {
   std::string key;
   std::atomic<double> share{0.0};  ///< done, 0 to 1

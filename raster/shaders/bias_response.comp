@@ -51,8 +51,7 @@ int wrong_count = 0;
 
 // Sorts the taps in the order in which they become wrong: as the bias decreases if the truth is lit, as it increases if
 // the truth is blocked. One order serves all slope factors, because the bin of a flip never decreases as the critical
-// bias grows. (Shellsort: Knuth, The Art of Computer Programming 3, 5.2.1, algorithm D, with his increments 1, 4, 13,
-// ….)
+// bias grows. Shellsort (Knuth, The Art of Computer Programming 3, 5.2.1, algorithm D) with his increments 1, 4, 13, ….
 void sort_taps(bool is_lit_in_truth) {
   int gap = 1;
   while (3 * gap + 1 < wrong_count) gap = 3 * gap + 1;

@@ -152,8 +152,7 @@ float flip_of(float critical_bias, float slope, float slope_factor) {
   return flip;
 }
 
-// Whether a tap is lit at a bias. Every shader compares with this function. bias_unit is the length in metres of a
-// constant bias of 1.
+// Whether a tap is lit at a bias; the only depth comparison in the shaders. bias_unit: metres per unit of constant bias.
 bool lights(float bias, float bias_unit, float flip) {
   precise float metres = bias * bias_unit;
   return metres >= flip;

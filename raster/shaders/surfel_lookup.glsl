@@ -9,7 +9,7 @@ struct Lookup {
   bool faces_light;  // geometric N·L > 0
   Receiver receiver;
   float slope;      // texel size at the receiver · tan θ, metres
-  float bias_unit;  // a constant bias of 1 in metres
+  float bias_unit;  // metres per unit of constant bias
 };
 
 Lookup look_up(ivec2 pixel) {

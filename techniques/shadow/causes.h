@@ -47,7 +47,7 @@ struct UnresolvedTap {
   std::uint32_t weight = 0;
   float critical_bias = 0.0f;  ///< metres
   float slope = 0.0f;          ///< of the pixel: texel size · tan θ, metres
-  float bias_unit = 1.0f;      ///< of the pixel: a constant bias of 1 in metres
+  float bias_unit = 1.0f;      ///< of the pixel: metres per unit of constant bias
   std::uint32_t instance = 0;  ///< of the sample
   std::uint32_t triangle = 0;
 };

@@ -10,8 +10,8 @@
 namespace umbrameter {
 
 /// Positions and weights of a filter's taps. Grid: the weights are the outer product of `kernel` with itself, centred
-/// on the receiver's texel; with linear_taps each tap is a bilinear comparison of four texels. Disk: the texels at
-/// `points`, rotated per pixel by one of `turns`; each has weight 1.
+/// on the receiver's texel; with linear_taps it is convolved with the bilinear weights, which adds a row and a column.
+/// Disk: the texels at `points`, rotated per pixel by one of `turns`; each has weight 1.
 struct FilterKernel {
   /// The position of a bilinear tap is rounded to 1/256 texel, as in graphics hardware (eight bits).
   static constexpr std::uint32_t texel_parts = 256;

@@ -41,7 +41,7 @@ struct BiasHistogram {
 /// allow contraction to a fused multiply-add.
 float flip_of(float critical_bias, float slope, float slope_factor);
 
-/// A constant bias of 1 in metres, at a receiver with this texel size (metres).
+/// Metres per unit of constant bias, at a receiver with this texel size (metres).
 inline float bias_unit_of(LengthUnit unit, float texel) { return unit == LengthUnit::texels ? texel : 1.0f; }
 
 /// Whether a tap that flips at `flip` metres is lit at this bias; lights() in the shaders. Not inline, like flip_of().
