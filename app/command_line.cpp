@@ -155,7 +155,7 @@ std::string flag_suggestion(const CLI::App& command, const std::string& given) {
   for (const bool basic : {true, false}) {
     for (const OptionHelp& option : options) {
       if (option.is_positional || option.is_basic != basic) continue;
-      names.insert(names.end(), option.names.begin(), option.names.end());
+      for (const std::string& name : option.names) names.push_back(name);
     }
   }
   std::vector<std::string> similar =

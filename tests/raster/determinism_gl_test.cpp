@@ -54,7 +54,10 @@ std::uint64_t render_everything(const gl::Context& context) {
     hash = digest(hash, found.visibility.pixels);
     hash = digest(hash, found.wrong.weights.pixels);
   }
-  return digest(hash, draw_ao(context, surfels, view, {}, 3).pixels);
+  AoParams ao;
+  ao.radius = 0.5;
+  ao.bias = 0.025;
+  return digest(hash, draw_ao(context, surfels, view, ao, 3).pixels);
 }
 
 // The number of threads is fixed when the driver starts, so that each number needs a process of its own, whose first
