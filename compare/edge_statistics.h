@@ -16,8 +16,8 @@ inline constexpr double edge_band_texels = edge_reaches[two_texels];
 /// All shares are of the counted pixels, 0 to 1; mae is the sum of the four parts.
 struct EdgeStatistics {
   std::uint64_t pixels = 0;  ///< counted: facing the light, inside its map, cone and range
-  double lit = 0.0;          ///< share that the reference calls lit
-  double blocked = 0.0;      ///< share that the reference calls blocked
+  double lit = 0.0;          ///< share that is lit in the reference
+  double blocked = 0.0;      ///< share that is blocked in the reference
   double mae = 0.0;          ///< mean |technique − reference|
   double rmse = 0.0;         ///< root of the mean of (technique − reference)²
   double mean_error = 0.0;   ///< mean of technique − reference: below 0 too dark, above 0 too bright

@@ -10,7 +10,7 @@
 
 namespace umbrameter {
 
-/// An edge lies between a pixel and its neighbour: 2 · pixel + 0 for the one to the right, + 1 for the one below.
+/// The edge between a pixel and its neighbour: 2 · pixel for the neighbour on the right, 2 · pixel + 1 for that below.
 using EdgeId = std::uint32_t;
 
 struct EdgePixels {

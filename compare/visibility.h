@@ -38,8 +38,8 @@ std::string_view cause_meaning(Cause cause);
 /// leak.
 struct VisibilityStatistics {
   std::uint64_t pixels = 0;  ///< counted: facing the light, inside its map, cone and range
-  double lit = 0.0;          ///< share that the truth calls lit
-  double blocked = 0.0;      ///< share that the truth calls blocked
+  double lit = 0.0;          ///< share that is lit in the truth
+  double blocked = 0.0;      ///< share that is blocked in the truth
   double mae = 0.0;          ///< mean |raster − truth|
   double rmse = 0.0;         ///< root of the mean of (raster − truth)²
   double mean_error = 0.0;   ///< mean of raster − truth: below 0 too dark, above 0 too bright

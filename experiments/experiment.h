@@ -20,7 +20,7 @@ namespace umbrameter {
 /// rule calls false occlusion.
 enum class ClassRule : int { fast, exact };
 
-/// What a sweep measures: shadows or ambient occlusion; automatic: the one that its axes belong to.
+/// What a sweep measures: shadows (visibility) or ambient occlusion (ao). automatic: decided by the axes.
 enum class SweepMeasure : int { automatic, visibility, ao };
 
 /// The run.* parameters.

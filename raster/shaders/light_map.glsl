@@ -152,7 +152,7 @@ float flip_of(float critical_bias, float slope, float slope_factor) {
   return flip;
 }
 
-// Whether a tap is lit at a bias; the only depth comparison in the shaders. bias_unit: metres per unit of constant bias.
+// Whether a tap is lit at a bias. All depth comparisons in the shaders call it. bias_unit: metres per unit of bias.
 bool lights(float bias, float bias_unit, float flip) {
   precise float metres = bias * bias_unit;
   return metres >= flip;

@@ -16,7 +16,7 @@
 
 namespace umbrameter {
 
-/// In the order of ShadowTechnique's alternatives.
+/// Names of the techniques, in the order of ShadowTechnique's alternatives.
 enum class ShadowTechniqueName : int { pcf, esm };
 
 /// The shadow.* parameters, grouped by the stage that reads them.
