@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* size_variable = "UMBRAMETER_CACHE_SIZE";
 
-// The members of each kind of result, as references. Structs are taken apart into all of their members: one more does
+// The members of each kind of result, as references. The structured binding names every member, so a new member does
 // not compile until it is listed here.
 auto members(TracedVisibility& traced) {
   auto& [visibility, statistics, standard_error, variance, samples, degrees_of_freedom, precision] = traced;

@@ -8,8 +8,8 @@
 #include "experiments/content_hash.h"
 #include "raytrace/tracer.h"
 
-// Structs are taken apart into all of their members: one more member does not compile until somebody has decided here
-// whether rays depend on it.
+// Structured bindings name every member of a struct, so a new member does not compile until it is added to the key or
+// left out here.
 
 namespace umbrameter {
 namespace {

@@ -152,10 +152,10 @@ ResultsStore ResultsStore::load(const fs::path& folder) {
   });
 }
 
-ResultsStore ResultsStore::open(const fs::path& folder, const StoreDescription& description, bool anew) {
+ResultsStore ResultsStore::open(const fs::path& folder, const StoreDescription& description, bool overwrite) {
   const fs::path finished = folder / finished_name;
   const fs::path partial = folder / partial_name;
-  if (anew) {
+  if (overwrite) {
     require_idle(partial);
     remove_store(finished);
     remove_store(partial);

@@ -43,10 +43,11 @@ class ResultsStore {
   /// Every name that a store's files may have in its folder, including SQLite's journal files.
   static std::vector<std::string> file_names();
 
-  /// Resumes the folder's store if it has the same description, or creates one. With `anew`, removes an existing store
-  /// first. Throws Error: usage if the folder holds another sweep, with the first difference, or if another process is
-  /// writing to it; unreadable_input if the store is damaged; partial if it cannot be written.
-  static ResultsStore open(const std::filesystem::path& folder, const StoreDescription& description, bool anew = false);
+  /// Resumes the folder's store if it has the same description, or creates one. With `overwrite`, removes an existing
+  /// store first. Throws Error: usage if the folder holds another sweep, with the first difference, or if another
+  /// process is writing to it; unreadable_input if the store is damaged; partial if it cannot be written.
+  static ResultsStore open(const std::filesystem::path& folder, const StoreDescription& description,
+                           bool overwrite = false);
 
   /// Opens a complete store for reading. Throws as open() does.
   static ResultsStore load(const std::filesystem::path& folder);

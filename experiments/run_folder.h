@@ -28,8 +28,9 @@ class RunFolder {
   /// file of the plan that no run recorded. An unfinished run of the same command with the same experiment may be
   /// repeated.
   RunFolder(std::filesystem::path folder, RunPlan plan, bool force);
-  /// If finish() was not called: before begin(), removes this run's new files and restores the earlier record; after
-  /// begin(), removes the record if none of its files exists. Then removes empty folders that this run created.
+  /// Cleans up if finish() was not called. Before begin(): removes this run's new files and restores the earlier
+  /// record. After begin(): removes the record if none of its files exists. In both cases removes the empty folders
+  /// that this run created.
   ~RunFolder();
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;

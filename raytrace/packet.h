@@ -17,7 +17,7 @@ struct ShadowRay {
   bool is_clear = false;    ///< it cannot hit its own triangle
 };
 
-/// Reach of a ray to a light at this distance, metres. The ray stops short of the light, by the rounding of its own
+/// Reach of a ray to a light at this distance, metres. The ray ends before the light by the rounding error of its
 /// length, so that the light's own geometry does not block it.
 inline float reach_to_light(double distance) { return static_cast<float>(distance * (1.0 - 0x1p-22)); }
 

@@ -27,7 +27,7 @@ std::vector<const Metric*> select_metrics(std::string_view names) {
         std::find_if(metrics().begin(), metrics().end(), [&](const Metric& m) { return m.name == name; });
     if (found == metrics().end()) {
       throw Error(ExitCode::usage, "run.metrics", "there is no metric '" + name + "'",
-                  "name some of: " + metric_names());
+                  "choose from: " + metric_names());
     }
     selected.push_back(&*found);
   }

@@ -62,7 +62,7 @@ void expect_equal(const TraceStatistics& a, const TraceStatistics& b) {
 
 class ReferenceCacheTest : public testing::Test {
  protected:
-  // From a cache object of its own, as another run has.
+  // A second cache object reads it, as another run does.
   template <class Traced>
   Traced get(const std::string& kind, const Traced& traced) {
     const std::function<Traced()> trace = [&] {

@@ -19,7 +19,7 @@ TEST(RasterParameters, Every_field_is_described) {
   expect_all(PcfParams{});
   expect_all(EsmParams{});
   expect_all(AoParams{});
-  // The parts together: the choice of technique is a field of its own.
+  // All parts, plus one field: the choice of technique.
   ShadowParams shadow;
   EXPECT_EQ(describe(shadow).size(), describe(shadow.map).size() + describe(shadow.bias).size() + 1 +
                                          describe(shadow.pcf).size() + describe(shadow.esm).size());
