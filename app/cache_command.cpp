@@ -45,7 +45,7 @@ std::vector<std::string> to_row(const CacheListing& listing) {
 
 ExitCode clear(const CacheFolder& folder, const Console& console) {
   const ClearedCache cleared = clear_entries(folder);
-  say(console, fmt::format("{} references removed, {}", cleared.entries, bytes_text(cleared.bytes)));
+  print_line(console, fmt::format("{} references removed, {}", cleared.entries, bytes_text(cleared.bytes)));
   if (console.json) {
     fmt::print("{}\n", Json{{"folder", folder.path.string()},
                             {"removed", cleared.entries},
@@ -76,10 +76,10 @@ ExitCode run_cache(const CommandLine& line, const Console& console) {
     rows.push_back(to_row(listing));
   }
   if (!entries.empty()) {
-    for (const std::string& text : aligned(rows)) say(console, text);
+    for (const std::string& text : aligned(rows)) print_line(console, text);
   }
-  say(console, fmt::format("{}: {} references, {} of {}", folder->path.string(), entries.size(), bytes_text(total),
-                           bytes_text(folder->limit)));
+  print_line(console, fmt::format("{}: {} references, {} of {}", folder->path.string(), entries.size(),
+                                  bytes_text(total), bytes_text(folder->limit)));
   if (console.json) {
     fmt::print(
         "{}\n",

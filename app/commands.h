@@ -17,8 +17,8 @@ Experiment make_experiment(const CommandLine& line);
 
 /// Which scene of a file to read, and how, as the flags say.
 struct SceneChoice {
-  std::string part;     ///< view.scene
-  SceneParams reading;  ///< scene.*
+  std::string part;          ///< view.scene
+  SceneParams scene_params;  ///< scene.*
 };
 SceneChoice chosen_scene(const CommandLine& line);
 

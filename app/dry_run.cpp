@@ -52,7 +52,7 @@ std::string time_text(double seconds) {
 ExitCode show(const Console& console, const std::vector<Row>& rows) {
   nlohmann::ordered_json json;
   for (const auto& [key, text] : rows) {
-    say(console, fmt::format("{:<10} {}", key, text));
+    print_line(console, fmt::format("{:<10} {}", key, text));
     json[key] = text;
   }
   // Names come from files: bytes that are no UTF-8 are replaced, never thrown on.

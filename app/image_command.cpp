@@ -88,12 +88,12 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
     run_folder.emplace(line.output, RunPlan{line.command, experiment_text(given), run_files(false)}, line.force);
   }
   const ThreadLimit threads(line.threads);
-  Stages stages(load_scene(given.scene, given.view.scene, given.reading, load_options(line)),
+  Stages stages(load_scene(given.scene, given.view.scene, given.scene_params, load_options(line)),
                 {line.gl_device, line.threads, chosen_cache(line, console), given.scene}, console);
   const Experiment experiment = stages.in_metres(given);
   const Sides sides = sides_of(line.command);
   const std::vector<std::uint32_t> lights = stages.lights(experiment.view.light);
-  stages.require_sense_for(experiment, lights);
+  stages.check_is_meaningful(experiment, lights);
   if (line.dry_run) return show_image_plan(line, console, stages, experiment);
   RunFolder& folder = *run_folder;
 

@@ -26,16 +26,16 @@ Json devices_json() {
 }
 
 void say_devices(const Console& console, const Json& devices) {
-  say(console, fmt::format("{:<10} {}", "umbrameter", UMBRAMETER_VERSION));
-  say(console, fmt::format("{:<10} {}", "Embree", embree_version()));
+  print_line(console, fmt::format("{:<10} {}", "umbrameter", UMBRAMETER_VERSION));
+  print_line(console, fmt::format("{:<10} {}", "Embree", embree_version()));
   for (const Json& device : devices) {
-    say(console,
-        fmt::format("{:<10} {}: {}, {}{}", "OpenGL", device["index"].get<int>(), device["renderer"].get<std::string>(),
-                    device["version"].get<std::string>(), device["software"].get<bool>() ? " (software)" : ""));
+    print_line(console, fmt::format("{:<10} {}: {}, {}{}", "OpenGL", device["index"].get<int>(),
+                                    device["renderer"].get<std::string>(), device["version"].get<std::string>(),
+                                    device["software"].get<bool>() ? " (software)" : ""));
   }
   if (devices.empty()) {
-    say(console,
-        fmt::format("{:<10} no usable device; install a driver (Debian: libegl-mesa0 libgl1-mesa-dri)", "OpenGL"));
+    print_line(console, fmt::format("{:<10} no usable device; install a driver (Debian: libegl-mesa0 libgl1-mesa-dri)",
+                                    "OpenGL"));
   }
 }
 
@@ -48,9 +48,9 @@ ExitCode run_info(const CommandLine& line, const Console& console) {
   const SceneChoice choice = chosen_scene(line);
   if (!line.scene.empty()) {
     const SceneReport report =
-        make_scene_report(line.scene, choice.part, {load_options(line), line.measure_memory, choice.reading});
+        make_scene_report(line.scene, choice.part, {load_options(line), line.measure_memory, choice.scene_params});
     json["scene"] = to_json(report);
-    for (const std::string& text : to_lines(report)) say(console, text);
+    for (const std::string& text : to_lines(report)) print_line(console, text);
   } else {
     for (const auto& [key, text] : line.settings) {
       throw Error(ExitCode::usage, (key == "view.scene" ? "--scene " : "--" + key + " ") + text, "no file given",

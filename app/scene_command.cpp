@@ -15,7 +15,7 @@ SceneChoice chosen_scene(const CommandLine& line) {
   Experiment experiment;
   const Parameters parameters = describe(experiment);
   for (const auto& [key, text] : line.settings) require(parameters, key).set_text(text);
-  return {experiment.view.scene, experiment.reading};
+  return {experiment.view.scene, experiment.scene_params};
 }
 
 LoadOptions load_options(const CommandLine& line) {
@@ -28,12 +28,12 @@ LoadOptions load_options(const CommandLine& line) {
 
 ExitCode run_scene(const CommandLine& line, const Console& console) {
   const SceneChoice choice = chosen_scene(line);
-  const Scene scene = load_scene(line.scene, choice.part, choice.reading, load_options(line));
+  const Scene scene = load_scene(line.scene, choice.part, choice.scene_params, load_options(line));
   for (const std::string& text : scene.notes) note(console, text);
   const std::vector<unsigned char> glb = to_glb(scene);
   write_text(line.output, {reinterpret_cast<const char*>(glb.data()), glb.size()});
-  say(console, fmt::format("{}: {} triangles, {}", line.output.string(), grouped(count(scene).triangles),
-                           bytes_text(glb.size())));
+  print_line(console, fmt::format("{}: {} triangles, {}", line.output.string(), grouped(count(scene).triangles),
+                                  bytes_text(glb.size())));
   if (console.json) {
     const nlohmann::ordered_json json = {
         {"file", line.output.string()}, {"bytes", glb.size()}, {"triangles", count(scene).triangles}};

@@ -83,7 +83,7 @@ void say_scene(const Console& console, const Listed& scene) {
   std::string label = scene.name;
   for (const std::string& paragraph : {std::string(scene.description->purpose), facts}) {
     for (const std::string& text : wrap_lines(paragraph, line_width - name_width)) {
-      say(console, fmt::format("{:<{}}{}", label, name_width, text));
+      print_line(console, fmt::format("{:<{}}{}", label, name_width, text));
       label.clear();
     }
   }
@@ -155,7 +155,7 @@ void write_sheet(const CommandLine& line, const Console& console, const std::vec
     }
   }
   write_drawing(line.sheet, draw_sheet("The built-in scenes of Umbrameter", tiles));
-  say(console, fmt::format("{}: {} scenes", line.sheet.string(), tiles.size()));
+  print_line(console, fmt::format("{}: {} scenes", line.sheet.string(), tiles.size()));
 }
 
 }  // namespace

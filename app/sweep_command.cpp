@@ -94,17 +94,17 @@ void measure_missing(const SweepPlan& plan, ResultsStore& store, Stages& stages,
   if (kept > 0) note(console, fmt::format("{} of {} cells are done; resuming", kept, plan.cells));
   try {
     ProgressBar bar(console, "cells");
-    SweepAdvance advance{count_references(plan)};
+    SweepProgress progress{count_references(plan)};
     const auto show = [&] {
-      const auto done = static_cast<std::size_t>(std::llround(advance.cells * static_cast<double>(plan.cells)));
-      bar.show(advance.share, fmt::format("{} of {}", done, plan.cells));
+      const auto done = static_cast<std::size_t>(std::llround(progress.cells * static_cast<double>(plan.cells)));
+      bar.show(progress.share, fmt::format("{} of {}", done, plan.cells));
     };
     stages.report_tracing([&](double share) {
-      advance_tracing(advance, share);
+      advance_tracing(progress, share);
       show();
     });
     run_sweep(plan, store, evaluate, [&](double share) {
-      advance_cells(advance, share);
+      advance_cells(progress, share);
       show();
     });
     stages.report_tracing({});
@@ -131,7 +131,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
                        line.force);
   }
   const ThreadLimit threads(line.threads);
-  Stages stages(load_scene(experiment.scene, experiment.view.scene, experiment.reading, load_options(line)),
+  Stages stages(load_scene(experiment.scene, experiment.view.scene, experiment.scene_params, load_options(line)),
                 {line.gl_device, line.threads, chosen_cache(line, console), experiment.scene}, console);
   const std::vector<std::uint32_t> lights = stages.lights(experiment.view.light);
   if (quantity == SweptQuantity::visibility && !varies_group(axes, "view.light") && lights.size() > 1) {
@@ -141,7 +141,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
                               lights.size(), stages.title(lights.front())));
   }
   if (!varies_group(axes, "light.")) {
-    stages.require_sense_for(experiment, swept_lights(stages, experiment, axes));
+    stages.check_is_meaningful(experiment, swept_lights(stages, experiment, axes));
   }
   const CellStatistics statistics = choose_statistics(stages, experiment, axes, quantity);
 

@@ -79,24 +79,24 @@ std::optional<BiasCell> knee(const ParetoFront& front) {
   return found;
 }
 
-std::optional<BiasCell> least_error(const BiasReading& reading) {
+std::optional<BiasCell> least_error(const BiasOptima& optima) {
   std::optional<BiasCell> least;
-  for (const BiasLine& line : reading.lines) {
+  for (const BiasLine& line : optima.lines) {
     if (line.least_error) keep_least(least, *line.least_error, has_less_error);
   }
   return least;
 }
 
-std::optional<BiasCell> best_without_acne(const BiasReading& reading) {
+std::optional<BiasCell> best_without_acne(const BiasOptima& optima) {
   std::optional<BiasCell> best;
-  for (const BiasLine& line : reading.lines) {
+  for (const BiasLine& line : optima.lines) {
     if (line.best_without_acne) keep_least(best, *line.best_without_acne, has_less_error);
   }
   return best;
 }
 
-const BiasLine& flattest(const BiasReading& reading) {
-  return *std::min_element(reading.lines.begin(), reading.lines.end(),
+const BiasLine& flattest(const BiasOptima& optima) {
+  return *std::min_element(optima.lines.begin(), optima.lines.end(),
                            [](const BiasLine& a, const BiasLine& b) { return std::abs(a.slope) < std::abs(b.slope); });
 }
 

@@ -52,7 +52,7 @@ void add(ParetoFront& front, const BiasCell& cell);
 std::optional<BiasCell> knee(const ParetoFront& front);
 
 /// Results over all biases at one combination of the other parameters.
-struct BiasReading {
+struct BiasOptima {
   double mean_texel = 0.0;  ///< metres
   std::vector<BiasLine> lines{};
   ParetoFront front{};
@@ -60,12 +60,12 @@ struct BiasReading {
 
 /// The cell with the least error in all lines; among equals the least constant bias, then the least slope-scaled bias.
 /// Empty if there are no lines.
-std::optional<BiasCell> least_error(const BiasReading& reading);
+std::optional<BiasCell> least_error(const BiasOptima& optima);
 
 /// The cell with the least error among those without acne, in all lines.
-std::optional<BiasCell> best_without_acne(const BiasReading& reading);
+std::optional<BiasCell> best_without_acne(const BiasOptima& optima);
 
 /// The line whose slope-scaled bias is nearest to 0. There must be at least one line.
-const BiasLine& flattest(const BiasReading& reading);
+const BiasLine& flattest(const BiasOptima& optima);
 
 }  // namespace umbrameter

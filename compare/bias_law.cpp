@@ -74,18 +74,18 @@ std::optional<Solution> solve(const std::vector<Row>& rows, const std::vector<do
   return solution;
 }
 
-std::optional<LawPoint> point_at(const BiasCell& cell, double texel, std::span<const double> axis, bool two_sided) {
+std::optional<FitPoint> point_at(const BiasCell& cell, double texel, std::span<const double> axis, bool two_sided) {
   const auto place = std::lower_bound(axis.begin(), axis.end(), cell.constant);
   if (place == axis.end() || *place != cell.constant || place == axis.begin()) return std::nullopt;
   if (two_sided && std::next(place) == axis.end()) return std::nullopt;
   // The least error lies within half an interval on each side.
   const double step = two_sided ? 0.5 * (*std::next(place) - *std::prev(place)) : *place - *std::prev(place);
-  return LawPoint{texel, cell.slope, cell.constant, step};
+  return FitPoint{texel, cell.slope, cell.constant, step};
 }
 
 // Of every point, those in front of the bend first.
 struct Bend {
-  std::span<const LawPoint> points;  ///< by slope-scaled bias
+  std::span<const FitPoint> points;  ///< by slope-scaled bias
   std::size_t sloping = 0;           ///< points in front of it
   std::size_t slopes = 0;            ///< different slope-scaled biases of these
 };
@@ -103,7 +103,7 @@ double slope_factor(const Fit& fit) {
 
 std::optional<Fit> fit_bend(const Bend& bend) {
   const auto sloping = bend.points.first(bend.sloping);
-  const auto texel_differs = [&](const LawPoint& point) { return point.texel != sloping.front().texel; };
+  const auto texel_differs = [&](const FitPoint& point) { return point.texel != sloping.front().texel; };
   if (std::none_of(sloping.begin(), sloping.end(), texel_differs)) return std::nullopt;
   Fit fit{bend, {}, bend.slopes > 1 ? std::size_t{3} : std::size_t{2}};
   if (bend.points.size() < fit.coefficients) return std::nullopt;
@@ -111,7 +111,7 @@ std::optional<Fit> fit_bend(const Bend& bend) {
   std::vector<Row> rows;
   std::vector<double> right;
   for (std::size_t i = 0; i < bend.points.size(); ++i) {
-    const LawPoint& point = bend.points[i];
+    const FitPoint& point = bend.points[i];
     const double weight = 1.0 / point.step;
     const double texel = i < bend.sloping ? point.texel : 0.0;
     rows.push_back({weight, weight * texel, -weight * (point.slope - first) * texel});
@@ -134,24 +134,24 @@ std::optional<Fit> fit_bend(const Bend& bend) {
 
 }  // namespace
 
-std::optional<LawPoint> point_of_least_error(const BiasCell& cell, double texel, std::span<const double> axis) {
+std::optional<FitPoint> point_of_least_error(const BiasCell& cell, double texel, std::span<const double> axis) {
   return point_at(cell, texel, axis, true);
 }
 
-std::optional<LawPoint> point_of_least_free(const BiasCell& cell, double texel, std::span<const double> axis) {
+std::optional<FitPoint> point_of_least_free(const BiasCell& cell, double texel, std::span<const double> axis) {
   return point_at(cell, texel, axis, false);
 }
 
-double bias_of(const BiasLaw& law, double texel, double slope) {
+double bias_of(const BiasFit& law, double texel, double slope) {
   if (slope >= law.flat_from) return law.constant.value;
   const double tangent = law.tangent ? law.tangent->value : 0.0;
   return law.constant.value + (law.per_texel.value - tangent * (slope - law.first_slope)) * texel;
 }
 
-std::optional<BiasLaw> fit_law(std::span<const LawPoint> points) {
-  std::vector<LawPoint> sorted(points.begin(), points.end());
+std::optional<BiasFit> fit_law(std::span<const FitPoint> points) {
+  std::vector<FitPoint> sorted(points.begin(), points.end());
   std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const LawPoint& a, const LawPoint& b) { return a.slope < b.slope; });
+                   [](const FitPoint& a, const FitPoint& b) { return a.slope < b.slope; });
   std::optional<Fit> best;
   Bend bend{sorted};
   for (std::size_t i = 0; i < sorted.size(); ++i) {
@@ -164,14 +164,14 @@ std::optional<BiasLaw> fit_law(std::span<const LawPoint> points) {
   if (!best) return std::nullopt;
 
   const Solution& solution = best->solution;
-  BiasLaw law;
+  BiasFit law;
   law.points = sorted.size();
   law.first_slope = sorted.front().slope;
   law.constant.value = solution.value[0];
   law.per_texel.value = solution.value[1];
   if (best->coefficients == 3) law.tangent = Fitted{solution.value[2], {}};
   if (best->bend.sloping < sorted.size()) law.flat_from = sorted[best->bend.sloping].slope;
-  for (const LawPoint& point : sorted) {
+  for (const FitPoint& point : sorted) {
     const double miss = point.bias - bias_of(law, point.texel, point.slope);
     law.residual += miss * miss;
     law.residual_texels += miss * miss / (point.texel * point.texel);

@@ -11,7 +11,7 @@
 namespace umbrameter {
 
 /// A bias on a sweep axis, known to within one step of that axis.
-struct LawPoint {
+struct FitPoint {
   double texel = 0.0;  ///< mean side of a texel, metres
   double slope = 0.0;  ///< slope-scaled bias, texels
   double bias = 0.0;   ///< constant bias, metres
@@ -21,8 +21,8 @@ struct LawPoint {
 /// A cell as a point of the fit; `axis` holds the constant biases in ascending order. Empty if the cell is at an end of
 /// the axis beyond which the optimum may lie: either end for the bias with the least error, the lower end for the least
 /// bias without an error such as acne.
-std::optional<LawPoint> point_of_least_error(const BiasCell& cell, double texel, std::span<const double> axis);
-std::optional<LawPoint> point_of_least_free(const BiasCell& cell, double texel, std::span<const double> axis);
+std::optional<FitPoint> point_of_least_error(const BiasCell& cell, double texel, std::span<const double> axis);
+std::optional<FitPoint> point_of_least_free(const BiasCell& cell, double texel, std::span<const double> axis);
 
 struct Fitted {
   double value = 0.0;
@@ -32,7 +32,7 @@ struct Fitted {
 /// bias = c0 + c1·texel·tan θ, for one light and view at several resolutions. Constant biases alone determine only the
 /// product c1·tan θ. A slope-scaled bias s reduces the required constant bias by s·texel·tan θ, but not below c0. So
 /// with several slope-scaled biases, the fit of bias = c0 + max(c1 − s, 0)·texel·tan θ determines both.
-struct BiasLaw {
+struct BiasFit {
   std::size_t points = 0;
   double first_slope = 0.0;              ///< s₀, the smallest slope-scaled bias of the points, texels
   Fitted constant{};                     ///< c0, metres
@@ -45,10 +45,10 @@ struct BiasLaw {
 };
 
 /// The constant bias, in metres, that the fit gives for a texel size (metres) and a slope-scaled bias (texels).
-double bias_of(const BiasLaw& law, double texel, double slope);
+double bias_of(const BiasFit& law, double texel, double slope);
 
 /// Least squares with each point weighted by 1/step². Tries every position of the bend s = c1 among the slope-scaled
 /// biases and returns the fit with the smallest residual. Empty if all texel sizes are equal.
-std::optional<BiasLaw> fit_law(std::span<const LawPoint> points);
+std::optional<BiasFit> fit_law(std::span<const FitPoint> points);
 
 }  // namespace umbrameter

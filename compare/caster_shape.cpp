@@ -118,7 +118,7 @@ class Casters {
     const double cosine = glm::dot(normal, light);
     const dvec3 along = cosine * normal - light;
     const double sine = glm::length(along);
-    const double texel = texel_at(input_.shape.frame, start);
+    const double texel = texel_at(input_.shape.layout, start);
     const double distance = input_.distance[pixel];
     if (!(sine > 1e-6) || !(texel > 0.0)) return &ContactSearch::head_on;
     const dvec3 away = along / sine;
@@ -221,7 +221,7 @@ class Casters {
     const dvec3 true_place = position_of(edge, gbuffer_);
     const dvec3 way = position_of(found, gbuffer_) - true_place;
     const dvec3 light = to_light(input_.shape.light, true_place);
-    const double texel = texel_at(input_.shape.frame, true_place);
+    const double texel = texel_at(input_.shape.layout, true_place);
     const double across = glm::length(way - glm::dot(way, light) * light);
     const double sign = is_in_shadow ? 1.0 : -1.0;
     samples.insets.push_back({sign * glm::length(way), texel > 0.0 ? sign * across / texel : 0.0,

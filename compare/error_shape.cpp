@@ -24,7 +24,7 @@ std::array<float, unit_count> distances_at(const ShapeInput& input, const Neares
   const dvec3 way = dvec3(input.gbuffer.position[pixel]) - edge;
   const dvec3 light = to_light(input.light, edge);
   const dvec3 across = way - glm::dot(way, light) * light;
-  const double texel = texel_at(input.frame, edge);
+  const double texel = texel_at(input.layout, edge);
   const double texels = texel > 0.0 ? glm::length(across) / texel : 0.0;
   return {nearest.distance[pixel], static_cast<float>(texels), static_cast<float>(glm::length(way))};
 }

@@ -58,7 +58,7 @@ struct ShapeInput {
   const Image<float>& truth;  ///< 1 lit, 0 blocked; values ≥ ½ are lit
   const CountedPixels& counted;
   const Light& light;
-  const MapLayout& frame;
+  const MapLayout& layout;
 };
 
 /// The shape by cause of the wrong taps. Distances are to the edge that is nearest in the image.

@@ -15,9 +15,9 @@ const dvec3 z_axis(0, 0, 1);
 dmat4 turn(double angle, const dvec3& axis) { return glm::rotate(dmat4(1.0), angle, axis); }
 
 // A depth along an axis is largest at a corner.
-double largest_depth(const MapLayout& frame, const Bounds& bounds) {
-  double largest = depth_of(frame, bounds.corner(0));
-  for (int i = 1; i < 8; ++i) largest = std::max(largest, depth_of(frame, bounds.corner(i)));
+double largest_depth(const MapLayout& layout, const Bounds& bounds) {
+  double largest = depth_of(layout, bounds.corner(0));
+  for (int i = 1; i < 8; ++i) largest = std::max(largest, depth_of(layout, bounds.corner(i)));
   return largest;
 }
 
@@ -37,18 +37,18 @@ Flips count(const Image<float>& before, const Image<float>& after, const Takes& 
 
 }  // namespace
 
-MapLayout shift_grid(const MapLayout& frame, const dvec2& texels, const Bounds& bounds) {
-  const dvec2 shift = texels * (2.0 * frame.views.front().half_extent / frame.resolution);
-  MapLayout shifted = frame;
+MapLayout shift_grid(const MapLayout& layout, const dvec2& texels, const Bounds& bounds) {
+  const dvec2 shift = texels * (2.0 * layout.views.front().half_extent / layout.resolution);
+  MapLayout shifted = layout;
   dmat4 change = glm::translate(dmat4(1.0), dvec3(shift, 0.0));
-  if (frame.kind != MapKind::orthographic) {
+  if (layout.kind != MapKind::orthographic) {
     change = turn(std::atan(shift.y), x_axis) * turn(-std::atan(shift.x), y_axis);
-    if (frame.kind == MapKind::cube) change = turn(std::atan(shift.x), z_axis) * change;
+    if (layout.kind == MapKind::cube) change = turn(std::atan(shift.x), z_axis) * change;
   }
-  shifted.light_from_world = change * frame.light_from_world;
+  shifted.light_from_world = change * layout.light_from_world;
   // A cube's radial distances do not turn, and what moves across the light's axis keeps its depth.
-  if (frame.kind == MapKind::perspective) {
-    const double farther = largest_depth(shifted, bounds) - largest_depth(frame, bounds);
+  if (layout.kind == MapKind::perspective) {
+    const double farther = largest_depth(shifted, bounds) - largest_depth(layout, bounds);
     shifted.far_depth += std::max(farther, 0.0);
   }
   return shifted;

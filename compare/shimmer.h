@@ -15,7 +15,7 @@ namespace umbrameter {
 /// Orthographic maps are translated; the others rotate about the light, a cube also by the same angle about the third
 /// axis, which moves its side faces. `bounds` must be those that the layout was fitted to: they give the new depth
 /// range, because a rotated spot light may see farther.
-MapLayout shift_grid(const MapLayout& frame, const dvec2& texels, const Bounds& bounds);
+MapLayout shift_grid(const MapLayout& layout, const dvec2& texels, const Bounds& bounds);
 
 /// Rotates the view, or translates an orthographic one, so that a pixel in the centre of the image sees what was this
 /// many pixels to its right and below it.

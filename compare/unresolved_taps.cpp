@@ -35,52 +35,53 @@ void turn_to_acne(Weight& occluded, Weight& shadowed, std::uint32_t weight) {
 }  // namespace
 
 double share_of_unresolved(const ClassAgreement& agreement) {
-  return share(agreement.judged_own, agreement.unresolved);
+  return share(agreement.reclassified, agreement.unresolved);
 }
-double share_of_wrong(const ClassAgreement& agreement) { return share(agreement.judged_own, agreement.wrong); }
+double share_of_wrong(const ClassAgreement& agreement) { return share(agreement.reclassified, agreement.wrong); }
 
 std::size_t pixel_of(const UnresolvedTap& tap, const GBuffer& gbuffer) {
   const ivec2 at = unpacked(tap.pixel);
   return gbuffer.instance.index(at.x, gbuffer.height - 1 - at.y);
 }
 
-TapSurfaces surfaces_of(const Scene& scene, const MapLayout& frame, const GBuffer& gbuffer, const UnresolvedTap& tap) {
+TapSurfaces surfaces_of(const Scene& scene, const MapLayout& layout, const GBuffer& gbuffer, const UnresolvedTap& tap) {
   const std::size_t pixel = pixel_of(tap, gbuffer);
   TapSurfaces surfaces;
   surfaces.receiver = {{}, gbuffer.instance[pixel], gbuffer.triangle[pixel]};
   surfaces.sample = {{}, tap.instance, tap.triangle};
-  const Facet own = facet_of(scene, frame, surfaces.receiver.instance, surfaces.receiver.triangle);
-  const Facet blocker = facet_of(scene, frame, tap.instance, tap.triangle);
-  surfaces.receiver.in_light = foot_on(own, transform_point(frame.light_from_world, dvec3(gbuffer.position[pixel])));
-  surfaces.sample.in_light = sample_on(blocker, texel_ray(frame, unpacked(tap.texel), static_cast<int>(tap.face)));
+  const Facet own = facet_of(scene, layout, surfaces.receiver.instance, surfaces.receiver.triangle);
+  const Facet blocker = facet_of(scene, layout, tap.instance, tap.triangle);
+  surfaces.receiver.in_light = foot_on(own, transform_point(layout.light_from_world, dvec3(gbuffer.position[pixel])));
+  surfaces.sample.in_light = sample_on(blocker, texel_ray(layout, unpacked(tap.texel), static_cast<int>(tap.view)));
   return surfaces;
 }
 
-std::vector<TapSurfaces> surfaces_of(const Scene& scene, const MapLayout& frame, const GBuffer& gbuffer,
+std::vector<TapSurfaces> surfaces_of(const Scene& scene, const MapLayout& layout, const GBuffer& gbuffer,
                                      std::span<const UnresolvedTap> taps) {
   std::vector<TapSurfaces> surfaces;
   surfaces.reserve(taps.size());
-  for (const UnresolvedTap& tap : taps) surfaces.push_back(surfaces_of(scene, frame, gbuffer, tap));
+  for (const UnresolvedTap& tap : taps) surfaces.push_back(surfaces_of(scene, layout, gbuffer, tap));
   return surfaces;
 }
 
-void apply_judgement(WrongTaps& wrong, const GBuffer& gbuffer, std::span<const UnresolvedTap> taps,
-                     std::span<const std::uint8_t> own) {
-  assert(taps.size() == own.size());
+void reclassify(WrongTaps& wrong, const GBuffer& gbuffer, std::span<const UnresolvedTap> taps,
+                std::span<const std::uint8_t> is_same_surface) {
+  assert(taps.size() == is_same_surface.size());
   for (std::size_t i = 0; i < taps.size(); ++i) {
-    if (own[i] == 0) continue;
+    if (is_same_surface[i] == 0) continue;
     uvec4& weights = wrong.weights[pixel_of(taps[i], gbuffer)];
     turn_to_acne(weights[static_cast<int>(false_occlusion)], weights[static_cast<int>(acne)], taps[i].weight);
   }
 }
 
-void apply_judgement(BiasHistogram& histogram, std::span<const UnresolvedTap> taps, std::span<const std::uint8_t> own) {
-  assert(taps.size() == own.size());
+void reclassify(BiasHistogram& histogram, std::span<const UnresolvedTap> taps,
+                std::span<const std::uint8_t> is_same_surface) {
+  assert(taps.size() == is_same_surface.size());
   for (std::size_t s = 0; s < histogram.axes.slope.size(); ++s) {
     for (std::size_t i = 0; i < taps.size(); ++i) {
-      if (own[i] == 0) continue;
-      const std::size_t bin = bin_of(
-          histogram.axes, flip_of(taps[i].critical_bias, taps[i].slope, histogram.axes.slope[s]), taps[i].bias_unit);
+      if (is_same_surface[i] == 0) continue;
+      const std::size_t bin = bias_bin(
+          histogram.axes, flip_bias(taps[i].critical_bias, taps[i].slope, histogram.axes.slope[s]), taps[i].bias_unit);
       if (bin == 0) continue;  // lit at every bias, and right
       std::array<std::uint64_t, cause_count>& weights = histogram.by_slope[s][bin].weights;
       turn_to_acne(weights[false_occlusion], weights[acne], taps[i].weight);
@@ -88,12 +89,13 @@ void apply_judgement(BiasHistogram& histogram, std::span<const UnresolvedTap> ta
   }
 }
 
-void add_judgement(ClassAgreement& agreement, std::span<const UnresolvedTap> taps, std::span<const std::uint8_t> own) {
-  assert(taps.size() == own.size());
+void add_reclassified(ClassAgreement& agreement, std::span<const UnresolvedTap> taps,
+                      std::span<const std::uint8_t> is_same_surface) {
+  assert(taps.size() == is_same_surface.size());
   for (std::size_t i = 0; i < taps.size(); ++i) {
     ++agreement.taps;
     agreement.unresolved += taps[i].weight;
-    if (own[i] != 0) agreement.judged_own += taps[i].weight;
+    if (is_same_surface[i] != 0) agreement.reclassified += taps[i].weight;
   }
 }
 

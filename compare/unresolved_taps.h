@@ -16,12 +16,12 @@ namespace umbrameter {
 
 /// Agreement of the two-plane rule with the ray tests, in weights of taps.
 struct ClassAgreement {
-  std::uint64_t wrong = 0;       ///< all wrong taps
-  std::uint64_t unresolved = 0;  ///< wrong taps that are false occlusion by the two-plane rule
-  std::uint64_t judged_own = 0;  ///< unresolved taps that ray tests reclassified as acne
-  std::uint64_t taps = 0;        ///< number of ray-tested taps, not weighted
+  std::uint64_t wrong = 0;         ///< all wrong taps
+  std::uint64_t unresolved = 0;    ///< wrong taps that are false occlusion by the two-plane rule
+  std::uint64_t reclassified = 0;  ///< unresolved taps that ray tests reclassified as acne
+  std::uint64_t taps = 0;          ///< number of ray-tested taps, not weighted
 };
-/// judged_own as a share of `unresolved` and of `wrong`, 0 to 1; 0 if there are none.
+/// reclassified as a share of `unresolved` and of `wrong`, 0 to 1; 0 if there are none.
 double share_of_unresolved(const ClassAgreement& agreement);
 double share_of_wrong(const ClassAgreement& agreement);
 
@@ -29,18 +29,20 @@ double share_of_wrong(const ClassAgreement& agreement);
 std::size_t pixel_of(const UnresolvedTap& tap, const GBuffer& gbuffer);
 
 /// The receiver, on its triangle and without normal offset, and the map's sample.
-TapSurfaces surfaces_of(const Scene& scene, const MapLayout& frame, const GBuffer& gbuffer, const UnresolvedTap& tap);
-std::vector<TapSurfaces> surfaces_of(const Scene& scene, const MapLayout& frame, const GBuffer& gbuffer,
+TapSurfaces surfaces_of(const Scene& scene, const MapLayout& layout, const GBuffer& gbuffer, const UnresolvedTap& tap);
+std::vector<TapSurfaces> surfaces_of(const Scene& scene, const MapLayout& layout, const GBuffer& gbuffer,
                                      std::span<const UnresolvedTap> taps);
 
 /// Reclassifies from false occlusion to acne the taps with own[i] = 1, at their pixels or in the bins of their flips.
 /// Squared and largest errors do not change, because they do not depend on the cause. Each tap may be passed once.
 /// Throws Error (no_backend) if a tap is missing from the counts of its pixel or bin.
-void apply_judgement(WrongTaps& wrong, const GBuffer& gbuffer, std::span<const UnresolvedTap> taps,
-                     std::span<const std::uint8_t> own);
-void apply_judgement(BiasHistogram& histogram, std::span<const UnresolvedTap> taps, std::span<const std::uint8_t> own);
+void reclassify(WrongTaps& wrong, const GBuffer& gbuffer, std::span<const UnresolvedTap> taps,
+                std::span<const std::uint8_t> is_same_surface);
+void reclassify(BiasHistogram& histogram, std::span<const UnresolvedTap> taps,
+                std::span<const std::uint8_t> is_same_surface);
 
 /// Adds these taps to the agreement.
-void add_judgement(ClassAgreement& agreement, std::span<const UnresolvedTap> taps, std::span<const std::uint8_t> own);
+void add_reclassified(ClassAgreement& agreement, std::span<const UnresolvedTap> taps,
+                      std::span<const std::uint8_t> is_same_surface);
 
 }  // namespace umbrameter

@@ -17,7 +17,7 @@ std::string_view cause_meaning(Cause cause) {
 
 std::uint32_t wrong_weight(const uvec4& by_cause) { return by_cause.x + by_cause.y + by_cause.z + by_cause.w; }
 
-CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const MapLayout& frame) {
+CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const MapLayout& layout) {
   CountedPixels counted{Image<PixelExclusion>(gbuffer.width, gbuffer.height, PixelExclusion::background)};
   std::vector<double> texels(static_cast<std::size_t>(gbuffer.height), 0.0);
   parallel_for(static_cast<std::size_t>(gbuffer.height), [&](std::size_t y) {
@@ -25,11 +25,11 @@ CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const Map
       const std::size_t i = gbuffer.instance.index(x, static_cast<int>(y));
       if (!gbuffer.is_surface(i)) continue;
       const dvec3 position(gbuffer.position[i]);
-      counted.exclusion[i] = exclusion_of(light, frame, position, dvec3(gbuffer.geometric_normal[i]));
-      if (counted.exclusion[i] == PixelExclusion::none) texels[y] += texel_at(frame, position);
+      counted.exclusion[i] = exclusion_of(light, layout, position, dvec3(gbuffer.geometric_normal[i]));
+      if (counted.exclusion[i] == PixelExclusion::none) texels[y] += texel_at(layout, position);
     }
   });
-  for (const PixelExclusion counting : counted.exclusion.pixels) ++counted.totals[static_cast<std::size_t>(counting)];
+  for (const PixelExclusion exclusion : counted.exclusion.pixels) ++counted.totals[static_cast<std::size_t>(exclusion)];
   for (const double texel : texels) counted.mean_texel += texel;
   const std::uint64_t pixels = counted.totals[static_cast<std::size_t>(PixelExclusion::none)];
   if (pixels > 0) counted.mean_texel /= static_cast<double>(pixels);

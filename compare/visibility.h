@@ -61,7 +61,7 @@ inline constexpr const char* mean_texel_meaning = "mean size of a shadow-map tex
 
 /// Number of pixels for each PixelExclusion.
 using ExclusionTotals = std::array<std::uint64_t, 6>;
-inline constexpr std::array<std::string_view, 6> exclusion_names = {"counted",     "background",   "turned_away",
+inline constexpr std::array<std::string_view, 6> exclusion_names = {"counted",     "background",   "back_facing",
                                                                     "outside_map", "outside_cone", "outside_range"};
 
 /// The counted pixels of a light, and why the others are excluded.
@@ -70,7 +70,7 @@ struct CountedPixels {
   ExclusionTotals totals{};
   double mean_texel = 0.0;  ///< mean over the counted pixels, metres
 };
-CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const MapLayout& frame);
+CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const MapLayout& layout);
 
 /// The number of counted pixels, and of those that are lit in a binary truth.
 struct TruthCounts {

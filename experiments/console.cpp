@@ -19,12 +19,12 @@ constexpr int bar_cells = 24;
 
 }  // namespace
 
-void say(const Console& console, const std::string& line) {
+void print_line(const Console& console, const std::string& line) {
   if (!console.json) fmt::print("{}\n", plain_text(line));
 }
 
 void add_line(const Console& console, const std::string& line) {
-  if (!console.quiet) say(console, line);
+  if (!console.quiet) print_line(console, line);
 }
 
 void diagnostic(const Console& console, const std::string& line) {
@@ -40,8 +40,8 @@ bool use_color() {
   return isatty(STDERR_FILENO) != 0 && (no_color == nullptr || *no_color == '\0');
 }
 
-std::string progress_text(const std::string& label, const Advance& advance, bool color) {
-  const auto& [share, first_share, seconds, rays] = advance;
+std::string progress_text(const std::string& label, const ProgressState& state, bool color) {
+  const auto& [share, first_share, seconds, rays] = state;
   const int filled = std::clamp(static_cast<int>(share * bar_cells), 0, bar_cells);
   std::string text = fmt::format(
       "{} {}{}{}{} {:3.0f} %", label, color ? "\x1b[36m" : "", std::string(static_cast<std::size_t>(filled), '#'),

@@ -18,7 +18,7 @@ struct Console {
 };
 
 /// Prints a line of the main result on stdout; nothing with --json.
-void say(const Console& console, const std::string& line);
+void print_line(const Console& console, const std::string& line);
 
 /// Prints a further line of the result on stdout; nothing with --json or --quiet.
 void add_line(const Console& console, const std::string& line);
@@ -33,7 +33,7 @@ void note(const Console& console, const std::string& line);
 bool use_color();
 
 /// Progress of a task.
-struct Advance {
+struct ProgressState {
   double share = 0.0;        ///< share of the task that is done, 0 to 1
   double first_share = 0.0;  ///< share that was done at the start of `seconds`, for example by an earlier run
   double seconds = 0.0;
@@ -42,7 +42,7 @@ struct Advance {
 
 /// "shadow rays ####.... 42 %, 12.3 Mray/s, 8 s left". The rate is omitted if no rays are counted, the time left until
 /// it can be estimated.
-std::string progress_text(const std::string& label, const Advance& advance, bool color);
+std::string progress_text(const std::string& label, const ProgressState& state, bool color);
 
 /// Shows a bar with percentage, rate and time left on stderr while the object lives. Shows nothing if stderr is not a
 /// terminal, or with --quiet.

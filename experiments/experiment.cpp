@@ -31,7 +31,7 @@ Parameters describe(RunParams& params) {
 }
 
 Parameters describe(Experiment& experiment) {
-  return concatenate({describe(experiment.reading), describe(experiment.view), describe(experiment.light),
+  return concatenate({describe(experiment.scene_params), describe(experiment.view), describe(experiment.light),
                       describe(experiment.shadow), describe(experiment.ao), describe(experiment.truth),
                       describe(experiment.run)});
 }

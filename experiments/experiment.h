@@ -35,7 +35,7 @@ Parameters describe(RunParams& params);
 
 struct Experiment {
   std::string scene;
-  SceneParams reading;  ///< scene.*
+  SceneParams scene_params;  ///< scene.*
   ViewParams view;
   LightParams light;
   ShadowParams shadow;

@@ -20,7 +20,7 @@ void measure_causes(Stages& stages, ShadowMeasurement& measurement) {
   const Experiment& experiment = measurement.experiment;
   WrongTaps& wrong = measurement.raster->wrong;
   if (experiment.run.classes == ClassRule::exact) {
-    measurement.agreement = stages.judge(experiment, measurement.light, wrong);
+    measurement.agreement = stages.reclassify(experiment, measurement.light, wrong);
   }
   measurement.statistics = analyze_visibility(wrong, measurement.truth->visibility, measurement.counted);
   const GBuffer& gbuffer = stages.surfels(experiment).gbuffer;
@@ -47,7 +47,7 @@ ShadowMeasurement measure_shadow(Stages& stages, const Experiment& experiment, s
   ShadowMeasurement measurement;
   measurement.experiment = experiment;
   measurement.light = light;
-  measurement.frame = stages.layout(experiment, light);
+  measurement.layout = stages.layout(experiment, light);
   measurement.counted = stages.counted(experiment, light);
   measurement.emitter = lamp.emitter;
   if (sides.truth) measurement.truth = stages.truth(experiment, light);

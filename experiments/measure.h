@@ -44,7 +44,7 @@ struct MetricScore {
 struct ShadowMeasurement {
   Experiment experiment;  ///< the parameters of this measurement
   std::uint32_t light = 0;
-  MapLayout frame;
+  MapLayout layout;
   CountedPixels counted;
   std::optional<RasterVisibility> raster;
   std::optional<TracedVisibility> truth;

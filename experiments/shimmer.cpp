@@ -28,7 +28,7 @@ Shimmer measure_shimmer(Stages& stages, const ShadowMeasurement& shadow) {
   const GpuGBuffer& gpu_surfels = stages.gpu_surfels(experiment);
   const Light light = stages.light(experiment, shadow.light);
   const Image<float>& before = shadow.raster->visibility;
-  const auto draw_map = [&](const MapLayout& frame) { return draw_shadow_map(context, scene, light, frame); };
+  const auto draw_map = [&](const MapLayout& layout) { return draw_shadow_map(context, scene, light, layout); };
   const auto look_up = [&](const GpuGBuffer& gbuffer, const ShadowMap& map) {
     return draw_visibility(context,
                            {scene, gbuffer, map, light, experiment.shadow.bias, make_technique(experiment.shadow)})
@@ -37,13 +37,13 @@ Shimmer measure_shimmer(Stages& stages, const ShadowMeasurement& shadow) {
 
   Shimmer shimmer;
   for (const dvec2& move : moves) {
-    const Image<float> after = look_up(gpu_surfels, draw_map(shift_grid(shadow.frame, move, stages.bounds())));
+    const Image<float> after = look_up(gpu_surfels, draw_map(shift_grid(shadow.layout, move, stages.bounds())));
     const double share = count_flips(before, after, shadow.counted).share;
     shimmer.grid_mean += share / static_cast<double>(moves.size());
     shimmer.grid_largest = std::max(shimmer.grid_largest, share);
   }
 
-  const ShadowMap map = draw_map(shadow.frame);
+  const ShadowMap map = draw_map(shadow.layout);
   Flips drawn;
   Flips traced;
   for (const dvec2& move : moves) {

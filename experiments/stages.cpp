@@ -72,7 +72,7 @@ std::vector<std::uint32_t> Stages::lights(const std::string& name_or_index) cons
   return select_lights(scene_, name_or_index);
 }
 
-void Stages::require_sense_for(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const {
+void Stages::check_is_meaningful(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const {
   std::vector<Light> measured;
   for (const std::uint32_t light : lights) measured.push_back(scene_.lights[light]);
   require_sense(experiment.light, measured);
@@ -253,10 +253,10 @@ const TracedAo& Stages::ao_truth(const Experiment& experiment) {
 ShadowLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth) {
   const GpuGBuffer& gpu = gpu_surfels(experiment);
   const ShadowMap& map = map_.remake(key(Stage::map, experiment, light), [&](std::optional<ShadowMap> last) {
-    const MapLayout& frame = layout(experiment, light);
+    const MapLayout& layout = this->layout(experiment, light);
     // Drivers on a processor clear every page of a fresh texture, which takes longer than drawing a small scene.
-    ShadowMap drawn = last && has_textures_for(*last, frame) ? std::move(*last) : make_shadow_map(context(), frame);
-    drawn.frame = frame;
+    ShadowMap drawn = last && has_textures_for(*last, layout) ? std::move(*last) : make_shadow_map(context(), layout);
+    drawn.layout = layout;
     redraw_shadow_map(context(), uploaded(), scene_.lights[light], drawn);
     return drawn;
   });
@@ -280,35 +280,37 @@ RasterVisibility Stages::draw(const Experiment& experiment, std::uint32_t light,
 BiasHistogram Stages::bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes) {
   BiasHistogram histogram = draw_bias_response(context(), shadow_lookup(experiment, light, true), axes);
   if (experiment.run.classes == ClassRule::fast) return histogram;
-  judge_taps(experiment, light, axes, [&](std::span<const UnresolvedTap> taps, std::span<const std::uint8_t> own) {
-    apply_judgement(histogram, taps, own);
-  });
+  test_unresolved_taps(experiment, light, axes,
+                       [&](std::span<const UnresolvedTap> taps, std::span<const std::uint8_t> is_same_surface) {
+                         umbrameter::reclassify(histogram, taps, is_same_surface);
+                       });
   return histogram;
 }
 
-void Stages::judge_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes,
-                        const JudgedTaps& take) {
+void Stages::test_unresolved_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes,
+                                  const TestedTaps& take) {
   const ShadowLookup lookup = shadow_lookup(experiment, light, true);
-  const MapLayout& frame = lookup.map.frame;
+  const MapLayout& layout = lookup.map.layout;
   const GBuffer& gbuffer = surfels(experiment).gbuffer;
   const Tracer& rays = tracer();
   ProgressBar progress = bar("classes");
   list_unresolved_taps(context(), lookup, axes, [&](std::span<const UnresolvedTap> taps) {
-    take(taps, judge_same_surface(rays, frame, surfaces_of(scene_, frame, gbuffer, taps), progress.callback()));
+    take(taps, test_same_surface(rays, layout, surfaces_of(scene_, layout, gbuffer, taps), progress.callback()));
   });
 }
 
-ClassAgreement Stages::judge(const Experiment& experiment, std::uint32_t light, WrongTaps& wrong) {
+ClassAgreement Stages::reclassify(const Experiment& experiment, std::uint32_t light, WrongTaps& wrong) {
   ClassAgreement agreement;
   for (const uvec4& weights : wrong.weights.pixels) agreement.wrong += sum_of(weights);
   const GBuffer& gbuffer = surfels(experiment).gbuffer;
   const Length& bias = experiment.shadow.bias.constant;
   const BiasAxes biases{
       {static_cast<float>(bias.number)}, {static_cast<float>(experiment.shadow.bias.slope)}, bias.unit};
-  judge_taps(experiment, light, biases, [&](std::span<const UnresolvedTap> taps, std::span<const std::uint8_t> own) {
-    apply_judgement(wrong, gbuffer, taps, own);
-    add_judgement(agreement, taps, own);
-  });
+  test_unresolved_taps(experiment, light, biases,
+                       [&](std::span<const UnresolvedTap> taps, std::span<const std::uint8_t> is_same_surface) {
+                         umbrameter::reclassify(wrong, gbuffer, taps, is_same_surface);
+                         add_reclassified(agreement, taps, is_same_surface);
+                       });
   return agreement;
 }
 

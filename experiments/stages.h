@@ -91,7 +91,7 @@ class Stages {
   /// The light with the extent that the experiment gives it.
   Light light(const Experiment& experiment, std::uint32_t light) const;
   /// Throws Error (usage) if the light.* parameters make no sense for these lights.
-  void require_sense_for(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const;
+  void check_is_meaningful(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const;
   /// Indices of the lights that a name or index selects; all when empty.
   std::vector<std::uint32_t> lights(const std::string& name_or_index) const;
 
@@ -118,7 +118,7 @@ class Stages {
   RasterVisibility draw(const Experiment& experiment, std::uint32_t light, bool with_truth);
   /// Tests by rays the taps that the two-plane rule calls false occlusion, and reclassifies them in `wrong`, the result
   /// of draw() for the same experiment.
-  ClassAgreement judge(const Experiment& experiment, std::uint32_t light, WrongTaps& wrong);
+  ClassAgreement reclassify(const Experiment& experiment, std::uint32_t light, WrongTaps& wrong);
   /// The error at every bias of the axes, which replace the experiment's biases. Classifies taps by run.classes.
   BiasHistogram bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes);
   Image<float> draw_ao(const Experiment& experiment);
@@ -135,8 +135,9 @@ class Stages {
   void add_notes(const std::vector<std::string>& notes);
 
  private:
-  using JudgedTaps = std::function<void(std::span<const UnresolvedTap>, std::span<const std::uint8_t>)>;
-  void judge_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes, const JudgedTaps& take);
+  using TestedTaps = std::function<void(std::span<const UnresolvedTap>, std::span<const std::uint8_t>)>;
+  void test_unresolved_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes,
+                            const TestedTaps& take);
   ShadowLookup shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth);
   ProgressBar bar(const char* stage) const;
   ProgressBar tracing_bar(const char* stage, std::function<std::uint64_t()> count_rays) const;

@@ -37,7 +37,7 @@ void measure_cells(Stages& stages, const Experiment& experiment, const std::vect
   // Extents are varied: not every combination of them need make sense.
   const Experiment of_group = at_cell(experiment, axes, group.values);
   if (!std::holds_alternative<AoStatistics>(statistics)) {
-    stages.require_sense_for(of_group, swept_lights(stages, experiment, axes));
+    stages.check_is_meaningful(of_group, swept_lights(stages, experiment, axes));
   }
   for (std::size_t c = 0; c < group.constant_bias.values.size(); ++c) {
     for (std::size_t s = 0; s < group.slope_bias.values.size(); ++s) {

@@ -9,17 +9,17 @@ namespace umbrameter {
 namespace {
 
 // The number of the reference that the next cell needs.
-double reference_of(const SweepAdvance& advance) {
-  const auto references = static_cast<double>(advance.references);
-  return std::min(std::floor(advance.cells * references + 1e-9), references - 1.0);
+double reference_of(const SweepProgress& progress) {
+  const auto references = static_cast<double>(progress.references);
+  return std::min(std::floor(progress.cells * references + 1e-9), references - 1.0);
 }
 
-void update_share(SweepAdvance& advance) {
-  const auto references = static_cast<double>(advance.references);
-  const double reference = reference_of(advance);
-  const double cells = advance.cells * references - reference;
-  const double share = advance.traced > 0.0 ? 0.5 * advance.traced + 0.5 * cells : cells;
-  advance.share = std::clamp((reference + share) / references, advance.share, 1.0);
+void update_share(SweepProgress& progress) {
+  const auto references = static_cast<double>(progress.references);
+  const double reference = reference_of(progress);
+  const double cells = progress.cells * references - reference;
+  const double share = progress.traced > 0.0 ? 0.5 * progress.traced + 0.5 * cells : cells;
+  progress.share = std::clamp((reference + share) / references, progress.share, 1.0);
 }
 
 }  // namespace
@@ -35,16 +35,16 @@ std::size_t count_references(const SweepPlan& plan) {
   return references;
 }
 
-void advance_cells(SweepAdvance& advance, double cells) {
-  const double before = reference_of(advance);
-  advance.cells = cells;
-  if (reference_of(advance) != before) advance.traced = 0.0;
-  update_share(advance);
+void advance_cells(SweepProgress& progress, double cells) {
+  const double before = reference_of(progress);
+  progress.cells = cells;
+  if (reference_of(progress) != before) progress.traced = 0.0;
+  update_share(progress);
 }
 
-void advance_tracing(SweepAdvance& advance, double traced) {
-  advance.traced = traced;
-  update_share(advance);
+void advance_tracing(SweepProgress& progress, double traced) {
+  progress.traced = traced;
+  update_share(progress);
 }
 
 }  // namespace umbrameter

@@ -8,8 +8,8 @@
 namespace umbrameter {
 
 /// For each reference, tracing and then measuring its cells count as one half each, because neither cost is known in
-/// advance. If the reference comes from the cache, its cells count for both halves.
-struct SweepAdvance {
+/// state. If the reference comes from the cache, its cells count for both halves.
+struct SweepProgress {
   std::size_t references = 1;  ///< maximum number of references that the sweep traces
   double cells = 0.0;          ///< share of the cells that are done
   double traced = 0.0;         ///< share of the current reference that is traced
@@ -20,9 +20,9 @@ struct SweepAdvance {
 std::size_t count_references(const SweepPlan& plan);
 
 /// Sets the share of the cells that are done.
-void advance_cells(SweepAdvance& advance, double cells);
+void advance_cells(SweepProgress& progress, double cells);
 
 /// Sets the share of the current reference that is traced.
-void advance_tracing(SweepAdvance& advance, double traced);
+void advance_tracing(SweepProgress& progress, double traced);
 
 }  // namespace umbrameter

@@ -32,8 +32,8 @@ struct LightRay {
 
 class Judge {
  public:
-  Judge(const Tracer& tracer, const MapLayout& frame)
-      : tracer_(tracer), frame_(frame), world_from_light_(glm::inverse(frame.light_from_world)) {
+  Judge(const Tracer& tracer, const MapLayout& layout)
+      : tracer_(tracer), layout_(layout), world_from_light_(glm::inverse(layout.light_from_world)) {
     const std::vector<Instance>& instances = tracer.scene().instances;
     const auto& masks = tracer.state().mesh_masks;
     has_masks_ =
@@ -58,9 +58,9 @@ class Judge {
   }
 
  private:
-  bool is_orthographic() const { return frame_.kind == MapKind::orthographic; }
+  bool is_orthographic() const { return layout_.kind == MapKind::orthographic; }
 
-  double depth(const dvec3& p) const { return frame_.kind == MapKind::cube ? glm::length(p) : -p.z; }
+  double depth(const dvec3& p) const { return layout_.kind == MapKind::cube ? glm::length(p) : -p.z; }
 
   LightRay ray_through(const dvec3& p) const {
     if (is_orthographic()) return {{p.x, p.y, 0.0}, {0.0, 0.0, -1.0}};
@@ -109,8 +109,8 @@ class Judge {
     point.instance = instance;
     point.triangle = id;
     const Triangle t = world_triangle(tracer_.scene(), instance, id);
-    const dmat3 turn(frame_.light_from_world);
-    point.corner = dvec3(frame_.light_from_world * dvec4(t.a, 1.0));
+    const dmat3 turn(layout_.light_from_world);
+    point.corner = dvec3(layout_.light_from_world * dvec4(t.a, 1.0));
     const dvec3 across = glm::cross(turn * (t.b - t.a), turn * (t.c - t.a));
     const double twice_area = glm::length(across);
     if (twice_area > 0.0) point.normal = across / twice_area;
@@ -138,8 +138,8 @@ class Judge {
     const NearestHit hit = nearest_hit(query, origin, direction, std::numeric_limits<float>::infinity());
     if (hit.instance == no_id) return std::nullopt;
     SeenPoint point = on_triangle(hit.instance, hit.triangle);
-    const LightRay ray{dvec3(frame_.light_from_world * dvec4(dvec3(origin), 1.0)),
-                       glm::normalize(dmat3(frame_.light_from_world) * dvec3(direction))};
+    const LightRay ray{dvec3(layout_.light_from_world * dvec4(dvec3(origin), 1.0)),
+                       glm::normalize(dmat3(layout_.light_from_world) * dvec3(direction))};
     const double exact = distance_to_plane(point, ray);
     point.in_light = ray.origin + ray.direction * (std::isfinite(exact) ? exact : static_cast<double>(hit.distance));
     point.depth = depth(point.in_light);
@@ -170,17 +170,17 @@ class Judge {
   }
 
   const Tracer& tracer_;
-  const MapLayout& frame_;
+  const MapLayout& layout_;
   dmat4 world_from_light_;
   bool has_masks_ = false;
 };
 
 }  // namespace
 
-std::vector<std::uint8_t> judge_same_surface(const Tracer& tracer, const MapLayout& frame,
-                                             std::span<const TapSurfaces> taps, const Progress& progress) {
+std::vector<std::uint8_t> test_same_surface(const Tracer& tracer, const MapLayout& layout,
+                                            std::span<const TapSurfaces> taps, const Progress& progress) {
   constexpr std::size_t batch = 256;
-  const Judge judge(tracer, frame);
+  const Judge judge(tracer, layout);
   std::vector<std::uint8_t> is_same(taps.size());
   const std::size_t batches = (taps.size() + batch - 1) / batch;
   std::size_t done = 0;

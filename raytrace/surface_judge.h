@@ -17,7 +17,7 @@ namespace umbrameter {
 /// light must see both points. Bisects the segment between them on the map's plane by rays, always into the half with
 /// the larger depth step that the slopes do not explain, until rays cannot distinguish its ends (docs/classes.md). The
 /// result does not depend on the number of threads.
-std::vector<std::uint8_t> judge_same_surface(const Tracer& tracer, const MapLayout& frame,
-                                             std::span<const TapSurfaces> taps, const Progress& progress = {});
+std::vector<std::uint8_t> test_same_surface(const Tracer& tracer, const MapLayout& layout,
+                                            std::span<const TapSurfaces> taps, const Progress& progress = {});
 
 }  // namespace umbrameter

@@ -157,7 +157,7 @@ PlotFigure error_plot(const Drawing& drawing) {
   for (const std::size_t line : thin(drawing.lines(), max_lines).indices) {
     const BiasCurve* curve = curve_at(drawing, line);
     if (curve == nullptr) continue;
-    const std::optional<BiasCell>& least = curve->reading.lines[drawing.slope].least_error;
+    const std::optional<BiasCell>& least = curve->optima.lines[drawing.slope].least_error;
     if (!least || (plot.x.logarithmic && least->constant <= 0.0)) continue;
     plot.data.rows.push_back({least->constant, 100.0 * least->mae, drawing.line_value(line), true});
   }
@@ -196,7 +196,7 @@ HeatMapFigure heat_map(const Drawing& drawing, HeatRows kind) {
   const auto least_of = [&](std::size_t line) -> std::optional<BiasCell> {
     const BiasCurve* curve = curve_at(drawing, line);
     if (curve == nullptr) return std::nullopt;
-    return by_slope ? least_error(curve->reading) : curve->reading.lines[drawing.slope].least_error;
+    return by_slope ? least_error(curve->optima) : curve->optima.lines[drawing.slope].least_error;
   };
   // The cells of least error are drawn whatever else is left out.
   std::set<std::size_t> shown(biases.indices.begin(), biases.indices.end());
@@ -251,11 +251,11 @@ PlotFigure front_plot(const Drawing& drawing) {
       plot.data.rows.push_back({100.0 * cell.acne, 100.0 * cell.peter_panning, drawing.line_value(line), is_knee});
     };
     std::vector<const BiasCell*> cells;
-    for (const auto& [acne, cell] : curve->reading.front.by_acne) cells.push_back(&cell);
+    for (const auto& [acne, cell] : curve->optima.front.by_acne) cells.push_back(&cell);
     const Thinned drawn = thin(cells.size(), max_biases);
-    is_thinned = is_thinned || drawn.step > 1 || curve->reading.front.thinned;
+    is_thinned = is_thinned || drawn.step > 1 || curve->optima.front.thinned;
     for (const std::size_t i : drawn.indices) add_row(*cells[i], false);
-    if (const std::optional<BiasCell> found = knee(curve->reading.front)) add_row(*found, true);
+    if (const std::optional<BiasCell> found = knee(curve->optima.front)) add_row(*found, true);
   }
   if (is_thinned) plot.caption += " The figure omits some cells of long fronts.";
   return plot;
@@ -275,7 +275,7 @@ std::optional<PlotFigure> law_plot(const Drawing& drawing) {
   plot.data.columns = plain_columns({"texel", "bias", "line", "read"});
   plot.caption = "Lines: fits. Rings: the fitted biases, one per resolution.";
   double largest = 0.0;
-  for (const BiasCurve& curve : drawing.curves.curves) largest = std::max(largest, curve.reading.mean_texel);
+  for (const BiasCurve& curve : drawing.curves.curves) largest = std::max(largest, curve.optima.mean_texel);
   for (const CurveLaw& law : drawing.curves.laws) {
     if (!law.law || law.others != others) continue;
     const std::string name = law_names[static_cast<std::size_t>(law.of)];
@@ -286,7 +286,7 @@ std::optional<PlotFigure> law_plot(const Drawing& drawing) {
       const BiasCurve* curve = curve_at(drawing, line);
       if (curve == nullptr) continue;
       const auto point =
-          law_point(drawing.curves, law.of, curve->reading.lines[drawing.slope], curve->reading.mean_texel);
+          fit_point(drawing.curves, law.of, curve->optima.lines[drawing.slope], curve->optima.mean_texel);
       if (point) plot.data.rows.push_back({point->texel, point->bias, name, true});
     }
     plot.caption += fmt::format(" Fit of {}: bias ≈ {}, {}.", name, law_text(*law.law), residual_text(*law.law));

@@ -19,19 +19,19 @@ Json cell_json(const BiasCurves& curves, const std::optional<BiasCell>& cell, co
 }
 
 Json curve_json(const BiasCurves& curves, const BiasCurve& curve) {
-  const BiasReading& reading = curve.reading;
-  const BiasLine& line = flattest(reading);
+  const BiasOptima& optima = curve.optima;
+  const BiasLine& line = flattest(optima);
   Json object = {{"at", row_json(curves.others, curve.others)},
-                 {"mean_texel_m", reading.mean_texel},
-                 {"least_error", cell_json(curves, least_error(reading), curve)}};
+                 {"mean_texel_m", optima.mean_texel},
+                 {"least_error", cell_json(curves, least_error(optima), curve)}};
   if (curves.varies_constant) {
     object["acne_at_most_0.1_percent"] = cell_json(curves, line.little_acne, curve);
     object["acne_free"] = cell_json(curves, line.acne_free, curve);
   }
-  object["acne_free_least_error"] = cell_json(curves, best_without_acne(reading), curve);
-  object["knee"] = cell_json(curves, knee(reading.front), curve);
-  object["front_cells"] = reading.front.by_acne.size();
-  if (reading.front.thinned) object["front_is_thinned"] = true;
+  object["acne_free_least_error"] = cell_json(curves, best_without_acne(optima), curve);
+  object["knee"] = cell_json(curves, knee(optima.front), curve);
+  object["front_cells"] = optima.front.by_acne.size();
+  if (optima.front.thinned) object["front_is_thinned"] = true;
   return object;
 }
 
@@ -40,7 +40,7 @@ Json fitted_json(const Fitted& fitted) {
           {"standard_error", fitted.standard_error ? Json(*fitted.standard_error) : Json(nullptr)}};
 }
 
-void add_law(Json& object, const BiasLaw& law) {
+void add_law(Json& object, const BiasFit& law) {
   object["points"] = law.points;
   object["c0_m"] = fitted_json(law.constant);
   object["c1_tangent_texels"] = fitted_json(law.per_texel);

@@ -45,8 +45,8 @@ void fill(BiasCurves& curves, const SweepResults& sweep, const std::vector<std::
       const std::vector<Value> values = values_at(plan, at);
       for (const std::size_t a : others) curve.others.push_back(values[a]);
     }
-    if (curve.reading.mean_texel == 0.0) {
-      curve.reading.mean_texel = statistics.mean_texel;
+    if (curve.optima.mean_texel == 0.0) {
+      curve.optima.mean_texel = statistics.mean_texel;
       if (sweep.depth_range) curve.depth_range = sweep.depth_range(values_at(plan, at));
     }
     const InnerAxis& constant = plan.constant_bias;
@@ -59,11 +59,11 @@ void fill(BiasCurves& curves, const SweepResults& sweep, const std::vector<std::
                         statistics.false_occlusion,
                         statistics.peter_panning,
                         statistics.leak};
-    add(curve.reading.lines[line], read);
-    add(curve.reading.front, read);
+    add(curve.optima.lines[line], read);
+    add(curve.optima.front, read);
   });
   // Views in which nothing is counted have no error to speak of.
-  std::erase_if(curves.curves, [](const BiasCurve& curve) { return !least_error(curve.reading); });
+  std::erase_if(curves.curves, [](const BiasCurve& curve) { return !least_error(curve.optima); });
 }
 
 void add_laws(BiasCurves& curves, std::size_t resolution) {
@@ -81,15 +81,15 @@ void add_laws(BiasCurves& curves, std::size_t resolution) {
   for (const std::vector<Value>& others : combinations) {
     for (const LawOf of : {LawOf::least_error, LawOf::little_acne, LawOf::no_acne}) {
       CurveLaw law{of, others, {}, 0, {}};
-      std::vector<LawPoint> flat;
-      std::vector<LawPoint> all;
+      std::vector<FitPoint> flat;
+      std::vector<FitPoint> all;
       for (const BiasCurve& curve : curves.curves) {
         if (without_resolution(curve.others) != others) continue;
-        const double texel = curve.reading.mean_texel;
-        for (const BiasLine& line : curve.reading.lines) {
-          if (const auto point = law_point(curves, of, line, texel)) all.push_back(*point);
+        const double texel = curve.optima.mean_texel;
+        for (const BiasLine& line : curve.optima.lines) {
+          if (const auto point = fit_point(curves, of, line, texel)) all.push_back(*point);
         }
-        const auto point = law_point(curves, of, flattest(curve.reading), texel);
+        const auto point = fit_point(curves, of, flattest(curve.optima), texel);
         if (point) flat.push_back(*point);
         if (!point) ++law.left_out;
       }
@@ -102,9 +102,9 @@ void add_laws(BiasCurves& curves, std::size_t resolution) {
 
 }  // namespace
 
-std::optional<LawPoint> law_point(const BiasCurves& curves, LawOf of, const BiasLine& line, double mean_texel) {
+std::optional<FitPoint> fit_point(const BiasCurves& curves, LawOf of, const BiasLine& line, double mean_texel) {
   const std::span<const double> axis = curves.constants;
-  std::optional<LawPoint> point;
+  std::optional<FitPoint> point;
   if (of == LawOf::least_error) {
     if (line.least_error) point = point_of_least_error(*line.least_error, mean_texel, axis);
   } else {
@@ -119,7 +119,7 @@ std::optional<LawPoint> law_point(const BiasCurves& curves, LawOf of, const Bias
 }
 
 BiasInUnits in_units(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
-  return in_units(Length{cell.constant, curves.unit}, curve.reading.mean_texel, curve.depth_range);
+  return in_units(Length{cell.constant, curves.unit}, curve.optima.mean_texel, curve.depth_range);
 }
 
 std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep) {
@@ -143,8 +143,8 @@ std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep) {
   }
   BiasCurve empty;
   for (const double slope : plan.slope_bias.values) {
-    empty.reading.lines.emplace_back();
-    empty.reading.lines.back().slope = slope;
+    empty.optima.lines.emplace_back();
+    empty.optima.lines.back().slope = slope;
   }
   curves.curves.assign(std::min({curves.combinations, max_curves, max_lines / slopes}), empty);
   fill(curves, sweep, others);

@@ -20,7 +20,7 @@ namespace umbrameter {
 /// All biases at one combination of the other axes.
 struct BiasCurve {
   std::vector<Value> others;  ///< values of the other axes
-  BiasReading reading;
+  BiasOptima optima;
   double depth_range = 0.0;  ///< of the map, metres
 };
 
@@ -32,9 +32,9 @@ inline constexpr std::array<const char*, 3> law_names = {"least error", "acne at
 struct CurveLaw {
   LawOf of = LawOf::least_error;
   std::vector<Value> others;           ///< values of the other axes but the resolution
-  std::optional<BiasLaw> law;          ///< at the slope-scaled bias nearest to 0
+  std::optional<BiasFit> law;          ///< at the slope-scaled bias nearest to 0
   std::size_t left_out = 0;            ///< resolutions without a point for it
-  std::optional<BiasLaw> over_slopes;  ///< at all of them, where there are several
+  std::optional<BiasFit> over_slopes;  ///< at all of them, where there are several
 };
 
 struct BiasCurves {
@@ -51,7 +51,7 @@ struct BiasCurves {
 
 /// In metres, whatever the unit of the axis. Nothing where the line has no such bias, or has it at an end of the axis
 /// beyond which it may lie.
-std::optional<LawPoint> law_point(const BiasCurves& curves, LawOf of, const BiasLine& line, double mean_texel);
+std::optional<FitPoint> fit_point(const BiasCurves& curves, LawOf of, const BiasLine& line, double mean_texel);
 
 /// The cell's constant bias in all units.
 BiasInUnits in_units(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell);
@@ -66,9 +66,9 @@ void present_bias(Presentation& presentation, const BiasCurves& curves);
 /// A bias as people read it: "12.5 mm (0.43 texels)", with the slope-scaled one where that is varied.
 std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell);
 /// "1.2 mm + 0.87 texels".
-std::string law_text(const BiasLaw& law);
+std::string law_text(const BiasFit& law);
 /// "RMS residual 3.9 mm (0.2 texels)", or that a fit through its points has none.
-std::string residual_text(const BiasLaw& law);
+std::string residual_text(const BiasFit& law);
 
 /// "curves" of summary.json.
 nlohmann::ordered_json to_json(const BiasCurves& curves);

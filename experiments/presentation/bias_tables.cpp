@@ -33,13 +33,13 @@ struct Choice {
 };
 
 std::vector<Choice> choices_of(const BiasCurve& curve, const BiasCurves& curves) {
-  const BiasReading& reading = curve.reading;
-  const BiasLine& line = flattest(reading);
-  std::vector<Choice> choices = {{law_names[0], least_error(reading)},
+  const BiasOptima& optima = curve.optima;
+  const BiasLine& line = flattest(optima);
+  std::vector<Choice> choices = {{law_names[0], least_error(optima)},
                                  {law_names[1], line.little_acne},
                                  {law_names[2], line.acne_free},
-                                 {"least error without acne", best_without_acne(reading)},
-                                 {"knee of the Pareto front", knee(reading.front)}};
+                                 {"least error without acne", best_without_acne(optima)},
+                                 {"knee of the Pareto front", knee(optima.front)}};
   if (!curves.varies_constant) choices.erase(choices.begin() + 1, choices.begin() + 3);
   return choices;
 }
@@ -62,7 +62,7 @@ Table choices_table(const BiasCurves& curves) {
   table.columns.push_back({"extra error", "%", "error minus that of 'least error'"});
   table.columns.push_back({"extra peter-panning", "%", "peter-panning minus that of 'least error'"});
   for (const BiasCurve& curve : curves.curves) {
-    const BiasCell least = *least_error(curve.reading);
+    const BiasCell least = *least_error(curve.optima);
     for (const Choice& choice : choices_of(curve, curves)) {
       std::vector<Value> row = curve.others;
       row.push_back(std::string(choice.name));
@@ -104,7 +104,7 @@ Table slopes_table(const BiasCurves& curves) {
                                     {"none from, in texels", "texels", "the same in texels of mean size"}};
   table.columns.insert(table.columns.end(), rest.begin(), rest.end());
   for (const BiasCurve& curve : curves.curves) {
-    for (const BiasLine& line : curve.reading.lines) {
+    for (const BiasLine& line : curve.optima.lines) {
       if (!line.least_error || table.rows.size() >= max_rows_by_slope) continue;
       std::vector<Value> row = curve.others;
       row.insert(row.end(), {line.slope, 100.0 * line.least_error->mae});
@@ -218,12 +218,12 @@ std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const Bi
   return text;
 }
 
-std::string law_text(const BiasLaw& law) {
+std::string law_text(const BiasFit& law) {
   return fmt::format("{} {} {:.3g} texels", metres_text(law.constant.value), law.per_texel.value < 0.0 ? "−" : "+",
                      std::abs(law.per_texel.value));
 }
 
-std::string residual_text(const BiasLaw& law) {
+std::string residual_text(const BiasFit& law) {
   if (!law.constant.standard_error) return fmt::format("exact through its {} points", law.points);
   return fmt::format("RMS residual {} ({:.2g} texels)", metres_text(law.residual, 2), law.residual_texels);
 }
@@ -243,11 +243,11 @@ void present_bias(Presentation& presentation, const BiasCurves& curves) {
           fmt::format("… and {} more: see the report", curves.curves.size() - max_console_curves));
       break;
     }
-    const BiasCell least = *least_error(curve.reading);
+    const BiasCell least = *least_error(curve.optima);
     const std::string setting = setting_text(curves.others, curve.others);
     std::string line = fmt::format("{}{}lowest error {} at {}", setting, setting.empty() ? "" : ": ",
                                    percent(least.mae), bias_text(curves, curve, least));
-    if (const std::optional<BiasCell> safe = best_without_acne(curve.reading)) {
+    if (const std::optional<BiasCell> safe = best_without_acne(curve.optima)) {
       line += fmt::format("; least error without acne {} at {}", percent(safe->mae), bias_text(curves, curve, *safe));
     }
     presentation.answers.push_back(std::move(line));

@@ -64,7 +64,7 @@ void leave_out_figures(RunOutput& output) {
 
 void print_answer(const Console& console, const RunOutput& output) {
   for (const Presentation& part : output.parts) {
-    for (const std::string& text : part.answers) say(console, text);
+    for (const std::string& text : part.answers) print_line(console, text);
   }
   for (const Presentation& part : output.parts) {
     for (const std::string& text : part.lines) add_line(console, text);

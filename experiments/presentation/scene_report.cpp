@@ -128,9 +128,9 @@ SceneReport make_scene_report(const std::string& source, const std::string& part
   SceneReport report;
   report.source = source;
   report.part = part;
-  report.unit = options.reading.unit;
+  report.unit = options.scene_params.unit;
   const auto start = std::chrono::steady_clock::now();
-  report.scene = load_scene(source, part, options.reading, options.load);
+  report.scene = load_scene(source, part, options.scene_params, options.load);
   report.load_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   report.peak_resident = peak_resident_bytes();
   report.counts = count(report.scene);

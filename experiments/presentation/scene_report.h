@@ -39,7 +39,7 @@ inline constexpr std::uint64_t max_triangles_built_unasked = 1'000'000;
 struct SceneReportOptions {
   LoadOptions load;
   bool measure_memory = false;  ///< build the ray tracer's structure whatever the size
-  SceneParams reading{};        ///< scene.*
+  SceneParams scene_params{};   ///< scene.*
 };
 
 /// Loads the scene and looks at all of it. Throws what load_scene() throws.

@@ -124,11 +124,11 @@ ReportTable worst_parts(const char* what, PartKind kind, const std::vector<PartE
 
 std::string technique_text(const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
-  const std::size_t cascades = shadow.frame.kind == MapKind::orthographic ? shadow.frame.views.size() : 1;
+  const std::size_t cascades = shadow.layout.kind == MapKind::orthographic ? shadow.layout.views.size() : 1;
   const std::string views = cascades > 1 ? fmt::format("{} cascades of ", cascades) : "";
   const bool has_kernel = capabilities_of(make_technique(experiment.shadow)).sums_comparisons;
   return fmt::format(
-      "{}{}² texels, {}", views, shadow.frame.resolution,
+      "{}{}² texels, {}", views, shadow.layout.resolution,
       has_kernel ? value_text(experiment, "shadow.filter") + " filter" : value_text(experiment, "shadow.technique"));
 }
 
@@ -213,12 +213,12 @@ Presentation present_shadow_error(const Stages& stages, const ShadowMeasurement&
 ReportTable bias_table(const ShadowMeasurement& shadow) {
   Table table{{{"constant bias", "", ""}, {"value", "", ""}, {"unit", "", ""}}, {}};
   const double texel = shadow.counted.mean_texel;
-  const BiasInUnits bias = in_units(shadow.experiment.shadow.bias.constant, texel, shadow.frame.far_depth);
+  const BiasInUnits bias = in_units(shadow.experiment.shadow.bias.constant, texel, shadow.layout.far_depth);
   const auto known = [](double number) { return std::isfinite(number) ? fmt::format("{:.4g}", number) : "—"; };
   table.rows.push_back({std::string("along the light"), known(bias.metres), std::string("m")});
   table.rows.push_back(
       {std::string("in texels of mean size ") + metres_text(texel), known(bias.texels), std::string("texels")});
-  table.rows.push_back({std::string("as a share of the map's depth range of ") + metres_text(shadow.frame.far_depth),
+  table.rows.push_back({std::string("as a share of the map's depth range of ") + metres_text(shadow.layout.far_depth),
                         known(bias.depth), std::string("normalised depth")});
   return {"Constant bias of these images", std::move(table)};
 }

@@ -77,7 +77,7 @@ ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
   const Surfels& surfels = stages.surfels(experiment);
   const Light light = stages.light(experiment, shadow.light);
-  const ShapeInput input{surfels.gbuffer, shadow.truth->visibility, shadow.counted, light, shadow.frame};
+  const ShapeInput input{surfels.gbuffer, shadow.truth->visibility, shadow.counted, light, shadow.layout};
   const VisibilityStatistics* causes = by_cause(shadow);
   if (causes == nullptr) {
     ShadowShape shape{analyze_error_shape(input, shadow.raster->visibility)};

@@ -47,12 +47,12 @@ Json parts_json(PartKind kind, const std::vector<PartError>& parts, std::uint32_
 }
 
 Json agreement_json(const ClassAgreement& agreement) {
-  return {{"judged_taps", agreement.taps},
+  return {{"tested_taps", agreement.taps},
           {"wrong_weight", agreement.wrong},
           {"foreign_weight", agreement.unresolved},
-          {"judged_own_weight", agreement.judged_own},
-          {"judged_own_of_foreign", share_of_unresolved(agreement)},
-          {"judged_own_of_wrong", share_of_wrong(agreement)}};
+          {"reclassified_weight", agreement.reclassified},
+          {"reclassified_of_unresolved", share_of_unresolved(agreement)},
+          {"reclassified_of_wrong", share_of_wrong(agreement)}};
 }
 
 template <class Struct>
@@ -83,12 +83,13 @@ Json shadow_json(const Stages& stages, const ShadowMeasurement& shadow) {
   object["light"] = stages.title(shadow.light);
   object["layer"] = stages.layer(shadow.light);
   object["index"] = shadow.light;
-  object["kind"] = kind_name(shadow.frame.kind);
+  object["kind"] = kind_name(shadow.layout.kind);
   object["extent"] = to_json(shadow.emitter);
   const double texel = shadow.counted.mean_texel;
-  object["map"] = {
-      {"resolution_texels", shadow.frame.resolution}, {"mean_texel_m", texel}, {"far_depth_m", shadow.frame.far_depth}};
-  object["constant_bias"] = to_json(in_units(shadow.experiment.shadow.bias.constant, texel, shadow.frame.far_depth));
+  object["map"] = {{"resolution_texels", shadow.layout.resolution},
+                   {"mean_texel_m", texel},
+                   {"far_depth_m", shadow.layout.far_depth}};
+  object["constant_bias"] = to_json(in_units(shadow.experiment.shadow.bias.constant, texel, shadow.layout.far_depth));
   Json counting = Json::object();
   for (std::size_t i = 0; i < exclusion_names.size(); ++i) {
     counting[std::string(exclusion_names[i])] = shadow.counted.totals[i];

@@ -26,12 +26,12 @@ void add_product(uint word, uint a, uint b) {
 }
 
 // The number of biases of the axis at which the tap is blocked.
-uint bin_of(float flip, float bias_unit) {
+uint bias_bin(float flip, float bias_unit) {
   int first = 0;
   int count = bias_count;
   while (count > 0) {
     int half_count = count / 2;
-    if (lights(axis_values[first + half_count], bias_unit, flip)) {
+    if (is_lit_at(bias_axis_values[first + half_count], bias_unit, flip)) {
       count = half_count;
     } else {
       first += half_count + 1;
@@ -79,14 +79,14 @@ void main() {
   uvec2 id = texelFetch(ids, pixel, 0).rg;
   Lookup surfel = look_up(pixel);
   Pattern pattern = make_pattern(surfel.receiver, pixel);
-  bool is_lit_in_truth = is_truly_lit(pixel);
-  float easiest_bias = is_lit_in_truth ? min_bias : largest_bias;
-  float easiest_factor = is_lit_in_truth ? min_slope : largest_slope;
+  bool is_lit_in_truth = is_lit_in_reference(pixel);
+  float easiest_bias = is_lit_in_truth ? min_bias : max_bias;
+  float easiest_factor = is_lit_in_truth ? min_slope : max_slope;
   Facet own = fetch_facet(id);
   for (int i = 0; i < tap_count; ++i) {
     WeightedTap tap = filter_tap(surfel.receiver, pattern, i);
     bool says_lit =
-        lights(easiest_bias, surfel.bias_unit, flip_of(tap.tap.critical_bias, surfel.slope, easiest_factor));
+        is_lit_at(easiest_bias, surfel.bias_unit, flip_bias(tap.tap.critical_bias, surfel.slope, easiest_factor));
     if (tap.weight == 0u || says_lit == is_lit_in_truth) continue;
     int cause = cause_of(tap.tap, is_lit_in_truth, surfel.receiver, id, own);
     bool is_other_surface = cause == (is_lit_in_truth ? CAUSE_FALSE_OCCLUSION : CAUSE_PETER_PANNING);
@@ -100,15 +100,15 @@ void main() {
   // (blocked at every bias).
   uint never = is_lit_in_truth ? 0u : uint(bias_count);
   for (int s = 0; s < slope_count; ++s) {
-    float factor = axis_values[bias_count + s];
+    float factor = bias_axis_values[bias_count + s];
     uint sum = 0u;  // weight of the taps in the bins visited so far
     int i = 0;
     while (i < wrong_count) {
-      uint bin = bin_of(flip_of(wrong_taps[i].critical_bias, surfel.slope, factor), surfel.bias_unit);
+      uint bin = bias_bin(flip_bias(wrong_taps[i].critical_bias, surfel.slope, factor), surfel.bias_unit);
       if (bin == never) break;
       // The bias nearest to the flip at which the taps of this bin are wrong. If the truth is lit, it is the bias
       // bin - 1, where they are blocked; if the truth is blocked, it is the bias bin, where they are lit.
-      float bound = axis_values[is_lit_in_truth ? bin - 1u : bin];
+      float bound = bias_axis_values[is_lit_in_truth ? bin - 1u : bin];
       uint own_weight = 0u;
       uint other_weight = 0u;
       do {
@@ -116,7 +116,7 @@ void main() {
         other_weight += wrong_taps[i].is_other_surface ? wrong_taps[i].weight : 0u;
         ++i;
       } while (i < wrong_count &&
-               lights(bound, surfel.bias_unit, flip_of(wrong_taps[i].critical_bias, surfel.slope, factor)) !=
+               is_lit_at(bound, surfel.bias_unit, flip_bias(wrong_taps[i].critical_bias, surfel.slope, factor)) !=
                    is_lit_in_truth);
       uint first = HISTOGRAM_WORDS * (uint(s) * uint(bias_count + 1) + bin);
       if (own_weight > 0u) add_wide(first + own_word, own_weight);

@@ -11,7 +11,7 @@ void main() {
   uvec2 id = texelFetch(ids, pixel, 0).rg;
   Lookup surfel = look_up(pixel);
   Pattern pattern = make_pattern(surfel.receiver, pixel);
-  bool is_lit_in_truth = is_truly_lit(pixel);
+  bool is_lit_in_truth = is_lit_in_reference(pixel);
   Facet own = fetch_facet(id);
   uvec4 wrong = uvec4(0u);
   for (int i = 0; i < tap_count; ++i) {

@@ -12,10 +12,10 @@ float moment_at(Receiver receiver) {
   vec2 part = place - vec2(base);
   ivec2 low = clamp(base, ivec2(0), ivec2(resolution - 1));
   ivec2 high = clamp(base + 1, ivec2(0), ivec2(resolution - 1));
-  float bottom = mix(texelFetch(moments, ivec3(low, receiver.face), 0).r,
-                     texelFetch(moments, ivec3(high.x, low.y, receiver.face), 0).r, part.x);
-  float top = mix(texelFetch(moments, ivec3(low.x, high.y, receiver.face), 0).r,
-                  texelFetch(moments, ivec3(high, receiver.face), 0).r, part.x);
+  float bottom = mix(texelFetch(moments, ivec3(low, receiver.view), 0).r,
+                     texelFetch(moments, ivec3(high.x, low.y, receiver.view), 0).r, part.x);
+  float top = mix(texelFetch(moments, ivec3(low.x, high.y, receiver.view), 0).r,
+                  texelFetch(moments, ivec3(high, receiver.view), 0).r, part.x);
   return mix(bottom, top, part.y);
 }
 

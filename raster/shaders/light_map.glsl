@@ -14,7 +14,7 @@ struct Receiver {
   double axis_depth;  // metres along the axis of the map or face
   dvec2 texels;       // projected position in texels, clamped to the map extended by two texels on each side
   ivec2 texel;        // the texel that contains it
-  int face;
+  int view;
   bool is_inside;
 };
 
@@ -40,23 +40,23 @@ Receiver project_to_map(dvec3 world) {
   Receiver r;
   dvec3 p = transform_point(light_from_world, world);
   r.in_light = p;
-  r.face = 0;
+  r.view = 0;
   precise dvec2 projected;
 #if MAP_KIND == MAP_ORTHOGRAPHIC
   r.axis_depth = -p.z;
   r.depth = r.axis_depth;
   r.is_inside = true;
   // The first view that contains the position, with a margin for the taps of a kernel; otherwise the last.
-  for (r.face = 0; r.face + 1 < view_count; ++r.face) {
-    dvec4 view = map_views[r.face];
+  for (r.view = 0; r.view + 1 < view_count; ++r.view) {
+    dvec4 view = map_views[r.view];
     dvec2 reach = dvec2(view.z * (1.0lf - 2.0lf * double(MAP_VIEW_MARGIN) / double(resolution)));
     if (all(lessThanEqual(abs(p.xy - view.xy), reach))) break;
   }
-  projected = (p.xy - map_views[r.face].xy) / map_views[r.face].z;
+  projected = (p.xy - map_views[r.view].xy) / map_views[r.view].z;
 #else
 #if MAP_KIND == MAP_CUBE
-  r.face = face_of(p);
-  dvec3 q = on_face(r.face, p);
+  r.view = face_of(p);
+  dvec3 q = on_face(r.view, p);
   r.axis_depth = q.z;
   r.depth = length_of(p);
 #else
@@ -109,7 +109,7 @@ void texel_ray(ivec3 texel, out dvec3 origin, out dvec3 direction) {
 // tap is the texel of another face in the same direction.
 Tap fetch_tap(Receiver receiver, ivec2 offset) {
   Tap tap;
-  tap.texel = ivec3(receiver.texel + offset, receiver.face);
+  tap.texel = ivec3(receiver.texel + offset, receiver.view);
   bool is_on_map = all(greaterThanEqual(tap.texel.xy, ivec2(0))) && all(lessThan(tap.texel.xy, ivec2(resolution)));
 #if MAP_KIND == MAP_CUBE
   if (!is_on_map) {
@@ -134,7 +134,7 @@ Tap fetch_tap(Receiver receiver, ivec2 offset) {
 // Side length of a texel at the receiver, metres: texel_at() of techniques/shadow/map_layout.h.
 float texel_at(Receiver receiver) {
   #if MAP_KIND == MAP_ORTHOGRAPHIC
-  double half_extent = map_views[receiver.face].z;
+  double half_extent = map_views[receiver.view].z;
 #else
   double half_extent = map_views[0].z;
 #endif
@@ -147,13 +147,13 @@ float texel_at(Receiver receiver) {
 
 // The smallest constant bias, in metres, at which a tap is lit. slope is texel size · tan θ. NaN if the surface is
 // parallel to the light's direction: the tap is blocked at every bias.
-float flip_of(float critical_bias, float slope, float slope_factor) {
+float flip_bias(float critical_bias, float slope, float slope_factor) {
   precise float flip = critical_bias - slope_factor * slope;
   return flip;
 }
 
 // Whether a tap is lit at a bias. All depth comparisons in the shaders call it. bias_unit: metres per unit of bias.
-bool lights(float bias, float bias_unit, float flip) {
+bool is_lit_at(float bias, float bias_unit, float flip) {
   precise float metres = bias * bias_unit;
   return metres >= flip;
 }

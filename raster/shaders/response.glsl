@@ -1,12 +1,12 @@
 // The axes of a bias response. raster/shadow/response_axes.cpp fills the buffers.
 layout(std140, binding = BLOCK_RESPONSE) uniform ResponseBlock {
   float min_bias;
-  float largest_bias;
+  float max_bias;
   float min_slope;
-  float largest_slope;
+  float max_slope;
   int bias_count;
   int slope_count;
 };
 layout(std430, binding = BUFFER_AXES) restrict readonly buffer Axes {
-  float axis_values[];  // constant biases, ascending; then slope factors
+  float bias_axis_values[];  // constant biases, ascending; then slope factors
 };

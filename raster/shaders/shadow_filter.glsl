@@ -51,7 +51,7 @@ WeightedTap filter_tap(Receiver receiver, Pattern pattern, int i) {
 }
 #else
 const vec2 disk_points[FILTER_TAPS] = vec2[](FILTER_POINT_LIST);
-const vec2 disk_turns[FILTER_TURNS] = vec2[](FILTER_TURN_LIST);
+const vec2 disk_turns[FILTER_ROTATIONS] = vec2[](FILTER_ROTATION_LIST);
 
 struct Pattern {
   vec2 turn;
@@ -67,7 +67,7 @@ uint hash(uint value) {
 Pattern make_pattern(Receiver receiver, ivec2 pixel) {
   uint column = uint(pixel.x);
   uint row = uint(textureSize(ids, 0).y - 1 - pixel.y);  // row 0 is the top row
-  return Pattern(disk_turns[hash(column + 0x9e3779b9u * hash(row)) % uint(FILTER_TURNS)]);
+  return Pattern(disk_turns[hash(column + 0x9e3779b9u * hash(row)) % uint(FILTER_ROTATIONS)]);
 }
 
 WeightedTap filter_tap(Receiver receiver, Pattern pattern, int i) {

@@ -34,9 +34,9 @@ Lookup look_up(ivec2 pixel) {
 }
 
 bool is_lit(float critical_bias, Lookup surfel) {
-  return lights(constant_bias, surfel.bias_unit, flip_of(critical_bias, surfel.slope, slope_bias));
+  return is_lit_at(constant_bias, surfel.bias_unit, flip_bias(critical_bias, surfel.slope, slope_bias));
 }
 
 // The reference's visibility: 1 lit, 0 blocked, below 0 if the pixel is not counted.
-float truth_of(ivec2 pixel) { return texelFetch(truth_image, pixel, 0).r; }
-bool is_truly_lit(ivec2 pixel) { return truth_of(pixel) >= 0.5; }
+float reference_at(ivec2 pixel) { return texelFetch(truth_image, pixel, 0).r; }
+bool is_lit_in_reference(ivec2 pixel) { return reference_at(pixel) >= 0.5; }

@@ -19,8 +19,8 @@ void main() {
   Facet own = fetch_facet(id);
   for (int i = 0; i < tap_count; ++i) {
     WeightedTap tap = filter_tap(surfel.receiver, pattern, i);
-    float flip = flip_of(tap.tap.critical_bias, surfel.slope, min_slope);
-    if (tap.weight == 0u || lights(min_bias, surfel.bias_unit, flip)) continue;
+    float flip = flip_bias(tap.tap.critical_bias, surfel.slope, min_slope);
+    if (tap.weight == 0u || is_lit_at(min_bias, surfel.bias_unit, flip)) continue;
     if (cause_of(tap.tap, true, surfel.receiver, id, own) != CAUSE_FALSE_OCCLUSION) continue;
     uint word = UNRESOLVED_WORDS * atomicAdd(unresolved_count, 1u);
     uvec2 sample_id = texelFetch(shadow_ids, tap.tap.texel, 0).rg;

@@ -23,7 +23,7 @@ void main() {
       }
       visibility = float(double(lit) / double(weight_sum));
 #if HAS_TRUTH
-      if (truth_of(pixel) >= 0.0 && lit != (is_truly_lit(pixel) ? weight_sum : 0u)) append(pixel);
+      if (reference_at(pixel) >= 0.0 && lit != (is_lit_in_reference(pixel) ? weight_sum : 0u)) append(pixel);
 #endif
     }
   }

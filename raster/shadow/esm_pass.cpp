@@ -10,8 +10,8 @@
 namespace umbrameter {
 
 FilteredMap filter(const gl::Context& context, const ShadowMap& map, const Esm& esm) {
-  const int side = map.frame.resolution;
-  const int layers = static_cast<int>(map.frame.views.size());
+  const int side = map.layout.resolution;
+  const int layers = static_cast<int>(map.layout.views.size());
   const auto blur = [&](const gl::Texture& source, bool is_first) {
     gl::Texture blurred = gl::make_texture("exponential shadow map", gl::Format::r32f, side, side, layers);
     gl::ComputePass pass(context, "esm_blur.comp", define("WARP", is_first ? 1 : 0));
@@ -32,7 +32,7 @@ RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, co
   const int width = lookup.gbuffer.width;
   const int height = lookup.gbuffer.height;
   const gl::Texture visibility = gl::make_texture("visibility", gl::Format::r32f, width, height);
-  gl::ComputePass(context, "esm_visibility.comp", map_defines(lookup.map.frame))
+  gl::ComputePass(context, "esm_visibility.comp", map_defines(lookup.map.layout))
       .texture("moments", lookup.filtered->moments)
       .image("visibility_image", visibility, gl::Format::r32f)
       .value("exponent", static_cast<float>(esm.params.exponent))

@@ -27,8 +27,9 @@ std::string filter_defines(const FilterKernel& filter) {
       text += fmt::format("{}{}u", i > 0 ? ", " : "", filter.kernel[i]);
     return text + "\n";
   }
-  return text + define("FILTER_TURNS", static_cast<unsigned>(filter.turns.size())) + "#define FILTER_POINT_LIST " +
-         list_of(filter.points) + "\n#define FILTER_TURN_LIST " + list_of(filter.turns) + "\n";
+  return text + define("FILTER_ROTATIONS", static_cast<unsigned>(filter.rotations.size())) +
+         "#define FILTER_POINT_LIST " + list_of(filter.points) + "\n#define FILTER_ROTATION_LIST " +
+         list_of(filter.rotations) + "\n";
 }
 
 }  // namespace umbrameter

@@ -6,23 +6,23 @@
 
 namespace umbrameter {
 
-LightBlock make_light_block(const Light& light, const MapLayout& frame) {
+LightBlock make_light_block(const Light& light, const MapLayout& layout) {
   LightBlock block;
-  block.light_from_world = frame.light_from_world;
+  block.light_from_world = layout.light_from_world;
   block.light_in_world = homogeneous_position(light);
   for (int face = 0; face < 6; ++face) {
     const dmat3 basis = cube_face(face);
     for (int axis = 0; axis < 3; ++axis) block.face_basis[3 * face + axis] = dvec4(basis[axis], 0.0);
   }
-  block.view_count = static_cast<int>(frame.views.size());
-  for (std::size_t v = 0; v < frame.views.size(); ++v) {
-    block.views[v] = dvec4(frame.views[v].center, frame.views[v].half_extent, 0.0);
+  block.view_count = static_cast<int>(layout.views.size());
+  for (std::size_t v = 0; v < layout.views.size(); ++v) {
+    block.views[v] = dvec4(layout.views[v].center, layout.views[v].half_extent, 0.0);
   }
-  block.far_depth = frame.far_depth;
-  block.resolution = frame.resolution;
+  block.far_depth = layout.far_depth;
+  block.resolution = layout.resolution;
   return block;
 }
 
-std::string map_defines(const MapLayout& frame) { return define("MAP_KIND", static_cast<unsigned>(frame.kind)); }
+std::string map_defines(const MapLayout& layout) { return define("MAP_KIND", static_cast<unsigned>(layout.kind)); }
 
 }  // namespace umbrameter

@@ -28,9 +28,9 @@ struct LightBlock {
 static_assert(sizeof(LightBlock) == 1056);
 
 /// The block for drawing the map. Bias and filter are 0; bind() in shadow_lookup.h sets them for a look-up.
-LightBlock make_light_block(const Light& light, const MapLayout& frame);
+LightBlock make_light_block(const Light& light, const MapLayout& layout);
 
 /// "#define MAP_KIND 0"
-std::string map_defines(const MapLayout& frame);
+std::string map_defines(const MapLayout& layout);
 
 }  // namespace umbrameter

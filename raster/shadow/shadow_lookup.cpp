@@ -37,10 +37,10 @@ gl::Texture upload(const gl::Context& context, const Image<float>& image) {
 }
 
 gl::Texture upload_truth(const gl::Context& context, const Image<float>& visibility,
-                         const Image<PixelExclusion>& counting) {
+                         const Image<PixelExclusion>& exclusion) {
   Image<float> truth = visibility;
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (counting[i] != PixelExclusion::none) truth[i] = -1.0f;
+    if (exclusion[i] != PixelExclusion::none) truth[i] = -1.0f;
   }
   return upload(context, truth);
 }
@@ -48,11 +48,11 @@ gl::Texture upload_truth(const gl::Context& context, const Image<float>& visibil
 const FilterKernel& kernel_of(const ShadowLookup& lookup) { return std::get<Pcf>(lookup.technique).kernel; }
 
 std::string lookup_defines(const ShadowLookup& lookup) {
-  return interface_defines() + map_defines(lookup.map.frame) + filter_defines(kernel_of(lookup));
+  return interface_defines() + map_defines(lookup.map.layout) + filter_defines(kernel_of(lookup));
 }
 
 gl::Buffer bind(const ShadowLookup& lookup, LengthUnit bias_unit) {
-  LightBlock values = make_light_block(lookup.light, lookup.map.frame);
+  LightBlock values = make_light_block(lookup.light, lookup.map.layout);
   values.constant_bias = static_cast<float>(lookup.bias.constant.number);
   values.slope_bias = static_cast<float>(lookup.bias.slope);
   values.normal_offset = static_cast<float>(lookup.bias.normal_offset);

@@ -35,7 +35,7 @@ gl::Texture upload(const gl::Context& context, const Image<float>& image);
 
 /// Uploads a truth. Pixels that are not counted get a value below 0, and passes find no wrong taps there.
 gl::Texture upload_truth(const gl::Context& context, const Image<float>& visibility,
-                         const Image<PixelExclusion>& counting);
+                         const Image<PixelExclusion>& exclusion);
 
 /// The #defines for a look-up. Biases, normal offset and radius are uniforms, so that a sweep over them does not
 /// recompile shaders.

@@ -14,13 +14,13 @@ namespace {
 
 int layer_count(const MapLayout& layout) { return static_cast<int>(layout.views.size()); }
 
-void require_room(const gl::Context& context, const MapLayout& frame) {
-  const auto side = static_cast<std::size_t>(frame.resolution);
-  const std::size_t bytes = side * side * static_cast<std::size_t>(layer_count(frame)) *
+void require_room(const gl::Context& context, const MapLayout& layout) {
+  const auto side = static_cast<std::size_t>(layout.resolution);
+  const std::size_t bytes = side * side * static_cast<std::size_t>(layer_count(layout)) *
                             (gl::texel_bytes(gl::Format::depth32f) + gl::texel_bytes(gl::Format::rg32ui));
-  std::string given = std::to_string(frame.resolution);
+  std::string given = std::to_string(layout.resolution);
   given += " texels ";
-  if (frame.resolution > context.max_texture_size()) {
+  if (layout.resolution > context.max_texture_size()) {
     throw Error(ExitCode::usage, "shadow.resolution",
                 given + "are more than " + context.device().renderer + " can draw",
                 "at most " + std::to_string(context.max_texture_size()));
@@ -36,7 +36,7 @@ void require_room(const gl::Context& context, const MapLayout& frame) {
 // One view after another, each into its layer. The other kinds draw all layers at once through a geometry shader.
 void draw_views(const UploadedScene& scene, const gl::Program& solid, const gl::Program& masked,
                 const gl::Framebuffer& framebuffer, const ShadowMap& map) {
-  for (int view = 0; view < layer_count(map.frame); ++view) {
+  for (int view = 0; view < layer_count(map.layout); ++view) {
     glNamedFramebufferTextureLayer(framebuffer.name(), GL_COLOR_ATTACHMENT0, map.ids.name(), 0, view);
     glNamedFramebufferTextureLayer(framebuffer.name(), GL_DEPTH_ATTACHMENT, map.depth.name(), 0, view);
     for (const gl::Program* program : {&solid, &masked}) {
@@ -48,30 +48,31 @@ void draw_views(const UploadedScene& scene, const gl::Program& solid, const gl::
 
 }  // namespace
 
-ShadowMap make_shadow_map(const gl::Context& context, const MapLayout& frame) {
-  require_room(context, frame);
+ShadowMap make_shadow_map(const gl::Context& context, const MapLayout& layout) {
+  require_room(context, layout);
   ShadowMap map;
-  map.frame = frame;
+  map.layout = layout;
   map.depth =
-      gl::make_texture("shadow depth", gl::Format::depth32f, frame.resolution, frame.resolution, layer_count(frame));
-  map.ids = gl::make_texture("shadow ids", gl::Format::rg32ui, frame.resolution, frame.resolution, layer_count(frame));
+      gl::make_texture("shadow depth", gl::Format::depth32f, layout.resolution, layout.resolution, layer_count(layout));
+  map.ids =
+      gl::make_texture("shadow ids", gl::Format::rg32ui, layout.resolution, layout.resolution, layer_count(layout));
   context.check("shadow map textures");
   return map;
 }
 
-bool has_textures_for(const ShadowMap& map, const MapLayout& frame) {
-  return map.frame.resolution == frame.resolution && layer_count(map.frame) == layer_count(frame);
+bool has_textures_for(const ShadowMap& map, const MapLayout& layout) {
+  return map.layout.resolution == layout.resolution && layer_count(map.layout) == layer_count(layout);
 }
 
 void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light, ShadowMap& map) {
-  const MapLayout& frame = map.frame;
-  const std::string common = interface_defines() + map_defines(frame);
+  const MapLayout& layout = map.layout;
+  const std::string common = interface_defines() + map_defines(layout);
   const auto program = [&](unsigned alpha_mask) -> const gl::Program& {
     gl::ProgramSource source{{"shadow.vert", "shadow.frag"}, common + define("ALPHA_MASK", alpha_mask)};
-    if (frame.kind != MapKind::orthographic) source.files.insert(source.files.begin() + 1, "shadow.geom");
+    if (layout.kind != MapKind::orthographic) source.files.insert(source.files.begin() + 1, "shadow.geom");
     return context.program(source);
   };
-  const gl::Buffer block = gl::make_block("light", make_light_block(light, frame));
+  const gl::Buffer block = gl::make_block("light", make_light_block(light, layout));
   glBindBufferBase(GL_UNIFORM_BUFFER, slot("BLOCK_LIGHT"), block.name());
 
   const gl::Framebuffer framebuffer = gl::make_framebuffer("shadow map");
@@ -87,15 +88,15 @@ void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, c
   glClearNamedFramebufferfv(target, GL_DEPTH, 0, &one);
 
   glBindFramebuffer(GL_FRAMEBUFFER, target);
-  glViewport(0, 0, frame.resolution, frame.resolution);
+  glViewport(0, 0, layout.resolution, layout.resolution);
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   glDepthRangef(0.0f, 1.0f);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDisable(GL_BLEND);
   // Orthographic: what rounding puts before the near face still casts. The others clip at their own tiny near plane.
-  (frame.kind == MapKind::orthographic ? glEnable : glDisable)(GL_DEPTH_CLAMP);
-  if (frame.kind == MapKind::orthographic) {
+  (layout.kind == MapKind::orthographic ? glEnable : glDisable)(GL_DEPTH_CLAMP);
+  if (layout.kind == MapKind::orthographic) {
     draw_views(scene, program(0), program(1), framebuffer, map);
   } else {
     draw_scene(scene, DrawnFor::shadow, program(0), program(1));
@@ -107,14 +108,14 @@ void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, c
 }
 
 ShadowMap draw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light,
-                          const MapLayout& frame) {
-  ShadowMap map = make_shadow_map(context, frame);
+                          const MapLayout& layout) {
+  ShadowMap map = make_shadow_map(context, layout);
   redraw_shadow_map(context, scene, light, map);
   return map;
 }
 
 ShadowMapImages read_back(const gl::Context& context, const ShadowMap& map) {
-  const int layers = layer_count(map.frame);
+  const int layers = layer_count(map.layout);
   ShadowMapImages images;
   images.depth = read_layers<float>(map.depth, gl::Format::depth32f, layers);
   for (const Image<uvec2>& ids : read_layers<uvec2>(map.ids, gl::Format::rg32ui, layers)) {

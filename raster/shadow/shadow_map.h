@@ -13,24 +13,24 @@ namespace umbrameter {
 
 /// Depths and ids in array textures with one layer per view; bottom row (v = 0) first.
 struct ShadowMap {
-  MapLayout frame;
-  gl::Texture depth;  ///< depth 32F: metres / frame.far_depth; 1 where the light hits nothing
+  MapLayout layout;
+  gl::Texture depth;  ///< depth 32F: metres / layout.far_depth; 1 where the light hits nothing
   gl::Texture ids;    ///< RG32UI: instance, triangle; no_id where the light hits nothing
 };
 
 /// Allocates the textures of a map with this layout and draws nothing.
 /// Throws Error (usage) naming shadow.map.resolution if the device limits or the memory are too small.
-ShadowMap make_shadow_map(const gl::Context& context, const MapLayout& frame);
+ShadowMap make_shadow_map(const gl::Context& context, const MapLayout& layout);
 
 /// Whether the map's textures have the size and the number of layers that this layout needs.
-bool has_textures_for(const ShadowMap& map, const MapLayout& frame);
+bool has_textures_for(const ShadowMap& map, const MapLayout& layout);
 
-/// Draws the map with the layout map.frame and overwrites its textures. See draw_shadow_map().
+/// Draws the map with the layout map.layout and overwrites its textures. See draw_shadow_map().
 void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light, ShadowMap& map);
 
 /// Draws both faces of every triangle; masked materials are alpha-tested. Throws what make_shadow_map() throws.
 ShadowMap draw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light,
-                          const MapLayout& frame);
+                          const MapLayout& layout);
 
 ShadowMapImages read_back(const gl::Context& context, const ShadowMap& map);
 

@@ -43,7 +43,7 @@ struct TapSurfaces {
 struct UnresolvedTap {
   std::uint32_t pixel = 0;  ///< x, and y from the bottom in the upper half
   std::uint32_t texel = 0;  ///< x, and y from the bottom in the upper half
-  std::uint32_t face = 0;
+  std::uint32_t view = 0;
   std::uint32_t weight = 0;
   float critical_bias = 0.0f;  ///< metres
   float slope = 0.0f;          ///< of the pixel: texel size · tan θ, metres

@@ -78,13 +78,13 @@ std::vector<vec2> vogel_disk(int count) {
   return points;
 }
 
-std::vector<vec2> even_turns() {
-  std::vector<vec2> turns;
+std::vector<vec2> even_rotations() {
+  std::vector<vec2> rotations;
   for (int i = 0; i < turn_count; ++i) {
     const double angle = 2.0 * pi * i / turn_count;
-    turns.emplace_back(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)));
+    rotations.emplace_back(static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)));
   }
-  return turns;
+  return rotations;
 }
 
 }  // namespace
@@ -114,7 +114,7 @@ FilterKernel make_filter(const PcfParams& params) {
     case ShadowFilter::vogel:
       filter.linear_taps = false;
       filter.points = params.filter == ShadowFilter::vogel ? vogel_disk(params.samples) : poisson_disk(params.samples);
-      filter.turns = even_turns();
+      filter.rotations = even_rotations();
       filter.radius = static_cast<float>(params.radius);
       break;
   }

@@ -11,7 +11,7 @@ namespace umbrameter {
 
 /// Positions and weights of a filter's taps. Grid: the weights are the outer product of `kernel` with itself, centred
 /// on the receiver's texel; with linear_taps it is convolved with the bilinear weights, which adds a row and a column.
-/// Disk: the texels at `points`, rotated per pixel by one of `turns`; each has weight 1.
+/// Disk: the texels at `points`, rotated per pixel by one of `rotations`; each has weight 1.
 struct FilterKernel {
   /// The position of a bilinear tap is rounded to 1/256 texel, as in graphics hardware (eight bits).
   static constexpr std::uint32_t texel_parts = 256;
@@ -21,9 +21,9 @@ struct FilterKernel {
 
   std::vector<std::uint32_t> kernel;  ///< of a grid: weights along one side; the size is odd
   bool linear_taps = false;
-  std::vector<vec2> points;  ///< of a disk: within the unit disk; empty for a grid
-  std::vector<vec2> turns;   ///< of a disk: cosine and sine
-  float radius = 0.0f;       ///< of a disk, texels
+  std::vector<vec2> points;     ///< of a disk: within the unit disk; empty for a grid
+  std::vector<vec2> rotations;  ///< of a disk: cosine and sine
+  float radius = 0.0f;          ///< of a disk, texels
 
   bool is_grid() const { return points.empty(); }
   /// Texels along a side of a grid.

@@ -39,16 +39,17 @@ struct BiasHistogram {
 
 /// The smallest constant bias, in metres, at which a tap is lit. Not inline: the compiler options of other modules may
 /// allow contraction to a fused multiply-add.
-float flip_of(float critical_bias, float slope, float slope_factor);
+float flip_bias(float critical_bias, float slope, float slope_factor);
 
 /// Metres per unit of constant bias, at a receiver with this texel size (metres).
 inline float bias_unit_of(LengthUnit unit, float texel) { return unit == LengthUnit::texels ? texel : 1.0f; }
 
-/// Whether a tap that flips at `flip` metres is lit at this bias; lights() in the shaders. Not inline, like flip_of().
-bool lights(float bias, float bias_unit, float flip);
+/// Whether a tap that flips at `flip` metres is lit at this bias; is_lit_at() in the shaders. Not inline, like
+/// flip_bias().
+bool is_lit_at(float bias, float bias_unit, float flip);
 
 /// The bin of BiasHistogram for a tap with this flip: the number of biases at which the tap is blocked. If the flip is
 /// NaN, that is all of them. bias_unit is bias_unit_of() at the tap's receiver.
-std::size_t bin_of(const BiasAxes& axes, float flip, float bias_unit);
+std::size_t bias_bin(const BiasAxes& axes, float flip, float bias_unit);
 
 }  // namespace umbrameter

@@ -18,8 +18,8 @@ dmat4 rigid_inverse(const dmat3& rotation, const dvec3& translation) {
   return inverse;
 }
 
-dvec3 in_light_space(const MapLayout& frame, const dvec3& position) {
-  return dvec3(frame.light_from_world * dvec4(position, 1.0));
+dvec3 in_light_space(const MapLayout& layout, const dvec3& position) {
+  return dvec3(layout.light_from_world * dvec4(position, 1.0));
 }
 
 MapLayout fit_directional(const dmat3& axes, const Bounds& bounds, int resolution) {
@@ -28,13 +28,13 @@ MapLayout fit_directional(const dmat3& axes, const Bounds& bounds, int resolutio
   const double room = rounding_room(bounds);
   const dvec3 extent = box.extent();
   const double side = std::max({extent.x, extent.y, room});
-  MapLayout frame;
-  frame.kind = MapKind::orthographic;
-  frame.views.front().half_extent = 0.5 * side * resolution / std::max(resolution - 2, 1);
-  frame.far_depth = extent.z + 2.0 * room;
+  MapLayout layout;
+  layout.kind = MapKind::orthographic;
+  layout.views.front().half_extent = 0.5 * side * resolution / std::max(resolution - 2, 1);
+  layout.far_depth = extent.z + 2.0 * room;
   const dvec3 origin{box.center().x, box.center().y, box.max.z + room};
-  frame.light_from_world = rigid_inverse(axes, axes * origin);
-  return frame;
+  layout.light_from_world = rigid_inverse(axes, axes * origin);
+  return layout;
 }
 
 }  // namespace
@@ -49,28 +49,28 @@ dmat3 cube_face(int face) {
 MapLayout fit_light(const Light& light, const Bounds& bounds, int resolution) {
   Bounds fitted = bounds;
   if (fitted.empty()) fitted.include(light.position());
-  MapLayout frame;
+  MapLayout layout;
   if (std::holds_alternative<DirectionalLight>(light.shape)) {
-    frame = fit_directional(axes_of(light), fitted, resolution);
+    layout = fit_directional(axes_of(light), fitted, resolution);
   } else {
     const auto* spot = std::get_if<SpotLight>(&light.shape);
-    frame.kind = spot != nullptr ? MapKind::perspective : MapKind::cube;
+    layout.kind = spot != nullptr ? MapKind::perspective : MapKind::cube;
     const double tangent = spot != nullptr ? std::tan(std::clamp(spot->outer_cone_angle, 1e-6, max_cone_angle)) : 1.0;
-    frame.views.assign(spot != nullptr ? 1 : 6, {dvec2(0.0), tangent});
-    frame.light_from_world = rigid_inverse(axes_of(light), light.position());
+    layout.views.assign(spot != nullptr ? 1 : 6, {dvec2(0.0), tangent});
+    layout.light_from_world = rigid_inverse(axes_of(light), light.position());
     const double room = rounding_room(fitted);
-    frame.far_depth = room;
+    layout.far_depth = room;
     for (int i = 0; i < 8; ++i) {
-      frame.far_depth = std::max(frame.far_depth, depth_of(frame, fitted.corner(i)) + room);
+      layout.far_depth = std::max(layout.far_depth, depth_of(layout, fitted.corner(i)) + room);
     }
   }
-  frame.resolution = resolution;
-  return frame;
+  layout.resolution = resolution;
+  return layout;
 }
 
-double depth_of(const MapLayout& frame, const dvec3& position) {
-  const dvec3 local = in_light_space(frame, position);
-  return frame.kind == MapKind::cube ? glm::length(local) : -local.z;
+double depth_of(const MapLayout& layout, const dvec3& position) {
+  const dvec3 local = in_light_space(layout, position);
+  return layout.kind == MapKind::cube ? glm::length(local) : -local.z;
 }
 
 std::size_t view_of(const MapLayout& layout, const dvec3& local) {
@@ -103,11 +103,11 @@ bool is_inside(const MapLayout& layout, const dvec3& position) {
   return std::abs(local.x - view.center.x) <= half && std::abs(local.y - view.center.y) <= half;
 }
 
-PixelExclusion exclusion_of(const Light& light, const MapLayout& frame, const dvec3& position,
+PixelExclusion exclusion_of(const Light& light, const MapLayout& layout, const dvec3& position,
                             const dvec3& geometric_normal) {
   if (!faces(light, position, geometric_normal)) return PixelExclusion::back_facing;
   const dvec3 direction = to_light(light, position);
-  if (!is_inside(frame, position)) return PixelExclusion::outside_map;
+  if (!is_inside(layout, position)) return PixelExclusion::outside_map;
   double range = 0.0;
   if (const auto* spot = std::get_if<SpotLight>(&light.shape)) {
     // Of sine and cosine, so that narrow cones lose no digits.

@@ -61,20 +61,20 @@ MapLayout fit_light(const Light& light, const Bounds& bounds, int resolution);
 std::size_t view_of(const MapLayout& layout, const dvec3& local);
 
 /// Depth of a world position, metres.
-double depth_of(const MapLayout& frame, const dvec3& position);
+double depth_of(const MapLayout& layout, const dvec3& position);
 
 /// Side length of a texel at a world position, metres.
-double texel_at(const MapLayout& frame, const dvec3& position);
+double texel_at(const MapLayout& layout, const dvec3& position);
 
 /// Whether the position falls on the map.
-bool is_inside(const MapLayout& frame, const dvec3& position);
+bool is_inside(const MapLayout& layout, const dvec3& position);
 
 /// Why shadow statistics exclude a pixel; none if they count it.
 enum class PixelExclusion : std::uint8_t { none, background, back_facing, outside_map, outside_cone, outside_range };
 
 /// Why one surfel is excluded, if it is. Tests faces() with the geometric normal first; then map, cone and range, which
 /// are tested for the centre of the light.
-PixelExclusion exclusion_of(const Light& light, const MapLayout& frame, const dvec3& position,
+PixelExclusion exclusion_of(const Light& light, const MapLayout& layout, const dvec3& position,
                             const dvec3& geometric_normal);
 
 }  // namespace umbrameter

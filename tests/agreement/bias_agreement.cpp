@@ -37,7 +37,7 @@ bool has_wrong(const VisibilitySums& sums) {
 }
 
 auto fields_of(const UnresolvedTap& t) {
-  return std::tie(t.pixel, t.texel, t.face, t.weight, t.critical_bias, t.slope, t.bias_unit, t.instance, t.triangle);
+  return std::tie(t.pixel, t.texel, t.view, t.weight, t.critical_bias, t.slope, t.bias_unit, t.instance, t.triangle);
 }
 
 bool comes_before(const UnresolvedTap& a, const UnresolvedTap& b) { return fields_of(a) < fields_of(b); }
@@ -86,14 +86,14 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
   const Tracer tracer(scene);
   const Image<float> visibility = trace_visibility(tracer, gbuffer, light).visibility;
   for (const int resolution : grid.resolutions) {
-    const MapLayout frame = fit_map(light, bounds_of(scene), {resolution, grid.cascades}, gbuffer);
-    const CountedPixels counted = count_pixels(gbuffer, light, frame);
+    const MapLayout layout = fit_map(light, bounds_of(scene), {resolution, grid.cascades}, gbuffer);
+    const CountedPixels counted = count_pixels(gbuffer, light, layout);
     const TruthCounts counts = count_truth(visibility, counted);
     const gl::Texture truth = upload_truth(context, visibility, counted.exclusion);
-    const ShadowMap map = draw_shadow_map(context, uploaded, light, frame);
+    const ShadowMap map = draw_shadow_map(context, uploaded, light, layout);
     const ShadowMapImages images = read_back(context, map);
     const auto judged = [&](const std::vector<UnresolvedTap>& taps) {
-      return judge_same_surface(tracer, frame, surfaces_of(scene, frame, gbuffer, taps));
+      return test_same_surface(tracer, layout, surfaces_of(scene, layout, gbuffer, taps));
     };
     for (const NamedFilter& filter : grid.filters) {
       const bool is_judged = static_cast<std::size_t>(&filter - grid.filters.data()) < grid.judged_filters;
@@ -103,7 +103,7 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
         ShadowLookup lookup{uploaded, surfels, map, light, params.bias, make_technique(params), &truth};
         const BiasHistogram drawn = draw_bias_response(context, lookup, grid.axes);
         const FilterKernel kernel = make_filter(params.pcf);
-        const MapLookup on_processor{gbuffer, frame, light, images, kernel, static_cast<float>(normal_offset)};
+        const MapLookup on_processor{gbuffer, layout, light, images, kernel, static_cast<float>(normal_offset)};
         const BiasHistogram computed =
             count_bias_response(scene, on_processor, visibility, counted.exclusion, grid.axes);
         const std::string where =
@@ -124,8 +124,8 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
         }
         const std::vector<std::uint8_t> own = judged(unresolved);
         BiasHistogram exact = drawn;
-        apply_judgement(exact, unresolved, own);
-        agreement.judged_taps += own.size();
+        reclassify(exact, unresolved, own);
+        agreement.tested_taps += own.size();
         agreement.own_taps += static_cast<std::size_t>(std::count(own.begin(), own.end(), 1));
         for (std::size_t s = 0; s < grid.axes.slope.size(); ++s) {
           const std::vector<VisibilitySums> at = sums_at_biases(drawn, s);
@@ -148,7 +148,7 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
             if (!is_judged) continue;
             const std::vector<UnresolvedTap> of_cell =
                 listed(context, lookup, {{grid.axes.constant[k]}, {grid.axes.slope[s]}, grid.axes.unit});
-            apply_judgement(cell.wrong, gbuffer, of_cell, judged(of_cell));
+            reclassify(cell.wrong, gbuffer, of_cell, judged(of_cell));
             if (!(sum_wrong_taps(cell.wrong, counted) == exact_at[k])) {
               agreement.disagreements.push_back(where + ": by the judge one pass and the cell differ at bias " +
                                                 to_string(params.bias.constant) + ", slope " +

@@ -35,7 +35,7 @@ struct BiasGrid {
 struct Agreement {
   std::size_t cells = 0;
   std::size_t wrong_cells = 0;             ///< cells with any wrong tap
-  std::size_t judged_taps = 0;             ///< that the two-plane rule called false occlusion
+  std::size_t tested_taps = 0;             ///< that the two-plane rule called false occlusion
   std::size_t own_taps = 0;                ///< of those, by the judge
   std::vector<std::string> disagreements;  ///< one line each
   double identity_gap = 0.0;               ///< largest |mean |raster − truth| − sum of the causes| of a cell

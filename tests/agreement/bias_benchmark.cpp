@@ -47,11 +47,11 @@ void run(const std::string& name, const Setup& setup) {
   const GpuGBuffer surfels = draw_gbuffer(context, uploaded, view);
   const GBuffer gbuffer = read_back(context, surfels);
   const Light& light = scene.lights.front();
-  const MapLayout frame = fit_light(light, bounds_of(scene), setup.resolution);
-  const CountedPixels counted = count_pixels(gbuffer, light, frame);
+  const MapLayout layout = fit_light(light, bounds_of(scene), setup.resolution);
+  const CountedPixels counted = count_pixels(gbuffer, light, layout);
   const Image<float> visibility = trace_visibility(Tracer(scene), gbuffer, light).visibility;
   const gl::Texture truth = upload_truth(context, visibility, counted.exclusion);
-  const ShadowMap map = draw_shadow_map(context, uploaded, light, frame);
+  const ShadowMap map = draw_shadow_map(context, uploaded, light, layout);
   fmt::print("{}: {}x{}, map of {} texels, {} biases from 0 to 20 texels, {}\n", name, setup.width, setup.height,
              setup.resolution, setup.biases, context.device().renderer);
   for (const Case& filter : {Case{"nearest", ShadowFilter::nearest}, {"box of 3x3", ShadowFilter::box}}) {

@@ -85,8 +85,8 @@ TEST(BiasLine, Of_equal_errors_the_least_bias_is_told_in_any_order) {
 
 TEST(BiasLine, Without_cells_it_tells_nothing) {
   EXPECT_FALSE(BiasLine{}.least_error);
-  EXPECT_FALSE(least_error(BiasReading{}));
-  EXPECT_FALSE(best_without_acne(BiasReading{}));
+  EXPECT_FALSE(least_error(BiasOptima{}));
+  EXPECT_FALSE(best_without_acne(BiasOptima{}));
 }
 
 TEST(BiasLine, The_best_without_acne_may_have_more_bias_than_the_least) {
@@ -99,14 +99,14 @@ TEST(BiasLine, The_best_without_acne_may_have_more_bias_than_the_least) {
   EXPECT_DOUBLE_EQ(line.best_without_acne->constant, 0.3);
 }
 
-TEST(BiasReading, Its_best_cells_are_over_all_slopes) {
-  BiasReading reading;
-  reading.lines = {line_of({cell(0.1, 0.1, 0.0, 2.0)}), line_of({cell(0.1, 0.05, 0.0), cell(0.2, 0.0, 0.06)})};
-  reading.lines[0].slope = 2.0;
-  EXPECT_DOUBLE_EQ(least_error(reading)->constant, 0.1);
-  EXPECT_DOUBLE_EQ(least_error(reading)->slope, 0.0);
-  EXPECT_DOUBLE_EQ(best_without_acne(reading)->constant, 0.2);
-  EXPECT_DOUBLE_EQ(flattest(reading).slope, 0.0);
+TEST(BiasOptima, Its_best_cells_are_over_all_slopes) {
+  BiasOptima optima;
+  optima.lines = {line_of({cell(0.1, 0.1, 0.0, 2.0)}), line_of({cell(0.1, 0.05, 0.0), cell(0.2, 0.0, 0.06)})};
+  optima.lines[0].slope = 2.0;
+  EXPECT_DOUBLE_EQ(least_error(optima)->constant, 0.1);
+  EXPECT_DOUBLE_EQ(least_error(optima)->slope, 0.0);
+  EXPECT_DOUBLE_EQ(best_without_acne(optima)->constant, 0.2);
+  EXPECT_DOUBLE_EQ(flattest(optima).slope, 0.0);
 }
 
 TEST(ParetoFront, Keeps_what_no_other_cell_beats) {

@@ -9,9 +9,9 @@
 namespace umbrameter {
 namespace {
 
-TEST(BiasLaw, Finds_the_nearest_taps_of_a_plane) {
+TEST(BiasFit, Finds_the_nearest_taps_of_a_plane) {
   // The least acne-free bias is ½·t·(p+q)·tan θ; θ = 60°, ψ = 0: 0.8660254 texels.
-  std::vector<LawPoint> points;
+  std::vector<FitPoint> points;
   for (const double texel : {0.1, 0.05, 0.025, 0.0125}) {
     points.push_back({texel, 0.0, 0.5 * texel * std::sqrt(3.0), 0.001});
   }
@@ -28,10 +28,10 @@ TEST(BiasLaw, Finds_the_nearest_taps_of_a_plane) {
   EXPECT_FALSE(law->slope_factor);
 }
 
-TEST(BiasLaw, Several_slope_biases_tell_the_factor_from_the_tangent) {
+TEST(BiasFit, Several_slope_biases_tell_the_factor_from_the_tangent) {
   // 3×3 nearest taps, ψ = 45°, θ = 30°: c1 = 1.5·√2 = 2.1213203, tan θ = 0.5773503, and 0.004 m on top.
   const double tangent = 1.0 / std::sqrt(3.0);
-  std::vector<LawPoint> points;
+  std::vector<FitPoint> points;
   for (const double texel : {0.2, 0.1, 0.05}) {
     for (const double slope : {0.0, 0.5, 1.0}) {
       points.push_back({texel, slope, 0.004 + (1.5 * std::sqrt(2.0) - slope) * texel * tangent, 0.001});
@@ -45,9 +45,9 @@ TEST(BiasLaw, Several_slope_biases_tell_the_factor_from_the_tangent) {
   EXPECT_NEAR(law->per_texel.value, 2.1213203435596424 * 0.5773502691896258, 1e-12);
 }
 
-TEST(BiasLaw, Slope_biases_beyond_what_is_needed_leave_the_constant_alone) {
+TEST(BiasFit, Slope_biases_beyond_what_is_needed_leave_the_constant_alone) {
   // c0 = 2 mm, c1 = 1.2 texels, tan θ = 3: a slope-scaled bias of 1.5 or 2 is more than enough.
-  std::vector<LawPoint> points;
+  std::vector<FitPoint> points;
   for (const double texel : {0.04, 0.02, 0.01}) {
     for (const double slope : {2.0, 0.5, 0.0, 1.5, 1.0}) {
       points.push_back({texel, slope, 0.002 + std::max(1.2 - slope, 0.0) * texel * 3.0, 0.001});
@@ -65,11 +65,11 @@ TEST(BiasLaw, Slope_biases_beyond_what_is_needed_leave_the_constant_alone) {
   EXPECT_NEAR(bias_of(*law, 0.03, 1.7), 0.002, 1e-14);
 }
 
-TEST(BiasLaw, Residual_and_standard_errors_are_those_of_a_straight_line) {
+TEST(BiasFit, Residual_and_standard_errors_are_those_of_a_straight_line) {
   // x 1 2 3 4, y 1 3 2 4: slope 0.8, intercept 0.5; misses −0.3 0.9 −0.9 0.3, their squares' sum 1.8, s² = 0.9;
   // Sxx = 5: errors √(0.9/5) = 0.4242641 and √(0.9·(1/4 + 2.5²/5)) = 1.1618950; RMS √0.45 = 0.6708204.
   // In texels: −0.3, 0.45, −0.3, 0.075: √(0.388125/4) = 0.3114984.
-  const auto law = fit_law(std::vector<LawPoint>{{1, 0, 1, 7}, {2, 0, 3, 7}, {3, 0, 2, 7}, {4, 0, 4, 7}});
+  const auto law = fit_law(std::vector<FitPoint>{{1, 0, 1, 7}, {2, 0, 3, 7}, {3, 0, 2, 7}, {4, 0, 4, 7}});
   ASSERT_TRUE(law);
   EXPECT_NEAR(law->per_texel.value, 0.8, 1e-14);
   EXPECT_NEAR(law->constant.value, 0.5, 1e-14);
@@ -79,31 +79,31 @@ TEST(BiasLaw, Residual_and_standard_errors_are_those_of_a_straight_line) {
   EXPECT_NEAR(law->residual_texels, 0.31149839485942975, 1e-13);
 }
 
-TEST(BiasLaw, A_coarse_interval_counts_less) {
+TEST(BiasFit, A_coarse_interval_counts_less) {
   // Two exact points at b = t and one far off whose interval is 1000 times as wide: the line stays at b = t.
-  const auto law = fit_law(std::vector<LawPoint>{{1, 0, 1, 0.001}, {2, 0, 2, 0.001}, {3, 0, 5, 1}});
+  const auto law = fit_law(std::vector<FitPoint>{{1, 0, 1, 0.001}, {2, 0, 2, 0.001}, {3, 0, 5, 1}});
   ASSERT_TRUE(law);
   EXPECT_NEAR(law->per_texel.value, 1.0, 1e-4);
 }
 
-TEST(BiasLaw, Two_points_make_a_line_without_an_error) {
-  const auto law = fit_law(std::vector<LawPoint>{{0.1, 0, 0.03, 0.01}, {0.2, 0, 0.05, 0.01}});
+TEST(BiasFit, Two_points_make_a_line_without_an_error) {
+  const auto law = fit_law(std::vector<FitPoint>{{0.1, 0, 0.03, 0.01}, {0.2, 0, 0.05, 0.01}});
   ASSERT_TRUE(law);
   EXPECT_NEAR(law->per_texel.value, 0.2, 1e-13);
   EXPECT_NEAR(law->constant.value, 0.01, 1e-14);
   EXPECT_FALSE(law->per_texel.standard_error);
 }
 
-TEST(BiasLaw, One_size_of_texel_has_no_law) {
+TEST(BiasFit, One_size_of_texel_has_no_law) {
   EXPECT_FALSE(fit_law({}));
-  EXPECT_FALSE(fit_law(std::vector<LawPoint>{{0.1, 0, 0.03, 0.01}}));
-  EXPECT_FALSE(fit_law(std::vector<LawPoint>{{0.1, 0, 0.03, 0.01}, {0.1, 0, 0.04, 0.01}, {0.1, 0, 0.05, 0.01}}));
-  EXPECT_FALSE(fit_law(std::vector<LawPoint>{{0.1, 0, 0.03, 0.01}, {0.1, 1, 0.02, 0.01}, {0.1, 2, 0.01, 0.01}}));
+  EXPECT_FALSE(fit_law(std::vector<FitPoint>{{0.1, 0, 0.03, 0.01}}));
+  EXPECT_FALSE(fit_law(std::vector<FitPoint>{{0.1, 0, 0.03, 0.01}, {0.1, 0, 0.04, 0.01}, {0.1, 0, 0.05, 0.01}}));
+  EXPECT_FALSE(fit_law(std::vector<FitPoint>{{0.1, 0, 0.03, 0.01}, {0.1, 1, 0.02, 0.01}, {0.1, 2, 0.01, 0.01}}));
 }
 
-TEST(BiasLaw, A_flat_surface_has_no_slope_factor) {
+TEST(BiasFit, A_flat_surface_has_no_slope_factor) {
   // The needed bias does not fall with the slope-scaled one: tan θ = 0.
-  std::vector<LawPoint> points;
+  std::vector<FitPoint> points;
   for (const double texel : {0.1, 0.2}) {
     for (const double slope : {0.0, 1.0}) points.push_back({texel, slope, 0.01, 0.001});
   }
@@ -113,7 +113,7 @@ TEST(BiasLaw, A_flat_surface_has_no_slope_factor) {
   EXPECT_FALSE(law->slope_factor);
 }
 
-TEST(BiasLaw, The_ends_of_the_axis_tell_no_place) {
+TEST(BiasFit, The_ends_of_the_axis_tell_no_place) {
   const std::vector<double> axis = {0.0, 0.1, 0.3, 0.4};
   const auto at = [](double constant) { return BiasCell{constant, 2.0, 0, 0, 0, 0, 0}; };
   EXPECT_FALSE(point_of_least_error(at(0.0), 0.05, axis));

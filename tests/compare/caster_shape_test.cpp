@@ -62,7 +62,7 @@ struct BehindWall {
   }
   std::vector<CasterShape> measure() const { return analyze().casters; }
   CasterShapes analyze() const {
-    return analyze_casters({{ground.gbuffer, truth, ground.counted, ground.light, ground.frame},
+    return analyze_casters({{ground.gbuffer, truth, ground.counted, ground.light, ground.layout},
                             raster,
                             wrong,
                             caster,

@@ -18,7 +18,7 @@ struct Row {
   WrongTaps wrong;
   explicit Row(const dvec3& to_light = zenith, double texel = 0.2)
       : ground(20, 1, 0.1, to_light, texel), truth(blocked_from(ground, 10)), wrong{Image<uvec4>(20, 1, uvec4(0)), 4} {}
-  ShapeInput input() const { return {ground.gbuffer, truth, ground.counted, ground.light, ground.frame}; }
+  ShapeInput input() const { return {ground.gbuffer, truth, ground.counted, ground.light, ground.layout}; }
 };
 
 TEST(ErrorShape, Distances_are_in_pixels_texels_and_metres) {

@@ -10,7 +10,7 @@ struct FlatGround {
   GBuffer gbuffer;
   CountedPixels counted;
   Light light;
-  MapLayout frame;
+  MapLayout layout;
 
   /// The light comes from `to_light`, its map has texels of that many metres.
   FlatGround(int width, int height, double pixel, const dvec3& to_light, double texel) : gbuffer(width, height) {
@@ -29,9 +29,9 @@ struct FlatGround {
     const dvec3 z = glm::normalize(to_light);
     const dvec3 x = glm::normalize(glm::cross(dvec3(0, 0, 1), z));
     light.world_from_light = dmat4(dvec4(x, 0), dvec4(glm::cross(z, x), 0), dvec4(z, 0), dvec4(0, 0, 0, 1));
-    frame.kind = MapKind::orthographic;
-    frame.resolution = 1000;
-    frame.views.front().half_extent = 0.5 * texel * frame.resolution;
+    layout.kind = MapKind::orthographic;
+    layout.resolution = 1000;
+    layout.views.front().half_extent = 0.5 * texel * layout.resolution;
   }
 };
 

@@ -19,9 +19,9 @@ Bounds box(double half_side) {
 
 TEST(Shimmer, An_orthographic_grid_moves_by_the_texels_asked_for) {
   const FlatGround ground(4, 4, 1.0, dvec3(-1, 2, 0.5), 0.25);
-  const MapLayout shifted = shift_grid(ground.frame, {0.25, -0.5}, box(1.0));
+  const MapLayout shifted = shift_grid(ground.layout, {0.25, -0.5}, box(1.0));
   for (const dvec3 place : {dvec3(0), dvec3(3, 1, -2)}) {
-    const Receiver before = project_to_map(ground.frame, place);
+    const Receiver before = project_to_map(ground.layout, place);
     const Receiver after = project_to_map(shifted, place);
     EXPECT_NEAR(after.texels.x - before.texels.x, 0.25, 1e-9);
     EXPECT_NEAR(after.texels.y - before.texels.y, -0.5, 1e-9);
@@ -30,24 +30,24 @@ TEST(Shimmer, An_orthographic_grid_moves_by_the_texels_asked_for) {
 }
 
 TEST(Shimmer, A_perspective_grid_moves_so_in_its_middle) {
-  MapLayout frame;
-  frame.kind = MapKind::perspective;
-  frame.resolution = 512;
-  frame.views.front().half_extent = 0.7;
-  const Receiver after = project_to_map(shift_grid(frame, {0.5, 0.25}, box(1.0)), dvec3(0, 0, -3));
+  MapLayout layout;
+  layout.kind = MapKind::perspective;
+  layout.resolution = 512;
+  layout.views.front().half_extent = 0.7;
+  const Receiver after = project_to_map(shift_grid(layout, {0.5, 0.25}, box(1.0)), dvec3(0, 0, -3));
   EXPECT_NEAR(after.texels.x, 256.5, 1e-3);
   EXPECT_NEAR(after.texels.y, 256.25, 1e-3);
   EXPECT_NEAR(after.depth, 3.0, 1e-5);
 }
 
 TEST(Shimmer, A_cubes_grid_moves_on_every_face) {
-  MapLayout frame;
-  frame.kind = MapKind::cube;
-  frame.resolution = 512;
-  const MapLayout shifted = shift_grid(frame, {0.5, 0.5}, box(1.0));
+  MapLayout layout;
+  layout.kind = MapKind::cube;
+  layout.resolution = 512;
+  const MapLayout shifted = shift_grid(layout, {0.5, 0.5}, box(1.0));
   for (int face = 0; face < 6; ++face) {
     const dvec3 place = 2.0 * cube_face(face)[2];
-    const dvec2 before = project_to_map(frame, place).texels;
+    const dvec2 before = project_to_map(layout, place).texels;
     const dvec2 after = project_to_map(shifted, place).texels;
     EXPECT_NEAR(std::abs(after.x - before.x), 0.5, 1e-2) << face;
     EXPECT_NEAR(std::abs(after.y - before.y), 0.5, 1e-2) << face;
@@ -64,13 +64,13 @@ TEST(Shimmer, Every_surface_stays_nearer_than_the_far_depth_of_a_shifted_map) {
   for (const MapKind kind : {MapKind::orthographic, MapKind::perspective, MapKind::cube}) {
     if (kind == MapKind::perspective) light.shape = SpotLight{0.0, 0.0, 70.0 * pi / 180.0};
     if (kind == MapKind::cube) light.shape = PointLight{};
-    const MapLayout frame = fit_light(light, bounds, 64);
-    ASSERT_EQ(frame.kind, kind);
+    const MapLayout layout = fit_light(light, bounds, 64);
+    ASSERT_EQ(layout.kind, kind);
     for (const dvec2 texels : {dvec2(0.5, 0.5), dvec2(-0.5, 0.5), dvec2(0.5, -0.5), dvec2(-0.5, -0.5)}) {
-      const MapLayout shifted = shift_grid(frame, texels, bounds);
+      const MapLayout shifted = shift_grid(layout, texels, bounds);
       for (int i = 0; i < 8; ++i) EXPECT_LT(depth_of(shifted, bounds.corner(i)), shifted.far_depth);
-      if (frame.kind != MapKind::perspective) {
-        EXPECT_EQ(shifted.far_depth, frame.far_depth);
+      if (layout.kind != MapKind::perspective) {
+        EXPECT_EQ(shifted.far_depth, layout.far_depth);
       }
     }
   }

@@ -73,7 +73,7 @@ Measurements measure_scene(const std::filesystem::path& file) {
   const View view{width, height, select_camera(*scene, {}, static_cast<double>(width) / height, notes)};
   add_missing_light(*scene, notes);
   const Light& light = scene->lights[0];
-  const MapLayout frame = fit_light(light, bounds_of(*scene), map_resolution);
+  const MapLayout layout = fit_light(light, bounds_of(*scene), map_resolution);
 
   // Reading back waits until everything is drawn.
   const gl::Context context = gl::Context::make();
@@ -84,7 +84,7 @@ Measurements measure_scene(const std::filesystem::path& file) {
                        read_back(context, draw_gbuffer(context, *uploaded, view));
                      }));
   found.emplace_back(step_names[2],
-                     least_seconds_of([&] { read_back(context, draw_shadow_map(context, *uploaded, light, frame)); }));
+                     least_seconds_of([&] { read_back(context, draw_shadow_map(context, *uploaded, light, layout)); }));
   found.emplace_back(stage_names[1], peak_mebibytes());
 
   std::optional<Tracer> tracer;

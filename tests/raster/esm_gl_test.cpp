@@ -36,7 +36,7 @@ TEST_F(EsmGl, Under_a_wide_slab_visibility_is_the_exponential_of_the_gap) {
   Scene scene;
   add_mesh(scene, ground(60));
   add_mesh(scene, quad({-20, 2, 20}, {20, 2, 20}, {20, 2, -20}, {-20, 2, -20}));
-  const MapLayout layout = exact_frame({0.001, 1, 0.002}, 128, 0.05, 0);
+  const MapLayout layout = exact_layout({0.001, 1, 0.002}, 128, 0.05, 0);
   for (const double exponent : {1.0, 10.0, 40.0}) {
     for (const int blur : {1, 7}) {
       // exp(−c·d)·exp(c·z) = exp(−c·(d − z)), and d − z is the slab's height over the depth range.
@@ -51,7 +51,7 @@ TEST_F(EsmGl, Under_a_wide_slab_visibility_is_the_exponential_of_the_gap) {
 TEST_F(EsmGl, An_open_plane_is_lit_by_every_kind_of_light) {
   Scene scene;
   add_mesh(scene, ground(60));
-  const MapLayout flat = exact_frame({0.001, 1, 0.002}, 128, 0.05, 0);
+  const MapLayout flat = exact_layout({0.001, 1, 0.002}, 128, 0.05, 0);
   ShadowParams params = esm(40.0, 3);
   params.bias.constant = 0.01;
   EXPECT_EQ(seen(scene, light_of(flat), flat, params), 1.0);
@@ -66,7 +66,7 @@ TEST_F(EsmGl, A_blurred_edge_passes_one_half_where_the_kernel_is_half_covered) {
   Scene scene;
   add_mesh(scene, ground(60));
   add_mesh(scene, quad({-20, 2, 20}, {0, 2, 20}, {0, 2, -20}, {-20, 2, -20}));
-  const MapLayout layout = exact_frame({0, 1, 1e-9}, 128, 0.05, 0);
+  const MapLayout layout = exact_layout({0, 1, 1e-9}, 128, 0.05, 0);
   const UploadedScene uploaded = upload(context(), scene);
   GBuffer one = surfels_on_ground(1, 1, 0, 1, 0, 1);
   one.position[0] = vec3(0.0f, 0, 0.3f);

@@ -22,9 +22,9 @@ class DrawnFence : public GlTest {
 };
 
 // The ray that a texel's centre stands for.
-Ray world_ray(const MapLayout& frame, int face, int x, int y) {
-  const dmat4 world_from_light = glm::inverse(frame.light_from_world);
-  const TexelRay ray = texel_ray(frame, {x, frame.resolution - 1 - y}, face);
+Ray world_ray(const MapLayout& layout, int face, int x, int y) {
+  const dmat4 world_from_light = glm::inverse(layout.light_from_world);
+  const TexelRay ray = texel_ray(layout, {x, layout.resolution - 1 - y}, face);
   return {dvec3(world_from_light * dvec4(ray.origin, 1.0)),
           glm::normalize(dvec3(world_from_light * dvec4(ray.direction, 0.0)))};
 }
@@ -36,21 +36,21 @@ TEST_F(DrawnFence, The_mask_and_its_geometric_twin_have_the_same_shadow_map_off_
   const Bounds bounds = bounds_of(twins_.masked);
   for (const Light& light : twins_.masked.lights) {
     const int resolution = std::holds_alternative<PointLight>(light.shape) ? 1024 : 2048;
-    const MapLayout frame = fit_light(light, bounds, resolution);
-    const ShadowMapImages a = read_back(context(), draw_shadow_map(context(), masked, light, frame));
-    const ShadowMapImages b = read_back(context(), draw_shadow_map(context(), solid, light, frame));
+    const MapLayout layout = fit_light(light, bounds, resolution);
+    const ShadowMapImages a = read_back(context(), draw_shadow_map(context(), masked, light, layout));
+    const ShadowMapImages b = read_back(context(), draw_shadow_map(context(), solid, light, layout));
     TwinCount count;
     for (int face = 0; face < static_cast<int>(a.depth.size()); ++face) {
       const auto layer = static_cast<std::size_t>(face);
       for (int y = 0; y < resolution; ++y) {
         for (int x = 0; x < resolution; ++x) {
-          const Ray ray = world_ray(frame, face, x, y);
+          const Ray ray = world_ray(layout, face, x, y);
           const FencePoint where = fence_point(twins_, ray.origin, ray.direction, margin);
           const std::uint32_t id = a.instance[layer].at(x, y);
           // 32-bit depth resolves 6e-8 of far_depth; the two are interpolated over different triangles.
           const bool same =
               id == b.instance[layer].at(x, y) &&
-              (id == no_id || std::abs(a.depth[layer].at(x, y) - b.depth[layer].at(x, y)) < 4e-6 * frame.far_depth);
+              (id == no_id || std::abs(a.depth[layer].at(x, y) - b.depth[layer].at(x, y)) < 4e-6 * layout.far_depth);
           if (where == FencePoint::edge) {
             ++count.edges;
             count.different_on_edges += same ? 0 : 1;

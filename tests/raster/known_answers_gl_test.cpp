@@ -44,14 +44,15 @@ class KnownAnswersGl : public GlTest {
   // A plane that fills the whole map, and 256 x 256 surfels spread over the middle of it.
   Plane make_plane(const Slope& slope, int resolution, double texel) const {
     const double theta = slope.theta * degrees;
-    const MapLayout frame = exact_frame({std::sin(theta), std::cos(theta), 0}, resolution, texel, slope.psi * degrees);
+    const MapLayout layout =
+        exact_layout({std::sin(theta), std::cos(theta), 0}, resolution, texel, slope.psi * degrees);
     Scene scene;
-    add_mesh(scene, ground(static_cast<float>(8.0 * frame.views.front().half_extent)));
+    add_mesh(scene, ground(static_cast<float>(8.0 * layout.views.front().half_extent)));
     Plane plane;
-    plane.light = light_of(frame);
+    plane.light = light_of(layout);
     plane.scene = upload(context(), scene);
-    plane.map = draw_shadow_map(context(), plane.scene, plane.light, frame);
-    const double reach = 0.5 * frame.views.front().half_extent;
+    plane.map = draw_shadow_map(context(), plane.scene, plane.light, layout);
+    const double reach = 0.5 * layout.views.front().half_extent;
     plane.surfels = upload(context(), surfels_on_ground(256, 256, -reach, reach, -reach, reach));
     return plane;
   }
@@ -194,17 +195,17 @@ TEST_F(KnownAnswersGl, The_lit_strip_behind_a_wall_follows_its_formula) {
     const gl::Texture blocked = upload(context(), Image<float>(256, 256, 0.0f));
     for (const int resolution : {512, 1024, 2048}) {
       // Turned against the wall, so that the strip meets texels in every phase.
-      const MapLayout frame = exact_frame(towards, resolution, 10.0 / resolution, 20 * degrees);
-      const ShadowMap map = draw_shadow_map(context(), uploaded, light_of(frame), frame);
+      const MapLayout layout = exact_layout(towards, resolution, 10.0 / resolution, 20 * degrees);
+      const ShadowMap map = draw_shadow_map(context(), uploaded, light_of(layout), layout);
       const std::vector<double> biases = evenly(0.0, 0.45, 32);
       const BiasHistogram histogram =
-          draw_bias_response(context(), {uploaded, surfels, map, light_of(frame), {}, make_technique({}), &blocked},
+          draw_bias_response(context(), {uploaded, surfels, map, light_of(layout), {}, make_technique({}), &blocked},
                              {to_floats(biases), {0.0f}});
       const std::vector<VisibilitySums> found = sums_at_biases(histogram, 0);
       for (std::size_t k = 0; k < biases.size(); ++k) {
         const double strip = std::max(0.0, biases[k] * std::cos(e) - 0.05);
         // A texel shifts each piece of the edge by up to half of t sin e; over all phases that averages out.
-        const double tolerance = 0.15 * frame.views.front().half_extent * 2 / resolution + 0.002;
+        const double tolerance = 0.15 * layout.views.front().half_extent * 2 / resolution + 0.002;
         EXPECT_NEAR(share(found[k], Cause::peter_panning) * width, strip, tolerance)
             << elevation << " " << resolution << " " << biases[k];
         EXPECT_EQ(share(found[k], Cause::acne), 0.0);

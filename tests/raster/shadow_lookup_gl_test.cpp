@@ -15,8 +15,8 @@ TEST_F(ShadowLookupGl, A_bilinear_tap_weighs_texels_by_how_near_their_centres_ar
   add_mesh(scene, ground(60));
   add_mesh(scene, quad({-20, 1, 20}, {0, 1, 20}, {0, 1, -20}, {-20, 1, -20}));
   const UploadedScene uploaded = upload(context(), scene);
-  const MapLayout frame = exact_frame({0, 1, 1e-9}, 64, 0.5, 0.0);
-  const ShadowMap map = draw_shadow_map(context(), uploaded, light_of(frame), frame);
+  const MapLayout layout = exact_layout({0, 1, 1e-9}, 64, 0.5, 0.0);
+  const ShadowMap map = draw_shadow_map(context(), uploaded, light_of(layout), layout);
   ShadowParams params;
   params.bias.constant = 0.1;
   params.pcf.filter = ShadowFilter::bilinear;
@@ -30,7 +30,7 @@ TEST_F(ShadowLookupGl, A_bilinear_tap_weighs_texels_by_how_near_their_centres_ar
     one.position[0] = vec3(place.x, 0, 0.3f);
     const GpuGBuffer surfel = upload(context(), one);
     const Image<float> seen =
-        draw_visibility(context(), {uploaded, surfel, map, light_of(frame), params.bias, make_technique(params)})
+        draw_visibility(context(), {uploaded, surfel, map, light_of(layout), params.bias, make_technique(params)})
             .visibility;
     EXPECT_EQ(seen[0], place.visibility) << place.x;
   }

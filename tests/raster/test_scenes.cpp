@@ -85,23 +85,23 @@ Light point_light(const dvec3& position) {
   return light;
 }
 
-MapLayout exact_frame(const dvec3& towards_light, int resolution, double texel, double azimuth) {
+MapLayout exact_layout(const dvec3& towards_light, int resolution, double texel, double azimuth) {
   const dvec3 z = glm::normalize(towards_light);
   const dvec3 slope = glm::normalize(dvec3(0, 1, 0) - z * z.y);
   const dvec3 across = glm::cross(z, slope);
   const dvec3 x = std::cos(azimuth) * slope + std::sin(azimuth) * across;
-  MapLayout frame;
-  frame.resolution = resolution;
-  frame.views.front().half_extent = 0.5 * texel * resolution;
-  frame.far_depth = 100.0;
-  frame.light_from_world =
+  MapLayout layout;
+  layout.resolution = resolution;
+  layout.views.front().half_extent = 0.5 * texel * resolution;
+  layout.far_depth = 100.0;
+  layout.light_from_world =
       glm::inverse(dmat4(dvec4(x, 0), dvec4(glm::cross(z, x), 0), dvec4(z, 0), dvec4(50.0 * z, 1)));
-  return frame;
+  return layout;
 }
 
-Light light_of(const MapLayout& frame) {
+Light light_of(const MapLayout& layout) {
   Light light;
-  light.world_from_light = glm::inverse(frame.light_from_world);
+  light.world_from_light = glm::inverse(layout.light_from_world);
   return light;
 }
 

@@ -38,9 +38,9 @@ Light point_light(const dvec3& position);
 
 /// An orthographic map of that texel size, centred on the origin, whose texel rows are turned by `azimuth` (radians)
 /// from the direction in which a horizontal plane slopes.
-MapLayout exact_frame(const dvec3& towards_light, int resolution, double texel, double azimuth);
-/// A directional light that looks along that frame.
-Light light_of(const MapLayout& frame);
+MapLayout exact_layout(const dvec3& towards_light, int resolution, double texel, double azimuth);
+/// A directional light that looks along that layout.
+Light light_of(const MapLayout& layout);
 
 /// width · height surfels with normal +y spread evenly over a rectangle of the plane y = 0, on triangle 0 of
 /// instance 0 (M. Roberts, The Unreasonable Effectiveness of Quasirandom Sequences, 2018: the R2 sequence).

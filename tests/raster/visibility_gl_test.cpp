@@ -189,8 +189,8 @@ TEST_F(VisibilityGl, Constant_and_slope_scaled_bias_flip_a_tap_at_its_critical_b
   const GpuGBuffer surfel = upload(context(), one);
   for (const Light& light :
        {directional_light({1.5, 4, 1}), spot_light({3, 6, 2}, {0, 0, 0}, 0.7), point_light({3, 6, 2.5})}) {
-    const MapLayout frame = fit_light(light, bounds_of(scene), 1024);
-    const ShadowMap map = draw_shadow_map(context(), uploaded, light, frame);
+    const MapLayout layout = fit_light(light, bounds_of(scene), 1024);
+    const ShadowMap map = draw_shadow_map(context(), uploaded, light, layout);
     const auto is_lit = [&](double constant, double slope) {
       ShadowParams params;
       params.bias.constant = constant;
@@ -200,10 +200,10 @@ TEST_F(VisibilityGl, Constant_and_slope_scaled_bias_flip_a_tap_at_its_critical_b
     };
     const dvec3 l = to_light(light, position);
     const double tangent = std::sqrt(1.0 - l.y * l.y) / l.y;
-    const double texel = texel_at(frame, position);
+    const double texel = texel_at(layout, position);
     const double beta = flip_bias([&](double bias) { return is_lit(bias, 0.0); }, 0.0, 50.0);
     // The ray meets the slab 2 / l.y before the floor; the sample is up to half a texel's diagonal aside.
-    const double along = 2.0 / l.y * (frame.kind == MapKind::perspective ? glm::dot(-light.axis(), l) : 1.0);
+    const double along = 2.0 / l.y * (layout.kind == MapKind::perspective ? glm::dot(-light.axis(), l) : 1.0);
     EXPECT_NEAR(beta, along, texel * (1.0 + tangent));
     const double factor = flip_bias([&](double slope) { return is_lit(0.0, slope); }, 0.0, 1e5);
     EXPECT_NEAR(factor * texel * tangent, beta, 1e-5 * beta) << "one texel of slope is texel_at times tan";
@@ -215,9 +215,9 @@ TEST_F(VisibilityGl, Each_class_has_the_cause_that_it_is_named_for) {
   add_mesh(scene, ground(20));
   add_mesh(scene, box({-8, 2, -8}, {8, 2.5f, 8}));
   const UploadedScene uploaded = upload(context(), scene);
-  const MapLayout frame = exact_frame({0.02, 1, 0.01}, 64, 0.25, 0.1);
-  const Light light = light_of(frame);
-  const ShadowMap map = draw_shadow_map(context(), uploaded, light, frame);
+  const MapLayout layout = exact_layout({0.02, 1, 0.01}, 64, 0.25, 0.1);
+  const Light light = light_of(layout);
+  const ShadowMap map = draw_shadow_map(context(), uploaded, light, layout);
   const GpuGBuffer under = upload(context(), surfels_on_ground(32, 32, -4, 4, -4, 4));
   const gl::Texture lit = upload(context(), Image<float>(32, 32, 1.0f));
   const gl::Texture blocked = upload(context(), Image<float>(32, 32, 0.0f));
@@ -232,7 +232,7 @@ TEST_F(VisibilityGl, Each_class_has_the_cause_that_it_is_named_for) {
   Scene bare;
   add_mesh(bare, ground(20));
   const UploadedScene uploaded_bare = upload(context(), bare);
-  const ShadowMap bare_map = draw_shadow_map(context(), uploaded_bare, light, frame);
+  const ShadowMap bare_map = draw_shadow_map(context(), uploaded_bare, light, layout);
   EXPECT_EQ(classes(uploaded_bare, bare_map, 0.1, blocked), vec4(0, 0, 0, 1)) << "the map holds no blocker";
   EXPECT_EQ(classes(uploaded_bare, bare_map, -0.1, lit), vec4(1, 0, 0, 0)) << "the plane shadows itself";
   EXPECT_EQ(classes(uploaded_bare, bare_map, 0.1, lit), vec4(0));
@@ -344,15 +344,16 @@ TEST_F(VisibilityGl, A_masked_fence_casts_the_holes_of_its_mask) {
   scene.materials[1].alpha_mode = AlphaMode::mask;
   for (const bool is_cube : {false, true}) {
     const Light light = is_cube ? point_light({0.001, 200, 0.002}) : directional_light({0.001, 1, 0.002});
-    MapLayout frame = is_cube ? fit_light(light, bounds_of(scene), 2048) : exact_frame({0.001, 1, 0.002}, 256, 0.05, 0);
+    MapLayout layout =
+        is_cube ? fit_light(light, bounds_of(scene), 2048) : exact_layout({0.001, 1, 0.002}, 256, 0.05, 0);
     const UploadedScene uploaded = upload(context(), scene);
-    const ShadowMap map = draw_shadow_map(context(), uploaded, light, frame);
+    const ShadowMap map = draw_shadow_map(context(), uploaded, light, layout);
     ShadowParams params;
     params.bias.constant = 0.5;
     // Alpha is 1/2 at the middle, x = 0: transparent to its left, opaque to its right.
     const GpuGBuffer left = upload(context(), surfels_on_ground(16, 16, -1.5, -0.3, -1.5, 1.5));
     const GpuGBuffer right = upload(context(), surfels_on_ground(16, 16, 0.3, 1.5, -1.5, 1.5));
-    const Light seen = is_cube ? light : light_of(frame);
+    const Light seen = is_cube ? light : light_of(layout);
     EXPECT_EQ(
         mean(draw_visibility(context(), {uploaded, left, map, seen, params.bias, make_technique(params)}).visibility),
         1.0);

@@ -27,15 +27,15 @@ std::vector<Light> lights_from(const dvec3& towards_light) {
 }
 
 // The point that the light sees on its way to a position in the world.
-SurfacePoint seen_towards(const ReferenceCaster& caster, const Light& light, const MapLayout& frame,
+SurfacePoint seen_towards(const ReferenceCaster& caster, const Light& light, const MapLayout& layout,
                           const dvec3& position) {
   const dvec3 direction = -to_light(light, position);
   const dvec3 origin = position - 50.0 * direction;
-  const bool is_sun = frame.kind == MapKind::orthographic;
+  const bool is_sun = layout.kind == MapKind::orthographic;
   const dvec3 start = is_sun ? origin : light.position();
   const auto hit = caster.nearest(start, direction, 0.0, 1e3, false);
   if (!hit) throw std::logic_error("the light sees nothing there");
-  return {dvec3(frame.light_from_world * dvec4(start + hit->t * direction, 1.0)), hit->instance, hit->triangle};
+  return {dvec3(layout.light_from_world * dvec4(start + hit->t * direction, 1.0)), hit->instance, hit->triangle};
 }
 
 // What the judge says of the light's view of two positions, for every kind of light.
@@ -43,11 +43,11 @@ void expect_own(const Scene& scene, const dvec3& towards_light, const dvec3& rec
   const Tracer tracer(scene);
   const ReferenceCaster caster(scene);
   for (const Light& light : lights_from(towards_light)) {
-    const MapLayout frame = fit_light(light, bounds_of(scene), 1024);
-    const TapSurfaces tap{seen_towards(caster, light, frame, receiver), seen_towards(caster, light, frame, sample)};
-    EXPECT_EQ(judge_same_surface(tracer, frame, {&tap, 1}).front() != 0, own) << "light " << light.shape.index();
+    const MapLayout layout = fit_light(light, bounds_of(scene), 1024);
+    const TapSurfaces tap{seen_towards(caster, light, layout, receiver), seen_towards(caster, light, layout, sample)};
+    EXPECT_EQ(test_same_surface(tracer, layout, {&tap, 1}).front() != 0, own) << "light " << light.shape.index();
     const TapSurfaces turned{tap.sample, tap.receiver};
-    EXPECT_EQ(judge_same_surface(tracer, frame, {&turned, 1}).front() != 0, own)
+    EXPECT_EQ(test_same_surface(tracer, layout, {&turned, 1}).front() != 0, own)
         << "turned, light " << light.shape.index();
   }
 }
@@ -182,18 +182,18 @@ TEST(SurfaceJudge, A_wall_that_reaches_over_an_edge_of_the_cube_is_one_surface) 
   const ReferenceCaster caster(scene);
   Light light;
   light.shape = PointLight{};
-  const MapLayout frame = fit_light(light, bounds_of(scene), 256);
+  const MapLayout layout = fit_light(light, bounds_of(scene), 256);
   const TapSurfaces tap{{{2.0, 0.1, 1.0}, 0, 0}, {{1.2, -0.2, 2.0}, 1, 0}};
   TapSurfaces known = tap;
-  known.receiver = seen_towards(caster, light, frame, tap.receiver.in_light);
-  known.sample = seen_towards(caster, light, frame, tap.sample.in_light);
-  EXPECT_EQ(judge_same_surface(tracer, frame, {&known, 1}).front(), 1);
+  known.receiver = seen_towards(caster, light, layout, tap.receiver.in_light);
+  known.sample = seen_towards(caster, light, layout, tap.sample.in_light);
+  EXPECT_EQ(test_same_surface(tracer, layout, {&known, 1}).front(), 1);
 }
 
 TEST(SurfaceJudge, Its_verdicts_do_not_depend_on_the_number_of_threads) {
   const Scene scene = load_scene("contact-box");
   const Light light = scene.lights.front();
-  const MapLayout frame = fit_light(light, bounds_of(scene), 512);
+  const MapLayout layout = fit_light(light, bounds_of(scene), 512);
   const Tracer tracer(scene);
   const Bounds bounds = bounds_of(scene);
   const ReferenceCaster caster(scene);
@@ -206,14 +206,14 @@ TEST(SurfaceJudge, Its_verdicts_do_not_depend_on_the_number_of_threads) {
       const auto hit = caster.nearest(origin, direction, 0.0, 1e3, false);
       if (!hit) continue;
       points.push_back(
-          {dvec3(frame.light_from_world * dvec4(origin + hit->t * direction, 1.0)), hit->instance, hit->triangle});
+          {dvec3(layout.light_from_world * dvec4(origin + hit->t * direction, 1.0)), hit->instance, hit->triangle});
     }
   }
   std::vector<TapSurfaces> taps;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) taps.push_back({points[i], points[i + 1]});
   const auto judged = [&](int threads) {
     const ThreadLimit limit(threads);
-    return judge_same_surface(tracer, frame, taps);
+    return test_same_surface(tracer, layout, taps);
   };
   const std::vector<std::uint8_t> one = judged(1);
   EXPECT_EQ(judged(4), one);

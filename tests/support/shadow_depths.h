@@ -9,11 +9,11 @@
 namespace umbrameter::test {
 
 /// Of each face, as depth_of(); infinity where the light meets nothing.
-inline std::vector<Image<float>> to_metres(const ShadowMapImages& images, const MapLayout& frame) {
+inline std::vector<Image<float>> to_metres(const ShadowMapImages& images, const MapLayout& layout) {
   std::vector<Image<float>> faces = images.depth;
   for (Image<float>& face : faces) {
     for (float& depth : face.pixels) {
-      depth = depth < 1.0f ? static_cast<float>(static_cast<double>(depth) * frame.far_depth)
+      depth = depth < 1.0f ? static_cast<float>(static_cast<double>(depth) * layout.far_depth)
                            : std::numeric_limits<float>::infinity();
     }
   }

@@ -63,7 +63,7 @@ TEST(ShadowFilter, Points_of_a_disk_lie_in_it_and_apart) {
       EXPECT_LE(glm::length(disk.points[i]), 1.0f);
       for (std::size_t j = 0; j < i; ++j) EXPECT_GE(glm::distance(disk.points[i], disk.points[j]), apart) << i;
     }
-    for (const vec2& turn : disk.turns) EXPECT_NEAR(glm::length(turn), 1.0f, 1e-6f);
+    for (const vec2& turn : disk.rotations) EXPECT_NEAR(glm::length(turn), 1.0f, 1e-6f);
   }
 }
 

@@ -29,47 +29,47 @@ dmat4 straight_down(const dvec3& position = dvec3(0)) {
 }
 
 TEST(DirectionalMap, The_square_covers_the_wider_side_with_one_texel_of_margin) {
-  const MapLayout frame = fit_light(make_light(straight_down(), DirectionalLight{}), box({-4, 0, -1}, {4, 3, 1}), 102);
-  EXPECT_EQ(frame.kind, MapKind::orthographic);
+  const MapLayout layout = fit_light(make_light(straight_down(), DirectionalLight{}), box({-4, 0, -1}, {4, 3, 1}), 102);
+  EXPECT_EQ(layout.kind, MapKind::orthographic);
   // 8 m on the inner 100 of 102 texels: half extent 4 · 102/100, texel 0.08 m.
-  EXPECT_NEAR(frame.views.front().half_extent, 4.08, 1e-9);
-  EXPECT_NEAR(texel_at(frame, {0, 0, 0}), 0.08, 1e-9);
-  EXPECT_NEAR(frame.far_depth, 3.0, 1e-4);
-  EXPECT_GT(frame.far_depth, 3.0);
+  EXPECT_NEAR(layout.views.front().half_extent, 4.08, 1e-9);
+  EXPECT_NEAR(texel_at(layout, {0, 0, 0}), 0.08, 1e-9);
+  EXPECT_NEAR(layout.far_depth, 3.0, 1e-4);
+  EXPECT_GT(layout.far_depth, 3.0);
 }
 
 TEST(DirectionalMap, Depth_runs_from_the_upper_face_along_the_light) {
-  const MapLayout frame =
+  const MapLayout layout =
       fit_light(make_light(straight_down({100, 100, 100}), DirectionalLight{}), box({-4, 0, -1}, {4, 3, 1}), 102);
-  EXPECT_NEAR(depth_of(frame, {3, 3, 1}), 0.0, 1e-4);
-  EXPECT_GE(depth_of(frame, {3, 3, 1}), 0.0);
-  EXPECT_NEAR(depth_of(frame, {-2, 1, 0}) - depth_of(frame, {3, 3, 1}), 2.0, 1e-12);
-  EXPECT_LT(depth_of(frame, {4, 0, 1}), frame.far_depth);
+  EXPECT_NEAR(depth_of(layout, {3, 3, 1}), 0.0, 1e-4);
+  EXPECT_GE(depth_of(layout, {3, 3, 1}), 0.0);
+  EXPECT_NEAR(depth_of(layout, {-2, 1, 0}) - depth_of(layout, {3, 3, 1}), 2.0, 1e-12);
+  EXPECT_LT(depth_of(layout, {4, 0, 1}), layout.far_depth);
 }
 
 TEST(DirectionalMap, Roll_of_the_light_turns_the_square) {
   // A 2 × 2 m floor seen along a light rolled by 45° spans its diagonal, 2·√2 m.
   const dmat4 rolled = straight_down() * glm::rotate(dmat4(1.0), pi / 4, dvec3(0, 0, 1));
-  const MapLayout frame = fit_light(make_light(rolled, DirectionalLight{}), box({-1, 0, -1}, {1, 0, 1}), 1002);
-  EXPECT_NEAR(2.0 * frame.views.front().half_extent, 2.0 * std::sqrt(2.0) * 1002.0 / 1000.0, 1e-9);
+  const MapLayout layout = fit_light(make_light(rolled, DirectionalLight{}), box({-1, 0, -1}, {1, 0, 1}), 1002);
+  EXPECT_NEAR(2.0 * layout.views.front().half_extent, 2.0 * std::sqrt(2.0) * 1002.0 / 1000.0, 1e-9);
 }
 
 TEST(DirectionalMap, Every_corner_is_at_least_one_texel_inside) {
   const Bounds bounds = box({1000, -5, 20}, {1030, 40, 25});
   const dmat4 pose = glm::rotate(dmat4(1.0), -0.8, glm::normalize(dvec3(1, 0.4, 0.2)));
   for (const int resolution : {4, 16, 1024}) {
-    const MapLayout frame = fit_light(make_light(pose, DirectionalLight{}), bounds, resolution);
+    const MapLayout layout = fit_light(make_light(pose, DirectionalLight{}), bounds, resolution);
     double reach = 0.0;
     for (int i = 0; i < 8; ++i) {
-      EXPECT_TRUE(is_inside(frame, bounds.corner(i)));
-      const dvec3 local(frame.light_from_world * dvec4(bounds.corner(i), 1));
+      EXPECT_TRUE(is_inside(layout, bounds.corner(i)));
+      const dvec3 local(layout.light_from_world * dvec4(bounds.corner(i), 1));
       reach = std::max({reach, std::abs(local.x), std::abs(local.y)});
-      EXPECT_GT(depth_of(frame, bounds.corner(i)), 0.0);
-      EXPECT_LT(depth_of(frame, bounds.corner(i)), frame.far_depth);
+      EXPECT_GT(depth_of(layout, bounds.corner(i)), 0.0);
+      EXPECT_LT(depth_of(layout, bounds.corner(i)), layout.far_depth);
     }
-    const double texel = texel_at(frame, bounds.center());
-    EXPECT_NEAR((frame.views.front().half_extent - reach) / texel, 1.0, 1e-6);
-    EXPECT_FALSE(is_inside(frame, bounds.center() + 100.0 * dvec3(1, 0, 0)));
+    const double texel = texel_at(layout, bounds.center());
+    EXPECT_NEAR((layout.views.front().half_extent - reach) / texel, 1.0, 1e-6);
+    EXPECT_FALSE(is_inside(layout, bounds.center() + 100.0 * dvec3(1, 0, 0)));
   }
 }
 
@@ -78,49 +78,49 @@ TEST(DirectionalMap, Flat_empty_and_tiny_cases_stay_finite) {
   point.include({1, 2, 3});
   for (const Bounds& bounds : {Bounds{}, point, box({0, 0, 0}, {0, 5, 0})}) {
     for (const int resolution : {1, 2, 3}) {
-      const MapLayout frame = fit_light(make_light(straight_down(), DirectionalLight{}), bounds, resolution);
-      EXPECT_GT(frame.views.front().half_extent, 0.0);
-      EXPECT_TRUE(std::isfinite(frame.views.front().half_extent));
-      EXPECT_GT(frame.far_depth, 0.0);
+      const MapLayout layout = fit_light(make_light(straight_down(), DirectionalLight{}), bounds, resolution);
+      EXPECT_GT(layout.views.front().half_extent, 0.0);
+      EXPECT_TRUE(std::isfinite(layout.views.front().half_extent));
+      EXPECT_GT(layout.far_depth, 0.0);
     }
   }
 }
 
 TEST(SpotMap, It_opens_by_the_outer_cone_and_texels_grow_with_depth) {
   const SpotLight spot{0.0, 0.1, pi / 4};
-  const MapLayout frame = fit_light(make_light(straight_down({0, 10, 0}), spot), box({-3, 0, -3}, {3, 1, 3}), 1000);
-  EXPECT_EQ(frame.kind, MapKind::perspective);
-  EXPECT_NEAR(frame.views.front().half_extent, 1.0, 1e-12);  // tan 45°
-  EXPECT_NEAR(depth_of(frame, {2, 1, 0}), 9.0, 1e-12);
-  EXPECT_NEAR(texel_at(frame, {2, 1, 0}), 0.018, 1e-12);  // 2 · 9 / 1000
-  EXPECT_NEAR(frame.far_depth, 10.0, 1e-3);
-  EXPECT_GT(frame.far_depth, 10.0);
+  const MapLayout layout = fit_light(make_light(straight_down({0, 10, 0}), spot), box({-3, 0, -3}, {3, 1, 3}), 1000);
+  EXPECT_EQ(layout.kind, MapKind::perspective);
+  EXPECT_NEAR(layout.views.front().half_extent, 1.0, 1e-12);  // tan 45°
+  EXPECT_NEAR(depth_of(layout, {2, 1, 0}), 9.0, 1e-12);
+  EXPECT_NEAR(texel_at(layout, {2, 1, 0}), 0.018, 1e-12);  // 2 · 9 / 1000
+  EXPECT_NEAR(layout.far_depth, 10.0, 1e-3);
+  EXPECT_GT(layout.far_depth, 10.0);
 }
 
 TEST(SpotMap, The_square_frustum_decides_inside) {
-  const MapLayout frame = fit_light(make_light(straight_down({0, 10, 0}), SpotLight{0.0, 0.0, pi / 4}),
-                                    box({-30, 0, -30}, {30, 1, 30}), 64);
-  EXPECT_TRUE(is_inside(frame, {9.9, 0, 9.9}));
-  EXPECT_FALSE(is_inside(frame, {10.1, 0, 0}));
-  EXPECT_FALSE(is_inside(frame, {0, 10, 0})) << "the light itself";
-  EXPECT_FALSE(is_inside(frame, {0, 11, 0})) << "behind the light";
+  const MapLayout layout = fit_light(make_light(straight_down({0, 10, 0}), SpotLight{0.0, 0.0, pi / 4}),
+                                     box({-30, 0, -30}, {30, 1, 30}), 64);
+  EXPECT_TRUE(is_inside(layout, {9.9, 0, 9.9}));
+  EXPECT_FALSE(is_inside(layout, {10.1, 0, 0}));
+  EXPECT_FALSE(is_inside(layout, {0, 10, 0})) << "the light itself";
+  EXPECT_FALSE(is_inside(layout, {0, 11, 0})) << "behind the light";
 }
 
 TEST(SpotMap, A_half_space_cone_is_kept_to_a_finite_map) {
-  const MapLayout frame =
+  const MapLayout layout =
       fit_light(make_light(straight_down({0, 10, 0}), SpotLight{0.0, 0.0, pi / 2}), box({-1, 0, -1}, {1, 1, 1}), 64);
-  EXPECT_NEAR(frame.views.front().half_extent, 572.957, 1e-3);  // tan 89.9°
+  EXPECT_NEAR(layout.views.front().half_extent, 572.957, 1e-3);  // tan 89.9°
 }
 
 TEST(CubeMap, Depth_is_radial_and_texels_are_those_of_the_face) {
-  const MapLayout frame =
+  const MapLayout layout =
       fit_light(make_light(glm::translate(dmat4(1.0), dvec3(1, 2, 3)), PointLight{}), box({-1, 0, 0}, {1, 2, 3}), 512);
-  EXPECT_EQ(frame.kind, MapKind::cube);
-  EXPECT_EQ(frame.views.front().half_extent, 1.0);
-  EXPECT_NEAR(depth_of(frame, {4, 6, 3}), 5.0, 1e-12);
-  EXPECT_NEAR(texel_at(frame, {4, 6, 3}), 2.0 * 4.0 / 512.0, 1e-12);
-  EXPECT_NEAR(frame.far_depth, std::sqrt(4.0 + 4.0 + 9.0), 1e-3);
-  EXPECT_TRUE(is_inside(frame, {-100, 7, 2}));
+  EXPECT_EQ(layout.kind, MapKind::cube);
+  EXPECT_EQ(layout.views.front().half_extent, 1.0);
+  EXPECT_NEAR(depth_of(layout, {4, 6, 3}), 5.0, 1e-12);
+  EXPECT_NEAR(texel_at(layout, {4, 6, 3}), 2.0 * 4.0 / 512.0, 1e-12);
+  EXPECT_NEAR(layout.far_depth, std::sqrt(4.0 + 4.0 + 9.0), 1e-3);
+  EXPECT_TRUE(is_inside(layout, {-100, 7, 2}));
 }
 
 TEST(ToLight, It_is_against_the_axis_or_towards_the_position) {
@@ -132,14 +132,14 @@ TEST(ToLight, It_is_against_the_axis_or_towards_the_position) {
 
 TEST(PixelExclusion, Each_reason_has_its_class) {
   const Light spot = make_light(straight_down({0, 10, 0}), SpotLight{10.5, 0.1, pi / 4});
-  const MapLayout frame = fit_light(spot, box({-30, -5, -30}, {30, 1, 30}), 64);
+  const MapLayout layout = fit_light(spot, box({-30, -5, -30}, {30, 1, 30}), 64);
   const dvec3 up(0, 1, 0);
-  EXPECT_EQ(exclusion_of(spot, frame, {0, 0, 0}, up), PixelExclusion::none);
-  EXPECT_EQ(exclusion_of(spot, frame, {0, 0, 0}, -up), PixelExclusion::back_facing);
-  EXPECT_EQ(exclusion_of(spot, frame, {0, 0, 0}, {1, 0, 0}), PixelExclusion::back_facing) << "grazing: N.L = 0";
-  EXPECT_EQ(exclusion_of(spot, frame, {12, 0, 0}, up), PixelExclusion::outside_map);
-  EXPECT_EQ(exclusion_of(spot, frame, {9, 0, 9}, up), PixelExclusion::outside_cone) << "in the square's corner";
-  EXPECT_EQ(exclusion_of(spot, frame, {0, -1, 0}, up), PixelExclusion::outside_range);
+  EXPECT_EQ(exclusion_of(spot, layout, {0, 0, 0}, up), PixelExclusion::none);
+  EXPECT_EQ(exclusion_of(spot, layout, {0, 0, 0}, -up), PixelExclusion::back_facing);
+  EXPECT_EQ(exclusion_of(spot, layout, {0, 0, 0}, {1, 0, 0}), PixelExclusion::back_facing) << "grazing: N.L = 0";
+  EXPECT_EQ(exclusion_of(spot, layout, {12, 0, 0}, up), PixelExclusion::outside_map);
+  EXPECT_EQ(exclusion_of(spot, layout, {9, 0, 9}, up), PixelExclusion::outside_cone) << "in the square's corner";
+  EXPECT_EQ(exclusion_of(spot, layout, {0, -1, 0}, up), PixelExclusion::outside_range);
 }
 
 TEST(PixelExclusion, A_surfel_that_faces_part_of_a_light_counts_and_one_that_faces_none_is_turned_away) {
@@ -178,10 +178,10 @@ TEST(PixelExclusion, A_surfel_that_faces_part_of_a_light_counts_and_one_that_fac
 TEST(PixelExclusion, The_cone_ends_at_its_angle) {
   const double outer = 0.5;
   const Light spot = make_light(straight_down({0, 1, 0}), SpotLight{0.0, 0.0, outer});
-  const MapLayout frame = fit_light(spot, box({-3, 0, -3}, {3, 0, 3}), 64);
+  const MapLayout layout = fit_light(spot, box({-3, 0, -3}, {3, 0, 3}), 64);
   const auto at = [&](double angle) {
     const double reach = std::tan(angle) / std::sqrt(2.0);  // along the diagonal, inside the square
-    return exclusion_of(spot, frame, {reach, 0, reach}, {0, 1, 0});
+    return exclusion_of(spot, layout, {reach, 0, reach}, {0, 1, 0});
   };
   EXPECT_EQ(at(outer - 1e-9), PixelExclusion::none);
   EXPECT_EQ(at(outer + 1e-9), PixelExclusion::outside_cone);

@@ -56,8 +56,8 @@ class PixelCounter {
     for (std::size_t s = 0; s < axes_.slope.size(); ++s) {
       flipping_.clear();
       for (std::size_t i = 0; i < taps_.size(); ++i) {
-        const std::size_t bin = bin_of(axes_, flip_of(taps_[i].critical_bias, surfel.slope, axes_.slope[s]),
-                                       bias_unit_of(axes_.unit, surfel.texel));
+        const std::size_t bin = bias_bin(axes_, flip_bias(taps_[i].critical_bias, surfel.slope, axes_.slope[s]),
+                                         bias_unit_of(axes_.unit, surfel.texel));
         if (taps_[i].weight == 0 || bin == never) continue;
         if (causes_[i] == unknown) causes_[i] = cause_of(taps_[i], surfel.receiver, pixel, is_lit);
         flipping_.push_back({bin, taps_[i].weight, causes_[i]});
@@ -86,9 +86,9 @@ class PixelCounter {
 }  // namespace
 
 BiasHistogram count_bias_response(const Scene& scene, const MapLookup& lookup, const Image<float>& truth,
-                                  const Image<PixelExclusion>& counting, const BiasAxes& axes) {
+                                  const Image<PixelExclusion>& exclusion, const BiasAxes& axes) {
   assert(!axes.constant.empty() && !axes.slope.empty());
-  assert(truth.size() == counting.size() && truth.size() == lookup.gbuffer.instance.size());
+  assert(truth.size() == exclusion.size() && truth.size() == lookup.gbuffer.instance.size());
   constexpr std::size_t part_count = 16;
   const std::vector<std::vector<BiasHistogram::Bin>> empty(axes.slope.size(),
                                                            std::vector<BiasHistogram::Bin>(axes.constant.size() + 1));
@@ -96,7 +96,7 @@ BiasHistogram count_bias_response(const Scene& scene, const MapLookup& lookup, c
   parallel_for(part_count, [&](std::size_t part) {
     PixelCounter counter(scene, lookup, axes);
     for (std::size_t i = part * truth.size() / part_count; i < (part + 1) * truth.size() / part_count; ++i) {
-      if (counting[i] == PixelExclusion::none) counter.count(i, truth[i] >= 0.5f, parts[part]);
+      if (exclusion[i] == PixelExclusion::none) counter.count(i, truth[i] >= 0.5f, parts[part]);
     }
   });
   BiasHistogram histogram{axes, lookup.filter.weight_sum(), empty};

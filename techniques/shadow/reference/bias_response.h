@@ -9,6 +9,6 @@ namespace umbrameter {
 
 /// The histogram for a map in memory, over the counted pixels. The truth is binary. Neither axis may be empty.
 BiasHistogram count_bias_response(const Scene& scene, const MapLookup& lookup, const Image<float>& truth,
-                                  const Image<PixelExclusion>& counting, const BiasAxes& axes);
+                                  const Image<PixelExclusion>& exclusion, const BiasAxes& axes);
 
 }  // namespace umbrameter

@@ -28,34 +28,34 @@ bool is_on_map(const ivec2& texel, int resolution) {
 }
 
 Tap fetch_tap(const MapLookup& lookup, const Receiver& receiver, const ivec2& offset) {
-  const MapLayout& frame = lookup.frame;
-  const int resolution = frame.resolution;
+  const MapLayout& layout = lookup.layout;
+  const int resolution = layout.resolution;
   Tap tap;
   tap.texel = receiver.texel + offset;
-  tap.face = receiver.face;
+  tap.view = receiver.view;
   bool is_there = is_on_map(tap.texel, resolution);
-  if (frame.kind == MapKind::cube && !is_there) {
-    const dvec3 direction = texel_ray(frame, tap.texel, tap.face).direction;
-    tap.face = face_of(direction);
-    const dvec3 q = on_face(tap.face, direction);
+  if (layout.kind == MapKind::cube && !is_there) {
+    const dvec3 direction = texel_ray(layout, tap.texel, tap.view).direction;
+    tap.view = face_of(direction);
+    const dvec3 q = on_face(tap.view, direction);
     const dvec2 texels =
-        (dvec2(q.x, q.y) / (q.z * frame.views.front().half_extent) * 0.5 + 0.5) * static_cast<double>(resolution);
+        (dvec2(q.x, q.y) / (q.z * layout.views.front().half_extent) * 0.5 + 0.5) * static_cast<double>(resolution);
     tap.texel = glm::clamp(floor_of(texels), ivec2(0), ivec2(resolution - 1));
     is_there = true;
   }
   if (!receiver.is_inside || !is_there) return tap;
-  const float stored = lookup.map.depth[static_cast<std::size_t>(tap.face)][texel_index(frame, tap.texel)];
+  const float stored = lookup.map.depth[static_cast<std::size_t>(tap.view)][texel_index(layout, tap.texel)];
   tap.has_blocker = stored < 1.0f;
   if (tap.has_blocker) {
-    tap.critical_bias = static_cast<float>(receiver.depth - static_cast<double>(stored) * frame.far_depth);
+    tap.critical_bias = static_cast<float>(receiver.depth - static_cast<double>(stored) * layout.far_depth);
   }
   return tap;
 }
 
-float texel_side(const MapLayout& frame, const Receiver& receiver) {
-  const std::size_t view = frame.kind == MapKind::orthographic ? static_cast<std::size_t>(receiver.face) : 0;
-  double side = 2.0 * frame.views[view].half_extent / static_cast<double>(frame.resolution);
-  if (frame.kind != MapKind::orthographic) side *= receiver.axis_depth;
+float texel_side(const MapLayout& layout, const Receiver& receiver) {
+  const std::size_t view = layout.kind == MapKind::orthographic ? static_cast<std::size_t>(receiver.view) : 0;
+  double side = 2.0 * layout.views[view].half_extent / static_cast<double>(layout.resolution);
+  if (layout.kind != MapKind::orthographic) side *= receiver.axis_depth;
   return static_cast<float>(side);
 }
 
@@ -89,7 +89,7 @@ void fetch_disk(const MapLookup& lookup, const Receiver& receiver, std::size_t p
   const auto width = static_cast<std::size_t>(lookup.gbuffer.width);
   const std::uint32_t number =
       hash(static_cast<std::uint32_t>(pixel % width), static_cast<std::uint32_t>(pixel / width));
-  const vec2 turn = filter.turns[number % filter.turns.size()];
+  const vec2 turn = filter.rotations[number % filter.rotations.size()];
   for (const vec2& p : filter.points) {
     const vec2 turned(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
     const dvec2 texels = receiver.texels + dvec2(turned) * static_cast<double>(filter.radius);
@@ -99,42 +99,42 @@ void fetch_disk(const MapLookup& lookup, const Receiver& receiver, std::size_t p
 
 }  // namespace
 
-Receiver project_to_map(const MapLayout& frame, const dvec3& world) {
+Receiver project_to_map(const MapLayout& layout, const dvec3& world) {
   Receiver r;
-  const dvec3 p = transform_point(frame.light_from_world, world);
+  const dvec3 p = transform_point(layout.light_from_world, world);
   r.in_light = p;
   dvec2 projected(0.0);
-  if (frame.kind == MapKind::orthographic) {
+  if (layout.kind == MapKind::orthographic) {
     r.axis_depth = r.depth = -p.z;
     r.is_inside = true;
-    r.face = static_cast<int>(view_of(frame, p));
-    const MapView& view = frame.views[static_cast<std::size_t>(r.face)];
+    r.view = static_cast<int>(view_of(layout, p));
+    const MapView& view = layout.views[static_cast<std::size_t>(r.view)];
     projected = (dvec2(p.x, p.y) - view.center) / view.half_extent;
   } else {
     dvec3 q(p.x, p.y, -p.z);
     r.depth = q.z;
-    if (frame.kind == MapKind::cube) {
-      r.face = face_of(p);
-      q = on_face(r.face, p);
+    if (layout.kind == MapKind::cube) {
+      r.view = face_of(p);
+      q = on_face(r.view, p);
       r.depth = length_of(p);
     }
     r.axis_depth = q.z;
     r.is_inside = r.axis_depth > 0.0;
-    if (r.is_inside) projected = dvec2(q.x, q.y) / (q.z * frame.views.front().half_extent);
+    if (r.is_inside) projected = dvec2(q.x, q.y) / (q.z * layout.views.front().half_extent);
   }
-  const auto resolution = static_cast<double>(frame.resolution);
+  const auto resolution = static_cast<double>(layout.resolution);
   r.texels = glm::clamp((projected * 0.5 + 0.5) * resolution, -2.0, resolution + 2.0);
   r.texel = floor_of(r.texels);
-  if (frame.kind == MapKind::cube) r.texel = glm::clamp(r.texel, ivec2(0), ivec2(frame.resolution - 1));
-  r.is_inside = r.is_inside && is_on_map(r.texel, frame.resolution);
+  if (layout.kind == MapKind::cube) r.texel = glm::clamp(r.texel, ivec2(0), ivec2(layout.resolution - 1));
+  r.is_inside = r.is_inside && is_on_map(r.texel, layout.resolution);
   return r;
 }
 
-TexelRay texel_ray(const MapLayout& frame, const ivec2& texel, int face) {
-  const MapView& view = frame.views[frame.kind == MapKind::orthographic ? static_cast<std::size_t>(face) : 0];
+TexelRay texel_ray(const MapLayout& layout, const ivec2& texel, int face) {
+  const MapView& view = layout.views[layout.kind == MapKind::orthographic ? static_cast<std::size_t>(face) : 0];
   const dvec2 c =
-      view.center + ((dvec2(texel) + 0.5) / static_cast<double>(frame.resolution) * 2.0 - 1.0) * view.half_extent;
-  switch (frame.kind) {
+      view.center + ((dvec2(texel) + 0.5) / static_cast<double>(layout.resolution) * 2.0 - 1.0) * view.half_extent;
+  switch (layout.kind) {
     case MapKind::orthographic:
       return {{c.x, c.y, 0.0}, {0.0, 0.0, -1.0}};
     case MapKind::perspective:
@@ -154,15 +154,15 @@ SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel) {
   const dvec3 to_light = place.w == 0.0 ? dvec3(place) : dvec3(place) - position;
   const double cosine = dot_of(normal, to_light);
   result.faces_light = cosine > 0.0;
-  result.receiver = project_to_map(lookup.frame, position);
+  result.receiver = project_to_map(lookup.layout, position);
   const double sine = length_of(cross_of(normal, to_light));
-  const float texel = texel_side(lookup.frame, result.receiver);
+  const float texel = texel_side(lookup.layout, result.receiver);
   result.slope = texel * static_cast<float>(sine / cosine);
   result.texel = texel;
   if (lookup.normal_offset != 0.0f) {
     const double shift =
         static_cast<double>(lookup.normal_offset) * static_cast<double>(texel) * (sine / length_of(to_light));
-    result.receiver = project_to_map(lookup.frame, position + normal * shift);
+    result.receiver = project_to_map(lookup.layout, position + normal * shift);
   }
   return result;
 }

@@ -17,7 +17,7 @@ namespace umbrameter {
 /// Inputs of a look-up.
 struct MapLookup {
   const GBuffer& gbuffer;
-  const MapLayout& frame;
+  const MapLayout& layout;
   const Light& light;
   const ShadowMapImages& map;
   const FilterKernel& filter;
@@ -31,15 +31,15 @@ struct Receiver {
   double axis_depth = 0.0;  ///< metres along the axis of the map or face
   dvec2 texels{0.0};        ///< position in texels from the map's lower left corner
   ivec2 texel{0};
-  int face = 0;
+  int view = 0;
   bool is_inside = false;
 };
-Receiver project_to_map(const MapLayout& frame, const dvec3& world);
+Receiver project_to_map(const MapLayout& layout, const dvec3& world);
 
 /// One depth comparison. texel.y counts rows from the bottom.
 struct Tap {
   ivec2 texel{0};
-  int face = 0;
+  int view = 0;
   bool has_blocker = false;
   float critical_bias = -std::numeric_limits<float>::infinity();  ///< metres; lit at this bias and above
   std::uint32_t weight = 0;
@@ -50,11 +50,11 @@ struct TexelRay {
   dvec3 origin{0.0};
   dvec3 direction{0.0, 0.0, -1.0};
 };
-TexelRay texel_ray(const MapLayout& frame, const ivec2& texel, int face);
+TexelRay texel_ray(const MapLayout& layout, const ivec2& texel, int view);
 
 /// Index of a texel in an image of ShadowMapImages, which has the top row first.
-inline std::size_t texel_index(const MapLayout& frame, const ivec2& texel) {
-  return static_cast<std::size_t>(frame.resolution - 1 - texel.y) * static_cast<std::size_t>(frame.resolution) +
+inline std::size_t texel_index(const MapLayout& layout, const ivec2& texel) {
+  return static_cast<std::size_t>(layout.resolution - 1 - texel.y) * static_cast<std::size_t>(layout.resolution) +
          static_cast<std::size_t>(texel.x);
 }
 

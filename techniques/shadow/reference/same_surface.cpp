@@ -23,7 +23,7 @@ double rounding_bound(const Facet& f, const dvec3& point, double point_error) {
 
 }  // namespace
 
-Facet facet_of(const Scene& scene, const MapLayout& frame, std::uint32_t instance, std::uint32_t triangle) {
+Facet facet_of(const Scene& scene, const MapLayout& layout, std::uint32_t instance, std::uint32_t triangle) {
   const Instance& placed = scene.instances[instance];
   const Mesh& mesh = scene.meshes[placed.mesh];
   const uvec3 v = mesh.triangles[triangle];
@@ -33,9 +33,9 @@ Facet facet_of(const Scene& scene, const MapLayout& frame, std::uint32_t instanc
   const dmat4& world_from_mesh = placed.world_from_mesh;
   dmat4 light_from_mesh(0.0);
   for (int column = 0; column < 3; ++column) {
-    light_from_mesh[column] = dvec4(transform_vector(frame.light_from_world, dvec3(world_from_mesh[column])), 0.0);
+    light_from_mesh[column] = dvec4(transform_vector(layout.light_from_world, dvec3(world_from_mesh[column])), 0.0);
   }
-  light_from_mesh[3] = dvec4(transform_point(frame.light_from_world, dvec3(world_from_mesh[3])), 1.0);
+  light_from_mesh[3] = dvec4(transform_point(layout.light_from_world, dvec3(world_from_mesh[3])), 1.0);
   Facet f;
   f.a = transform_point(light_from_mesh, dvec3(a));
   f.ab = transform_vector(light_from_mesh, dvec3(b) - dvec3(a));
@@ -43,7 +43,7 @@ Facet facet_of(const Scene& scene, const MapLayout& frame, std::uint32_t instanc
   const dvec3 n = cross_of(f.ab, f.ac);
   const double area = length_of(n);
   f.normal = area > 0.0 ? n / area : dvec3(0.0);
-  const bool is_turned = frame.kind == MapKind::orthographic ? f.normal.z < 0.0 : dot_of(f.normal, f.a) > 0.0;
+  const bool is_turned = layout.kind == MapKind::orthographic ? f.normal.z < 0.0 : dot_of(f.normal, f.a) > 0.0;
   if (is_turned) f.normal = -f.normal;
   const dvec3 largest(glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c))));
   dvec3 reach;
@@ -71,26 +71,26 @@ dvec3 sample_on(const Facet& f, const TexelRay& ray) {
   return f.a + weight.x * f.ab + weight.y * f.ac;
 }
 
-bool is_same_surface(const MapLayout& frame, const Receiver& receiver, const Facet& own, const Tap& tap,
+bool is_same_surface(const MapLayout& layout, const Receiver& receiver, const Facet& own, const Tap& tap,
                      const Facet& blocker) {
   const dvec3 r = foot_on(own, receiver.in_light);
   if (signed_distance(blocker, r) >= -rounding_bound(blocker, r, own.vertex_error)) return true;
-  const dvec3 s = sample_on(blocker, texel_ray(frame, tap.texel, tap.face));
+  const dvec3 s = sample_on(blocker, texel_ray(layout, tap.texel, tap.view));
   return signed_distance(own, s) <= rounding_bound(own, s, blocker.vertex_error);
 }
 
 bool is_other_surface(const Scene& scene, const MapLookup& lookup, const Tap& tap, const Receiver& receiver,
                       std::size_t pixel, bool is_lit_in_truth) {
   if (!tap.has_blocker || !(is_lit_in_truth || tap.critical_bias > 0.0f)) return false;
-  const MapLayout& frame = lookup.frame;
+  const MapLayout& layout = lookup.layout;
   const GBuffer& gbuffer = lookup.gbuffer;
-  const auto face = static_cast<std::size_t>(tap.face);
-  const std::size_t texel = texel_index(frame, tap.texel);
+  const auto face = static_cast<std::size_t>(tap.view);
+  const std::size_t texel = texel_index(layout, tap.texel);
   const std::uint32_t instance = lookup.map.instance[face][texel];
   const std::uint32_t triangle = lookup.map.triangle[face][texel];
   if (instance == gbuffer.instance[pixel] && triangle == gbuffer.triangle[pixel]) return false;
-  return !is_same_surface(frame, receiver, facet_of(scene, frame, gbuffer.instance[pixel], gbuffer.triangle[pixel]),
-                          tap, facet_of(scene, frame, instance, triangle));
+  return !is_same_surface(layout, receiver, facet_of(scene, layout, gbuffer.instance[pixel], gbuffer.triangle[pixel]),
+                          tap, facet_of(scene, layout, instance, triangle));
 }
 
 }  // namespace umbrameter

@@ -15,7 +15,7 @@ struct Facet {
   dvec3 normal{0.0};          ///< unit, towards the light
   double vertex_error = 0.0;  ///< largest displacement of a vertex by rounding, metres
 };
-Facet facet_of(const Scene& scene, const MapLayout& frame, std::uint32_t instance, std::uint32_t triangle);
+Facet facet_of(const Scene& scene, const MapLayout& layout, std::uint32_t instance, std::uint32_t triangle);
 
 /// The point of a facet's plane that is nearest to a position; in light space.
 dvec3 foot_on(const Facet& facet, const dvec3& position);
@@ -25,7 +25,7 @@ dvec3 foot_on(const Facet& facet, const dvec3& position);
 dvec3 sample_on(const Facet& facet, const TexelRay& ray);
 
 /// `own` is the receiver's facet, `blocker` the facet of the tap's sample.
-bool is_same_surface(const MapLayout& frame, const Receiver& receiver, const Facet& own, const Tap& tap,
+bool is_same_surface(const MapLayout& layout, const Receiver& receiver, const Facet& own, const Tap& tap,
                      const Facet& blocker);
 
 /// Whether a wrong tap is due to a surface other than the receiver's: false occlusion if the pixel is lit in the

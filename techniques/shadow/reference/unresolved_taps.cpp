@@ -12,13 +12,13 @@ std::uint32_t packed(std::size_t x, std::size_t y) { return static_cast<std::uin
 }  // namespace
 
 std::vector<UnresolvedTap> find_unresolved_taps(const Scene& scene, const MapLookup& lookup, const Image<float>& truth,
-                                                const Image<PixelExclusion>& counting, const BiasAxes& axes) {
+                                                const Image<PixelExclusion>& exclusion, const BiasAxes& axes) {
   const float min_slope = *std::min_element(axes.slope.begin(), axes.slope.end());
   const GBuffer& gbuffer = lookup.gbuffer;
   std::vector<UnresolvedTap> found;
   std::vector<Tap> taps;
   for (std::size_t pixel = 0; pixel < truth.size(); ++pixel) {
-    if (counting[pixel] != PixelExclusion::none || !(truth[pixel] >= 0.5f)) continue;
+    if (exclusion[pixel] != PixelExclusion::none || !(truth[pixel] >= 0.5f)) continue;
     const SurfelLookup surfel = look_up(lookup, pixel);
     if (!surfel.faces_light) continue;
     const auto width = static_cast<std::size_t>(gbuffer.width);
@@ -26,13 +26,13 @@ std::vector<UnresolvedTap> find_unresolved_taps(const Scene& scene, const MapLoo
     fetch_taps(lookup, surfel, pixel, taps);
     for (const Tap& tap : taps) {
       const float bias_unit = bias_unit_of(axes.unit, surfel.texel);
-      const float flip = flip_of(tap.critical_bias, surfel.slope, min_slope);
-      const bool says_lit = lights(axes.constant.front(), bias_unit, flip);
+      const float flip = flip_bias(tap.critical_bias, surfel.slope, min_slope);
+      const bool says_lit = is_lit_at(axes.constant.front(), bias_unit, flip);
       if (tap.weight == 0 || says_lit || !is_other_surface(scene, lookup, tap, surfel.receiver, pixel, true)) continue;
-      const auto face = static_cast<std::size_t>(tap.face);
-      const std::size_t texel = texel_index(lookup.frame, tap.texel);
+      const auto face = static_cast<std::size_t>(tap.view);
+      const std::size_t texel = texel_index(lookup.layout, tap.texel);
       found.push_back({at, packed(static_cast<std::size_t>(tap.texel.x), static_cast<std::size_t>(tap.texel.y)),
-                       static_cast<std::uint32_t>(tap.face), tap.weight, tap.critical_bias, surfel.slope, bias_unit,
+                       static_cast<std::uint32_t>(tap.view), tap.weight, tap.critical_bias, surfel.slope, bias_unit,
                        lookup.map.instance[face][texel], lookup.map.triangle[face][texel]});
     }
   }

@@ -9,6 +9,6 @@ namespace umbrameter {
 
 /// Lists the unresolved taps of a map in memory. The arguments are those of count_bias_response().
 std::vector<UnresolvedTap> find_unresolved_taps(const Scene& scene, const MapLookup& lookup, const Image<float>& truth,
-                                                const Image<PixelExclusion>& counting, const BiasAxes& axes);
+                                                const Image<PixelExclusion>& exclusion, const BiasAxes& axes);
 
 }  // namespace umbrameter
