@@ -2,104 +2,122 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "reports/files/markup.h"
 #include "reports/files/output.h"
 #include "reports/page/page_figure.h"
-#include "reports/page/page_style.h"
-#include "reports/page/page_table.h"
+#include "reports/page/template.h"
 
 namespace umbrameter {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
-std::string bytes_of_hex(std::string_view digits) {
-  std::string bytes;
-  for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
-    unsigned byte = 0;
-    std::from_chars(digits.data() + i, digits.data() + i + 2, byte, 16);
-    bytes += static_cast<char>(byte);
+constexpr std::size_t max_rows = 500;
+// Longer texts are wrapped.
+constexpr std::size_t longest_short_text = 40;
+
+std::string cell_text(const Value& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? fmt::format("{:.6g}", *number) : to_string(value);
+}
+
+bool is_number(const Value& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  if (text == nullptr) return !std::holds_alternative<bool>(value);
+  double number = 0.0;
+  const auto result = std::from_chars(text->data(), text->data() + text->size(), number);
+  return !text->empty() && result.ec == std::errc{} && result.ptr == text->data() + text->size();
+}
+
+// Whether a column is set flush right: it has a number and nothing else but empty cells.
+bool is_numeric(const Table& table, std::size_t column) {
+  bool any = false;
+  for (const std::vector<Value>& row : table.rows) {
+    if (column >= row.size() || cell_text(row[column]).empty()) continue;
+    if (!is_number(row[column])) return false;
+    any = true;
   }
-  return bytes;
+  return any;
 }
 
-// Nothing may be loaded, run, framed or sent: only this page's own style sheet, and pictures that stand in the page.
-std::string head_markup(const Report& report) {
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-{}'; img-src "
-      "data:; "
-      "base-uri 'none'; form-action 'none'\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n<meta name=\"referrer\" content=\"no-referrer\">\n"
-      "<title>{}</title>\n<style>{}</style>\n</head>\n",
-      to_base64(bytes_of_hex(page_style_hash())), escape_markup(report.title), page_style());
+// Caption, columns and the texts of the first rows. Null for a table without columns.
+Json table_data(const Table& table, const std::string& caption) {
+  if (table.columns.empty()) return {};
+  const std::size_t shown = std::min(table.rows.size(), max_rows);
+  const std::string rest =
+      shown < table.rows.size() ? fmt::format(", the first {} of {} rows", shown, table.rows.size()) : "";
+  Json columns = Json::array();
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const auto& [name, unit, meaning] = table.columns[c];
+    columns.push_back({{"name", name}, {"unit", unit}, {"meaning", meaning}, {"numeric", is_numeric(table, c)}});
+  }
+  Json rows = Json::array();
+  for (std::size_t r = 0; r < shown; ++r) {
+    Json& row = rows.emplace_back(Json::array());
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      row.push_back(c < table.rows[r].size() ? cell_text(table.rows[r][c]) : std::string());
+    }
+  }
+  return {{"caption", caption + rest}, {"columns", columns}, {"rows", rows}};
 }
 
-std::string file_list(const fs::path& folder) {
+// Readies a table for its template: each cell becomes an object whose one member is its kind.
+void classify_cells(Json& table) {
+  const Json columns = table["columns"];  // a copy: new members move the others
+  for (Json& row : table["rows"]) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const std::size_t length = row[c].get_ref<const std::string&>().size();
+      const bool is_short = length > 0 && length <= longest_short_text;
+      row[c] = {{columns[c]["numeric"] ? "number" : c == 0 ? "header" : is_short ? "short" : "text", row[c]}};
+    }
+  }
+  const auto has_unit = [](const Json& column) { return column["unit"] != ""; };
+  table["has_units"] = std::any_of(columns.begin(), columns.end(), has_unit);
+  table["column_count"] = columns.size();
+}
+
+Json files_data(const fs::path& folder) {
   static constexpr std::pair<const char*, const char*> files[] = {{"images.exr", "all images as float layers"},
                                                                   {"sweep.csv", "all cells of the sweep"},
                                                                   {"experiment.toml", "settings of this run"},
                                                                   {"summary.json", "all numbers, for programs"}};
-  std::string items;
+  Json list = Json::array();
   for (const auto& [name, meaning] : files) {
     std::error_code error;
-    if (!fs::is_regular_file(folder / name, error)) continue;
-    items += fmt::format("<li><a href=\"{0}\">{0}</a> <span>{1}</span></li>\n", name, meaning);
+    if (fs::is_regular_file(folder / name, error)) list.push_back({{"name", name}, {"meaning", meaning}});
   }
-  return items.empty() ? items : "<ul class=\"files\">\n" + items + "</ul>\n";
+  return list;
 }
 
-// A box of lines under a heading; kind is its class.
-std::string lines_markup(const char* kind, const char* heading, const std::vector<std::string>& lines) {
-  if (lines.empty()) return {};
-  std::string items;
-  for (const std::string& line : lines) items += "<li>" + escape_markup(line) + "</li>\n";
-  return fmt::format("<aside class=\"{0}\">\n<h2>{1}</h2>\n<ul>\n{2}</ul>\n</aside>\n", kind, heading, items);
-}
-
-std::string contents_markup(const Report& report) {
-  std::string items;
-  for (std::size_t s = 0; s < report.sections.size(); ++s) {
-    items += fmt::format("<li><a href=\"#section-{}\">{}</a></li>\n", s + 1, escape_markup(report.sections[s].title));
-  }
-  if (!report.settings.columns.empty()) items += "<li><a href=\"#settings\">Settings</a></li>\n";
-  return items.empty() ? items : "<nav aria-label=\"Sections\">\n<ul>\n" + items + "</ul>\n</nav>\n";
-}
-
-std::string paragraphs(std::string_view text) {
-  std::string result;
+Json paragraphs_data(std::string_view text) {
+  Json paragraphs = Json::array();
   while (!text.empty()) {
     const std::size_t end = text.find("\n\n");
     const std::string_view paragraph = text.substr(0, end);
-    if (paragraph.find_first_not_of(" \n") != std::string_view::npos)
-      result += "<p>" + escape_markup(paragraph) + "</p>\n";
+    if (paragraph.find_first_not_of(" \n") != std::string_view::npos) paragraphs.push_back(paragraph);
     text = end == std::string_view::npos ? std::string_view() : text.substr(end + 2);
   }
-  return result;
+  return paragraphs;
 }
 
-// "4.1 % [4.0, 4.2]": the interval is set smaller than the number.
-std::string value_markup(const std::string& value) {
-  const std::size_t interval = value.find(" [");
-  if (interval == std::string::npos || value.back() != ']') return escape_markup(value);
-  return fmt::format("{} <span class=\"interval\">{}</span>", escape_markup(value.substr(0, interval)),
-                     escape_markup(value.substr(interval + 1)));
-}
-
-std::string headlines_markup(const std::vector<Headline>& headlines) {
-  if (headlines.empty()) return {};
-  std::string tiles;
+// Of "4.1 % [4.0, 4.2]" the interval is apart: it is set smaller than the number.
+Json headlines_data(const std::vector<Headline>& headlines) {
+  Json list = Json::array();
   for (const Headline& headline : headlines) {
-    tiles += fmt::format("<div><dt>{}</dt><dd class=\"value\">{}</dd>", escape_markup(headline.label),
-                         value_markup(headline.value));
-    if (!headline.note.empty()) tiles += "<dd class=\"note\">" + escape_markup(headline.note) + "</dd>";
-    tiles += "</div>\n";
+    const std::string& value = headline.value;
+    const std::size_t interval = value.ends_with(']') ? std::min(value.find(" ["), value.size()) : value.size();
+    list.push_back({{"label", headline.label},
+                    {"value", value.substr(0, interval)},
+                    {"interval", interval < value.size() ? value.substr(interval + 1) : ""},
+                    {"note", headline.note}});
   }
-  return "<dl class=\"headlines\">\n" + tiles + "</dl>\n";
+  return list;
 }
 
 // What has been numbered so far, from the top of the page.
@@ -109,57 +127,75 @@ struct Numbers {
   std::size_t tables = 0;
 };
 
-std::string figures_markup(const fs::path& folder, const ReportSection& section, Numbers& numbers) {
-  if (section.figures.empty()) return {};
+Json figures_data(const fs::path& folder, const ReportSection& section, Numbers& numbers) {
   const auto text_at = [](const std::vector<std::string>& texts, std::size_t i) {
     return i < texts.size() ? texts[i] : std::string();
   };
-  std::string result = fmt::format("<div class=\"figures{}\">\n", section.figures.size() == 1 ? " single" : "");
+  Json figures = Json::array();
   for (std::size_t f = 0; f < section.figures.size(); ++f) {
-    const PageFigure figure{section.figures[f], text_at(section.figure_titles, f), text_at(section.captions, f),
-                            ++numbers.figures};
-    result += figure_markup(folder, figure, fmt::format("f{}-", numbers.figures));
+    const std::string& stem = section.figures[f];
+    figures.push_back({{"number", ++numbers.figures},
+                       {"stem", stem},
+                       {"title", text_at(section.figure_titles, f)},
+                       {"caption", text_at(section.captions, f)},
+                       {"files", figure_files(folder, stem)}});
   }
-  return result + "</div>\n";
+  return figures;
 }
 
-std::string section_markup(const fs::path& folder, const ReportSection& section, Numbers& numbers) {
-  ++numbers.sections;
-  std::string result = fmt::format("<section aria-labelledby=\"section-{0}\">\n<h2 id=\"section-{0}\">{1}</h2>\n",
-                                   numbers.sections, escape_markup(section.title));
-  result += headlines_markup(section.headlines) + paragraphs(section.text) + figures_markup(folder, section, numbers);
+Json section_data(const fs::path& folder, const ReportSection& section, Numbers& numbers) {
+  Json tables = Json::array();
   for (const auto& [title, table] : section.tables) {
     if (table.columns.empty()) continue;
-    result += table_markup(table, fmt::format("Table {}. {}", ++numbers.tables, title));
+    tables.push_back(table_data(table, fmt::format("Table {}. {}", ++numbers.tables, title)));
   }
-  return result + "</section>\n";
+  return {{"anchor", fmt::format("section-{}", ++numbers.sections)}, {"title", section.title},
+          {"headlines", headlines_data(section.headlines)},          {"paragraphs", paragraphs_data(section.text)},
+          {"figures", figures_data(folder, section, numbers)},       {"tables", tables}};
 }
 
-std::string settings_markup(const Report& report) {
-  if (report.settings.columns.empty()) return {};
-  return "<section aria-labelledby=\"settings\">\n<h2 id=\"settings\">Settings</h2>\n" +
-         table_markup(report.settings, "Every parameter of this run") + "</section>\n";
+// All that the page shows but its pictures; numbers are texts with the digits that are shown.
+Json page_data(const fs::path& folder, const Report& report) {
+  Json sections = Json::array();
+  Json contents = Json::array();
+  Numbers numbers;
+  for (const ReportSection& section : report.sections) {
+    sections.push_back(section_data(folder, section, numbers));
+    contents.push_back({{"anchor", sections.back()["anchor"]}, {"title", section.title}});
+  }
+  if (!report.settings.columns.empty()) contents.push_back({{"anchor", "settings"}, {"title", "Settings"}});
+  return {{"title", report.title},
+          {"subtitle", report.subtitle},
+          {"command", report.command},
+          {"files", files_data(folder)},
+          {"contents", contents},
+          {"answers", report.answers},
+          {"notes", report.notes},
+          {"sections", sections},
+          {"settings", table_data(report.settings, "Every parameter of this run")}};
+}
+
+// JSON inside of a <script> element: ASCII, and no "<" that could end the element or open a comment.
+std::string script_text(const Json& data) {
+  std::string text = data.dump(-1, ' ', true, Json::error_handler_t::replace);
+  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) text.replace(at, 1, "\\u003c");
+  return text;
 }
 
 }  // namespace
 
 void write_page(const fs::path& folder, const Report& report) {
-  std::string page = head_markup(report);
-  page += "<body>\n<div class=\"page\">\n<header>\n<h1>" + escape_markup(report.title) + "</h1>\n";
-  if (!report.subtitle.empty()) page += "<p class=\"subtitle\">" + escape_markup(report.subtitle) + "</p>\n";
-  page += file_list(folder) + contents_markup(report) + "</header>\n<main>\n" +
-          lines_markup("answers", "Answer", report.answers) + lines_markup("notes", "Notes", report.notes);
-  Numbers numbers;
-  for (const ReportSection& section : report.sections) page += section_markup(folder, section, numbers);
-  page += settings_markup(report);
-  if (!report.command.empty()) {
-    page += "<section aria-labelledby=\"repeat\">\n<h2 id=\"repeat\">Repeat this run</h2>\n<pre><code>" +
-            escape_markup(report.command) + "</code></pre>\n</section>\n";
+  Json page = page_data(folder, report);
+  page["data"] = script_text(page);
+  page["style"] = embedded_page_file("page.css");
+  page["style_hash"] = to_base64(page_style_hash());
+  for (Json& section : page["sections"]) {
+    section["has_one_figure"] = section["figures"].size() == 1;
+    for (Json& figure : section["figures"]) add_picture(figure, folder);
+    for (Json& table : section["tables"]) classify_cells(table);
   }
-  page +=
-      "</main>\n<footer>\n<p>Made by Umbrameter. This page is self-contained: no scripts, no external files."
-      "</p>\n</footer>\n</div>\n</body>\n</html>\n";
-  write_text(folder / "index.html", page);
+  if (page["settings"].is_object()) classify_cells(page["settings"]);
+  write_text(folder / "index.html", fill_template("page.html", page));
 }
 
 }  // namespace umbrameter

@@ -41,7 +41,7 @@ struct Report {
   Table settings;  ///< every parameter: name, value, unit, meaning
 };
 
-/// Writes DIR/index.html with the figures of DIR/figures inlined. No script, no outside reference.
+/// Writes DIR/index.html with the figures of DIR/figures inlined and its data as JSON. No code, no outside reference.
 void write_page(const std::filesystem::path& folder, const Report& report);
 
 }  // namespace umbrameter

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdint>
 #include <fstream>
-#include <optional>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "reports/files/markup.h"
 
@@ -14,6 +14,7 @@ namespace umbrameter {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 // Beyond this a browser is quicker with the pixels than with the drawing.
 constexpr std::size_t largest_inline_svg = 12u << 20;
@@ -25,46 +26,11 @@ bool is_file_stem(std::string_view stem) {
   return !stem.empty() && stem.front() != '.' && std::all_of(stem.begin(), stem.end(), fits);
 }
 
-std::optional<std::string> read_file(const fs::path& path) {
-  std::error_code error;
-  const std::uintmax_t size = fs::is_regular_file(path, error) ? fs::file_size(path, error) : 0;
-  if (error || size == 0) return std::nullopt;
-  std::string bytes(size, '\0');
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream.read(bytes.data(), static_cast<std::streamsize>(size))) return std::nullopt;
-  return bytes;
-}
-
-bool starts_with(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
-
-// The picture's element, or nothing when there is neither a drawing nor pixels.
-std::string picture_markup(const fs::path& base, const std::string& alternative, std::string_view id_prefix) {
-  const auto with_extension = [&](const char* extension) { return fs::path(base).concat(extension); };
-  const std::optional<std::string> svg = read_file(with_extension(".svg"));
-  std::string drawing = svg ? inline_svg(*svg, id_prefix) : std::string();
-  if (drawing.empty() || drawing.size() > largest_inline_svg) {
-    const std::optional<std::string> png = read_file(with_extension(".png"));
-    if (png) {
-      return fmt::format("<div class=\"picture\"><img alt=\"{}\" src=\"data:image/png;base64,{}\"></div>\n",
-                         alternative, to_base64(*png));
-    }
-  }
-  if (drawing.empty()) return {};
-  return fmt::format("<div class=\"picture\" role=\"img\" aria-label=\"{}\">{}</div>\n", alternative, drawing);
-}
-
-std::string file_links(const fs::path& base, const std::string& stem) {
-  std::string links;
-  for (const char* extension : {"svg", "pdf", "png"}) {
-    std::error_code error;
-    if (!fs::is_regular_file(fs::path(base).concat(".").concat(extension), error)) continue;
-    links += fmt::format("<li><a href=\"figures/{0}.{1}\">{2}<span class=\"hidden\"> of {0}</span></a></li>",
-                         escape_markup(stem), extension,
-                         extension == std::string_view("svg")   ? "SVG"
-                         : extension == std::string_view("pdf") ? "PDF"
-                                                                : "PNG");
-  }
-  return links.empty() ? links : "<ul class=\"files\">" + links + "</ul>\n";
+// Empty when there is no such file.
+std::string read_file(const fs::path& path) {
+  std::ostringstream bytes;
+  bytes << std::ifstream(path, std::ios::binary).rdbuf();
+  return bytes.str();
 }
 
 }  // namespace
@@ -84,7 +50,7 @@ std::string inline_svg(std::string_view document, std::string_view id_prefix) {
     std::size_t length = 1;
     bool is_reference = false;
     for (const std::string_view reference : references) {
-      if (!in_tag || !starts_with(document, reference)) continue;
+      if (!in_tag || !document.starts_with(reference)) continue;
       length = reference.size();
       is_reference = true;
     }
@@ -95,24 +61,33 @@ std::string inline_svg(std::string_view document, std::string_view id_prefix) {
   return result;
 }
 
-std::string figure_markup(const fs::path& folder, const PageFigure& figure, std::string_view id_prefix) {
-  const std::string title = escape_markup(figure.title);
-  const std::string caption = escape_markup(figure.caption);
-  std::string picture;
-  std::string links;
-  if (is_file_stem(figure.stem)) {
-    const fs::path base = folder / "figures" / figure.stem;
-    picture =
-        picture_markup(base, title.empty() || caption.empty() ? title + caption : title + ". " + caption, id_prefix);
-    links = file_links(base, figure.stem);
+Json figure_files(const fs::path& folder, const std::string& stem) {
+  static constexpr std::pair<const char*, const char*> kinds[] = {{".svg", "SVG"}, {".pdf", "PDF"}, {".png", "PNG"}};
+  Json files = Json::array();
+  for (const auto& [extension, kind] : kinds) {
+    std::error_code error;
+    if (!is_file_stem(stem) || !fs::is_regular_file(folder / "figures" / (stem + extension), error)) continue;
+    files.push_back({{"name", stem + extension}, {"kind", kind}, {"stem", stem}});
   }
-  std::string text = caption.empty() ? title : caption;
-  if (picture.empty()) {
-    picture = "<div class=\"picture\"><p class=\"missing\">This figure could not be drawn; see the notes.</p></div>\n";
-    if (!title.empty() && !caption.empty()) text = title + ". " + caption;
+  return files;
+}
+
+void add_picture(Json& figure, const fs::path& folder) {
+  std::string drawing;
+  std::string png;
+  if (const std::string stem = figure["stem"]; is_file_stem(stem)) {
+    const fs::path base = folder / "figures" / stem;
+    const std::string id_prefix = fmt::format("f{}-", figure["number"].dump());
+    drawing = inline_svg(read_file(fs::path(base).concat(".svg")), id_prefix);
+    if (drawing.empty() || drawing.size() > largest_inline_svg) png = read_file(fs::path(base).concat(".png"));
   }
-  return fmt::format("<figure>\n{}<figcaption><strong>Figure {}.</strong> {}\n{}</figcaption>\n</figure>\n", picture,
-                     figure.number, text, links);
+  if (!png.empty()) {
+    figure["pixels"] = data_uri("image/png", png);
+  } else if (!drawing.empty()) {
+    figure["drawing"] = std::move(drawing);
+  } else {
+    figure["missing"] = true;
+  }
 }
 
 }  // namespace umbrameter

@@ -1,7 +1,8 @@
-// Figures as they stand in the page: inlined, so that the page needs no other file.
+// Figures as the page shows them: inlined, so that the page needs no other file.
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -11,15 +12,12 @@ namespace umbrameter {
 /// that the ids of several figures stay apart. Empty when the text is no SVG or holds scripts.
 std::string inline_svg(std::string_view document, std::string_view id_prefix);
 
-struct PageFigure {
-  std::string stem;   ///< of the files in DIR/figures
-  std::string title;  ///< the picture shows it already: repeated for readers who cannot see the picture
-  std::string caption;
-  std::size_t number = 0;  ///< "Figure 3"
-};
+/// The files of a figure, for links: a list of its SVG, PDF and PNG in DIR/figures. `folder` is DIR. Empty for a stem
+/// that would lead out of DIR/figures.
+nlohmann::ordered_json figure_files(const std::filesystem::path& folder, const std::string& stem);
 
-/// A <figure> with the picture, its caption and links to its files. `folder` is DIR; a figure that is not there, or
-/// whose stem would lead out of DIR/figures, is said to be missing.
-std::string figure_markup(const std::filesystem::path& folder, const PageFigure& figure, std::string_view id_prefix);
+/// Adds the picture to a figure of page_data(): as "drawing", an SVG element, or as "pixels", a data URI; "missing" is
+/// true when there is neither.
+void add_picture(nlohmann::ordered_json& figure, const std::filesystem::path& folder);
 
 }  // namespace umbrameter

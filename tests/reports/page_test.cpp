@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 
@@ -11,7 +13,6 @@
 #include "reports/figures/figures.h"
 #include "reports/files/markup.h"
 #include "reports/page/page_figure.h"
-#include "reports/page/page_table.h"
 #include "tests/support/temporary_folder.h"
 
 namespace umbrameter {
@@ -19,8 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// U+202E turns the direction of the text around, U+009B begins an escape sequence of a terminal.
 const std::string hostile =
-    "<script>alert(1)</script> \"'&\xFF </title></style> <img src=http://example.org/x onerror=x>";
+    "<script>alert(1)</script> \"'&\xFF </title></style> <img src=http://example.org/x onerror=x> <!-- ]]> {{&style}} "
+    "\u202E\u009B31m\\" +
+    std::string(300, 'x');
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -33,6 +37,31 @@ std::size_t count(const std::string& text, const std::string& part) {
 std::string page_of(const TemporaryFolder& folder, const Report& report) {
   write_page(folder.path(), report);
   return text_of(folder / "index.html");
+}
+
+// The JSON that the page holds for programs, as text.
+std::string data_text(const std::string& page) {
+  static const std::string begin = "<script type=\"application/json\" id=\"data\">";
+  const std::size_t at = page.find(begin) + begin.size();
+  return page.substr(at, page.find("</script>", at) - at);
+}
+
+Report with_figure(const std::string& stem, const std::string& title, const std::string& caption) {
+  Report report;
+  ReportSection section;
+  section.figures = {stem};
+  section.figure_titles = {title};
+  section.captions = {caption};
+  report.sections = {section};
+  return report;
+}
+
+Report with_table(const Table& table) {
+  Report report;
+  ReportSection section;
+  section.tables = {{"Bias", table}};
+  report.sections = {section};
+  return report;
 }
 
 Report sample(const std::string& text) {
@@ -96,12 +125,40 @@ TEST(Page, Hostile_names_stay_text) {
   const TemporaryFolder folder;
   put_drawing(folder, "drawn");
   const std::string page = page_of(folder, sample(hostile));
-  EXPECT_EQ(count(page, "<script"), 0u);
+  EXPECT_EQ(count(page, "<script"), 1u) << "the data";
+  EXPECT_EQ(count(page, "</script"), 1u);
+  EXPECT_EQ(count(page, "<!--"), 0u);
   EXPECT_EQ(count(page, "<img src=http"), 0u);
   EXPECT_EQ(count(page, "</title>"), 1u);
   EXPECT_EQ(count(page, "</style>"), 1u);
   EXPECT_EQ(count(page, "\xFF"), 0u);
+  EXPECT_EQ(count(page, "\u009B"), 0u);
+  EXPECT_GT(count(page, "{{&amp;style}}"), 10u) << "a name is no template";
   EXPECT_GT(count(page, "&lt;script&gt;alert(1)&lt;/script&gt;"), 10u);
+}
+
+TEST(Page, Its_data_are_the_texts_that_it_shows_in_ascii_and_without_tags) {
+  const TemporaryFolder folder;
+  put_drawing(folder, "drawn");
+  for (const std::string& text : {std::string("plain"), hostile}) {
+    const std::string json = data_text(page_of(folder, sample(text)));
+    EXPECT_TRUE(std::all_of(json.begin(), json.end(), [](char c) { return c >= ' ' && c <= '~' && c != '<'; })) << json;
+    const nlohmann::json data = nlohmann::json::parse(json);
+    const nlohmann::json& section = data.at("sections").at(1);
+    const std::string shown = section["paragraphs"][0];
+    EXPECT_EQ(shown.substr(0, 9), text.substr(0, 9));
+    EXPECT_EQ(shown.substr(shown.size() - 5), text.substr(text.size() - 5));
+    for (const nlohmann::json& other : {data["title"], data["notes"][0], section["headlines"][0]["note"],
+                                        section["figures"][0]["title"], data["settings"]["columns"][0]["meaning"]}) {
+      EXPECT_EQ(other, shown);
+    }
+    EXPECT_EQ(section["anchor"], "section-2");
+    EXPECT_EQ(section["headlines"][1],
+              (nlohmann::json{{"label", shown}, {"value", "4.1 %"}, {"interval", "[4.0, 4.2]"}, {"note", ""}}));
+    EXPECT_EQ(section["figures"][0]["number"], 5);
+    EXPECT_EQ(section["tables"][0]["rows"], nlohmann::json::array({nlohmann::json::array({shown, "0.125"})}));
+    EXPECT_EQ(section["tables"][0]["caption"], "Table 2. " + shown);
+  }
 }
 
 TEST(Page, It_loads_nothing) {
@@ -119,7 +176,8 @@ TEST(Page, It_loads_nothing) {
     ++references;
   }
   EXPECT_GT(references, 5u);
-  EXPECT_EQ(count(page, "<script"), 0u);
+  EXPECT_EQ(count(page, "<script"), 1u);
+  EXPECT_EQ(count(page, "<script type=\"application/json\""), 1u) << "data, which no browser runs";
   EXPECT_EQ(count(page, "<link"), 0u);
   EXPECT_EQ(count(page, " style=\""), 0u);  // the policy would block it
   EXPECT_EQ(std::regex_search(page, std::regex("<[a-z]+ [^>]*\\bon[a-z]+=")), false);
@@ -172,19 +230,23 @@ TEST(Page, A_figure_is_drawn_or_shown_as_pixels_or_said_to_be_missing) {
   put_drawing(folder, "drawn");
   write_png(folder / "figures/pixels.png", Image<glm::u8vec3>(2, 2));
   put_text(folder / "secret.svg", "<svg>secret</svg>");
-  const std::string drawn = figure_markup(folder.path(), {"drawn", "Title", "Caption.", 7}, "a-");
+  const std::string drawn = page_of(folder, with_figure("drawn", "Title", "Caption."));
   EXPECT_TRUE(contains(drawn, "role=\"img\" aria-label=\"Title. Caption.\"")) << drawn;
-  EXPECT_TRUE(contains(drawn, "<strong>Figure 7.</strong> Caption.\n")) << drawn;
-  EXPECT_TRUE(contains(drawn, "href=\"figures/drawn.svg\""));
+  EXPECT_TRUE(contains(drawn, "<strong>Figure 1.</strong> Caption.\n")) << drawn;
+  EXPECT_TRUE(contains(drawn, "href=\"figures/drawn.svg\">SVG<"));
   EXPECT_FALSE(contains(drawn, "href=\"figures/drawn.pdf\""));
-  EXPECT_TRUE(contains(figure_markup(folder.path(), {"pixels", "T", "C", 1}, "a-"),
-                       "<img alt=\"T. C\" src=\"data:image/png;base64,iVBORw0KGgo"));
+  const std::string untitled = page_of(folder, with_figure("drawn", "", "Caption."));
+  EXPECT_TRUE(contains(untitled, "role=\"img\" aria-label=\"Caption.\"")) << untitled;
+  const std::string pixels = page_of(folder, with_figure("pixels", "T", "C"));
+  EXPECT_TRUE(contains(pixels, "<img alt=\"T. C\" src=\"data:image/png;base64,iVBORw0KGgo")) << pixels;
   for (const std::string& stem : {std::string("absent"), std::string("../secret"), std::string("../figures/drawn"),
                                   std::string(), std::string("."), std::string("dr\0awn", 6)}) {
-    const std::string missing = figure_markup(folder.path(), {stem, "Title", "", 1}, "a-");
+    const std::string missing = page_of(folder, with_figure(stem, "Title", ""));
     EXPECT_TRUE(contains(missing, "could not be drawn")) << stem;
     EXPECT_FALSE(contains(missing, "<svg")) << stem;
-    EXPECT_TRUE(contains(missing, "Title")) << stem;
+    EXPECT_FALSE(contains(missing, "href=\"figures/")) << stem;
+    EXPECT_TRUE(contains(missing, "<strong>Figure 1.</strong> Title\n")) << stem;
+    EXPECT_TRUE(contains(page_of(folder, with_figure(stem, "Title", "Caption.")), "</strong> Title. Caption.\n"));
   }
 }
 
@@ -218,29 +280,42 @@ TEST(Page, A_place_that_cannot_be_written_is_an_error) {
 }
 
 TEST(PageTable, It_has_a_caption_headers_and_a_row_of_units) {
+  const TemporaryFolder folder;
   const Table table{{{"filter", "", "how"}, {"bias", "m", "along the light"}, {"mae", "1", ""}},
                     {{std::string("box"), 0.1 + 0.2, std::int64_t{5}}}};
-  const std::string markup = table_markup(table, "Table 1");
-  EXPECT_TRUE(contains(markup, "<caption>Table 1</caption>"));
-  EXPECT_TRUE(contains(markup, "<th scope=\"col\" title=\"how\">filter</th>")) << markup;
-  EXPECT_TRUE(contains(markup, "<th scope=\"col\" class=\"number\" title=\"along the light\">bias</th>")) << markup;
-  EXPECT_TRUE(contains(markup, "<td class=\"unit number\">m</td>"));
-  EXPECT_TRUE(contains(markup, "<th scope=\"row\">box</th><td class=\"number\">0.3</td><td class=\"number\">5</td>"));
+  const std::string page = page_of(folder, with_table(table));
+  EXPECT_TRUE(contains(page, "<caption>Table 1. Bias</caption>"));
+  EXPECT_TRUE(contains(page, "<th scope=\"col\" title=\"how\">filter</th>")) << page;
+  EXPECT_TRUE(contains(page, "<th scope=\"col\" class=\"number\" title=\"along the light\">bias</th>")) << page;
+  EXPECT_TRUE(contains(page, "<td class=\"unit number\">m</td>"));
+  EXPECT_TRUE(contains(page, "<th scope=\"row\">box</th><td class=\"number\">0.3</td><td class=\"number\">5</td>"));
 }
 
 TEST(PageTable, Tables_without_rows_columns_or_cells_are_no_trouble) {
-  EXPECT_EQ(table_markup({}, "none"), "");
-  EXPECT_TRUE(contains(table_markup({{{"a", "", ""}, {"b", "", ""}}, {}}, "none"), "colspan=\"2\">no rows<"));
-  EXPECT_TRUE(contains(table_markup({{{"a", "", ""}, {"b", "", ""}}, {{}}}, "short"),
+  const TemporaryFolder folder;
+  EXPECT_FALSE(contains(page_of(folder, with_table({})), "<table"));
+  EXPECT_FALSE(contains(page_of(folder, with_table({})), "Table 1"));
+  EXPECT_TRUE(contains(page_of(folder, with_table({{{"a", "", ""}, {"b", "", ""}}, {}})), "colspan=\"2\">no rows<"));
+  EXPECT_TRUE(contains(page_of(folder, with_table({{{"a", "", ""}, {"b", "", ""}}, {{}}})),
                        "<tr><th scope=\"row\"></th><td></td></tr>"));
 }
 
+TEST(PageTable, Texts_of_up_to_40_characters_stay_on_one_line) {
+  const TemporaryFolder folder;
+  const std::string brief = "<" + std::string(39, 'x');
+  const Table table{{{"a", "", ""}, {"b", "", ""}}, {{std::string("r"), brief}, {std::string("r"), brief + "x"}}};
+  const std::string page = page_of(folder, with_table(table));
+  EXPECT_TRUE(contains(page, "<td class=\"short\">&lt;" + brief.substr(1) + "</td>")) << page;
+  EXPECT_TRUE(contains(page, "<td>&lt;" + brief.substr(1) + "x</td>")) << page;
+}
+
 TEST(PageTable, A_long_table_says_how_much_of_it_is_shown) {
+  const TemporaryFolder folder;
   Table table{{{"a", "1", ""}}, {}};
   table.rows.assign(501, {Value(1.0)});
-  const std::string markup = table_markup(table, "long");
-  EXPECT_TRUE(contains(markup, "the first 500 of 501 rows"));
-  EXPECT_EQ(count(markup, "<td class=\"number\">1</td>"), 500u);
+  const std::string page = page_of(folder, with_table(table));
+  EXPECT_TRUE(contains(page, "<caption>Table 1. Bias, the first 500 of 501 rows</caption>"));
+  EXPECT_EQ(count(page, "<td class=\"number\">1</td>"), 500u);
 }
 
 }  // namespace
