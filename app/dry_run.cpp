@@ -74,7 +74,7 @@ ExitCode show_image_plan(const CommandLine& line, const Console& console, Stages
     rows.emplace_back("technique",
                       fmt::format("shadow maps of {}² texels, {}, {} filter; AO with {} samples per pixel",
                                   experiment.shadow.map.resolution, value_of(experiment, "shadow.technique"),
-                                  value_of(experiment, "shadow.filter"), experiment.ao.samples));
+                                  value_of(experiment, "shadow.filter"), experiment.ao.sampling.samples));
   }
   if (line.command != "raster") {
     const TruthParams& truth = experiment.truth;

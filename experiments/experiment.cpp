@@ -39,7 +39,7 @@ Parameters describe(Experiment& experiment) {
 Experiment in_metres(Experiment experiment, double scene_size) {
   experiment.ao = in_metres(experiment.ao, scene_size);
   Length& limit = experiment.truth.ao_distance;
-  limit = limit.unit == LengthUnit::automatic ? experiment.ao.radius.number : to_metres(limit, scene_size);
+  limit = limit.unit == LengthUnit::automatic ? experiment.ao.sampling.radius.number : to_metres(limit, scene_size);
   return experiment;
 }
 

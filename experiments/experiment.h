@@ -11,7 +11,7 @@
 #include "scenes/emitter.h"
 #include "scenes/scene_params.h"
 #include "scenes/view.h"
-#include "techniques/ao/parameters.h"
+#include "techniques/ao/technique.h"
 #include "techniques/shadow/technique.h"
 
 namespace umbrameter {

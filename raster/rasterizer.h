@@ -5,7 +5,7 @@
 //   draw_visibility(...), draw_ao(...)     draw_bias_response(...)    list_unresolved_taps(...)    read_back(...)
 #pragma once
 
-#include "raster/ao/ssao_pass.h"
+#include "raster/ao/ao_pass.h"
 #include "raster/gbuffer/gbuffer_pass.h"
 #include "raster/gbuffer/uploaded_scene.h"
 #include "raster/gl/context.h"
@@ -13,5 +13,5 @@
 #include "raster/shadow/shadow_map.h"
 #include "raster/shadow/unresolved_taps_pass.h"
 #include "raster/shadow/visibility_pass.h"
-#include "techniques/ao/parameters.h"
-#include "techniques/shadow/parameters.h"
+#include "techniques/ao/technique.h"
+#include "techniques/shadow/technique.h"

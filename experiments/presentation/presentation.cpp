@@ -15,6 +15,14 @@ namespace {
 const ColorScale ao_scale{ColorMap::visibility, 0.0, 1.0, "accessibility [1]: 1 open"};
 const ColorScale ao_error_scale{ColorMap::error, -0.5, 0.5, "technique − reference [1]: below 0 is too dark"};
 
+std::string ao_technique_text(const AoParams& params) {
+  AoTechnique technique = make_technique(params);
+  const bool has_bias = find(describe(technique), "ao.bias") != nullptr;
+  return fmt::format("{} samples, radius {}{}{}.", params.sampling.samples, metres_text(params.sampling.radius.number),
+                     has_bias ? fmt::format(", bias {}", metres_text(params.bias.depth.number)) : "",
+                     params.blur.kind == AoBlur::box ? fmt::format(", {0}×{0} box blur", params.blur.size) : "");
+}
+
 }  // namespace
 
 std::string value_text(Experiment experiment, std::string_view key) {
@@ -182,14 +190,8 @@ Presentation present_ao(const AoMeasurement& ao) {
                              ao.truth->ao, ao_scale));
   }
   if (ao.raster) {
-    add_figure(presentation, scalar_figure("raster_ao", "SSAO",
-                                           fmt::format("{} samples, radius {}, bias {}{}.", experiment.ao.samples,
-                                                       metres_text(experiment.ao.radius.number),
-                                                       metres_text(experiment.ao.bias.number),
-                                                       experiment.ao.blur == AoBlur::box
-                                                           ? fmt::format(", {0}×{0} box blur", experiment.ao.blur_size)
-                                                           : ""),
-                                           *ao.raster, ao_scale));
+    add_figure(presentation, scalar_figure("raster_ao", std::string(title_of(make_technique(experiment.ao))),
+                                           ao_technique_text(experiment.ao), *ao.raster, ao_scale));
   }
   if (ao.truth) {
     section.text = precision_text(ao.truth->precision, experiment.truth);
@@ -218,12 +220,12 @@ Presentation present_ao(const AoMeasurement& ao) {
   section.text += fmt::format(
       "\n\nThe technique looks for occluders up to {}, the reference {}. The interval of the mean absolute error can "
       "be asymmetric: noise in the reference can only raise this error, so only the lower end is corrected for it.",
-      metres_text(experiment.ao.radius.number), limit);
+      metres_text(experiment.ao.sampling.radius.number), limit);
   section.tables = {statistics_table("Ambient occlusion error", *ao.statistics)};
   add_metrics_table(section, ao.metrics);
-  presentation.answers.push_back(fmt::format("AO: error {}, mean error {} (SSAO radius {}, reference {})",
-                                             percent(s.mae), percent(s.mean_error),
-                                             metres_text(experiment.ao.radius.number), limit));
+  presentation.answers.push_back(fmt::format("AO: error {}, mean error {} ({} radius {}, reference {})", percent(s.mae),
+                                             percent(s.mean_error), title_of(make_technique(experiment.ao)),
+                                             metres_text(experiment.ao.sampling.radius.number), limit));
   return presentation;
 }
 

@@ -1,14 +1,13 @@
-// Copies the depth along the camera's axis to a one-channel image, infinite on background. Each SSAO sample then needs
+// Copies the depth along the camera's axis to a one-channel image, infinite on background. Each AO sample then needs
 // only one fetch.
-#include "view.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
-layout(binding = TEXTURE_IDS) uniform usampler2D ids;
-layout(binding = TEXTURE_POSITION_DEPTH) uniform sampler2D position_depth;
-layout(binding = IMAGE_DEPTH, r32f) writeonly uniform image2D linear_depth;
+uniform usampler2D ids;
+uniform sampler2D position_depth;
+layout(r32f) writeonly uniform image2D linear_depth;
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(pixel, size))) return;
+  if (any(greaterThanEqual(pixel, textureSize(ids, 0)))) return;
   bool is_surface = texelFetch(ids, pixel, 0).r != NO_ID;
   float infinity = uintBitsToFloat(0x7f800000u);
   imageStore(linear_depth, pixel, vec4(is_surface ? texelFetch(position_depth, pixel, 0).w : infinity));

@@ -3,11 +3,11 @@
 // the background does not occlude.
 #include "view.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
-layout(binding = TEXTURE_IDS) uniform usampler2D ids;
-layout(binding = TEXTURE_POSITION_DEPTH) uniform sampler2D position_depth;
-layout(binding = TEXTURE_DEPTH) uniform sampler2D linear_depth;
-layout(binding = TEXTURE_GEOMETRIC_NORMAL) uniform sampler2D geometric_normal;
-layout(binding = IMAGE_AO, r32f) writeonly uniform image2D ao_image;
+uniform usampler2D ids;
+uniform sampler2D position_depth;
+uniform sampler2D linear_depth;
+uniform sampler2D geometric_normal;
+layout(r32f) writeonly uniform image2D ao_image;
 layout(std140, binding = BLOCK_KERNEL) uniform Kernel { vec4 kernel[MAX_SAMPLES]; };
 layout(std430, binding = BUFFER_ROTATIONS) readonly buffer Rotations { vec4 rotations[]; };
 layout(std140, binding = BLOCK_AO) uniform AoBlock {

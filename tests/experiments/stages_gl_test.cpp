@@ -56,9 +56,9 @@ class StagesGl : public testing::Test {
     experiment.view.size = {64, 36};
     experiment.truth.spp = 8;
     experiment.truth.ao_distance = 0.3;
-    experiment.ao.radius = 0.3;
-    experiment.ao.bias = 0.01;
-    experiment.ao.samples = 8;
+    experiment.ao.sampling.radius = 0.3;
+    experiment.ao.bias.depth = 0.01;
+    experiment.ao.sampling.samples = 8;
     experiment.shadow.map.resolution = 64;
     const Parameters parameters = describe(experiment);
     for (const std::string& setting : settings) {

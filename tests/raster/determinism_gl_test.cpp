@@ -55,8 +55,8 @@ std::uint64_t render_everything(const gl::Context& context) {
     hash = digest(hash, found.wrong.weights.pixels);
   }
   AoParams ao;
-  ao.radius = 0.5;
-  ao.bias = 0.025;
+  ao.sampling.radius = 0.5;
+  ao.bias.depth = 0.025;
   return digest(hash, draw_ao(context, surfels, view, ao, 3).pixels);
 }
 

@@ -1,10 +1,9 @@
-#include "techniques/ao/parameters.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "core/error.h"
+#include "techniques/ao/technique.h"
 #include "techniques/shadow/technique.h"
 
 namespace umbrameter {
@@ -18,11 +17,18 @@ TEST(RasterParameters, Every_field_is_described) {
   expect_all(BiasParams{});
   expect_all(PcfParams{});
   expect_all(EsmParams{});
-  expect_all(AoParams{});
+  expect_all(AoSamplingParams{});
+  expect_all(AoBiasParams{});
+  expect_all(AoNoiseParams{});
+  expect_all(SsaoParams{});
+  expect_all(AoBlurParams{});
   // All parts, plus one field: the choice of technique.
   ShadowParams shadow;
   EXPECT_EQ(describe(shadow).size(), describe(shadow.map).size() + describe(shadow.bias).size() + 1 +
                                          describe(shadow.pcf).size() + describe(shadow.esm).size());
+  AoParams ao;
+  EXPECT_EQ(describe(ao).size(), describe(ao.sampling).size() + describe(ao.bias).size() + describe(ao.noise).size() +
+                                     1 + describe(ao.ssao).size() + describe(ao.blur).size());
 }
 
 TEST(RasterParameters, Every_default_keeps_to_its_own_limits) {
@@ -54,9 +60,9 @@ TEST(RasterParameters, Keys_reach_the_fields_that_they_name) {
   require(ao_parameters, "ao.range-check").set_text("false");
   require(ao_parameters, "ao.blur").set_text("none");
   require(ao_parameters, "ao.noise-size").set_text("64");
-  EXPECT_FALSE(ao.range_check);
-  EXPECT_EQ(ao.blur, AoBlur::none);
-  EXPECT_EQ(ao.noise_size, 64);
+  EXPECT_FALSE(ao.ssao.range_check);
+  EXPECT_EQ(ao.blur.kind, AoBlur::none);
+  EXPECT_EQ(ao.noise.size, 64);
 }
 
 struct Rejected {

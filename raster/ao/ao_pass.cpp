@@ -1,0 +1,27 @@
+#include "raster/ao/ao_pass.h"
+
+#include <cassert>
+
+#include "raster/ao/blur_pass.h"
+#include "raster/ao/technique_passes.h"
+#include "raster/gl/compute_pass.h"
+#include "raster/texture_image.h"
+
+namespace umbrameter {
+
+Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,
+                     std::uint32_t seed) {
+  assert(params.sampling.radius.unit == LengthUnit::metres && params.bias.depth.unit == LengthUnit::metres);
+  const gl::Texture depth = gl::make_texture("ao linear depth", gl::Format::r32f, gbuffer.width, gbuffer.height);
+  gl::ComputePass(context, "linear_depth.comp")
+      .texture("ids", gbuffer.ids)
+      .texture("position_depth", gbuffer.position_depth)
+      .image("linear_depth", depth, gl::Format::r32f)
+      .dispatch(gbuffer.width, gbuffer.height);
+  const AoInputs inputs{gbuffer, depth, view, seed};
+  gl::Texture ao =
+      std::visit([&](const auto& technique) { return draw(context, inputs, technique); }, make_technique(params));
+  return read_image<float>(blur(context, gbuffer, std::move(ao), params.blur), gl::Format::r32f);
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,19 @@
+// Screen-space ambient occlusion.
+#pragma once
+
+#include <cstdint>
+
+#include "core/image.h"
+#include "raster/gbuffer/gbuffer_pass.h"
+#include "raster/gl/context.h"
+#include "scenes/view.h"
+#include "techniques/ao/technique.h"
+
+namespace umbrameter {
+
+/// Accessibility by the selected technique, 1 open and on background, after its blur. Lengths of the params are in
+/// metres: in_metres().
+Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,
+                     std::uint32_t seed);
+
+}  // namespace umbrameter

@@ -1,0 +1,13 @@
+// The blur of ambient occlusion.
+#pragma once
+
+#include "raster/gbuffer/gbuffer_pass.h"
+#include "raster/gl/context.h"
+#include "techniques/ao/blur.h"
+
+namespace umbrameter {
+
+/// Along both axes; background stays 1.
+gl::Texture blur(const gl::Context& context, const GpuGBuffer& gbuffer, gl::Texture ao, const AoBlurParams& params);
+
+}  // namespace umbrameter

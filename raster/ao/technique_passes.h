@@ -1,0 +1,4 @@
+// The passes of every AO technique: draw() computes its accessibility before the blur, 1 on background, R32F.
+#pragma once
+
+#include "raster/ao/ssao_pass.h"

@@ -1,0 +1,17 @@
+#include "techniques/ao/ssao.h"
+
+namespace umbrameter {
+
+Parameters describe(SsaoParams& params) {
+  return Description("ao")
+      .field("range-check", params.range_check,
+             {.unit = {}, .meaning = "fade out occluders much farther away than the radius"})
+      .take();
+}
+
+Parameters describe(Ssao& technique) {
+  return concatenate(
+      {describe(technique.sampling), describe(technique.bias), describe(technique.noise), describe(technique.params)});
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,27 @@
+// Hemisphere SSAO with a kernel in tangent space, noise rotation and range check (J. de Vries, Learn OpenGL, "SSAO";
+// after Mittring, Finding Next Gen: CryEngine 2, 2007).
+#pragma once
+
+#include <string_view>
+
+#include "core/parameters.h"
+#include "techniques/ao/noise.h"
+#include "techniques/ao/parameters.h"
+
+namespace umbrameter {
+
+struct SsaoParams {
+  bool range_check = true;
+};
+Parameters describe(SsaoParams& params);
+
+struct Ssao {
+  static constexpr std::string_view title = "SSAO";
+  AoSamplingParams sampling;
+  AoBiasParams bias;
+  AoNoiseParams noise;
+  SsaoParams params;
+};
+Parameters describe(Ssao& technique);
+
+}  // namespace umbrameter

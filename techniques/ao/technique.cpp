@@ -1,0 +1,39 @@
+#include "techniques/ao/technique.h"
+
+#include <array>
+
+namespace umbrameter {
+
+Parameters describe(AoParams& params) {
+  static constexpr std::array<std::string_view, 1> names{"ssao"};
+  Parameters technique = Description("ao")
+                             .choice("technique", params.technique, names,
+                                     {.unit = {}, .meaning = "ambient-occlusion technique", .basic = true})
+                             .take();
+  return concatenate({describe(params.sampling), describe(params.bias), describe(params.noise), technique,
+                      describe(params.ssao), describe(params.blur)});
+}
+
+AoParams in_metres(AoParams params, double scene_size) {
+  params.sampling.radius = to_metres(params.sampling.radius, scene_size);
+  params.bias.depth = to_metres(params.bias.depth, scene_size);
+  return params;
+}
+
+AoTechnique make_technique(const AoParams& params) {
+  switch (params.technique) {
+    case AoTechniqueName::ssao:
+      break;
+  }
+  return Ssao{params.sampling, params.bias, params.noise, params.ssao};
+}
+
+Parameters describe(AoTechnique& technique) {
+  return std::visit([](auto& each) { return describe(each); }, technique);
+}
+
+std::string_view title_of(const AoTechnique& technique) {
+  return std::visit([](const auto& each) { return each.title; }, technique);
+}
+
+}  // namespace umbrameter

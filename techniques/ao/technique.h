@@ -1,0 +1,47 @@
+// The techniques of ambient occlusion. A technique holds the parameters that it reads; other code asks for these, never
+// for its name.
+//
+// To add a technique: (1) put its parameters, its struct and their describe() in a new file in this folder; (2) here,
+// add its name, a member of AoParams and an alternative of AoTechnique; (3) put its pass in raster/ao/ and add a line
+// to raster/ao/technique_passes.h.
+#pragma once
+
+#include <string_view>
+#include <variant>
+
+#include "core/parameters.h"
+#include "techniques/ao/blur.h"
+#include "techniques/ao/noise.h"
+#include "techniques/ao/parameters.h"
+#include "techniques/ao/ssao.h"
+
+namespace umbrameter {
+
+/// Names of the techniques, in the order of AoTechnique's alternatives.
+enum class AoTechniqueName : int { ssao };
+
+/// The ao.* parameters: the parts that techniques share, the technique with its own, and the blur that follows it.
+struct AoParams {
+  AoSamplingParams sampling;
+  AoBiasParams bias;
+  AoNoiseParams noise;
+  AoTechniqueName technique = AoTechniqueName::ssao;
+  SsaoParams ssao;
+  AoBlurParams blur;
+};
+Parameters describe(AoParams& params);
+
+/// Converts all lengths to metres, as draw_ao() expects. scene_size is the diagonal of the scene's bounds, metres.
+AoParams in_metres(AoParams params, double scene_size);
+
+using AoTechnique = std::variant<Ssao>;
+
+AoTechnique make_technique(const AoParams& params);
+
+/// The parameters that the technique reads.
+Parameters describe(AoTechnique& technique);
+
+/// The technique's name in titles.
+std::string_view title_of(const AoTechnique& technique);
+
+}  // namespace umbrameter

@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "techniques/ao/kernel.h"
+#include "techniques/ao/technique.h"
+
+namespace umbrameter {
+namespace {
+
+TEST(AoKernel, Points_fill_the_upper_unit_hemisphere_and_thin_out_from_the_centre) {
+  const std::vector<vec4> kernel = hemisphere_kernel(1024, 7);
+  ASSERT_EQ(kernel.size(), 1024u);
+  double mean_z = 0.0;
+  for (const vec4& point : kernel) {
+    EXPECT_GE(point.z, 0.0f);
+    EXPECT_LE(glm::length(vec3(point)), 1.0f);
+    mean_z += static_cast<double>(point.z) / std::max(1e-9, static_cast<double>(glm::length(vec3(point)))) / 1024;
+  }
+  EXPECT_NEAR(mean_z, 0.5, 0.03);  // uniform directions: the mean of z over a hemisphere is 1/2
+  EXPECT_EQ(kernel, hemisphere_kernel(1024, 7));
+  EXPECT_NE(kernel, hemisphere_kernel(1024, 8));
+}
+
+TEST(AoNoise, The_tile_has_a_rotation_for_each_of_its_pixels_and_follows_from_the_seed) {
+  const std::vector<vec4> tile = rotation_tile({.size = 64}, 7);
+  ASSERT_EQ(tile.size(), 4096u);
+  double mean_x = 0.0;
+  for (const vec4& rotation : tile) {
+    EXPECT_LE(std::max(std::abs(rotation.x), std::abs(rotation.y)), 1.0f);
+    EXPECT_EQ(vec2(rotation.z, rotation.w), vec2(0.0f));
+    mean_x += static_cast<double>(rotation.x) / 4096;
+  }
+  EXPECT_NEAR(mean_x, 0.0, 0.03);  // uniform on [-1, 1]: the mean of 4096 deviates by 1/sqrt(3 * 4096) = 0.009
+  EXPECT_EQ(tile, rotation_tile({.size = 64}, 7));
+  EXPECT_NE(tile, rotation_tile({.size = 64}, 8));
+}
+
+TEST(AoBlur, A_box_is_centred_and_an_even_one_extends_further_to_the_left_and_up) {
+  struct Case {
+    AoBlurParams params;
+    int first;
+    int count;
+  };
+  for (const Case& expected : {Case{{AoBlur::box, 5}, -2, 5}, Case{{AoBlur::box, 4}, -2, 4},
+                               Case{{AoBlur::box, 1}, 0, 1}, Case{{AoBlur::none, 5}, 0, 1}}) {
+    const AoBlurTaps taps = taps_of(expected.params);
+    EXPECT_EQ(taps.first, expected.first) << expected.params.size;
+    EXPECT_EQ(taps.count, expected.count) << expected.params.size;
+  }
+}
+
+// A technique that reads a parameter that ao.* lacks could not be set; one that differs from it would ignore a flag.
+TEST(AoTechnique, Every_technique_holds_the_values_of_the_parameters_that_it_reads) {
+  for (std::size_t name = 0; name < std::variant_size_v<AoTechnique>; ++name) {
+    AoParams params;
+    params.technique = static_cast<AoTechniqueName>(name);
+    const Parameters all = describe(params);
+    require(all, "ao.samples").set_text("9");
+    require(all, "ao.radius").set_text("0.75");
+    require(all, "ao.bias").set_text("0.125");
+    require(all, "ao.noise-size").set_text("5");
+    require(all, "ao.range-check").set_text("false");
+    AoTechnique technique = make_technique(params);
+    EXPECT_EQ(technique.index(), name);
+    EXPECT_FALSE(title_of(technique).empty());
+    std::set<std::string> keys;
+    for (const Parameter& parameter : describe(technique)) {
+      EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key << " twice";
+      EXPECT_EQ(parameter.value(), require(all, parameter.key).value()) << parameter.key;
+    }
+    EXPECT_TRUE(keys.contains("ao.radius"));
+  }
+}
+
+TEST(AoTechnique, Lengths_become_metres_of_the_scenes_size) {
+  AoParams params;  // 2 % and 0.1 %
+  params = in_metres(params, 50.0);
+  EXPECT_EQ(params.sampling.radius, Length{1.0});
+  EXPECT_EQ(params.bias.depth, Length{0.05});
+}
+
+}  // namespace
+}  // namespace umbrameter
