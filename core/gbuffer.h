@@ -21,6 +21,8 @@ struct GBuffer {
   Image<vec3> geometric_normal;   ///< unit, world, of the triangle, turned to the viewer
   Image<vec3> shading_normal;     ///< unit, world, interpolated, on the viewer's side of the triangle
   Image<vec3> albedo;             ///< base colour, linear, 0 to 1
+  Image<float> metallic;          ///< 0 to 1
+  Image<vec4> specular;           ///< linear reflectance at normal incidence, perceptual roughness; 0 to 1
   Image<float> depth;             ///< distance along the camera's axis, metres
 
   GBuffer() = default;
@@ -33,6 +35,8 @@ struct GBuffer {
         geometric_normal(image_width, image_height, vec3(0)),
         shading_normal(image_width, image_height, vec3(0)),
         albedo(image_width, image_height, vec3(0)),
+        metallic(image_width, image_height, 0.0f),
+        specular(image_width, image_height, vec4(0)),
         depth(image_width, image_height, 0.0f) {}
 
   bool is_surface(std::size_t i) const { return instance[i] != no_id; }

@@ -105,7 +105,8 @@ std::string scene_content(const Scene& scene) {
 }
 
 std::string surfel_content(const GBuffer& gbuffer) {
-  const auto& [width, height, instance, triangle, position, geometric_normal, shading_normal, albedo, depth] = gbuffer;
+  const auto& [width, height, instance, triangle, position, geometric_normal, shading_normal, albedo, metallic,
+               specular, depth] = gbuffer;
   return ContentHash()
       .add(width)
       .add(height)

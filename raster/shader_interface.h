@@ -41,6 +41,8 @@ inline constexpr ShaderSlot shader_slots[] = {
     {"UNIFORM_FIRST_PIXEL", 5},
     {"UNIFORM_END_PIXEL", 6},
     {"UNIFORM_MAP_VIEW", 7},
+    {"UNIFORM_METALLIC_ROUGHNESS", 8},
+    {"UNIFORM_DIELECTRIC_SPECULAR", 9},
     {"TEXTURE_BASE_COLOR", 0},
     {"TEXTURE_IDS", 1},
     {"TEXTURE_POSITION_DEPTH", 2},

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/parallel.h"
+#include "scenes/material.h"
 #include "scenes/texel_place.h"
 
 namespace umbrameter {

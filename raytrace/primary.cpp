@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "raytrace/tracer_state.h"
+#include "scenes/material.h"
 
 namespace umbrameter {
 namespace {
@@ -75,7 +76,10 @@ void write_surfel(GBuffer& gbuffer, std::size_t i, const Scene& scene, const Vie
   gbuffer.geometric_normal[i] = vec3(normal);
   gbuffer.shading_normal[i] = vec3(smooth);
   const vec2 texcoord = mesh.texcoords.empty() ? vec2(0) : vec2(interpolate(mesh.texcoords, vertices, weight));
-  gbuffer.albedo[i] = vec3(base_color_at(scene, scene.materials[mesh.material], texcoord));
+  const SurfaceMaterial material = surface_material_at(scene, scene.materials[mesh.material], texcoord);
+  gbuffer.albedo[i] = material.base_color;
+  gbuffer.metallic[i] = material.metallic;
+  gbuffer.specular[i] = vec4(material.specular, material.roughness);
   gbuffer.depth[i] = static_cast<float>(-(view_from_world(view) * dvec4(position, 1.0)).z);
 }
 

@@ -168,14 +168,4 @@ bool is_mirrored(const dmat4& transform);
 /// least: its largest singular value.
 double largest_stretch(const dmat4& transform);
 
-/// Base colour texture, or null where the material has none or an empty one.
-const Texture* texture_of(const Scene& scene, const Material& material);
-
-/// Bilinear base-colour alpha at a texture coordinate, factor included, 0 to 1 (glTF 2.0, section 3.9.4).
-/// The alpha test of both sides is: a point exists where this is ≥ Material::alpha_cutoff.
-float alpha_at(const Scene& scene, const Material& material, vec2 texcoord);
-
-/// Linear base colour and alpha at a texture coordinate, factor included; filtered after decoding sRGB.
-vec4 base_color_at(const Scene& scene, const Material& material, vec2 texcoord);
-
 }  // namespace umbrameter

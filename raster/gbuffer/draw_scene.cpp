@@ -5,11 +5,12 @@
 #include "raster/gbuffer/uploaded_scene.h"
 #include "raster/gl/api.h"
 #include "raster/shader_interface.h"
+#include "scenes/material.h"
 
 namespace umbrameter {
 namespace {
 
-void set_material(const UploadedScene& scene, const Material& material, const gl::Program& program) {
+void set_base_color(const UploadedScene& scene, const Material& material, const gl::Program& program) {
   const bool has_texture = material.base_color_texture && !scene.textures[*material.base_color_texture].empty();
   const unsigned name = program.name();
   glProgramUniform4f(name, location("UNIFORM_BASE_COLOR"), material.base_color.x, material.base_color.y,
@@ -20,6 +21,12 @@ void set_material(const UploadedScene& scene, const Material& material, const gl
     glProgramUniform2i(name, location("UNIFORM_WRAP"), static_cast<int>(modes.wrap_u), static_cast<int>(modes.wrap_v));
     glBindTextureUnit(slot("TEXTURE_BASE_COLOR"), scene.textures[*material.base_color_texture].name());
   }
+}
+
+void set_surface(const Material& material, const gl::Program& program) {
+  const vec3 specular = dielectric_specular(material);
+  glProgramUniform2f(program.name(), location("UNIFORM_METALLIC_ROUGHNESS"), material.metallic, material.roughness);
+  glProgramUniform3f(program.name(), location("UNIFORM_DIELECTRIC_SPECULAR"), specular.x, specular.y, specular.z);
 }
 
 // Software rasterisers draw at once: an interrupt waits for no more than about this many triangles.
@@ -64,7 +71,8 @@ void draw_scene(const UploadedScene& scene, DrawnFor use, const gl::Program& opa
       (draw.has_texcoords ? glEnableVertexArrayAttrib : glDisableVertexArrayAttrib)(scene.vertex_array.name(),
                                                                                     slot("ATTRIBUTE_TEXCOORD"));
       // Setting a uniform that a program lacks is an error on some drivers.
-      if (is_masked || use == DrawnFor::camera) set_material(scene, material, program);
+      if (is_masked || use == DrawnFor::camera) set_base_color(scene, material, program);
+      if (use == DrawnFor::camera) set_surface(material, program);
       if (is_masked) glProgramUniform1f(program.name(), location("UNIFORM_ALPHA_CUTOFF"), material.alpha_cutoff);
       draw_instances(draw);
     }

@@ -22,6 +22,7 @@ GpuGBuffer make_targets(int width, int height) {
   gbuffer.geometric_normal = gl::make_texture("gbuffer geometric normal", gl::Format::rgba32f, width, height);
   gbuffer.shading_normal = gl::make_texture("gbuffer shading normal", gl::Format::rgba32f, width, height);
   gbuffer.albedo = gl::make_texture("gbuffer albedo", gl::Format::rgba32f, width, height);
+  gbuffer.specular = gl::make_texture("gbuffer specular", gl::Format::rgba32f, width, height);
   return gbuffer;
 }
 
@@ -35,9 +36,10 @@ void draw_ids(const gl::Context& context, const UploadedScene& scene, const GpuG
   const unsigned target = framebuffer.name();
   glNamedFramebufferTexture(target, GL_COLOR_ATTACHMENT0, gbuffer.ids.name(), 0);
   glNamedFramebufferTexture(target, GL_COLOR_ATTACHMENT1, gbuffer.albedo.name(), 0);
+  glNamedFramebufferTexture(target, GL_COLOR_ATTACHMENT2, gbuffer.specular.name(), 0);
   glNamedFramebufferTexture(target, GL_DEPTH_ATTACHMENT, depth.name(), 0);
-  const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-  glNamedFramebufferDrawBuffers(target, 2, buffers);
+  const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2};
+  glNamedFramebufferDrawBuffers(target, 3, buffers);
 
   const GLuint empty_ids[] = {no_id, no_id, no_id, no_id};
   const GLfloat zero[] = {0, 0, 0, 0};
@@ -46,6 +48,7 @@ void draw_ids(const gl::Context& context, const UploadedScene& scene, const GpuG
   glDisable(GL_SCISSOR_TEST);
   glClearNamedFramebufferuiv(target, GL_COLOR, 0, empty_ids);
   glClearNamedFramebufferfv(target, GL_COLOR, 1, zero);
+  glClearNamedFramebufferfv(target, GL_COLOR, 2, zero);
   glClearNamedFramebufferfv(target, GL_DEPTH, 0, zero);
 
   // Reversed depth: 1 at the near plane, 0 far away, where floats are densest.
@@ -121,7 +124,8 @@ GBuffer read_back(const gl::Context& context, const GpuGBuffer& gbuffer) {
   read_vectors(gbuffer.position_depth, read.position, &read.depth);
   read_vectors(gbuffer.geometric_normal, read.geometric_normal, nullptr);
   read_vectors(gbuffer.shading_normal, read.shading_normal, nullptr);
-  read_vectors(gbuffer.albedo, read.albedo, nullptr);
+  read_vectors(gbuffer.albedo, read.albedo, &read.metallic);
+  read.specular = read_image<vec4>(gbuffer.specular, gl::Format::rgba32f);
   context.check("gbuffer read back");
   return read;
 }
@@ -139,7 +143,8 @@ GpuGBuffer upload(const gl::Context& context, const GBuffer& gbuffer) {
       upload_image("gbuffer geometric normal", gl::Format::rgba32f, with_w(gbuffer.geometric_normal, nullptr));
   uploaded.shading_normal =
       upload_image("gbuffer shading normal", gl::Format::rgba32f, with_w(gbuffer.shading_normal, nullptr));
-  uploaded.albedo = upload_image("gbuffer albedo", gl::Format::rgba32f, with_w(gbuffer.albedo, nullptr));
+  uploaded.albedo = upload_image("gbuffer albedo", gl::Format::rgba32f, with_w(gbuffer.albedo, &gbuffer.metallic));
+  uploaded.specular = upload_image("gbuffer specular", gl::Format::rgba32f, Image<vec4>(gbuffer.specular));
   context.check("gbuffer upload");
   return uploaded;
 }

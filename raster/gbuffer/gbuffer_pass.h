@@ -1,4 +1,4 @@
-// The surfels of a view, drawn: a pass for ids and colour, then one that finds each surfel on its triangle.
+// The surfels of a view, drawn: a pass for ids and materials, then one that finds each surfel on its triangle.
 #pragma once
 
 #include "core/gbuffer.h"
@@ -17,7 +17,8 @@ struct GpuGBuffer {
   gl::Texture position_depth;    ///< RGBA32F: world position, depth along the camera's axis
   gl::Texture geometric_normal;  ///< RGBA32F, the last component unused
   gl::Texture shading_normal;    ///< as geometric_normal
-  gl::Texture albedo;            ///< as geometric_normal
+  gl::Texture albedo;            ///< RGBA32F: base colour, metallic
+  gl::Texture specular;          ///< RGBA32F: reflectance at normal incidence, perceptual roughness
 };
 
 /// Throws Error (usage) when the view is larger than the device's textures.

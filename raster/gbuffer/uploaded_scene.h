@@ -49,8 +49,8 @@ UploadedScene upload(const gl::Context& context, const Scene& scene);
 /// Bytes of the buffers and textures that upload() makes of the scene; what a driver adds is not in it.
 SceneBytes bytes_when_uploaded(const Scene& scene);
 
-/// camera: back faces of single-sided materials are left out, and all programs read base_color.glsl;
-/// shadow: every face, and only the masked program reads it.
+/// camera: back faces of single-sided materials are left out, and all programs read material.glsl;
+/// shadow: every face, and only the masked program reads base_color.glsl.
 enum class DrawnFor : int { camera, shadow };
 
 /// Draws every instance with the state that the caller has set: opaque materials with one program, alpha-masked ones

@@ -106,10 +106,12 @@ TEST(ReferenceKey, The_surfels_count_with_size_ids_positions_and_normals) {
                                  {"geometric normal", [](GBuffer& g) { g.geometric_normal[3].y = 1; }},
                                  {"shading normal", [](GBuffer& g) { g.shading_normal[3].y = 1; }}},
                                 surfel_content);
-  expect_none_to_count<GBuffer>(
-      GBuffer(4, 2),
-      {{"albedo", [](GBuffer& g) { g.albedo[3] = vec3(1); }}, {"depth", [](GBuffer& g) { g.depth[3] = 1.0f; }}},
-      surfel_content);
+  expect_none_to_count<GBuffer>(GBuffer(4, 2),
+                                {{"albedo", [](GBuffer& g) { g.albedo[3] = vec3(1); }},
+                                 {"metallic", [](GBuffer& g) { g.metallic[3] = 1.0f; }},
+                                 {"specular", [](GBuffer& g) { g.specular[3] = vec4(1); }},
+                                 {"depth", [](GBuffer& g) { g.depth[3] = 1.0f; }}},
+                                surfel_content);
 }
 
 TEST(ReferenceKey, Kind_and_place_of_the_light_count_and_its_brightness_does_not) {

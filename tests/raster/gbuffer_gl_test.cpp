@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "core/error.h"
+#include "scenes/material.h"
 #include "scenes/view.h"
 #include "test_scenes.h"
 
@@ -175,6 +176,9 @@ TEST_F(GbufferGl, Alpha_masks_and_colours_equal_those_of_the_scene_under_every_w
   scene.materials[0].base_color_texture = 0;
   scene.materials[0].base_color = vec4(0.5f, 1.0f, 0.25f, 0.9f);
   scene.materials[0].alpha_cutoff = 0.4f;
+  scene.materials[0].metallic = 0.75f;
+  scene.materials[0].roughness = 0.625f;
+  scene.materials[0].specular_color = vec3(0.5f, 2.0f, 30.0f);
   for (const Wrap wrap : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge}) {
     scene.textures[0].wrap_u = wrap;
     scene.textures[0].wrap_v = wrap == Wrap::repeat ? Wrap::clamp_to_edge : Wrap::repeat;
@@ -194,8 +198,13 @@ TEST_F(GbufferGl, Alpha_masks_and_colours_equal_those_of_the_scene_under_every_w
             ++holes;
             continue;
           }
-          const vec4 color = base_color_at(scene, scene.materials[0], texcoord);
-          for (int c = 0; c < 3; ++c) ASSERT_NEAR(gbuffer.albedo[i][c], color[c], 2e-4f) << x << " " << y;
+          const SurfaceMaterial expected = surface_material_at(scene, scene.materials[0], texcoord);
+          for (int c = 0; c < 3; ++c) {
+            ASSERT_NEAR(gbuffer.albedo[i][c], expected.base_color[c], 2e-4f) << x << " " << y;
+            ASSERT_NEAR(gbuffer.specular[i][c], expected.specular[c], 2e-4f) << x << " " << y;
+          }
+          ASSERT_EQ(gbuffer.metallic[i], expected.metallic);
+          ASSERT_EQ(gbuffer.specular[i].w, expected.roughness);
         }
       }
       EXPECT_EQ(holes > 1000, mode == AlphaMode::mask);
@@ -206,6 +215,7 @@ TEST_F(GbufferGl, Alpha_masks_and_colours_equal_those_of_the_scene_under_every_w
 TEST_F(GbufferGl, Upload_and_read_back_are_exact_copies) {
   Scene scene;
   add_mesh(scene, box({-1, -1, -1}, {1, 1, 1}));
+  scene.materials[0].metallic = 0.25f;
   const GBuffer drawn = draw(scene, perspective_view(61, 37, {2, 3, 4}, {0, 0, 0}));
   EXPECT_EQ(read_back(context(), upload(context(), drawn)), drawn);
 }

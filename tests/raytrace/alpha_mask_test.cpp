@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/random.h"
+#include "scenes/material.h"
 
 namespace umbrameter {
 namespace {

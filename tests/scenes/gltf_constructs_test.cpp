@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "scenes/gltf.h"
+#include "scenes/material.h"
 #include "tests/support/gltf_hostile.h"
 #include "tests/support/temporary_folder.h"
 

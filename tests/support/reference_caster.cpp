@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scenes/material.h"
+
 namespace umbrameter {
 namespace {
 
