@@ -4,7 +4,7 @@
 
 #include "raster/ao/blur_pass.h"
 #include "raster/ao/technique_passes.h"
-#include "raster/gl/compute_pass.h"
+#include "raster/gl/pass.h"
 #include "raster/texture_image.h"
 
 namespace umbrameter {
@@ -13,7 +13,7 @@ Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, cons
                      std::uint32_t seed) {
   assert(params.sampling.radius.unit == LengthUnit::metres && params.bias.depth.unit == LengthUnit::metres);
   const gl::Texture depth = gl::make_texture("ao linear depth", gl::Format::r32f, gbuffer.width, gbuffer.height);
-  gl::ComputePass(context, "linear_depth.comp")
+  gl::Pass(context, {{"linear_depth.comp"}, {}})
       .texture("ids", gbuffer.ids)
       .texture("position_depth", gbuffer.position_depth)
       .image("linear_depth", depth, gl::Format::r32f)

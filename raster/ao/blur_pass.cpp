@@ -1,6 +1,6 @@
 #include "raster/ao/blur_pass.h"
 
-#include "raster/gl/compute_pass.h"
+#include "raster/gl/pass.h"
 
 namespace umbrameter {
 
@@ -9,7 +9,7 @@ gl::Texture blur(const gl::Context& context, const GpuGBuffer& gbuffer, gl::Text
   if (taps.count == 1) return ao;
   const auto along = [&](const gl::Texture& source, int step_x, int step_y, bool is_last) {
     gl::Texture blurred = gl::make_texture("ao blurred", gl::Format::r32f, gbuffer.width, gbuffer.height);
-    gl::ComputePass(context, "box_blur.comp")
+    gl::Pass(context, {{"box_blur.comp"}, {}})
         .texture("ids", gbuffer.ids)
         .texture("source", source)
         .image("blurred", blurred, gl::Format::r32f)

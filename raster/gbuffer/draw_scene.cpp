@@ -10,23 +10,21 @@
 namespace umbrameter {
 namespace {
 
-void set_base_color(const UploadedScene& scene, const Material& material, const gl::Program& program) {
+void set_material(const UploadedScene& scene, const Material& material, gl::Pass& pass) {
   const bool has_texture = material.base_color_texture && !scene.textures[*material.base_color_texture].empty();
-  const unsigned name = program.name();
-  glProgramUniform4f(name, location("UNIFORM_BASE_COLOR"), material.base_color.x, material.base_color.y,
-                     material.base_color.z, material.base_color.w);
-  glProgramUniform1i(name, location("UNIFORM_HAS_TEXTURE"), has_texture ? 1 : 0);
+  pass.value("base_color_factor", material.base_color)
+      .value("alpha_cutoff", material.alpha_cutoff)
+      .value("metallic_roughness_factors", vec2(material.metallic, material.roughness))
+      .value("dielectric_specular", dielectric_specular(material))
+      .value("has_texture", has_texture ? 1 : 0)
+      .value("wrap", 0, 0)
+      .texture("base_color_texture", {});
   if (has_texture) {
     const Texture& modes = scene.texture_modes[*material.base_color_texture];
-    glProgramUniform2i(name, location("UNIFORM_WRAP"), static_cast<int>(modes.wrap_u), static_cast<int>(modes.wrap_v));
-    glBindTextureUnit(slot("TEXTURE_BASE_COLOR"), scene.textures[*material.base_color_texture].name());
+    pass.value("wrap", static_cast<int>(modes.wrap_u), static_cast<int>(modes.wrap_v))
+        .texture("base_color_texture", scene.textures[*material.base_color_texture]);
   }
-}
-
-void set_surface(const Material& material, const gl::Program& program) {
-  const vec3 specular = dielectric_specular(material);
-  glProgramUniform2f(program.name(), location("UNIFORM_METALLIC_ROUGHNESS"), material.metallic, material.roughness);
-  glProgramUniform3f(program.name(), location("UNIFORM_DIELECTRIC_SPECULAR"), specular.x, specular.y, specular.z);
+  pass.use();
 }
 
 // Software rasterisers draw at once: an interrupt waits for no more than about this many triangles.
@@ -46,34 +44,32 @@ void draw_instances(const SceneDraw& draw) {
 
 }  // namespace
 
-void bind_triangles(const UploadedScene& scene) {
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot("BUFFER_INSTANCES"), scene.instances.name());
-  glBindTextureUnit(slot("TEXTURE_POSITIONS"), scene.position_texels.name());
-  glBindTextureUnit(slot("TEXTURE_NORMALS"), scene.normal_texels.name());
-  glBindTextureUnit(slot("TEXTURE_TRIANGLES"), scene.triangle_texels.name());
+gl::Pass& bind_triangles(gl::Pass& pass, const UploadedScene& scene) {
+  return pass.buffer("Instances", scene.instances)
+      .texture("positions", scene.position_texels)
+      .texture("normals", scene.normal_texels)
+      .texture("triangles", scene.triangle_texels);
 }
 
-void draw_scene(const UploadedScene& scene, DrawnFor use, const gl::Program& opaque, const gl::Program& masked) {
-  bind_triangles(scene);
+void draw_scene(const UploadedScene& scene, DrawnFor use, const MakePass& make_pass) {
   glBindVertexArray(scene.vertex_array.name());
-  glVertexAttrib2f(slot("ATTRIBUTE_TEXCOORD"), 0.0f, 0.0f);  // where a draw has none
+  glVertexAttrib2f(constant("ATTRIBUTE_TEXCOORD"), 0.0f, 0.0f);  // where a draw has none
   glCullFace(GL_BACK);
   // Opaque first: what is masked then meets a filled depth buffer.
   for (const bool is_masked : {false, true}) {
-    const gl::Program& program = is_masked ? masked : opaque;
-    glUseProgram(program.name());
+    gl::Pass pass = make_pass(is_masked);
+    bind_triangles(pass, scene);
+    const Material* current = nullptr;
     for (const SceneDraw& draw : scene.draws) {
       const Material& material = scene.materials.at(draw.material);
       if ((material.alpha_mode == AlphaMode::mask) != is_masked) continue;
+      if (&material != current) set_material(scene, material, pass);
+      current = &material;
       const bool culls = use == DrawnFor::camera && !material.double_sided;
       (culls ? glEnable : glDisable)(GL_CULL_FACE);
       glFrontFace(draw.is_mirrored ? GL_CW : GL_CCW);
       (draw.has_texcoords ? glEnableVertexArrayAttrib : glDisableVertexArrayAttrib)(scene.vertex_array.name(),
-                                                                                    slot("ATTRIBUTE_TEXCOORD"));
-      // Setting a uniform that a program lacks is an error on some drivers.
-      if (is_masked || use == DrawnFor::camera) set_base_color(scene, material, program);
-      if (use == DrawnFor::camera) set_surface(material, program);
-      if (is_masked) glProgramUniform1f(program.name(), location("UNIFORM_ALPHA_CUTOFF"), material.alpha_cutoff);
+                                                                                    constant("ATTRIBUTE_TEXCOORD"));
       draw_instances(draw);
     }
   }

@@ -26,10 +26,8 @@ GpuGBuffer make_targets(int width, int height) {
   return gbuffer;
 }
 
-void draw_ids(const gl::Context& context, const UploadedScene& scene, const GpuGBuffer& gbuffer) {
-  const std::string common = interface_defines();
-  const gl::Program& opaque = context.program({{"gbuffer.vert", "gbuffer.frag"}, common + define("ALPHA_MASK", 0)});
-  const gl::Program& masked = context.program({{"gbuffer.vert", "gbuffer.frag"}, common + define("ALPHA_MASK", 1)});
+void draw_ids(const gl::Context& context, const UploadedScene& scene, const ViewBlock& view,
+              const GpuGBuffer& gbuffer) {
   const gl::Texture depth =
       gl::make_texture("gbuffer depth buffer", gl::Format::depth32f, gbuffer.width, gbuffer.height);
   const gl::Framebuffer framebuffer = gl::make_framebuffer("gbuffer");
@@ -60,23 +58,23 @@ void draw_ids(const gl::Context& context, const UploadedScene& scene, const GpuG
   glDisable(GL_DEPTH_CLAMP);
   glDepthFunc(GL_GREATER);
   glDisable(GL_BLEND);
-  draw_scene(scene, DrawnFor::camera, opaque, masked);
+  draw_scene(scene, DrawnFor::camera, [&](bool is_masked) {
+    gl::Pass pass(context, {{"gbuffer.vert", "gbuffer.frag"}, define("ALPHA_MASK", is_masked ? 1 : 0)});
+    pass.block("View", view);
+    return pass;
+  });
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-void resolve(const gl::Context& context, const UploadedScene& scene, const GpuGBuffer& gbuffer) {
-  const gl::Program& program = context.program({{"gbuffer_resolve.comp"}, interface_defines()});
-  bind_triangles(scene);
-  glBindTextureUnit(slot("TEXTURE_IDS"), gbuffer.ids.name());
-  const auto bind_image = [](unsigned unit, const gl::Texture& texture) {
-    glBindImageTexture(unit, texture.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-  };
-  bind_image(slot("IMAGE_POSITION_DEPTH"), gbuffer.position_depth);
-  bind_image(slot("IMAGE_GEOMETRIC_NORMAL"), gbuffer.geometric_normal);
-  bind_image(slot("IMAGE_SHADING_NORMAL"), gbuffer.shading_normal);
-  glUseProgram(program.name());
-  glDispatchCompute(group_count(gbuffer.width), group_count(gbuffer.height), 1);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+void resolve(const gl::Context& context, const UploadedScene& scene, const ViewBlock& view, const GpuGBuffer& gbuffer) {
+  gl::Pass pass(context, {{"gbuffer_resolve.comp"}, {}});
+  bind_triangles(pass, scene)
+      .block("View", view)
+      .texture("ids", gbuffer.ids)
+      .image("position_depth", gbuffer.position_depth, gl::Format::rgba32f)
+      .image("geometric_normal", gbuffer.geometric_normal, gl::Format::rgba32f)
+      .image("shading_normal", gbuffer.shading_normal, gl::Format::rgba32f)
+      .dispatch(gbuffer.width, gbuffer.height);
 }
 
 Image<vec4> with_w(const Image<vec3>& image, const Image<float>* w) {
@@ -98,6 +96,12 @@ void read_vectors(const gl::Texture& texture, Image<vec3>& vectors, Image<float>
 
 }  // namespace
 
+gl::Pass& bind(gl::Pass& pass, const GpuGBuffer& gbuffer) {
+  return pass.texture("ids", gbuffer.ids)
+      .texture("position_depth", gbuffer.position_depth)
+      .texture("geometric_normal", gbuffer.geometric_normal);
+}
+
 GpuGBuffer draw_gbuffer(const gl::Context& context, const UploadedScene& scene, const View& view) {
   if (std::max(view.width, view.height) > context.max_texture_size()) {
     throw Error(ExitCode::usage, "view.size",
@@ -106,11 +110,9 @@ GpuGBuffer draw_gbuffer(const gl::Context& context, const UploadedScene& scene, 
                 "at most " + std::to_string(context.max_texture_size()) + " pixels a side");
   }
   GpuGBuffer gbuffer = make_targets(view.width, view.height);
-  const gl::Buffer block = gl::make_block("view", make_view_block(view));
-  glBindBufferBase(GL_UNIFORM_BUFFER, slot("BLOCK_VIEW"), block.name());
-  draw_ids(context, scene, gbuffer);
-  resolve(context, scene, gbuffer);
-  context.check("gbuffer");
+  const ViewBlock block = make_view_block(view);
+  draw_ids(context, scene, block, gbuffer);
+  resolve(context, scene, block, gbuffer);
   return gbuffer;
 }
 

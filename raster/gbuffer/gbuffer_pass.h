@@ -5,6 +5,7 @@
 #include "raster/gbuffer/uploaded_scene.h"
 #include "raster/gl/context.h"
 #include "raster/gl/objects.h"
+#include "raster/gl/pass.h"
 #include "scenes/view.h"
 
 namespace umbrameter {
@@ -20,6 +21,9 @@ struct GpuGBuffer {
   gl::Texture albedo;            ///< RGBA32F: base colour, metallic
   gl::Texture specular;          ///< RGBA32F: reflectance at normal incidence, perceptual roughness
 };
+
+/// Binds ids, position_depth and geometric_normal.
+gl::Pass& bind(gl::Pass& pass, const GpuGBuffer& gbuffer);
 
 /// Throws Error (usage) when the view is larger than the device's textures.
 GpuGBuffer draw_gbuffer(const gl::Context& context, const UploadedScene& scene, const View& view);

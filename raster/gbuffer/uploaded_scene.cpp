@@ -184,13 +184,13 @@ gl::VertexArray describe_vertices(const UploadedScene& uploaded) {
     glVertexArrayAttribBinding(array, location, location);
     glEnableVertexArrayAttrib(array, location);
   };
-  bind(slot("ATTRIBUTE_POSITION"), uploaded.positions, sizeof(vec3));
-  glVertexArrayAttribFormat(array, slot("ATTRIBUTE_POSITION"), 3, GL_FLOAT, GL_FALSE, 0);
-  bind(slot("ATTRIBUTE_TEXCOORD"), uploaded.texcoords, sizeof(vec2));
-  glVertexArrayAttribFormat(array, slot("ATTRIBUTE_TEXCOORD"), 2, GL_FLOAT, GL_FALSE, 0);
-  bind(slot("ATTRIBUTE_INSTANCE"), uploaded.drawn_instances, sizeof(std::uint32_t));
-  glVertexArrayAttribIFormat(array, slot("ATTRIBUTE_INSTANCE"), 1, GL_UNSIGNED_INT, 0);
-  glVertexArrayBindingDivisor(array, slot("ATTRIBUTE_INSTANCE"), 1);
+  bind(constant("ATTRIBUTE_POSITION"), uploaded.positions, sizeof(vec3));
+  glVertexArrayAttribFormat(array, constant("ATTRIBUTE_POSITION"), 3, GL_FLOAT, GL_FALSE, 0);
+  bind(constant("ATTRIBUTE_TEXCOORD"), uploaded.texcoords, sizeof(vec2));
+  glVertexArrayAttribFormat(array, constant("ATTRIBUTE_TEXCOORD"), 2, GL_FLOAT, GL_FALSE, 0);
+  bind(constant("ATTRIBUTE_INSTANCE"), uploaded.drawn_instances, sizeof(std::uint32_t));
+  glVertexArrayAttribIFormat(array, constant("ATTRIBUTE_INSTANCE"), 1, GL_UNSIGNED_INT, 0);
+  glVertexArrayBindingDivisor(array, constant("ATTRIBUTE_INSTANCE"), 1);
   glVertexArrayElementBuffer(array, uploaded.triangles.name());
   return vertices;
 }

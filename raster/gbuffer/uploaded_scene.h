@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "raster/gl/context.h"
 #include "raster/gl/objects.h"
+#include "raster/gl/pass.h"
 #include "scenes/memory.h"
 #include "scenes/scene.h"
 
@@ -49,15 +51,16 @@ UploadedScene upload(const gl::Context& context, const Scene& scene);
 /// Bytes of the buffers and textures that upload() makes of the scene; what a driver adds is not in it.
 SceneBytes bytes_when_uploaded(const Scene& scene);
 
-/// camera: back faces of single-sided materials are left out, and all programs read material.glsl;
-/// shadow: every face, and only the masked program reads base_color.glsl.
+/// camera: back faces of single-sided materials are left out; shadow: every face.
 enum class DrawnFor : int { camera, shadow };
 
-/// Draws every instance with the state that the caller has set: opaque materials with one program, alpha-masked ones
-/// with the other. Both are made of shaders that include scene.glsl.
-void draw_scene(const UploadedScene& scene, DrawnFor use, const gl::Program& opaque, const gl::Program& masked);
+/// A pass that draws opaque or alpha-masked materials. Its shaders include scene.glsl and may include material.glsl.
+using MakePass = std::function<gl::Pass(bool is_masked)>;
+
+/// Draws every instance with the state that the caller has set.
+void draw_scene(const UploadedScene& scene, DrawnFor use, const MakePass& make_pass);
 
 /// Binds the buffers and textures that scene.glsl reads, and the normals.
-void bind_triangles(const UploadedScene& scene);
+gl::Pass& bind_triangles(gl::Pass& pass, const UploadedScene& scene);
 
 }  // namespace umbrameter

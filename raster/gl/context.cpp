@@ -154,7 +154,7 @@ namespace gl {
 struct Context::State {
   Opened opened;
   std::string first_error;  // since the last check
-  std::map<std::string, Program> programs;
+  std::map<std::string, LinkedProgram> programs;
   int max_texture_size = 0;
   std::size_t max_storage_bytes = 0;
   std::size_t max_buffer_texels = 0;
@@ -234,7 +234,9 @@ void Context::check(const char* pass) const {
               "use a smaller size or choose another device with --gl-device");
 }
 
-const Program& Context::program(const ProgramSource& source) const {
+void Context::flush() const { glFlush(); }
+
+const LinkedProgram& Context::program(const ProgramSource& source) const {
   std::string key = source.defines;
   for (const std::string& file : source.files) key += "\n" + file;
   const auto found = state_->programs.find(key);

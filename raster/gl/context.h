@@ -52,8 +52,11 @@ class Context {
   /// Throws Error (no_backend) with the driver's messages when any command since the last check failed.
   void check(const char* pass) const;
 
+  /// Starts what was dispatched so far.
+  void flush() const;
+
   /// Built on first use, then kept.
-  const Program& program(const ProgramSource& source) const;
+  const LinkedProgram& program(const ProgramSource& source) const;
 
  private:
   struct State;

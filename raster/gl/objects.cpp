@@ -123,6 +123,11 @@ void read_texels(const Texture& texture, Format format, std::span<std::byte> tex
   glGetTextureImage(texture.name(), 0, names.external, names.type, bytes, texels.data());
 }
 
+void clear_texels(const Texture& texture, Format format) {
+  const FormatNames names = names_of(format);
+  glClearTexImage(texture.name(), 0, names.external, names.type, nullptr);
+}
+
 TextureSize size_of(const Texture& texture) {
   TextureSize size;
   glGetTextureLevelParameteriv(texture.name(), 0, GL_TEXTURE_WIDTH, &size.width);

@@ -98,6 +98,9 @@ Texture make_texture(const std::string& label, Format format, int width, int hei
 /// Replaces all texels of a plain 2D texture; rows from texture row 0 on, tightly packed.
 void write_texels(const Texture& texture, Format format, int width, int height, std::span<const std::byte> texels);
 
+/// Sets every texel to 0.
+void clear_texels(const Texture& texture, Format format);
+
 /// What shaders have written to a buffer; `bytes` is no longer than the buffer.
 void read_buffer(const Buffer& buffer, std::span<std::byte> bytes);
 

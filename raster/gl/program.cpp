@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <regex>
 #include <sstream>
+#include <utility>
 
 #include "core/error.h"
 #include "raster/gl/api.h"
@@ -76,6 +77,17 @@ Shader compile(const std::string& file, const std::string& defines, const Shader
   return shader;
 }
 
+void append_inputs(unsigned program, GLenum interface, std::vector<ProgramInput>& inputs) {
+  GLint count = 0;
+  glGetProgramInterfaceiv(program, interface, GL_ACTIVE_RESOURCES, &count);
+  for (GLint i = 0; i < count; ++i) {
+    char name[256];
+    glGetProgramResourceName(program, interface, static_cast<GLuint>(i), sizeof(name), nullptr, name);
+    const GLint location = interface == GL_UNIFORM ? glGetUniformLocation(program, name) : i;
+    if (location >= 0) inputs.push_back({name, location});  // below 0: a member of a block
+  }
+}
+
 }  // namespace
 
 ShaderText resolve_includes(const std::string& file, const std::string& defines, const ShaderLoader& load) {
@@ -103,7 +115,7 @@ std::string name_files_in_log(const std::string& log, const std::vector<std::str
   return named;
 }
 
-Program make_program(const ProgramSource& source, const ShaderLoader& load) {
+LinkedProgram make_program(const ProgramSource& source, const ShaderLoader& load) {
   Program program(glCreateProgram());
   std::string label;
   std::vector<Shader> shaders;
@@ -123,7 +135,11 @@ Program make_program(const ProgramSource& source, const ShaderLoader& load) {
         [](GLuint n, GLsizei size, GLsizei* written, GLchar* text) { glGetProgramInfoLog(n, size, written, text); });
     throw Error(ExitCode::no_backend, "shader program " + label, log, "choose another device with --gl-device");
   }
-  return program;
+  LinkedProgram linked_program{std::move(program), {}};
+  append_inputs(linked_program.program.name(), GL_UNIFORM, linked_program.inputs);
+  append_inputs(linked_program.program.name(), GL_UNIFORM_BLOCK, linked_program.inputs);
+  append_inputs(linked_program.program.name(), GL_SHADER_STORAGE_BLOCK, linked_program.inputs);
+  return linked_program;
 }
 
 }  // namespace umbrameter::gl

@@ -39,7 +39,18 @@ ShaderText resolve_includes(const std::string& file, const std::string& defines,
 /// "name:14".
 std::string name_files_in_log(const std::string& log, const std::vector<std::string>& files);
 
+/// What a program reads or writes by name: a uniform of any kind, or a block.
+struct ProgramInput {
+  std::string name;
+  int location = 0;  ///< of a block: its index
+};
+
+struct LinkedProgram {
+  Program program;
+  std::vector<ProgramInput> inputs;  ///< those that the linked program uses
+};
+
 /// Compiles and links. Throws Error (no_backend) with the driver's messages.
-Program make_program(const ProgramSource& source, const ShaderLoader& load = embedded_shader);
+LinkedProgram make_program(const ProgramSource& source, const ShaderLoader& load = embedded_shader);
 
 }  // namespace umbrameter::gl

@@ -1,9 +1,9 @@
 // Base colour and alpha from mip level 0. Bilinear filtering is done here in full precision, because hardware filters
 // with 8-bit weights and the alpha test must agree with the ray tracer's.
-layout(location = UNIFORM_BASE_COLOR) uniform vec4 base_color_factor;
-layout(location = UNIFORM_WRAP) uniform ivec2 wrap;  // enum Wrap: repeat, mirrored repeat, clamp to edge
-layout(location = UNIFORM_HAS_TEXTURE) uniform int has_texture;
-layout(binding = TEXTURE_BASE_COLOR) uniform sampler2D base_color_texture;
+uniform vec4 base_color_factor;
+uniform ivec2 wrap;  // enum Wrap: repeat, mirrored repeat, clamp to edge
+uniform int has_texture;
+uniform sampler2D base_color_texture;
 
 int wrap_texel(int i, int n, int mode) {
   if (mode == 2) return clamp(i, 0, n - 1);

@@ -4,7 +4,7 @@
 #include "pixel_list.glsl"
 #include "response.glsl"
 layout(local_size_x = LIST_GROUP_SIZE) in;
-layout(std430, binding = BUFFER_HISTOGRAM) restrict buffer Histogram { uint words[]; };
+layout(std430) restrict buffer Histogram { uint words[]; };
 
 // Adds to a 64-bit sum of two words, with carry.
 void add_wide(uint word, uint value) {

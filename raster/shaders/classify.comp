@@ -2,7 +2,7 @@
 #include "cause.glsl"
 #include "pixel_list.glsl"
 layout(local_size_x = LIST_GROUP_SIZE) in;
-layout(binding = IMAGE_WRONG, rgba32ui) writeonly uniform uimage2D wrong_image;
+layout(rgba32ui) writeonly uniform uimage2D wrong_image;
 
 void main() {
   uint index = first_pixel + gl_GlobalInvocationID.x;

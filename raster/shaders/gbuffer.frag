@@ -6,7 +6,7 @@ layout(location = 0) out uvec2 ids;
 layout(location = 1) out vec4 albedo;  // base colour, metallic
 layout(location = 2) out vec4 specular;  // reflectance at normal incidence, perceptual roughness
 #if ALPHA_MASK
-layout(location = UNIFORM_ALPHA_CUTOFF) uniform float alpha_cutoff;
+uniform float alpha_cutoff;
 #endif
 
 void main() {

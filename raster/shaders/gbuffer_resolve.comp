@@ -5,11 +5,11 @@
 #include "scene.glsl"
 #include "view.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
-layout(binding = TEXTURE_IDS) uniform usampler2D ids;
-layout(binding = TEXTURE_NORMALS) uniform samplerBuffer normals;
-layout(binding = IMAGE_POSITION_DEPTH, rgba32f) writeonly uniform image2D position_depth;
-layout(binding = IMAGE_GEOMETRIC_NORMAL, rgba32f) writeonly uniform image2D geometric_normal;
-layout(binding = IMAGE_SHADING_NORMAL, rgba32f) writeonly uniform image2D shading_normal;
+uniform usampler2D ids;
+uniform samplerBuffer normals;
+layout(rgba32f) writeonly uniform image2D position_depth;
+layout(rgba32f) writeonly uniform image2D geometric_normal;
+layout(rgba32f) writeonly uniform image2D shading_normal;
 
 dvec3 mesh_normal(uint instance, uint vertex) {
   return dvec3(texelFetch(normals, int(instances[instance].first_normal + vertex)).xyz);

@@ -1,5 +1,5 @@
 // The light and its map. raster/shadow/light_block.cpp fills it; techniques/shadow/map_layout.h defines the terms.
-layout(std140, binding = BLOCK_LIGHT) uniform LightBlock {
+layout(std140) uniform LightBlock {
   dmat4 light_from_world;
   dvec4 light_in_world;  // directional: unit vector to the light, w = 0; else its position, w = 1
   dvec4 face_basis[18];  // cube face i, in light space: [3i] right, [3i + 1] up, [3i + 2] forward

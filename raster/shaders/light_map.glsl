@@ -1,8 +1,8 @@
 // Projects world positions to the light's map, fetches taps and compares depths.
 #include "arithmetic.glsl"
 #include "light.glsl"
-layout(binding = TEXTURE_SHADOW_DEPTH) uniform sampler2DArray shadow_depth;
-layout(binding = TEXTURE_SHADOW_IDS) uniform usampler2DArray shadow_ids;
+uniform sampler2DArray shadow_depth;
+uniform usampler2DArray shadow_ids;
 
 // A stored depth of 1 means that the light hits nothing there, because every surface is nearer than far_depth.
 const float empty_depth = 1.0;

@@ -1,7 +1,7 @@
 // What shading reads of a material at a texture coordinate, as scenes/material.h.
 #include "base_color.glsl"
-layout(location = UNIFORM_METALLIC_ROUGHNESS) uniform vec2 metallic_roughness_factors;
-layout(location = UNIFORM_DIELECTRIC_SPECULAR) uniform vec3 dielectric_specular;
+uniform vec2 metallic_roughness_factors;
+uniform vec3 dielectric_specular;
 
 struct SurfaceMaterial {
   vec3 base_color;

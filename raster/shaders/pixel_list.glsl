@@ -1,9 +1,9 @@
 // A list of pixels, in any order, and the range of it that one dispatch processes. Passes use a list because software
 // rasterisers also execute branches that are not taken. They process it in ranges because a desktop's watchdog kills a
 // dispatch that runs for seconds.
-layout(location = UNIFORM_FIRST_PIXEL) uniform uint first_pixel;
-layout(location = UNIFORM_END_PIXEL) uniform uint end_pixel;
-layout(std430, binding = BUFFER_PIXELS) restrict buffer PixelList {
+uniform uint first_pixel;
+uniform uint end_pixel;
+layout(std430) restrict buffer PixelList {
   uint pixel_count;
   uint pixels[];  // x, and y in the upper half
 };

@@ -1,5 +1,5 @@
 // The axes of a bias response. raster/shadow/response_axes.cpp fills the buffers.
-layout(std140, binding = BLOCK_RESPONSE) uniform ResponseBlock {
+layout(std140) uniform ResponseBlock {
   float min_bias;
   float max_bias;
   float min_slope;
@@ -7,6 +7,6 @@ layout(std140, binding = BLOCK_RESPONSE) uniform ResponseBlock {
   int bias_count;
   int slope_count;
 };
-layout(std430, binding = BUFFER_AXES) restrict readonly buffer Axes {
+layout(std430) restrict readonly buffer Axes {
   float bias_axis_values[];  // constant biases, ascending; then slope factors
 };

@@ -8,9 +8,9 @@ struct InstanceData {
   uint first_normal;  // NO_ID: the mesh has none
   uint unused;
 };
-layout(std430, binding = BUFFER_INSTANCES) restrict readonly buffer Instances { InstanceData instances[]; };
-layout(binding = TEXTURE_POSITIONS) uniform samplerBuffer positions;
-layout(binding = TEXTURE_TRIANGLES) uniform usamplerBuffer triangles;
+layout(std430) restrict readonly buffer Instances { InstanceData instances[]; };
+uniform samplerBuffer positions;
+uniform usamplerBuffer triangles;
 
 dvec3 world_from_mesh(uint instance, dvec3 position) {
   dvec4 p = dvec4(position, 1.0lf);

@@ -2,7 +2,7 @@
 #include "light.glsl"
 #if ALPHA_MASK
 #include "base_color.glsl"
-layout(location = UNIFORM_ALPHA_CUTOFF) uniform float alpha_cutoff;
+uniform float alpha_cutoff;
 #endif
 layout(location = 0) flat in uint instance;
 layout(location = 1) in vec2 surface_texcoord;

@@ -4,7 +4,7 @@ layout(location = ATTRIBUTE_POSITION) in vec3 position;
 layout(location = ATTRIBUTE_TEXCOORD) in vec2 texcoord;
 layout(location = ATTRIBUTE_INSTANCE) in uint drawn_instance;
 #if MAP_KIND == MAP_ORTHOGRAPHIC
-layout(location = UNIFORM_MAP_VIEW) uniform int map_view;
+uniform int map_view;
 layout(location = 0) flat out uint instance;
 layout(location = 1) out vec2 surface_texcoord;
 #else

@@ -1,9 +1,9 @@
 // Projects a surfel of the G-buffer to the light's map.
 #include "light_map.glsl"
-layout(binding = TEXTURE_IDS) uniform usampler2D ids;
-layout(binding = TEXTURE_POSITION_DEPTH) uniform sampler2D position_depth;
-layout(binding = TEXTURE_GEOMETRIC_NORMAL) uniform sampler2D geometric_normal;
-layout(binding = TEXTURE_TRUTH) uniform sampler2D truth_image;
+uniform usampler2D ids;
+uniform sampler2D position_depth;
+uniform sampler2D geometric_normal;
+uniform sampler2D truth_image;
 
 struct Lookup {
   bool faces_light;  // geometric N·L > 0

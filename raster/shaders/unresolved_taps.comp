@@ -4,7 +4,7 @@
 #include "pixel_list.glsl"
 #include "response.glsl"
 layout(local_size_x = LIST_GROUP_SIZE) in;
-layout(std430, binding = BUFFER_UNRESOLVED) restrict buffer UnresolvedTaps {
+layout(std430) restrict buffer UnresolvedTaps {
   uint unresolved_count;
   uint words[];
 };

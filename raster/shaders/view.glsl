@@ -1,5 +1,5 @@
 // The camera, in double precision. raster/gbuffer/view_block.h fills it.
-layout(std140, binding = BLOCK_VIEW) uniform View {
+layout(std140) uniform View {
   dmat4 clip_from_world;
   dmat4 view_from_world;
   dvec4 eye;               // world

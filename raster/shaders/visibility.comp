@@ -2,7 +2,7 @@
 // taps.
 #include "shadow_filter.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
-layout(binding = IMAGE_VISIBILITY, r32f) writeonly uniform image2D visibility_image;
+layout(r32f) writeonly uniform image2D visibility_image;
 #if HAS_TRUTH
 #include "pixel_list.glsl"
 #endif

@@ -2,9 +2,7 @@
 
 #include <cassert>
 
-#include "raster/gl/compute_pass.h"
 #include "raster/shader_interface.h"
-#include "raster/shadow/light_block.h"
 #include "raster/texture_image.h"
 
 namespace umbrameter {
@@ -14,10 +12,10 @@ FilteredMap filter(const gl::Context& context, const ShadowMap& map, const Esm& 
   const int layers = static_cast<int>(map.layout.views.size());
   const auto blur = [&](const gl::Texture& source, bool is_first) {
     gl::Texture blurred = gl::make_texture("exponential shadow map", gl::Format::r32f, side, side, layers);
-    gl::ComputePass pass(context, "esm_blur.comp", define("WARP", is_first ? 1 : 0));
-    if (is_first) pass.value("exponent", static_cast<float>(esm.params.exponent));
-    pass.texture("source", source)
+    gl::Pass(context, {{"esm_blur.comp"}, define("WARP", is_first ? 1 : 0)})
+        .texture("source", source)
         .image("blurred", blurred, gl::Format::r32f, true)
+        .value("exponent", static_cast<float>(esm.params.exponent))
         .value("taps", esm.params.blur)
         .value("axis", is_first ? 1 : 0, is_first ? 0 : 1)
         .dispatch(side, side, layers);
@@ -28,11 +26,10 @@ FilteredMap filter(const gl::Context& context, const ShadowMap& map, const Esm& 
 
 RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const Esm& esm) {
   assert(lookup.filtered != nullptr);
-  const gl::Buffer block = bind(lookup, lookup.bias.constant.unit);
   const int width = lookup.gbuffer.width;
   const int height = lookup.gbuffer.height;
   const gl::Texture visibility = gl::make_texture("visibility", gl::Format::r32f, width, height);
-  gl::ComputePass(context, "esm_visibility.comp", map_defines(lookup.map.layout))
+  lookup_pass(context, lookup, lookup.bias.constant.unit, {{"esm_visibility.comp"}, {}})
       .texture("moments", lookup.filtered->moments)
       .image("visibility_image", visibility, gl::Format::r32f)
       .value("exponent", static_cast<float>(esm.params.exponent))

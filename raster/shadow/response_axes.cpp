@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "raster/gl/api.h"
 #include "raster/shader_interface.h"
 
 namespace umbrameter {
@@ -34,14 +33,20 @@ ResponseBlock make_block(const BiasAxes& axes) {
 
 }  // namespace
 
-ResponseAxes bind_axes(const BiasAxes& axes) {
+gl::Pass& bind_axes(gl::Pass& pass, const BiasAxes& axes) {
   std::vector<float> both = axes.constant;
   both.insert(both.end(), axes.slope.begin(), axes.slope.end());
-  ResponseAxes bound{gl::make_block("response axes", make_block(axes)),
-                     gl::make_buffer("biases", std::span<const float>(both))};
-  glBindBufferBase(GL_UNIFORM_BUFFER, slot("BLOCK_RESPONSE"), bound.block.name());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot("BUFFER_AXES"), bound.values.name());
-  return bound;
+  return pass.block("ResponseBlock", make_block(axes))
+      .buffer("Axes", gl::make_buffer("biases", std::span<const float>(both)));
+}
+
+gl::Buffer list_response_pixels(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes,
+                                bool lit_alone) {
+  gl::Buffer list = make_pixel_list(context, lookup.gbuffer);
+  gl::Pass pass =
+      lookup_pass(context, lookup, axes.unit, {{"response_pixels.comp"}, define("LIT_ALONE", lit_alone ? 1 : 0)});
+  bind_axes(pass, axes).buffer("PixelList", list).dispatch(lookup.gbuffer.width, lookup.gbuffer.height);
+  return list;
 }
 
 }  // namespace umbrameter

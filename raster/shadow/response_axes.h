@@ -1,19 +1,18 @@
-// The buffers of BiasAxes that shaders/response.glsl reads. Internal to raster.
+// Biases at which shaders measure the error, shaders/response.glsl, and the pixels that are wrong at some of them.
+// Internal to raster.
 #pragma once
 
-#include "raster/gl/objects.h"
-#include "techniques/shadow/causes.h"
-#include "techniques/shadow/filter.h"
+#include "raster/gl/pass.h"
+#include "raster/shadow/shadow_lookup.h"
 #include "techniques/shadow/histogram.h"
 
 namespace umbrameter {
 
-struct ResponseAxes {
-  gl::Buffer block;
-  gl::Buffer values;
-};
+/// Uploads and binds the axes, neither of which may be empty.
+gl::Pass& bind_axes(gl::Pass& pass, const BiasAxes& axes);
 
-/// Uploads and binds the axes; they stay bound while the result lives. Neither axis may be empty.
-[[nodiscard]] ResponseAxes bind_axes(const BiasAxes& axes);
+/// Lists the pixels that have a wrong tap at some bias of the axes; lit_alone: only those that are lit in the truth.
+gl::Buffer list_response_pixels(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes,
+                                bool lit_alone);
 
 }  // namespace umbrameter

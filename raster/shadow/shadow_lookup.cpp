@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/error.h"
-#include "raster/gl/api.h"
 #include "raster/shader_interface.h"
 #include "raster/shadow/filter_defines.h"
 #include "raster/shadow/light_block.h"
@@ -26,7 +25,7 @@ constexpr std::size_t max_steps_at_once = std::size_t{1} << 26;
 constexpr std::size_t min_at_once = 4096;
 
 // OpenGL promises no more than 65535 work groups (GL_MAX_COMPUTE_WORK_GROUP_COUNT).
-constexpr std::size_t max_at_once = std::size_t{65535} * slot("LIST_GROUP_SIZE");
+constexpr std::size_t max_at_once = std::size_t{65535} * constant("LIST_GROUP_SIZE");
 
 }  // namespace
 
@@ -47,33 +46,29 @@ gl::Texture upload_truth(const gl::Context& context, const Image<float>& visibil
 
 const FilterKernel& kernel_of(const ShadowLookup& lookup) { return std::get<Pcf>(lookup.technique).kernel; }
 
-std::string lookup_defines(const ShadowLookup& lookup) {
-  return interface_defines() + map_defines(lookup.map.layout) + filter_defines(kernel_of(lookup));
-}
-
-gl::Buffer bind(const ShadowLookup& lookup, LengthUnit bias_unit) {
-  LightBlock values = make_light_block(lookup.light, lookup.map.layout);
-  values.constant_bias = static_cast<float>(lookup.bias.constant.number);
-  values.slope_bias = static_cast<float>(lookup.bias.slope);
-  values.normal_offset = static_cast<float>(lookup.bias.normal_offset);
+gl::Pass lookup_pass(const gl::Context& context, const ShadowLookup& lookup, LengthUnit bias_unit,
+                     const gl::ProgramSource& source) {
+  LightBlock block = make_light_block(lookup.light, lookup.map.layout);
+  block.constant_bias = static_cast<float>(lookup.bias.constant.number);
+  block.slope_bias = static_cast<float>(lookup.bias.slope);
+  block.normal_offset = static_cast<float>(lookup.bias.normal_offset);
+  block.bias_in_texels = bias_unit == LengthUnit::texels ? 1 : 0;
+  std::string defines = map_defines(lookup.map.layout) + source.defines;
   if (const auto* pcf = std::get_if<Pcf>(&lookup.technique)) {
-    values.tap_count = pcf->kernel.tap_count();
-    values.filter_radius = pcf->kernel.radius;
+    block.tap_count = pcf->kernel.tap_count();
+    block.filter_radius = pcf->kernel.radius;
+    defines += filter_defines(pcf->kernel);
   }
-  values.bias_in_texels = bias_unit == LengthUnit::texels ? 1 : 0;
-  gl::Buffer block = gl::make_block("light", values);
-  glBindBufferBase(GL_UNIFORM_BUFFER, slot("BLOCK_LIGHT"), block.name());
-  bind_triangles(lookup.scene);
-  glBindTextureUnit(slot("TEXTURE_IDS"), lookup.gbuffer.ids.name());
-  glBindTextureUnit(slot("TEXTURE_POSITION_DEPTH"), lookup.gbuffer.position_depth.name());
-  glBindTextureUnit(slot("TEXTURE_GEOMETRIC_NORMAL"), lookup.gbuffer.geometric_normal.name());
-  glBindTextureUnit(slot("TEXTURE_SHADOW_DEPTH"), lookup.map.depth.name());
-  glBindTextureUnit(slot("TEXTURE_SHADOW_IDS"), lookup.map.ids.name());
-  if (lookup.truth != nullptr) glBindTextureUnit(slot("TEXTURE_TRUTH"), lookup.truth->name());
-  return block;
+  gl::Pass pass(context, {source.files, defines});
+  bind_triangles(bind(pass, lookup.gbuffer), lookup.scene)
+      .block("LightBlock", block)
+      .texture("shadow_depth", lookup.map.depth)
+      .texture("shadow_ids", lookup.map.ids);
+  if (lookup.truth != nullptr) pass.texture("truth_image", *lookup.truth);
+  return pass;
 }
 
-gl::Buffer bind_pixel_list(const gl::Context& context, const GpuGBuffer& gbuffer) {
+gl::Buffer make_pixel_list(const gl::Context& context, const GpuGBuffer& gbuffer) {
   const std::size_t pixels = static_cast<std::size_t>(gbuffer.width) * static_cast<std::size_t>(gbuffer.height);
   const std::size_t bytes = (1 + pixels) * sizeof(std::uint32_t);
   if (bytes > context.max_storage_bytes()) {
@@ -85,14 +80,7 @@ gl::Buffer bind_pixel_list(const gl::Context& context, const GpuGBuffer& gbuffer
   gl::Buffer list = gl::make_empty_buffer("pixel list", bytes);
   const std::uint32_t none[] = {0};
   gl::write_buffer(list, 0, std::as_bytes(std::span(none)));
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot("BUFFER_PIXELS"), list.name());
   return list;
-}
-
-void dispatch_pixels(const gl::Program& program, const GpuGBuffer& gbuffer) {
-  glUseProgram(program.name());
-  glDispatchCompute(group_count(gbuffer.width), group_count(gbuffer.height), 1);
-  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 std::uint32_t count_listed(const gl::Context& context, const gl::Buffer& pixel_list) {
@@ -102,23 +90,20 @@ std::uint32_t count_listed(const gl::Context& context, const gl::Buffer& pixel_l
   return count[0];
 }
 
-void dispatch_list(const gl::Program& program, const ListedPixels& pixels) {
+void dispatch_list(gl::Pass& pass, const ListedPixels& pixels) {
   assert(pixels.end >= pixels.first && pixels.end - pixels.first <= max_at_once);
-  glUseProgram(program.name());
-  glUniform1ui(location("UNIFORM_FIRST_PIXEL"), pixels.first);
-  glUniform1ui(location("UNIFORM_END_PIXEL"), pixels.end);
-  glDispatchCompute((pixels.end - pixels.first + slot("LIST_GROUP_SIZE") - 1) / slot("LIST_GROUP_SIZE"), 1, 1);
-  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  pass.value("first_pixel", pixels.first)
+      .value("end_pixel", pixels.end)
+      .dispatch_groups((pixels.end - pixels.first + constant("LIST_GROUP_SIZE") - 1) / constant("LIST_GROUP_SIZE"));
 }
 
-void dispatch_whole_list(const gl::Context& context, const gl::Program& program, const gl::Buffer& pixel_list,
-                         std::size_t steps) {
+void dispatch_whole_list(const gl::Context& context, gl::Pass& pass, const gl::Buffer& pixel_list, std::size_t steps) {
   const std::uint32_t pixels = count_listed(context, pixel_list);
   const auto at_once = static_cast<std::uint32_t>(
       std::clamp<std::size_t>(max_steps_at_once / std::max<std::size_t>(steps, 1), min_at_once, max_at_once));
   for (std::uint32_t first = 0; first < pixels; first += std::min(at_once, pixels - first)) {
-    dispatch_list(program, {first, first + std::min(at_once, pixels - first)});
-    if (at_once < pixels) glFlush();
+    dispatch_list(pass, {first, first + std::min(at_once, pixels - first)});
+    if (at_once < pixels) context.flush();
   }
 }
 

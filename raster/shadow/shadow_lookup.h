@@ -1,13 +1,13 @@
-// The inputs of every pass that looks up a shadow map, and the functions that bind them.
+// The inputs of every pass that looks up a shadow map, and the functions that make and run such passes.
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 #include "core/image.h"
 #include "raster/gbuffer/gbuffer_pass.h"
 #include "raster/gbuffer/uploaded_scene.h"
 #include "raster/gl/context.h"
+#include "raster/gl/pass.h"
 #include "raster/shadow/filtered_map.h"
 #include "raster/shadow/shadow_map.h"
 #include "techniques/shadow/map_layout.h"
@@ -37,20 +37,15 @@ gl::Texture upload(const gl::Context& context, const Image<float>& image);
 gl::Texture upload_truth(const gl::Context& context, const Image<float>& visibility,
                          const Image<PixelExclusion>& exclusion);
 
-/// The #defines for a look-up. Biases, normal offset and radius are uniforms, so that a sweep over them does not
-/// recompile shaders.
-std::string lookup_defines(const ShadowLookup& lookup);
+/// A pass over a look-up, with the map, the light, the surfels, the scene and, if there is one, the truth bound.
+/// Biases, normal offset and radius are uniforms, so that a sweep over them does not recompile shaders. bias_unit is
+/// the unit of constant biases, including those of axes: metres or texels.
+gl::Pass lookup_pass(const gl::Context& context, const ShadowLookup& lookup, LengthUnit bias_unit,
+                     const gl::ProgramSource& source);
 
-/// Binds textures, triangles and the light's block, and returns the block's buffer, which must outlive the pass.
-/// bias_unit is the unit of constant biases, including those of bound axes: metres or texels.
-[[nodiscard]] gl::Buffer bind(const ShadowLookup& lookup, LengthUnit bias_unit);
-
-/// Makes and binds an empty list with room for every pixel: PixelList in shaders/pixel_list.glsl.
+/// An empty list with room for every pixel: PixelList in shaders/pixel_list.glsl.
 /// Throws Error (usage) naming view.size if the list exceeds the device's maximum buffer size.
-[[nodiscard]] gl::Buffer bind_pixel_list(const gl::Context& context, const GpuGBuffer& gbuffer);
-
-/// Runs the program over every pixel, then issues a memory barrier.
-void dispatch_pixels(const gl::Program& program, const GpuGBuffer& gbuffer);
+[[nodiscard]] gl::Buffer make_pixel_list(const gl::Context& context, const GpuGBuffer& gbuffer);
 
 /// Number of pixels in the list.
 std::uint32_t count_listed(const gl::Context& context, const gl::Buffer& pixel_list);
@@ -61,12 +56,11 @@ struct ListedPixels {
   std::uint32_t end = 0;
 };
 
-/// Runs the program over a range of the bound list, at most four million pixels, then issues a memory barrier.
-void dispatch_list(const gl::Program& program, const ListedPixels& pixels);
+/// Runs the pass over a range of its list, at most four million pixels.
+void dispatch_list(gl::Pass& pass, const ListedPixels& pixels);
 
-/// Runs the program over the whole list, in dispatches that are short enough for the driver's watchdog. `steps` is the
-/// number of iterations of the program's innermost loop per pixel.
-void dispatch_whole_list(const gl::Context& context, const gl::Program& program, const gl::Buffer& pixel_list,
-                         std::size_t steps);
+/// Runs the pass over its whole list, in dispatches that are short enough for the driver's watchdog. `steps` is the
+/// number of iterations of the shader's innermost loop per pixel.
+void dispatch_whole_list(const gl::Context& context, gl::Pass& pass, const gl::Buffer& pixel_list, std::size_t steps);
 
 }  // namespace umbrameter

@@ -34,15 +34,16 @@ void require_room(const gl::Context& context, const MapLayout& layout) {
 }
 
 // One view after another, each into its layer. The other kinds draw all layers at once through a geometry shader.
-void draw_views(const UploadedScene& scene, const gl::Program& solid, const gl::Program& masked,
-                const gl::Framebuffer& framebuffer, const ShadowMap& map) {
+void draw_views(const UploadedScene& scene, const MakePass& make_pass, const gl::Framebuffer& framebuffer,
+                const ShadowMap& map) {
   for (int view = 0; view < layer_count(map.layout); ++view) {
     glNamedFramebufferTextureLayer(framebuffer.name(), GL_COLOR_ATTACHMENT0, map.ids.name(), 0, view);
     glNamedFramebufferTextureLayer(framebuffer.name(), GL_DEPTH_ATTACHMENT, map.depth.name(), 0, view);
-    for (const gl::Program* program : {&solid, &masked}) {
-      glProgramUniform1i(program->name(), location("UNIFORM_MAP_VIEW"), view);
-    }
-    draw_scene(scene, DrawnFor::shadow, solid, masked);
+    draw_scene(scene, DrawnFor::shadow, [&](bool is_masked) {
+      gl::Pass pass = make_pass(is_masked);
+      pass.value("map_view", view);
+      return pass;
+    });
   }
 }
 
@@ -66,14 +67,15 @@ bool has_textures_for(const ShadowMap& map, const MapLayout& layout) {
 
 void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light, ShadowMap& map) {
   const MapLayout& layout = map.layout;
-  const std::string common = interface_defines() + map_defines(layout);
-  const auto program = [&](unsigned alpha_mask) -> const gl::Program& {
-    gl::ProgramSource source{{"shadow.vert", "shadow.frag"}, common + define("ALPHA_MASK", alpha_mask)};
+  const LightBlock block = make_light_block(light, layout);
+  const MakePass make_pass = [&](bool is_masked) {
+    gl::ProgramSource source{{"shadow.vert", "shadow.frag"},
+                             map_defines(layout) + define("ALPHA_MASK", is_masked ? 1 : 0)};
     if (layout.kind != MapKind::orthographic) source.files.insert(source.files.begin() + 1, "shadow.geom");
-    return context.program(source);
+    gl::Pass pass(context, source);
+    pass.block("LightBlock", block);
+    return pass;
   };
-  const gl::Buffer block = gl::make_block("light", make_light_block(light, layout));
-  glBindBufferBase(GL_UNIFORM_BUFFER, slot("BLOCK_LIGHT"), block.name());
 
   const gl::Framebuffer framebuffer = gl::make_framebuffer("shadow map");
   const unsigned target = framebuffer.name();
@@ -97,9 +99,9 @@ void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, c
   // Orthographic: what rounding puts before the near face still casts. The others clip at their own tiny near plane.
   (layout.kind == MapKind::orthographic ? glEnable : glDisable)(GL_DEPTH_CLAMP);
   if (layout.kind == MapKind::orthographic) {
-    draw_views(scene, program(0), program(1), framebuffer, map);
+    draw_views(scene, make_pass, framebuffer, map);
   } else {
-    draw_scene(scene, DrawnFor::shadow, program(0), program(1));
+    draw_scene(scene, DrawnFor::shadow, make_pass);
   }
   glDisable(GL_DEPTH_CLAMP);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -4,9 +4,6 @@
 #include "raster/gbuffer/uploaded_scene.h"
 #include "raster/gl/context.h"
 #include "raster/gl/objects.h"
-#include "techniques/shadow/causes.h"
-#include "techniques/shadow/filter.h"
-#include "techniques/shadow/histogram.h"
 #include "techniques/shadow/map_layout.h"
 
 namespace umbrameter {

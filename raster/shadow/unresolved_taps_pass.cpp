@@ -6,9 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "raster/gl/api.h"
 #include "raster/shader_interface.h"
-#include "raster/shadow/filter_defines.h"
 #include "raster/shadow/response_axes.h"
 
 namespace umbrameter {
@@ -24,30 +22,25 @@ static_assert(sizeof(UnresolvedTap) % sizeof(std::uint32_t) == 0);
 void list_unresolved_taps(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes,
                           const UnresolvedTapSink& sink) {
   assert(lookup.truth != nullptr && !axes.constant.empty() && !axes.slope.empty());
-  const std::string defines = lookup_defines(lookup) + define("LIT_ALONE", 1);
-  const gl::Buffer light = bind(lookup, axes.unit);
-  const ResponseAxes bound = bind_axes(axes);
-  const gl::Buffer list = bind_pixel_list(context, lookup.gbuffer);
-  dispatch_pixels(context.program({{"response_pixels.comp"}, defines}), lookup.gbuffer);
+  const gl::Buffer list = list_response_pixels(context, lookup, axes, true);
   const std::uint32_t pixels = count_listed(context, list);
   if (pixels == 0) return;
 
   const auto taps = static_cast<std::size_t>(kernel_of(lookup).tap_count());
   const auto at_once = static_cast<std::uint32_t>(
-      std::min<std::size_t>(pixels, std::max<std::size_t>(max_taps_at_once / taps, slot("LIST_GROUP_SIZE"))));
+      std::min<std::size_t>(pixels, std::max<std::size_t>(max_taps_at_once / taps, constant("LIST_GROUP_SIZE"))));
   const gl::Buffer found =
       gl::make_empty_buffer("unresolved taps", sizeof(std::uint32_t) + at_once * taps * sizeof(UnresolvedTap));
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, slot("BUFFER_UNRESOLVED"), found.name());
-  const gl::Program& program = context.program({{"unresolved_taps.comp"}, defines});
+  gl::Pass pass = lookup_pass(context, lookup, axes.unit, {{"unresolved_taps.comp"}, {}});
+  bind_axes(pass, axes).buffer("PixelList", list).buffer("UnresolvedTaps", found);
   std::vector<std::byte> words;
   std::vector<UnresolvedTap> records;
   for (std::uint32_t first = 0; first < pixels; first += at_once) {
     const std::uint32_t count = std::min(at_once, pixels - first);
     std::array<std::uint32_t, 1> header{};
     gl::write_buffer(found, 0, std::as_bytes(std::span(header)));
-    dispatch_list(program, {first, first + count});
+    dispatch_list(pass, {first, first + count});
     gl::read_buffer(found, std::as_writable_bytes(std::span(header)));
-    context.check("unresolved taps");
     if (header[0] == 0) continue;
     words.resize(sizeof(header) + header[0] * sizeof(UnresolvedTap));
     gl::read_buffer(found, words);

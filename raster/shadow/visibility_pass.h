@@ -5,8 +5,6 @@
 #include "raster/gl/context.h"
 #include "raster/shadow/shadow_lookup.h"
 #include "techniques/shadow/causes.h"
-#include "techniques/shadow/filter.h"
-#include "techniques/shadow/histogram.h"
 
 namespace umbrameter {
 

@@ -41,7 +41,7 @@ TEST_F(ShadowLookupGl, A_view_with_more_pixels_than_a_list_can_hold_is_an_error_
   vast.width = static_cast<int>(context().max_storage_bytes() / sizeof(std::uint32_t) / 1000);
   vast.height = 1001;
   try {
-    const gl::Buffer list = bind_pixel_list(context(), vast);
+    const gl::Buffer list = make_pixel_list(context(), vast);
     ADD_FAILURE() << "no error";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::usage);

@@ -1,0 +1,117 @@
+#include "raster/gl/pass.h"
+
+#include <utility>
+
+#include "core/error.h"
+#include "raster/gl/api.h"
+#include "raster/shader_interface.h"
+
+namespace umbrameter::gl {
+
+Pass::Pass(const Context& context, const ProgramSource& source)
+    : context_(context),
+      label_(source.files.back()),
+      program_(context.program({source.files, interface_defines() + source.defines})),
+      bound_(program_.inputs.size()) {}
+
+Pass& Pass::bind(const char* name, const Bound& bound) {
+  for (std::size_t i = 0; i < bound_.size(); ++i) {
+    if (program_.inputs[i].name == name) bound_[i] = bound;
+  }
+  return *this;
+}
+
+int Pass::location(const char* name) {
+  bind(name, {Bound::value});
+  return glGetUniformLocation(program_.program.name(), name);
+}
+
+const Buffer& Pass::keep(Buffer buffer) { return kept_.emplace_back(std::move(buffer)); }
+
+Pass& Pass::image(const char* name, const Texture& texture, Format format, bool layered) {
+  return bind(name, {Bound::image, texture.name(), format, layered});
+}
+
+Pass& Pass::value(const char* name, float number) {
+  glProgramUniform1f(program_.program.name(), location(name), number);
+  return *this;
+}
+
+Pass& Pass::value(const char* name, int number) {
+  glProgramUniform1i(program_.program.name(), location(name), number);
+  return *this;
+}
+
+Pass& Pass::value(const char* name, unsigned number) {
+  glProgramUniform1ui(program_.program.name(), location(name), number);
+  return *this;
+}
+
+Pass& Pass::value(const char* name, int x, int y) {
+  glProgramUniform2i(program_.program.name(), location(name), x, y);
+  return *this;
+}
+
+Pass& Pass::value(const char* name, const vec2& numbers) {
+  glProgramUniform2f(program_.program.name(), location(name), numbers.x, numbers.y);
+  return *this;
+}
+
+Pass& Pass::value(const char* name, const vec3& numbers) {
+  glProgramUniform3f(program_.program.name(), location(name), numbers.x, numbers.y, numbers.z);
+  return *this;
+}
+
+Pass& Pass::value(const char* name, const vec4& numbers) {
+  glProgramUniform4f(program_.program.name(), location(name), numbers.x, numbers.y, numbers.z, numbers.w);
+  return *this;
+}
+
+void Pass::use() const {
+  const unsigned program = program_.program.name();
+  unsigned taken[6] = {};  // binding points, by kind
+  for (std::size_t i = 0; i < bound_.size(); ++i) {
+    const ProgramInput& input = program_.inputs[i];
+    const Bound& bound = bound_[i];
+    const unsigned point = taken[bound.kind]++;
+    switch (bound.kind) {
+      case Bound::nothing:
+        throw Error(ExitCode::no_backend, "shader " + label_, "nothing is bound to '" + input.name + "'",
+                    "this is a bug in the build: please report it");
+      case Bound::value:
+        break;
+      case Bound::texture:
+        glProgramUniform1i(program, input.location, static_cast<int>(point));
+        glBindTextureUnit(point, bound.name);
+        break;
+      case Bound::image:
+        glProgramUniform1i(program, input.location, static_cast<int>(point));
+        glBindImageTexture(point, bound.name, 0, bound.layered ? GL_TRUE : GL_FALSE, 0, GL_WRITE_ONLY,
+                           internal_format(bound.format));
+        break;
+      case Bound::buffer:
+        glShaderStorageBlockBinding(program, static_cast<unsigned>(input.location), point);
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, point, bound.name);
+        break;
+      case Bound::block:
+        glUniformBlockBinding(program, static_cast<unsigned>(input.location), point);
+        glBindBufferBase(GL_UNIFORM_BUFFER, point, bound.name);
+        break;
+    }
+  }
+  glUseProgram(program);
+}
+
+void Pass::dispatch(int width, int height, int layers) const {
+  dispatch_groups(group_count(width), group_count(height), static_cast<unsigned>(layers));
+}
+
+void Pass::dispatch_groups(unsigned x, unsigned y, unsigned z) const {
+  use();
+  glDispatchCompute(x, y, z);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                  GL_BUFFER_UPDATE_BARRIER_BIT);
+  context_.check(label_.c_str());
+}
+
+}  // namespace umbrameter::gl
