@@ -198,15 +198,9 @@ TEST_F(KnownAnswersGl, The_lit_strip_behind_a_wall_follows_its_formula) {
       const MapLayout layout = exact_layout(towards, resolution, 10.0 / resolution, 20 * degrees);
       const ShadowMap map = draw_shadow_map(context(), uploaded, light_of(layout), layout);
       const std::vector<double> biases = evenly(0.0, 0.45, 32);
-<<<<<<< HEAD
-      const BiasHistogram histogram =
-          draw_bias_response(context(), {uploaded, surfels, map, light_of(layout), {}, make_technique({}), &blocked},
-                             {to_floats(biases), {0.0f}});
-=======
       const BiasHistogram histogram = draw_bias_response(
-          context(), {uploaded, surfels, map, light_of(frame), {}, make_technique(ShadowParams{}), &blocked},
+          context(), {uploaded, surfels, map, light_of(layout), {}, make_technique(ShadowParams{}), &blocked},
           {to_floats(biases), {0.0f}});
->>>>>>> 4dbb234 (techniques, raster: techniques of ambient occlusion are a variant, as those of shadows are)
       const std::vector<VisibilitySums> found = sums_at_biases(histogram, 0);
       for (std::size_t k = 0; k < biases.size(); ++k) {
         const double strip = std::max(0.0, biases[k] * std::cos(e) - 0.05);
