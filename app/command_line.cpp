@@ -220,7 +220,10 @@ void add_other_commands(CLI::App& app, CommandLine& line) {
   add_output_flags(scenes, line);
 
   CLI::App& scene = add_command(app, scene_command);
-  scene.add_option("NAME", line.scene, "built-in scene; forest:20M for about 20 million triangles")->required();
+  scene
+      .add_option("NAME", line.scene,
+                  "built-in scene; forest:20M for about 20 million triangles, courtyard:64 for 64 lights")
+      ->required();
   scene.add_option("-o,--output", line.output, "file to write, .glb")->type_name("FILE")->required();
   for (const char* name : {"scene.unit", "scene.blend", "view.scene"}) add_parameters(scene, line, name);
   add_memory(scene, line);

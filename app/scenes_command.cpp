@@ -72,9 +72,10 @@ std::string counted(const char* noun, const std::vector<std::string>& names) {
 
 std::string size_text(const Listed& scene) {
   const std::string triangles = grouped(scene.triangles) + " triangles";
-  if (scene.description->triangles == 0) return triangles;
-  return fmt::format("{}; {}:NUMBER for {} to {}", triangles, scene.description->name,
-                     grouped(scene.description->fewest), grouped(scene.description->most));
+  const BuiltinScene& description = *scene.description;
+  if (description.counted.empty()) return triangles;
+  return fmt::format("{}; {}:NUMBER for {} to {} {}", triangles, description.name, grouped(description.fewest),
+                     grouped(description.most), description.counted);
 }
 
 void say_scene(const Console& console, const Listed& scene) {
@@ -89,15 +90,19 @@ void say_scene(const Console& console, const Listed& scene) {
   }
 }
 
-// The numbers of triangles that may be asked for; null for a scene of one size.
+// The numbers that may be asked for, and of what; null for a scene of one size.
 Json sizes_json(const BuiltinScene& description) {
-  return description.triangles == 0 ? Json(nullptr) : Json{description.fewest, description.most};
+  return description.counted.empty() ? Json(nullptr) : Json{description.fewest, description.most};
 }
 
 Json to_json(const Listed& scene) {
-  return {{"name", scene.name},           {"purpose", scene.description->purpose},
-          {"triangles", scene.triangles}, {"sizes", sizes_json(*scene.description)},
-          {"cameras", scene.cameras},     {"lights", scene.lights}};
+  return {{"name", scene.name},
+          {"purpose", scene.description->purpose},
+          {"triangles", scene.triangles},
+          {"sizes", sizes_json(*scene.description)},
+          {"sizes_of", scene.description->counted.empty() ? Json(nullptr) : Json(scene.description->counted)},
+          {"cameras", scene.cameras},
+          {"lights", scene.lights}};
 }
 
 std::string to_markdown(const std::vector<Listed>& scenes) {
@@ -116,9 +121,12 @@ std::string to_markdown(const std::vector<Listed>& scenes) {
     const BuiltinScene& description = *scene.description;
     text += fmt::format("| `{}` | {} | {} | {} | {} |\n", scene.name, description.purpose, grouped(scene.triangles),
                         joined(scene.cameras), joined(scene.lights));
-    if (description.triangles == 0) continue;
-    sizes += fmt::format("- `{}:NUMBER` has about NUMBER triangles, from {} to {}.\n", description.name,
-                         grouped(description.fewest), grouped(description.most));
+    if (description.counted.empty()) continue;
+    const bool is_exact = description.counted == "lights";
+    sizes +=
+        fmt::format("- `{}:NUMBER` has {}NUMBER {}, from {} to {}{}.\n", description.name, is_exact ? "" : "about ",
+                    description.counted, grouped(description.fewest), grouped(description.most),
+                    is_exact ? ": small point and spot lights in place of its own" : "");
   }
   if (sizes.empty()) return text;
   return text + "\nSome scenes can have other sizes. Write NUMBER as `20M`, `300k` or `5e6`:\n\n" + sizes;

@@ -18,14 +18,14 @@ namespace umbrameter {
 namespace {
 
 template <Scene (*Make)()>
-Scene one_size(std::uint64_t /*triangles*/) {
+Scene one_size(std::uint64_t /*number*/) {
   return Make();
 }
 
 constexpr std::array<BuiltinScene, 15> scenes{{
     {"courtyard",
      "a courtyard with arcades at midday: fine casters on large receivers, all kinds of errors in one view",
-     one_size<builtin::make_courtyard>},
+     builtin::make_courtyard, "lights", 0, 1, 1024},
     {"tilted-plane", "one plane under suns at known angles: the exact share of acne is known",
      one_size<builtin::make_tilted_plane>},
     {"contact-box", "nine boxes 0 to 20 cm above the ground: bias detaches their shadows",
@@ -49,10 +49,10 @@ constexpr std::array<BuiltinScene, 15> scenes{{
     {"fence", "a fence made of an alpha mask beside the same fence made of geometry: both must give the same result",
      one_size<builtin::make_fence>},
     {"foliage", "alpha-masked leaves before a plain wall: dappled shadows", one_size<builtin::make_foliage>},
-    {"city", "streets of houses without instancing: thin parts at every distance", builtin::make_city, 300'000, 10'000,
-     20'000'000},
-    {"forest", "instanced trees, ferns and rocks: light through leaves", builtin::make_forest, 2'000'000, 100'000,
-     100'000'000},
+    {"city", "streets of houses without instancing: thin parts at every distance", builtin::make_city, "triangles",
+     300'000, 10'000, 20'000'000},
+    {"forest", "instanced trees, ferns and rocks: light through leaves", builtin::make_forest, "triangles", 2'000'000,
+     100'000, 100'000'000},
 }};
 
 // 20M, 5e6, 300k or 123456.
@@ -72,23 +72,26 @@ std::optional<std::uint64_t> parsed_size(std::string_view text) {
 
 Scene make_sized(const BuiltinScene& scene, const std::string& text, const std::string& size) {
   const std::string name(scene.name);
-  if (scene.triangles == 0) {
+  if (scene.counted.empty()) {
     throw Error(ExitCode::usage, "scene '" + text + "'", "'" + name + "' has one size",
                 "omit ':" + size + "', or give a scene with a size, such as forest:" + size);
   }
+  const std::string counted(scene.counted);
   const std::string range =
-      "'" + name + "' can have " + std::to_string(scene.fewest) + " to " + std::to_string(scene.most) + " triangles";
-  const std::optional<std::uint64_t> triangles = parsed_size(size);
-  if (!triangles) {
-    throw Error(ExitCode::usage, "scene '" + text + "'", "'" + size + "' is not a number of triangles",
-                "write it as " + name + ":1M, " + name + ":1e6 or " + name + ":300k; " + range);
+      "'" + name + "' can have " + std::to_string(scene.fewest) + " to " + std::to_string(scene.most) + " " + counted;
+  const std::optional<std::uint64_t> number = parsed_size(size);
+  if (!number) {
+    const std::string example =
+        scene.most < 1000 * 1000 ? name + ":64" : name + ":1M, " + name + ":1e6 or " + name + ":300k";
+    throw Error(ExitCode::usage, "scene '" + text + "'", "'" + size + "' is not a number of " + counted,
+                "write it as " + example + "; " + range);
   }
-  if (*triangles < scene.fewest || *triangles > scene.most) {
+  if (*number < scene.fewest || *number > scene.most) {
     throw Error(ExitCode::usage, "scene '" + text + "'",
-                std::to_string(*triangles) + " triangles are too " + (*triangles < scene.fewest ? "few" : "many"),
+                std::to_string(*number) + " " + counted + " are too " + (*number < scene.fewest ? "few" : "many"),
                 range);
   }
-  return scene.make(*triangles);
+  return scene.make(*number);
 }
 
 [[noreturn]] void fail_unknown(const std::string& text) {

@@ -14,25 +14,26 @@ namespace umbrameter {
 struct BuiltinScene {
   std::string_view name;
   std::string_view purpose;  ///< one line: what it is there to show
-  Scene (*make)(std::uint64_t triangles);
-  std::uint64_t triangles = 0;  ///< about how many it has when none are asked for; 0: it has one size
-  std::uint64_t fewest = 0;     ///< that may be asked for
+  Scene (*make)(std::uint64_t number);
+  std::string_view counted{};  ///< by a number behind its name: "triangles" or "lights"; empty: it has one size
+  std::uint64_t preset = 0;    ///< the number when none is asked for; 0: its own lights
+  std::uint64_t fewest = 0;    ///< that may be asked for
   std::uint64_t most = 0;
 };
 
 /// The scene in its own size.
-inline Scene make(const BuiltinScene& scene) { return scene.make(scene.triangles); }
+inline Scene make(const BuiltinScene& scene) { return scene.make(scene.preset); }
 
 /// All of them; the first is the default.
 std::span<const BuiltinScene> builtin_scenes();
 
 /// The built-in scene of that name, or the glTF file at that path; `part` selects one of several scenes in a file, by
-/// name or index. A colon and a number behind a built-in name ask for about that many triangles, as in forest:20M,
-/// forest:300k and city:5e6. Throws Error (unreadable_input) that lists the built-in names when it is neither, and
-/// Error (usage) when the scene cannot have that many or a part of a built-in scene is asked for.
-/// Then applies the parameters: transparent surfaces are treated as they say, and every length is scaled to metres. A
-/// scene far from its origin is moved there, and a size that is not credible is noted. The parameters also decide
-/// options.blend_makes_holes.
+/// name or index. A colon and a number behind a built-in name ask for about that many triangles, as in forest:20M and
+/// city:5e6, or for that many lights, as in courtyard:64. Throws Error (unreadable_input) that lists the built-in names
+/// when it is neither, and Error (usage) when the scene cannot have that many or a part of a built-in scene is asked
+/// for. Then applies the parameters: transparent surfaces are treated as they say, and every length is scaled to
+/// metres. A scene far from its origin is moved there, and a size that is not credible is noted. The parameters also
+/// decide options.blend_makes_holes.
 Scene load_scene(const std::string& name_or_path, const std::string& part = {}, const SceneParams& params = {},
                  LoadOptions options = {});
 

@@ -42,21 +42,9 @@ Palette add_palette(Scene& scene) {
   return p;
 }
 
-Scene make_courtyard() {
-  Scene scene;
-  scene.name = "courtyard";
-  const Palette palette = add_palette(scene);
-  add_paving(scene, palette);
-  add_arcade(scene, palette);
-  add_tower(scene, palette);
-  add_terrace(scene, palette);
-  add_fence(scene, palette);
-  add_furniture(scene, palette);
-  add_plants(scene, palette);
+namespace {
 
-  add_camera(scene, "overview", looking(dvec3(4.4, 4.5, 12.9), dvec3(-1.75, 1.7, -1.8)), 42.0);
-  add_camera(scene, "arcade", looking(dvec3(6.2, 1.8, -7.75), dvec3(-4.0, 1.85, -6.95)), 50.0);
-
+void add_own_lights(Scene& scene) {
   // 40° high, from the south-east: it rakes along the arcade and reaches in between the columns.
   const dvec3 middle(-1.5, 0.0, -1.0);
   const double elevation = degrees(40.0);
@@ -80,6 +68,30 @@ Scene make_courtyard() {
   spot.intensity = 34.0;
   spot.shape = SpotLight{16.0, degrees(14.0), degrees(24.0)};
   scene.lights.push_back(spot);
+}
+
+}  // namespace
+
+Scene make_courtyard(std::uint64_t lights) {
+  Scene scene;
+  scene.name = "courtyard";
+  const Palette palette = add_palette(scene);
+  add_paving(scene, palette);
+  add_arcade(scene, palette);
+  add_tower(scene, palette);
+  add_terrace(scene, palette);
+  add_fence(scene, palette);
+  add_furniture(scene, palette);
+  add_plants(scene, palette);
+
+  add_camera(scene, "overview", looking(dvec3(4.4, 4.5, 12.9), dvec3(-1.75, 1.7, -1.8)), 42.0);
+  add_camera(scene, "arcade", looking(dvec3(6.2, 1.8, -7.75), dvec3(-4.0, 1.85, -6.95)), 50.0);
+
+  if (lights == 0) {
+    add_own_lights(scene);
+  } else {
+    add_small_lights(scene, lights);
+  }
   return scene;
 }
 

@@ -24,6 +24,9 @@ void add_terrace(Scene& scene, const Palette& palette);
 void add_fence(Scene& scene, const Palette& palette);
 void add_furniture(Scene& scene, const Palette& palette);
 void add_plants(Scene& scene, const Palette& palette);
+/// Point lights and spot lights in turn, of ranges from 1.5 to 4 m. The first contains the camera "overview", the
+/// second the camera "arcade".
+void add_small_lights(Scene& scene, std::uint64_t number);
 
 /// Rows of barrel tiles over a deck. In its own frame the deck's top is y = 0, z points down the slope, the eave is
 /// z = 0; `length` runs along x, `rise` up the slope.

@@ -7,7 +7,6 @@
 
 namespace umbrameter::builtin {
 
-Scene make_courtyard();
 Scene make_tilted_plane();
 Scene make_contact_box();
 Scene make_thin_leaf();
@@ -20,6 +19,9 @@ Scene make_two_occluders();
 Scene make_room();
 Scene make_fence();
 Scene make_foliage();
+
+/// With its own lights, or with that many small ones in their place where the number is not 0.
+Scene make_courtyard(std::uint64_t lights);
 
 /// About `triangles` triangles, over all instances.
 Scene make_city(std::uint64_t triangles);

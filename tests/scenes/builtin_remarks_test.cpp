@@ -29,7 +29,7 @@ TEST_P(EachScene, None_of_its_cameras_is_inside_an_object) {
 std::vector<std::string_view> names() {
   std::vector<std::string_view> all;
   for (const BuiltinScene& scene : builtin_scenes()) all.push_back(scene.name);
-  all.insert(all.end(), {"city:10k", "city:1M", "forest:100k"});
+  all.insert(all.end(), {"courtyard:64", "city:10k", "city:1M", "forest:100k"});
   return all;
 }
 

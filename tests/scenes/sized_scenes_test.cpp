@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "core/error.h"
 #include "scenes/builtin.h"
@@ -37,11 +38,11 @@ TEST(SizedScenes, Have_the_asked_number_of_triangles_within_a_tenth) {
 
 TEST(SizedScenes, Have_their_own_size_when_none_is_asked_for) {
   for (const BuiltinScene& scene : builtin_scenes()) {
-    if (scene.triangles == 0) continue;
-    EXPECT_LE(scene.fewest, scene.triangles) << scene.name;
-    EXPECT_GE(scene.most, scene.triangles) << scene.name;
+    if (scene.counted != "triangles") continue;
+    EXPECT_LE(scene.fewest, scene.preset) << scene.name;
+    EXPECT_GE(scene.most, scene.preset) << scene.name;
     const double have = static_cast<double>(count(load_scene(std::string(scene.name))).triangles);
-    EXPECT_NEAR(have / static_cast<double>(scene.triangles), 1.0, 0.1) << scene.name;
+    EXPECT_NEAR(have / static_cast<double>(scene.preset), 1.0, 0.1) << scene.name;
   }
 }
 
@@ -90,8 +91,51 @@ TEST(SizedScenes, Sizes_beyond_the_limits_are_errors_that_give_them) {
   EXPECT_TRUE(contains(usage_failure_of("city:1e9"), "10000 to 20000000"));
 }
 
+// Whether a light's range and cone contain a point.
+bool contains(const Light& light, const dvec3& point) {
+  const dvec3 offset = point - light.position();
+  if (const auto* spot = std::get_if<SpotLight>(&light.shape)) {
+    return glm::length(offset) < spot->range &&
+           glm::dot(glm::normalize(offset), light.axis()) > std::cos(spot->outer_cone_angle);
+  }
+  return glm::length(offset) < std::get<PointLight>(light.shape).range;
+}
+
+TEST(SizedScenes, The_courtyard_can_have_small_lights_in_place_of_its_own) {
+  for (const int number : {1, 64, 1024}) {
+    const Scene scene = load_scene("courtyard:" + std::to_string(number));
+    ASSERT_EQ(scene.lights.size(), static_cast<std::size_t>(number));
+    int spots = 0;
+    for (const Light& light : scene.lights) {
+      const auto* spot = std::get_if<SpotLight>(&light.shape);
+      const double range = spot != nullptr ? spot->range : std::get<PointLight>(light.shape).range;
+      EXPECT_GE(range, 1.5) << light.name;
+      EXPECT_LE(range, 4.0) << light.name;
+      if (spot == nullptr) continue;
+      ++spots;
+      EXPECT_LT(spot->inner_cone_angle, spot->outer_cone_angle) << light.name;
+      EXPECT_GE(spot->outer_cone_angle, 15.0 * pi / 180.0 - 1e-12) << light.name;
+      EXPECT_LE(spot->outer_cone_angle, 40.0 * pi / 180.0 + 1e-12) << light.name;
+    }
+    EXPECT_EQ(spots, number / 2);
+    EXPECT_EQ(count(scene).triangles, count(load_scene("courtyard")).triangles);
+  }
+}
+
+TEST(SizedScenes, The_first_two_small_lights_of_the_courtyard_contain_its_cameras) {
+  const Scene scene = load_scene("courtyard:2");
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_TRUE(contains(scene.lights[i], dvec3(scene.cameras[i].world_from_camera[3]))) << i;
+  }
+}
+
+TEST(SizedScenes, Numbers_of_lights_beyond_the_limits_are_errors_that_give_them) {
+  EXPECT_TRUE(contains(usage_failure_of("courtyard:1M"), "1 to 1024 lights"));
+  EXPECT_TRUE(contains(usage_failure_of("courtyard:many"), "courtyard:64"));
+}
+
 TEST(SizedScenes, A_size_for_a_scene_of_one_size_is_an_error) {
-  EXPECT_TRUE(contains(usage_failure_of("courtyard:1M"), "one size"));
+  EXPECT_TRUE(contains(usage_failure_of("room:1M"), "one size"));
 }
 
 }  // namespace
