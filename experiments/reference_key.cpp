@@ -22,7 +22,8 @@ void add_texture(ContentHash& hash, const Texture& texture) {
 // Only where alpha can make holes.
 void add_material(ContentHash& hash, const Scene& scene, const Material& material) {
   const auto& [name, base_color, base_color_texture, alpha_mode, alpha_cutoff, double_sided, metallic, roughness,
-               specular, specular_color, transmission] = material;
+               specular, specular_color, transmission, metallic_roughness_texture, specular_texture,
+               specular_color_texture] = material;
   const bool masked = alpha_mode == AlphaMode::mask;
   hash.add(masked);
   if (!masked) return;

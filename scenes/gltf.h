@@ -19,7 +19,8 @@ Scene load_gltf(const std::filesystem::path& path, const std::string& part = {},
 Scene read_gltf(std::span<const unsigned char> bytes, const std::filesystem::path& path, const std::string& part = {},
                 const LoadOptions& options = {});
 
-/// Serialises as one binary glTF that load_gltf() reads back the same, bit for bit, notes aside. Deterministic.
+/// Serialises as one binary glTF that load_gltf() with LoadOptions::materials reads back the same, bit for bit, notes
+/// aside. Deterministic.
 /// Not kept: objects without instances, textures of materials that no mesh has, the alpha cutoff of materials without
 /// a mask; an object whose instances stand at different places becomes one object a place.
 std::vector<unsigned char> to_glb(const Scene& scene);

@@ -35,7 +35,7 @@ struct Dropped {
 struct GeometryReader {
   BufferStore& store;
   Scene& scene;
-  std::vector<TextureReference> textures;  ///< one a material of the file
+  std::vector<TextureReferences> textures;  ///< one a material of the file
   std::optional<std::uint32_t> default_material;
   Dropped dropped;
   using Key = std::tuple<std::map<std::string, int>, int, int, int, int, std::vector<double>, std::string>;

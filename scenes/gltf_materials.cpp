@@ -94,14 +94,17 @@ TextureReference read_specular_glossiness(const Value& source, Material& materia
   return reference_to(number("diffuseTexture"), document, object);
 }
 
-void read_specular(const Value& source, Material& material, const Document& document, const std::string& object) {
+void read_specular(const Value& source, Material& material, TextureReferences& textures, const Document& document,
+                   const std::string& object) {
+  textures[2] = reference_to(member(source, "specularTexture"), document, object);
+  textures[3] = reference_to(member(source, "specularColorTexture"), document, object);
   material.specular = factor<1>(member(source, "specularFactor"), {1}, "specularFactor", document, object)[0];
   material.specular_color =
       to_vec3(factor<3>(member(source, "specularColorFactor"), {1, 1, 1}, "specularColorFactor", document, object));
 }
 
-TextureReference read_metallic_roughness(const tinygltf::PbrMetallicRoughness& source, Material& material,
-                                         const Document& document, const std::string& object) {
+TextureReferences read_metallic_roughness(const tinygltf::PbrMetallicRoughness& source, Material& material,
+                                          const Document& document, const std::string& object) {
   const std::vector<double>& color = source.baseColorFactor;
   const bool usable = std::all_of(color.begin(), color.end(), [](double value) {
     return std::isfinite(static_cast<float>(value)) && value >= 0.0;
@@ -110,18 +113,21 @@ TextureReference read_metallic_roughness(const tinygltf::PbrMetallicRoughness& s
   for (int i = 0; i < 4; ++i) material.base_color[i] = static_cast<float>(color[static_cast<std::size_t>(i)]);
   material.metallic = std::clamp(static_cast<float>(source.metallicFactor), 0.0f, 1.0f);
   material.roughness = std::clamp(static_cast<float>(source.roughnessFactor), 0.0f, 1.0f);
-  return reference_to(source.baseColorTexture, document, object);
+  return {reference_to(source.baseColorTexture, document, object),
+          reference_to(source.metallicRoughnessTexture, document, object),
+          {},
+          {}};
 }
 
-TextureReference read_material(const tinygltf::Material& source, Material& material, const Document& document,
-                               const std::string& object) {
+TextureReferences read_material(const tinygltf::Material& source, Material& material, const Document& document,
+                                const std::string& object) {
   material.name = source.name;
   material.alpha_mode = to_alpha_mode(source.alphaMode, document, object);
   material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
   material.double_sided = source.doubleSided;
-  TextureReference texture = read_metallic_roughness(source.pbrMetallicRoughness, material, document, object);
+  TextureReferences textures = read_metallic_roughness(source.pbrMetallicRoughness, material, document, object);
   if (const auto found = source.extensions.find("KHR_materials_specular"); found != source.extensions.end()) {
-    read_specular(found->second, material, document, object);
+    read_specular(found->second, material, textures, document, object);
   }
   if (const auto found = source.extensions.find("KHR_materials_transmission"); found != source.extensions.end()) {
     const Value* const given = member(found->second, "transmissionFactor");
@@ -129,9 +135,9 @@ TextureReference read_material(const tinygltf::Material& source, Material& mater
   }
   const auto found = source.extensions.find("KHR_materials_pbrSpecularGlossiness");
   if (found != source.extensions.end()) {
-    texture = read_specular_glossiness(found->second, material, document, object);
+    textures = {read_specular_glossiness(found->second, material, document, object), {}, {}, {}};
   }
-  return texture;
+  return textures;
 }
 
 }  // namespace
@@ -144,19 +150,27 @@ vec2 moved(const TexcoordUse& use, const vec2& texcoord) {
   return use.offset + vec2(c * scaled.x + s * scaled.y, c * scaled.y - s * scaled.x);
 }
 
-std::vector<TextureReference> read_materials(const Document& document, Scene& scene) {
+TexcoordUse texcoords_of(const TextureReferences& references) {
+  for (const TextureReference& reference : references) {
+    if (reference.texture != -1) return reference.use;
+  }
+  return {};
+}
+
+std::vector<TextureReferences> read_materials(const Document& document, const LoadOptions& options, Scene& scene) {
   const tinygltf::Model& model = *document.model;
-  std::vector<TextureReference> references;
+  std::vector<TextureReferences> all;
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     const std::string object = label("material", i, model.materials[i].name);
     Material& material = scene.materials.emplace_back();
-    const TextureReference& reference =
-        references.emplace_back(read_material(model.materials[i], material, document, object));
-    if (reference.texture != -1) {
+    TextureReferences& references = all.emplace_back(read_material(model.materials[i], material, document, object));
+    if (!options.materials) references = {references.front(), {}, {}, {}};
+    for (const TextureReference& reference : references) {
+      if (reference.texture == -1) continue;
       checked_index(reference.texture, model.textures.size(), "texture", document.path, object);
     }
   }
-  return references;
+  return all;
 }
 
 }  // namespace umbrameter::gltf

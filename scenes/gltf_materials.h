@@ -1,10 +1,13 @@
 // glTF materials to Scene materials. Internal to scenes/gltf*.cpp.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/math.h"
 #include "scenes/gltf_document.h"
+#include "scenes/load_options.h"
+#include "scenes/material.h"
 #include "scenes/scene.h"
 
 namespace umbrameter::gltf {
@@ -16,21 +19,31 @@ struct TexcoordUse {
   vec2 offset{0.0f};
   float rotation = 0.0f;  ///< radians, counter-clockwise
   vec2 scale{1.0f};
+
+  friend bool operator==(const TexcoordUse&, const TexcoordUse&) = default;
 };
 vec2 moved(const TexcoordUse& use, const vec2& texcoord);
 
-/// The base colour texture of a material. −1: none.
+/// A texture of a material. −1: none.
 struct TextureReference {
   int texture = -1;
   TexcoordUse use;
 };
 
-/// Appends the materials of the file, without their textures; one entry a material.
-std::vector<TextureReference> read_materials(const Document& document, Scene& scene);
+/// In the order of texture_members.
+using TextureReferences = std::array<TextureReference, texture_members.size()>;
+
+/// The texture coordinates of a material, which all its textures share: those of its first texture.
+TexcoordUse texcoords_of(const TextureReferences& references);
+
+/// Appends the materials of the file, without their textures; one entry a material. References other than those of
+/// base colours are there only with LoadOptions::materials.
+std::vector<TextureReferences> read_materials(const Document& document, const LoadOptions& options, Scene& scene);
 
 /// Decodes the textures of the materials that meshes of the scene have, and sets them. A texture whose image is of a
-/// format that is not read, or is not there, is left out with a note, but an error where its alpha makes holes.
-void read_textures(BufferStore& store, const std::vector<TextureReference>& references, bool blend_makes_holes,
+/// format that is not read, or is not there, is left out with a note, but an error where its alpha makes holes. A
+/// texture whose coordinates are not those of the material's first one is left out with a note.
+void read_textures(BufferStore& store, const std::vector<TextureReferences>& references, bool blend_makes_holes,
                    Scene& scene);
 
 }  // namespace umbrameter::gltf

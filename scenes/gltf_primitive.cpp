@@ -212,7 +212,7 @@ Mesh read_primitive(GeometryReader& reader, const tinygltf::Primitive& primitive
   Mesh mesh;
   mesh.material = material_of(reader, primitive, object);
   const bool is_own = mesh.material < reader.textures.size();
-  const TexcoordUse texcoords = is_own ? reader.textures[mesh.material].use : TexcoordUse{};
+  const TexcoordUse texcoords = is_own ? texcoords_of(reader.textures[mesh.material]) : TexcoordUse{};
   PrimitiveSource source{reader, primitive, object, "TEXCOORD_" + std::to_string(texcoords.set), std::nullopt};
   source.open_draco();
   mesh.positions = source.attribute<vec3>("POSITION", 0);

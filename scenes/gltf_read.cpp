@@ -88,7 +88,7 @@ Scene read_gltf(std::span<const unsigned char> bytes, const std::filesystem::pat
   Scene scene;
   check_extensions(document, scene.notes);
   gltf::BufferStore store = gltf::make_buffer_store(document, allowance);
-  gltf::GeometryReader geometry{store, scene, gltf::read_materials(document, scene), std::nullopt, {}, {}};
+  gltf::GeometryReader geometry{store, scene, gltf::read_materials(document, options, scene), std::nullopt, {}, {}};
   gltf::read_nodes(geometry, part);
   gltf::read_textures(store, geometry.textures, options.blend_makes_holes, scene);
   gltf::note_dropped(geometry.dropped, scene.notes);

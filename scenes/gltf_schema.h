@@ -58,6 +58,7 @@ inline constexpr auto metallic_roughness_members =
     std::to_array<Member>({{"baseColorFactor", Kind::numbers},
                            {"baseColorTexture", Kind::object, &texture_info},
                            {"metallicFactor", Kind::number},
+                           {"metallicRoughnessTexture", Kind::object, &texture_info},
                            {"roughnessFactor", Kind::number}});
 inline constexpr Shape metallic_roughness{metallic_roughness_members};
 inline constexpr auto specular_glossiness_members =
@@ -66,8 +67,10 @@ inline constexpr auto specular_glossiness_members =
                            {"glossinessFactor", Kind::number},
                            {"specularFactor", Kind::numbers}});
 inline constexpr Shape specular_glossiness{specular_glossiness_members};
-inline constexpr auto specular_members =
-    std::to_array<Member>({{"specularColorFactor", Kind::numbers}, {"specularFactor", Kind::number}});
+inline constexpr auto specular_members = std::to_array<Member>({{"specularColorFactor", Kind::numbers},
+                                                                {"specularColorTexture", Kind::object, &texture_info},
+                                                                {"specularFactor", Kind::number},
+                                                                {"specularTexture", Kind::object, &texture_info}});
 inline constexpr Shape specular{specular_members};
 inline constexpr auto transmission_members = std::to_array<Member>({{"transmissionFactor", Kind::number}});
 inline constexpr Shape transmission{transmission_members};

@@ -136,34 +136,48 @@ void note_left_out(const TextureReader& reader, std::vector<std::string>& notes)
     }
     if (textures.size() > max_listed) list += " and " + std::to_string(textures.size() - max_listed) + " more";
     notes.push_back((textures.size() == 1 ? "texture " : "textures ") + list +
-                    " left out, materials use their plain colour: " + why);
+                    " left out, materials use their plain factors: " + why);
   }
 }
 
 }  // namespace
 
-void read_textures(BufferStore& store, const std::vector<TextureReference>& references, bool blend_makes_holes,
+void read_textures(BufferStore& store, const std::vector<TextureReferences>& references, bool blend_makes_holes,
                    Scene& scene) {
   std::vector<char> is_used(scene.materials.size(), 0);
   std::vector<char> is_shown(scene.materials.size(), 0);
   for (const Mesh& mesh : scene.meshes) is_used[mesh.material] = 1;
   for (const Instance& instance : scene.instances) is_shown[scene.meshes[instance.mesh].material] = 1;
+  TextureReader reader{store, scene, {}, {}};
+  const auto for_each = [&](const auto& visit) {
+    for (std::size_t i = 0; i < references.size(); ++i) {
+      if (is_used[i] == 0) continue;
+      const TexcoordUse texcoords = texcoords_of(references[i]);
+      for (std::size_t member = 0; member < texture_members.size(); ++member) {
+        const TextureReference& reference = references[i][member];
+        if (reference.texture == -1) continue;
+        visit(i, member, static_cast<std::size_t>(reference.texture), reference.use == texcoords);
+      }
+    }
+  };
   // In the order of the file, each with a material that has holes, where there is one.
   std::map<std::size_t, std::string> masks;
-  for (std::size_t i = 0; i < references.size(); ++i) {
-    if (references[i].texture == -1 || is_used[i] == 0) continue;
-    std::string& mask = masks[static_cast<std::size_t>(references[i].texture)];
-    if (mask.empty() && is_shown[i] != 0 && has_holes(scene.materials[i], blend_makes_holes)) {
-      mask = label("material", i, scene.materials[i].name);
+  for_each([&](std::size_t material, std::size_t member, std::size_t texture, bool has_texcoords) {
+    if (!has_texcoords) {
+      reader.left_out["its texture coordinates are not those of the material's first texture"].push_back(texture);
+      return;
     }
-  }
-  TextureReader reader{store, scene, {}, {}};
+    std::string& mask = masks[texture];
+    const Material& holder = scene.materials[material];
+    if (member == 0 && mask.empty() && is_shown[material] != 0 && has_holes(holder, blend_makes_holes)) {
+      mask = label("material", material, holder.name);
+    }
+  });
   std::map<std::size_t, std::optional<std::uint32_t>> read;
   for (const auto& [texture, mask] : masks) read[texture] = reader.read(texture, mask);
-  for (std::size_t i = 0; i < references.size(); ++i) {
-    if (references[i].texture == -1 || is_used[i] == 0) continue;
-    scene.materials[i].base_color_texture = read.at(static_cast<std::size_t>(references[i].texture));
-  }
+  for_each([&](std::size_t material, std::size_t member, std::size_t texture, bool has_texcoords) {
+    if (has_texcoords) scene.materials[material].*texture_members[member] = read.at(texture);
+  });
   note_left_out(reader, scene.notes);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "scenes/gltf.h"
@@ -219,39 +220,45 @@ std::size_t wrap_code(Wrap wrap) {
 }
 
 bool has_specular(const Material& material) {
-  return material.specular != 1.0f || material.specular_color != vec3(1.0f);
+  return material.specular != 1.0f || material.specular_color != vec3(1.0f) || material.specular_texture ||
+         material.specular_color_texture;
 }
 
 bool transmits(const Material& material) { return material.transmission > 0.0f; }
+
+void add_texture(Members& members, std::string_view key, const std::optional<std::uint32_t>& texture) {
+  if (texture) members.emplace_back(key, object({{"index", to_json(std::size_t{*texture})}}));
+}
+
+Json specular(const Material& source) {
+  Members members{{"specularFactor", to_json(static_cast<double>(source.specular))},
+                  {"specularColorFactor", numbers(source.specular_color)}};
+  add_texture(members, "specularTexture", source.specular_texture);
+  add_texture(members, "specularColorTexture", source.specular_color_texture);
+  return object(members);
+}
 
 Json material(const Material& source) {
   Members surface{{"baseColorFactor", numbers(source.base_color)},
                   {"metallicFactor", to_json(static_cast<double>(source.metallic))},
                   {"roughnessFactor", to_json(static_cast<double>(source.roughness))}};
-  if (source.base_color_texture) {
-    surface.emplace_back("baseColorTexture", object({{"index", to_json(std::size_t{*source.base_color_texture})}}));
-  }
+  add_texture(surface, "baseColorTexture", source.base_color_texture);
+  add_texture(surface, "metallicRoughnessTexture", source.metallic_roughness_texture);
   Members members;
   add_name(members, source.name);
   members.emplace_back("pbrMetallicRoughness", object(surface));
-  if (source.alpha_mode != AlphaMode::opaque) {
-    members.emplace_back("alphaMode", source.alpha_mode == AlphaMode::mask ? "\"MASK\"" : "\"BLEND\"");
-  }
+  if (source.alpha_mode == AlphaMode::blend) members.emplace_back("alphaMode", "\"BLEND\"");
   // Only MASK may carry a cutoff (glTF 2.0, section 5.19.8).
   if (source.alpha_mode == AlphaMode::mask) {
+    members.emplace_back("alphaMode", "\"MASK\"");
     members.emplace_back("alphaCutoff", to_json(static_cast<double>(source.alpha_cutoff)));
   }
   if (source.double_sided) members.emplace_back("doubleSided", "true");
   Members extensions;
-  if (has_specular(source)) {
-    extensions.insert(extensions.end(),
-                      {{specular_name, object({{"specularFactor", to_json(static_cast<double>(source.specular))},
-                                               {"specularColorFactor", numbers(source.specular_color)}})}});
-  }
+  if (has_specular(source)) extensions.insert(extensions.end(), {{specular_name, specular(source)}});
   if (transmits(source)) {
-    extensions.insert(
-        extensions.end(),
-        {{transmission_name, object({{"transmissionFactor", to_json(static_cast<double>(source.transmission))}})}});
+    const Json factor = to_json(static_cast<double>(source.transmission));
+    extensions.insert(extensions.end(), {{transmission_name, object({{"transmissionFactor", factor}})}});
   }
   if (!extensions.empty()) members.emplace_back("extensions", object(extensions));
   return object(members);
@@ -366,13 +373,12 @@ std::vector<unsigned char> to_glb(const Scene& scene) {
                {"scene", to_json(std::size_t{0})},
                {"scenes", array({object(stage)})}};
   std::vector<Json> extensions;
-  if (!lights.empty()) extensions.push_back(to_json(lights_name));
-  if (std::any_of(scene.materials.begin(), scene.materials.end(), has_specular)) {
-    extensions.push_back(to_json(specular_name));
-  }
-  if (std::any_of(scene.materials.begin(), scene.materials.end(), transmits)) {
-    extensions.push_back(to_json(transmission_name));
-  }
+  const auto declare = [&](std::string_view name, bool is_used) {
+    if (is_used) extensions.push_back(to_json(name));
+  };
+  declare(lights_name, !lights.empty());
+  declare(specular_name, std::any_of(scene.materials.begin(), scene.materials.end(), has_specular));
+  declare(transmission_name, std::any_of(scene.materials.begin(), scene.materials.end(), transmits));
   add_array(root, "extensionsUsed", extensions);
   if (!lights.empty()) {
     root.emplace_back("extensions", object({{lights_name, object({{"lights", array(lights)}})}}));

@@ -39,12 +39,33 @@ float linear_from_srgb(std::uint8_t byte) {
   return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
+const Texture* find_texture(const Scene& scene, const std::optional<std::uint32_t>& index) {
+  if (!index) return nullptr;
+  const Texture& texture = scene.textures.at(*index);
+  return texture.texels.empty() ? nullptr : &texture;
+}
+
+enum class Encoding : int { linear, srgb };
+
+// The texture's linear value, 1 without one.
+vec4 sample(const Scene& scene, const std::optional<std::uint32_t>& index, vec2 texcoord, Encoding encoding) {
+  const Texture* texture = find_texture(scene, index);
+  if (texture == nullptr) return vec4(1.0f);
+  const Footprint taps = footprint(*texture, texcoord);
+  std::array<vec4, 4> values{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const glm::u8vec4& texel = texture->texels[taps.index[i]];
+    values[i] = vec4(texel) / 255.0f;
+    if (encoding == Encoding::linear) continue;
+    for (int c = 0; c < 3; ++c) values[i][c] = linear_from_srgb(texel[c]);
+  }
+  return bilinear(values, taps.right, taps.down);
+}
+
 }  // namespace
 
 const Texture* texture_of(const Scene& scene, const Material& material) {
-  if (!material.base_color_texture) return nullptr;
-  const Texture& texture = scene.textures.at(*material.base_color_texture);
-  return texture.texels.empty() ? nullptr : &texture;
+  return find_texture(scene, material.base_color_texture);
 }
 
 float alpha_at(const Scene& scene, const Material& material, vec2 texcoord) {
@@ -57,16 +78,7 @@ float alpha_at(const Scene& scene, const Material& material, vec2 texcoord) {
 }
 
 vec4 base_color_at(const Scene& scene, const Material& material, vec2 texcoord) {
-  const Texture* texture = texture_of(scene, material);
-  if (texture == nullptr) return material.base_color;
-  const Footprint taps = footprint(*texture, texcoord);
-  std::array<vec4, 4> colors{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const glm::u8vec4& texel = texture->texels[taps.index[i]];
-    colors[i] = {linear_from_srgb(texel.x), linear_from_srgb(texel.y), linear_from_srgb(texel.z),
-                 static_cast<float>(texel.w) / 255.0f};
-  }
-  return material.base_color * bilinear(colors, taps.right, taps.down);
+  return material.base_color * sample(scene, material.base_color_texture, texcoord, Encoding::srgb);
 }
 
 vec3 dielectric_specular(const Material& material) {
@@ -74,12 +86,15 @@ vec3 dielectric_specular(const Material& material) {
 }
 
 SurfaceMaterial surface_material_at(const Scene& scene, const Material& material, vec2 texcoord) {
+  const vec4 metal = sample(scene, material.metallic_roughness_texture, texcoord, Encoding::linear);
+  const float strength = sample(scene, material.specular_texture, texcoord, Encoding::linear).w;
+  const vec3 tint(sample(scene, material.specular_color_texture, texcoord, Encoding::srgb));
   SurfaceMaterial surface;
   surface.base_color = glm::clamp(vec3(base_color_at(scene, material, texcoord)), 0.0f, 1.0f);
-  surface.metallic = material.metallic;
-  surface.roughness = material.roughness;
-  surface.specular =
-      glm::min(glm::mix(dielectric_specular(material), surface.base_color, surface.metallic), vec3(1.0f));
+  surface.metallic = material.metallic * metal.z;
+  surface.roughness = material.roughness * metal.y;
+  const vec3 dielectric = dielectric_specular(material) * strength * tint;
+  surface.specular = glm::min(glm::mix(dielectric, surface.base_color, surface.metallic), vec3(1.0f));
   return surface;
 }
 

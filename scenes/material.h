@@ -1,10 +1,19 @@
 // What a material is at a texture coordinate: factors times textures. raster/shaders/material.glsl computes the same.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <optional>
+
 #include "core/math.h"
 #include "scenes/scene.h"
 
 namespace umbrameter {
+
+/// The textures of a material. The first has the alpha that makes holes; images of the others are only for shading.
+inline constexpr std::array<std::optional<std::uint32_t> Material::*, 4> texture_members = {
+    &Material::base_color_texture, &Material::metallic_roughness_texture, &Material::specular_texture,
+    &Material::specular_color_texture};
 
 /// Base colour texture, or null where the material has none or an empty one.
 const Texture* texture_of(const Scene& scene, const Material& material);

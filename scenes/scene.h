@@ -17,7 +17,8 @@ namespace umbrameter {
 
 enum class Wrap : int { repeat, mirrored_repeat, clamp_to_edge };
 
-/// 8-bit RGBA texels as stored in the file (sRGB colour, linear alpha); row 0 is v = 0.
+/// 8-bit RGBA texels as stored in the file; row 0 is v = 0. What reads them knows whether they are sRGB: the RGB of
+/// base colours and specular colours is, everything else is linear.
 struct Texture {
   std::string name;
   Image<glm::u8vec4> texels;
@@ -42,6 +43,10 @@ struct Material {
   float specular = 1.0f;      ///< KHR_materials_specular: strength of the dielectric reflection
   vec3 specular_color{1.0f};  ///< the same: linear tint of it; times dielectric_f0 this is F0
   float transmission = 0.0f;  ///< KHR_materials_transmission: share of light that passes through, 0 to 1
+  /// Textures multiply the factors. The loader sets these three only where LoadOptions::materials asks for them.
+  std::optional<std::uint32_t> metallic_roughness_texture{};  ///< linear: roughness in G, metallic in B
+  std::optional<std::uint32_t> specular_texture{};            ///< linear: strength in A
+  std::optional<std::uint32_t> specular_color_texture{};      ///< sRGB: tint in RGB
 };
 
 /// One glTF primitive: indexed triangles of one material, in the mesh's own space.

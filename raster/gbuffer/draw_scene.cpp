@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <optional>
 
 #include "core/interrupt.h"
 #include "raster/gbuffer/uploaded_scene.h"
@@ -10,20 +12,34 @@
 namespace umbrameter {
 namespace {
 
+struct SampledTexture {
+  const char* texture;
+  const char* wrap;
+};
+// In the order of texture_members.
+constexpr std::array<SampledTexture, texture_members.size()> sampled_textures{
+    {{"base_color_texture", "base_color_wrap"},
+     {"metallic_roughness_texture", "metallic_roughness_wrap"},
+     {"specular_texture", "specular_wrap"},
+     {"specular_color_texture", "specular_color_wrap"}}};
+
 void set_material(const UploadedScene& scene, const Material& material, gl::Pass& pass) {
-  const bool has_texture = material.base_color_texture && !scene.textures[*material.base_color_texture].empty();
+  int textures = 0;
+  for (std::size_t i = 0; i < sampled_textures.size(); ++i) {
+    const auto& [texture, wrap] = sampled_textures[i];
+    pass.value(wrap, 0, 0).texture(texture, {});
+    const std::optional<std::uint32_t>& index = material.*texture_members[i];
+    if (!index || scene.textures[*index].empty()) continue;
+    const Texture& modes = scene.texture_modes[*index];
+    pass.value(wrap, static_cast<int>(modes.wrap_u), static_cast<int>(modes.wrap_v))
+        .texture(texture, scene.textures[*index]);
+    textures |= 1 << i;
+  }
   pass.value("base_color_factor", material.base_color)
       .value("alpha_cutoff", material.alpha_cutoff)
       .value("metallic_roughness_factors", vec2(material.metallic, material.roughness))
       .value("dielectric_specular", dielectric_specular(material))
-      .value("has_texture", has_texture ? 1 : 0)
-      .value("wrap", 0, 0)
-      .texture("base_color_texture", {});
-  if (has_texture) {
-    const Texture& modes = scene.texture_modes[*material.base_color_texture];
-    pass.value("wrap", static_cast<int>(modes.wrap_u), static_cast<int>(modes.wrap_v))
-        .texture("base_color_texture", scene.textures[*material.base_color_texture]);
-  }
+      .value("material_textures", textures);
   pass.use();
 }
 

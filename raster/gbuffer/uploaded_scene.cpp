@@ -13,6 +13,7 @@
 #include "core/interrupt.h"
 #include "raster/gl/api.h"
 #include "raster/shader_interface.h"
+#include "scenes/material.h"
 
 namespace umbrameter {
 namespace {
@@ -44,7 +45,9 @@ struct Layout {
 };
 
 bool needs_texcoords(const Scene& scene, const Mesh& mesh) {
-  return !mesh.texcoords.empty() && scene.materials.at(mesh.material).base_color_texture.has_value();
+  const Material& material = scene.materials.at(mesh.material);
+  return !mesh.texcoords.empty() && std::any_of(texture_members.begin(), texture_members.end(),
+                                                [&](auto member) { return (material.*member).has_value(); });
 }
 
 Layout lay_out(const Scene& scene) {
@@ -170,7 +173,7 @@ gl::Texture upload_texture(const gl::Context& context, const Texture& texture) {
                     std::to_string(context.max_texture_size()) + " texels a side of " + context.device().renderer,
                 "use a smaller texture");
   }
-  gl::Texture uploaded = gl::make_texture("base color " + texture.name, gl::Format::rgba8, texels.width, texels.height);
+  gl::Texture uploaded = gl::make_texture("texture " + texture.name, gl::Format::rgba8, texels.width, texels.height);
   gl::write_texels(uploaded, gl::Format::rgba8, texels.width, texels.height,
                    std::as_bytes(std::span<const glm::u8vec4>(texels.pixels)));
   return uploaded;

@@ -30,7 +30,7 @@ struct SceneDraw {
 struct UploadedScene {
   gl::Buffer positions;        ///< three floats a vertex, mesh space
   gl::Buffer normals;          ///< three floats a vertex, of the meshes that have them
-  gl::Buffer texcoords;        ///< two floats a vertex, of the meshes whose texture needs them: the first vertices
+  gl::Buffer texcoords;        ///< two floats a vertex, of the meshes whose textures need them: the first vertices
   gl::Buffer triangles;        ///< three unsigned a triangle, counted from the mesh's first vertex
   gl::Buffer instances;        ///< raster/shaders/scene.glsl, InstanceData
   gl::Buffer drawn_instances;  ///< indices into Scene::instances, in the order in which they are drawn

@@ -1,7 +1,9 @@
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "core/error.h"
+#include "core/random.h"
 #include "scenes/material.h"
 #include "scenes/view.h"
 #include "test_scenes.h"
@@ -203,11 +205,46 @@ TEST_F(GbufferGl, Alpha_masks_and_colours_equal_those_of_the_scene_under_every_w
             ASSERT_NEAR(gbuffer.albedo[i][c], expected.base_color[c], 2e-4f) << x << " " << y;
             ASSERT_NEAR(gbuffer.specular[i][c], expected.specular[c], 2e-4f) << x << " " << y;
           }
-          ASSERT_EQ(gbuffer.metallic[i], expected.metallic);
-          ASSERT_EQ(gbuffer.specular[i].w, expected.roughness);
+          ASSERT_NEAR(gbuffer.metallic[i], expected.metallic, 2e-4f);
+          ASSERT_NEAR(gbuffer.specular[i].w, expected.roughness, 2e-4f);
         }
       }
       EXPECT_EQ(holes > 1000, mode == AlphaMode::mask);
+    }
+  }
+}
+
+TEST_F(GbufferGl, Each_texture_of_a_material_is_sampled_with_its_wrap_modes_without_a_base_color_texture) {
+  Scene scene;
+  Mesh mesh = quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
+  mesh.texcoords = {{-1.3f, 2.2f}, {1.9f, 2.2f}, {1.9f, -1.1f}, {-1.3f, -1.1f}};
+  add_mesh(scene, mesh);
+  Material& material = scene.materials[0];
+  material.metallic = 0.75f;
+  material.specular_color = vec3(8.0f, 16.0f, 4.0f);
+  const std::array<Wrap, 3> wraps{Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge};
+  for (std::size_t t = 0; t < 3; ++t) {
+    Texture texture;
+    texture.texels = Image<glm::u8vec4>(4 + static_cast<int>(t), 3);
+    for (std::size_t i = 0; i < texture.texels.size(); ++i) {
+      for (int c = 0; c < 4; ++c)
+        texture.texels[i][c] = static_cast<std::uint8_t>(
+            hash(static_cast<std::uint32_t>(4 * i) + static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(t)));
+    }
+    texture.wrap_u = wraps[t];
+    texture.wrap_v = wraps[(t + 1) % 3];
+    scene.textures.push_back(texture);
+    material.*texture_members[t + 1] = static_cast<std::uint32_t>(t);
+  }
+  const GBuffer gbuffer = draw(scene, orthographic_view(128, 128, {0, 0, 5}, {0, 0, 0}, 1.0));
+  for (int y = 0; y < 128; ++y) {
+    for (int x = 0; x < 128; ++x) {
+      const std::size_t i = gbuffer.position.index(x, y);
+      const vec2 texcoord(-1.3 + 3.2 * (x + 0.5) / 128, -1.1 + 3.3 * (y + 0.5) / 128);
+      const SurfaceMaterial expected = surface_material_at(scene, material, texcoord);
+      ASSERT_NEAR(gbuffer.metallic[i], expected.metallic, 2e-4f) << x << " " << y;
+      const vec4 specular(expected.specular, expected.roughness);
+      for (int c = 0; c < 4; ++c) ASSERT_NEAR(gbuffer.specular[i][c], specular[c], 2e-4f) << x << " " << y << " " << c;
     }
   }
 }

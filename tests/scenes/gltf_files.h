@@ -90,7 +90,7 @@ inline Bytes broken(const std::string& from, const std::string& to) {
 }
 
 inline Scene load(const TemporaryFolder& folder, const Bytes& bytes) {
-  return load_gltf(folder.write("test.glb", bytes));
+  return load_gltf(folder.write("test.glb", bytes), {}, {.materials = true});
 }
 
 /// Expects one Error (unreadable_input), one line, that holds each of the words.

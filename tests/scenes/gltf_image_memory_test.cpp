@@ -100,6 +100,56 @@ TEST(GltfImageMemory, Only_images_of_base_colours_that_are_shown_are_decoded) {
   EXPECT_TRUE(scene.notes.empty());
 }
 
+// One material whose base colour is texture 0, and the other members of its pbrMetallicRoughness.
+Bytes with_material_images(const std::vector<Bytes>& images, const std::string& surface, const std::string& more = "") {
+  GltfBuilder builder;
+  for (const Bytes& image : images) {
+    const int number = add(builder, "images", R"({"bufferView":)" + std::to_string(add_view(builder, image)) + "}");
+    add(builder, "textures", R"({"source":)" + std::to_string(number) + "}");
+  }
+  add(builder, "materials", R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0},)" + surface + "}" + more + "}");
+  add_solid(builder, ",\"material\":0");
+  add(builder, "nodes", R"({"mesh":0})");
+  return to_binary_gltf(builder);
+}
+
+TEST(GltfImageMemory, Textures_of_metal_and_specular_are_decoded_only_on_demand) {
+  const Bytes file = with_material_images(
+      {png(2, 2, Bytes(16, 200)), png(3, 3, Bytes(36, 100)), png(4, 4, Bytes(64, 50))},
+      R"("metallicFactor":0.5,"roughnessFactor":0.25,"metallicRoughnessTexture":{"index":1})",
+      R"(,"extensions":{"KHR_materials_specular":{"specularTexture":{"index":2},"specularColorTexture":{"index":1}}})");
+  const Scene plain = read(file);
+  EXPECT_EQ(plain.textures.size(), 1u);
+  EXPECT_EQ(plain.materials[0].metallic, 0.5f);
+  EXPECT_EQ(plain.materials[0].roughness, 0.25f);
+  EXPECT_FALSE(plain.materials[0].metallic_roughness_texture.has_value());
+  const Scene scene = read(file, {.materials = true});
+  ASSERT_EQ(scene.textures.size(), 3u);
+  EXPECT_EQ(scene.materials[0].base_color_texture, 0u);
+  EXPECT_EQ(scene.materials[0].metallic_roughness_texture, 1u);
+  EXPECT_EQ(scene.materials[0].specular_texture, 2u);
+  EXPECT_EQ(scene.materials[0].specular_color_texture, 1u);
+  EXPECT_EQ(scene.textures[1].texels.width, 3);
+  EXPECT_TRUE(scene.notes.empty());
+}
+
+TEST(GltfImageMemory, A_texture_of_metal_that_cannot_be_used_is_left_out_with_a_note) {
+  const Bytes other = {'G', 'I', 'F', '8', '9', 'a'};
+  const Bytes whole = png(2, 2, Bytes(16, 200));
+  const std::string first_set = R"("metallicRoughnessTexture":{"index":1})";
+  const std::string second_set = R"("metallicRoughnessTexture":{"index":1,"texCoord":1})";
+  for (const auto& [file, reason] : {std::pair(with_material_images({whole, other}, first_set), "neither PNG nor JPEG"),
+                                     {with_material_images({whole, whole}, second_set), "not those of the material"}}) {
+    EXPECT_TRUE(read(file).notes.empty());
+    const Scene scene = read(file, {.materials = true});
+    EXPECT_EQ(scene.materials[0].base_color_texture, 0u);
+    EXPECT_FALSE(scene.materials[0].metallic_roughness_texture.has_value());
+    ASSERT_EQ(scene.notes.size(), 1u);
+    EXPECT_NE(scene.notes[0].find("texture 1 left out"), std::string::npos) << scene.notes[0];
+    EXPECT_NE(scene.notes[0].find(reason), std::string::npos) << scene.notes[0];
+  }
+}
+
 TEST(GltfImageMemory, A_blended_material_needs_its_image_only_where_blending_makes_holes) {
   const Bytes other = {'G', 'I', 'F', '8', '9', 'a'};
   const Bytes file = with_images({other}, R"(,"alphaMode":"BLEND")");

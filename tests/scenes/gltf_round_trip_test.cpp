@@ -8,6 +8,7 @@
 
 #include "gltf_files.h"
 #include "scenes/gltf_emitter.h"
+#include "scenes/material.h"
 
 namespace umbrameter {
 namespace {
@@ -40,7 +41,7 @@ void expect_same(const Scene& a, const Scene& b) {
   for (std::size_t i = 0; i < a.materials.size(); ++i) {
     EXPECT_EQ(a.materials[i].name, b.materials[i].name);
     EXPECT_TRUE(same_bits(a.materials[i].base_color, b.materials[i].base_color));
-    EXPECT_EQ(a.materials[i].base_color_texture, b.materials[i].base_color_texture);
+    for (const auto texture : texture_members) EXPECT_EQ(a.materials[i].*texture, b.materials[i].*texture);
     EXPECT_EQ(a.materials[i].alpha_mode, b.materials[i].alpha_mode);
     EXPECT_EQ(a.materials[i].alpha_cutoff, b.materials[i].alpha_cutoff);
     EXPECT_EQ(a.materials[i].double_sided, b.materials[i].double_sided);
@@ -113,18 +114,22 @@ Mesh triangle(const std::string& name, std::uint32_t material, float size) {
 Scene everything() {
   Scene scene;
   scene.name = "every \"thing\" \\ \x01 ünï";
-  scene.textures.resize(2);
+  scene.textures.resize(3);
   scene.textures[0] = {"holes", Image<glm::u8vec4>(7, 5), Wrap::clamp_to_edge, Wrap::mirrored_repeat};
   for (std::size_t i = 0; i < 35; ++i) {
     scene.textures[0].texels[i] = glm::u8vec4(i * 7, 255 - i, i * i % 256, i % 2 == 0 ? 0 : i * 3);
   }
   scene.textures[1] = {"", Image<glm::u8vec4>(1, 1, {1, 2, 3, 4}), Wrap::repeat, Wrap::repeat};
+  scene.textures[2] = {"gloss", Image<glm::u8vec4>(2, 1, {5, 6, 7, 8}), Wrap::repeat, Wrap::clamp_to_edge};
   scene.materials.resize(3);
   scene.materials[0] = {"leaf",      {0.1f, 0.2f, 1.0f / 3, 1}, 1, AlphaMode::mask, 0.3f, true, 0.25f, 0.7f, 0.9f,
                         {1, 1.5f, 0}};
   scene.materials[1].alpha_mode = AlphaMode::blend;
   scene.materials[1].base_color_texture = 0;
   scene.materials[2].name = "plain";
+  scene.materials[0].metallic_roughness_texture = 0;
+  scene.materials[0].specular_texture = 2;
+  scene.materials[2].specular_color_texture = 1;
 
   scene.meshes = {triangle("column", 2, 3), triangle("cap", 0, 1), triangle("", 1, 9), triangle("spare", 2, 2)};
   Mesh& rich = scene.meshes[1];

@@ -111,5 +111,25 @@ TEST(SurfaceMaterial, Factors_out_of_bounds_reflect_no_more_than_all_light) {
   expect_near(surface.specular, vec3(1.0f, 1.0f, 0.2f));
 }
 
+TEST(SurfaceMaterial, Textures_multiply_the_factors_and_only_colours_are_decoded) {
+  Scene scene = textured(Wrap::clamp_to_edge);
+  scene.textures[0].texels = Image<glm::u8vec4>(1, 1, glm::u8vec4(255, 51, 102, 204));  // 1, 0.2, 0.4, 0.8
+  Material material;
+  material.metallic = 0.5f;
+  material.roughness = 0.75f;
+  material.metallic_roughness_texture = 0;
+  const SurfaceMaterial metal = surface_material_at(scene, material, vec2(0));
+  EXPECT_NEAR(metal.roughness, 0.75f * 0.2f, 1e-6f);
+  EXPECT_NEAR(metal.metallic, 0.5f * 0.4f, 1e-6f);
+  expect_near(metal.specular, vec3(0.8f * 0.04f + 0.2f));
+  material = Material();
+  material.specular = 0.5f;
+  material.specular_texture = 0;
+  expect_near(surface_material_at(scene, material, vec2(0)).specular, vec3(0.04f * 0.5f * 0.8f));
+  // IEC 61966-2-1: ((0.2 + 0.055) / 1.055)^2.4 = 0.0331048, ((0.4 + 0.055) / 1.055)^2.4 = 0.1328683.
+  material.specular_color_texture = 0;
+  expect_near(surface_material_at(scene, material, vec2(0)).specular, 0.016f * vec3(1.0f, 0.0331048f, 0.1328683f));
+}
+
 }  // namespace
 }  // namespace umbrameter

@@ -20,7 +20,7 @@ void write(const std::filesystem::path& path, const Bytes& bytes) {
 Scene load(const Construct& construct, const std::filesystem::path& folder) {
   for (const auto& [name, bytes] : construct.side_files) write(folder / name, bytes);
   write(folder / construct.file_name, construct.file);
-  return load_gltf(folder / construct.file_name, construct.part);
+  return load_gltf(folder / construct.file_name, construct.part, construct.options);
 }
 
 std::vector<Construct> all_constructs() {

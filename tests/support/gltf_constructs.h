@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "scenes/load_options.h"
 #include "scenes/scene.h"
 #include "tests/support/gltf_builder.h"
 
@@ -32,6 +33,7 @@ struct Construct {
   std::string file_name = "scene.glb";
   std::map<std::string, Bytes> side_files;  ///< by their path beside the file
   std::string part;                         ///< of load_gltf()
+  LoadOptions options{};                    ///< the same
   std::vector<Triangle> triangles;          ///< world, counter-clockwise seen from the front
   double tolerance = 1e-6;                  ///< metres, of each coordinate
   bool in_order = true;                     ///< else the triangles are a set

@@ -240,6 +240,25 @@ Construct coloured(const std::string& name, const std::string& extension, const 
   return construct;
 }
 
+// No two channels of the image are alike, so that a texture read from the wrong one is seen.
+Construct material_textures() {
+  GltfBuilder builder;
+  const Sheet sheet;
+  Bytes rgba;
+  for (int i = 0; i < 24; ++i) rgba.push_back(static_cast<unsigned char>(37 + (i * 83) % 211));
+  add_texture(builder, png(3, 2, rgba), "png");
+  use(builder, "KHR_materials_specular");
+  add(builder, "materials",
+      R"({"pbrMetallicRoughness":{"baseColorFactor":[0.25,0.5,0.75,1],"metallicRoughnessTexture":{"index":0}},)"
+      R"("extensions":{"KHR_materials_specular":{"specularTexture":{"index":0},"specularColorTexture":{"index":0}}}})");
+  add_sheet(builder, sheet, texcoord(0, add_values(builder, "VEC2", floats_of(sheet.texcoords()))));
+  Construct construct = finished("textures of metal, roughness and specular", builder, placed(sheet.solid()));
+  construct.options.materials = true;
+  construct.base_color = dvec4(0.25, 0.5, 0.75, 1);
+  construct.f0 = dvec3(0.04);
+  return construct;
+}
+
 }  // namespace
 
 std::vector<Construct> material_constructs() {
@@ -255,7 +274,7 @@ std::vector<Construct> material_constructs() {
                    {0.5, 0.25, 0.125, 1}, {0.5, 0.25, 0.125}),
           jpeg_texture("a JPEG texture is opaque", {}),
           // What would be a table of 4080 codes, were it part of the image.
-          jpeg_texture("bytes behind the end of a JPEG", huffman_table(0xff)), png_data_uri()};
+          jpeg_texture("bytes behind the end of a JPEG", huffman_table(0xff)), png_data_uri(), material_textures()};
 }
 
 std::vector<Construct> mask_constructs() {
