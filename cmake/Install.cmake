@@ -9,7 +9,8 @@ foreach(module IN LISTS UMBRAMETER_MODULES)
   set_target_properties(umbrameter_${module} PROPERTIES EXPORT_NAME ${module})
   install(TARGETS umbrameter_${module} EXPORT umbrameter ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${module} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/umbrameter
-          FILES_MATCHING PATTERN "*.h" PATTERN "shaders" EXCLUDE PATTERN "gl/api.h" EXCLUDE PATTERN "embree*" EXCLUDE
+          FILES_MATCHING PATTERN "*.h" PATTERN "techniques/shading/*.glsl" PATTERN "shaders" EXCLUDE
+          PATTERN "templates" EXCLUDE PATTERN "gl/api.h" EXCLUDE PATTERN "embree*" EXCLUDE
           PATTERN "gltf_*" EXCLUDE PATTERN "results_schema.h" EXCLUDE)
 endforeach()
 install(TARGETS umbrameter RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
