@@ -1,10 +1,11 @@
-# cmake -DOUTPUT=file.cpp -DFOLDER=shaders -DFILES=a.vert,b.frag -P embed_shaders.cmake
+# cmake -DOUTPUT=file.cpp -DFILES=shaders/a.vert,shaders/b.frag -P embed_shaders.cmake
 # Writes the shader files as string literals, with the look-up function that raster/gl/program.h declares.
 string(REPLACE "," ";" FILES "${FILES}")
 set(entries "")
 foreach(file ${FILES})
-  file(READ ${FOLDER}/${file} text)
-  string(APPEND entries "    {\"${file}\", R\"~~~(${text})~~~\"},\n")
+  file(READ ${file} text)
+  get_filename_component(name ${file} NAME)
+  string(APPEND entries "    {\"${name}\", R\"~~~(${text})~~~\"},\n")
 endforeach()
 file(WRITE ${OUTPUT}.new "#include \"raster/gl/program.h\"
 

@@ -58,4 +58,11 @@ gl::Texture upload_image(const std::string& label, gl::Format format, Image<T> i
   return texture;
 }
 
+/// Replaces a layer of an array.
+template <class T>
+void write_layer(const gl::Texture& texture, gl::Format format, int layer, Image<T> image) {
+  flip_rows(std::span<T>(image.pixels), image.width, image.height);
+  gl::write_layer(texture, format, layer, {image.width, image.height}, std::as_bytes(std::span<const T>(image.pixels)));
+}
+
 }  // namespace umbrameter

@@ -13,19 +13,6 @@
 namespace umbrameter {
 namespace {
 
-GpuGBuffer make_targets(int width, int height) {
-  GpuGBuffer gbuffer;
-  gbuffer.width = width;
-  gbuffer.height = height;
-  gbuffer.ids = gl::make_texture("gbuffer ids", gl::Format::rg32ui, width, height);
-  gbuffer.position_depth = gl::make_texture("gbuffer position and depth", gl::Format::rgba32f, width, height);
-  gbuffer.geometric_normal = gl::make_texture("gbuffer geometric normal", gl::Format::rgba32f, width, height);
-  gbuffer.shading_normal = gl::make_texture("gbuffer shading normal", gl::Format::rgba32f, width, height);
-  gbuffer.albedo = gl::make_texture("gbuffer albedo", gl::Format::rgba32f, width, height);
-  gbuffer.specular = gl::make_texture("gbuffer specular", gl::Format::rgba32f, width, height);
-  return gbuffer;
-}
-
 void draw_ids(const gl::Context& context, const UploadedScene& scene, const ViewBlock& view,
               const GpuGBuffer& gbuffer) {
   const gl::Texture depth =
@@ -96,6 +83,19 @@ void read_vectors(const gl::Texture& texture, Image<vec3>& vectors, Image<float>
 
 }  // namespace
 
+GpuGBuffer make_gbuffer(int width, int height) {
+  GpuGBuffer gbuffer;
+  gbuffer.width = width;
+  gbuffer.height = height;
+  gbuffer.ids = gl::make_texture("gbuffer ids", gl::Format::rg32ui, width, height);
+  gbuffer.position_depth = gl::make_texture("gbuffer position and depth", gl::Format::rgba32f, width, height);
+  gbuffer.geometric_normal = gl::make_texture("gbuffer geometric normal", gl::Format::rgba32f, width, height);
+  gbuffer.shading_normal = gl::make_texture("gbuffer shading normal", gl::Format::rgba32f, width, height);
+  gbuffer.albedo = gl::make_texture("gbuffer albedo", gl::Format::rgba32f, width, height);
+  gbuffer.specular = gl::make_texture("gbuffer specular", gl::Format::rgba32f, width, height);
+  return gbuffer;
+}
+
 gl::Pass& bind(gl::Pass& pass, const GpuGBuffer& gbuffer) {
   return pass.texture("ids", gbuffer.ids)
       .texture("position_depth", gbuffer.position_depth)
@@ -109,7 +109,7 @@ GpuGBuffer draw_gbuffer(const gl::Context& context, const UploadedScene& scene, 
                     context.device().renderer + " can draw",
                 "at most " + std::to_string(context.max_texture_size()) + " pixels a side");
   }
-  GpuGBuffer gbuffer = make_targets(view.width, view.height);
+  GpuGBuffer gbuffer = make_gbuffer(view.width, view.height);
   const ViewBlock block = make_view_block(view);
   draw_ids(context, scene, block, gbuffer);
   resolve(context, scene, block, gbuffer);

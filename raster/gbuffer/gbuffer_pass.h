@@ -22,6 +22,9 @@ struct GpuGBuffer {
   gl::Texture specular;          ///< RGBA32F: reflectance at normal incidence, perceptual roughness
 };
 
+/// Textures of that size with undefined contents.
+GpuGBuffer make_gbuffer(int width, int height);
+
 /// Binds ids, position_depth and geometric_normal.
 gl::Pass& bind(gl::Pass& pass, const GpuGBuffer& gbuffer);
 

@@ -19,6 +19,10 @@ FormatNames names_of(Format format) {
   switch (format) {
     case Format::r32f:
       return {GL_R32F, GL_RED, GL_FLOAT, 4};
+    case Format::rg16:
+      return {GL_RG16, GL_RG, GL_UNSIGNED_SHORT, 4};
+    case Format::rgba16f:
+      return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8};
     case Format::rgb32f:
       return {GL_RGB32F, GL_RGB, GL_FLOAT, 12};
     case Format::rgba32f:
@@ -113,6 +117,22 @@ void write_texels(const Texture& texture, Format format, int width, int height, 
   assert(texels.size() == names.bytes * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, names.external, names.type, texels.data());
+}
+
+void write_layer(const Texture& texture, Format format, int layer, TextureSize size,
+                 std::span<const std::byte> texels) {
+  const FormatNames names = names_of(format);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTextureSubImage3D(texture.name(), 0, 0, 0, layer, size.width, size.height, 1, names.external, names.type,
+                      texels.data());
+}
+
+Texture copy_texture(const std::string& label, const Texture& texture, Format format) {
+  const TextureSize size = size_of(texture);
+  Texture copy = make_texture(label, format, size.width, size.height);
+  glCopyImageSubData(texture.name(), GL_TEXTURE_2D, 0, 0, 0, 0, copy.name(), GL_TEXTURE_2D, 0, 0, 0, 0, size.width,
+                     size.height, 1);
+  return copy;
 }
 
 void read_texels(const Texture& texture, Format format, std::span<std::byte> texels) {

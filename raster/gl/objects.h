@@ -80,7 +80,7 @@ Buffer make_block(const std::string& label, const Block& block) {
   return make_buffer(label, std::as_bytes(std::span<const Block, 1>(&block, 1)));
 }
 
-enum class Format { r32f, rgb32f, rgba32f, rg32ui, rgb32ui, rgba32ui, rgba8, depth32f };
+enum class Format { r32f, rg16, rgba16f, rgb32f, rgba32f, rg32ui, rgb32ui, rgba32ui, rgba8, depth32f };
 
 /// Bytes of one texel.
 std::size_t texel_bytes(Format format);
@@ -95,8 +95,19 @@ Texture make_buffer_texture(const std::string& label, Format format, const Buffe
 /// One level, nearest filter, clamped to the edge; layers 0 is a plain 2D texture, else a 2D array.
 Texture make_texture(const std::string& label, Format format, int width, int height, int layers = 0);
 
+struct TextureSize {
+  int width = 0;
+  int height = 0;
+};
+
 /// Replaces all texels of a plain 2D texture; rows from texture row 0 on, tightly packed.
 void write_texels(const Texture& texture, Format format, int width, int height, std::span<const std::byte> texels);
+
+/// Replaces a layer of an array, as write_texels() does a plain texture.
+void write_layer(const Texture& texture, Format format, int layer, TextureSize size, std::span<const std::byte> texels);
+
+/// A plain 2D texture with the same texels.
+Texture copy_texture(const std::string& label, const Texture& texture, Format format);
 
 /// Sets every texel to 0.
 void clear_texels(const Texture& texture, Format format);
@@ -107,10 +118,6 @@ void read_buffer(const Buffer& buffer, std::span<std::byte> bytes);
 /// All texels of all layers, rows from texture row 0 on, tightly packed; `texels` has the size of all of them.
 void read_texels(const Texture& texture, Format format, std::span<std::byte> texels);
 
-struct TextureSize {
-  int width = 0;
-  int height = 0;
-};
 TextureSize size_of(const Texture& texture);
 
 Framebuffer make_framebuffer(const std::string& label);

@@ -10,6 +10,7 @@
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -86,13 +87,25 @@ void add_layer(LayeredImage& image, const std::string& layer, const Image<float>
   image.channels.push_back({layer + ".Y", values});
 }
 
-void add_layer(LayeredImage& image, const std::string& layer, const Image<vec3>& values) {
-  static constexpr const char* names[] = {".X", ".Y", ".Z"};
+namespace {
+
+void add_channels(LayeredImage& image, const std::string& layer, const std::array<const char*, 3>& names,
+                  const Image<vec3>& values) {
   for (int c = 0; c < 3; ++c) {
-    Channel channel{layer + names[c], Image<float>(values.width, values.height)};
+    Channel channel{layer + names[static_cast<std::size_t>(c)], Image<float>(values.width, values.height)};
     for (std::size_t i = 0; i < values.size(); ++i) channel.values[i] = values[i][c];
     image.channels.push_back(std::move(channel));
   }
+}
+
+}  // namespace
+
+void add_layer(LayeredImage& image, const std::string& layer, const Image<vec3>& values) {
+  add_channels(image, layer, {".X", ".Y", ".Z"}, values);
+}
+
+void add_color_layer(LayeredImage& image, const std::string& layer, const Image<vec3>& colors) {
+  add_channels(image, layer, {".R", ".G", ".B"}, colors);
 }
 
 void write_exr(const std::filesystem::path& path, const LayeredImage& image) {

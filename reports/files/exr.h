@@ -27,6 +27,8 @@ struct LayeredImage {
 /// Appends a scalar image as "<layer>.Y", or a vector image as "<layer>.X/Y/Z".
 void add_layer(LayeredImage& image, const std::string& layer, const Image<float>& values);
 void add_layer(LayeredImage& image, const std::string& layer, const Image<vec3>& values);
+/// A linear colour image as "<layer>.R/G/B".
+void add_color_layer(LayeredImage& image, const std::string& layer, const Image<vec3>& colors);
 
 /// Written to a temporary name and renamed. Throws Error naming the path when the disk is full or not writable.
 void write_exr(const std::filesystem::path& path, const LayeredImage& image);

@@ -1,0 +1,48 @@
+// The shaded image, by the forward or the deferred path.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/image.h"
+#include "raster/gbuffer/gbuffer_pass.h"
+#include "raster/gbuffer/uploaded_scene.h"
+#include "raster/gl/context.h"
+#include "raster/shading/gbuffer_store.h"
+#include "scenes/view.h"
+#include "techniques/shading/light_volume.h"
+#include "techniques/shading/parameters.h"
+
+namespace umbrameter {
+
+/// A light and the visibility that the shadow technique gives it, per pixel.
+struct LitLight {
+  const Light* light = nullptr;
+  const Image<float>* visibility = nullptr;
+};
+
+struct ShadedImage {
+  Image<vec3> radiance;      ///< linear, without exposure; 0 on the background
+  Image<vec3> light_buffer;  ///< of the deferred path: the sum over the lights, without ambient light
+  /// Of the deferred path, per light; zeros for a light that is drawn over the whole image.
+  std::vector<LightCounters> counters;
+};
+
+struct ForwardInput {
+  const UploadedScene& scene;
+  const GpuGBuffer& surfels;  ///< stand for a depth pre-pass: which fragments are shaded, their positions and normals
+  const View& view;
+  const ShadingParams& params;
+};
+
+/// Draws the scene and evaluates every light in the fragment shader, up to sixteen lights a pass.
+ShadedImage draw_forward(const gl::Context& context, const ForwardInput& input, std::span<const LitLight> lights,
+                         const Image<float>& ao);
+
+/// Adds up the lights from the G-buffer: each over its volume, or over the whole image if it has none. The light buffer
+/// holds 32-bit floats.
+ShadedImage draw_deferred(const gl::Context& context, const DeferredInput& input, std::span<const LitLight> lights,
+                          const Image<float>& ao);
+
+}  // namespace umbrameter
