@@ -56,16 +56,12 @@ constexpr CommandDescription generate_command = {"generate", "Print a completion
                                                  "Example: umbrameter generate bash -o umbrameter.bash"};
 
 constexpr std::pair<const char*, const char*> short_names[] = {
-    {"view.size", "size"}, {"view.scene", "scene"},    {"view.camera", "camera"}, {"view.light", "light"},
-    {"run.seed", "seed"},  {"run.classes", "classes"}, {"run.measure", "measure"}};
+    {"view.size", "size"}, {"view.scene", "scene"},    {"view.camera", "camera"},  {"view.light", "light"},
+    {"run.seed", "seed"},  {"run.classes", "classes"}, {"run.measure", "measure"}, {"run.overlay", "overlay"}};
 
-constexpr std::pair<const char*, const char*> group_titles[] = {{"scene", "Scene"},
-                                                                {"view", "View"},
-                                                                {"light", "Size of lights"},
-                                                                {"shadow", "Shadow technique"},
-                                                                {"ao", "AO technique"},
-                                                                {"truth", "Reference"},
-                                                                {"run", "Run"}};
+constexpr std::pair<const char*, const char*> group_titles[] = {
+    {"scene", "Scene"},     {"view", "View"},       {"light", "Size of lights"}, {"shadow", "Shadow technique"},
+    {"ao", "AO technique"}, {"shading", "Shading"}, {"truth", "Reference"},      {"run", "Run"}};
 
 CLI::App& add_command(CLI::App& app, const CommandDescription& description) {
   CLI::App& command = *app.add_subcommand(description.name, description.summary);

@@ -22,8 +22,8 @@ struct SceneChoice {
 };
 SceneChoice chosen_scene(const CommandLine& line);
 
-/// What --memory says. Throws Error (usage) where it is no size.
-LoadOptions load_options(const CommandLine& line);
+/// What --memory says; `materials` for a shaded image. Throws Error (usage) where it is no size.
+LoadOptions load_options(const CommandLine& line, bool materials = false);
 
 /// The user's cache of references, unless --no-cache is given or nothing is traced.
 std::optional<CacheFolder> chosen_cache(const CommandLine& line, const Console& console);

@@ -134,15 +134,15 @@ TimeEstimate estimate_time(const SweepPlan& plan, double budget, const std::func
 ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSweep& sweep) {
   const SweepPlan& plan = sweep.plan;
   std::vector<Row> rows = {scene_row(stages, sweep.experiment), view_row(console, stages, sweep.experiment.view)};
-  const bool is_ao = std::holds_alternative<AoStatistics>(sweep.statistics);
-  if (!is_ao) {
+  const SweptQuantity quantity = quantity_of(sweep.statistics);
+  if (quantity == SweptQuantity::visibility) {
     std::string lights;
     for (const std::uint32_t light : swept_lights(stages, sweep.experiment, sweep.axes)) {
       lights += (lights.empty() ? "" : ", ") + light_text(stages, sweep.experiment, light);
     }
     rows.emplace_back("light", lights);
   }
-  rows.emplace_back("measures", is_ao ? "ambient occlusion" : "shadows");
+  rows.emplace_back("measures", quantity_title(quantity));
   std::string axes;
   for (const SweepAxis& axis : sweep.axes) {
     axes += (axes.empty() ? "" : "; ") + fmt::format("{}, {} values ({})", axis.key, axis.values.size(), axis.text);

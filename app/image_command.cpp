@@ -7,6 +7,7 @@
 #include "app/dry_run.h"
 #include "compare/metrics/metric.h"
 #include "core/parallel.h"
+#include "experiments/presentation/debug_views.h"
 #include "experiments/presentation/run_output.h"
 #include "experiments/reference_cache.h"
 #include "experiments/sweep.h"
@@ -88,12 +89,16 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
     run_folder.emplace(line.output, RunPlan{line.command, experiment_text(given), run_files(false)}, line.force);
   }
   const ThreadLimit threads(line.threads);
-  Stages stages(load_scene(given.scene, given.view.scene, given.scene_params, load_options(line)),
-                {line.gl_device, line.threads, chosen_cache(line, console), given.scene}, console);
+  Stages stages(
+      load_scene(given.scene, given.view.scene, given.scene_params, load_options(line, measures_image(given))),
+      {line.gl_device, line.threads, chosen_cache(line, console), given.scene}, console);
   const Experiment experiment = stages.in_metres(given);
   const Sides sides = sides_of(line.command);
   const std::vector<std::uint32_t> lights = stages.lights(experiment.view.light);
   stages.check_is_meaningful(experiment, lights);
+  const bool has_image = measures_image(experiment);
+  if (has_image) check_shading(stages, experiment);
+  if (sides.raster) check_debug_views(stages, experiment);
   if (line.dry_run) return show_image_plan(line, console, stages, experiment);
   RunFolder& folder = *run_folder;
 
@@ -114,6 +119,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
     measurement.shadows.push_back(std::move(shadow));
   }
   measurement.ao = measure_ao(stages, experiment, sides);
+  if (has_image) measurement.image = measure_image(stages, experiment, lights, sides);
 
   RunOutput output;
   output.title = fmt::format("{}: {}", scene_title(experiment),
@@ -121,12 +127,16 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
                              : line.command == "trace" ? "reference"
                                                        : "technique");
   output.subtitle = subtitle_of(stages, measurement.surfels.view);
-  output.parts.push_back(present_picture(stages, measurement));
+  if (!measurement.image) output.parts.push_back(present_picture(stages, measurement));
   for (const ShadowMeasurement& shadow : measurement.shadows) {
     output.parts.push_back(present_shadow(stages, shadow));
     if (shadow.shape) present_shape(output.parts.back(), stages, shadow);
   }
   output.parts.push_back(present_ao(*measurement.ao));
+  if (measurement.image) output.parts.push_back(present_image(stages, *measurement.image));
+  if (sides.raster && !experiment.run.overlay.empty()) {
+    output.parts.push_back(present_debug_views(stages, measurement));
+  }
   output.summary = {line.command, given, &stages, &measurement, {}, {}, {}, {}};
   if (sides.raster) output.summary.gl_renderer = stages.context().device().renderer;
   output.with_figures = !line.no_figures;

@@ -18,8 +18,9 @@ SceneChoice chosen_scene(const CommandLine& line) {
   return {experiment.view.scene, experiment.scene_params};
 }
 
-LoadOptions load_options(const CommandLine& line) {
+LoadOptions load_options(const CommandLine& line, bool materials) {
   LoadOptions options;
+  options.materials = materials;
   if (!line.memory.empty()) {
     options.memory = parse_bytes(line.memory, "--memory " + line.memory, "write it like 512M or 8G");
   }

@@ -63,7 +63,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(Stages& stages, Exp
   for (const Parameter& parameter : describe(experiment)) {
     settings.emplace_back(parameter.key, to_string(parameter.value()));
   }
-  settings.emplace_back("measured", quantity == SweptQuantity::ao ? "ao" : "visibility");
+  settings.emplace_back("measured", std::string(quantity_name(quantity)));
   settings.emplace_back("content of the scene", scene_content(stages.scene()));
   std::string lights;
   for (std::uint32_t i = 0; i < stages.scene().lights.size(); ++i) {
@@ -131,7 +131,8 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
                        line.force);
   }
   const ThreadLimit threads(line.threads);
-  Stages stages(load_scene(experiment.scene, experiment.view.scene, experiment.scene_params, load_options(line)),
+  Stages stages(load_scene(experiment.scene, experiment.view.scene, experiment.scene_params,
+                           load_options(line, quantity == SweptQuantity::image)),
                 {line.gl_device, line.threads, chosen_cache(line, console), experiment.scene}, console);
   const std::vector<std::uint32_t> lights = stages.lights(experiment.view.light);
   if (quantity == SweptQuantity::visibility && !varies_group(axes, "view.light") && lights.size() > 1) {
@@ -200,6 +201,9 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   if (quantity == SweptQuantity::ao) {
     measurement.ao = measure_ao(stages, best, {});
     output.parts.push_back(present_ao(*measurement.ao));
+  } else if (quantity == SweptQuantity::image) {
+    measurement.image = measure_image(stages, best, stages.lights(best.view.light), {});
+    output.parts.push_back(present_image(stages, *measurement.image));
   } else {
     measurement.shadows.push_back(measure_shadow(stages, best, stages.lights(best.view.light).front(), {}));
     output.parts.push_back(present_shadow(stages, measurement.shadows.front()));

@@ -11,7 +11,7 @@ namespace umbrameter {
 namespace {
 
 constexpr std::array<std::string_view, 2> class_rule_names{"fast", "exact"};
-constexpr std::array<std::string_view, 3> sweep_measure_names{"auto", "visibility", "ao"};
+constexpr std::array<std::string_view, 4> sweep_measure_names{"auto", "visibility", "ao", "image"};
 
 }  // namespace
 
@@ -22,18 +22,20 @@ Parameters describe(RunParams& params) {
               {.unit = {},
                .meaning = "separate acne from false occlusion by triangle planes (fast), or also by rays (exact)"})
       .choice("measure", params.measure, sweep_measure_names,
-              {.unit = {}, .meaning = "what a sweep measures; auto: depends on the axes"})
+              {.unit = {}, .meaning = "what is measured; auto: shadows and AO, in a sweep depending on the axes"})
       .field("shimmer", params.shimmer,
              {"", "measure shimmer: shadow map and camera move by fractions of a texel or pixel"})
       .field("metrics", params.metrics,
              {"", "image metrics of visibility and AO that compare reports: " + metric_names() + "; comma-separated"})
+      .field("overlay", params.overlay,
+             {"", "debug views in a corner of the image and as figures: all, depth, normal, shadow-map:LIGHT, ..."})
       .take();
 }
 
 Parameters describe(Experiment& experiment) {
   return concatenate({describe(experiment.scene_params), describe(experiment.view), describe(experiment.light),
-                      describe(experiment.shadow), describe(experiment.ao), describe(experiment.truth),
-                      describe(experiment.run)});
+                      describe(experiment.shadow), describe(experiment.ao), describe(experiment.shading),
+                      describe(experiment.truth), describe(experiment.run)});
 }
 
 Experiment in_metres(Experiment experiment, double scene_size) {

@@ -12,6 +12,7 @@
 #include "scenes/scene_params.h"
 #include "scenes/view.h"
 #include "techniques/ao/technique.h"
+#include "techniques/shading/parameters.h"
 #include "techniques/shadow/technique.h"
 
 namespace umbrameter {
@@ -20,8 +21,9 @@ namespace umbrameter {
 /// rule calls false occlusion.
 enum class ClassRule : int { fast, exact };
 
-/// What a sweep measures: shadows (visibility) or ambient occlusion (ao). automatic: decided by the axes.
-enum class SweepMeasure : int { automatic, visibility, ao };
+/// What is measured. automatic: compare measures shadows and ambient occlusion, a sweep what its axes vary. image: also
+/// the shaded image; in a sweep that alone.
+enum class SweepMeasure : int { automatic, visibility, ao, image };
 
 /// The run.* parameters.
 struct RunParams {
@@ -30,6 +32,7 @@ struct RunParams {
   SweepMeasure measure = SweepMeasure::automatic;
   bool shimmer = false;
   std::string metrics;  ///< names of image metrics, comma-separated
+  std::string overlay;  ///< names of debug views, comma-separated
 };
 Parameters describe(RunParams& params);
 
@@ -40,11 +43,18 @@ struct Experiment {
   LightParams light;
   ShadowParams shadow;
   AoParams ao;
+  ShadingParams shading;
   TruthParams truth;
   RunParams run;
   /// The axes of a sweep: full parameter name, axis text.
   std::vector<std::pair<std::string, std::string>> axes;
 };
+
+/// Whether compare, trace or raster also makes the shaded image: run.measure asks for it, or run.overlay, which shows
+/// it.
+inline bool measures_image(const Experiment& experiment) {
+  return experiment.run.measure == SweepMeasure::image || !experiment.run.overlay.empty();
+}
 
 /// The built-in scene's name, or the file's name without its folder; followed by the selected scene of the file.
 std::string scene_title(const Experiment& experiment);

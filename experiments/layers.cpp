@@ -35,6 +35,22 @@ void add_ao(LayeredImage& image, const AoMeasurement& ao) {
   if (ao.statistics) add_layer(image, "error_ao", signed_error(*ao.raster, ao.truth->ao));
 }
 
+void add_image(LayeredImage& image, const ImageMeasurement& shaded) {
+  const auto exposure = static_cast<float>(shaded.experiment.shading.exposure);
+  if (shaded.truth) add_color_layer(image, "truth_image", *shaded.truth);
+  if (!shaded.standard_error.empty()) add_layer(image, "truth_image_standard_error", shaded.standard_error);
+  if (shaded.raster) add_color_layer(image, "raster_image", shaded.raster->radiance);
+  if (shaded.raster && !shaded.raster->light_buffer.empty()) {
+    add_color_layer(image, "raster_light_buffer", shaded.raster->light_buffer);
+  }
+  if (!shaded.statistics) return;
+  add_layer(image, "error_image",
+            signed_error(luminance(shaded.raster->radiance, exposure), luminance(*shaded.truth, exposure)));
+  Image<float> causes(shaded.causes.width, shaded.causes.height);
+  for (std::size_t i = 0; i < causes.size(); ++i) causes[i] = static_cast<float>(shaded.causes[i]);
+  add_layer(image, "cause_image", causes);
+}
+
 void add_picture(LayeredImage& image, const Image<vec3>& picture, const GBuffer& gbuffer) {
   static constexpr const char* names[] = {"R", "G", "B"};
   for (int c = 0; c < 3; ++c) {
@@ -60,6 +76,11 @@ Image<vec3> surface_positions(const GBuffer& gbuffer) {
 }  // namespace
 
 Image<vec3> picture_of(const Stages& stages, const Measurement& measurement) {
+  if (const auto& image = measurement.image) {
+    Image<vec3> picture = image->raster ? image->raster->radiance : *image->truth;
+    for (vec3& color : picture.pixels) color *= static_cast<float>(image->experiment.shading.exposure);
+    return picture;
+  }
   std::vector<LitBy> lights;
   for (const ShadowMeasurement& shadow : measurement.shadows) {
     const Image<float>& visibility = shadow.raster ? shadow.raster->visibility : shadow.truth->visibility;
@@ -75,6 +96,7 @@ LayeredImage layers_of(const Stages& stages, const Measurement& measurement) {
   const GBuffer& gbuffer = measurement.surfels.gbuffer;
   for (const ShadowMeasurement& shadow : measurement.shadows) add_shadow(image, stages.layer(shadow.light), shadow);
   if (measurement.ao) add_ao(image, *measurement.ao);
+  if (measurement.image) add_image(image, *measurement.image);
   add_layer(image, "gbuffer_position", surface_positions(gbuffer));
   add_layer(image, "gbuffer_normal", gbuffer.geometric_normal);
   add_picture(image, picture_of(stages, measurement), gbuffer);

@@ -6,8 +6,8 @@
 
 namespace umbrameter {
 
-/// A shaded picture for a measurement, from the technique's results if there are any, otherwise from the reference's.
-/// Linear, 1 is about white.
+/// The technique's image, or the traced one, with its exposure. Without an image measurement: a picture shaded with the
+/// technique's results if there are any, otherwise with the reference's. Linear, 1 is about white.
 Image<vec3> picture_of(const Stages& stages, const Measurement& measurement);
 
 /// Layer names:
@@ -16,6 +16,9 @@ Image<vec3> picture_of(const Stages& stages, const Measurement& measurement);
 /// - truth_ao.Y, truth_ao_standard_error.Y, truth_ao_samples.Y (rays), raster_ao.Y, error_ao.Y;
 /// - with truth.ao-layers also truth_bent_normal.X/Y/Z (unit, world) and truth_ao_hit_distance.Y (metres, infinite if
 ///   no ray hits);
+/// - of an image measurement truth_image.R/G/B and raster_image.R/G/B (linear, without exposure),
+///   truth_image_standard_error.Y and error_image.Y (luminance × exposure), cause_image.Y (numbers of ImageCause; 4: no
+///   visible error), raster_light_buffer.R/G/B (deferred path);
 /// - gbuffer_position.X/Y/Z (world, metres; NaN on background), gbuffer_normal.X/Y/Z (geometric, world);
 /// - in the root layer R, G, B, A (the picture) and Z (metres along the camera's axis).
 LayeredImage layers_of(const Stages& stages, const Measurement& measurement);

@@ -11,25 +11,21 @@
 #include "compare/metrics/metric.h"
 #include "compare/soft_visibility.h"
 #include "compare/visibility.h"
+#include "experiments/measure_image.h"
 #include "experiments/presentation/bias_advice.h"
 #include "experiments/presentation/shadow_shape.h"
 #include "experiments/stages.h"
 
 namespace umbrameter {
 
-/// Which results a command needs. The difference is computed if both are needed.
-struct Sides {
-  bool raster = true;
-  bool truth = true;
-};
-
 /// Statistics of a shadow error. VisibilityStatistics: by cause, for a binary reference and a technique that sums
 /// comparisons. EdgeStatistics: by distance to the reference's edges, for a binary reference and any other technique.
 /// SoftVisibilityStatistics: by sign, with intervals, for an area light.
 using ShadowStatistics = std::variant<VisibilityStatistics, EdgeStatistics, SoftVisibilityStatistics>;
 
-/// Statistics of a cell of a sweep: a shadow error or ambient occlusion.
-using CellStatistics = std::variant<VisibilityStatistics, EdgeStatistics, SoftVisibilityStatistics, AoStatistics>;
+/// Statistics of a cell of a sweep: a shadow error, ambient occlusion or the shaded image.
+using CellStatistics =
+    std::variant<VisibilityStatistics, EdgeStatistics, SoftVisibilityStatistics, AoStatistics, ImageStatistics>;
 
 inline Statistics describe(CellStatistics& statistics) {
   return std::visit([](auto& each) { return describe(each); }, statistics);
@@ -85,6 +81,7 @@ struct Measurement {
   Surfels surfels;
   std::vector<ShadowMeasurement> shadows;
   std::optional<AoMeasurement> ao;
+  std::optional<ImageMeasurement> image;
 };
 
 /// Compares a technique's visibility with the binary reference of a light without extent.

@@ -51,6 +51,11 @@ const std::array<StageInputs, stage_count>& stages() {
       {"visibility", visibility_parameters, {Stage::surfels, Stage::filtered_map}, 2.0},
       {"reference", [](Experiment&) { return Parameters{}; }, {Stage::surfels, Stage::light}, 100.0},
       {"reference of an area light", sampling_parameters, {Stage::surfels, Stage::emitter}, 1000.0},
+      {"stored G-buffer", [](Experiment& e) { return gbuffer_parameters(e.shading); }, {Stage::surfels}, 3.0},
+      {"shading",
+       [](Experiment& e) { return describe(e.shading); },
+       {Stage::stored_gbuffer, Stage::visibility, Stage::ao},
+       5.0},
       {"ambient occlusion",
        [](Experiment& e) {
          return concatenate({describe(e.ao), run_parameter(e, "run.seed")});

@@ -21,6 +21,8 @@ enum class Stage {
   visibility,        ///< the technique's visibility, by bias and filter
   binary_reference,  ///< shadow rays to a light without extent
   area_reference,    ///< shadow rays to an area light
+  stored_gbuffer,    ///< the G-buffer of the deferred path
+  shading,           ///< the technique's image
   ao,                ///< the technique's ambient occlusion
   ao_reference,      ///< hemisphere rays
 };

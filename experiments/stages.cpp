@@ -250,9 +250,8 @@ const TracedAo& Stages::ao_truth(const Experiment& experiment) {
   });
 }
 
-ShadowLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth) {
-  const GpuGBuffer& gpu = gpu_surfels(experiment);
-  const ShadowMap& map = map_.remake(key(Stage::map, experiment, light), [&](std::optional<ShadowMap> last) {
+const ShadowMap& Stages::map(const Experiment& experiment, std::uint32_t light) {
+  return map_.remake(key(Stage::map, experiment, light), [&](std::optional<ShadowMap> last) {
     const MapLayout& layout = this->layout(experiment, light);
     // Drivers on a processor clear every page of a fresh texture, which takes longer than drawing a small scene.
     ShadowMap drawn = last && has_textures_for(*last, layout) ? std::move(*last) : make_shadow_map(context(), layout);
@@ -260,6 +259,11 @@ ShadowLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t l
     redraw_shadow_map(context(), uploaded(), scene_.lights[light], drawn);
     return drawn;
   });
+}
+
+ShadowLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth) {
+  const GpuGBuffer& gpu = gpu_surfels(experiment);
+  const ShadowMap& map = this->map(experiment, light);
   const gl::Texture* gpu_truth = nullptr;
   if (with_truth) {
     const Stage reference = reference_stage(experiment, light);
@@ -314,9 +318,46 @@ ClassAgreement Stages::reclassify(const Experiment& experiment, std::uint32_t li
   return agreement;
 }
 
-Image<float> Stages::draw_ao(const Experiment& experiment) {
-  return umbrameter::draw_ao(context(), gpu_surfels(experiment), surfels(experiment).view, in_metres(experiment).ao,
+Image<float> Stages::draw_ao(const Experiment& experiment) { return draw_ao_of(gpu_surfels(experiment), experiment); }
+
+Image<float> Stages::draw_ao_of(const GpuGBuffer& surfels, const Experiment& experiment) {
+  return umbrameter::draw_ao(context(), surfels, this->surfels(experiment).view, in_metres(experiment).ao,
                              static_cast<std::uint32_t>(experiment.run.seed));
+}
+
+const StoredSurfels& Stages::stored_surfels(const Experiment& experiment) {
+  const GpuGBuffer& exact = gpu_surfels(experiment);
+  return stored_surfels_.get(key_of(Stage::stored_gbuffer, experiment), [&] {
+    const View& view = surfels(experiment).view;
+    StoredGBuffer stored = store_gbuffer(context(), exact, view, experiment.shading);
+    GpuGBuffer gpu = decode_surfels(context(), stored, exact, view);
+    GBuffer gbuffer = read_back(context(), gpu);
+    return StoredSurfels{std::move(stored), std::move(gpu), std::move(gbuffer)};
+  });
+}
+
+ShadingSurfels Stages::shading_surfels(const Experiment& experiment) {
+  if (experiment.shading.path == ShadingPath::forward) {
+    return {gpu_surfels(experiment), surfels(experiment).gbuffer, true};
+  }
+  const StoredSurfels& stored = stored_surfels(experiment);
+  return {stored.gpu, stored.gbuffer, false};
+}
+
+Image<float> Stages::draw_visibility_of(const GpuGBuffer& surfels, const Experiment& experiment, std::uint32_t light) {
+  const ShadowLookup exact = shadow_lookup(experiment, light, false);
+  return draw_visibility(context(), {exact.scene, surfels, exact.map, exact.light, exact.bias, exact.technique, nullptr,
+                                     exact.filtered})
+      .visibility;
+}
+
+ShadedImage Stages::shade(const Experiment& experiment, std::span<const LitLight> lights, const Image<float>& ao) {
+  const View& view = surfels(experiment).view;
+  const GpuGBuffer& exact = gpu_surfels(experiment);
+  if (experiment.shading.path == ShadingPath::forward) {
+    return draw_forward(context(), {uploaded(), exact, view, experiment.shading}, lights, ao);
+  }
+  return draw_deferred(context(), {stored_surfels(experiment).stored, exact, view, experiment.shading}, lights, ao);
 }
 
 }  // namespace umbrameter

@@ -19,6 +19,7 @@
 #include "experiments/reference_cache.h"
 #include "experiments/stage_inputs.h"
 #include "raster/rasterizer.h"
+#include "raster/shading/shading_pass.h"
 #include "raytrace/tracer.h"
 #include "scenes/scene.h"
 #include "techniques/shadow/map_layout.h"
@@ -65,6 +66,27 @@ struct AoInBackground {
   std::future<TracedAo> traced{};
 
   ~AoInBackground();
+};
+
+/// Which results a command needs. The difference is computed if both are needed.
+struct Sides {
+  bool raster = true;
+  bool truth = true;
+};
+
+/// What the deferred path reads in place of the surfels.
+struct StoredSurfels {
+  StoredGBuffer stored;
+  GpuGBuffer gpu;
+  GBuffer gbuffer;
+};
+
+/// The surfels that the technique shades: the exact ones in the forward path, in the deferred path those that the
+/// G-buffer gives back.
+struct ShadingSurfels {
+  const GpuGBuffer& gpu;
+  const GBuffer& gbuffer;
+  bool is_exact = true;
 };
 
 struct StageOptions {
@@ -123,6 +145,14 @@ class Stages {
   BiasHistogram bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes);
   Image<float> draw_ao(const Experiment& experiment);
 
+  ShadingSurfels shading_surfels(const Experiment& experiment);
+  /// The technique's results for other surfels than surfels().
+  Image<float> draw_visibility_of(const GpuGBuffer& surfels, const Experiment& experiment, std::uint32_t light);
+  Image<float> draw_ao_of(const GpuGBuffer& surfels, const Experiment& experiment);
+  ShadedImage shade(const Experiment& experiment, std::span<const LitLight> lights, const Image<float>& ao);
+  /// The light's shadow map.
+  const ShadowMap& map(const Experiment& experiment, std::uint32_t light);
+
   /// Reports the progress of tracing to `to`, for a bar that covers several stages; the stages then show no bars. If
   /// `to` is empty, each stage shows its bar again.
   void report_tracing(Progress to) { tracing_ = std::move(to); }
@@ -139,6 +169,7 @@ class Stages {
   void test_unresolved_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes,
                             const TestedTaps& take);
   ShadowLookup shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth);
+  const StoredSurfels& stored_surfels(const Experiment& experiment);
   ProgressBar bar(const char* stage) const;
   ProgressBar tracing_bar(const char* stage, std::function<std::uint64_t()> count_rays) const;
   ReferenceKey reference_key(const Experiment& experiment, Stage stage, const std::string& kind);
@@ -160,6 +191,7 @@ class Stages {
   std::unique_ptr<UploadedScene> uploaded_;
   Memo<Surfels> surfels_;
   Memo<GpuGBuffer> gpu_surfels_;
+  Memo<StoredSurfels> stored_surfels_;
   Memo<MapLayout> layout_;
   Memo<CountedPixels> counted_;
   Memo<ShadowMap> map_;

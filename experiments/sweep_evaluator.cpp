@@ -30,13 +30,16 @@ struct MeasureCell {
     return analyze_soft_visibility(draw().visibility, sampled(truth), stages.counted(experiment, light()));
   }
   CellStatistics operator()(const AoStatistics&) const { return *measure_ao(stages, experiment, {}).statistics; }
+  CellStatistics operator()(const ImageStatistics&) const {
+    return *measure_image(stages, experiment, stages.lights(experiment.view.light), {}).statistics;
+  }
 };
 
 void measure_cells(Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                    const CellStatistics& statistics, const CellGroup& group, const RowSink& keep) {
   // Extents are varied: not every combination of them need make sense.
   const Experiment of_group = at_cell(experiment, axes, group.values);
-  if (!std::holds_alternative<AoStatistics>(statistics)) {
+  if (quantity_of(statistics) == SweptQuantity::visibility) {
     stages.check_is_meaningful(of_group, swept_lights(stages, experiment, axes));
   }
   for (std::size_t c = 0; c < group.constant_bias.values.size(); ++c) {
@@ -90,6 +93,21 @@ void for_each_technique(Experiment experiment, const std::vector<SweepAxis>& axe
 
 }  // namespace
 
+std::string_view quantity_name(SweptQuantity quantity) {
+  return quantity == SweptQuantity::ao ? "ao" : quantity == SweptQuantity::image ? "image" : "visibility";
+}
+
+std::string_view quantity_title(SweptQuantity quantity) {
+  return quantity == SweptQuantity::ao      ? "ambient occlusion"
+         : quantity == SweptQuantity::image ? "the shaded image"
+                                            : "shadows";
+}
+
+SweptQuantity quantity_of(const CellStatistics& statistics) {
+  if (std::holds_alternative<AoStatistics>(statistics)) return SweptQuantity::ao;
+  return std::holds_alternative<ImageStatistics>(statistics) ? SweptQuantity::image : SweptQuantity::visibility;
+}
+
 bool varies_group(const std::vector<SweepAxis>& axes, std::string_view group) {
   return std::any_of(axes.begin(), axes.end(), [&](const SweepAxis& axis) { return axis.key.rfind(group, 0) == 0; });
 }
@@ -97,10 +115,11 @@ bool varies_group(const std::vector<SweepAxis>& axes, std::string_view group) {
 SweptQuantity choose_quantity(SweepMeasure given, const std::vector<SweepAxis>& axes) {
   if (given == SweepMeasure::visibility) return SweptQuantity::visibility;
   if (given == SweepMeasure::ao) return SweptQuantity::ao;
+  if (given == SweepMeasure::image || varies_group(axes, "shading.")) return SweptQuantity::image;
   const bool ao = varies_group(axes, "ao.") || varies_group(axes, "truth.");
   if (ao && (varies_group(axes, "shadow.") || varies_group(axes, "light."))) {
     throw Error(ExitCode::usage, "sweep", "the axes vary both shadows and ambient occlusion",
-                "choose what to measure: --measure visibility or --measure ao");
+                "choose what to measure: --measure visibility, ao or image");
   }
   return ao ? SweptQuantity::ao : SweptQuantity::visibility;
 }
@@ -121,6 +140,7 @@ std::vector<std::uint32_t> swept_lights(const Stages& stages, const Experiment& 
 CellStatistics choose_statistics(const Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                                  SweptQuantity quantity) {
   if (quantity == SweptQuantity::ao) return AoStatistics{};
+  if (quantity == SweptQuantity::image) return ImageStatistics{};
   const std::vector<std::uint32_t> lights = swept_lights(stages, experiment, axes);
   const bool has_area_lights =
       varies_group(axes, "light.") || std::any_of(lights.begin(), lights.end(), [&](std::uint32_t light) {

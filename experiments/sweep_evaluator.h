@@ -12,7 +12,10 @@
 namespace umbrameter {
 
 /// The quantity that a sweep measures.
-enum class SweptQuantity { visibility, ao };
+enum class SweptQuantity { visibility, ao, image };
+std::string_view quantity_name(SweptQuantity quantity);   ///< "ao": as run.measure writes it
+std::string_view quantity_title(SweptQuantity quantity);  ///< "ambient occlusion"
+SweptQuantity quantity_of(const CellStatistics& statistics);
 
 /// Whether any axis varies a parameter of this group or with this name: "ao.", "view.scene".
 bool varies_group(const std::vector<SweepAxis>& axes, std::string_view group);

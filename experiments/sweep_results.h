@@ -21,7 +21,7 @@ struct SweepResults {
   /// Distance limit of an ambient-occlusion reference: "up to 58.6 cm"; empty if it is varied.
   std::string ao_limit{};
 
-  bool is_ao() const { return std::holds_alternative<AoStatistics>(statistics); }
+  SweptQuantity quantity() const { return quantity_of(statistics); }
   bool is_by_cause() const { return std::holds_alternative<VisibilityStatistics>(statistics); }
 };
 

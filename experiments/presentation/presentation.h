@@ -31,6 +31,7 @@ struct Presentation {
 Presentation present_picture(const Stages& stages, const Measurement& measurement);
 Presentation present_shadow(const Stages& stages, const ShadowMeasurement& shadow);
 Presentation present_ao(const AoMeasurement& ao);
+Presentation present_image(const Stages& stages, const ImageMeasurement& image);
 
 /// How far the reference of ambient occlusion looks: "up to 58.6 cm" or "without distance limit".
 std::string ao_limit_text(const TruthParams& params);

@@ -130,6 +130,23 @@ Json ao_json(const AoMeasurement& ao) {
   return object;
 }
 
+Json image_json(const Stages& stages, const ImageMeasurement& image) {
+  Json object;
+  if (image.statistics) {
+    object["statistics"] = statistics_json(*image.statistics);
+    object["max_error_at_px"] = place_json(image.statistics->error.max_x, image.statistics->error.max_y);
+  }
+  if (!image.raster || image.raster->counters.empty()) return object;
+  for (std::size_t i = 0; i < image.lights.size(); ++i) {
+    const LightCounters& c = image.raster->counters[i];
+    object["light_volumes"].push_back({{"light", stages.title(image.lights[i])},
+                                       {"shaded_px", c.shaded},
+                                       {"in_vain_px", c.in_vain},
+                                       {"missed_px", c.missed}});
+  }
+  return object;
+}
+
 }  // namespace
 
 Json to_json(const BiasInUnits& bias) {
@@ -172,6 +189,7 @@ std::string to_summary_json(const SummaryInput& input) {
       summary["shadows"].push_back(shadow_json(*input.stages, shadow));
     }
     if (input.measurement->ao) summary["ao"] = ao_json(*input.measurement->ao);
+    if (input.measurement->image) summary["image"] = image_json(*input.stages, *input.measurement->image);
   }
   if (input.sweep) {
     Json axes = Json::object();

@@ -176,7 +176,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   Presentation presentation;
   const std::size_t axes = sweep.plan.axes.size();
   ReportSection& section = presentation.section;
-  section.title = sweep.is_ao() ? "Ambient occlusion error in all cells" : "Shadow error in all cells";
+  section.title = fmt::format("Error of {} in all cells", quantity_title(sweep.quantity()));
   const std::vector<Value> least = least_row(sweep);
   const std::size_t mae = column_index(best, error_statistic);
   const std::string error = percent(to_number(least[mae]));
@@ -199,7 +199,8 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   if (!sweep.ao_limit.empty())
     section.text += " The reference looks for occluders " + sweep.ao_limit + " in every cell.";
   const bool varies_filter = varies_group(sweep.plan.axes, "shadow.filter");
-  if (varies_filter && !sweep.is_ao()) section.text += "\n\n" + std::string(filter_caution);
+  if (varies_filter && sweep.quantity() == SweptQuantity::visibility)
+    section.text += "\n\n" + std::string(filter_caution);
   for (const std::string& warning : warnings) section.text += "\n\nWarning: " + warning + ".";
   if (!curves) {
     std::size_t lines = 1;

@@ -80,6 +80,16 @@ class StagesGl : public testing::Test {
     for (const uvec4& wrong : shadow.raster->wrong.weights.pixels) {
       for (int c = 0; c < 4; ++c) all.push_back(static_cast<float>(wrong[c]));
     }
+    if (experiment.run.measure != SweepMeasure::image) return all;
+    const std::vector<std::uint32_t> lights = {0};
+    const ImageMeasurement image = measure_image(stages, experiment, lights, {});
+    for (const Image<vec3>* colors : {&image.raster->radiance, &*image.truth}) {
+      for (const vec3& color : colors->pixels) all.insert(all.end(), {color.x, color.y, color.z});
+    }
+    ImageStatistics statistics = *image.statistics;
+    for (const Value& value : row_of(describe(statistics))) {
+      if (const auto* number = std::get_if<double>(&value)) all.push_back(static_cast<float>(*number));
+    }
     return all;
   }
 
@@ -125,6 +135,10 @@ TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_filt
 
 TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_an_area_light) {
   expect_fresh({"light.angle=2"});
+}
+
+TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_deferred_image) {
+  expect_fresh({"run.measure=image", "shading.path=deferred"});
 }
 
 // The cells of one sweep against a run of each.

@@ -1,0 +1,34 @@
+// Measures the shaded image: the technique's against the traced one, and which input causes the difference.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compare/image_error.h"
+#include "experiments/stages.h"
+#include "raster/shading/shading_pass.h"
+
+namespace umbrameter {
+
+struct ImageMeasurement {
+  Experiment experiment;  ///< the parameters of this measurement
+  std::vector<std::uint32_t> lights;
+  std::optional<ShadedImage> raster;
+  std::optional<Image<vec3>> truth;           ///< linear, without exposure
+  Image<float> standard_error;                ///< of the truth's luminance × exposure; empty if nothing was sampled
+  std::optional<ImageStatistics> statistics;  ///< if both are present
+  Image<std::uint8_t> causes;                 ///< classify_image(); if both are present
+};
+
+/// Errors below this step of an 8-bit image have no cause in ImageMeasurement::causes.
+inline constexpr float visible_step = 1.0f / 255.0f;
+
+/// Throws Error (usage) if the experiment's shading makes no sense for the scene.
+void check_shading(const Stages& stages, const Experiment& experiment);
+
+ImageMeasurement measure_image(Stages& stages, const Experiment& experiment, std::span<const std::uint32_t> lights,
+                               Sides sides);
+
+}  // namespace umbrameter

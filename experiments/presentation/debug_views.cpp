@@ -1,0 +1,328 @@
+#include "experiments/presentation/debug_views.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+#include "core/suggestion.h"
+#include "raster/rasterizer.h"
+#include "raster/texture_image.h"
+#include "reports/figures/figures.h"
+#include "scenes/light.h"
+#include "techniques/shading/light_model.h"
+
+namespace umbrameter {
+namespace {
+
+using Colors = Image<glm::u8vec3>;
+
+constexpr std::array<std::string_view, 11> kinds = {"unshadowed",   "shadows",    "ao",        "depth",
+                                                    "position",     "normal",     "albedo",    "specular",
+                                                    "light-buffer", "shadow-map", "light-view"};
+
+struct Wanted {
+  std::string kind;
+  std::vector<std::uint32_t> lights;  // of shadow-map and light-view
+};
+
+bool is_of_light(std::string_view kind) { return kind == "shadow-map" || kind == "light-view"; }
+
+std::vector<std::string> split(const std::string& list) {
+  std::vector<std::string> parts;
+  for (std::size_t first = 0; first <= list.size();) {
+    const std::size_t comma = std::min(list.find(',', first), list.size());
+    if (comma > first) parts.push_back(list.substr(first, comma - first));
+    first = comma + 1;
+  }
+  return parts;
+}
+
+std::vector<Wanted> parse(const Stages& stages, const Experiment& experiment) {
+  const bool has_light_buffer = experiment.shading.path == ShadingPath::deferred;
+  std::vector<Wanted> all;
+  for (const std::string& name : split(experiment.run.overlay)) {
+    if (name == "all") {
+      for (const std::string_view kind : kinds) {
+        if (kind == "light-buffer" && !has_light_buffer) continue;
+        all.push_back({std::string(kind),
+                       is_of_light(kind) ? stages.lights(experiment.view.light) : std::vector<std::uint32_t>{}});
+      }
+      continue;
+    }
+    const std::size_t colon = name.find(':');
+    const std::string kind = name.substr(0, colon);
+    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end() ||
+        (colon != std::string::npos && !is_of_light(kind))) {
+      const std::vector<std::string> names(kinds.begin(), kinds.end());
+      const std::string similar = suggestion(similar_names(kind, names));
+      throw Error(ExitCode::usage, fmt::format("--overlay {}", name), "there is no such view",
+                  similar.empty() ? "one of: " + debug_view_names() : similar);
+    }
+    if (kind == "light-buffer" && !has_light_buffer) {
+      throw Error(ExitCode::usage, fmt::format("--overlay {}", name), "the forward path has no light buffer",
+                  "use --shading.path deferred");
+    }
+    Wanted wanted{kind, {}};
+    if (is_of_light(kind)) {
+      wanted.lights = stages.lights(colon == std::string::npos ? experiment.view.light : name.substr(colon + 1));
+    }
+    all.push_back(std::move(wanted));
+  }
+  return all;
+}
+
+Colors map_pixels(const GBuffer& gbuffer, const std::function<vec3(std::size_t)>& color) {
+  Colors picture(gbuffer.width, gbuffer.height, glm::u8vec3(255));
+  for (std::size_t i = 0; i < picture.size(); ++i) {
+    if (gbuffer.is_surface(i)) picture[i] = glm::u8vec3(glm::clamp(color(i), 0.0f, 1.0f) * 255.0f + 0.5f);
+  }
+  return picture;
+}
+
+// Near is dark. Values of `none` are white.
+Colors gray(const Image<float>& values, float none) {
+  float low = std::numeric_limits<float>::infinity();
+  float high = -low;
+  for (const float value : values.pixels) {
+    if (value == none) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  const float scale = high > low ? 1.0f / (high - low) : 0.0f;
+  Colors picture(values.width, values.height, glm::u8vec3(255));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] == none) continue;
+    picture[i] = glm::u8vec3(static_cast<std::uint8_t>(20.0f + 200.0f * (values[i] - low) * scale));
+  }
+  return picture;
+}
+
+std::string range_text(const Image<float>& values, float none, double unit) {
+  float low = std::numeric_limits<float>::infinity();
+  float high = 0.0f;
+  for (const float value : values.pixels) {
+    if (value == none) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  if (!(high >= low)) return "It is empty.";
+  return fmt::format("From {} (dark) to {}; white: nothing.", metres_text(low * unit), metres_text(high * unit));
+}
+
+// The camera at the light, one for each view of its map.
+View light_view(const Light& light, const MapLayout& layout, std::size_t view) {
+  const MapView& of = layout.views[view];
+  View seen;
+  seen.width = seen.height = 512;
+  dmat4 world_from_camera = glm::inverse(layout.light_from_world);
+  if (layout.kind == MapKind::orthographic) {
+    dmat4 to_view(1.0);
+    to_view[3] = dvec4(of.center, 0.0, 1.0);
+    world_from_camera = world_from_camera * to_view;
+    seen.camera.projection = OrthographicProjection{of.half_extent, of.half_extent, 0.0, layout.far_depth};
+  } else {
+    if (layout.kind == MapKind::cube) {
+      // A camera looks along −z of its frame; cube_face() has right, up and forward.
+      const dmat3 face = cube_face(static_cast<int>(view));
+      world_from_camera = world_from_camera * dmat4(dmat3(face[0], face[1], -face[2]));
+    }
+    seen.camera.projection =
+        PerspectiveProjection{2.0 * std::atan(of.half_extent), 1e-4 * layout.far_depth, layout.far_depth};
+  }
+  seen.camera.world_from_camera = world_from_camera;
+  seen.camera.name = light.name;
+  return seen;
+}
+
+class Views {
+ public:
+  Views(Stages& stages, const Measurement& measurement)
+      : stages_(stages),
+        measurement_(measurement),
+        experiment_(measurement.experiment),
+        gbuffer_(stages.shading_surfels(experiment_).gbuffer) {}
+
+  void add(const Wanted& wanted) {
+    if (wanted.kind == "shadow-map") {
+      for (const std::uint32_t light : wanted.lights) add_map(light);
+    } else if (wanted.kind == "light-view") {
+      for (const std::uint32_t light : wanted.lights) add_light_view(light);
+    } else {
+      add_buffer(wanted.kind);
+    }
+  }
+
+  std::vector<DebugView> take() { return std::move(views_); }
+
+ private:
+  void add_buffer(const std::string& kind) {
+    const GBuffer& g = gbuffer_;
+    if (kind == "depth") {
+      Image<float> depth = g.depth;
+      push(kind, "Depth", range_text(depth, 0.0f, 1.0), gray(depth, 0.0f));
+    } else if (kind == "position") {
+      const Bounds& bounds = stages_.bounds();
+      const dvec3 low = bounds.corner(0);
+      const dvec3 size = glm::max(bounds.corner(7) - low, dvec3(1e-9));
+      push(kind, "Positions", "x is red, y green, z blue, over the scene's bounds.",
+           map_pixels(g, [&](std::size_t i) { return vec3((dvec3(g.position[i]) - low) / size); }));
+    } else if (kind == "normal") {
+      push(kind, "Shading normals", "World space; (n + 1) / 2 as red, green and blue.",
+           map_pixels(g, [&](std::size_t i) { return g.shading_normal[i] * 0.5f + 0.5f; }));
+    } else if (kind == "albedo" || kind == "specular") {
+      Image<vec3> colors(g.width, g.height, vec3(1.0f));
+      for (std::size_t i = 0; i < colors.size(); ++i) {
+        if (g.is_surface(i)) colors[i] = kind == "albedo" ? g.albedo[i] * (1.0f - g.metallic[i]) : vec3(g.specular[i]);
+      }
+      push(kind, kind == "albedo" ? "Diffuse reflectance" : "Specular reflectance at normal incidence", "sRGB.",
+           tone_map(colors, 1.0f));
+    } else if (kind == "ao") {
+      const Image<float>& ao = *measurement_.ao->raster;
+      push(kind, "Ambient occlusion", "Accessibility of the technique: white is open.",
+           map_pixels(g, [&](std::size_t i) { return vec3(ao[i]); }));
+    } else if (kind == "light-buffer") {
+      push(kind, "Light buffer", "The sum over the lights, without ambient light.",
+           tone_map(measurement_.image->raster->light_buffer, exposure()));
+    } else {
+      push(kind, kind == "shadows" ? "With shadows, without AO" : "Without shadows and AO",
+           "The same exposure as the image.", tone_map(shaded(kind == "shadows"), exposure()));
+    }
+  }
+
+  float exposure() const { return static_cast<float>(experiment_.shading.exposure); }
+
+  Image<vec3> shaded(bool with_shadows) const {
+    const View& view = measurement_.surfels.view;
+    const Image<float> open(gbuffer_.width, gbuffer_.height, 1.0f);
+    Image<vec3> image(gbuffer_.width, gbuffer_.height, vec3(0));
+    for (const ShadowMeasurement& shadow : measurement_.shadows) {
+      add_light(image, gbuffer_, view, stages_.light(experiment_, shadow.light),
+                with_shadows ? shadow.raster->visibility : open, experiment_.shading);
+    }
+    add_ambient(image, gbuffer_, view, open, experiment_.shading);
+    return image;
+  }
+
+  void add_map(std::uint32_t light) {
+    const ShadowMap& map = stages_.map(experiment_, light);
+    const int layers = static_cast<int>(map.layout.views.size());
+    const std::vector<Image<float>> depths = read_layers<float>(map.depth, gl::Format::depth32f, layers);
+    for (std::size_t v = 0; v < depths.size(); ++v) {
+      push_of_light("shadow_map_", "Shadow map", light, v, depths.size(),
+                    "Depth from the light. " + range_text(depths[v], 1.0f, map.layout.far_depth),
+                    gray(depths[v], 1.0f));
+    }
+  }
+
+  void add_light_view(std::uint32_t light) {
+    const MapLayout layout = stages_.layout(experiment_, light);
+    for (std::size_t v = 0; v < layout.views.size(); ++v) {
+      const View view = light_view(stages_.scene().lights[light], layout, v);
+      const GBuffer seen = read_back(stages_.context(), draw_gbuffer(stages_.context(), stages_.uploaded(), view));
+      Image<vec3> colors(seen.width, seen.height, vec3(1.0f));
+      for (std::size_t i = 0; i < colors.size(); ++i) {
+        if (!seen.is_surface(i)) continue;
+        const dvec3 to_eye = to_viewer(view, dvec3(seen.position[i]));
+        const auto cosine = static_cast<float>(glm::dot(dvec3(seen.shading_normal[i]), to_eye));
+        colors[i] = seen.albedo[i] * (0.25f + 0.75f * std::max(cosine, 0.0f));
+      }
+      push_of_light("light_view_", "Seen from", light, v, layout.views.size(),
+                    "What the light lights: its colours, brighter where they face it.", tone_map(colors, 1.0f));
+    }
+  }
+
+  void push(const std::string& kind, std::string title, std::string caption, Colors picture) {
+    std::string stem = "view_" + kind;
+    std::replace(stem.begin(), stem.end(), '-', '_');
+    views_.push_back({std::move(stem), std::move(title), std::move(caption), std::move(picture)});
+  }
+
+  void push_of_light(const std::string& stem, const std::string& title, std::uint32_t light, std::size_t view,
+                     std::size_t count, std::string caption, Colors picture) {
+    const std::string& layer = stages_.layer(light);
+    const std::string name = stages_.title(light);
+    views_.push_back({count > 1 ? fmt::format("{}{}_{}", stem, layer, view) : stem + layer,
+                      count > 1 ? fmt::format("{}: {}, view {}", title, name, view) : title + ": " + name,
+                      std::move(caption), std::move(picture)});
+  }
+
+  Stages& stages_;
+  const Measurement& measurement_;
+  const Experiment& experiment_;
+  const GBuffer& gbuffer_;
+  std::vector<DebugView> views_;
+};
+
+}  // namespace
+
+std::string debug_view_names() {
+  std::string names = "all";
+  for (const std::string_view kind : kinds) names += fmt::format(", {}{}", kind, is_of_light(kind) ? "[:LIGHT]" : "");
+  return names;
+}
+
+void check_debug_views(const Stages& stages, const Experiment& experiment) { parse(stages, experiment); }
+
+std::vector<DebugView> make_debug_views(Stages& stages, const Measurement& measurement) {
+  Views views(stages, measurement);
+  for (const Wanted& wanted : parse(stages, measurement.experiment)) views.add(wanted);
+  return views.take();
+}
+
+void draw_overlays(Image<glm::u8vec3>& picture, const std::vector<DebugView>& views) {
+  constexpr int columns = 5;
+  const int gap = std::max(picture.width / 160, 1);
+  const int width = (picture.width - gap) / columns - gap;
+  int column = 0;
+  int bottom = picture.height - gap;
+  int tallest = 0;
+  for (const DebugView& view : views) {
+    const Colors& from = view.picture;
+    const int height = std::max(width * from.height / std::max(from.width, 1), 1);
+    if (bottom - height < 0) return;
+    const int left = gap + column * (width + gap);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const bool is_frame = x == 0 || y == 0 || x == width - 1 || y == height - 1;
+        picture.pixels[picture.index(left + x, bottom - height + y)] =
+            is_frame ? glm::u8vec3(255) : from.pixels[from.index(x * from.width / width, y * from.height / height)];
+      }
+    }
+    tallest = std::max(tallest, height);
+    if (++column < columns) continue;
+    column = 0;
+    bottom -= tallest + gap;
+    tallest = 0;
+  }
+}
+
+Presentation present_debug_views(Stages& stages, const Measurement& measurement) {
+  Presentation presentation;
+  presentation.section.title = "Debug views";
+  std::vector<DebugView> views = make_debug_views(stages, measurement);
+  ImageFigure image;
+  image.stem = "overlay";
+  image.title = "The image with overlays";
+  image.caption = "From the left, bottom row first:";
+  for (const DebugView& view : views) image.caption += (&view == &views.front() ? " " : "; ") + view.title;
+  image.caption += ".";
+  image.color =
+      tone_map(measurement.image->raster->radiance, static_cast<float>(measurement.experiment.shading.exposure));
+  draw_overlays(image.color, views);
+  add_figure(presentation, std::move(image));
+  for (DebugView& view : views) {
+    ImageFigure figure;
+    figure.stem = view.stem;
+    figure.title = view.title;
+    figure.caption = view.caption;
+    figure.color = std::move(view.picture);
+    add_figure(presentation, std::move(figure));
+  }
+  return presentation;
+}
+
+}  // namespace umbrameter
