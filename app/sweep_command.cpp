@@ -41,6 +41,12 @@ std::vector<SweepAxis> make_axes(const CommandLine& line, Experiment& experiment
     throw Error(ExitCode::usage, std::string("--vary ") + group, "a sweep can use only one scene",
                 std::string("run one sweep for each, with ") + flag);
   }
+  for (const Parameter& parameter : gbuffer_parameters(experiment.shading)) {
+    const bool is_deferred = experiment.shading.path == ShadingPath::deferred || varies_group(axes, "shading.path");
+    if (is_deferred || !varies_group(axes, parameter.key)) continue;
+    throw Error(ExitCode::usage, "--vary " + parameter.key, "the forward path has no G-buffer",
+                "add --shading.path deferred");
+  }
   experiment.axes.clear();
   for (const SweepAxis& axis : axes) experiment.axes.emplace_back(axis.key, axis.text);
   return axes;

@@ -35,7 +35,7 @@ void add_ao(LayeredImage& image, const AoMeasurement& ao) {
   if (ao.statistics) add_layer(image, "error_ao", signed_error(*ao.raster, ao.truth->ao));
 }
 
-void add_image(LayeredImage& image, const ImageMeasurement& shaded) {
+void add_image(LayeredImage& image, const Stages& stages, const ImageMeasurement& shaded) {
   const auto exposure = static_cast<float>(shaded.experiment.shading.exposure);
   if (shaded.truth) add_color_layer(image, "truth_image", *shaded.truth);
   if (!shaded.standard_error.empty()) add_layer(image, "truth_image_standard_error", shaded.standard_error);
@@ -49,6 +49,13 @@ void add_image(LayeredImage& image, const ImageMeasurement& shaded) {
   Image<float> causes(shaded.causes.width, shaded.causes.height);
   for (std::size_t i = 0; i < causes.size(); ++i) causes[i] = static_cast<float>(shaded.causes[i]);
   add_layer(image, "cause_image", causes);
+  if (!shaded.gbuffer_change) return;
+  add_layer(image, "gbuffer_change_image", shaded.gbuffer_change->image);
+  add_layer(image, "gbuffer_change_ao", shaded.gbuffer_change->ao);
+  for (std::size_t i = 0; i < shaded.lights.size(); ++i) {
+    add_layer(image, "gbuffer_change_visibility_" + stages.layer(shaded.lights[i]),
+              shaded.gbuffer_change->visibility[i]);
+  }
 }
 
 void add_picture(LayeredImage& image, const Image<vec3>& picture, const GBuffer& gbuffer) {
@@ -96,7 +103,7 @@ LayeredImage layers_of(const Stages& stages, const Measurement& measurement) {
   const GBuffer& gbuffer = measurement.surfels.gbuffer;
   for (const ShadowMeasurement& shadow : measurement.shadows) add_shadow(image, stages.layer(shadow.light), shadow);
   if (measurement.ao) add_ao(image, *measurement.ao);
-  if (measurement.image) add_image(image, *measurement.image);
+  if (measurement.image) add_image(image, stages, *measurement.image);
   add_layer(image, "gbuffer_position", surface_positions(gbuffer));
   add_layer(image, "gbuffer_normal", gbuffer.geometric_normal);
   add_picture(image, picture_of(stages, measurement), gbuffer);

@@ -5,17 +5,18 @@
 #include <limits>
 
 #include "compare/shadow_edges.h"
+#include "compare/visibility.h"
 #include "core/error.h"
 
 namespace umbrameter {
 namespace {
 
-double mean_difference(const Image<float>& a, const Image<float>& b, const GBuffer& gbuffer) {
+double mean_absolute(const Image<float>& change, const GBuffer& gbuffer) {
   double sum = 0.0;
   std::size_t pixels = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
+  for (std::size_t i = 0; i < change.size(); ++i) {
     if (!gbuffer.is_surface(i)) continue;
-    sum += std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i]));
+    sum += std::abs(static_cast<double>(change[i]));
     ++pixels;
   }
   return pixels > 0 ? sum / static_cast<double>(pixels) : 0.0;
@@ -63,7 +64,7 @@ class Images {
       add_light(with_true_shadows_, shading_.gbuffer, view_, light, stages_.truth(experiment_, index).visibility,
                 experiment_.shading);
       add_light(with_exact_gbuffer_, exact_, view_, light, exact, experiment_.shading);
-      gbuffer_visibility_ += mean_difference(drawn, exact, exact_);
+      if (!shading_.is_exact) change_.visibility.push_back(signed_error(drawn, exact));
     }
     lights_.push_back(light);
     visibilities_.push_back(std::move(drawn));
@@ -101,10 +102,17 @@ class Images {
                                 edge_distance_,
                                 exact_};
     measurement.statistics = analyze_image(input);
-    measurement.statistics->gbuffer_visibility =
-        lights_.empty() ? 0.0 : gbuffer_visibility_ / static_cast<double>(lights_.size());
-    measurement.statistics->gbuffer_ao = mean_difference(drawn_ao, exact_ao, exact_);
-    measurement.statistics->gbuffer_image = mean_difference(raster, exact_gbuffer, exact_);
+    if (!shading_.is_exact) {
+      change_.ao = signed_error(drawn_ao, exact_ao);
+      change_.image = signed_error(raster, exact_gbuffer);
+      ImageStatistics& statistics = *measurement.statistics;
+      for (const Image<float>& change : change_.visibility) {
+        statistics.gbuffer_visibility += mean_absolute(change, exact_) / static_cast<double>(change_.visibility.size());
+      }
+      statistics.gbuffer_ao = mean_absolute(change_.ao, exact_);
+      statistics.gbuffer_image = mean_absolute(change_.image, exact_);
+      measurement.gbuffer_change = std::move(change_);
+    }
     measurement.causes = classify_image(input, visible_step);
     return finish_truth(std::move(measurement));
   }
@@ -172,7 +180,7 @@ class Images {
   Image<float> samples_;
   int degrees_of_freedom_ = 0;
   Image<float> edge_distance_;
-  double gbuffer_visibility_ = 0.0;
+  ImageMeasurement::GBufferChange change_;
   std::vector<Light> lights_;
   std::vector<Image<float>> visibilities_;
 };

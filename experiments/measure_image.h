@@ -20,6 +20,13 @@ struct ImageMeasurement {
   Image<float> standard_error;                ///< of the truth's luminance × exposure; empty if nothing was sampled
   std::optional<ImageStatistics> statistics;  ///< if both are present
   Image<std::uint8_t> causes;                 ///< classify_image(); if both are present
+  /// What the compact G-buffer changes, G-buffer − exact; of the deferred path, if both sides are present.
+  struct GBufferChange {
+    std::vector<Image<float>> visibility;  ///< per light
+    Image<float> ao;
+    Image<float> image;  ///< luminance × exposure
+  };
+  std::optional<GBufferChange> gbuffer_change;
 };
 
 /// Errors below this step of an 8-bit image have no cause in ImageMeasurement::causes.

@@ -53,6 +53,23 @@ ReportTable counters_table(const Stages& stages, const ImageMeasurement& image) 
           std::move(table)};
 }
 
+void add_gbuffer_figures(Presentation& presentation, const Stages& stages, const ImageMeasurement& image) {
+  const auto scale = [](double reach, const char* quantity) {
+    return ColorScale{ColorMap::error, -reach, reach, fmt::format("{}: with the G-buffer − exact", quantity)};
+  };
+  const ImageMeasurement::GBufferChange& change = *image.gbuffer_change;
+  const std::string caption = path_text(image.experiment) + ".";
+  add_figure(presentation, scalar_figure("gbuffer_change_image", "What the G-buffer changes: the image", caption,
+                                         change.image, scale(0.25, "luminance [1 is white]")));
+  add_figure(presentation, scalar_figure("gbuffer_change_ao", "What the G-buffer changes: ambient occlusion", caption,
+                                         change.ao, scale(0.5, "accessibility [1]")));
+  for (std::size_t i = 0; i < image.lights.size(); ++i) {
+    add_figure(presentation, scalar_figure("gbuffer_change_visibility_" + stages.layer(image.lights[i]),
+                                           "What the G-buffer changes: visibility of " + stages.title(image.lights[i]),
+                                           caption, change.visibility[i], scale(1.0, "visibility [1]")));
+  }
+}
+
 // Tells when the exposure hides most of the image.
 std::string exposure_warning(const ImageMeasurement& image) {
   const Image<vec3>& colors = image.truth ? *image.truth : image.raster->radiance;
@@ -116,6 +133,7 @@ Presentation present_image(const Stages& stages, const ImageMeasurement& image) 
   causes.category = image.causes;
   causes.categories = cause_colors();
   add_figure(presentation, std::move(causes));
+  if (image.gbuffer_change) add_gbuffer_figures(presentation, stages, image);
   section.headlines = {{"mean absolute error", percent(s.error.mae), "of white"},
                        {"away from shadow edges", percent(s.mae_off_edges), "farther than 3 px from an edge"}};
   std::string parts;

@@ -23,8 +23,7 @@ constexpr std::array<string_view, 2> color_names{"rgba8", "rgba32f"};
 Parameters describe(ShadingParams& p) {
   return concatenate(
       {Description("shading")
-           .choice("path", p.path, path_names,
-                   {.unit = {}, .meaning = "shade while drawing the scene, or from a G-buffer", .basic = true})
+           .choice("path", p.path, path_names, {.unit = {}, .meaning = "how the image is shaded", .basic = true})
            .choice("specular", p.specular, specular_names,
                    {.unit = {}, .meaning = "specular term", .aliases = {{"blinn", "blinn-phong"}}})
            .choice("normalization", p.normalization, normalization_names,
