@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "experiments/presentation/presentation.h"
 #include "experiments/presentation/presentation_parts.h"
 
@@ -70,6 +73,9 @@ void add_gbuffer_figures(Presentation& presentation, const Stages& stages, const
   }
 }
 
+// Below a ten-thousandth of a per cent the two processors round differently.
+std::string part_text(double part) { return std::abs(part) < 1e-6 ? "0 %" : percent(part); }
+
 // Tells when the exposure hides most of the image.
 std::string exposure_warning(const ImageMeasurement& image) {
   const Image<vec3>& colors = image.truth ? *image.truth : image.raster->radiance;
@@ -138,8 +144,8 @@ Presentation present_image(const Stages& stages, const ImageMeasurement& image) 
                        {"away from shadow edges", percent(s.mae_off_edges), "farther than 3 px from an edge"}};
   std::string parts;
   for (std::size_t c = 0; c < image_cause_count; ++c) {
-    section.headlines.push_back({std::string(image_cause_names[c]), percent(s.parts[c]), "part of the error"});
-    parts += fmt::format("{}{} {}", c > 0 ? ", " : "", image_cause_names[c], percent(s.parts[c]));
+    section.headlines.push_back({std::string(image_cause_names[c]), part_text(s.parts[c]), "part of the error"});
+    parts += fmt::format("{}{} {}", c > 0 ? ", " : "", image_cause_names[c], part_text(s.parts[c]));
   }
   section.text += fmt::format(
       "{}. Errors are of linear luminance times shading.exposure, in per cent of white. A part is what the error loses "
