@@ -98,7 +98,11 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   stages.check_is_meaningful(experiment, lights);
   const bool has_image = measures_image(experiment);
   if (has_image) check_shading(stages, experiment);
-  if (sides.raster) check_debug_views(stages, experiment);
+  if (sides.raster) {
+    check_debug_views(stages, experiment);
+  } else if (!experiment.run.overlay.empty()) {
+    throw Error(ExitCode::usage, "--overlay", "trace draws none of these views", "use compare or raster");
+  }
   if (line.dry_run) return show_image_plan(line, console, stages, experiment);
   RunFolder& folder = *run_folder;
 

@@ -47,6 +47,9 @@ std::vector<SweepAxis> make_axes(const CommandLine& line, Experiment& experiment
     throw Error(ExitCode::usage, "--vary " + parameter.key, "the forward path has no G-buffer",
                 "add --shading.path deferred");
   }
+  if (!experiment.run.overlay.empty()) {
+    throw Error(ExitCode::usage, "--overlay", "a sweep draws no views", "use compare or raster");
+  }
   experiment.axes.clear();
   for (const SweepAxis& axis : axes) experiment.axes.emplace_back(axis.key, axis.text);
   return axes;

@@ -104,6 +104,8 @@ TEST_F(Shading, What_makes_no_sense_is_one_line_and_leaves_nothing) {
       {{"raster", "courtyard", "--overlay", "normals"}, "there is no such view; did you mean 'normal'"},
       {{"raster", "courtyard", "--overlay", "light-buffer"}, "the forward path has no light buffer"},
       {{"raster", "courtyard", "--overlay", "shadow-map:moon"}, "no such light"},
+      {{"trace", "courtyard", "--overlay", "normal"}, "trace draws none of these views"},
+      {{"sweep", "courtyard", "--vary", "shading.ambient=0,1", "--overlay", "normal"}, "a sweep draws no views"},
       {{"sweep", "courtyard", "--vary", "shading.normal-format=rg16,rgb8"}, "the forward path has no G-buffer"},
   };
   for (const Case& c : cases) {
