@@ -44,7 +44,7 @@ std::vector<SweepAxis> make_axes(const CommandLine& line, Experiment& experiment
   for (const Parameter& parameter : gbuffer_parameters(experiment.shading)) {
     const bool is_deferred = experiment.shading.path == ShadingPath::deferred || varies_group(axes, "shading.path");
     if (is_deferred || !varies_group(axes, parameter.key)) continue;
-    throw Error(ExitCode::usage, "--vary " + parameter.key, "the forward path has no G-buffer",
+    throw Error(ExitCode::usage, fmt::format("--vary {}", parameter.key), "the forward path has no G-buffer",
                 "add --shading.path deferred");
   }
   if (!experiment.run.overlay.empty()) {
