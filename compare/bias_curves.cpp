@@ -62,9 +62,9 @@ std::optional<BiasCell> knee(const ParetoFront& front) {
   const BiasCell& last = front.by_acne.rbegin()->second;
   const double acne_extent = last.acne - first.acne;
   const double panning_extent = first.peter_panning - last.peter_panning;
-  // Shares and their differences are each known to an ulp of the largest share, which moves a scaled place by no more
-  // than six ulps over the extent, three of its numerator and three of its denominator. Below the chord is what no such
-  // rounding takes for it.
+  // Shares and their differences are rounded to within an ulp of the largest share. A coordinate scaled to the extent
+  // is a quotient of differences, so it errs by at most six such ulps, divided by the extent: three from its numerator
+  // and three from its denominator. A cell counts as below the chord if it lies farther below than that.
   const double rounding =
       6.0 * std::numeric_limits<double>::epsilon() * (last.acne / acne_extent + first.peter_panning / panning_extent);
   // The chord runs from (0, 1) to (1, 0); the distance from it is (1 − sum) / √2.

@@ -9,9 +9,10 @@ namespace umbrameter {
 namespace {
 
 constexpr std::size_t max_coefficients = 3;
-// What is left of a column once the others are taken out, as a share of it, below which it tells nothing new.
-constexpr double min_share = 1e-9;
-constexpr double least_tangent = 1e-6;
+// A column of which less than this share remains after orthogonalization depends on the columns before it.
+constexpr double min_independent_share = 1e-9;
+// A surface with a smaller tan θ counts as perpendicular to the light.
+constexpr double min_tangent = 1e-6;
 
 using Row = std::array<double, max_coefficients>;
 
@@ -49,7 +50,7 @@ std::optional<Solution> solve(const std::vector<Row>& rows, const std::vector<do
       for (std::size_t i = 0; i < rows.size(); ++i) q[j][i] -= r[k][j] * q[k][i];
     }
     r[j][j] = std::sqrt(inner(q[j], q[j]));
-    if (!(r[j][j] > min_share * whole)) return std::nullopt;
+    if (!(r[j][j] > min_independent_share * whole)) return std::nullopt;
     for (double& value : q[j]) value /= r[j][j];
     projected[j] = inner(q[j], rest);
     for (std::size_t i = 0; i < rows.size(); ++i) rest[i] -= projected[j] * q[j][i];
@@ -78,23 +79,23 @@ std::optional<FitPoint> point_at(const BiasCell& cell, double texel, std::span<c
   const auto place = std::lower_bound(axis.begin(), axis.end(), cell.constant);
   if (place == axis.end() || *place != cell.constant || place == axis.begin()) return std::nullopt;
   if (two_sided && std::next(place) == axis.end()) return std::nullopt;
-  // The least error lies within half an interval on each side.
+  // The optimum lies within half an interval on each side, or within the interval below.
   const double step = two_sided ? 0.5 * (*std::next(place) - *std::prev(place)) : *place - *std::prev(place);
   return FitPoint{texel, cell.slope, cell.constant, step};
 }
 
-// Of every point, those in front of the bend first.
+// The points, split at the bend s = c1. Before the bend the required bias falls with s; after it the bias stays at c0.
 struct Bend {
-  std::span<const FitPoint> points;  ///< by slope-scaled bias
-  std::size_t sloping = 0;           ///< points in front of it
-  std::size_t slopes = 0;            ///< different slope-scaled biases of these
+  std::span<const FitPoint> points;  ///< in ascending order of the slope-scaled bias
+  std::size_t sloping = 0;           ///< number of points before the bend
+  std::size_t slopes = 0;            ///< number of different slope-scaled biases before the bend
 };
 
 struct Fit {
   Bend bend;
   Solution solution;
   std::size_t coefficients = 0;
-  double misses = 0.0;  ///< weighted sum of squares
+  double squares = 0.0;  ///< weighted sum of squared residuals
 };
 
 double slope_factor(const Fit& fit) {
@@ -121,12 +122,12 @@ std::optional<Fit> fit_bend(const Bend& bend) {
   if (!solution) return std::nullopt;
   fit.solution = *solution;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double miss = inner(rows[i], fit.solution.value, fit.coefficients) - right[i];
-    fit.misses += miss * miss;
+    const double residual = inner(rows[i], fit.solution.value, fit.coefficients) - right[i];
+    fit.squares += residual * residual;
   }
-  // In front of the bend all slope-scaled biases are below c1. A surface that does not slope has no bend.
   if (fit.coefficients < 3) return fit;
-  const bool is_flat = !(fit.solution.value[2] > least_tangent);
+  // Before the bend, slope-scaled biases must not exceed c1. Without a tangent there is no c1, and no bend.
+  const bool is_flat = !(fit.solution.value[2] > min_tangent);
   const bool has_bend = bend.sloping < bend.points.size();
   if (is_flat ? has_bend : slope_factor(fit) < sloping.back().slope) return std::nullopt;
   return fit;
@@ -159,7 +160,7 @@ std::optional<BiasFit> fit_law(std::span<const FitPoint> points) {
     bend.sloping = i + 1;
     ++bend.slopes;
     const std::optional<Fit> fit = fit_bend(bend);
-    if (fit && (!best || fit->misses <= best->misses)) best = fit;
+    if (fit && (!best || fit->squares <= best->squares)) best = fit;
   }
   if (!best) return std::nullopt;
 
@@ -172,27 +173,28 @@ std::optional<BiasFit> fit_law(std::span<const FitPoint> points) {
   if (best->coefficients == 3) law.tangent = Fitted{solution.value[2], {}};
   if (best->bend.sloping < sorted.size()) law.flat_from = sorted[best->bend.sloping].slope;
   for (const FitPoint& point : sorted) {
-    const double miss = point.bias - bias_of(law, point.texel, point.slope);
-    law.residual += miss * miss;
-    law.residual_texels += miss * miss / (point.texel * point.texel);
+    const double residual = point.bias - bias_of(law, point.texel, point.slope);
+    law.residual += residual * residual;
+    law.residual_texels += residual * residual / (point.texel * point.texel);
   }
   const auto size = static_cast<double>(sorted.size());
   law.residual = std::sqrt(law.residual / size);
   law.residual_texels = std::sqrt(law.residual_texels / size);
 
-  const bool has_spread = sorted.size() > best->coefficients;
-  const double variance = has_spread ? best->misses / static_cast<double>(sorted.size() - best->coefficients) : 0.0;
+  const bool is_overdetermined = sorted.size() > best->coefficients;
+  const double variance =
+      is_overdetermined ? best->squares / static_cast<double>(sorted.size() - best->coefficients) : 0.0;
   const auto& covariance = solution.covariance;
   const auto error = [&](double unit_variance) -> std::optional<double> {
-    if (!has_spread) return std::nullopt;
+    if (!is_overdetermined) return std::nullopt;
     return std::sqrt(std::max(unit_variance, 0.0) * variance);
   };
   law.constant.standard_error = error(covariance[0][0]);
   law.per_texel.standard_error = error(covariance[1][1]);
   if (law.tangent) {
     law.tangent->standard_error = error(covariance[2][2]);
-    // A surface that needs a bias slopes; without a slope the factor means nothing. Its error to first order.
-    if (const double tangent = law.tangent->value; tangent > least_tangent) {
+    // Without a tangent c1 is undefined. Its standard error is propagated to first order.
+    if (const double tangent = law.tangent->value; tangent > min_tangent) {
       const double ratio = law.per_texel.value / tangent;
       law.slope_factor =
           Fitted{law.first_slope + ratio,

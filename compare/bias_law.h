@@ -1,4 +1,4 @@
-// Fits bias = c0 + c1 · texel · tan θ to biases from sweeps over the resolution. Reads no rows.
+// Fits bias = c0 + c1 · texel · tan θ to the best biases of sweeps over the resolution.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,12 @@ struct FitPoint {
   double texel = 0.0;  ///< mean side of a texel, metres
   double slope = 0.0;  ///< slope-scaled bias, texels
   double bias = 0.0;   ///< constant bias, metres
-  double step = 1.0;   ///< width of the axis's interval that the bias lies in, metres
+  double step = 1.0;   ///< width of the interval between axis values that contains the bias, metres
 };
 
-/// A cell as a point of the fit; `axis` holds the constant biases in ascending order. Empty if the cell is at an end of
-/// the axis beyond which the optimum may lie: either end for the bias with the least error, the lower end for the least
-/// bias without an error such as acne.
+/// A cell as a point of the fit: the bias with the least error, or the least bias that is free of an error such as
+/// acne. `axis` holds the constant biases in ascending order. Empty if the cell is at an end of the axis beyond which
+/// the optimum may lie: either end for the least error, the lower end for the least bias without that error.
 std::optional<FitPoint> point_of_least_error(const BiasCell& cell, double texel, std::span<const double> axis);
 std::optional<FitPoint> point_of_least_free(const BiasCell& cell, double texel, std::span<const double> axis);
 
@@ -37,11 +37,11 @@ struct BiasFit {
   double first_slope = 0.0;              ///< s₀, the smallest slope-scaled bias of the points, texels
   Fitted constant{};                     ///< c0, metres
   Fitted per_texel{};                    ///< (c1 − s₀)·tan θ, texels
-  std::optional<Fitted> tangent{};       ///< tan θ at the surface that limits the bias; needs two s below c1
+  std::optional<Fitted> tangent{};       ///< tan θ at the surface that limits the bias; needs two values of s below c1
   std::optional<Fitted> slope_factor{};  ///< c1, texels of slope-scaled bias
-  double flat_from = std::numeric_limits<double>::infinity();  ///< least s taken as ≥ c1, texels
+  double flat_from = std::numeric_limits<double>::infinity();  ///< smallest s of the points with s ≥ c1, texels
   double residual = 0.0;                                       ///< RMS residual, metres
-  double residual_texels = 0.0;                                ///< RMS residual, each in texels of its point
+  double residual_texels = 0.0;                                ///< RMS residual, in units of each point's texel
 };
 
 /// The constant bias, in metres, that the fit gives for a texel size (metres) and a slope-scaled bias (texels).

@@ -20,7 +20,8 @@ double share(std::uint64_t part, std::uint64_t whole) {
   return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
 }
 
-// The device lists taps and counts them in two passes, the processor finds their place among what was counted.
+// One GPU pass counts wrong taps and another lists them. A listed tap that the counts do not contain shows that the GPU
+// and the CPU round differently.
 template <class Weight>
 void turn_to_acne(Weight& occluded, Weight& shadowed, std::uint32_t weight) {
   if (occluded < weight) {
@@ -49,10 +50,11 @@ TapSurfaces surfaces_of(const Scene& scene, const MapLayout& layout, const GBuff
   TapSurfaces surfaces;
   surfaces.receiver = {{}, gbuffer.instance[pixel], gbuffer.triangle[pixel]};
   surfaces.sample = {{}, tap.instance, tap.triangle};
-  const Facet own = facet_of(scene, layout, surfaces.receiver.instance, surfaces.receiver.triangle);
-  const Facet blocker = facet_of(scene, layout, tap.instance, tap.triangle);
-  surfaces.receiver.in_light = foot_on(own, transform_point(layout.light_from_world, dvec3(gbuffer.position[pixel])));
-  surfaces.sample.in_light = sample_on(blocker, texel_ray(layout, unpacked(tap.texel), static_cast<int>(tap.view)));
+  const Facet receiver = facet_of(scene, layout, surfaces.receiver.instance, surfaces.receiver.triangle);
+  const Facet sample = facet_of(scene, layout, tap.instance, tap.triangle);
+  surfaces.receiver.in_light =
+      foot_on(receiver, transform_point(layout.light_from_world, dvec3(gbuffer.position[pixel])));
+  surfaces.sample.in_light = sample_on(sample, texel_ray(layout, unpacked(tap.texel), static_cast<int>(tap.view)));
   return surfaces;
 }
 
@@ -82,7 +84,7 @@ void reclassify(BiasHistogram& histogram, std::span<const UnresolvedTap> taps,
       if (is_same_surface[i] == 0) continue;
       const std::size_t bin = bias_bin(
           histogram.axes, flip_bias(taps[i].critical_bias, taps[i].slope, histogram.axes.slope[s]), taps[i].bias_unit);
-      if (bin == 0) continue;  // lit at every bias, and right
+      if (bin == 0) continue;  // lit at every bias, so never wrong
       std::array<std::uint64_t, cause_count>& weights = histogram.by_slope[s][bin].weights;
       turn_to_acne(weights[false_occlusion], weights[acne], taps[i].weight);
     }

@@ -28,7 +28,7 @@ enum class PixelClass : std::uint8_t {
 inline constexpr std::array<std::string_view, 7> pixel_class_names = {
     "correct", "acne", "false occlusion", "peter-panning", "light leak", "not counted", "background"};
 
-/// Name and meaning of a cause, for people.
+/// Name and meaning of a cause, for titles and tables.
 constexpr std::string_view cause_title(Cause cause) {
   return pixel_class_names[static_cast<std::size_t>(PixelClass::acne) + static_cast<std::size_t>(cause)];
 }
@@ -44,7 +44,7 @@ struct VisibilityStatistics {
   double rmse = 0.0;         ///< root of the mean of (raster − truth)²
   double mean_error = 0.0;   ///< mean of raster − truth: below 0 too dark, above 0 too bright
   double max_error = 0.0;    ///< largest |raster − truth|
-  int max_x = -1;            ///< its first pixel, row by row from the top, px
+  int max_x = -1;            ///< first pixel with max_error, row by row from the top, px
   int max_y = -1;            ///< both are −1 if there is no error or only sums are known
   double acne = 0.0;
   double false_occlusion = 0.0;

@@ -17,8 +17,8 @@ Image<vec3> picture_of(const Stages& stages, const Measurement& measurement);
 /// - with truth.ao-layers also truth_bent_normal.X/Y/Z (unit, world) and truth_ao_hit_distance.Y (metres, infinite if
 ///   no ray hits);
 /// - of an image measurement truth_image.R/G/B and raster_image.R/G/B (linear, without exposure),
-///   truth_image_standard_error.Y and error_image.Y (luminance × exposure), cause_image.Y (numbers of ImageCause; 4: no
-///   visible error), raster_light_buffer.R/G/B and, G-buffer − exact, gbuffer_change_image.Y,
+///   truth_image_standard_error.Y and error_image.Y (luminance × exposure), cause_image.Y (index into
+///   image_cause_names; 4: no visible error), raster_light_buffer.R/G/B and, G-buffer − exact, gbuffer_change_image.Y,
 ///   gbuffer_change_ao.Y and gbuffer_change_visibility_<light>.Y (deferred path);
 /// - gbuffer_position.X/Y/Z (world, metres; NaN on background), gbuffer_normal.X/Y/Z (geometric, world);
 /// - in the root layer R, G, B, A (the picture) and Z (metres along the camera's axis).

@@ -13,8 +13,8 @@ struct AoBlurParams {
 };
 Parameters describe(AoBlurParams& params);
 
-/// The blur along one axis: the mean of `count` pixels, the first at this offset, rightwards or downwards. The blur is
-/// the product of both axes; one tap leaves the image as it is. Pixels are clamped to the edge of the image.
+/// The blur along one axis: the mean of `count` pixels, of which the first has the offset `first`, positive to the
+/// right or down. The same taps apply to both axes. One tap does not blur. Pixels are clamped to the edge of the image.
 struct AoBlurTaps {
   int first = 0;
   int count = 1;

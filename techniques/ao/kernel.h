@@ -8,8 +8,9 @@
 
 namespace umbrameter {
 
-/// Points in the unit hemisphere about +z, uniform in direction, nearer together towards the centre by the accelerating
-/// factor lerp(0.1, 1, (i/n)²) (J. de Vries, Learn OpenGL, "SSAO"). w is 0. A function of the seed.
+/// Points in the unit hemisphere around +z, uniform in direction. The factor lerp(0.1, 1, (i/n)²) on the distance of
+/// point i makes them denser near the centre (J. de Vries, Learn OpenGL, "SSAO"). w is 0. Depends only on the
+/// arguments.
 std::vector<vec4> hemisphere_kernel(int samples, std::uint32_t seed);
 
 }  // namespace umbrameter

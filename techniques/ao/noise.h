@@ -1,4 +1,4 @@
-// The tile of random rotations, repeated over the image, that turns a technique's kernel from pixel to pixel.
+// The tile of random rotations, repeated over the image, that rotates a technique's kernel at each pixel.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,8 @@ struct AoNoiseParams {
 };
 Parameters describe(AoNoiseParams& params);
 
-/// Rotation vectors across +z in [−1, 1]², row by row from the top left; z and w are 0. A function of the seed.
+/// Rotation vectors perpendicular to +z: x and y in [−1, 1], z and w 0; row by row from the top left. Depends only on
+/// the arguments.
 std::vector<vec4> rotation_tile(const AoNoiseParams& params, std::uint32_t seed);
 
 }  // namespace umbrameter

@@ -12,7 +12,7 @@ struct AoSamplingParams {
 };
 Parameters describe(AoSamplingParams& params);
 
-/// Of techniques that compare depths.
+/// Bias of techniques that compare depths.
 struct AoBiasParams {
   Length depth{0.1, LengthUnit::scene_percent};  ///< 1/20 of the radius, as in Learn OpenGL, "SSAO"
 };

@@ -1,5 +1,5 @@
-// The techniques of ambient occlusion. A technique holds the parameters that it reads; other code asks for these, never
-// for its name.
+// The techniques of ambient occlusion. A technique holds the parameters that it reads. Other code depends on these,
+// never on its name.
 //
 // To add a technique: (1) put its parameters, its struct and their describe() in a new file in this folder; (2) here,
 // add its name, a member of AoParams and an alternative of AoTechnique; (3) put its pass in raster/ao/ and add a line
@@ -20,7 +20,7 @@ namespace umbrameter {
 /// Names of the techniques, in the order of AoTechnique's alternatives.
 enum class AoTechniqueName : int { ssao };
 
-/// The ao.* parameters: the parts that techniques share, the technique with its own, and the blur that follows it.
+/// The ao.* parameters: those that techniques share, those of each technique, and those of the blur.
 struct AoParams {
   AoSamplingParams sampling;
   AoBiasParams bias;

@@ -1,12 +1,12 @@
-// How a compact G-buffer stores normals, depth and shininess. Shared by shaders and C++, as light_model.glsl is.
+// How a compact G-buffer stores normals and shininess. Compiled as GLSL and as C++, like light_model.glsl.
 #ifndef SHARED
 #define SHARED
 #endif
 
 SHARED float sign_or_one(float x) { return x < 0.0f ? -1.0f : 1.0f; }
 
-/// A unit vector as a point of the square [−1, 1]² (Cigolle et al., Survey of Efficient Representations for Independent
-/// Unit Vectors, JCGT 3(2), 2014).
+/// Maps a unit vector to a point of the square [−1, 1]² (Cigolle et al., Survey of Efficient Representations for
+/// Independent Unit Vectors, JCGT 3(2), 2014).
 SHARED vec2 octahedral_from_unit(vec3 n) {
   vec2 p = vec2(n.x, n.y) / (abs(n.x) + abs(n.y) + abs(n.z));
   if (n.z >= 0.0f) return p;
@@ -23,9 +23,6 @@ SHARED vec3 unit_from_octahedral(vec2 p) {
   return normalize(n);
 }
 
-/// What a normalised integer of this many steps stores of a number from 0 to 1.
-SHARED float quantized(float x, float steps) { return floor(min(max(x, 0.0f), 1.0f) * steps + 0.5f) / steps; }
-
-/// Shininess from 1 to 2048 as a number from 0 to 1: a step of 8 bits is 3 %.
+/// Shininess from 1 to 2048 as a number from 0 to 1. In 8 bits, one step changes the shininess by 3 %.
 SHARED float encoded_shininess(float shininess) { return log2(shininess) / 11.0f; }
 SHARED float decoded_shininess(float code) { return exp2(11.0f * code); }

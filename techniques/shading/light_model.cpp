@@ -1,6 +1,8 @@
 #include "techniques/shading/light_model.h"
 
 #include <cassert>
+#include <cmath>
+#include <variant>
 
 #include "core/parallel.h"
 

@@ -4,25 +4,25 @@
 #define SHARED
 #endif
 
-/// What the light meets. All vectors are unit.
+/// A surfel, as the light model reads it. Directions are unit vectors.
 struct SurfacePoint {
   vec3 position;   // world, metres
   vec3 normal;     // shading normal, world
   vec3 to_viewer;  // world
   vec3 diffuse;    // reflectance, linear
   vec3 specular;   // reflectance at normal incidence, linear
-  float shininess;  // exponent of the Blinn-Phong lobe, min_shininess to max_shininess
+  float shininess;  // exponent of the Blinn-Phong lobe, 1 to 2048
 };
 
-/// A light as the model reads it.
+/// A light, as the light model reads it.
 struct LightSource {
-  vec4 position_range;  // world, metres; range in metres, 0: unlimited
-  vec4 axis_kind;       // unit, the direction of travel; 0 directional, 1 point, 2 spot
-  vec4 color_cone;      // colour times intensity: lux if directional, else candela; outer cone angle, radians
-  vec4 cone;            // cosines of the inner and the outer cone angle
+  vec4 position_range;  // xyz: world, metres; w: range, metres; 0 is unlimited
+  vec4 axis_kind;       // xyz: direction of travel, unit; w: 0 directional, 1 point, 2 spot
+  vec4 color_cone;      // rgb: colour × intensity, in lux if directional, else candela; w: outer cone angle, radians
+  vec4 cone;            // x, y: cosines of the inner and outer cone angle
 };
 
-/// The choices of shading.*, as numbers of their names.
+/// The choices of shading.* that the light model reads. The numbers are those of the enums in parameters.h.
 struct LightModel {
   vec4 attenuation_factors;  // constant, linear (1/m) and quadratic (1/m²) coefficient
   int specular;              // 0 phong, 1 blinn-phong
@@ -31,14 +31,14 @@ struct LightModel {
   int spot_falloff;          // 0 smooth, 1 linear
 };
 
-/// Light reflected to the viewer if nothing blocks it.
+/// Reflected light, by term.
 struct Reflection {
   vec3 diffuse;
   vec3 specular;
 };
 
-/// base^exponent for a base from 0 to 1. The pow() of some drivers has an error of 1e-4; this one of about 1e-6.
-/// ln m = 2 artanh((m − 1) / (m + 1)), and 2^f by its Taylor series.
+/// base^exponent for a base from 0 to 1. The relative error is about 1e-6; that of pow() is 1e-4 in some drivers.
+/// Uses ln m = 2 artanh((m − 1) / (m + 1)) for the mantissa m, and the Taylor series of 2^f.
 SHARED float power(float base, float exponent) {
   if (base <= 0.0f) return 0.0f;
   int two_exponent = 0;
@@ -61,7 +61,7 @@ SHARED float power(float base, float exponent) {
   return ldexp(fraction, int(whole));
 }
 
-/// Abramowitz and Stegun, Handbook of Mathematical Functions, 4.4.46: error below 2e-8.
+/// acos(x), radians, with an error below 2e-8 (Abramowitz and Stegun, Handbook of Mathematical Functions, 4.4.46).
 SHARED float arc_cosine(float x) {
   float a = min(abs(x), 1.0f);
   float series =
@@ -74,7 +74,7 @@ SHARED float arc_cosine(float x) {
   return x < 0.0f ? 3.14159265f - angle : angle;
 }
 
-/// The share of the light's intensity at this distance, 1/m² for inverse-square. 0 beyond the range.
+/// The factor on the light's intensity at this distance: 1/m² for inverse-square, 0 beyond the range.
 SHARED float attenuation_at(float distance, float range, LightModel model) {
   if (range > 0.0f && distance >= range) return 0.0f;
   if (model.attenuation == 1) {
@@ -89,7 +89,7 @@ SHARED float attenuation_at(float distance, float range, LightModel model) {
   return window / max(distance * distance, 1.0e-12f);
 }
 
-/// The share of a spot light's intensity in a direction with this cosine to its axis.
+/// The factor on a spot light's intensity, 0 to 1, in a direction with this cosine to its axis.
 SHARED float spot_factor(float cosine, LightSource light, LightModel model) {
   if (cosine <= light.cone.y) return 0.0f;
   if (model.spot_falloff == 1) return max(1.0f - arc_cosine(cosine) / light.color_cone.w, 0.0f);
@@ -97,7 +97,7 @@ SHARED float spot_factor(float cosine, LightSource light, LightModel model) {
   return edge * edge;
 }
 
-/// Whether a light with a range can reach the position: it lies in the light's sphere, or in its cone and sphere.
+/// Whether the position lies in the volume of a light with a range: in its sphere and, for a spot light, in its cone.
 SHARED bool is_in_volume(vec3 position, LightSource light) {
   vec3 offset = position - vec3(light.position_range);
   float distance = length(offset);
@@ -105,7 +105,7 @@ SHARED bool is_in_volume(vec3 position, LightSource light) {
   return light.axis_kind.w < 1.5f || dot(offset, vec3(light.axis_kind)) > light.cone.y * distance;
 }
 
-/// Over the largest share of light that a lobe with this exponent reflects, which is at normal incidence. Phong:
+/// The factor with which a lobe of this exponent reflects all light at normal incidence, and less elsewhere. Phong:
 /// (n + 2) / 2π (Lafortune and Willems 1994). Blinn-Phong: (n + 2)(n + 4) / 8π(2^(−n/2) + n) (Giesen, Phong Normalization
 /// Factor Derivation, 2009).
 SHARED float lobe_scale(float exponent, int specular) {
@@ -113,6 +113,7 @@ SHARED float lobe_scale(float exponent, int specular) {
   return (exponent + 2.0f) * (exponent + 4.0f) * 0.03978873577f / (power(0.5f, 0.5f * exponent) + exponent);
 }
 
+/// The light that the surfel reflects to the viewer if nothing blocks it: incoming light, cosine and reflectance.
 SHARED Reflection reflect_light(SurfacePoint surface, LightSource light, LightModel model) {
   Reflection reflection;
   reflection.diffuse = vec3(0.0f);
@@ -139,7 +140,7 @@ SHARED Reflection reflect_light(SurfacePoint surface, LightSource light, LightMo
     float size = length(sum);
     if (size > 0.0f) lobe_cosine = dot(surface.normal, sum) / size;
   } else {
-    // A quarter of the exponent gives the Phong lobe about the same width.
+    // With a quarter of the exponent, a Phong lobe is about as wide as the Blinn-Phong lobe.
     exponent = max(0.25f * surface.shininess, 1.0f);
     lobe_cosine = 2.0f * cosine * dot(surface.normal, surface.to_viewer) - dot(to_light, surface.to_viewer);
   }
@@ -155,17 +156,17 @@ SHARED Reflection reflect_light(SurfacePoint surface, LightSource light, LightMo
   return reflection;
 }
 
-/// Ambient light reflects as if it came from all sides alike.
+/// The reflected part of ambient light, which arrives equally from every direction.
 SHARED vec3 reflect_ambient(SurfacePoint surface, float ambient) {
   return (surface.diffuse + surface.specular) * ambient;
 }
 
-/// The exponent of a Blinn-Phong lobe that is as wide as a GGX lobe with α = roughness² (Walter et al., Microfacet
-/// Models for Refraction, 2007; Karis, Specular BRDF Reference, 2013): 2/α² − 2.
+/// The exponent of the Blinn-Phong lobe that is as wide as a GGX lobe with α = roughness²: 2/α² − 2, from 1 to 2048
+/// (Walter et al., Microfacet Models for Refraction, 2007; Karis, Specular BRDF Reference, 2013).
 SHARED float shininess_of(float roughness) {
   float alpha = max(roughness * roughness, 0.001f);
   return min(max(2.0f / (alpha * alpha) - 2.0f, 1.0f), 2048.0f);
 }
 
-/// The roughness that shininess_of() makes this exponent of.
+/// The inverse of shininess_of().
 SHARED float roughness_of(float shininess) { return sqrt(sqrt(2.0f / (shininess + 2.0f))); }

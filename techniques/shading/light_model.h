@@ -1,8 +1,6 @@
-// The light model in C++: light_model.glsl and gbuffer_encoding.glsl, which the shaders compile too, and the functions
-// that fill their inputs. Every function of namespace shared is documented there.
+// The light model in C++. Namespace shared compiles light_model.glsl and gbuffer_encoding.glsl, which the shaders
+// compile too and which document its functions. The other functions fill their inputs and shade images.
 #pragma once
-
-#include <span>
 
 #include "core/gbuffer.h"
 #include "core/image.h"
@@ -37,15 +35,15 @@ using glm::sqrt;
 shared::LightModel light_model(const ShadingParams& params);
 shared::LightSource light_source(const Light& light);
 
-/// The surfel of a pixel as the model reads it.
+/// The surfel of a pixel, as the light model reads it.
 shared::SurfacePoint surface_point(const GBuffer& gbuffer, const View& view, std::size_t pixel);
 
-/// Adds what a light reflects: visibility × (diffuse + specular). `visibility` has a value per pixel, 0 to 1. The
-/// background stays as it is.
+/// Adds the light that surfels reflect: visibility × (diffuse + specular). `visibility` has a value from 0 to 1 per
+/// pixel. Does not change the background.
 void add_light(Image<vec3>& radiance, const GBuffer& gbuffer, const View& view, const Light& light,
                const Image<float>& visibility, const ShadingParams& params);
 
-/// Adds ambient light × accessibility.
+/// Adds reflected ambient light × accessibility (`ao`).
 void add_ambient(Image<vec3>& radiance, const GBuffer& gbuffer, const View& view, const Image<float>& ao,
                  const ShadingParams& params);
 

@@ -10,7 +10,7 @@
 namespace umbrameter {
 namespace {
 
-// An icosahedron divided twice has 320 triangles; it is 2.6 % wider than the sphere that it encloses.
+// An icosahedron divided twice has 320 triangles. Its vertices lie 1.8 % outside the enclosed sphere.
 constexpr int sphere_divisions = 2;
 constexpr int cone_sides = 24;
 constexpr double max_cone_angle = pi / 3;
@@ -62,7 +62,7 @@ Shape divided(const Shape& shape) {
   return fine;
 }
 
-// Its faces touch the unit sphere from outside, or stay beyond it.
+// The faces nearest to the origin touch the unit sphere from outside; the others lie beyond it.
 Shape enclosing_sphere() {
   Shape shape = icosahedron();
   for (dvec3& position : shape.positions) position = glm::normalize(position);
@@ -77,8 +77,8 @@ Shape enclosing_sphere() {
   return shape;
 }
 
-// Its tip at the origin, along −z, the base at distance 1. A polygon around the circle touches it at its edges'
-// middles.
+// A pyramid with its tip at the origin and its base at z = −1. The base encloses the cone's circle and touches it at
+// the midpoints of its edges.
 Shape enclosing_cone(double angle) {
   Shape shape;
   const double radius = std::tan(angle) / std::cos(pi / cone_sides);
@@ -106,7 +106,7 @@ std::optional<LightVolume> light_volume(const Light& light) {
   const Shape shape = is_cone ? enclosing_cone(spot->outer_cone_angle) : enclosing_sphere();
   LightVolume volume;
   dvec3 inside(0.0);
-  // Rounding to floats must not cut anything off.
+  // Larger by more than the rounding to floats, so that the mesh still encloses the range.
   const double size = range * (1.0 + 1e-5);
   for (const dvec3& p : shape.positions) {
     const dvec3 world = light.position() + axes_of(light) * (size * p);

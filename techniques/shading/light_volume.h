@@ -1,7 +1,6 @@
 // The mesh that a deferred renderer draws for a light: it encloses every point that the light reaches.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -18,15 +17,15 @@ struct LightVolume {
   std::vector<uvec3> triangles;
 };
 
-/// A sphere for a point light, a cone for a spot light. Nothing if the light reaches everything: it is directional or
-/// has no range. A spot light wider than 60° gets a sphere, because its cone would be much larger.
+/// A sphere for a point light, a cone for a spot light. Empty if the light has no range or is directional. A spot light
+/// with an outer cone angle above 60° gets a sphere, because a cone around it would be much larger.
 std::optional<LightVolume> light_volume(const Light& light);
 
-/// What the fragments of a light's volume came to.
+/// Counts the fragments of a light's volume.
 struct LightCounters {
   std::uint32_t shaded = 0;   ///< fragments that were shaded
-  std::uint32_t in_vain = 0;  ///< of these, outside of the light's exact sphere or cone, or on the background
-  std::uint32_t missed = 0;   ///< pixels inside of it that were not shaded: the camera is inside the volume
+  std::uint32_t in_vain = 0;  ///< of these, outside the light's exact sphere or cone, or on the background
+  std::uint32_t missed = 0;   ///< pixels inside the exact sphere or cone that were not shaded
   friend bool operator==(const LightCounters&, const LightCounters&) = default;
 };
 

@@ -25,8 +25,8 @@ struct BiasAxes {
 struct BiasHistogram {
   struct Bin {
     std::array<std::uint64_t, cause_count> weights{};
-    /// Increase of the summed squared error of the pixels when the taps of this bin become wrong, and the largest error
-    /// of a pixel after that; in weights. [0]: pixels that are lit in the reference, [1]: blocked ones.
+    /// When the taps of this bin become wrong: the increase of the pixels' summed squared error, and the largest error
+    /// of a pixel from then on, both in weights. [0]: pixels that are lit in the reference, [1]: blocked ones.
     std::array<WideCount, 2> squares{};
     std::array<std::uint32_t, 2> largest{};
     friend bool operator==(const Bin&, const Bin&) = default;
@@ -44,7 +44,7 @@ float flip_bias(float critical_bias, float slope, float slope_factor);
 /// Metres per unit of constant bias, at a receiver with this texel size (metres).
 inline float bias_unit_of(LengthUnit unit, float texel) { return unit == LengthUnit::texels ? texel : 1.0f; }
 
-/// Whether a tap that flips at `flip` metres is lit at this bias; is_lit_at() in the shaders. Not inline, like
+/// Whether a tap that flips at `flip` metres is lit at this bias. The shaders have the same function. Not inline, like
 /// flip_bias().
 bool is_lit_at(float bias, float bias_unit, float flip);
 

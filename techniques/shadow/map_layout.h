@@ -69,11 +69,11 @@ double texel_at(const MapLayout& layout, const dvec3& position);
 /// Whether the position falls on the map.
 bool is_inside(const MapLayout& layout, const dvec3& position);
 
-/// Why shadow statistics exclude a pixel; none if they count it.
+/// Why shadow statistics exclude a pixel; none for counted pixels.
 enum class PixelExclusion : std::uint8_t { none, background, back_facing, outside_map, outside_cone, outside_range };
 
-/// Why one surfel is excluded, if it is. Tests faces() with the geometric normal first; then map, cone and range, which
-/// are tested for the centre of the light.
+/// Why a surfel is excluded, or none. Tests first whether the geometric normal faces the light, then map, cone and
+/// range; these refer to the centre of the light.
 PixelExclusion exclusion_of(const Light& light, const MapLayout& layout, const dvec3& position,
                             const dvec3& geometric_normal);
 

@@ -39,7 +39,7 @@ using ShadowTechnique = std::variant<Pcf, Esm>;
 
 ShadowTechnique make_technique(const ShadowParams& params);
 
-/// The parameters that filtering a shadow map before the look-up depends on. All others only affect the look-up.
+/// The parameters of the pass that filters the shadow map before the look-up. The others affect only the look-up.
 Parameters filtered_map_parameters(ShadowParams& params);
 
 TechniqueCapabilities capabilities_of(const ShadowTechnique& technique);

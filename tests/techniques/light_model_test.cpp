@@ -22,6 +22,9 @@ Light point_light(const dvec3& position, double candela, double range = 0.0) {
   return light;
 }
 
+/// What a normalised integer with this many steps stores for a number from 0 to 1.
+float quantized(float x, float steps) { return std::floor(x * steps + 0.5f) / steps; }
+
 // Shines straight down.
 Light down(Light light, decltype(Light::shape) shape) {
   light.shape = shape;
@@ -173,7 +176,7 @@ TEST(LightModel, Shininess_falls_with_roughness_and_reads_back) {
   EXPECT_FLOAT_EQ(shared::shininess_of(0.0f), 2048.0f);
   EXPECT_NEAR(shared::roughness_of(30.0f), 0.5f, 1e-6f);
   for (const float shininess : {1.0f, 3.0f, 200.0f, 2048.0f}) {
-    const float code = shared::quantized(shared::encoded_shininess(shininess), 255.0f);
+    const float code = quantized(shared::encoded_shininess(shininess), 255.0f);
     EXPECT_NEAR(shared::decoded_shininess(code) / shininess, 1.0f, 0.016f);
   }
 }
@@ -186,7 +189,7 @@ TEST(GBufferEncoding, Octahedral_normals_read_back) {
     const double r = std::sqrt(1.0 - z * z);
     const vec3 n(dvec3(r * std::cos(angle), r * std::sin(angle), z));
     const vec2 p = shared::octahedral_from_unit(n) * 0.5f + 0.5f;
-    const vec2 stored(shared::quantized(p.x, 65535.0f), shared::quantized(p.y, 65535.0f));
+    const vec2 stored(quantized(p.x, 65535.0f), quantized(p.y, 65535.0f));
     const vec3 back = shared::unit_from_octahedral(stored * 2.0f - 1.0f);
     worst = std::max(worst, static_cast<double>(glm::length(back - n)));
   }

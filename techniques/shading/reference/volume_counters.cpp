@@ -16,7 +16,7 @@ constexpr double edge_margin = 2.0 / 256.0;
 // Share of the depth within which two depths count as equal: float depth buffers resolve more.
 constexpr double depth_margin = 1e-5;
 
-// The face of a convex mesh that the ray enters or leaves by.
+// Where the ray enters (front faces) or leaves (back faces) a convex mesh.
 struct Crossing {
   double depth = std::numeric_limits<double>::quiet_NaN();  // NaN: none
   bool is_near_edge = false;
@@ -30,7 +30,7 @@ class VolumeRays {
  public:
   VolumeRays(const LightVolume& volume, const View& view)
       : volume_(volume), view_(view), clip_from_world_(clip_from_view(view) * view_from_world(view)) {
-    // An edge between a face that is turned to the viewer and one that is not.
+    // The outline: the edges between a face that is turned to the viewer and one that is turned away.
     std::map<std::pair<unsigned, unsigned>, bool> is_front;
     for (const uvec3& t : volume.triangles) {
       const dvec3 a(volume.positions[t.x]);
@@ -73,8 +73,8 @@ class VolumeRays {
     return glm::cross(dvec3(volume_.positions[t.y]) - a, dvec3(volume_.positions[t.z]) - a);
   }
 
-  // In clip space, where an edge stays straight and w scales its distance to the pixel, also in front of the near
-  // plane.
+  // Whether the outline passes within edge_margin of the pixel. Measures in clip space, times w, because an edge that
+  // crosses the near plane is not a segment in the image.
   bool is_near_outline(const dvec2& ndc) const {
     for (const Segment& edge : outline_) {
       const dvec4 a = clip_from_world_ * dvec4(edge.a, 1.0);
@@ -114,7 +114,7 @@ VolumeCount count_volume(const GBuffer& gbuffer, const View& view, const Light& 
         ++count.undecided;
         continue;
       }
-      // Without a crossing the depth is NaN, and neither holds.
+      // Without a crossing the depth is NaN, and both comparisons are false.
       const bool is_shaded = faces == VolumeFaces::front ? crossing.depth < depth : crossing.depth > depth;
       const bool is_inside = is_surface && shared::is_in_volume(gbuffer.position[i], source);
       if (is_shaded) ++count.counters.shaded;

@@ -9,8 +9,8 @@ namespace umbrameter {
 
 struct VolumeCount {
   LightCounters counters;
-  /// Pixels left out of the count: their ray passes the mesh's outline, or meets the mesh at the surface itself, as
-  /// near as the rasteriser may round.
+  /// Pixels left out of the count because the rasteriser's rounding decides: the ray passes close to the mesh's
+  /// outline, or meets the mesh close to the surface.
   std::uint32_t undecided = 0;
 };
 
