@@ -69,7 +69,7 @@ Pass& Pass::value(const char* name, const vec4& numbers) {
 
 void Pass::use() const {
   const unsigned program = program_.program.name();
-  unsigned taken[6] = {};  // binding points, by kind
+  unsigned taken[6] = {};  // number of binding points in use, by kind
   for (std::size_t i = 0; i < bound_.size(); ++i) {
     const ProgramInput& input = program_.inputs[i];
     const Bound& bound = bound_[i];
@@ -109,9 +109,13 @@ void Pass::dispatch(int width, int height, int layers) const {
 void Pass::dispatch_groups(unsigned x, unsigned y, unsigned z) const {
   use();
   glDispatchCompute(x, y, z);
+  make_writes_visible();
+  context_.check(label_.c_str());
+}
+
+void make_writes_visible() {
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                   GL_BUFFER_UPDATE_BARRIER_BIT);
-  context_.check(label_.c_str());
 }
 
 }  // namespace umbrameter::gl

@@ -1,5 +1,5 @@
-// One pass: its shaders declare what they read and write by name, and the pass binds by that name. No binding number is
-// written down.
+// One pass. Its shaders declare by name what they read and write, and the pass binds by that name, so that no code
+// holds binding numbers.
 #pragma once
 
 #include <string>
@@ -13,16 +13,16 @@
 namespace umbrameter::gl {
 
 /// Binds textures, images, buffers and values to a program's names and runs it. Names that the program does not read
-/// are ignored, so that programs which share an include share the function that binds its names. A name that the
-/// program reads and that the pass does not bind is an Error (no_backend) in use() and dispatch(). What it binds must
-/// outlive the last of these; buffers that are moved in live as long as the pass.
+/// are ignored, so that programs which share an include share the function that binds its names. use() and dispatch()
+/// throw Error (no_backend) if the program reads a name to which nothing is bound. Bound objects must outlive the last
+/// draw or dispatch; buffers that are moved in live as long as the pass.
 class Pass {
  public:
   /// The shaders also get the #defines of shader_interface.h.
   Pass(const Context& context, const ProgramSource& source);
 
   Pass& texture(const char* name, const Texture& texture) { return bind(name, {Bound::texture, texture.name()}); }
-  /// To write. layered: all layers of an array.
+  /// An image that the shader writes. layered: binds all layers of an array.
   Pass& image(const char* name, const Texture& texture, Format format, bool layered = false);
   Pass& buffer(const char* name, const Buffer& storage) { return bind(name, {Bound::buffer, storage.name()}); }
   Pass& buffer(const char* name, Buffer&& storage) { return buffer(name, keep(std::move(storage))); }
@@ -39,30 +39,33 @@ class Pass {
   Pass& value(const char* name, const vec3& numbers);
   Pass& value(const char* name, const vec4& numbers);
 
-  /// Makes the program current with all that is bound, for draws.
+  /// Makes the program and everything bound to it current, for draws.
   void use() const;
-  /// One invocation a texel of every layer, and what they wrote made visible. Checks for errors.
+  /// Runs one invocation per texel of each layer, makes their writes visible and checks for errors.
   void dispatch(int width, int height, int layers = 1) const;
-  /// As dispatch(), that many work groups.
+  /// Like dispatch(), with this number of work groups.
   void dispatch_groups(unsigned x, unsigned y = 1, unsigned z = 1) const;
 
  private:
   struct Bound {
     enum { nothing, value, texture, image, buffer, block } kind = nothing;
     unsigned name = 0;
-    Format format = Format::r32f;  // of an image
-    bool layered = false;          // likewise
+    Format format = Format::r32f;  // images only
+    bool layered = false;          // images only
   };
   Pass& bind(const char* name, const Bound& bound);
-  // Where the program has the value, which counts as bound; -1 if it does not read it.
+  // The location of a uniform, or -1 if the program does not read it. Marks it as bound.
   int location(const char* name);
   const Buffer& keep(Buffer buffer);
 
   const Context& context_;
   std::string label_;
   const LinkedProgram& program_;
-  std::vector<Bound> bound_;  // of program_.inputs
+  std::vector<Bound> bound_;  // parallel to program_.inputs
   std::vector<Buffer> kept_;
 };
+
+/// Makes the writes of draws and dispatches visible to texture fetches, storage buffers and read-backs.
+void make_writes_visible();
 
 }  // namespace umbrameter::gl

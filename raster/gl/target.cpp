@@ -63,9 +63,4 @@ void draw_triangles(int vertices) {
   glBindVertexArray(0);
 }
 
-void finish_draws() {
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
-                  GL_BUFFER_UPDATE_BARRIER_BIT);
-}
-
 }  // namespace umbrameter::gl

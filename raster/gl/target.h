@@ -1,4 +1,4 @@
-// Draws into textures: which ones, and the fixed-function state of the draw.
+// Drawing into textures: the framebuffer, and the fixed-function state of a draw.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace umbrameter::gl {
 
-/// Depth is reversed: 1 at the near plane, 0 far away.
+/// The depth test of a draw. Depth is reversed: 1 at the near plane, 0 far away.
 /// `nearer` and `farther` test without writing; `replace` writes without a test.
 enum class DepthTest { off, nearer, farther, replace };
 enum class DrawnFaces { all, front, back };
@@ -16,10 +16,10 @@ enum class DrawnFaces { all, front, back };
 struct DrawState {
   DepthTest depth = DepthTest::off;
   DrawnFaces faces = DrawnFaces::all;
-  bool adds = false;  ///< adds to the colours that are there
+  bool adds = false;  ///< additive blending
 };
 
-/// A framebuffer of textures of one size. They must outlive it.
+/// A framebuffer of textures of one size, which must outlive it. The destructor binds the default framebuffer.
 class Target {
  public:
   Target(const std::string& label, const std::vector<const Texture*>& colors, const Texture* depth);
@@ -30,7 +30,7 @@ class Target {
   /// Sets all colours and the depth to 0.
   void clear() const;
   void clear_colors() const;
-  /// Binds it and sets the state, for draws until the next begin().
+  /// Binds the framebuffer and sets the state for the draws that follow.
   void begin(const DrawState& state) const;
 
  private:
@@ -42,8 +42,5 @@ class Target {
 
 /// Draws triangles whose vertex shader needs no attributes.
 void draw_triangles(int vertices);
-
-/// Makes what was drawn visible to textures, images and buffers.
-void finish_draws();
 
 }  // namespace umbrameter::gl

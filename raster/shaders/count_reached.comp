@@ -1,4 +1,4 @@
-// Counts the surfels that a light with a range reaches.
+// Counts for each light with a range the surfels in its sphere or cone.
 #include "stored_gbuffer.glsl"
 #include "lights.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;

@@ -1,13 +1,13 @@
 // Adds one light to the light buffer, over its volume or over the whole image.
 #include "stored_gbuffer.glsl"
 #include "lights.glsl"
-// The depth test comes before the counters.
+// Fragments that fail the depth test are not counted.
 layout(early_fragment_tests) in;
 uniform usampler2D ids;
 uniform sampler2D visibility;
 uniform int light;
 #if HAS_VOLUME
-// Of each light: fragments shaded; of these, in vain.
+// Two numbers per light: fragments shaded; of these, in vain.
 layout(std430) restrict buffer Counters { uint counters[]; };
 #endif
 layout(location = 0) out vec4 radiance;

@@ -1,4 +1,4 @@
-// Shades a fragment by every light of the pass. Only the surfel that the pixel shows is shaded.
+// Shades a fragment by every light of the pass, if it is the surfel of its pixel.
 #include "shading.glsl"
 #include "lights.glsl"
 #include "material.glsl"
@@ -15,8 +15,8 @@ void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   if (texelFetch(ids, pixel, 0).rg != uvec2(instance, uint(gl_PrimitiveID))) discard;
   SurfaceMaterial material = surface_material_at(surface_texcoord, base_color_at(surface_texcoord, true).rgb);
-  // Interpolated exactly by gbuffer_resolve.comp: drivers differ on triangles thinner than a pixel.
   SurfacePoint surface;
+  // Position and normal of the surfel, because drivers interpolate differently on triangles thinner than a pixel.
   surface.position = texelFetch(position_depth, pixel, 0).xyz;
   surface.normal = texelFetch(shading_normal, pixel, 0).xyz;
   surface.to_viewer = direction_to_viewer(surface.position);

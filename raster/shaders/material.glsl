@@ -1,4 +1,4 @@
-// What shading reads of a material at a texture coordinate, as scenes/material.h.
+// The material at a texture coordinate; the counterpart of scenes/material.h.
 #include "base_color.glsl"
 uniform vec2 metallic_roughness_factors;
 uniform vec3 dielectric_specular;
@@ -16,7 +16,7 @@ struct SurfaceMaterial {
   vec3 specular;
 };
 
-// `base_color` is base_color_at() of the texture coordinate, decoded.
+// `base_color` is base_color_at() at this texture coordinate, decoded.
 SurfaceMaterial surface_material_at(vec2 texcoord, vec3 base_color) {
   SurfaceMaterial surface;
   surface.base_color = clamp(base_color, 0.0, 1.0);

@@ -1,4 +1,4 @@
-// The light model and its parameters.
+// The light model, its parameters and the projection of the G-buffer. raster/shading/gbuffer_store.h fills the block.
 #include "view.glsl"
 #include "light_model.glsl"
 layout(std140) uniform Shading {

@@ -1,4 +1,4 @@
-// Stores surfels in the formats of the deferred path's G-buffer. The background keeps the zeros of the clear.
+// Stores surfels in the formats of the deferred path's G-buffer. The background keeps its cleared value, 0.
 #include "view.glsl"
 #include "gbuffer_encoding.glsl"
 #include "light_model.glsl"
@@ -26,7 +26,7 @@ vec4 encoded_normal(vec3 n) {
 #endif
 }
 
-// Fixed-point depth is rounded here, because the depth buffer that holds it is a float.
+// The depth buffer holds floats, so this rounds to the steps of fixed-point formats.
 double stored_depth(vec3 position) {
   dvec4 clip = clip_from_world * dvec4(dvec3(position), 1.0lf);
   double depth = clamp(clip.z / clip.w, 0.0lf, 1.0lf);

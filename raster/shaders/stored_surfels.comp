@@ -1,9 +1,8 @@
-// Surfels as the deferred G-buffer gives them back, for the passes that read surfels: visibility and AO.
+// Decodes the surfels of the deferred G-buffer, for the passes that read surfels: visibility and AO.
 #include "stored_gbuffer.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
 uniform usampler2D ids;
 uniform sampler2D stored_geometric_normal;
-uniform sampler2D albedo;
 layout(rgba32f) writeonly uniform image2D position_depth;
 layout(rgba32f) writeonly uniform image2D geometric_normal;
 layout(rgba32f) writeonly uniform image2D shading_normal;
@@ -20,7 +19,7 @@ void main() {
   imageStore(geometric_normal, pixel,
              is_surface ? vec4(decoded_normal(texelFetch(stored_geometric_normal, pixel, 0)), 0) : vec4(0));
   imageStore(shading_normal, pixel, is_surface ? vec4(surface.normal, 0) : vec4(0));
-  // What is left of the base colour is the diffuse part; it is stored as that of a dielectric.
+  // The G-buffer holds the diffuse reflectance only, which is the base colour of a dielectric.
   imageStore(decoded_albedo, pixel, is_surface ? vec4(surface.diffuse, 0) : vec4(0));
   imageStore(decoded_specular, pixel,
              is_surface ? vec4(surface.specular, roughness_of(surface.shininess)) : vec4(0));

@@ -21,7 +21,7 @@ std::vector<std::uint32_t> read_counters(const gl::Buffer& buffer, std::size_t c
   return counters;
 }
 
-// The corners of the triangles, for a draw without indices.
+// The corners of all triangles, for a draw without an index buffer.
 gl::Buffer make_vertices(const LightVolume& volume) {
   std::vector<vec3> vertices;
   for (const uvec3& t : volume.triangles) {
@@ -30,6 +30,7 @@ gl::Buffer make_vertices(const LightVolume& volume) {
   return gl::make_buffer("light volume", std::span<const vec3>(vertices));
 }
 
+// Draws the lights into the light buffer one by one, then counts the fragments of their volumes.
 class DeferredLights {
  public:
   DeferredLights(const gl::Context& context, const DeferredInput& input, std::span<const LitLight> lights)
@@ -90,7 +91,7 @@ class DeferredLights {
   const DeferredInput& input_;
   std::span<const LitLight> lights_;
   gl::Buffer light_buffer_;
-  gl::Buffer counters_;
+  gl::Buffer counters_;  // those of deferred_light.frag
   std::vector<bool> has_volume_;
 };
 
@@ -123,7 +124,7 @@ ShadedImage draw_deferred(const gl::Context& context, const DeferredInput& input
       target.clear_colors();
       for (std::size_t i = 0; i < lights.size(); ++i) pass.add(i, target);
     }
-    gl::finish_draws();
+    gl::make_writes_visible();
     image.counters = pass.count();
   }
   const gl::Texture radiance = make("radiance");

@@ -22,6 +22,7 @@ ShadedImage draw_forward(const gl::Context& context, const ForwardInput& input, 
   {
     const gl::Target target("forward shading", {&radiance}, nullptr);
     target.clear();
+    // Without lights, one pass draws the ambient light.
     for (std::size_t first = 0; first == 0 || first < lights.size(); first += lights_per_pass) {
       const std::span<const LitLight> batch = lights.subspan(first, std::min(lights_per_pass, lights.size() - first));
       const gl::Buffer light_buffer = make_light_buffer(batch);
@@ -30,9 +31,9 @@ ShadedImage draw_forward(const gl::Context& context, const ForwardInput& input, 
       for (std::size_t i = 0; i < batch.size(); ++i) {
         write_layer(visibility, gl::Format::r32f, static_cast<int>(i), *batch[i].visibility);
       }
-      ShadingParams of_batch = input.params;
-      if (first > 0) of_batch.ambient = 0.0;  // once is enough
-      const ShadingBlock block = make_shading_block(input.view, of_batch, static_cast<int>(batch.size()));
+      ShadingParams params = input.params;
+      if (first > 0) params.ambient = 0.0;  // the first pass has added it
+      const ShadingBlock block = make_shading_block(input.view, params, static_cast<int>(batch.size()));
       target.begin({.adds = true});
       draw_scene(input.scene, DrawnFor::camera, [&](bool is_masked) {
         gl::Pass pass(context, {{"gbuffer.vert", "forward.frag"}, define("ALPHA_MASK", is_masked ? 1 : 0)});
@@ -48,7 +49,7 @@ ShadedImage draw_forward(const gl::Context& context, const ForwardInput& input, 
       });
     }
   }
-  gl::finish_draws();
+  gl::make_writes_visible();
   ShadedImage image;
   image.radiance = read_colors(radiance);
   context.check("forward shading");

@@ -71,7 +71,7 @@ StoredGBuffer store_gbuffer(const gl::Context& context, const GpuGBuffer& surfel
       .texture("specular", surfels.specular)
       .use();
   gl::draw_triangles(3);
-  gl::finish_draws();
+  gl::make_writes_visible();
   context.check("stored gbuffer");
   return stored;
 }

@@ -1,4 +1,4 @@
-// The compact G-buffer of the deferred path, and the surfels that come back out of it.
+// The compact G-buffer of the deferred path, and the surfels decoded from it.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@
 
 namespace umbrameter {
 
-/// In the formats of shading.*-format; zero on the background.
+/// Textures in the formats that shading.* selects; zero on the background.
 struct StoredGBuffer {
-  ShadingParams formats;         ///< only gbuffer_parameters() count
+  ShadingParams formats;         ///< only the members of gbuffer_parameters() matter
   gl::Texture depth;             ///< depth 32F, reversed: 1 at the near plane; rounded to depth-format
   gl::Texture normal;            ///< shading normal
   gl::Texture geometric_normal;  ///< for shadow lookups and AO, in the same format
@@ -25,8 +25,8 @@ struct StoredGBuffer {
 StoredGBuffer store_gbuffer(const gl::Context& context, const GpuGBuffer& surfels, const View& view,
                             const ShadingParams& params);
 
-/// The surfels as the G-buffer gives them back. What it does not hold (ids) is copied from `surfels`. The albedo is the
-/// diffuse reflectance, with metallic 0.
+/// The surfels decoded from the G-buffer. It holds no ids; these are copied from `surfels`. The albedo is the diffuse
+/// reflectance, and metallic is 0.
 GpuGBuffer decode_surfels(const gl::Context& context, const StoredGBuffer& stored, const GpuGBuffer& surfels,
                           const View& view);
 
@@ -45,7 +45,7 @@ ShadingBlock make_shading_block(const View& view, const ShadingParams& params, i
 /// The #defines for shaders that include stored_gbuffer.glsl.
 std::string stored_gbuffer_defines(const ShadingParams& params);
 
-/// What the passes of the deferred path read. `surfels` are those that were stored; their ids tell the background.
+/// What the passes of the deferred path read. `surfels` are those that were stored; their ids mark the background.
 struct DeferredInput {
   const StoredGBuffer& stored;
   const GpuGBuffer& surfels;

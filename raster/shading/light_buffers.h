@@ -1,4 +1,4 @@
-// Buffers that both shading paths read. Internal to raster/shading/.
+// What both shading paths need: the buffer of lights, and the reading of colours. Internal to raster/shading/.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// The shaded image, by the forward or the deferred path.
+// Draws the shaded image, by the forward or the deferred path.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace umbrameter {
 
-/// A light and the visibility that the shadow technique gives it, per pixel.
+/// A light and its visibility at each pixel.
 struct LitLight {
   const Light* light = nullptr;
   const Image<float>* visibility = nullptr;
@@ -24,24 +24,24 @@ struct LitLight {
 
 struct ShadedImage {
   Image<vec3> radiance;      ///< linear, without exposure; 0 on the background
-  Image<vec3> light_buffer;  ///< of the deferred path: the sum over the lights, without ambient light
-  /// Of the deferred path, per light; zeros for a light that is drawn over the whole image.
+  Image<vec3> light_buffer;  ///< deferred path only: the sum over the lights, without ambient light
+  /// Deferred path only: one per light; zeros for a light that is drawn over the whole image.
   std::vector<LightCounters> counters;
 };
 
 struct ForwardInput {
   const UploadedScene& scene;
-  const GpuGBuffer& surfels;  ///< stand for a depth pre-pass: which fragments are shaded, their positions and normals
+  const GpuGBuffer& surfels;  ///< the depth pre-pass: which fragments to shade, with their positions and normals
   const View& view;
   const ShadingParams& params;
 };
 
-/// Draws the scene and evaluates every light in the fragment shader, up to sixteen lights a pass.
+/// Draws the scene and evaluates every light in the fragment shader, up to sixteen lights per pass.
 ShadedImage draw_forward(const gl::Context& context, const ForwardInput& input, std::span<const LitLight> lights,
                          const Image<float>& ao);
 
-/// Adds up the lights from the G-buffer: each over its volume, or over the whole image if it has none. The light buffer
-/// holds 32-bit floats.
+/// Shades the surfels of the G-buffer: draws each light over its volume, or over the whole image if it has none, and
+/// adds it to a light buffer of 32-bit floats.
 ShadedImage draw_deferred(const gl::Context& context, const DeferredInput& input, std::span<const LitLight> lights,
                           const Image<float>& ao);
 
