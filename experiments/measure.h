@@ -55,7 +55,7 @@ struct ShadowMeasurement {
   std::optional<ShadowShape> shape;    ///< set by the compare command
 };
 
-/// Whether the light has extent, so that the reference is fractional and sampled.
+/// Whether it is an area light, so that the reference is sampled and takes values between 0 and 1.
 inline bool has_area_light(const ShadowMeasurement& shadow) {
   return !std::holds_alternative<std::monostate>(shadow.emitter);
 }
@@ -65,15 +65,15 @@ inline const VisibilityStatistics* by_cause(const ShadowMeasurement& shadow) {
   return shadow.statistics ? std::get_if<VisibilityStatistics>(&*shadow.statistics) : nullptr;
 }
 
-/// A view of one light's truth for the statistics. `truth` must outlive it.
+/// Refers to one light's truth, for the statistics. `truth` must outlive the result.
 SampledImage sampled(const TracedVisibility& truth);
 
 struct AoMeasurement {
   Experiment experiment;  ///< the parameters of this measurement
   std::optional<Image<float>> raster;
   std::optional<TracedAo> truth;
-  std::optional<AoStatistics> statistics;
-  std::vector<MetricScore> metrics{};  ///< if raster and truth are present
+  std::optional<AoStatistics> statistics;  ///< if raster and truth are present
+  std::vector<MetricScore> metrics{};      ///< if raster and truth are present
 };
 
 struct Measurement {
@@ -84,7 +84,7 @@ struct Measurement {
   std::optional<ImageMeasurement> image;
 };
 
-/// Compares a technique's visibility with the binary reference of a light without extent.
+/// Compares visibility `drawn` by the technique with the binary reference of a light without extent.
 EdgeStatistics measure_edges(Stages& stages, const Experiment& experiment, std::uint32_t light,
                              const Image<float>& drawn);
 

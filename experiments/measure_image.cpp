@@ -28,14 +28,14 @@ Image<vec3> sum_of(const Image<vec3>& a, const Image<vec3>& b) {
   return sum;
 }
 
-// The image changed as the processor's image changes when an input is replaced.
+// Adds to the GPU's image the change that replacing an input makes to the CPU's image.
 Image<float> with_replaced(const Image<float>& raster, const Image<float>& same_inputs, Image<float> replaced) {
   for (std::size_t i = 0; i < replaced.size(); ++i) replaced[i] = raster[i] + (replaced[i] - same_inputs[i]);
   return replaced;
 }
 
-// Sums over the lights, and what the ambient term adds. `raster` names the G-buffer's surfels with the technique's
-// visibility and AO; the others replace one input.
+// Shades on the CPU, light by light: the reference, the technique's image with the same inputs as the GPU's, and that
+// image with one input replaced. finish() adds the ambient light and compares.
 class Images {
  public:
   Images(Stages& stages, const Experiment& experiment, Sides sides)
@@ -45,7 +45,7 @@ class Images {
         exact_(stages.surfels(experiment).gbuffer),
         view_(stages.surfels(experiment).view),
         shading_(stages.shading_surfels(experiment)),
-        raster_(blank()),
+        same_inputs_(blank()),
         with_true_shadows_(blank()),
         with_exact_gbuffer_(blank()),
         truth_(blank()),
@@ -60,7 +60,7 @@ class Images {
     Image<float> exact = stages_.draw(experiment_, index, false).visibility;
     Image<float> drawn = shading_.is_exact ? exact : stages_.draw_visibility_of(shading_.gpu, experiment_, index);
     if (sides_.truth) {
-      add_light(raster_, shading_.gbuffer, view_, light, drawn, experiment_.shading);
+      add_light(same_inputs_, shading_.gbuffer, view_, light, drawn, experiment_.shading);
       add_light(with_true_shadows_, shading_.gbuffer, view_, light, stages_.truth(experiment_, index).visibility,
                 experiment_.shading);
       add_light(with_exact_gbuffer_, exact_, view_, light, exact, experiment_.shading);
@@ -88,12 +88,12 @@ class Images {
 
     const Image<float> raster = luminance(measurement.raster->radiance, exposure);
     const Image<vec3> drawn_ambient = ambient(shading_.gbuffer, drawn_ao);
-    const Image<float> same_inputs = luminance(sum_of(raster_, drawn_ambient), exposure);
+    const Image<float> same_inputs = luminance(sum_of(same_inputs_, drawn_ambient), exposure);
     const auto replaced = [&](const Image<vec3>& lights, const Image<vec3>& ambient_light) {
       return with_replaced(raster, same_inputs, luminance(sum_of(lights, ambient_light), exposure));
     };
     const Image<float> true_shadows = replaced(with_true_shadows_, drawn_ambient);
-    const Image<float> true_occlusion = replaced(raster_, ambient(shading_.gbuffer, true_ao.ao));
+    const Image<float> true_occlusion = replaced(same_inputs_, ambient(shading_.gbuffer, true_ao.ao));
     const Image<float> exact_gbuffer = replaced(with_exact_gbuffer_, ambient(exact_, exact_ao));
     const Image<float> truth = luminance(*measurement.truth, exposure);
     const ImageErrorInput input{raster,
@@ -175,10 +175,10 @@ class Images {
   const GBuffer& exact_;
   const View& view_;
   ShadingSurfels shading_;
-  Image<vec3> raster_, with_true_shadows_, with_exact_gbuffer_, truth_;
-  Image<float> variance_;  // of the truth's luminance × exposure
-  Image<float> samples_;
-  int degrees_of_freedom_ = 0;
+  Image<vec3> same_inputs_, with_true_shadows_, with_exact_gbuffer_, truth_;
+  Image<float> variance_;       // of the truth's luminance × exposure
+  Image<float> samples_;        // rays to all lights and over the hemisphere
+  int degrees_of_freedom_ = 0;  // 0: nothing was sampled
   Image<float> edge_distance_;
   ImageMeasurement::GBufferChange change_;
   std::vector<Light> lights_;

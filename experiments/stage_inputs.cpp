@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t stage_count = static_cast<std::size_t>(Stage::ao_reference) + 1;
 
-// Which scene is loaded is decided before any stage; which light is measured is a stage's argument.
+// The parameters of the view, except the scene (loaded before any stage) and the light (an argument of the stages).
 Parameters view_parameters(Experiment& experiment) {
   Parameters all = describe(experiment.view);
   std::erase_if(all, [](const Parameter& parameter) {
@@ -24,7 +24,7 @@ Parameters run_parameter(Experiment& experiment, std::string_view key) {
   return {require(describe(experiment.run), key)};
 }
 
-// Everything of the technique that neither the map nor its filter reads.
+// The parameters of shadows that neither the map nor its filter reads.
 Parameters visibility_parameters(Experiment& experiment) {
   Parameters all = describe(experiment.shadow);
   const Parameters earlier = concatenate({describe(experiment.shadow.map), filtered_map_parameters(experiment.shadow)});

@@ -12,13 +12,13 @@ namespace umbrameter {
 
 enum class Stage {
   surfels,           ///< G-buffer of the view
-  light,             ///< which light
+  light,             ///< the selected light
   emitter,           ///< the light's extent
   layout,            ///< the projection of the light's map
   counted,           ///< the counted pixels
   map,               ///< the shadow map
   filtered_map,      ///< the technique's filtered map, if it has one
-  visibility,        ///< the technique's visibility, by bias and filter
+  visibility,        ///< the technique's visibility
   binary_reference,  ///< shadow rays to a light without extent
   area_reference,    ///< shadow rays to an area light
   stored_gbuffer,    ///< the G-buffer of the deferred path

@@ -15,7 +15,7 @@ namespace {
 
 std::uint64_t sum_of(const uvec4& v) { return std::uint64_t{v.x} + v.y + v.z + v.w; }
 
-// Both sides multiply three lengths in single precision, whose largest and smallest numbers are about 1e38 and 1e-38.
+// Both sides multiply three lengths in single precision, whose range is about 1e-38 to 1e38.
 void require_measurable(const Bounds& bounds, const dvec3& origin, const std::string& name) {
   constexpr double longest = 1e12;
   constexpr double shortest = 1e-10;
@@ -202,7 +202,7 @@ void Stages::begin_ao_truth(const Experiment& experiment) {
   ao_in_background_ = std::make_unique<AoInBackground>();
   AoInBackground& work = *ao_in_background_;
   work.key = key_of(Stage::ao_reference, in_metres(experiment));
-  // All that the thread reads is there before it starts, and stays.
+  // Computed here, because the thread must not run stages; the memo keeps the surfels until the view changes.
   const Tracer& rays = tracer();
   const GBuffer& gbuffer = surfels(experiment).gbuffer;
   work.traced =
@@ -253,7 +253,7 @@ const TracedAo& Stages::ao_truth(const Experiment& experiment) {
 const ShadowMap& Stages::map(const Experiment& experiment, std::uint32_t light) {
   return map_.remake(key(Stage::map, experiment, light), [&](std::optional<ShadowMap> last) {
     const MapLayout& layout = this->layout(experiment, light);
-    // Drivers on a processor clear every page of a fresh texture, which takes longer than drawing a small scene.
+    // Software drivers clear every page of a new texture, which takes longer than drawing a small scene.
     ShadowMap drawn = last && has_textures_for(*last, layout) ? std::move(*last) : make_shadow_map(context(), layout);
     drawn.layout = layout;
     redraw_shadow_map(context(), uploaded(), scene_.lights[light], drawn);

@@ -58,10 +58,10 @@ struct Surfels {
   GBuffer gbuffer;
 };
 
-/// A reference that is traced on another thread. The destructor cancels it and waits.
+/// A reference of ambient occlusion that another thread traces. The destructor cancels it and waits.
 struct AoInBackground {
   std::string key;
-  std::atomic<double> share{0.0};  ///< done, 0 to 1
+  std::atomic<double> share{0.0};  ///< share that is done, 0 to 1
   std::atomic<bool> is_cancelled{false};
   std::future<TracedAo> traced{};
 
@@ -74,15 +74,14 @@ struct Sides {
   bool truth = true;
 };
 
-/// What the deferred path reads in place of the surfels.
+/// The deferred path's G-buffer, and the surfels decoded from it, on the GPU and in memory.
 struct StoredSurfels {
   StoredGBuffer stored;
   GpuGBuffer gpu;
   GBuffer gbuffer;
 };
 
-/// The surfels that the technique shades: the exact ones in the forward path, in the deferred path those that the
-/// G-buffer gives back.
+/// The surfels that the technique shades. Forward path: the exact ones. Deferred path: those decoded from its G-buffer.
 struct ShadingSurfels {
   const GpuGBuffer& gpu;
   const GBuffer& gbuffer;
@@ -100,7 +99,7 @@ struct StageOptions {
 
 class Stages {
  public:
-  /// Adds a sun, with a note, to a scene without lights.
+  /// If the scene has no lights, adds a sun and a note.
   Stages(Scene scene, StageOptions options, const Console& console);
 
   const Scene& scene() const { return scene_; }
@@ -138,17 +137,18 @@ class Stages {
   void begin_ao_truth(const Experiment& experiment);
   /// If with_truth, also classifies wrong taps by the two-plane rule.
   RasterVisibility draw(const Experiment& experiment, std::uint32_t light, bool with_truth);
-  /// Tests by rays the taps that the two-plane rule calls false occlusion, and reclassifies them in `wrong`, the result
-  /// of draw() for the same experiment.
+  /// Tests with rays the taps that the two-plane rule calls false occlusion, and moves those on the receiver's surface
+  /// to acne in `wrong`, the result of draw() for the same experiment.
   ClassAgreement reclassify(const Experiment& experiment, std::uint32_t light, WrongTaps& wrong);
   /// The error at every bias of the axes, which replace the experiment's biases. Classifies taps by run.classes.
   BiasHistogram bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes);
   Image<float> draw_ao(const Experiment& experiment);
 
   ShadingSurfels shading_surfels(const Experiment& experiment);
-  /// The technique's results for other surfels than surfels().
+  /// The technique's results at these surfels instead of surfels().
   Image<float> draw_visibility_of(const GpuGBuffer& surfels, const Experiment& experiment, std::uint32_t light);
   Image<float> draw_ao_of(const GpuGBuffer& surfels, const Experiment& experiment);
+  /// The technique's image, by the path of the experiment.
   ShadedImage shade(const Experiment& experiment, std::span<const LitLight> lights, const Image<float>& ao);
   /// The light's shadow map.
   const ShadowMap& map(const Experiment& experiment, std::uint32_t light);
@@ -159,7 +159,7 @@ class Stages {
 
   /// Costs of tracing so far.
   const Costs& costs() const { return costs_; }
-  /// Every assumption made so far, without repetitions.
+  /// Every assumption made so far, each once.
   const std::vector<std::string>& notes() const { return notes_; }
   /// Adds and prints those notes that are new.
   void add_notes(const std::vector<std::string>& notes);

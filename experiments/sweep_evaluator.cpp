@@ -11,7 +11,7 @@
 namespace umbrameter {
 namespace {
 
-// Measures one cell into statistics of the kind that it is given.
+// Measures one cell. The overload selects the kind of statistics; its argument is not read.
 struct MeasureCell {
   Stages& stages;
   const Experiment& experiment;
@@ -37,7 +37,7 @@ struct MeasureCell {
 
 void measure_cells(Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                    const CellStatistics& statistics, const CellGroup& group, const RowSink& keep) {
-  // Extents are varied: not every combination of them need make sense.
+  // Extents may be varied, and not every combination of them makes sense.
   const Experiment of_group = at_cell(experiment, axes, group.values);
   if (quantity_of(statistics) == SweptQuantity::visibility) {
     stages.check_is_meaningful(of_group, swept_lights(stages, experiment, axes));
@@ -57,7 +57,7 @@ std::vector<float> to_floats(const std::vector<double>& values) {
   return floats;
 }
 
-// All of the group from one pass.
+// Measures a whole group in one pass.
 void measure_biases(Stages& stages, const Experiment& experiment, const CellGroup& group, const RowSink& keep) {
   const std::uint32_t light = stages.lights(experiment.view.light).front();
   const std::vector<float> constant = to_floats(group.constant_bias.values);
@@ -67,7 +67,7 @@ void measure_biases(Stages& stages, const Experiment& experiment, const CellGrou
   const BiasHistogram histogram = stages.bias_response(experiment, light, biases);
   const TruthCounts truth = count_truth(stages.truth(experiment, light).visibility, stages.counted(experiment, light));
   VisibilityStatistics cell;
-  const Statistics described = describe(cell);  // once: it names every column
+  const Statistics described = describe(cell);  // outside the loops, because it allocates the names of all columns
   for (std::size_t s = 0; s < biases.slope.size(); ++s) {
     const std::vector<VisibilitySums> sums = sums_at_biases(histogram, s);
     for (std::size_t c = 0; c < constant.size(); ++c) {
@@ -78,7 +78,8 @@ void measure_biases(Stages& stages, const Experiment& experiment, const CellGrou
   }
 }
 
-// Each combination of the axes' words: which technique, kernel and light. Capabilities depend on no number.
+// Calls `take` for each combination of axis values that are words: techniques, kernels and lights. Other axes stay at
+// their first value, because capabilities do not depend on numbers.
 void for_each_technique(Experiment experiment, const std::vector<SweepAxis>& axes,
                         const std::function<void(const Experiment&)>& take, std::size_t axis = 0) {
   if (axis == axes.size()) return take(experiment);

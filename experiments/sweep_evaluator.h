@@ -13,22 +13,24 @@ namespace umbrameter {
 
 /// The quantity that a sweep measures.
 enum class SweptQuantity { visibility, ao, image };
-std::string_view quantity_name(SweptQuantity quantity);   ///< "ao": as run.measure writes it
-std::string_view quantity_title(SweptQuantity quantity);  ///< "ambient occlusion"
+std::string_view quantity_name(SweptQuantity quantity);   ///< as in run.measure: "ao"
+std::string_view quantity_title(SweptQuantity quantity);  ///< for sentences: "ambient occlusion"
 SweptQuantity quantity_of(const CellStatistics& statistics);
 
-/// Whether any axis varies a parameter of this group or with this name: "ao.", "view.scene".
+/// Whether an axis varies a parameter whose name begins with `group`: "ao.", "view.scene".
 bool varies_group(const std::vector<SweepAxis>& axes, std::string_view group);
 
-/// The quantity that the axes belong to, unless `given` selects one. Throws Error (usage) if they belong to both.
+/// The quantity that the axes affect, unless `given` selects one. Throws Error (usage) if they vary
+/// both shadows and AO.
 SweptQuantity choose_quantity(SweepMeasure given, const std::vector<SweepAxis>& axes);
 
-/// The lights that the cells measure.
+/// The lights that the cells of a shadow sweep measure: one for each value of view.light.
 std::vector<std::uint32_t> swept_lights(const Stages& stages, const Experiment& experiment,
                                         const std::vector<SweepAxis>& axes);
 
-/// The kind of statistics that suits every cell, with all values 0: SoftVisibilityStatistics if any cell's light has
-/// extent; otherwise EdgeStatistics if any cell's technique does not sum comparisons; otherwise VisibilityStatistics.
+/// The kind of statistics that suits every cell, with all values 0. For shadows: SoftVisibilityStatistics if any cell
+/// may have an area light; otherwise EdgeStatistics if any cell's technique does not sum comparisons; otherwise
+/// VisibilityStatistics.
 CellStatistics choose_statistics(const Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                                  SweptQuantity quantity);
 

@@ -25,27 +25,27 @@ InnerAxis make_inner(const Parameters& parameters, const SweepPlan& plan, std::s
     for (const Value& value : plan.axes[a].values) inner.values.push_back(to_number(value));
     return inner;
   }
-  const Parameter* own = find(parameters, key);
-  if (own == nullptr) {
+  const Parameter* parameter = find(parameters, key);
+  if (parameter == nullptr) {
     inner.values.push_back(0.0);
-  } else if (const auto* const* length = std::get_if<Length*>(&own->field)) {
+  } else if (const auto* const* length = std::get_if<Length*>(&parameter->field)) {
     inner.values.push_back((*length)->number);
   } else {
-    inner.values.push_back(to_number(own->value()));
+    inner.values.push_back(to_number(parameter->value()));
   }
   return inner;
 }
 
-// Of the constant biases: the axis's, or that of the one value where it is not varied.
+// The unit of the constant biases: that of their axis or, if they are not varied, that of the parameter's value.
 LengthUnit unit_of_constants(const Parameters& parameters, const SweepPlan& plan) {
   if (plan.constant_bias.axis) return plan.axes[*plan.constant_bias.axis].length_unit;
-  const Parameter* own = find(parameters, constant_bias_key);
-  const auto* length = own != nullptr ? std::get_if<Length*>(&own->field) : nullptr;
+  const Parameter* parameter = find(parameters, constant_bias_key);
+  const auto* length = parameter != nullptr ? std::get_if<Length*>(&parameter->field) : nullptr;
   return length != nullptr ? (*length)->unit : LengthUnit::metres;
 }
 
-// How many of the biases go into one group. A pass is paid for each slope-scaled bias, hardly for a constant one: so
-// the constant ones stay together as long as they can.
+// The numbers of biases in one group. The cost of a pass grows with the number of slope-scaled biases, hardly with that
+// of constant ones, so a group that is too large is split along the slope-scaled biases first.
 std::size_t constants_in_group(const SweepPlan& plan) {
   return std::min(plan.constant_bias.values.size(), max_group_cells);
 }
@@ -55,7 +55,7 @@ std::size_t slopes_in_group(const SweepPlan& plan) {
 
 std::size_t divide_up(std::size_t number, std::size_t by) { return (number + by - 1) / by; }
 
-// The part of that number of an inner axis in parts of `size`. Returns how many cells lie before it.
+// Reduces an inner axis to its part-th run of `size` values. Returns the number of cells before that run.
 std::size_t take_part(InnerAxis& inner, std::size_t part, std::size_t size) {
   const std::size_t begin = part * size;
   const std::size_t end = std::min(begin + size, inner.values.size());

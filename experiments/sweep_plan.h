@@ -20,7 +20,7 @@ inline constexpr std::string_view slope_bias_key = "shadow.slope-bias";
 /// the slope-scaled biases.
 inline constexpr std::size_t max_group_cells = 65'536;
 
-/// Values of an inner axis: in a plan all of them, in a group those of the group.
+/// Values of an inner axis: in a plan all values, in a group the values of that group.
 struct InnerAxis {
   std::optional<std::size_t> axis{};  ///< index into SweepPlan::axes; empty if the bias is not varied
   std::vector<double> values{};       ///< never empty: the experiment's value if the bias is not varied

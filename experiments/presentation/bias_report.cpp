@@ -62,7 +62,7 @@ void fill(BiasCurves& curves, const SweepResults& sweep, const std::vector<std::
     add(curve.optima.lines[line], read);
     add(curve.optima.front, read);
   });
-  // Views in which nothing is counted have no error to speak of.
+  // A curve whose cells count no pixel has no error.
   std::erase_if(curves.curves, [](const BiasCurve& curve) { return !least_error(curve.optima); });
 }
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <string_view>
 
 #include "core/error.h"
 #include "core/suggestion.h"
@@ -24,6 +26,13 @@ constexpr std::array<std::string_view, 11> kinds = {"unshadowed",   "shadows",  
                                                     "position",     "normal",     "albedo",    "specular",
                                                     "light-buffer", "shadow-map", "light-view"};
 
+struct DebugView {
+  std::string stem;   // of the figure: "shadow_map_sun_1"
+  std::string title;  // "Shadow map: sun, view 1"
+  std::string caption;
+  Colors picture;
+};
+
 struct Wanted {
   std::string kind;
   std::vector<std::uint32_t> lights;  // of shadow-map and light-view
@@ -39,6 +48,13 @@ std::vector<std::string> split(const std::string& list) {
     first = comma + 1;
   }
   return parts;
+}
+
+// What run.overlay may list: "all, unshadowed, …, shadow-map[:LIGHT]".
+std::string debug_view_names() {
+  std::string names = "all";
+  for (const std::string_view kind : kinds) names += fmt::format(", {}{}", kind, is_of_light(kind) ? "[:LIGHT]" : "");
+  return names;
 }
 
 std::vector<Wanted> parse(const Stages& stages, const Experiment& experiment) {
@@ -83,15 +99,25 @@ Colors map_pixels(const GBuffer& gbuffer, const std::function<vec3(std::size_t)>
   return picture;
 }
 
-// Near is dark. Values of `none` are white.
-Colors gray(const Image<float>& values, float none) {
+struct Range {
   float low = std::numeric_limits<float>::infinity();
-  float high = -low;
+  float high = -std::numeric_limits<float>::infinity();
+};
+
+// The range of all values except `none`.
+Range range_of(const Image<float>& values, float none) {
+  Range range;
   for (const float value : values.pixels) {
     if (value == none) continue;
-    low = std::min(low, value);
-    high = std::max(high, value);
+    range.low = std::min(range.low, value);
+    range.high = std::max(range.high, value);
   }
+  return range;
+}
+
+// The lowest value is dark; `none` is white.
+Colors gray(const Image<float>& values, float none) {
+  const auto [low, high] = range_of(values, none);
   const float scale = high > low ? 1.0f / (high - low) : 0.0f;
   Colors picture(values.width, values.height, glm::u8vec3(255));
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -102,28 +128,22 @@ Colors gray(const Image<float>& values, float none) {
 }
 
 std::string range_text(const Image<float>& values, float none, double unit) {
-  float low = std::numeric_limits<float>::infinity();
-  float high = 0.0f;
-  for (const float value : values.pixels) {
-    if (value == none) continue;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
+  const auto [low, high] = range_of(values, none);
   if (!(high >= low)) return "It is empty.";
   return fmt::format("From {} (dark) to {}; white: nothing.", metres_text(low * unit), metres_text(high * unit));
 }
 
-// The camera at the light, one for each view of its map.
+// A camera at the light that sees what this view of its map covers.
 View light_view(const Light& light, const MapLayout& layout, std::size_t view) {
-  const MapView& of = layout.views[view];
+  const MapView& map_view = layout.views[view];
   View seen;
   seen.width = seen.height = 512;
   dmat4 world_from_camera = glm::inverse(layout.light_from_world);
   if (layout.kind == MapKind::orthographic) {
     dmat4 to_view(1.0);
-    to_view[3] = dvec4(of.center, 0.0, 1.0);
+    to_view[3] = dvec4(map_view.center, 0.0, 1.0);
     world_from_camera = world_from_camera * to_view;
-    seen.camera.projection = OrthographicProjection{of.half_extent, of.half_extent, 0.0, layout.far_depth};
+    seen.camera.projection = OrthographicProjection{map_view.half_extent, map_view.half_extent, 0.0, layout.far_depth};
   } else {
     if (layout.kind == MapKind::cube) {
       // A camera looks along −z of its frame; cube_face() has right, up and forward.
@@ -131,7 +151,7 @@ View light_view(const Light& light, const MapLayout& layout, std::size_t view) {
       world_from_camera = world_from_camera * dmat4(dmat3(face[0], face[1], -face[2]));
     }
     seen.camera.projection =
-        PerspectiveProjection{2.0 * std::atan(of.half_extent), 1e-4 * layout.far_depth, layout.far_depth};
+        PerspectiveProjection{2.0 * std::atan(map_view.half_extent), 1e-4 * layout.far_depth, layout.far_depth};
   }
   seen.camera.world_from_camera = world_from_camera;
   seen.camera.name = light.name;
@@ -162,8 +182,7 @@ class Views {
   void add_buffer(const std::string& kind) {
     const GBuffer& g = gbuffer_;
     if (kind == "depth") {
-      Image<float> depth = g.depth;
-      push(kind, "Depth", range_text(depth, 0.0f, 1.0), gray(depth, 0.0f));
+      push(kind, "Depth", range_text(g.depth, 0.0f, 1.0), gray(g.depth, 0.0f));
     } else if (kind == "position") {
       const Bounds& bounds = stages_.bounds();
       const dvec3 low = bounds.corner(0);
@@ -257,23 +276,14 @@ class Views {
   std::vector<DebugView> views_;
 };
 
-}  // namespace
-
-std::string debug_view_names() {
-  std::string names = "all";
-  for (const std::string_view kind : kinds) names += fmt::format(", {}{}", kind, is_of_light(kind) ? "[:LIGHT]" : "");
-  return names;
-}
-
-void check_debug_views(const Stages& stages, const Experiment& experiment) { parse(stages, experiment); }
-
 std::vector<DebugView> make_debug_views(Stages& stages, const Measurement& measurement) {
   Views views(stages, measurement);
   for (const Wanted& wanted : parse(stages, measurement.experiment)) views.add(wanted);
   return views.take();
 }
 
-void draw_overlays(Image<glm::u8vec3>& picture, const std::vector<DebugView>& views) {
+// Draws the views along the lower edge, from the left, with further rows above. Leaves out what does not fit.
+void draw_overlays(Colors& picture, const std::vector<DebugView>& views) {
   constexpr int columns = 5;
   const int gap = std::max(picture.width / 160, 1);
   const int width = (picture.width - gap) / columns - gap;
@@ -299,6 +309,10 @@ void draw_overlays(Image<glm::u8vec3>& picture, const std::vector<DebugView>& vi
     tallest = 0;
   }
 }
+
+}  // namespace
+
+void check_debug_views(const Stages& stages, const Experiment& experiment) { parse(stages, experiment); }
 
 Presentation present_debug_views(Stages& stages, const Measurement& measurement) {
   Presentation presentation;

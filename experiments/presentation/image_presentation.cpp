@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "experiments/presentation/presentation.h"
@@ -12,7 +13,7 @@ namespace {
 const ColorScale image_error_scale{ColorMap::error, -0.25, 0.25,
                                    "technique − reference [luminance, 1 is white]: below 0 is too dark"};
 
-// As the causes of shadow errors; "no visible error" is light.
+// The palette of class_colors(); "no visible error" is light.
 std::vector<CategoryColor> cause_colors() {
   constexpr std::array<glm::u8vec3, image_cause_count> inks = {
       {{213, 94, 0}, {0, 114, 178}, {204, 121, 167}, {86, 180, 233}}};
@@ -76,7 +77,7 @@ void add_gbuffer_figures(Presentation& presentation, const Stages& stages, const
 // Below a ten-thousandth of a per cent the two processors round differently.
 std::string part_text(double part) { return std::abs(part) < 1e-6 ? "0 %" : percent(part); }
 
-// Tells when the exposure hides most of the image.
+// A warning if the exposure makes most of the image too bright or too dark to see; otherwise empty.
 std::string exposure_warning(const ImageMeasurement& image) {
   const Image<vec3>& colors = image.truth ? *image.truth : image.raster->radiance;
   const auto exposure = static_cast<float>(image.experiment.shading.exposure);

@@ -23,6 +23,14 @@ std::string ao_technique_text(const AoParams& params) {
                      params.blur.kind == AoBlur::box ? fmt::format(", {0}×{0} box blur", params.blur.size) : "");
 }
 
+template <class Figure>
+void add_to(ReportSection& section, std::vector<Figure>& figures, Figure figure) {
+  section.figures.push_back(figure.stem);
+  section.figure_titles.push_back(figure.title);
+  section.captions.push_back(figure.caption);
+  figures.push_back(std::move(figure));
+}
+
 }  // namespace
 
 std::string value_text(Experiment experiment, std::string_view key) {
@@ -103,8 +111,8 @@ Table in_percent(Table table, std::size_t first_column) {
 }
 
 const std::vector<CategoryColor>& class_colors() {
-  // Okabe and Ito's palette without its yellow, which is lost on white. On paper printed grey CIE L* is 53, 61, 46 and
-  // 70 for the causes; what is no error is lighter.
+  // The palette of Okabe and Ito without its yellow, which is hard to see on white. Printed in grey, the causes have a
+  // CIE L* of 53, 61, 46 and 70; the other classes are lighter.
   static const std::vector<CategoryColor> colors = [] {
     constexpr std::array<glm::u8vec3, 7> inks = {{{240, 240, 240},
                                                   {213, 94, 0},
@@ -121,24 +129,15 @@ const std::vector<CategoryColor>& class_colors() {
 }
 
 void add_figure(Presentation& presentation, ImageFigure figure) {
-  presentation.section.figures.push_back(figure.stem);
-  presentation.section.figure_titles.push_back(figure.title);
-  presentation.section.captions.push_back(figure.caption);
-  presentation.images.push_back(std::move(figure));
+  add_to(presentation.section, presentation.images, std::move(figure));
 }
 
 void add_figure(Presentation& presentation, PlotFigure figure) {
-  presentation.section.figures.push_back(figure.stem);
-  presentation.section.figure_titles.push_back(figure.title);
-  presentation.section.captions.push_back(figure.caption);
-  presentation.plots.push_back(std::move(figure));
+  add_to(presentation.section, presentation.plots, std::move(figure));
 }
 
 void add_figure(Presentation& presentation, HeatMapFigure figure) {
-  presentation.section.figures.push_back(figure.stem);
-  presentation.section.figure_titles.push_back(figure.title);
-  presentation.section.captions.push_back(figure.caption);
-  presentation.heat_maps.push_back(std::move(figure));
+  add_to(presentation.section, presentation.heat_maps, std::move(figure));
 }
 
 Presentation present_picture(const Stages& stages, const Measurement& measurement) {

@@ -1,4 +1,4 @@
-// What the sections of shadows and of ambient occlusion share. Internal to presentation/.
+// What the sections of shadows, ambient occlusion and the shaded image share. Internal to presentation/.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@
 
 namespace umbrameter {
 
-/// The value of the parameter of that full name.
+/// The value of the parameter with this full name.
 std::string value_text(Experiment experiment, std::string_view key);
 
 ImageFigure scalar_figure(std::string stem, std::string title, std::string caption, const Image<float>& values,
                           const ColorScale& scale);
 
-/// One row a statistic: name, value, unit, meaning.
+/// One row per statistic: name, value, unit, meaning.
 ReportTable statistics_table(std::string title, const Statistics& statistics);
 template <class Struct>
 ReportTable statistics_table(std::string title, Struct statistics) {
@@ -28,7 +28,7 @@ void add_metrics_table(ReportSection& section, const std::vector<MetricScore>& s
 
 std::string offset_text(const TraceStatistics& statistics);
 
-/// Of a reference that was sampled; empty of another.
+/// The precision of a sampled reference; precision_text() is empty if nothing was sampled.
 std::string precision_text(const SamplingPrecision& precision, const TruthParams& truth);
 std::string precision_line(const SamplingPrecision& precision);
 
