@@ -135,9 +135,9 @@ ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSw
   const SweepPlan& plan = sweep.plan;
   std::vector<Row> rows = {scene_row(stages, sweep.experiment), view_row(console, stages, sweep.experiment.view)};
   const SweptQuantity quantity = quantity_of(sweep.statistics);
-  if (quantity == SweptQuantity::visibility) {
+  if (quantity != SweptQuantity::ao) {
     std::string lights;
-    for (const std::uint32_t light : swept_lights(stages, sweep.experiment, sweep.axes)) {
+    for (const std::uint32_t light : swept_lights(stages, sweep.experiment, sweep.axes, quantity)) {
       lights += (lights.empty() ? "" : ", ") + light_text(stages, sweep.experiment, light);
     }
     rows.emplace_back("light", lights);

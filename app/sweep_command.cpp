@@ -151,7 +151,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
                               lights.size(), stages.title(lights.front())));
   }
   if (!varies_group(axes, "light.")) {
-    stages.check_is_meaningful(experiment, swept_lights(stages, experiment, axes));
+    stages.check_is_meaningful(experiment, swept_lights(stages, experiment, axes, quantity));
   }
   const CellStatistics statistics = choose_statistics(stages, experiment, axes, quantity);
 

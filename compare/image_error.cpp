@@ -65,8 +65,8 @@ ImageStatistics analyze_image(const ImageErrorInput& input) {
   if (all.pixels == 0) return statistics;
   const auto pixels = static_cast<double>(all.pixels);
   statistics.near_edges = static_cast<double>(all.near_edges) / pixels;
-  if (all.near_edges < all.pixels)
-    statistics.mae_off_edges = all.off_edges / (pixels - static_cast<double>(all.near_edges));
+  // Not a number if all pixels are near edges: nothing is known of the others.
+  statistics.mae_off_edges = all.off_edges / (pixels - static_cast<double>(all.near_edges));
   for (std::size_t c = 0; c < image_cause_count; ++c) statistics.parts[c] = (all.error - all.replaced[c]) / pixels;
   return statistics;
 }

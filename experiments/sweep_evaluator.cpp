@@ -39,8 +39,9 @@ void measure_cells(Stages& stages, const Experiment& experiment, const std::vect
                    const CellStatistics& statistics, const CellGroup& group, const RowSink& keep) {
   // Extents may be varied, and not every combination of them makes sense.
   const Experiment of_group = at_cell(experiment, axes, group.values);
-  if (quantity_of(statistics) == SweptQuantity::visibility) {
-    stages.check_is_meaningful(of_group, swept_lights(stages, experiment, axes));
+  const SweptQuantity quantity = quantity_of(statistics);
+  if (quantity != SweptQuantity::ao) {
+    stages.check_is_meaningful(of_group, swept_lights(stages, experiment, axes, quantity));
   }
   for (std::size_t c = 0; c < group.constant_bias.values.size(); ++c) {
     for (std::size_t s = 0; s < group.slope_bias.values.size(); ++s) {
@@ -126,7 +127,7 @@ SweptQuantity choose_quantity(SweepMeasure given, const std::vector<SweepAxis>& 
 }
 
 std::vector<std::uint32_t> swept_lights(const Stages& stages, const Experiment& experiment,
-                                        const std::vector<SweepAxis>& axes) {
+                                        const std::vector<SweepAxis>& axes, SweptQuantity quantity) {
   std::vector<std::string> names = {experiment.view.light};
   for (const SweepAxis& axis : axes) {
     if (axis.key != "view.light") continue;
@@ -134,7 +135,11 @@ std::vector<std::uint32_t> swept_lights(const Stages& stages, const Experiment& 
     for (const Value& value : axis.values) names.push_back(to_string(value));
   }
   std::vector<std::uint32_t> lights;
-  for (const std::string& name : names) lights.push_back(stages.lights(name).front());
+  for (const std::string& name : names) {
+    const std::vector<std::uint32_t> selected = stages.lights(name);
+    const std::size_t count = quantity == SweptQuantity::image ? selected.size() : 1;
+    lights.insert(lights.end(), selected.begin(), selected.begin() + static_cast<std::ptrdiff_t>(count));
+  }
   return lights;
 }
 
@@ -142,7 +147,7 @@ CellStatistics choose_statistics(const Stages& stages, const Experiment& experim
                                  SweptQuantity quantity) {
   if (quantity == SweptQuantity::ao) return AoStatistics{};
   if (quantity == SweptQuantity::image) return ImageStatistics{};
-  const std::vector<std::uint32_t> lights = swept_lights(stages, experiment, axes);
+  const std::vector<std::uint32_t> lights = swept_lights(stages, experiment, axes, quantity);
   const bool has_area_lights =
       varies_group(axes, "light.") || std::any_of(lights.begin(), lights.end(), [&](std::uint32_t light) {
         return is_area(stages.light(experiment, light));

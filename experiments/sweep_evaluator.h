@@ -26,7 +26,7 @@ SweptQuantity choose_quantity(SweepMeasure given, const std::vector<SweepAxis>& 
 
 /// The lights that the cells of a shadow sweep measure: one for each value of view.light.
 std::vector<std::uint32_t> swept_lights(const Stages& stages, const Experiment& experiment,
-                                        const std::vector<SweepAxis>& axes);
+                                        const std::vector<SweepAxis>& axes, SweptQuantity quantity);
 
 /// The kind of statistics that suits every cell, with all values 0. For shadows: SoftVisibilityStatistics if any cell
 /// may have an area light; otherwise EdgeStatistics if any cell's technique does not sum comparisons; otherwise

@@ -254,19 +254,26 @@ class Views {
     }
   }
 
+  // A view that is listed twice is shown once.
+  void add(DebugView view) {
+    const bool is_new =
+        std::none_of(views_.begin(), views_.end(), [&](const DebugView& other) { return other.stem == view.stem; });
+    if (is_new) views_.push_back(std::move(view));
+  }
+
   void push(const std::string& kind, std::string title, std::string caption, Colors picture) {
     std::string stem = "view_" + kind;
     std::replace(stem.begin(), stem.end(), '-', '_');
-    views_.push_back({std::move(stem), std::move(title), std::move(caption), std::move(picture)});
+    add({std::move(stem), std::move(title), std::move(caption), std::move(picture)});
   }
 
   void push_of_light(const std::string& stem, const std::string& title, std::uint32_t light, std::size_t view,
                      std::size_t count, std::string caption, Colors picture) {
     const std::string& layer = stages_.layer(light);
     const std::string name = stages_.title(light);
-    views_.push_back({count > 1 ? fmt::format("{}{}_{}", stem, layer, view) : stem + layer,
-                      count > 1 ? fmt::format("{}: {}, view {}", title, name, view) : title + ": " + name,
-                      std::move(caption), std::move(picture)});
+    add({count > 1 ? fmt::format("{}{}_{}", stem, layer, view) : stem + layer,
+         count > 1 ? fmt::format("{}: {}, view {}", title, name, view) : title + ": " + name, std::move(caption),
+         std::move(picture)});
   }
 
   Stages& stages_;
@@ -283,7 +290,7 @@ std::vector<DebugView> make_debug_views(Stages& stages, const Measurement& measu
 }
 
 // Draws the views along the lower edge, from the left, with further rows above. Leaves out what does not fit.
-void draw_overlays(Colors& picture, const std::vector<DebugView>& views) {
+std::size_t draw_overlays(Colors& picture, const std::vector<DebugView>& views) {
   constexpr int columns = 5;
   const int gap = std::max(picture.width / 160, 1);
   const int width = (picture.width - gap) / columns - gap;
@@ -293,7 +300,7 @@ void draw_overlays(Colors& picture, const std::vector<DebugView>& views) {
   for (const DebugView& view : views) {
     const Colors& from = view.picture;
     const int height = std::max(width * from.height / std::max(from.width, 1), 1);
-    if (bottom - height < 0) return;
+    if (bottom - height < 0) return static_cast<std::size_t>(&view - views.data());
     const int left = gap + column * (width + gap);
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
@@ -308,6 +315,7 @@ void draw_overlays(Colors& picture, const std::vector<DebugView>& views) {
     bottom -= tallest + gap;
     tallest = 0;
   }
+  return views.size();
 }
 
 }  // namespace
@@ -321,12 +329,12 @@ Presentation present_debug_views(Stages& stages, const Measurement& measurement)
   ImageFigure image;
   image.stem = "overlay";
   image.title = "The image with overlays";
-  image.caption = "From the left, bottom row first:";
-  for (const DebugView& view : views) image.caption += (&view == &views.front() ? " " : "; ") + view.title;
-  image.caption += ".";
   image.color =
       tone_map(measurement.image->raster->radiance, static_cast<float>(measurement.experiment.shading.exposure));
-  draw_overlays(image.color, views);
+  const std::size_t drawn = draw_overlays(image.color, views);
+  image.caption = "From the left, bottom row first:";
+  for (std::size_t i = 0; i < drawn; ++i) image.caption += (i == 0 ? " " : "; ") + views[i].title;
+  image.caption += drawn < views.size() ? fmt::format(". {} more do not fit.", views.size() - drawn) : ".";
   add_figure(presentation, std::move(image));
   for (DebugView& view : views) {
     ImageFigure figure;

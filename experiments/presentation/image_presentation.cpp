@@ -117,7 +117,8 @@ Presentation present_image(const Stages& stages, const ImageMeasurement& image) 
                                                        [](const LightCounters& c) { return c != LightCounters{}; });
   if (has_volumes) section.tables.push_back(counters_table(stages, image));
   if (!image.statistics) {
-    presentation.answers.push_back(fmt::format("image: {} lights, {}", image.lights.size(),
+    presentation.answers.push_back(fmt::format("image: {} light{}, {}", image.lights.size(),
+                                               image.lights.size() == 1 ? "" : "s",
                                                image.raster ? path_text(experiment) : std::string("traced")));
     if (!warning.empty()) presentation.answers.push_back("warning: " + warning);
     return presentation;

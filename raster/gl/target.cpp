@@ -43,9 +43,10 @@ void Target::begin(const DrawState& state) const {
   glDepthRangef(0.0f, 1.0f);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_DEPTH_CLAMP);
   const auto set = [](GLenum what, bool is_on) { (is_on ? glEnable : glDisable)(what); };
   set(GL_DEPTH_TEST, state.depth != DepthTest::off);
+  // What lies behind a surface may lie behind the far plane too.
+  set(GL_DEPTH_CLAMP, state.depth == DepthTest::farther);
   glDepthMask(state.depth == DepthTest::replace ? GL_TRUE : GL_FALSE);
   glDepthFunc(state.depth == DepthTest::nearer ? GL_GREATER : state.depth == DepthTest::farther ? GL_LESS : GL_ALWAYS);
   set(GL_BLEND, state.adds);

@@ -224,12 +224,15 @@ TEST_F(ShadingGl, Both_paths_and_both_ways_to_cull_give_the_same_image) {
 
 TEST_F(ShadingGl, Counters_of_light_volumes_are_those_of_rays_through_the_pixels) {
   const auto lit = lit_scene("courtyard:64", 160, 90, 20.0);
+  // Volumes reach behind the far plane, which must not cut off their back faces.
+  std::get<PerspectiveProjection>(lit->view.camera.projection).far_plane = 14.0;
   const UploadedScene scene = upload(context(), lit->scene);
   const GpuGBuffer surfels = draw_gbuffer(context(), scene, lit->view);
   const GBuffer gbuffer = read_back(context(), surfels);
   ShadingParams params = with_float_gbuffer({});
   const StoredGBuffer stored = store_gbuffer(context(), surfels, lit->view, params);
   std::uint64_t missed = 0;
+  std::uint64_t missed_by_front = 0;
   for (const VolumeFaces faces : {VolumeFaces::front, VolumeFaces::back}) {
     params.volume_faces = faces;
     const ShadedImage image = draw_deferred(context(), {stored, surfels, lit->view, params}, lit->lights, lit->ao);
@@ -255,6 +258,10 @@ TEST_F(ShadingGl, Counters_of_light_volumes_are_those_of_rays_through_the_pixels
     }
     EXPECT_GT(shaded, 10'000u);
     EXPECT_GT(in_vain, 1'000u);
+    if (faces == VolumeFaces::back) {
+      EXPECT_EQ(missed, missed_by_front);
+    }
+    missed_by_front = missed;
     EXPECT_LT(undecided, shaded / 50) << "most pixels are decided";
   }
   EXPECT_GT(missed, 0u) << "the camera is inside a volume, whose front faces it does not see";
