@@ -6,7 +6,7 @@ layout(early_fragment_tests) in;
 uniform usampler2D ids;
 uniform sampler2D visibility;
 uniform int light;
-#if HAS_VOLUME
+#if COUNTS_FRAGMENTS
 // Two numbers per light: fragments shaded; of these, in vain.
 layout(std430) restrict buffer Counters { uint counters[]; };
 #endif
@@ -17,7 +17,7 @@ void main() {
   radiance = vec4(0);
   bool is_surface = texelFetch(ids, pixel, 0).r != NO_ID;
   SurfacePoint surface = surface_at(pixel);
-#if HAS_VOLUME
+#if COUNTS_FRAGMENTS
   atomicAdd(counters[2 * light], 1u);
   if (!is_surface || !is_in_volume(surface.position, lights[light])) atomicAdd(counters[2 * light + 1], 1u);
 #endif

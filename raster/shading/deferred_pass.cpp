@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <span>
 
 #include "raster/gbuffer/view_block.h"
 #include "raster/gl/target.h"
+#include "raster/gl/timer.h"
 #include "raster/shader_interface.h"
 #include "raster/shading/light_buffers.h"
 #include "raster/shading/shading_pass.h"
@@ -33,6 +35,15 @@ gl::Buffer make_vertices(const LightVolume& volume) {
 // Draws the lights into the light buffer one by one, then counts the fragments of their volumes.
 class DeferredLights {
  public:
+  /// What a light's draw reads.
+  struct Prepared {
+    std::size_t light = 0;
+    gl::Texture visibility;
+    int volume_vertices = 0;  ///< 0: the light is drawn over the whole image
+    gl::Buffer vertices;
+    gl::Texture vertex_texels;
+  };
+
   DeferredLights(const gl::Context& context, const DeferredInput& input, std::span<const LitLight> lights)
       : context_(context),
         input_(input),
@@ -41,15 +52,29 @@ class DeferredLights {
         counters_(make_counters("light counters", 2 * lights.size())),
         has_volume_(lights.size()) {}
 
-  void add(std::size_t i, const gl::Target& target) {
+  Prepared prepare(std::size_t i) {
     const std::optional<LightVolume> volume = light_volume(*lights_[i].light);
     has_volume_[i] = volume.has_value();
-    const gl::Texture visibility = upload_image("visibility", gl::Format::r32f, *lights_[i].visibility);
-    gl::Pass pass(context_, {{volume ? "light_volume.vert" : "fullscreen.vert", "deferred_light.frag"},
-                             stored_gbuffer_defines(input_.stored.formats) + define("HAS_VOLUME", volume ? 1 : 0)});
+    Prepared prepared;
+    prepared.light = i;
+    prepared.visibility = upload_image("visibility", gl::Format::r32f, *lights_[i].visibility);
+    if (!volume) return prepared;
+    prepared.volume_vertices = static_cast<int>(3 * volume->triangles.size());
+    prepared.vertices = make_vertices(*volume);
+    prepared.vertex_texels = gl::make_buffer_texture("light volume", gl::Format::rgb32f, prepared.vertices);
+    return prepared;
+  }
+
+  void add(const Prepared& prepared, const gl::Target& target) const {
+    const bool has_volume = prepared.volume_vertices > 0;
+    const bool counts = has_volume && input_.times == nullptr;
+    gl::Pass pass(context_, {{has_volume ? "light_volume.vert" : "fullscreen.vert", "deferred_light.frag"},
+                             stored_gbuffer_defines(input_.stored.formats) + define("COUNTS_FRAGMENTS", counts)});
     bind(pass);
-    pass.texture("visibility", visibility).buffer("Counters", counters_).value("light", static_cast<int>(i));
-    if (!volume) {
+    pass.texture("visibility", prepared.visibility)
+        .buffer("Counters", counters_)
+        .value("light", static_cast<int>(prepared.light));
+    if (!has_volume) {
       target.begin({.adds = true});
       pass.use();
       gl::draw_triangles(3);
@@ -59,10 +84,8 @@ class DeferredLights {
     target.begin({.depth = draws_front ? gl::DepthTest::nearer : gl::DepthTest::farther,
                   .faces = draws_front ? gl::DrawnFaces::front : gl::DrawnFaces::back,
                   .adds = true});
-    const gl::Buffer vertices = make_vertices(*volume);
-    const gl::Texture texels = gl::make_buffer_texture("light volume", gl::Format::rgb32f, vertices);
-    pass.texture("volume_vertices", texels).use();
-    gl::draw_triangles(static_cast<int>(3 * volume->triangles.size()));
+    pass.texture("volume_vertices", prepared.vertex_texels).use();
+    gl::draw_triangles(prepared.volume_vertices);
   }
 
   std::vector<LightCounters> count() const {
@@ -122,10 +145,18 @@ ShadedImage draw_deferred(const gl::Context& context, const DeferredInput& input
     {
       const gl::Target target("light buffer", {&light_buffer}, &input.stored.depth);
       target.clear_colors();
-      for (std::size_t i = 0; i < lights.size(); ++i) pass.add(i, target);
+      for (std::size_t first = 0; first < lights.size(); first += lights_per_pass) {
+        std::vector<DeferredLights::Prepared> batch;
+        for (std::size_t i = first; i < std::min(first + lights_per_pass, lights.size()); ++i) {
+          batch.push_back(pass.prepare(i));
+        }
+        gl::run_timed(input.times != nullptr ? &input.times->lights : nullptr, [&] {
+          for (const DeferredLights::Prepared& light : batch) pass.add(light, target);
+        });
+      }
     }
     gl::make_writes_visible();
-    image.counters = pass.count();
+    if (input.times == nullptr) image.counters = pass.count();
   }
   const gl::Texture radiance = make("radiance");
   const gl::Texture accessibility = upload_image("accessibility", gl::Format::r32f, ao);
@@ -133,8 +164,9 @@ ShadedImage draw_deferred(const gl::Context& context, const DeferredInput& input
   bind_stored(resolve, input, static_cast<int>(lights.size()));
   resolve.texture("light_buffer", light_buffer)
       .texture("ao", accessibility)
-      .image("radiance", radiance, gl::Format::rgba32f)
-      .dispatch(input.surfels.width, input.surfels.height);
+      .image("radiance", radiance, gl::Format::rgba32f);
+  gl::run_timed(input.times != nullptr ? &input.times->resolve : nullptr,
+                [&] { resolve.dispatch(input.surfels.width, input.surfels.height); });
   image.radiance = read_colors(radiance);
   image.light_buffer = read_colors(light_buffer);
   context.check("deferred shading");

@@ -2,17 +2,13 @@
 
 #include "raster/gbuffer/view_block.h"
 #include "raster/gl/target.h"
+#include "raster/gl/timer.h"
 #include "raster/shader_interface.h"
 #include "raster/shading/light_buffers.h"
 #include "raster/shading/shading_pass.h"
 #include "raster/texture_image.h"
 
 namespace umbrameter {
-namespace {
-
-constexpr std::size_t lights_per_pass = 16;
-
-}  // namespace
 
 ShadedImage draw_forward(const gl::Context& context, const ForwardInput& input, std::span<const LitLight> lights,
                          const Image<float>& ao) {
@@ -34,8 +30,7 @@ ShadedImage draw_forward(const gl::Context& context, const ForwardInput& input, 
       ShadingParams params = input.params;
       if (first > 0) params.ambient = 0.0;  // the first pass has added it
       const ShadingBlock block = make_shading_block(input.view, params, static_cast<int>(batch.size()));
-      target.begin({.adds = true});
-      draw_scene(input.scene, DrawnFor::camera, [&](bool is_masked) {
+      const auto make_pass = [&](bool is_masked) {
         gl::Pass pass(context, {{"gbuffer.vert", "forward.frag"}, define("ALPHA_MASK", is_masked ? 1 : 0)});
         pass.block("View", make_view_block(input.view))
             .block("Shading", block)
@@ -46,7 +41,10 @@ ShadedImage draw_forward(const gl::Context& context, const ForwardInput& input, 
             .texture("visibilities", visibility)
             .texture("ao", accessibility);
         return pass;
-      });
+      };
+      target.begin({.adds = true});
+      gl::run_timed(input.times != nullptr ? &input.times->lights : nullptr,
+                    [&] { draw_scene(input.scene, DrawnFor::camera, make_pass); });
     }
   }
   gl::make_writes_visible();

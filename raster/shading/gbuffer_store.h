@@ -6,6 +6,7 @@
 #include "raster/gbuffer/gbuffer_pass.h"
 #include "raster/gl/context.h"
 #include "raster/gl/pass.h"
+#include "raster/gl/timer.h"
 #include "scenes/view.h"
 #include "techniques/shading/light_model.h"
 
@@ -45,12 +46,19 @@ ShadingBlock make_shading_block(const View& view, const ShadingParams& params, i
 /// The #defines for shaders that include stored_gbuffer.glsl.
 std::string stored_gbuffer_defines(const ShadingParams& params);
 
+/// Time of the draws alone, for benchmarks: without uploads, counters and reading back.
+struct ShadingTimes {
+  gl::PassTime lights;   ///< of the forward path: everything
+  gl::PassTime resolve;  ///< of the deferred path
+};
+
 /// What the passes of the deferred path read. `surfels` are those that were stored; their ids mark the background.
 struct DeferredInput {
   const StoredGBuffer& stored;
   const GpuGBuffer& surfels;
   const View& view;
   const ShadingParams& params;
+  ShadingTimes* times = nullptr;  ///< if given, it is filled, and no fragments are counted
 };
 
 /// Binds what stored_gbuffer.glsl reads, and the ids.

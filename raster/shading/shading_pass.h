@@ -29,14 +29,18 @@ struct ShadedImage {
   std::vector<LightCounters> counters;
 };
 
+/// Of the forward path. The deferred path keeps as many visibility images at a time.
+inline constexpr std::size_t lights_per_pass = 16;
+
 struct ForwardInput {
   const UploadedScene& scene;
   const GpuGBuffer& surfels;  ///< the depth pre-pass: which fragments to shade, with their positions and normals
   const View& view;
   const ShadingParams& params;
+  ShadingTimes* times = nullptr;  ///< if given, it is filled
 };
 
-/// Draws the scene and evaluates every light in the fragment shader, up to sixteen lights per pass.
+/// Draws the scene and evaluates every light in the fragment shader, up to lights_per_pass per pass.
 ShadedImage draw_forward(const gl::Context& context, const ForwardInput& input, std::span<const LitLight> lights,
                          const Image<float>& ao);
 
