@@ -62,6 +62,8 @@ class VolumeRays {
           glm::dot(glm::cross(a - c, hit - c), n) < 0.0) {
         continue;
       }
+      // The far plane clips front faces; of back faces the depth is clamped.
+      if (faces == VolumeFaces::front && (clip_from_world_ * dvec4(hit, 1.0)).z < 0.0) continue;
       crossing.depth = -(view_from_world(view_) * dvec4(hit, 1.0)).z;
     }
     return crossing;
