@@ -90,7 +90,7 @@ void say_scene(const Console& console, const Listed& scene) {
   }
 }
 
-// The numbers that may be asked for, and of what; null for a scene of one size.
+// What NUMBER in "name:NUMBER" counts, with its limits; null for a scene of one size.
 Json sizes_json(const BuiltinScene& description) {
   return description.counted.empty() ? Json(nullptr) : Json{description.fewest, description.most};
 }
@@ -126,7 +126,7 @@ std::string to_markdown(const std::vector<Listed>& scenes) {
     sizes +=
         fmt::format("- `{}:NUMBER` has {}NUMBER {}, from {} to {}{}.\n", description.name, is_exact ? "" : "about ",
                     description.counted, grouped(description.fewest), grouped(description.most),
-                    is_exact ? ": small point and spot lights in place of its own" : "");
+                    is_exact ? ". These small point and spot lights replace its own" : "");
   }
   if (sizes.empty()) return text;
   return text + "\nSome scenes can have other sizes. Write NUMBER as `20M`, `300k` or `5e6`:\n\n" + sizes;

@@ -15,10 +15,10 @@ struct BuiltinScene {
   std::string_view name;
   std::string_view purpose;  ///< one line: what it is there to show
   Scene (*make)(std::uint64_t number);
-  std::string_view counted{};  ///< by a number behind its name: "triangles" or "lights"; empty: it has one size
-  std::uint64_t preset = 0;    ///< the number when none is asked for; 0: its own lights
-  std::uint64_t fewest = 0;    ///< that may be asked for
-  std::uint64_t most = 0;
+  std::string_view counted{};  ///< what NUMBER in "name:NUMBER" counts: "triangles" or "lights"; empty: it takes none
+  std::uint64_t preset = 0;    ///< NUMBER of the plain name; 0: the scene's own lights
+  std::uint64_t fewest = 0;    ///< min of NUMBER
+  std::uint64_t most = 0;      ///< max of NUMBER
 };
 
 /// The scene in its own size.
