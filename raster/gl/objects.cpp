@@ -21,6 +21,12 @@ FormatNames names_of(Format format) {
       return {GL_R32F, GL_RED, GL_FLOAT, 4};
     case Format::rg16:
       return {GL_RG16, GL_RG, GL_UNSIGNED_SHORT, 4};
+    case Format::rg16f:
+      return {GL_RG16F, GL_RG, GL_HALF_FLOAT, 4};
+    case Format::rg32f:
+      return {GL_RG32F, GL_RG, GL_FLOAT, 8};
+    case Format::rgba16:
+      return {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT, 8};
     case Format::rgba16f:
       return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8};
     case Format::rgb32f:

@@ -80,7 +80,21 @@ Buffer make_block(const std::string& label, const Block& block) {
   return make_buffer(label, std::as_bytes(std::span<const Block, 1>(&block, 1)));
 }
 
-enum class Format { r32f, rg16, rgba16f, rgb32f, rgba32f, rg32ui, rgb32ui, rgba32ui, rgba8, depth32f };
+enum class Format {
+  r32f,
+  rg16,
+  rg16f,
+  rg32f,
+  rgba16,
+  rgba16f,
+  rgb32f,
+  rgba32f,
+  rg32ui,
+  rgb32ui,
+  rgba32ui,
+  rgba8,
+  depth32f
+};
 
 /// Bytes of one texel.
 std::size_t texel_bytes(Format format);

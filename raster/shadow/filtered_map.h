@@ -8,7 +8,7 @@
 namespace umbrameter {
 
 struct FilteredMap {
-  gl::Texture moments;  ///< one layer per view; empty if the technique has no filtered map
+  gl::Texture values;  ///< one layer per view; empty if the technique has no filtered map
 };
 
 /// Depends only on the technique's parameters that filtered_map_parameters() lists.

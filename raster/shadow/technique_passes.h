@@ -1,8 +1,8 @@
 // The passes of every shadow technique: filter() computes its filtered map, draw() its visibility.
 #pragma once
 
-#include "raster/shadow/esm_pass.h"
 #include "raster/shadow/filtered_map.h"
+#include "raster/shadow/prefiltered_pass.h"
 #include "raster/shadow/visibility_pass.h"
 
 namespace umbrameter {

@@ -3,27 +3,39 @@
 namespace umbrameter {
 
 Parameters describe(ShadowParams& params) {
-  static constexpr std::array<std::string_view, 2> names{"pcf", "esm"};
+  static constexpr std::array<std::string_view, 6> names{"pcf", "esm", "vsm", "evsm2", "evsm4", "msm"};
   Parameters technique =
       Description("shadow")
           .choice("technique", params.technique, names, {.unit = {}, .meaning = "shadow-map technique", .basic = true})
           .take();
-  return concatenate(
-      {describe(params.map), describe(params.bias), technique, describe(params.pcf), describe(params.esm)});
+  return concatenate({describe(params.map), describe(params.bias), technique, describe(params.pcf),
+                      describe(params.esm), describe(params.moment_map), describe(params.moment_lookup)});
 }
 
 ShadowTechnique make_technique(const ShadowParams& params) {
+  const auto prefiltered = [&](int technique) {
+    return make_prefiltered(technique, params.esm, params.moment_map, params.moment_lookup);
+  };
   switch (params.technique) {
     case ShadowTechniqueName::pcf:
       break;
     case ShadowTechniqueName::esm:
-      return Esm{params.esm};
+      return prefiltered(shared::ESM);
+    case ShadowTechniqueName::vsm:
+      return prefiltered(shared::VSM);
+    case ShadowTechniqueName::evsm2:
+      return prefiltered(shared::EVSM2);
+    case ShadowTechniqueName::evsm4:
+      return prefiltered(shared::EVSM4);
+    case ShadowTechniqueName::msm:
+      return prefiltered(shared::MSM);
   }
   return Pcf{make_filter(params.pcf)};
 }
 
 Parameters filtered_map_parameters(ShadowParams& params) {
-  return concatenate({{require(describe(params), "shadow.technique")}, describe(params.esm)});
+  return concatenate(
+      {{require(describe(params), "shadow.technique")}, describe(params.esm), describe(params.moment_map)});
 }
 
 TechniqueCapabilities capabilities_of(const ShadowTechnique& technique) {

@@ -2,7 +2,8 @@
 //
 // To add a technique: (1) put its parameters and their describe() in a new file in this folder; (2) here, add its name,
 // a member of ShadowParams and an alternative of ShadowTechnique; (3) put its passes in raster/shadow/ and add a line
-// to raster/shadow/technique_passes.h.
+// to raster/shadow/technique_passes.h. A technique that filters a map before the look-up needs only a case in
+// prefiltered.glsl, its parameters in prefiltered.h and its name here.
 #pragma once
 
 #include <array>
@@ -10,14 +11,13 @@
 #include <variant>
 
 #include "techniques/shadow/capabilities.h"
-#include "techniques/shadow/esm.h"
 #include "techniques/shadow/filter.h"
 #include "techniques/shadow/parameters.h"
+#include "techniques/shadow/prefiltered.h"
 
 namespace umbrameter {
 
-/// Names of the techniques, in the order of ShadowTechnique's alternatives.
-enum class ShadowTechniqueName : int { pcf, esm };
+enum class ShadowTechniqueName : int { pcf, esm, vsm, evsm2, evsm4, msm };
 
 /// The shadow.* parameters, grouped by the stage that reads them.
 struct ShadowParams {
@@ -26,6 +26,8 @@ struct ShadowParams {
   ShadowTechniqueName technique = ShadowTechniqueName::pcf;
   PcfParams pcf;
   EsmParams esm;
+  MomentMapParams moment_map;
+  MomentLookupParams moment_lookup;
 };
 Parameters describe(ShadowParams& params);
 
@@ -35,7 +37,7 @@ struct Pcf {
   FilterKernel kernel;
 };
 
-using ShadowTechnique = std::variant<Pcf, Esm>;
+using ShadowTechnique = std::variant<Pcf, Prefiltered>;
 
 ShadowTechnique make_technique(const ShadowParams& params);
 

@@ -130,7 +130,7 @@ TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_disk
 }
 
 TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_filtered_map) {
-  expect_fresh({"shadow.technique=esm"});
+  for (const std::string technique : {"esm", "vsm", "msm"}) expect_fresh({"shadow.technique=" + technique});
 }
 
 TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_an_area_light) {
@@ -144,7 +144,7 @@ TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_defe
 // The cells of one sweep against a run of each.
 TEST_F(StagesGl, Cells_of_a_sweep_are_those_of_single_runs) {
   const std::unique_ptr<Stages> stages = make_stages();
-  for (const std::string technique : {"pcf", "esm"}) {
+  for (const std::string technique : {"pcf", "esm", "evsm4"}) {
     const Experiment experiment = base({"shadow.technique=" + technique});
     const Table table = sweep_table(
         *stages, experiment,

@@ -17,6 +17,8 @@ TEST(RasterParameters, Every_field_is_described) {
   expect_all(BiasParams{});
   expect_all(PcfParams{});
   expect_all(EsmParams{});
+  expect_all(MomentMapParams{});
+  expect_all(MomentLookupParams{});
   expect_all(AoSamplingParams{});
   expect_all(AoBiasParams{});
   expect_all(AoNoiseParams{});
@@ -25,7 +27,8 @@ TEST(RasterParameters, Every_field_is_described) {
   // All parts, plus one field: the choice of technique.
   ShadowParams shadow;
   EXPECT_EQ(describe(shadow).size(), describe(shadow.map).size() + describe(shadow.bias).size() + 1 +
-                                         describe(shadow.pcf).size() + describe(shadow.esm).size());
+                                         describe(shadow.pcf).size() + describe(shadow.esm).size() +
+                                         describe(shadow.moment_map).size() + describe(shadow.moment_lookup).size());
   AoParams ao;
   EXPECT_EQ(describe(ao).size(), describe(ao.sampling).size() + describe(ao.bias).size() + describe(ao.noise).size() +
                                      1 + describe(ao.ssao).size() + describe(ao.blur).size());

@@ -1,21 +1,21 @@
-// Exponential shadow map: computes the visibility of each surfel from the filtered map, with bilinear interpolation.
+// Computes the visibility of each surfel from a filtered shadow map, with bilinear interpolation.
+#include "prefilter_settings.glsl"
 #include "surfel_lookup.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
-uniform sampler2DArray moments;
+uniform sampler2DArray values;
 layout(r32f) writeonly uniform image2D visibility_image;
-uniform float exponent;
 
 // Bilinear interpolation in full precision: hardware filters with 8-bit weights.
-float moment_at(Receiver receiver) {
+vec4 values_at(Receiver receiver) {
   vec2 place = vec2(receiver.texels) - 0.5;
   ivec2 base = ivec2(floor(place));
   vec2 part = place - vec2(base);
   ivec2 low = clamp(base, ivec2(0), ivec2(resolution - 1));
   ivec2 high = clamp(base + 1, ivec2(0), ivec2(resolution - 1));
-  float bottom = mix(texelFetch(moments, ivec3(low, receiver.view), 0).r,
-                     texelFetch(moments, ivec3(high.x, low.y, receiver.view), 0).r, part.x);
-  float top = mix(texelFetch(moments, ivec3(low.x, high.y, receiver.view), 0).r,
-                  texelFetch(moments, ivec3(high, receiver.view), 0).r, part.x);
+  vec4 bottom = mix(texelFetch(values, ivec3(low, receiver.view), 0),
+                    texelFetch(values, ivec3(high.x, low.y, receiver.view), 0), part.x);
+  vec4 top = mix(texelFetch(values, ivec3(low.x, high.y, receiver.view), 0),
+                 texelFetch(values, ivec3(high, receiver.view), 0), part.x);
   return mix(bottom, top, part.y);
 }
 
@@ -31,7 +31,7 @@ void main() {
       if (surfel.receiver.is_inside) {
         double bias = double(constant_bias * surfel.bias_unit + slope_bias * surfel.slope);
         float depth = float((surfel.receiver.depth - bias) / far_depth);
-        visibility = clamp(exp(-exponent * depth) * moment_at(surfel.receiver), 0.0, 1.0);
+        visibility = visibility_from(values_at(surfel.receiver), depth, settings());
       }
     }
   }

@@ -1,0 +1,27 @@
+// One axis of the blur of a filtered shadow map. Coordinates are clamped to the edge: the blur does not cross from one
+// view to another. With IS_DEPTH the source is the map's depth, otherwise the result of the other axis.
+#include "prefilter_settings.glsl"
+layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
+uniform sampler2DArray source;
+layout(MAP_FORMAT) writeonly uniform image2DArray blurred;
+layout(std430) restrict readonly buffer BlurWeights { float blur_weights[]; };
+uniform int taps;
+uniform ivec2 axis;
+
+void main() {
+  ivec3 texel = ivec3(gl_GlobalInvocationID);
+  ivec2 last = textureSize(source, 0).xy - 1;
+  if (any(greaterThan(texel.xy, last))) return;
+  vec4 sum = vec4(0.0);
+  float weights = 0.0;
+  for (int i = 0; i < taps; ++i) {
+    ivec2 at = clamp(texel.xy + (i - taps / 2) * axis, ivec2(0), last);
+    vec4 values = texelFetch(source, ivec3(at, texel.z), 0);
+#if IS_DEPTH
+    values = map_values(values.r, settings());
+#endif
+    sum += blur_weights[i] * values;
+    weights += blur_weights[i];
+  }
+  imageStore(blurred, texel, sum / weights);
+}

@@ -1,0 +1,84 @@
+#include "raster/shadow/prefiltered_pass.h"
+
+#include <cassert>
+#include <span>
+#include <string>
+
+#include "raster/shader_interface.h"
+#include "raster/texture_image.h"
+
+namespace umbrameter {
+namespace {
+
+struct MapFormat {
+  gl::Format format;
+  std::string layout;  // the same in GLSL
+};
+
+MapFormat map_format(const Prefiltered& technique) {
+  const int of_values = technique.settings.technique;
+  if (of_values == shared::ESM) return {gl::Format::r32f, "r32f"};
+  const bool is_pair = of_values == shared::VSM || of_values == shared::EVSM2;
+  switch (technique.format) {
+    case MomentFormat::f16:
+      return is_pair ? MapFormat{gl::Format::rg16f, "rg16f"} : MapFormat{gl::Format::rgba16f, "rgba16f"};
+    case MomentFormat::unorm16:
+      return is_pair ? MapFormat{gl::Format::rg16, "rg16"} : MapFormat{gl::Format::rgba16, "rgba16"};
+    case MomentFormat::f32:
+      break;
+  }
+  return is_pair ? MapFormat{gl::Format::rg32f, "rg32f"} : MapFormat{gl::Format::rgba32f, "rgba32f"};
+}
+
+// The technique is constant in the program, and what a sweep varies is not.
+std::string defines_of(const Prefiltered& technique) {
+  return define("TECHNIQUE", static_cast<unsigned>(technique.settings.technique)) +
+         define("IS_QUANTIZED", static_cast<unsigned>(technique.settings.is_quantized));
+}
+
+gl::Pass& bind(gl::Pass& pass, const shared::PrefilterSettings& settings) {
+  return pass.value("exponents", settings.exponents)
+      .value("min_variance", settings.min_variance)
+      .value("bleeding_reduction", settings.bleeding_reduction)
+      .value("moment_bias", settings.moment_bias);
+}
+
+}  // namespace
+
+FilteredMap filter(const gl::Context& context, const ShadowMap& map, const Prefiltered& technique) {
+  const int side = map.layout.resolution;
+  const int layers = static_cast<int>(map.layout.views.size());
+  const MapFormat format = map_format(technique);
+  const gl::Buffer weights = gl::make_buffer("blur weights", std::span<const float>(technique.blur));
+  const auto blur = [&](const gl::Texture& source, bool is_first) {
+    gl::Texture blurred = gl::make_texture("filtered shadow map", format.format, side, side, layers);
+    gl::Pass pass(context, {{"prefilter.comp"},
+                            defines_of(technique) + define("IS_DEPTH", is_first ? 1 : 0) + "#define MAP_FORMAT " +
+                                format.layout + "\n"});
+    bind(pass, technique.settings)
+        .texture("source", source)
+        .image("blurred", blurred, format.format, true)
+        .buffer("BlurWeights", weights)
+        .value("taps", static_cast<int>(technique.blur.size()))
+        .value("axis", is_first ? 1 : 0, is_first ? 0 : 1)
+        .dispatch(side, side, layers);
+    return blurred;
+  };
+  return {blur(blur(map.depth, true), false)};
+}
+
+RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const Prefiltered& technique) {
+  assert(lookup.filtered != nullptr);
+  const int width = lookup.gbuffer.width;
+  const int height = lookup.gbuffer.height;
+  const gl::Texture visibility = gl::make_texture("visibility", gl::Format::r32f, width, height);
+  gl::Pass pass =
+      lookup_pass(context, lookup, lookup.bias.constant.unit, {{"prefiltered_visibility.comp"}, defines_of(technique)});
+  bind(pass, technique.settings)
+      .texture("values", lookup.filtered->values)
+      .image("visibility_image", visibility, gl::Format::r32f)
+      .dispatch(width, height);
+  return {read_image<float>(visibility, gl::Format::r32f), {Image<uvec4>(width, height, uvec4(0)), 1}};
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,135 @@
+// What filtered shadow maps store and how a look-up reads them. The shaders compile this text as GLSL, and
+// prefiltered.h compiles it as C++ with GLM. A depth is the map's depth over its range, 0 to 1. docs/filtered-maps.md
+// has the formulas.
+#ifndef SHARED
+#define SHARED
+#endif
+
+const int ESM = 0;
+const int VSM = 1;
+const int EVSM2 = 2;
+const int EVSM4 = 3;
+const int MSM = 4;
+
+struct PrefilterSettings {
+  int technique;             // one of the above
+  int is_quantized;          // MSM: 1 if the map holds quantized_moments()
+  vec2 exponents;            // ESM: x; EVSM: positive, negative
+  float min_variance;        // VSM and EVSM: of the depth
+  float bleeding_reduction;  // VSM, EVSM and MSM
+  float moment_bias;         // MSM
+};
+
+/// Upper bound of the share of texels at or behind a depth, from the mean of their depths and of their squares: the
+/// one-tailed inequality of Chebyshev (Donnelly and Lauritzen, Variance Shadow Maps, I3D 2006).
+SHARED float chebyshev_bound(vec2 moments, float depth, float min_variance) {
+  float behind = depth - moments.x;
+  if (behind <= 0.0f) return 1.0f;
+  float variance = max(moments.y - moments.x * moments.x, min_variance);
+  return variance / (variance + behind * behind);
+}
+
+/// Cuts off the darkest part of the penumbra, where light bleeds, and stretches the rest (Lauritzen, Summed-Area
+/// Variance Shadow Maps, GPU Gems 3, 2007).
+SHARED float reduce_bleeding(float visibility, float amount) {
+  return min(max((visibility - amount) / (1.0f - amount), 0.0f), 1.0f);
+}
+
+/// exp(c₊·t) and −exp(−c₋·t) with t = 2·depth − 1, which both ascend with the depth (Lauritzen and McCool, Layered
+/// Variance Shadow Maps, GI 2008).
+SHARED vec2 warped(float depth, vec2 exponents) {
+  float t = 2.0f * depth - 1.0f;
+  return vec2(exp(exponents.x * t), -exp(-exponents.y * t));
+}
+
+/// chebyshev_bound() of a warped depth. The slope of the warp at the mean turns the least variance of the depth into
+/// one of the warped depth. (Some implementations take the slope at the receiver; far behind the mean that leaves a
+/// constant light of about 4·exponent²·min_variance.)
+SHARED float warped_bound(vec2 moments, float warped_depth, float exponent, float min_variance) {
+  float slope = 2.0f * exponent * moments.x;
+  return chebyshev_bound(moments, warped_depth, min_variance * slope * slope);
+}
+
+/// Four moments in a basis that suits 16 bits, each from 0 to 1 (Peters and Klein, Moment Shadow Mapping, I3D 2015).
+SHARED vec4 quantized_moments(vec4 moments) {
+  return mat4(vec4(-2.07224649f, 13.7948857237f, 0.105877704f, 9.7924062118f),
+              vec4(32.23703778f, -59.4683975703f, -1.9077466311f, -33.7652110555f),
+              vec4(-68.571074599f, 82.0359750338f, 9.3496555107f, 47.9456096605f),
+              vec4(39.3703274134f, -35.364903257f, -6.6543490743f, -23.9728048165f)) *
+             moments +
+         vec4(0.035955884801f, 0.0f, 0.0f, 0.0f);
+}
+
+/// The inverse of quantized_moments().
+SHARED vec4 moments_of_quantized(vec4 code) {
+  return mat4(vec4(0.2227744146f, 0.1549679261f, 0.1451988946f, 0.163127443f),
+              vec4(0.0771972861f, 0.1394629426f, 0.2120202157f, 0.2591432266f),
+              vec4(0.7926986636f, 0.7963415838f, 0.7258694464f, 0.6539092497f),
+              vec4(0.0319417555f, -0.1722823173f, -0.2758014811f, -0.3376131734f)) *
+         (code - vec4(0.035955884801f, 0.0f, 0.0f, 0.0f));
+}
+
+/// Upper bound of the share of texels at or behind a depth, from the means b of the first four powers of their depths:
+/// the sharpest that they allow, but for the bias (Peters and Klein 2015, the Hamburger problem). Of all distributions
+/// with these moments, one with three depths, d among them, has the most in front of d. The other two are the roots of
+/// c.x + c.y·z + c.z·z², where B·c = (1, d, d²) and B is the Hankel matrix ((1, b1, b2), (b1, b2, b3), (b2, b3, b4)).
+SHARED float hamburger_bound(vec4 moments, float depth, float bias) {
+  vec4 b = moments + bias * (vec4(0.5f) - moments);
+  // B = L·D·Lᵀ; rounding can bring D to 0.
+  float d22 = max(b.y - b.x * b.x, 1.0e-9f);
+  float l32_d22 = b.z - b.x * b.y;
+  float l32 = l32_d22 / d22;
+  float d33 = max(((b.w - b.y * b.y) * d22 - l32_d22 * l32_d22) / d22, 1.0e-12f);
+  float y2 = depth - b.x;
+  float y3 = depth * depth - b.y - l32 * y2;
+  if (y3 == 0.0f) y3 = 1.0e-9f;  // a root at infinity, with no weight
+  vec3 c;
+  c.z = y3 / d33;
+  c.y = y2 / d22 - l32 * c.z;
+  c.x = 1.0f - b.x * c.y - b.y * c.z;
+  float middle = -0.5f * c.y / c.z;
+  float reach = sqrt(max(middle * middle - c.x / c.z, 0.0f));
+  float near = middle - reach;
+  float far = middle + reach;
+  if (depth <= near) return 1.0f;
+  float bound;
+  if (depth <= far) {  // all but the weight of the near root
+    bound = 1.0f - (b.y - b.x * (depth + far) + depth * far) / ((near - depth) * (near - far));
+  } else {  // the weight of the depth itself
+    bound = (b.y - b.x * (near + far) + near * far) / ((depth - near) * (depth - far));
+  }
+  return min(max(bound, 0.0f), 1.0f);
+}
+
+/// What the map holds for a texel, before the blur.
+SHARED vec4 map_values(float depth, PrefilterSettings settings) {
+  if (settings.technique == ESM) return vec4(exp(settings.exponents.x * depth), 0.0f, 0.0f, 0.0f);
+  float square = depth * depth;
+  if (settings.technique == VSM) return vec4(depth, square, 0.0f, 0.0f);
+  if (settings.technique == MSM) {
+    vec4 moments = vec4(depth, square, square * depth, square * square);
+    return settings.is_quantized != 0 ? quantized_moments(moments) : moments;
+  }
+  vec2 w = warped(depth, settings.exponents);
+  return vec4(w.x, w.x * w.x, w.y, w.y * w.y);
+}
+
+/// Visibility of a receiver at a depth, 0 to 1, from the blurred values.
+SHARED float visibility_from(vec4 values, float depth, PrefilterSettings settings) {
+  // Annen et al., Exponential Shadow Maps, GI 2008.
+  if (settings.technique == ESM) return min(max(exp(-settings.exponents.x * depth) * values.x, 0.0f), 1.0f);
+  float bound = 1.0f;
+  if (settings.technique == VSM) {
+    bound = chebyshev_bound(vec2(values.x, values.y), depth, settings.min_variance);
+  } else if (settings.technique == MSM) {
+    vec4 moments = settings.is_quantized != 0 ? moments_of_quantized(values) : values;
+    bound = hamburger_bound(moments, depth, settings.moment_bias);
+  } else {
+    vec2 w = warped(depth, settings.exponents);
+    bound = warped_bound(vec2(values.x, values.y), w.x, settings.exponents.x, settings.min_variance);
+    if (settings.technique == EVSM4) {
+      bound = min(bound, warped_bound(vec2(values.z, values.w), w.y, settings.exponents.y, settings.min_variance));
+    }
+  }
+  return reduce_bleeding(bound, settings.bleeding_reduction);
+}

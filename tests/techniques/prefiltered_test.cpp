@@ -1,0 +1,182 @@
+// Prefiltered shadow maps against the exact share of lit texels. The shaders compile the same formulas.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "core/error.h"
+#include "techniques/shadow/technique.h"
+
+namespace umbrameter {
+namespace {
+
+using shared::PrefilterSettings;
+
+constexpr std::array<int, 4> bounds{shared::VSM, shared::EVSM2, shared::EVSM4, shared::MSM};
+
+PrefilterSettings settings_of(int technique, const MomentMapParams& map = {}, const MomentLookupParams& lookup = {}) {
+  return make_prefiltered(technique, {}, map, lookup).settings;
+}
+
+// Depths of texels of equal weight.
+using Depths = std::vector<float>;
+
+float visibility(const Depths& depths, float depth, const PrefilterSettings& settings) {
+  vec4 sum(0.0f);
+  for (const float z : depths) sum += shared::map_values(z, settings);
+  return shared::visibility_from(sum / static_cast<float>(depths.size()), depth, settings);
+}
+
+double exact(const Depths& depths, float depth) {
+  const auto lit = std::count_if(depths.begin(), depths.end(), [&](float z) { return z >= depth; });
+  return static_cast<double>(lit) / static_cast<double>(depths.size());
+}
+
+TEST(Prefiltered, No_bound_is_darker_than_the_share_of_lit_texels) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> uniform;
+  for (int round = 0; round < 20000; ++round) {
+    // From one to ten surfaces, near one another or not, and a receiver among them.
+    Depths surfaces(1 + random() % 10);
+    const float first = uniform(random) * 0.5f;
+    const float spread = round % 2 == 0 ? 0.5f : 0.05f;
+    for (float& z : surfaces) z = first + spread * uniform(random);
+    Depths depths(25);
+    for (float& z : depths) z = surfaces[random() % surfaces.size()];
+    const float depth = round % 3 == 0 ? surfaces[0] : first + spread * uniform(random);
+    for (const int technique : bounds) {
+      // Single precision rounds a variance of depths by 1e-7, a tenth of the least variance v, and the bound
+      // v/(v + gap²) by a quarter of that.
+      constexpr double tolerance = 0.025;
+      EXPECT_GE(visibility(depths, depth, settings_of(technique)), exact(depths, depth) - tolerance)
+          << technique << " " << round;
+    }
+  }
+}
+
+TEST(Prefiltered, A_map_of_one_depth_gives_a_hard_step) {
+  MomentLookupParams sharp;
+  sharp.min_variance = 1e-9;
+  for (const float z : {0.1f, 0.37f, 0.5f, 0.9f}) {
+    for (const int technique : bounds) {
+      const PrefilterSettings settings = settings_of(technique, {}, sharp);
+      EXPECT_NEAR(visibility({z}, z - 0.02f, settings), 1.0f, 1e-4f) << technique << " " << z;
+      EXPECT_LT(visibility({z}, z + 0.02f, settings), 0.01f) << technique << " " << z;
+    }
+  }
+}
+
+TEST(Prefiltered, Behind_one_depth_the_least_variance_alone_gives_light) {
+  // v / (v + gap²), for VSM and, as the warp is nearly straight over the gap, for EVSM.
+  MomentLookupParams lookup;
+  lookup.min_variance = 1e-4;
+  for (const float gap : {0.005f, 0.01f, 0.03f}) {
+    const double expected = 1e-4 / (1e-4 + static_cast<double>(gap) * static_cast<double>(gap));
+    EXPECT_NEAR(visibility({0.4f}, 0.4f + gap, settings_of(shared::VSM, {}, lookup)), expected, 2e-3) << gap;
+    MomentMapParams map;
+    map.positive_exponent = 0.2;
+    EXPECT_NEAR(visibility({0.4f}, 0.4f + gap, settings_of(shared::EVSM2, map, lookup)), expected, 2e-2) << gap;
+  }
+}
+
+TEST(Prefiltered, Far_behind_one_depth_the_least_variance_gives_no_light) {
+  for (const int technique : {shared::VSM, shared::EVSM2, shared::EVSM4}) {
+    EXPECT_LT(visibility({0.3f}, 0.7f, settings_of(technique)), 1e-4f) << technique;
+  }
+}
+
+TEST(Prefiltered, Evsm_converges_to_the_hard_shadow_as_its_exponents_grow) {
+  // Two occluders and the lit receiver itself; and a receiver behind all three.
+  const Depths depths{0.3f, 0.3f, 0.3f, 0.55f, 0.55f, 0.8f, 0.8f, 0.8f};
+  MomentLookupParams lookup;
+  lookup.min_variance = 1e-9;
+  for (const int technique : {shared::EVSM2, shared::EVSM4}) {
+    for (const float depth : {0.8f, 0.9f}) {
+      double last = 1.0;
+      for (const double exponent : {0.1, 2.0, 5.0, 10.0, 20.0}) {
+        MomentMapParams map;
+        map.positive_exponent = exponent;
+        map.negative_exponent = exponent;
+        const double error = visibility(depths, depth, settings_of(technique, map, lookup)) - exact(depths, depth);
+        EXPECT_LT(error, last) << exponent;
+        last = error;
+      }
+      EXPECT_LT(last, 0.02) << technique << " " << depth;
+    }
+  }
+  // Between the occluders only the second warp has the answer.
+  MomentMapParams map;
+  map.positive_exponent = map.negative_exponent = 20.0;
+  EXPECT_GT(visibility(depths, 0.45f, settings_of(shared::EVSM2, map, lookup)), 0.99f);
+  EXPECT_NEAR(visibility(depths, 0.45f, settings_of(shared::EVSM4, map, lookup)), exact(depths, 0.45f), 0.02);
+}
+
+TEST(Prefiltered, Msm_is_exact_for_two_depths_and_vsm_is_so_only_at_the_far_one) {
+  for (const int near : {1, 3, 6, 9}) {
+    Depths depths(10, 0.7f);
+    std::fill_n(depths.begin(), near, 0.2f);
+    for (const float depth : {0.1f, 0.3f, 0.5f, 0.65f, 0.75f, 0.9f}) {
+      EXPECT_NEAR(visibility(depths, depth, settings_of(shared::MSM)), exact(depths, depth), 1e-3) << near << depth;
+    }
+    // σ²/(σ² + (d − μ)²) is the share of the far depth there.
+    EXPECT_NEAR(visibility(depths, 0.7f, settings_of(shared::VSM)), exact(depths, 0.7f), 1e-4) << near;
+    EXPECT_GT(visibility(depths, 0.75f, settings_of(shared::VSM)), 0.05f) << near;
+  }
+}
+
+TEST(Prefiltered, Quantised_moments_are_in_range_and_read_back) {
+  for (int i = 0; i <= 1000; ++i) {
+    const float z = static_cast<float>(i) / 1000.0f;
+    const vec4 moments(z, z * z, z * z * z, z * z * z * z);
+    const vec4 code = shared::quantized_moments(moments);
+    const vec4 back = shared::moments_of_quantized(code);
+    for (int k = 0; k < 4; ++k) {
+      EXPECT_GE(code[k], -1e-4f) << z;
+      EXPECT_LE(code[k], 1.0001f) << z;
+      EXPECT_NEAR(back[k], moments[k], 1e-5f) << z;
+    }
+  }
+}
+
+TEST(Prefiltered, Bleeding_reduction_keeps_full_light_and_blackens_up_to_its_value) {
+  EXPECT_EQ(shared::reduce_bleeding(1.0f, 0.3f), 1.0f);
+  EXPECT_EQ(shared::reduce_bleeding(0.3f, 0.3f), 0.0f);
+  EXPECT_EQ(shared::reduce_bleeding(0.1f, 0.3f), 0.0f);
+  EXPECT_FLOAT_EQ(shared::reduce_bleeding(0.65f, 0.3f), 0.5f);
+  EXPECT_EQ(shared::reduce_bleeding(0.37f, 0.0f), 0.37f);
+}
+
+TEST(Prefiltered, A_format_that_cannot_hold_the_values_is_an_error) {
+  MomentMapParams map;
+  map.format = MomentFormat::f16;
+  EXPECT_THROW(settings_of(shared::EVSM2, map), Error);
+  EXPECT_NO_THROW(settings_of(shared::MSM, map));
+  map.positive_exponent = 5.5;
+  EXPECT_NO_THROW(settings_of(shared::EVSM4, map));
+  map.negative_exponent = 6.0;
+  EXPECT_NO_THROW(settings_of(shared::EVSM2, map));
+  EXPECT_THROW(settings_of(shared::EVSM4, map), Error);
+  map.format = MomentFormat::unorm16;
+  EXPECT_THROW(settings_of(shared::EVSM2, map), Error);
+  EXPECT_NO_THROW(settings_of(shared::VSM, map));
+}
+
+TEST(Prefiltered, A_gaussian_blur_falls_off_symmetrically) {
+  MomentMapParams map;
+  map.kernel = BlurKernel::gaussian;
+  map.blur = 7;
+  const std::vector<float> weights = make_prefiltered(shared::MSM, {}, map, {}).blur;
+  ASSERT_EQ(weights.size(), 7u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(weights[i], weights[6 - i]);
+    EXPECT_LT(weights[i], weights[i + 1]);
+  }
+  // The deviation is (size + 1)/6 texels.
+  EXPECT_FLOAT_EQ(weights[2], std::exp(-0.5f * 0.75f * 0.75f));
+}
+
+}  // namespace
+}  // namespace umbrameter
