@@ -75,10 +75,11 @@ Parameters describe(MomentMapParams& params) {
 Parameters describe(MomentLookupParams& params) {
   return Description("shadow")
       .field("min-variance", params.min_variance,
+             // Times the square of the largest slope of a warp, the largest is still a 32-bit float.
              {.unit = "1",
               .meaning = "VSM and EVSM: least variance of the depth, as a share of the square of the map's depth range",
               .min = 0,
-              .max = 1})
+              .max = 0.01})
       .field("bleeding-reduction", params.bleeding_reduction,
              {.unit = "1",
               .meaning = "VSM, EVSM and MSM: visibility up to which all is dark (GPU Gems 3, chapter 8)",

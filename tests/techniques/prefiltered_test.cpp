@@ -88,6 +88,31 @@ TEST(Prefiltered, Far_behind_one_depth_the_least_variance_gives_no_light) {
   }
 }
 
+TEST(Prefiltered, Parameters_at_their_limits_give_a_visibility) {
+  MomentMapParams map;
+  MomentLookupParams lookup;
+  const auto set_all = [](const Parameters& parameters, bool is_max) {
+    for (const Parameter& parameter : parameters) {
+      const double limit = is_max ? parameter.description.max : parameter.description.min;
+      if (auto* const* number = std::get_if<double*>(&parameter.field)) **number = limit;
+    }
+  };
+  for (const bool map_at_max : {false, true}) {
+    for (const bool lookup_at_max : {false, true}) {
+      set_all(describe(map), map_at_max);
+      set_all(describe(lookup), lookup_at_max);
+      for (const int technique : bounds) {
+        for (const Depths& depths : {Depths{0.0f}, Depths{1.0f}, Depths{0.0f, 1.0f}, Depths{0.3f, 0.4f, 1.0f}}) {
+          for (const float depth : {0.0f, 0.3f, 0.999f, 1.0f, 1.01f}) {
+            const float found = visibility(depths, depth, settings_of(technique, map, lookup));
+            EXPECT_TRUE(found >= 0.0f && found <= 1.0f) << technique << " " << depth << " " << found;
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(Prefiltered, Evsm_converges_to_the_hard_shadow_as_its_exponents_grow) {
   // Two occluders and the lit receiver itself; and a receiver behind all three.
   const Depths depths{0.3f, 0.3f, 0.3f, 0.55f, 0.55f, 0.8f, 0.8f, 0.8f};
