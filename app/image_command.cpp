@@ -59,6 +59,8 @@ Experiment make_experiment(const CommandLine& line) {
     experiment.axes = file.axes;
     set_values(parameters, file, line.experiment_file);
   }
+  if (!line.vary.empty()) experiment.axes.clear();
+  for (const std::string& assignment : line.vary) experiment.axes.push_back(split_assignment(assignment));
   for (const auto& [key, text] : line.settings) require(parameters, key).set_text(text);
   if (!line.scene.empty()) experiment.scene = line.scene;
   if (experiment.scene.empty()) {

@@ -23,14 +23,8 @@
 namespace umbrameter {
 namespace {
 
-std::vector<SweepAxis> make_axes(const CommandLine& line, Experiment& experiment) {
-  const Parameters parameters = describe(experiment);
-  std::vector<SweepAxis> axes;
-  if (line.vary.empty()) {
-    for (const auto& [key, text] : experiment.axes) axes.push_back(parse_axis(parameters, key, text));
-  } else {
-    for (const std::string& assignment : line.vary) axes.push_back(parse_axis(parameters, assignment));
-  }
+// Axes that a sweep cannot have.
+void check_axes(const std::vector<SweepAxis>& axes, const Experiment& experiment) {
   if (axes.empty()) {
     throw Error(ExitCode::usage, "sweep", "nothing to vary",
                 "add an axis, such as --vary shadow.constant-bias=0:0.2:65");
@@ -41,7 +35,8 @@ std::vector<SweepAxis> make_axes(const CommandLine& line, Experiment& experiment
     throw Error(ExitCode::usage, std::string("--vary ") + group, "a sweep can use only one scene",
                 std::string("run one sweep for each, with ") + flag);
   }
-  for (const Parameter& parameter : gbuffer_parameters(experiment.shading)) {
+  ShadingParams shading = experiment.shading;
+  for (const Parameter& parameter : gbuffer_parameters(shading)) {
     const bool is_deferred = experiment.shading.path == ShadingPath::deferred || varies_group(axes, "shading.path");
     if (is_deferred || !varies_group(axes, parameter.key)) continue;
     throw Error(ExitCode::usage, fmt::format("--vary {}", parameter.key), "the forward path has no G-buffer",
@@ -50,9 +45,6 @@ std::vector<SweepAxis> make_axes(const CommandLine& line, Experiment& experiment
   if (!experiment.run.overlay.empty()) {
     throw Error(ExitCode::usage, "--overlay", "a sweep draws no views", "use compare or raster");
   }
-  experiment.axes.clear();
-  for (const SweepAxis& axis : axes) experiment.axes.emplace_back(axis.key, axis.text);
-  return axes;
 }
 
 // How far a light reaches decides which pixels are counted, and how its map is fitted.
@@ -130,7 +122,8 @@ void measure_missing(const SweepPlan& plan, ResultsStore& store, Stages& stages,
 
 ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   Experiment experiment = make_experiment(line);
-  const std::vector<SweepAxis> axes = make_axes(line, experiment);
+  const std::vector<SweepAxis> axes = parse_axes(describe(experiment), experiment.axes);
+  check_axes(axes, experiment);
   const SweptQuantity quantity = choose_quantity(experiment.run.measure, axes);
   const Parameters parameters = describe(experiment);
   const SweepPlan plan = plan_sweep(parameters, axes, cost_of_change);

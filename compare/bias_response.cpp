@@ -47,4 +47,11 @@ std::vector<VisibilitySums> sums_at_biases(const BiasHistogram& histogram, std::
   return at;
 }
 
+std::vector<VisibilityStatistics> statistics_at_biases(const BiasHistogram& histogram, std::size_t slope,
+                                                       const TruthCounts& truth) {
+  std::vector<VisibilityStatistics> at;
+  for (const VisibilitySums& sums : sums_at_biases(histogram, slope)) at.push_back(to_statistics(sums, truth));
+  return at;
+}
+
 }  // namespace umbrameter

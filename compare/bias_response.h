@@ -12,4 +12,8 @@ namespace umbrameter {
 /// same sums.
 std::vector<VisibilitySums> sums_at_biases(const BiasHistogram& histogram, std::size_t slope);
 
+/// The same as statistics.
+std::vector<VisibilityStatistics> statistics_at_biases(const BiasHistogram& histogram, std::size_t slope,
+                                                       const TruthCounts& truth);
+
 }  // namespace umbrameter

@@ -157,13 +157,25 @@ SweepAxis parse_axis(const Parameters& parameters, std::string_view key, std::st
   return axis;
 }
 
-SweepAxis parse_axis(const Parameters& parameters, std::string_view assignment) {
+std::pair<std::string, std::string> split_assignment(const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
-  if (equals == std::string_view::npos) {
-    throw Error(ExitCode::usage, "--vary " + std::string(assignment), "no '='",
+  if (equals == std::string::npos) {
+    throw Error(ExitCode::usage, "--vary " + assignment, "no '='",
                 "write --vary parameter=first:last:count or parameter=a,b,c");
   }
-  return parse_axis(parameters, assignment.substr(0, equals), assignment.substr(equals + 1));
+  return {assignment.substr(0, equals), assignment.substr(equals + 1)};
+}
+
+SweepAxis parse_axis(const Parameters& parameters, const std::string& assignment) {
+  const auto [key, text] = split_assignment(assignment);
+  return parse_axis(parameters, key, text);
+}
+
+std::vector<SweepAxis> parse_axes(const Parameters& parameters,
+                                  const std::vector<std::pair<std::string, std::string>>& axes) {
+  std::vector<SweepAxis> parsed;
+  for (const auto& [key, text] : axes) parsed.push_back(parse_axis(parameters, key, text));
+  return parsed;
 }
 
 std::size_t count_cells(const std::vector<SweepAxis>& axes) {

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/parameters.h"
@@ -28,8 +29,15 @@ void set_value(const Parameters& parameters, const SweepAxis& axis, const Value&
 /// lengths of several units, more than 10⁶ values.
 SweepAxis parse_axis(const Parameters& parameters, std::string_view key, std::string_view text);
 
-/// Parses "key=text", the argument of --vary.
-SweepAxis parse_axis(const Parameters& parameters, std::string_view assignment);
+/// Key and text of "key=text", the argument of --vary. Throws Error (usage) if there is no '='.
+std::pair<std::string, std::string> split_assignment(const std::string& assignment);
+
+/// Parses "key=text".
+SweepAxis parse_axis(const Parameters& parameters, const std::string& assignment);
+
+/// parse_axis() of each key and text.
+std::vector<SweepAxis> parse_axes(const Parameters& parameters,
+                                  const std::vector<std::pair<std::string, std::string>>& axes);
 
 /// Number of cells of the grid. Throws Error (usage) for more than 10⁹.
 std::size_t count_cells(const std::vector<SweepAxis>& axes);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <functional>
 
-#include "compare/bias_response.h"
 #include "core/error.h"
 #include "core/interrupt.h"
 #include "experiments/measure.h"
+#include "experiments/measure_biases.h"
 
 namespace umbrameter {
 namespace {
@@ -48,33 +48,6 @@ void measure_cells(Stages& stages, const Experiment& experiment, const std::vect
       throw_if_interrupted();
       const Experiment cell = at_cell(experiment, axes, values_at(group, c, s));
       keep(c, s, row_of(std::visit(MeasureCell{stages, cell}, statistics)));
-    }
-  }
-}
-
-std::vector<float> to_floats(const std::vector<double>& values) {
-  std::vector<float> floats;
-  for (const double value : values) floats.push_back(static_cast<float>(value));
-  return floats;
-}
-
-// Measures a whole group in one pass.
-void measure_biases(Stages& stages, const Experiment& experiment, const CellGroup& group, const RowSink& keep) {
-  const std::uint32_t light = stages.lights(experiment.view.light).front();
-  const std::vector<float> constant = to_floats(group.constant_bias.values);
-  BiasAxes biases{constant, to_floats(group.slope_bias.values), experiment.shadow.bias.constant.unit};
-  std::sort(biases.constant.begin(), biases.constant.end());
-  biases.constant.erase(std::unique(biases.constant.begin(), biases.constant.end()), biases.constant.end());
-  const BiasHistogram histogram = stages.bias_response(experiment, light, biases);
-  const TruthCounts truth = count_truth(stages.truth(experiment, light).visibility, stages.counted(experiment, light));
-  VisibilityStatistics cell;
-  const Statistics described = describe(cell);  // outside the loops, because it allocates the names of all columns
-  for (std::size_t s = 0; s < biases.slope.size(); ++s) {
-    const std::vector<VisibilitySums> sums = sums_at_biases(histogram, s);
-    for (std::size_t c = 0; c < constant.size(); ++c) {
-      const auto found = std::lower_bound(biases.constant.begin(), biases.constant.end(), constant[c]);
-      cell = to_statistics(sums[static_cast<std::size_t>(found - biases.constant.begin())], truth);
-      keep(c, s, row_of(described));
     }
   }
 }
@@ -181,7 +154,18 @@ EvaluateGroup make_evaluator(Stages& stages, const Experiment& experiment, const
   const bool one_pass = is_one_pass(stages, experiment, axes, statistics);
   return [&stages, experiment, axes, statistics, one_pass](const CellGroup& group, const RowSink& keep) {
     if (one_pass) {
-      measure_biases(stages, at_cell(experiment, axes, group.values), group, keep);
+      const Experiment of_group = at_cell(experiment, axes, group.values);
+      const std::uint32_t light = stages.lights(of_group.view.light).front();
+      const auto measured =
+          measure_biases(stages, of_group, light, group.constant_bias.values, group.slope_bias.values);
+      VisibilityStatistics cell;
+      const Statistics described = describe(cell);  // outside the loops, because it allocates the names of all columns
+      for (std::size_t s = 0; s < measured.size(); ++s) {
+        for (std::size_t c = 0; c < measured[s].size(); ++c) {
+          cell = measured[s][c];
+          keep(c, s, row_of(described));
+        }
+      }
     } else {
       measure_cells(stages, experiment, axes, statistics, group, keep);
     }

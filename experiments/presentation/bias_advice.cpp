@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "compare/bias_response.h"
+#include "experiments/measure_biases.h"
 #include "experiments/presentation/presentation.h"
 #include "experiments/presentation/summary.h"
 
@@ -77,20 +77,14 @@ BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32
   const std::vector<double> biases = readable_axis(min_texels * texel, max_texels * texel);
   advice.largest = biases.back();
 
-  BiasAxes axes{{static_cast<float>(used.number)}, {static_cast<float>(experiment.shadow.bias.slope)}, used.unit};
-  for (const double bias : biases) axes.constant.push_back(static_cast<float>(bias));
-  std::sort(axes.constant.begin(), axes.constant.end());
-  axes.constant.erase(std::unique(axes.constant.begin(), axes.constant.end()), axes.constant.end());
-  const std::vector<VisibilitySums> sums = sums_at_biases(stages.bias_response(experiment, light, axes), 0);
-  const TruthCounts truth = count_truth(stages.truth(experiment, light).visibility, counted);
-  const auto cell_at = [&](double bias) {
-    const auto found = std::lower_bound(axes.constant.begin(), axes.constant.end(), static_cast<float>(bias));
-    const auto index = static_cast<std::size_t>(found - axes.constant.begin());
-    return cell_of(bias, experiment.shadow.bias.slope, to_statistics(sums[index], truth));
-  };
-  advice.line.slope = experiment.shadow.bias.slope;
-  for (const double bias : biases) add(advice.line, cell_at(bias));
-  advice.used = cell_at(used.number);
+  std::vector<double> measured_biases = biases;
+  measured_biases.push_back(used.number);
+  const double slope = experiment.shadow.bias.slope;
+  const std::vector<VisibilityStatistics> measured =
+      measure_biases(stages, experiment, light, measured_biases, {slope}).front();
+  advice.line.slope = slope;
+  for (std::size_t i = 0; i < biases.size(); ++i) add(advice.line, cell_of(biases[i], slope, measured[i]));
+  advice.used = cell_of(used.number, slope, measured.back());
   if (used.number >= 0.0) add(advice.line, advice.used);
   return advice;
 }

@@ -1,0 +1,19 @@
+// Measures many biases in one pass.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "compare/visibility.h"
+#include "experiments/stages.h"
+
+namespace umbrameter {
+
+/// The shadow error at every combination of slope-scaled and constant biases, which replace the experiment's: one list
+/// for each slope-scaled bias, in the order of the constant biases. These are in the unit of the experiment's constant
+/// bias, in any order. The technique's taps must not depend on the bias.
+std::vector<std::vector<VisibilityStatistics>> measure_biases(Stages& stages, const Experiment& experiment,
+                                                              std::uint32_t light, const std::vector<double>& constant,
+                                                              const std::vector<double>& slope);
+
+}  // namespace umbrameter
