@@ -9,12 +9,11 @@ SoftVisibilityStatistics analyze_soft_visibility(const Image<float>& raster, con
   const auto is_counted = [&](std::size_t i) { return counted.exclusion[i] == PixelExclusion::none; };
   SoftVisibilityStatistics statistics;
   statistics.error = analyze_sampled(raster, truth, is_counted);
-  std::uint64_t between = 0;
-  for (std::size_t i = 0; i < truth.value.size(); ++i) {
-    if (is_counted(i) && truth.value[i] > 0.0f && truth.value[i] < 1.0f) ++between;
-  }
+  const SampledError in_penumbra = analyze_sampled(
+      raster, truth, [&](std::size_t i) { return is_counted(i) && truth.value[i] > 0.0f && truth.value[i] < 1.0f; });
   const std::uint64_t pixels = statistics.error.pixels;
-  statistics.penumbra = pixels > 0 ? static_cast<double>(between) / static_cast<double>(pixels) : 0.0;
+  statistics.penumbra = pixels > 0 ? static_cast<double>(in_penumbra.pixels) / static_cast<double>(pixels) : 0.0;
+  statistics.penumbra_mae = in_penumbra.mae;
   statistics.mean_texel = counted.mean_texel;
   return statistics;
 }
@@ -27,6 +26,8 @@ Statistics describe(SoftVisibilityStatistics& s) {
              "counted pixels: they face part of the light and lie inside its map, cone and range")
       .field("lit", s.error.mean_truth, "1", "mean visibility of the reference")
       .field("penumbra", s.penumbra, "1", "share in the penumbra: neither lit nor blocked in the reference")
+      .field("penumbra_mae", s.penumbra_mae, "1", "mean absolute error of visibility in the penumbra",
+             {"Error in the penumbra", "mean absolute error in the penumbra [%], 95 % interval"})
       .field("mae", s.error.mae, "1", "mean absolute error of visibility",
              {"Mean absolute error of visibility", "mean absolute error [%], 95 % interval"})
       .field("rmse", s.error.rmse, "1", "root mean square error, corrected for the variance of the reference")

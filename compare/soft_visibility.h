@@ -12,6 +12,7 @@ namespace umbrameter {
 struct SoftVisibilityStatistics {
   SampledError error;       ///< over the counted pixels
   double penumbra = 0.0;    ///< share of the counted pixels where the truth is neither 0 nor 1
+  Estimate penumbra_mae;    ///< mean |raster − truth| over these pixels; 0 without any
   double mean_texel = 0.0;  ///< mean side of a texel at the counted surfels, metres
 };
 

@@ -48,7 +48,7 @@ const std::array<StageInputs, stage_count>& stages() {
        1.0},
       {"shadow map", [](Experiment&) { return Parameters{}; }, {Stage::layout}, 10.0},
       {"filtered map", [](Experiment& e) { return filtered_map_parameters(e.shadow); }, {Stage::map}, 3.0},
-      {"visibility", visibility_parameters, {Stage::surfels, Stage::filtered_map}, 2.0},
+      {"visibility", visibility_parameters, {Stage::surfels, Stage::filtered_map, Stage::emitter}, 2.0},
       {"reference", [](Experiment&) { return Parameters{}; }, {Stage::surfels, Stage::light}, 100.0},
       {"reference of an area light", sampling_parameters, {Stage::surfels, Stage::emitter}, 1000.0},
       {"stored G-buffer", [](Experiment& e) { return gbuffer_parameters(e.shading); }, {Stage::surfels}, 3.0},

@@ -271,7 +271,8 @@ ShadowLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t l
       return upload_truth(context(), truth(experiment, light).visibility, counted(experiment, light).exclusion);
     });
   }
-  const ShadowTechnique technique = make_technique(experiment.shadow);
+  const ShadowTechnique technique =
+      make_technique(experiment.shadow, half_size(this->light(experiment, light).emitter));
   const FilteredMap& filtered = filtered_map_.get(key(Stage::filtered_map, experiment, light),
                                                   [&] { return filter_map(context(), map, technique); });
   return {uploaded(), gpu, map, scene_.lights[light], experiment.shadow.bias, technique, gpu_truth, &filtered};
@@ -279,6 +280,10 @@ ShadowLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t l
 
 RasterVisibility Stages::draw(const Experiment& experiment, std::uint32_t light, bool with_truth) {
   return draw_visibility(context(), shadow_lookup(experiment, light, with_truth));
+}
+
+ShadowMapImages Stages::read_map(const Experiment& experiment, std::uint32_t light) {
+  return read_back(context(), map(experiment, light));
 }
 
 BiasHistogram Stages::bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes) {

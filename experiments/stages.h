@@ -124,6 +124,7 @@ class Stages {
   const GpuGBuffer& gpu_surfels(const Experiment& experiment);
   const MapLayout& layout(const Experiment& experiment, std::uint32_t light);
   const CountedPixels& counted(const Experiment& experiment, std::uint32_t light);
+  ShadowMapImages read_map(const Experiment& experiment, std::uint32_t light);
 
   /// Capabilities of the experiment's technique.
   TechniqueCapabilities capabilities(const Experiment& experiment) const {

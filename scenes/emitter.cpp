@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/error.h"
 
@@ -88,6 +89,14 @@ Emitter make_emitter(const Light& light, const EmitterSizes& sizes) {
 }
 
 bool is_area(const Light& light) { return !std::holds_alternative<std::monostate>(light.emitter); }
+
+double half_size(const Emitter& emitter) {
+  if (const auto* sphere = std::get_if<SphereEmitter>(&emitter)) return sphere->radius;
+  if (const auto* disk = std::get_if<DiskEmitter>(&emitter)) return disk->radius;
+  if (const auto* sides = std::get_if<RectangleEmitter>(&emitter)) return std::sqrt(sides->width * sides->height / pi);
+  const auto* distant = std::get_if<DistantEmitter>(&emitter);
+  return distant != nullptr ? std::tan(0.5 * distant->angular_diameter) : 0.0;
+}
 
 Light with_extent(Light light, const LightParams& params) {
   EmitterSizes sizes = sizes_of(params);

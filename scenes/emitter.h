@@ -46,6 +46,10 @@ Emitter make_emitter(const Light& light, const EmitterSizes& sizes);
 /// Whether the light has extent, so that its visibility is a share that must be sampled.
 bool is_area(const Light& light);
 
+/// Half the size of a light, as techniques for soft shadows take it: the radius in metres (of a rectangle: that of the
+/// disk with its area), of a distant disk the tangent of its angular radius; 0 without extent.
+double half_size(const Emitter& emitter);
+
 /// The light with the extent that the parameters give it.
 Light with_extent(Light light, const LightParams& params);
 

@@ -78,7 +78,7 @@ void main() {
   ivec2 pixel = listed_pixel(index);
   uvec2 id = texelFetch(ids, pixel, 0).rg;
   Lookup surfel = look_up(pixel);
-  Pattern pattern = make_pattern(surfel.receiver, pixel);
+  Pattern pattern = make_pattern(surfel, pixel);
   bool is_lit_in_truth = is_lit_in_reference(pixel);
   float easiest_bias = is_lit_in_truth ? min_bias : max_bias;
   float easiest_factor = is_lit_in_truth ? min_slope : max_slope;

@@ -10,7 +10,7 @@ void main() {
   ivec2 pixel = listed_pixel(index);
   uvec2 id = texelFetch(ids, pixel, 0).rg;
   Lookup surfel = look_up(pixel);
-  Pattern pattern = make_pattern(surfel.receiver, pixel);
+  Pattern pattern = make_pattern(surfel, pixel);
   bool is_lit_in_truth = is_lit_in_reference(pixel);
   Facet own = fetch_facet(id);
   uvec4 wrong = uvec4(0u);

@@ -13,4 +13,10 @@ layout(std140) uniform LightBlock {
   int tap_count;        // taps of the filter; a uniform, so that compilers do not unroll loops over taps
   int bias_in_texels;   // unit of constant biases, including those of axes; 1: texels, 0: metres
   int view_count;
+  float cone_bias;      // bias per distance of a tap's texel centre from the receiver
+  float search_extent;  // PCSS: radius of the light in metres, or tangent of its angular radius
+  float max_radius;     // PCSS: texels
+  float min_radius;     // PCSS: texels
+  int search_count;     // PCSS: taps of the blocker search
+  int search_in_cone;   // PCSS: 1 if only blockers inside the cone from the receiver to the light count
 };

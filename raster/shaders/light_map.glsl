@@ -16,6 +16,9 @@ struct Receiver {
   ivec2 texel;        // the texel that contains it
   int view;
   bool is_inside;
+#if RECEIVER_PLANE
+  dvec3 plane;  // geometric normal in light space, towards the light
+#endif
 };
 
 struct Tap {
@@ -105,6 +108,43 @@ void texel_ray(ivec3 texel, out dvec3 origin, out dvec3 direction) {
 #endif
 }
 
+// Side length of a texel at the receiver, metres: texel_at() of techniques/shadow/map_layout.h.
+float texel_at(Receiver receiver) {
+#if MAP_KIND == MAP_ORTHOGRAPHIC
+  double half_extent = map_views[receiver.view].z;
+#else
+  double half_extent = map_views[0].z;
+#endif
+  precise double side = 2.0lf * half_extent / double(resolution);
+#if MAP_KIND != MAP_ORTHOGRAPHIC
+  side *= receiver.axis_depth;
+#endif
+  return float(side);
+}
+
+// Depth with which a tap compares its texel, metres: that of the receiver or, with receiver_plane, of the receiver's
+// plane on the light's ray through the texel's centre (J. Isidoro, Shadow Mapping: GPU-based Tips and Techniques, GDC
+// 2006). A ray that does not meet the plane from its front leaves the receiver's depth.
+double compared_depth(Receiver receiver, ivec3 texel) {
+#if RECEIVER_PLANE
+  dvec3 origin;
+  dvec3 direction;
+  texel_ray(texel, origin, direction);
+  double facing = dot_of(receiver.plane, direction);
+  if (facing < 0.0lf) {
+    precise double along = dot_of(receiver.plane, receiver.in_light - origin) / facing;
+#if MAP_KIND == MAP_CUBE
+    along *= length_of(direction);
+#endif
+#if MAP_KIND != MAP_ORTHOGRAPHIC
+    if (along <= 0.0lf) return receiver.depth;
+#endif
+    return along;
+  }
+#endif
+  return receiver.depth;
+}
+
 // The tap at an offset, in texels right and up, from the receiver's texel. If the texel lies outside a cube's face, the
 // tap is the texel of another face in the same direction.
 Tap fetch_tap(Receiver receiver, ivec2 offset) {
@@ -126,23 +166,15 @@ Tap fetch_tap(Receiver receiver, ivec2 offset) {
 #endif
   float stored = receiver.is_inside && is_on_map ? texelFetch(shadow_depth, tap.texel, 0).r : empty_depth;
   tap.has_blocker = stored < empty_depth;
-  precise double above = receiver.depth - double(stored) * far_depth;
+  precise double above = compared_depth(receiver, tap.texel) - double(stored) * far_depth;
+#if CONE_BIAS
+  precise dvec2 away = dvec2(receiver.texel + offset) + 0.5lf - receiver.texels;
+  precise double squared = away.x * away.x + away.y * away.y;
+  precise double moved = double(cone_bias) * sqrt(squared) * double(texel_at(receiver));
+  above -= moved;
+#endif
   tap.critical_bias = tap.has_blocker ? float(above) : no_blocker;
   return tap;
-}
-
-// Side length of a texel at the receiver, metres: texel_at() of techniques/shadow/map_layout.h.
-float texel_at(Receiver receiver) {
-  #if MAP_KIND == MAP_ORTHOGRAPHIC
-  double half_extent = map_views[receiver.view].z;
-#else
-  double half_extent = map_views[0].z;
-#endif
-  precise double side = 2.0lf * half_extent / double(resolution);
-#if MAP_KIND != MAP_ORTHOGRAPHIC
-  side *= receiver.axis_depth;
-#endif
-  return float(side);
 }
 
 // The smallest constant bias, in metres, at which a tap is lit. slope is texel size · tan θ. NaN if the surface is

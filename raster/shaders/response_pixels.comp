@@ -18,7 +18,7 @@ void main() {
   // constant and slope-scaled bias, and a tap that is lit at any bias is lit at the largest ones.
   float bias = is_lit_in_truth ? min_bias : max_bias;
   float factor = is_lit_in_truth ? min_slope : max_slope;
-  Pattern pattern = make_pattern(surfel.receiver, pixel);
+  Pattern pattern = make_pattern(surfel, pixel);
   bool is_wrong = false;
   for (int i = 0; i < tap_count; ++i) {
     WeightedTap tap = filter_tap(surfel.receiver, pattern, i);

@@ -21,23 +21,43 @@ const int side = kernel_size;
 
 struct Pattern {
   ivec2 first;  // offset of the first tap from the receiver's texel, in texels
-  uvec2 part;   // bilinear: offset of the receiver from the lower left texel centre, in 1/FILTER_PARTS texel
+  uvec2 part;   // bilinear: offset of the receiver from the lower left tap of the middle, in 1/FILTER_PARTS texel
 };
 
-Pattern make_pattern(Receiver receiver, ivec2 pixel) {
+// An odd kernel has its middle on a texel centre, an even one on a texel corner.
+Pattern make_pattern(Lookup surfel, ivec2 pixel) {
+  Receiver receiver = surfel.receiver;
   Pattern pattern;
   pattern.first = ivec2(-(kernel_size / 2));
   pattern.part = uvec2(0u);
 #if FILTER_LINEAR
-  dvec2 base = floor(receiver.texels - 0.5lf);
+  double half_texel = kernel_size % 2 == 0 ? 0.0lf : 0.5lf;
+  dvec2 base = floor(receiver.texels - half_texel);
   pattern.first += ivec2(base) - receiver.texel;
-  pattern.part = uvec2(floor((receiver.texels - 0.5lf - base) * double(FILTER_PARTS) + 0.5lf));
+  pattern.part = uvec2(floor((receiver.texels - half_texel - base) * double(FILTER_PARTS) + 0.5lf));
+#else
+  if (kernel_size % 2 == 0) pattern.first += ivec2(floor(receiver.texels + 0.5lf)) - receiver.texel;
 #endif
   return pattern;
 }
 
+#if FILTER_AREA_SUM
+// area_tent_part() of techniques/shadow/filter.h.
+uint area_tent_part(int x) {
+  uint width = uint(kernel_size * FILTER_PARTS);
+  uint at = uint(clamp(x, 0, int(width)));
+  uint twice_area = width * width / 2u;
+  uint right = width - at;
+  uint part = 2u * at <= width ? at * at : twice_area - right * right;
+  return (part * uint(FILTER_AREA_SUM) + twice_area / 2u) / twice_area;
+}
+#endif
+
 uint axis_weight(int i, uint part) {
-#if FILTER_LINEAR
+#if FILTER_AREA_SUM
+  int left = i * FILTER_PARTS - int(part);
+  return area_tent_part(left + FILTER_PARTS) - area_tent_part(left);
+#elif FILTER_LINEAR
   return (i < kernel_size ? kernel[i] * (uint(FILTER_PARTS) - part) : 0u) + (i > 0 ? kernel[i - 1] * part : 0u);
 #else
   return kernel[i];
@@ -55,6 +75,7 @@ const vec2 disk_turns[FILTER_ROTATIONS] = vec2[](FILTER_ROTATION_LIST);
 
 struct Pattern {
   vec2 turn;
+  float radius;  // texels
 };
 
 // The same function as hash() in core/random.h.
@@ -64,16 +85,83 @@ uint hash(uint value) {
   return (word >> 22u) ^ word;
 }
 
-Pattern make_pattern(Receiver receiver, ivec2 pixel) {
+// The rotation of a pixel's disk. Row 0 is the top row.
+vec2 turn_of(ivec2 pixel) {
   uint column = uint(pixel.x);
-  uint row = uint(textureSize(ids, 0).y - 1 - pixel.y);  // row 0 is the top row
-  return Pattern(disk_turns[hash(column + 0x9e3779b9u * hash(row)) % uint(FILTER_ROTATIONS)]);
+  uint row = uint(textureSize(ids, 0).y - 1 - pixel.y);
+#if FILTER_ROTATION == 0
+  return disk_turns[hash(column + 0x9e3779b9u * hash(row)) % uint(FILTER_ROTATIONS)];
+#elif FILTER_ROTATION == 1
+  return disk_turns[0];
+#else
+  // Interleaved gradient noise (J. Jimenez, Next Generation Post Processing in Call of Duty: Advanced Warfare, 2014).
+  precise double sum = 0.06711056lf * double(column) + 0.00583715lf * double(row);
+  precise double scaled = 52.9829189lf * (sum - floor(sum));
+  precise double noise = (scaled - floor(scaled)) * double(FILTER_ROTATIONS);
+  return disk_turns[min(uint(noise), uint(FILTER_ROTATIONS) - 1u)];
+#endif
+}
+
+// Offset of a point of the unit disk from the receiver's texel.
+ivec2 disk_offset(Receiver receiver, vec2 p, vec2 turn, float radius) {
+  precise vec2 turned = vec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+  precise dvec2 texels = receiver.texels + dvec2(turned) * double(radius);
+  return ivec2(floor(texels)) - receiver.texel;
+}
+
+#if FILTER_SEARCH
+const vec2 search_points[FILTER_SEARCH] = vec2[](FILTER_SEARCH_LIST);
+
+// Radius of the cone from the receiver to the light at a depth, as the map shows it at the receiver: metres.
+double penumbra_at(double depth, double blocker) {
+  precise double apart = depth - blocker;
+#if MAP_KIND == MAP_ORTHOGRAPHIC
+  precise double radius = double(search_extent) * apart;
+#else
+  precise double radius = double(search_extent) * apart / blocker;
+#endif
+  return radius;
+}
+
+// BlockerSearch of techniques/shadow/filter.h: the radius of the penumbra, in texels.
+float search_radius(Lookup surfel, vec2 turn) {
+  Receiver receiver = surfel.receiver;
+  double texel = double(texel_at(receiver));
+  double reach = double(max_radius);
+#if MAP_KIND == MAP_ORTHOGRAPHIC
+  reach = min(reach, penumbra_at(receiver.depth, 0.0lf) / texel);
+#endif
+  precise double sum = 0.0lf;
+  int count = 0;
+  for (int i = 0; i < search_count; ++i) {
+    vec2 p = search_points[i];
+    Tap tap = fetch_tap(receiver, disk_offset(receiver, p, turn, float(reach)));
+    if (!tap.has_blocker || is_lit(tap.critical_bias, surfel)) continue;
+    precise double blocker = receiver.depth - double(tap.critical_bias);
+    if (!(blocker > 0.0lf)) continue;
+    precise double squared = double(p.x) * double(p.x) + double(p.y) * double(p.y);
+    precise double away = sqrt(squared) * reach * texel;
+    if (search_in_cone != 0 && away > penumbra_at(receiver.depth, blocker)) continue;
+    sum += blocker;
+    ++count;
+  }
+  if (count == 0) return min_radius;
+  precise double mean = sum / double(count);
+  precise double radius = penumbra_at(receiver.depth, mean) / texel;
+  return clamp(float(radius), min_radius, max_radius);
+}
+#endif
+
+Pattern make_pattern(Lookup surfel, ivec2 pixel) {
+  vec2 turn = turn_of(pixel);
+#if FILTER_SEARCH
+  return Pattern(turn, search_radius(surfel, turn));
+#else
+  return Pattern(turn, filter_radius);
+#endif
 }
 
 WeightedTap filter_tap(Receiver receiver, Pattern pattern, int i) {
-  vec2 p = disk_points[i];
-  precise vec2 turned = vec2(pattern.turn.x * p.x - pattern.turn.y * p.y, pattern.turn.y * p.x + pattern.turn.x * p.y);
-  precise dvec2 texels = receiver.texels + dvec2(turned) * double(filter_radius);
-  return WeightedTap(fetch_tap(receiver, ivec2(floor(texels)) - receiver.texel), 1u);
+  return WeightedTap(fetch_tap(receiver, disk_offset(receiver, disk_points[i], pattern.turn, pattern.radius)), 1u);
 }
 #endif

@@ -30,6 +30,9 @@ Lookup look_up(ivec2 pixel) {
     precise dvec3 moved = position + normal * shift;
     result.receiver = project_to_map(moved);
   }
+#if RECEIVER_PLANE
+  result.receiver.plane = transform_vector(light_from_world, normal);
+#endif
   return result;
 }
 

@@ -15,7 +15,7 @@ void main() {
   ivec2 pixel = listed_pixel(index);
   uvec2 id = texelFetch(ids, pixel, 0).rg;
   Lookup surfel = look_up(pixel);
-  Pattern pattern = make_pattern(surfel.receiver, pixel);
+  Pattern pattern = make_pattern(surfel, pixel);
   Facet own = fetch_facet(id);
   for (int i = 0; i < tap_count; ++i) {
     WeightedTap tap = filter_tap(surfel.receiver, pattern, i);

@@ -16,7 +16,7 @@ void main() {
     Lookup surfel = look_up(pixel);
     if (surfel.faces_light) {
       uint lit = 0u;
-      Pattern pattern = make_pattern(surfel.receiver, pixel);
+      Pattern pattern = make_pattern(surfel, pixel);
       for (int i = 0; i < tap_count; ++i) {
         WeightedTap tap = filter_tap(surfel.receiver, pattern, i);
         if (is_lit(tap.tap.critical_bias, surfel)) lit += tap.weight;

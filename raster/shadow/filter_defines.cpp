@@ -21,12 +21,16 @@ std::string filter_defines(const FilterKernel& filter) {
                      define("FILTER_TAPS", static_cast<unsigned>(filter.tap_count()));
   if (filter.is_grid()) {
     text += define("FILTER_KERNEL_SIZE", static_cast<unsigned>(filter.kernel.size())) +
-            define("FILTER_LINEAR", filter.linear_taps ? 1 : 0) + define("FILTER_PARTS", FilterKernel::texel_parts) +
-            "#define FILTER_KERNEL ";
+            define("FILTER_LINEAR", filter.linear_taps ? 1 : 0) +
+            define("FILTER_AREA_SUM", filter.is_area_tent ? FilterKernel::area_sum : 0) +
+            define("FILTER_PARTS", FilterKernel::texel_parts) + "#define FILTER_KERNEL ";
     for (std::size_t i = 0; i < filter.kernel.size(); ++i)
       text += fmt::format("{}{}u", i > 0 ? ", " : "", filter.kernel[i]);
     return text + "\n";
   }
+  text += define("FILTER_ROTATION", static_cast<unsigned>(filter.rotation)) +
+          define("FILTER_SEARCH", filter.search ? static_cast<unsigned>(filter.search->points.size()) : 0);
+  if (filter.search) text += "#define FILTER_SEARCH_LIST " + list_of(filter.search->points) + "\n";
   return text + define("FILTER_ROTATIONS", static_cast<unsigned>(filter.rotations.size())) +
          "#define FILTER_POINT_LIST " + list_of(filter.points) + "\n#define FILTER_ROTATION_LIST " +
          list_of(filter.rotations) + "\n";

@@ -23,7 +23,12 @@ struct LightBlock {
   int tap_count = 0;
   int bias_in_texels = 0;
   int view_count = 1;
-  int unused[6] = {};
+  float cone_bias = 0.0f;
+  float search_extent = 0.0f;
+  float max_radius = 0.0f;
+  float min_radius = 0.0f;
+  int search_count = 0;
+  int search_in_cone = 0;
 };
 static_assert(sizeof(LightBlock) == 1056);
 

@@ -44,7 +44,11 @@ gl::Texture upload_truth(const gl::Context& context, const Image<float>& visibil
   return upload(context, truth);
 }
 
-const FilterKernel& kernel_of(const ShadowLookup& lookup) { return std::get<Pcf>(lookup.technique).kernel; }
+const FilterKernel& kernel_of(const ShadowLookup& lookup) {
+  const FilterKernel* kernel = kernel_of(lookup.technique);
+  assert(kernel != nullptr);
+  return *kernel;
+}
 
 gl::Pass lookup_pass(const gl::Context& context, const ShadowLookup& lookup, LengthUnit bias_unit,
                      const gl::ProgramSource& source) {
@@ -52,12 +56,22 @@ gl::Pass lookup_pass(const gl::Context& context, const ShadowLookup& lookup, Len
   block.constant_bias = static_cast<float>(lookup.bias.constant.number);
   block.slope_bias = static_cast<float>(lookup.bias.slope);
   block.normal_offset = static_cast<float>(lookup.bias.normal_offset);
+  block.cone_bias = static_cast<float>(lookup.bias.cone);
   block.bias_in_texels = bias_unit == LengthUnit::texels ? 1 : 0;
-  std::string defines = map_defines(lookup.map.layout) + source.defines;
-  if (const auto* pcf = std::get_if<Pcf>(&lookup.technique)) {
-    block.tap_count = pcf->kernel.tap_count();
-    block.filter_radius = pcf->kernel.radius;
-    defines += filter_defines(pcf->kernel);
+  std::string defines = map_defines(lookup.map.layout) + source.defines +
+                        define("RECEIVER_PLANE", lookup.bias.receiver_plane ? 1 : 0) +
+                        define("CONE_BIAS", lookup.bias.cone > 0.0 ? 1 : 0);
+  if (const FilterKernel* kernel = kernel_of(lookup.technique)) {
+    block.tap_count = kernel->tap_count();
+    block.filter_radius = kernel->radius;
+    if (kernel->search) {
+      block.search_extent = kernel->search->extent;
+      block.max_radius = kernel->search->max_radius;
+      block.min_radius = kernel->search->min_radius;
+      block.search_count = static_cast<int>(kernel->search->points.size());
+      block.search_in_cone = kernel->search->is_in_cone ? 1 : 0;
+    }
+    defines += filter_defines(*kernel);
   }
   gl::Pass pass(context, {source.files, defines});
   bind_triangles(bind(pass, lookup.gbuffer), lookup.scene)

@@ -27,7 +27,7 @@ struct ShadowLookup {
   const FilteredMap* filtered = nullptr;  ///< nullptr if the technique has none
 };
 
-/// The kernel of a technique that sums comparisons.
+/// The kernel of the look-up's technique, which sums comparisons.
 const FilterKernel& kernel_of(const ShadowLookup& lookup);
 
 /// A texture with one float per pixel.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
 #include "core/random.h"
 
 namespace umbrameter {
@@ -17,13 +18,13 @@ std::vector<std::uint32_t> tent(int size) {
   return weights;
 }
 
-// The middle takes what rounding leaves over.
+// The middle, or the two in the middle, take what rounding leaves over.
 std::vector<std::uint32_t> gaussian(int size) {
   const double deviation = (size + 1) / 6.0;
   std::vector<double> shares;
   double sum = 0.0;
   for (int i = 0; i < size; ++i) {
-    const double x = (i - size / 2) / deviation;
+    const double x = (i - 0.5 * (size - 1)) / deviation;
     shares.push_back(std::exp(-0.5 * x * x));
     sum += shares.back();
   }
@@ -33,7 +34,9 @@ std::vector<std::uint32_t> gaussian(int size) {
     weights.push_back(static_cast<std::uint32_t>(std::lround(gaussian_sum * share / sum)));
     given += weights.back();
   }
-  weights[static_cast<std::size_t>(size / 2)] += gaussian_sum - given;
+  const std::uint32_t left = gaussian_sum - given;
+  weights[static_cast<std::size_t>(size / 2)] += left - (size % 2 == 0 ? left / 2 : 0);
+  weights[static_cast<std::size_t>((size - 1) / 2)] += size % 2 == 0 ? left / 2 : 0;
   return weights;
 }
 
@@ -78,6 +81,24 @@ std::vector<vec2> vogel_disk(int count) {
   return points;
 }
 
+std::vector<std::uint32_t> optimized(int size) {
+  switch (size) {
+    case 3:
+      return {1, 2, 1};
+    case 5:
+      return {1, 3, 4, 3, 1};
+    case 7:
+      return {1, 5, 12, 16, 12, 5, 1};
+    default:
+      throw Error(ExitCode::usage, "shadow.filter-size", "the optimized kernels have 3, 5 or 7 texels",
+                  "choose one of them, or --shadow.filter tent --shadow.filter-taps linear");
+  }
+}
+
+std::vector<vec2> disk(ShadowFilter filter, int count) {
+  return filter == ShadowFilter::poisson ? poisson_disk(count) : vogel_disk(count);
+}
+
 std::vector<vec2> even_rotations() {
   std::vector<vec2> rotations;
   for (int i = 0; i < turn_count; ++i) {
@@ -110,15 +131,46 @@ FilterKernel make_filter(const PcfParams& params) {
     case ShadowFilter::gaussian:
       filter.kernel = gaussian(params.size);
       break;
+    case ShadowFilter::optimized:
+      filter.linear_taps = true;
+      filter.kernel = optimized(params.size);
+      break;
+    case ShadowFilter::area_tent:
+      if (params.size > FilterKernel::largest_area_size) {
+        throw Error(ExitCode::usage, "shadow.filter-size", "an area tent has at most 7 texels",
+                    "choose a smaller size");
+      }
+      filter.linear_taps = filter.is_area_tent = true;
+      filter.kernel.assign(static_cast<std::size_t>(params.size), 1);
+      break;
     case ShadowFilter::poisson:
     case ShadowFilter::vogel:
       filter.linear_taps = false;
-      filter.points = params.filter == ShadowFilter::vogel ? vogel_disk(params.samples) : poisson_disk(params.samples);
+      filter.points = disk(params.filter, params.samples);
       filter.rotations = even_rotations();
+      filter.rotation = params.rotation;
       filter.radius = static_cast<float>(params.radius);
       break;
   }
   return filter;
+}
+
+FilterKernel make_pcss_filter(const PcfParams& params, const PcssParams& pcss, double extent) {
+  PcfParams of_disk = params;
+  if (params.filter != ShadowFilter::poisson) of_disk.filter = ShadowFilter::vogel;
+  FilterKernel filter = make_filter(of_disk);
+  filter.search = {disk(of_disk.filter, pcss.blockers), static_cast<float>(extent * pcss.light_scale),
+                   static_cast<float>(pcss.max_radius), static_cast<float>(std::min(pcss.min_radius, pcss.max_radius)),
+                   pcss.search_cone};
+  return filter;
+}
+
+std::uint32_t area_tent_part(std::uint32_t size, std::uint32_t x) {
+  const std::uint32_t width = size * FilterKernel::texel_parts;
+  const std::uint32_t twice_area = width * width / 2;  // of the tent whose slope is 1
+  const std::uint32_t right = width - x;
+  const std::uint32_t part = 2 * x <= width ? x * x : twice_area - right * right;
+  return (part * FilterKernel::area_sum + twice_area / 2) / twice_area;
 }
 
 }  // namespace umbrameter

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/math.h"
@@ -9,9 +10,23 @@
 
 namespace umbrameter {
 
+/// Percentage-closer soft shadows (R. Fernando, SIGGRAPH Sketches 2005): the radius of the filter's disk is that of the
+/// penumbra, extent · (z − z_B) / z_B for a light at a place and extent · (z − z_B) for a directional one, where z is
+/// the receiver's depth and z_B the mean depth of the blockers among the taps of a search; not below min_radius, which
+/// it is without blockers, nor above max_radius.
+struct BlockerSearch {
+  std::vector<vec2> points;  ///< within the unit disk
+  float extent = 0.0f;       ///< of the light: its radius in metres; directional: tangent of its angular radius
+  float max_radius = 0.0f;   ///< texels
+  float min_radius = 0.0f;   ///< texels
+  bool is_in_cone = false;   ///< a blocker counts only inside the cone from the receiver to the light
+};
+
 /// Positions and weights of a filter's taps. Grid: the weights are the outer product of `kernel` with itself, centred
-/// on the receiver's texel; with linear_taps it is convolved with the bilinear weights, which adds a row and a column.
-/// Disk: the texels at `points`, rotated per pixel by one of `rotations`; each has weight 1.
+/// on the receiver's texel (even sizes: on the nearest texel corner); with linear_taps it is convolved with the
+/// bilinear weights, which adds a row and a column. Area tent: a tent that is centred on the receiver itself; each
+/// texel weighs as much as the tent has area above it. Disk: the texels at `points`, rotated per pixel by one of
+/// `rotations`; each has weight 1.
 struct FilterKernel {
   /// The position of a bilinear tap is rounded to 1/256 texel, as in graphics hardware (eight bits).
   static constexpr std::uint32_t texel_parts = 256;
@@ -19,11 +34,19 @@ struct FilterKernel {
   /// bits.
   static constexpr int largest_size = 29;
 
-  std::vector<std::uint32_t> kernel;  ///< of a grid: weights along one side; the size is odd
+  /// Sum of an area tent's weights along a side.
+  static constexpr std::uint32_t area_sum = 1024;
+  /// Maximum side of an area tent. With the next size, integers of 32 bits overflow in area_tent_part().
+  static constexpr int largest_area_size = 7;
+
+  std::vector<std::uint32_t> kernel;  ///< of a grid: weights along one side; of an area tent only their number counts
   bool linear_taps = false;
+  bool is_area_tent = false;    ///< linear_taps is true too
   std::vector<vec2> points;     ///< of a disk: within the unit disk; empty for a grid
   std::vector<vec2> rotations;  ///< of a disk: cosine and sine
-  float radius = 0.0f;          ///< of a disk, texels
+  DiskRotation rotation = DiskRotation::random;
+  float radius = 0.0f;                    ///< of a disk, texels
+  std::optional<BlockerSearch> search{};  ///< PCSS: it finds the radius of the disk
 
   bool is_grid() const { return points.empty(); }
   /// Texels along a side of a grid.
@@ -31,6 +54,7 @@ struct FilterKernel {
   int tap_count() const { return is_grid() ? side() * side() : static_cast<int>(points.size()); }
   std::uint32_t weight_sum() const {
     if (!is_grid()) return static_cast<std::uint32_t>(points.size());
+    if (is_area_tent) return area_sum * area_sum;
     std::uint32_t sum = 0;
     for (const std::uint32_t weight : kernel) sum += weight;
     if (linear_taps) sum *= texel_parts;
@@ -47,7 +71,15 @@ static_assert(largest_weight_sum(FilterKernel::largest_size) < std::uint64_t{1} 
 
 /// Box: equal weights. Tent: 1 2 … 2 1. Gaussian: standard deviation (size + 1) / 6 texels, weights rounded to
 /// 1/128 along each side. Bilinear: one linear tap, like `sampler2DShadow` with a linear filter. Poisson:
-/// best-candidate samples (D. Mitchell, Spectrally Optimal Sampling for Distribution Ray Tracing, 1991).
+/// best-candidate samples (D. Mitchell, Spectrally Optimal Sampling for Distribution Ray Tracing, 1991). Optimized: the
+/// kernels of linear taps in The Witness (I. Castaño, Shadow Mapping Summary, 2013). Area tent: Unity's tent filters.
+/// Throws Error (usage) for a size that the kernel does not have.
 FilterKernel make_filter(const PcfParams& params);
+
+/// The disk of PCSS for a light of this extent: see BlockerSearch.
+FilterKernel make_pcss_filter(const PcfParams& params, const PcssParams& pcss, double extent);
+
+/// Share of the left `x` 1/256 texels of an area tent with `size` texels along a side, in 1/area_sum.
+std::uint32_t area_tent_part(std::uint32_t size, std::uint32_t x);
 
 }  // namespace umbrameter

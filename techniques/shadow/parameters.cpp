@@ -8,9 +8,10 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::array<std::string_view, 7> shadow_filter_names{"nearest",  "bilinear", "box",  "tent",
-                                                              "gaussian", "poisson",  "vogel"};
+constexpr std::array<std::string_view, 9> shadow_filter_names{
+    "nearest", "bilinear", "box", "tent", "gaussian", "poisson", "vogel", "optimized", "area-tent"};
 constexpr std::array<std::string_view, 2> filter_taps_names{"nearest", "linear"};
+constexpr std::array<std::string_view, 3> disk_rotation_names{"random", "fixed", "gradient"};
 
 }  // namespace
 
@@ -31,9 +32,14 @@ Parameters describe(BiasParams& params) {
               .meaning = "constant bias, along the light's axis or ray",
               .units = {.texels = true},
               .basic = true})
-      .field("slope-bias", params.slope, {.unit = "texels", .meaning = "slope-scaled bias, times tan θ", .basic = true})
+      .field("slope-bias", params.slope,
+             {.unit = "texels", .meaning = "slope-scaled bias, times tan θ; θ: normal to light ray", .basic = true})
       .field("normal-offset", params.normal_offset,
-             {.unit = "texels", .meaning = "normal offset, times sin θ", .basic = true})
+             {.unit = "texels", .meaning = "normal offset, times sin θ; θ: normal to light ray", .basic = true})
+      .field("receiver-plane", params.receiver_plane,
+             {.unit = {}, .meaning = "compare each tap with the depth of the receiver's plane at the tap"})
+      .field("cone-bias", params.cone,
+             {.unit = "1", .meaning = "bias per distance of a tap's texel centre from the receiver", .min = 0})
       .take();
 }
 
@@ -43,10 +49,9 @@ Parameters describe(PcfParams& params) {
               {.unit = {}, .meaning = "PCF kernel", .basic = true, .aliases = {{"pcf", "box"}}})
       .field("filter-size", params.size,
              {.unit = "texels",
-              .meaning = "side of the box, tent or Gaussian kernel",
+              .meaning = "side of the box, tent, Gaussian, optimized or area-tent kernel",
               .min = 1,
               .max = FilterKernel::largest_size,
-              .odd = true,
               .basic = true})
       .choice("filter-taps", params.taps, filter_taps_names,
               {.unit = {}, .meaning = "taps of a box, tent or Gaussian kernel; linear: bilinear 2×2"})
@@ -54,6 +59,23 @@ Parameters describe(PcfParams& params) {
              {.unit = "1", .meaning = "taps of the Poisson or Vogel disk", .min = 1, .max = 64})
       .field("filter-radius", params.radius,
              {.unit = "texels", .meaning = "radius of the Poisson or Vogel disk", .min = 0, .max = 64})
+      .choice("filter-rotation", params.rotation, disk_rotation_names,
+              {.unit = {}, .meaning = "rotation of the disk: random per pixel, fixed, or interleaved gradient noise"})
+      .take();
+}
+
+Parameters describe(PcssParams& params) {
+  return Description("shadow")
+      .field("pcss-blockers", params.blockers,
+             {.unit = "1", .meaning = "PCSS: taps of the blocker search", .min = 1, .max = 64})
+      .field("pcss-light-scale", params.light_scale,
+             {.unit = "1", .meaning = "PCSS: assumed size of the light over its size in the scene", .min = 0})
+      .field("pcss-max-radius", params.max_radius,
+             {.unit = "texels", .meaning = "PCSS: largest radius of search and filter", .min = 0, .max = 512})
+      .field("pcss-min-radius", params.min_radius,
+             {.unit = "texels", .meaning = "PCSS: smallest radius of the filter", .min = 0, .max = 64})
+      .field("pcss-search-cone", params.search_cone,
+             {.unit = {}, .meaning = "PCSS: average only blockers between the receiver and some point of the light"})
       .take();
 }
 

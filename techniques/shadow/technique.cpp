@@ -3,22 +3,25 @@
 namespace umbrameter {
 
 Parameters describe(ShadowParams& params) {
-  static constexpr std::array<std::string_view, 6> names{"pcf", "esm", "vsm", "evsm2", "evsm4", "msm"};
+  static constexpr std::array<std::string_view, 7> names{"pcf", "esm", "vsm", "evsm2", "evsm4", "msm", "pcss"};
   Parameters technique =
       Description("shadow")
           .choice("technique", params.technique, names, {.unit = {}, .meaning = "shadow-map technique", .basic = true})
           .take();
   return concatenate({describe(params.map), describe(params.bias), technique, describe(params.pcf),
-                      describe(params.esm), describe(params.moment_map), describe(params.moment_lookup)});
+                      describe(params.pcss), describe(params.esm), describe(params.moment_map),
+                      describe(params.moment_lookup)});
 }
 
-ShadowTechnique make_technique(const ShadowParams& params) {
+ShadowTechnique make_technique(const ShadowParams& params, double light_extent) {
   const auto prefiltered = [&](int technique) {
     return make_prefiltered(technique, params.esm, params.moment_map, params.moment_lookup);
   };
   switch (params.technique) {
     case ShadowTechniqueName::pcf:
       break;
+    case ShadowTechniqueName::pcss:
+      return Pcss{make_pcss_filter(params.pcf, params.pcss, light_extent)};
     case ShadowTechniqueName::esm:
       return prefiltered(shared::ESM);
     case ShadowTechniqueName::vsm:
@@ -31,6 +34,12 @@ ShadowTechnique make_technique(const ShadowParams& params) {
       return prefiltered(shared::MSM);
   }
   return Pcf{make_filter(params.pcf)};
+}
+
+const FilterKernel* kernel_of(const ShadowTechnique& technique) {
+  if (const auto* pcf = std::get_if<Pcf>(&technique)) return &pcf->kernel;
+  const auto* pcss = std::get_if<Pcss>(&technique);
+  return pcss != nullptr ? &pcss->kernel : nullptr;
 }
 
 Parameters filtered_map_parameters(ShadowParams& params) {

@@ -17,7 +17,7 @@
 
 namespace umbrameter {
 
-enum class ShadowTechniqueName : int { pcf, esm, vsm, evsm2, evsm4, msm };
+enum class ShadowTechniqueName : int { pcf, esm, vsm, evsm2, evsm4, msm, pcss };
 
 /// The shadow.* parameters, grouped by the stage that reads them.
 struct ShadowParams {
@@ -25,6 +25,7 @@ struct ShadowParams {
   BiasParams bias;
   ShadowTechniqueName technique = ShadowTechniqueName::pcf;
   PcfParams pcf;
+  PcssParams pcss;
   EsmParams esm;
   MomentMapParams moment_map;
   MomentLookupParams moment_lookup;
@@ -37,9 +38,19 @@ struct Pcf {
   FilterKernel kernel;
 };
 
-using ShadowTechnique = std::variant<Pcf, Prefiltered>;
+/// Percentage-closer soft shadows: PCF whose kernel grows with the distance of the blockers. Which texels block depends
+/// on the bias.
+struct Pcss : Pcf {
+  static constexpr TechniqueCapabilities capabilities{.sums_comparisons = true};
+};
 
-ShadowTechnique make_technique(const ShadowParams& params);
+using ShadowTechnique = std::variant<Pcf, Pcss, Prefiltered>;
+
+/// light_extent: half the size of the light, as BlockerSearch::extent; 0 for a light without extent.
+ShadowTechnique make_technique(const ShadowParams& params, double light_extent = 0.0);
+
+/// The kernel of a technique that sums comparisons; nullptr for others.
+const FilterKernel* kernel_of(const ShadowTechnique& technique);
 
 /// The parameters of the pass that filters the shadow map before the look-up. The others affect only the look-up.
 Parameters filtered_map_parameters(ShadowParams& params);

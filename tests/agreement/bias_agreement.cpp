@@ -103,7 +103,7 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
         ShadowLookup lookup{uploaded, surfels, map, light, params.bias, make_technique(params), &truth};
         const BiasHistogram drawn = draw_bias_response(context, lookup, grid.axes);
         const FilterKernel kernel = make_filter(params.pcf);
-        const MapLookup on_processor{gbuffer, layout, light, images, kernel, static_cast<float>(normal_offset)};
+        const MapLookup on_processor{gbuffer, layout, light, images, kernel, params.bias};
         const BiasHistogram computed =
             count_bias_response(scene, on_processor, visibility, counted.exclusion, grid.axes);
         const std::string where =

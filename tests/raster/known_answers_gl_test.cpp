@@ -128,7 +128,8 @@ TEST_F(KnownAnswersGl, The_acne_share_meets_the_table) {
 }
 
 // Item 11: b0 = rho t (p+q) tan theta, where rho is 1/2 for one nearest tap, r + 1/2 for (2r+1)^2 of them, 1 for
-// bilinear 2×2 and r + 1 for (2r+1)^2 bilinear taps.
+// bilinear 2×2 and r + 1 for (2r+1)^2 bilinear taps. An even kernel of n^2 taps has n/2 and (n+1)/2: its middle is at
+// most half a texel from the receiver, or at the receiver.
 TEST_F(KnownAnswersGl, The_least_bias_without_acne_follows_its_formula) {
   struct Case {
     ShadowFilter filter;
@@ -140,7 +141,8 @@ TEST_F(KnownAnswersGl, The_least_bias_without_acne_follows_its_formula) {
       {ShadowFilter::nearest, 1, FilterTaps::nearest, 0.5}, {ShadowFilter::bilinear, 1, FilterTaps::nearest, 1.0},
       {ShadowFilter::box, 3, FilterTaps::nearest, 1.5},     {ShadowFilter::box, 5, FilterTaps::nearest, 2.5},
       {ShadowFilter::tent, 3, FilterTaps::nearest, 1.5},    {ShadowFilter::gaussian, 5, FilterTaps::nearest, 2.5},
-      {ShadowFilter::box, 3, FilterTaps::linear, 2.0}};
+      {ShadowFilter::box, 3, FilterTaps::linear, 2.0},      {ShadowFilter::box, 4, FilterTaps::nearest, 2.0},
+      {ShadowFilter::gaussian, 4, FilterTaps::linear, 2.5}, {ShadowFilter::optimized, 5, FilterTaps::nearest, 3.0}};
   for (const Slope slope : {Slope{20, 0}, Slope{35, 70}, Slope{60, 45}, Slope{75, 20}}) {
     for (const int resolution : {64, 256, 1024}) {
       const double t = 12.8 / resolution;
@@ -163,6 +165,45 @@ TEST_F(KnownAnswersGl, The_least_bias_without_acne_follows_its_formula) {
         EXPECT_LE(biases[k], least * 1.004 + 1e-5) << slope.theta << " " << resolution << " " << c.rho;
         EXPECT_GE(biases[k], least * (1.0 - missed)) << slope.theta << " " << resolution << " " << c.rho;
       }
+    }
+  }
+}
+
+// The plane's depth at a texel's centre is what the map holds there, up to the rounding of depths to 2^-24 of the range
+// and of vertices to 1/256 texel, which moves the plane by t tan theta / 256 along the light.
+TEST_F(KnownAnswersGl, The_receiver_plane_frees_a_plane_of_acne_at_slopes_up_to_85_degrees) {
+  for (const Slope slope : {Slope{20, 0}, Slope{60, 45}, Slope{75, 20}, Slope{85, 70}}) {
+    for (const int resolution : {64, 1024}) {
+      const double t = 12.8 / resolution;
+      const Plane plane = make_plane(slope, resolution, t);
+      ShadowParams params;
+      params.bias.receiver_plane = true;
+      const double rounding = t * std::tan(slope.theta * degrees) / 256.0 + plane.map.layout.far_depth * 0x1p-22;
+      params.bias.constant = rounding;
+      for (const ShadowFilter filter : {ShadowFilter::nearest, ShadowFilter::bilinear, ShadowFilter::gaussian,
+                                        ShadowFilter::area_tent, ShadowFilter::vogel}) {
+        params.pcf.filter = filter;
+        params.pcf.size = 7;
+        params.pcf.radius = 6.0;
+        EXPECT_EQ(mean(measure(plane, params).visibility), 1.0) << slope.theta << " " << resolution;
+      }
+    }
+  }
+}
+
+// A tap at distance d from the receiver in the map needs at most d tan theta.
+TEST_F(KnownAnswersGl, A_cone_bias_of_tan_theta_frees_a_plane_of_acne_under_every_kernel) {
+  for (const double theta : {20.0, 60.0, 75.0}) {
+    const Plane plane = make_plane({theta, 30}, 256, 0.05);
+    ShadowParams params;
+    for (const int size : {1, 4, 7}) {
+      params.pcf.filter = ShadowFilter::box;
+      params.pcf.size = size;
+      params.bias.constant = 0.05 * std::tan(theta * degrees) / 256.0 + plane.map.layout.far_depth * 0x1p-22;
+      params.bias.cone = std::tan(theta * degrees);
+      EXPECT_EQ(mean(measure(plane, params).visibility), 1.0) << theta << " " << size;
+      params.bias.cone *= 0.5;
+      EXPECT_LT(mean(measure(plane, params).visibility), 1.0) << theta << " " << size;
     }
   }
 }

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/error.h"
+
 namespace umbrameter {
 namespace {
 
@@ -31,10 +33,45 @@ TEST(ShadowFilter, A_gaussian_of_five_has_a_deviation_of_one_texel) {
 }
 
 TEST(ShadowFilter, What_rounding_leaves_over_goes_to_the_middle_of_a_gaussian) {
-  for (int size = 1; size <= FilterKernel::largest_size; size += 2) {
+  for (int size = 1; size <= FilterKernel::largest_size; ++size) {
+    const Weights weights = filter_of(ShadowFilter::gaussian, size).kernel;
     std::uint32_t sum = 0;
-    for (const std::uint32_t weight : filter_of(ShadowFilter::gaussian, size).kernel) sum += weight;
+    for (const std::uint32_t weight : weights) sum += weight;
     EXPECT_EQ(sum, 128u) << size;
+    EXPECT_EQ(weights, Weights(weights.rbegin(), weights.rend())) << size;
+  }
+}
+
+TEST(ShadowFilter, Even_kernels_are_symmetric_about_a_texel_corner) {
+  EXPECT_EQ(filter_of(ShadowFilter::box, 4).kernel, (Weights{1, 1, 1, 1}));
+  EXPECT_EQ(filter_of(ShadowFilter::tent, 4).kernel, (Weights{1, 2, 2, 1}));
+  // Deviation 5/6 texel: exp(−x²/2) at 0.6 and 1.8: 0.835270, 0.197899; their sum twice is 2.066338.
+  EXPECT_EQ(filter_of(ShadowFilter::gaussian, 4).kernel, (Weights{12, 52, 52, 12}));
+}
+
+TEST(ShadowFilter, Optimized_kernels_have_three_five_or_seven_texels) {
+  const FilterKernel kernel = filter_of(ShadowFilter::optimized, 7);
+  EXPECT_EQ(kernel.kernel, (Weights{1, 5, 12, 16, 12, 5, 1}));
+  EXPECT_TRUE(kernel.linear_taps);
+  EXPECT_THROW(filter_of(ShadowFilter::optimized, 4), Error);
+  EXPECT_THROW(filter_of(ShadowFilter::area_tent, 8), Error);
+}
+
+TEST(ShadowFilter, An_area_tent_weighs_a_texel_by_the_area_above_it) {
+  // A tent of width 3 and area 1: ∫ from 0 to x is x²/(2·1.5²) in its left half. 1 texel: 2/9, 1.5 texels: 1/2.
+  EXPECT_EQ(area_tent_part(3, 0), 0u);
+  EXPECT_EQ(area_tent_part(3, 256), 228u);  // 1024 · 2/9 = 227.6
+  EXPECT_EQ(area_tent_part(3, 384), 512u);
+  EXPECT_EQ(area_tent_part(3, 512), 796u);
+  EXPECT_EQ(area_tent_part(3, 768), 1024u);
+  for (std::uint32_t size = 1; size <= 7; ++size) {
+    EXPECT_EQ(area_tent_part(size, size * 256), FilterKernel::area_sum) << size;
+    for (std::uint32_t x = 0; x <= size * 256; ++x) {
+      const double half = 0.5 * size;
+      const double at = x / 256.0;
+      const double left = at <= half ? at * at / (2 * half * half) : 1 - (size - at) * (size - at) / (2 * half * half);
+      EXPECT_NEAR(area_tent_part(size, x), 1024 * left, 0.5001) << size << " " << x;
+    }
   }
 }
 

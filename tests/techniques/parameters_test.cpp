@@ -16,6 +16,7 @@ TEST(RasterParameters, Every_field_is_described) {
   expect_all(ShadowMapParams{});
   expect_all(BiasParams{});
   expect_all(PcfParams{});
+  expect_all(PcssParams{});
   expect_all(EsmParams{});
   expect_all(MomentMapParams{});
   expect_all(MomentLookupParams{});
@@ -27,8 +28,9 @@ TEST(RasterParameters, Every_field_is_described) {
   // All parts, plus one field: the choice of technique.
   ShadowParams shadow;
   EXPECT_EQ(describe(shadow).size(), describe(shadow.map).size() + describe(shadow.bias).size() + 1 +
-                                         describe(shadow.pcf).size() + describe(shadow.esm).size() +
-                                         describe(shadow.moment_map).size() + describe(shadow.moment_lookup).size());
+                                         describe(shadow.pcf).size() + describe(shadow.pcss).size() +
+                                         describe(shadow.esm).size() + describe(shadow.moment_map).size() +
+                                         describe(shadow.moment_lookup).size());
   AoParams ao;
   EXPECT_EQ(describe(ao).size(), describe(ao.sampling).size() + describe(ao.bias).size() + describe(ao.noise).size() +
                                      1 + describe(ao.ssao).size() + describe(ao.blur).size());
@@ -79,7 +81,7 @@ TEST(RasterParameters, Values_outside_the_limits_are_errors_that_name_the_key) {
   const Parameters parameters = concatenate({describe(shadow), describe(ao)});
   for (const Rejected& bad :
        {Rejected{"shadow.resolution", "0"}, Rejected{"shadow.resolution", "16385"},
-        Rejected{"shadow.constant-bias", "nan"}, Rejected{"shadow.filter", "vsm"}, Rejected{"shadow.filter-size", "4"},
+        Rejected{"shadow.constant-bias", "nan"}, Rejected{"shadow.filter", "vsm"}, Rejected{"shadow.filter-size", "0"},
         Rejected{"shadow.filter-size", "31"}, Rejected{"ao.samples", "0"}, Rejected{"ao.samples", "1025"},
         Rejected{"ao.radius", "0"}, Rejected{"ao.noise-size", "65"}, Rejected{"ao.blur-size", "33"}}) {
     try {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/random.h"
+#include "techniques/shadow/histogram.h"
 #include "techniques/shadow/reference/ordered.h"
 
 namespace umbrameter {
@@ -27,6 +28,24 @@ bool is_on_map(const ivec2& texel, int resolution) {
   return texel.x >= 0 && texel.y >= 0 && texel.x < resolution && texel.y < resolution;
 }
 
+float texel_side(const MapLayout& layout, const Receiver& receiver) {
+  const std::size_t view = layout.kind == MapKind::orthographic ? static_cast<std::size_t>(receiver.view) : 0;
+  double side = 2.0 * layout.views[view].half_extent / static_cast<double>(layout.resolution);
+  if (layout.kind != MapKind::orthographic) side *= receiver.axis_depth;
+  return static_cast<float>(side);
+}
+
+// compared_depth() of light_map.glsl.
+double compared_depth(const MapLookup& lookup, const Receiver& receiver, const ivec2& texel, int view) {
+  if (!lookup.bias.receiver_plane) return receiver.depth;
+  const TexelRay ray = texel_ray(lookup.layout, texel, view);
+  const double facing = dot_of(receiver.plane, ray.direction);
+  if (!(facing < 0.0)) return receiver.depth;
+  double along = dot_of(receiver.plane, receiver.in_light - ray.origin) / facing;
+  if (lookup.layout.kind == MapKind::cube) along *= length_of(ray.direction);
+  return lookup.layout.kind != MapKind::orthographic && along <= 0.0 ? receiver.depth : along;
+}
+
 Tap fetch_tap(const MapLookup& lookup, const Receiver& receiver, const ivec2& offset) {
   const MapLayout& layout = lookup.layout;
   const int resolution = layout.resolution;
@@ -47,31 +66,44 @@ Tap fetch_tap(const MapLookup& lookup, const Receiver& receiver, const ivec2& of
   const float stored = lookup.map.depth[static_cast<std::size_t>(tap.view)][texel_index(layout, tap.texel)];
   tap.has_blocker = stored < 1.0f;
   if (tap.has_blocker) {
-    tap.critical_bias = static_cast<float>(receiver.depth - static_cast<double>(stored) * layout.far_depth);
+    double above =
+        compared_depth(lookup, receiver, tap.texel, tap.view) - static_cast<double>(stored) * layout.far_depth;
+    if (lookup.bias.cone > 0.0) {
+      const dvec2 away = dvec2(receiver.texel + offset) + 0.5 - receiver.texels;
+      above -= static_cast<double>(static_cast<float>(lookup.bias.cone)) *
+               std::sqrt(away.x * away.x + away.y * away.y) * static_cast<double>(texel_side(layout, receiver));
+    }
+    tap.critical_bias = static_cast<float>(above);
   }
   return tap;
-}
-
-float texel_side(const MapLayout& layout, const Receiver& receiver) {
-  const std::size_t view = layout.kind == MapKind::orthographic ? static_cast<std::size_t>(receiver.view) : 0;
-  double side = 2.0 * layout.views[view].half_extent / static_cast<double>(layout.resolution);
-  if (layout.kind != MapKind::orthographic) side *= receiver.axis_depth;
-  return static_cast<float>(side);
 }
 
 void fetch_grid(const MapLookup& lookup, const Receiver& receiver, std::vector<Tap>& taps) {
   const FilterKernel& filter = lookup.filter;
   const int size = static_cast<int>(filter.kernel.size());
+  const bool is_even = size % 2 == 0;
   ivec2 first(-(size / 2));
   std::array<std::uint32_t, 2> part{};
   if (filter.linear_taps) {
-    const dvec2 base = glm::floor(receiver.texels - 0.5);
+    const double half_texel = is_even ? 0.0 : 0.5;
+    const dvec2 base = glm::floor(receiver.texels - half_texel);
     first += ivec2(base) - receiver.texel;
-    const dvec2 parts = glm::floor((receiver.texels - 0.5 - base) * double{FilterKernel::texel_parts} + 0.5);
+    const dvec2 parts = glm::floor((receiver.texels - half_texel - base) * double{FilterKernel::texel_parts} + 0.5);
     part = {static_cast<std::uint32_t>(parts.x), static_cast<std::uint32_t>(parts.y)};
+  } else if (is_even) {
+    first += floor_of(receiver.texels + 0.5) - receiver.texel;
   }
+  const auto area_part = [&](int x) {
+    const auto width = size * static_cast<int>(FilterKernel::texel_parts);
+    return area_tent_part(static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(std::clamp(x, 0, width)));
+  };
   const auto axis_weight = [&](int i, std::uint32_t right) {
     const auto at = static_cast<std::size_t>(i);
+    if (filter.is_area_tent) {
+      const int parts = static_cast<int>(FilterKernel::texel_parts);
+      const int left = i * parts - static_cast<int>(right);
+      return area_part(left + parts) - area_part(left);
+    }
     if (!filter.linear_taps) return filter.kernel[at];
     return (i < size ? filter.kernel[at] * (FilterKernel::texel_parts - right) : 0u) +
            (i > 0 ? filter.kernel[at - 1] * right : 0u);
@@ -84,16 +116,69 @@ void fetch_grid(const MapLookup& lookup, const Receiver& receiver, std::vector<T
   }
 }
 
-void fetch_disk(const MapLookup& lookup, const Receiver& receiver, std::size_t pixel, std::vector<Tap>& taps) {
-  const FilterKernel& filter = lookup.filter;
+vec2 turn_of(const MapLookup& lookup, std::size_t pixel) {
+  const std::vector<vec2>& rotations = lookup.filter.rotations;
   const auto width = static_cast<std::size_t>(lookup.gbuffer.width);
-  const std::uint32_t number =
-      hash(static_cast<std::uint32_t>(pixel % width), static_cast<std::uint32_t>(pixel / width));
-  const vec2 turn = filter.rotations[number % filter.rotations.size()];
+  const auto column = static_cast<std::uint32_t>(pixel % width);
+  const auto row = static_cast<std::uint32_t>(pixel / width);
+  switch (lookup.filter.rotation) {
+    case DiskRotation::random:
+      return rotations[hash(column, row) % rotations.size()];
+    case DiskRotation::fixed:
+      return rotations.front();
+    case DiskRotation::gradient:
+      break;
+  }
+  const double sum = 0.06711056 * column + 0.00583715 * row;
+  const double scaled = 52.9829189 * (sum - std::floor(sum));
+  const double noise = (scaled - std::floor(scaled)) * static_cast<double>(rotations.size());
+  return rotations[std::min(static_cast<std::size_t>(noise), rotations.size() - 1)];
+}
+
+ivec2 disk_offset(const Receiver& receiver, const vec2& p, const vec2& turn, float radius) {
+  const vec2 turned(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+  const dvec2 texels = receiver.texels + dvec2(turned) * static_cast<double>(radius);
+  return floor_of(texels) - receiver.texel;
+}
+
+// search_radius() of shadow_filter.glsl.
+float search_radius(const MapLookup& lookup, const SurfelLookup& surfel, const vec2& turn) {
+  const BlockerSearch& search = *lookup.filter.search;
+  const Receiver& receiver = surfel.receiver;
+  const bool is_orthographic = lookup.layout.kind == MapKind::orthographic;
+  const auto penumbra_at = [&](double blocker) {
+    const double radius = static_cast<double>(search.extent) * (receiver.depth - blocker);
+    return is_orthographic ? radius : radius / blocker;
+  };
+  const auto texel = static_cast<double>(texel_side(lookup.layout, receiver));
+  double reach = static_cast<double>(search.max_radius);
+  if (is_orthographic) reach = std::min(reach, penumbra_at(0.0) / texel);
+  const float bias_unit = bias_unit_of(lookup.bias.constant.unit, surfel.texel);
+  double sum = 0.0;
+  int count = 0;
+  for (const vec2& p : search.points) {
+    const Tap tap = fetch_tap(lookup, receiver, disk_offset(receiver, p, turn, static_cast<float>(reach)));
+    const float flip = flip_bias(tap.critical_bias, surfel.slope, static_cast<float>(lookup.bias.slope));
+    if (!tap.has_blocker || is_lit_at(static_cast<float>(lookup.bias.constant.number), bias_unit, flip)) continue;
+    const double blocker = receiver.depth - static_cast<double>(tap.critical_bias);
+    if (!(blocker > 0.0)) continue;
+    const dvec2 at(p);
+    const double away = std::sqrt(at.x * at.x + at.y * at.y) * reach * texel;
+    if (search.is_in_cone && away > penumbra_at(blocker)) continue;
+    sum += blocker;
+    ++count;
+  }
+  if (count == 0) return search.min_radius;
+  const double radius = penumbra_at(sum / count) / texel;
+  return std::clamp(static_cast<float>(radius), search.min_radius, search.max_radius);
+}
+
+void fetch_disk(const MapLookup& lookup, const SurfelLookup& surfel, std::size_t pixel, std::vector<Tap>& taps) {
+  const FilterKernel& filter = lookup.filter;
+  const vec2 turn = turn_of(lookup, pixel);
+  const float radius = filter.search ? search_radius(lookup, surfel, turn) : filter.radius;
   for (const vec2& p : filter.points) {
-    const vec2 turned(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
-    const dvec2 texels = receiver.texels + dvec2(turned) * static_cast<double>(filter.radius);
-    taps.emplace_back(fetch_tap(lookup, receiver, floor_of(texels) - receiver.texel)).weight = 1;
+    taps.emplace_back(fetch_tap(lookup, surfel.receiver, disk_offset(surfel.receiver, p, turn, radius))).weight = 1;
   }
 }
 
@@ -159,11 +244,11 @@ SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel) {
   const float texel = texel_side(lookup.layout, result.receiver);
   result.slope = texel * static_cast<float>(sine / cosine);
   result.texel = texel;
-  if (lookup.normal_offset != 0.0f) {
-    const double shift =
-        static_cast<double>(lookup.normal_offset) * static_cast<double>(texel) * (sine / length_of(to_light));
+  if (const auto offset = static_cast<float>(lookup.bias.normal_offset); offset != 0.0f) {
+    const double shift = static_cast<double>(offset) * static_cast<double>(texel) * (sine / length_of(to_light));
     result.receiver = project_to_map(lookup.layout, position + normal * shift);
   }
+  result.receiver.plane = transform_vector(lookup.layout.light_from_world, normal);
   return result;
 }
 
@@ -172,7 +257,7 @@ void fetch_taps(const MapLookup& lookup, const SurfelLookup& surfel, std::size_t
   if (lookup.filter.is_grid()) {
     fetch_grid(lookup, surfel.receiver, taps);
   } else {
-    fetch_disk(lookup, surfel.receiver, pixel, taps);
+    fetch_disk(lookup, surfel, pixel, taps);
   }
 }
 

@@ -21,7 +21,7 @@ struct MapLookup {
   const Light& light;
   const ShadowMapImages& map;
   const FilterKernel& filter;
-  float normal_offset = 0.0f;  ///< texels
+  BiasParams bias{};  ///< of PCSS all; other filters do not read the constant and the slope-scaled bias
 };
 
 /// Where a position falls on the map.
@@ -33,6 +33,7 @@ struct Receiver {
   ivec2 texel{0};
   int view = 0;
   bool is_inside = false;
+  dvec3 plane{0.0};  ///< geometric normal in light space
 };
 Receiver project_to_map(const MapLayout& layout, const dvec3& world);
 
