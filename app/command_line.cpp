@@ -130,6 +130,11 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
     command.add_flag_callback(
         "--shimmer", [&line] { line.settings.emplace_back("run.shimmer", "true"); }, "same as --run.shimmer true");
   }
+  if (&description == &compare_command || &description == &raster_command) {
+    command.add_flag_callback(
+        "--write-maps", [&line] { line.settings.emplace_back("run.write-maps", "true"); },
+        "same as --run.write-maps true");
+  }
   if (&description != &trace_command) {
     command.add_option("--gl-device", line.gl_device, "OpenGL device: index, part of its name, or 'software'")
         ->type_name("NAME");

@@ -145,6 +145,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   }
   output.summary = {line.command, given, &stages, &measurement, {}, {}, {}, {}};
   if (sides.raster) output.summary.gl_renderer = stages.context().device().renderer;
+  if (sides.raster && experiment.run.write_maps) output.maps = lights;
   output.with_figures = !line.no_figures;
   return write_run(folder, console, std::move(output));
 }

@@ -45,6 +45,9 @@ void check_axes(const std::vector<SweepAxis>& axes, const Experiment& experiment
   if (!experiment.run.overlay.empty()) {
     throw Error(ExitCode::usage, "--overlay", "a sweep draws no views", "use compare or raster");
   }
+  if (experiment.run.write_maps) {
+    throw Error(ExitCode::usage, "--write-maps", "a sweep writes no maps", "use compare or raster");
+  }
 }
 
 // How far a light reaches decides which pixels are counted, and how its map is fitted.

@@ -27,6 +27,7 @@ Parameters describe(RunParams& params) {
              {"", "measure shimmer: shadow map and camera move by fractions of a texel or pixel"})
       .field("metrics", params.metrics,
              {"", "image metrics of visibility and AO that compare reports: " + metric_names() + "; comma-separated"})
+      .field("write-maps", params.write_maps, {"", "write each shadow map with its projection as an EXR file"})
       .field("overlay", params.overlay,
              {"", "debug views in a corner of the image and as figures: all, depth, normal, shadow-map:LIGHT, ..."})
       .take();

@@ -32,6 +32,7 @@ struct RunParams {
   SweepMeasure measure = SweepMeasure::automatic;
   bool shimmer = false;
   std::string metrics;  ///< names of image metrics, comma-separated
+  bool write_maps = false;
   std::string overlay;  ///< names of debug views, comma-separated
 };
 Parameters describe(RunParams& params);

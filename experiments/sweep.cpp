@@ -1,5 +1,6 @@
 #include "experiments/sweep.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <functional>
@@ -97,6 +98,14 @@ struct LengthReader {
   }
 };
 
+// The values of a list; "all" stands for all names of a choice, unless it is one of them.
+std::vector<std::string> parts_of(const Parameter& parameter, std::string_view text) {
+  const auto* choice = std::get_if<ChoiceRef>(&parameter.field);
+  if (choice == nullptr || text != "all") return split(text, ',');
+  return std::find(choice->names.begin(), choice->names.end(), "all") == choice->names.end() ? choice->names
+                                                                                             : split(text, ',');
+}
+
 }  // namespace
 
 void set_value(const Parameters& parameters, const SweepAxis& axis, const Value& value) {
@@ -143,7 +152,7 @@ SweepAxis parse_axis(const Parameters& parameters, std::string_view key, std::st
       for (const std::string& part : split(text, ',')) numbers.push_back(lengths(part));
       accept_lengths(numbers);
     } else {
-      for (const std::string& part : split(text, ',')) accept([&] { parameter.set_text(part); });
+      for (const std::string& part : parts_of(parameter, text)) accept([&] { parameter.set_text(part); });
     }
   } catch (...) {
     parameter.set(before);

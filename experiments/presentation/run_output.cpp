@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "experiments/layers.h"
+#include "experiments/presentation/map_files.h"
 #include "reports/files/data.h"
 #include "reports/files/output.h"
 
@@ -99,6 +100,12 @@ void write_layers(const std::filesystem::path& path, const SummaryInput& summary
   write_exr(path, image);
 }
 
+std::vector<std::string> map_files(const RunOutput& output) {
+  std::vector<std::string> files;
+  for (const std::uint32_t light : output.maps) files.push_back(map_file_name(*output.summary.stages, light));
+  return files;
+}
+
 void write_rows(const std::filesystem::path& path, const ResultsStore& results) {
   std::vector<Column> columns;
   for (const StoredColumn& stored : results.description().columns) columns.push_back(stored.column);
@@ -125,10 +132,12 @@ std::vector<std::string> run_files(bool with_rows) {
 ExitCode write_run(RunFolder& run_folder, const Console& console, RunOutput output) {
   if (!output.with_figures) leave_out_figures(output);
   const std::filesystem::path& folder = run_folder.path();
-  const std::vector<std::string> figures = figure_files(output.parts);
-  run_folder.require_free(figures);
+  std::vector<std::string> further = figure_files(output.parts);
+  const std::vector<std::string> maps = map_files(output);
+  further.insert(further.end(), maps.begin(), maps.end());
+  run_folder.require_free(further);
   run_folder.begin();
-  run_folder.announce(figures);
+  run_folder.announce(further);
   print_answer(console, output);
   SummaryInput& summary = output.summary;
   const Experiment& experiment = summary.experiment;
@@ -144,6 +153,10 @@ ExitCode write_run(RunFolder& run_folder, const Console& console, RunOutput outp
     write_rows(folder / "sweep.csv", *output.results);
     summary.files.push_back("results.sqlite");
     summary.files.push_back("sweep.csv");
+  }
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    write_exr(folder / maps[i], map_layers(*summary.stages, summary.measurement->experiment, output.maps[i]));
+    summary.files.push_back(maps[i]);
   }
   if (output.with_figures) write_figures_of(folder, console, output);
   if (layers.valid()) layers.get();

@@ -20,6 +20,7 @@ struct RunOutput {
   std::vector<Presentation> parts;
   SummaryInput summary;
   const ResultsStore* results = nullptr;  ///< of a sweep: sweep.csv is a view of it
+  std::vector<std::uint32_t> maps{};      ///< lights whose shadow maps are written
   bool with_figures = true;               ///< else no figures/ folder, and the page says so
 };
 

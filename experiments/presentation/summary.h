@@ -28,7 +28,7 @@ struct SweepSummary {
 struct SummaryInput {
   std::string command;
   Experiment experiment;  ///< as given; a sweep's axes are not applied to it
-  const Stages* stages = nullptr;
+  Stages* stages = nullptr;
   const Measurement* measurement = nullptr;
   std::optional<SweepSummary> sweep;
   std::string gl_renderer;            ///< empty when OpenGL was not used
