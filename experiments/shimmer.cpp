@@ -28,7 +28,9 @@ Shimmer measure_shimmer(Stages& stages, const ShadowMeasurement& shadow) {
   const GpuGBuffer& gpu_surfels = stages.gpu_surfels(experiment);
   const Light light = stages.light(experiment, shadow.light);
   const Image<float>& before = shadow.raster->visibility;
-  const auto draw_map = [&](const MapLayout& layout) { return draw_shadow_map(context, scene, light, layout); };
+  const auto draw_map = [&](const MapLayout& layout) {
+    return draw_shadow_map(context, scene, light, layout, experiment.shadow.map_depth);
+  };
   const auto look_up = [&](const GpuGBuffer& gbuffer, const ShadowMap& map) {
     return draw_visibility(context,
                            {scene, gbuffer, map, light, experiment.shadow.bias, make_technique(experiment.shadow)})

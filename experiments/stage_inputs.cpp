@@ -27,7 +27,8 @@ Parameters run_parameter(Experiment& experiment, std::string_view key) {
 // The parameters of shadows that neither the map nor its filter reads.
 Parameters visibility_parameters(Experiment& experiment) {
   Parameters all = describe(experiment.shadow);
-  const Parameters earlier = concatenate({describe(experiment.shadow.map), filtered_map_parameters(experiment.shadow)});
+  const Parameters earlier = concatenate({describe(experiment.shadow.map), describe(experiment.shadow.map_depth),
+                                          filtered_map_parameters(experiment.shadow)});
   std::erase_if(all, [&](const Parameter& parameter) { return find(earlier, parameter.key) != nullptr; });
   return concatenate({all, run_parameter(experiment, "run.classes")});
 }
@@ -46,7 +47,7 @@ const std::array<StageInputs, stage_count>& stages() {
        [](Experiment&) { return Parameters{}; },
        {Stage::surfels, Stage::emitter, Stage::layout},
        1.0},
-      {"shadow map", [](Experiment&) { return Parameters{}; }, {Stage::layout}, 10.0},
+      {"shadow map", [](Experiment& e) { return describe(e.shadow.map_depth); }, {Stage::layout}, 10.0},
       {"filtered map", [](Experiment& e) { return filtered_map_parameters(e.shadow); }, {Stage::map}, 3.0},
       {"visibility", visibility_parameters, {Stage::surfels, Stage::filtered_map, Stage::emitter}, 2.0},
       {"reference", [](Experiment&) { return Parameters{}; }, {Stage::surfels, Stage::light}, 100.0},

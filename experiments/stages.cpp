@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "raster/shadow/polygon_offset.h"
 #include "raytrace/surface_judge.h"
 #include "techniques/shadow/cascades.h"
 
@@ -256,8 +257,23 @@ const ShadowMap& Stages::map(const Experiment& experiment, std::uint32_t light) 
     // Software drivers clear every page of a new texture, which takes longer than drawing a small scene.
     ShadowMap drawn = last && has_textures_for(*last, layout) ? std::move(*last) : make_shadow_map(context(), layout);
     drawn.layout = layout;
-    redraw_shadow_map(context(), uploaded(), scene_.lights[light], drawn);
+    redraw_shadow_map(context(), uploaded(), scene_.lights[light], drawn, experiment.shadow.map_depth);
     return drawn;
+  });
+}
+
+const StoredDepths& Stages::stored_depths(const Experiment& experiment, std::uint32_t light) {
+  return stored_depths_.get(key(Stage::map, experiment, light), [&] {
+    const MapDepthParams& params = experiment.shadow.map_depth;
+    const ShadowMap& map = this->map(experiment, light);
+    StoredDepths depths;
+    depths.polygon_offset_unit = measure_offset_unit(context(), params.format);
+    depths.range = depth_range_of(context(), map);
+    if (depths.range) {
+      depths.step_at_nearest = depth_step(params, map.layout, depths.range->nearest);
+      depths.step_at_farthest = depth_step(params, map.layout, depths.range->farthest);
+    }
+    return depths;
   });
 }
 

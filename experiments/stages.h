@@ -88,6 +88,14 @@ struct ShadingSurfels {
   bool is_exact = true;
 };
 
+/// The depths in a shadow map, and how finely it stores them.
+struct StoredDepths {
+  std::optional<DepthRange> range{};  ///< nothing if the light hits no surface
+  double step_at_nearest = 0.0;       ///< metres
+  double step_at_farthest = 0.0;      ///< metres
+  double polygon_offset_unit = 0.0;   ///< share of the stored range, at a stored depth of ½; as measured
+};
+
 struct StageOptions {
   std::string gl_device;
   int threads = 0;
@@ -153,6 +161,8 @@ class Stages {
   ShadedImage shade(const Experiment& experiment, std::span<const LitLight> lights, const Image<float>& ao);
   /// The light's shadow map.
   const ShadowMap& map(const Experiment& experiment, std::uint32_t light);
+  /// What the light's shadow map can store.
+  const StoredDepths& stored_depths(const Experiment& experiment, std::uint32_t light);
 
   /// Reports the progress of tracing to `to`, for a bar that covers several stages; the stages then show no bars. If
   /// `to` is empty, each stage shows its bar again.
@@ -196,6 +206,7 @@ class Stages {
   Memo<MapLayout> layout_;
   Memo<CountedPixels> counted_;
   Memo<ShadowMap> map_;
+  Memo<StoredDepths> stored_depths_;
   Memo<FilteredMap> filtered_map_;
   Memo<TracedVisibility> truth_;
   Memo<gl::Texture> gpu_truth_;

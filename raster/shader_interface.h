@@ -9,6 +9,7 @@
 #include "core/gbuffer.h"
 #include "techniques/shadow/causes.h"
 #include "techniques/shadow/histogram.h"
+#include "techniques/shadow/map_depth.h"
 #include "techniques/shadow/map_layout.h"
 
 namespace umbrameter {
@@ -39,6 +40,13 @@ inline constexpr ShaderConstant shader_constants[] = {
     {"MAP_ORTHOGRAPHIC", static_cast<unsigned>(MapKind::orthographic)},
     {"MAP_PERSPECTIVE", static_cast<unsigned>(MapKind::perspective)},
     {"MAP_CUBE", static_cast<unsigned>(MapKind::cube)},
+    {"DEPTH_LINEAR", shared::DEPTH_LINEAR},
+    {"DEPTH_REVERSED_LINEAR", shared::DEPTH_REVERSED_LINEAR},
+    {"DEPTH_PERSPECTIVE", shared::DEPTH_PERSPECTIVE},
+    {"DEPTH_REVERSED_PERSPECTIVE", shared::DEPTH_REVERSED_PERSPECTIVE},
+    {"SURFACE_MIDPOINT", static_cast<unsigned>(StoredSurface::midpoint)},
+    {"SURFACE_SECOND", static_cast<unsigned>(StoredSurface::second)},
+    {"SURFACE_DUAL", static_cast<unsigned>(StoredSurface::dual)},
 };
 
 /// The number of that name; a name that is not in the table does not compile.

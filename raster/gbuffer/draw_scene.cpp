@@ -70,7 +70,7 @@ gl::Pass& bind_triangles(gl::Pass& pass, const UploadedScene& scene) {
 void draw_scene(const UploadedScene& scene, DrawnFor use, const MakePass& make_pass) {
   glBindVertexArray(scene.vertex_array.name());
   glVertexAttrib2f(constant("ATTRIBUTE_TEXCOORD"), 0.0f, 0.0f);  // where a draw has none
-  glCullFace(GL_BACK);
+  glCullFace(use == DrawnFor::shadow_of_back_faces ? GL_FRONT : GL_BACK);
   // Opaque first: what is masked then meets a filled depth buffer.
   for (const bool is_masked : {false, true}) {
     gl::Pass pass = make_pass(is_masked);
@@ -81,7 +81,7 @@ void draw_scene(const UploadedScene& scene, DrawnFor use, const MakePass& make_p
       if ((material.alpha_mode == AlphaMode::mask) != is_masked) continue;
       if (&material != current) set_material(scene, material, pass);
       current = &material;
-      const bool culls = use == DrawnFor::camera && !material.double_sided;
+      const bool culls = use != DrawnFor::shadow && !material.double_sided;
       (culls ? glEnable : glDisable)(GL_CULL_FACE);
       glFrontFace(draw.is_mirrored ? GL_CW : GL_CCW);
       (draw.has_texcoords ? glEnableVertexArrayAttrib : glDisableVertexArrayAttrib)(scene.vertex_array.name(),

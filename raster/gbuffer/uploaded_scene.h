@@ -51,8 +51,9 @@ UploadedScene upload(const gl::Context& context, const Scene& scene);
 /// Bytes of the buffers and textures that upload() makes of the scene; what a driver adds is not in it.
 SceneBytes bytes_when_uploaded(const Scene& scene);
 
-/// camera: back faces of single-sided materials are left out; shadow: every face.
-enum class DrawnFor : int { camera, shadow };
+/// camera: back faces of single-sided materials are left out; shadow: every face; shadow_of_front_faces and
+/// shadow_of_back_faces: of single-sided materials only these.
+enum class DrawnFor : int { camera, shadow, shadow_of_front_faces, shadow_of_back_faces };
 
 /// A pass that draws opaque or alpha-masked materials. Its shaders include scene.glsl and may include material.glsl.
 using MakePass = std::function<gl::Pass(bool is_masked)>;

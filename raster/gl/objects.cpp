@@ -12,7 +12,7 @@ struct FormatNames {
   GLenum internal;
   GLenum external;
   GLenum type;
-  std::size_t bytes;
+  std::size_t bytes;  // of a texel as external and type give it
 };
 
 FormatNames names_of(Format format) {
@@ -41,6 +41,10 @@ FormatNames names_of(Format format) {
       return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16};
     case Format::rgba8:
       return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+    case Format::depth16:
+      return {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_FLOAT, 4};
+    case Format::depth24:
+      return {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_FLOAT, 4};
     case Format::depth32f:
       break;
   }
@@ -159,6 +163,12 @@ TextureSize size_of(const Texture& texture) {
   glGetTextureLevelParameteriv(texture.name(), 0, GL_TEXTURE_WIDTH, &size.width);
   glGetTextureLevelParameteriv(texture.name(), 0, GL_TEXTURE_HEIGHT, &size.height);
   return size;
+}
+
+int depth_bits_of(const Texture& texture) {
+  int bits = 0;
+  glGetTextureLevelParameteriv(texture.name(), 0, GL_TEXTURE_DEPTH_SIZE, &bits);
+  return bits;
 }
 
 Framebuffer make_framebuffer(const std::string& label) {

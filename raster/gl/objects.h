@@ -93,6 +93,8 @@ enum class Format {
   rgb32ui,
   rgba32ui,
   rgba8,
+  depth16,
+  depth24,
   depth32f
 };
 
@@ -133,6 +135,9 @@ void read_buffer(const Buffer& buffer, std::span<std::byte> bytes);
 void read_texels(const Texture& texture, Format format, std::span<std::byte> texels);
 
 TextureSize size_of(const Texture& texture);
+
+/// Bits of the depth that the driver stores; a driver may choose more than the format asks for.
+int depth_bits_of(const Texture& texture);
 
 Framebuffer make_framebuffer(const std::string& label);
 VertexArray make_vertex_array(const std::string& label);

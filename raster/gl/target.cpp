@@ -36,6 +36,10 @@ void Target::clear_colors() const {
   for (int i = 0; i < colors_; ++i) glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, i, zero);
 }
 
+void Target::set_layer(const Texture& depth, int layer) const {
+  glNamedFramebufferTextureLayer(framebuffer_.name(), GL_DEPTH_ATTACHMENT, depth.name(), 0, layer);
+}
+
 void Target::begin(const DrawState& state) const {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   glViewport(0, 0, size_.width, size_.height);

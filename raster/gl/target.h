@@ -30,6 +30,8 @@ class Target {
   /// Sets all colours and the depth to 0.
   void clear() const;
   void clear_colors() const;
+  /// Draws that follow write to this layer of an array, the depth of the target.
+  void set_layer(const Texture& depth, int layer) const;
   /// Binds the framebuffer and sets the state for the draws that follow.
   void begin(const DrawState& state) const;
 

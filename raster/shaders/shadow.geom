@@ -12,12 +12,17 @@ layout(location = 1) in vec2 vertex_texcoord[];
 layout(location = 2) in vec3 vertex_in_light[];
 layout(location = 0) flat out uint instance;
 layout(location = 1) out vec2 surface_texcoord;
-layout(location = 2) flat out vec4 plane;       // light space: normal·p = w
+layout(location = 2) flat out vec4 plane;        // light space: normal·p = w
 layout(location = 3) flat out vec2 depth_range;  // metres, of this triangle
 layout(location = 4) flat out int face;
 
 // Nearer than this share of far_depth nothing is drawn: a projection has no room for a surface at its centre.
 const float nearest_share = 1e-6;
+// Perspective mappings store the depth along the axis of the face, and begin at their near plane.
+#define IS_PERSPECTIVE (DEPTH_MAPPING == DEPTH_PERSPECTIVE || DEPTH_MAPPING == DEPTH_REVERSED_PERSPECTIVE)
+#if IS_PERSPECTIVE
+uniform float near_depth;
+#endif
 
 void main() {
   vec3 a = vertex_in_light[0];
@@ -36,6 +41,9 @@ void main() {
   vec2 range = vec2(min(min(-a.z, -b.z), -c.z), max(max(-a.z, -b.z), -c.z));
 #endif
   float near = nearest_share * float(far_depth);
+#if IS_PERSPECTIVE
+  near = max(near, near_depth);
+#endif
   float tangent = float(map_views[0].z);
   for (int f = 0; f < face_count; ++f) {
     vec4 clip[3];
@@ -55,6 +63,9 @@ void main() {
       outside = outside || all(greaterThan(s, w)) || all(lessThan(s, -w));
     }
     if (outside) continue;
+#if IS_PERSPECTIVE
+    range = max(vec2(min(min(clip[0].w, clip[1].w), clip[2].w), max(max(clip[0].w, clip[1].w), clip[2].w)), near);
+#endif
     for (int i = 0; i < 3; ++i) {
       gl_Position = clip[i];
       gl_Layer = f;

@@ -20,7 +20,12 @@ void main() {
   instance = id;
   surface_texcoord = texcoord;
   dvec4 view = map_views[map_view];
-  gl_Position = vec4(vec3((p.x - view.x) / view.z, (p.y - view.y) / view.z, -p.z / far_depth), 1.0);
+#if DEPTH_MAPPING == DEPTH_REVERSED_LINEAR
+  double depth = (far_depth + p.z) / far_depth;
+#else
+  double depth = -p.z / far_depth;
+#endif
+  gl_Position = vec4(vec3((p.x - view.x) / view.z, (p.y - view.y) / view.z, depth), 1.0);
 #else
   vertex_instance = id;
   vertex_texcoord = texcoord;

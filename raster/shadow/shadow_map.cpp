@@ -1,12 +1,15 @@
 #include "raster/shadow/shadow_map.h"
 
+#include <array>
+#include <bit>
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "core/error.h"
-#include "raster/gl/api.h"
-#include "raster/shader_interface.h"
-#include "raster/shadow/light_block.h"
+#include "raster/gl/pass.h"
+#include "raster/shadow/map_layer.h"
+#include "raster/shadow/map_resolve.h"
 #include "raster/texture_image.h"
 
 namespace umbrameter {
@@ -33,18 +36,37 @@ void require_room(const gl::Context& context, const MapLayout& layout) {
   }
 }
 
-// One view after another, each into its layer. The other kinds draw all layers at once through a geometry shader.
-void draw_views(const UploadedScene& scene, const MakePass& make_pass, const gl::Framebuffer& framebuffer,
-                const ShadowMap& map) {
-  for (int view = 0; view < layer_count(map.layout); ++view) {
-    glNamedFramebufferTextureLayer(framebuffer.name(), GL_COLOR_ATTACHMENT0, map.ids.name(), 0, view);
-    glNamedFramebufferTextureLayer(framebuffer.name(), GL_DEPTH_ATTACHMENT, map.depth.name(), 0, view);
-    draw_scene(scene, DrawnFor::shadow, [&](bool is_masked) {
-      gl::Pass pass = make_pass(is_masked);
-      pass.value("map_view", view);
-      return pass;
-    });
+gl::Texture make_depth(const MapLayout& layout, gl::Format format) {
+  return gl::make_texture("shadow depth", format, layout.resolution, layout.resolution, layer_count(layout));
+}
+
+gl::Texture make_ids(const MapLayout& layout) {
+  return gl::make_texture("shadow ids", gl::Format::rg32ui, layout.resolution, layout.resolution, layer_count(layout));
+}
+
+gl::Texture make_stored(const gl::Context& context, const MapLayout& layout, MapDepthFormat format) {
+  gl::Texture stored = make_depth(layout, texture_format(format));
+  const int wanted = format == MapDepthFormat::fixed16 ? 16 : format == MapDepthFormat::fixed24 ? 24 : 32;
+  const int given = gl::depth_bits_of(stored);
+  if (given != wanted) {
+    throw Error(ExitCode::usage, "shadow.depth-format",
+                context.device().renderer + " stores " + std::to_string(given) + " bits for " + std::to_string(wanted),
+                "use 32f");
   }
+  return stored;
+}
+
+// The ids are those of the surface whose depth is stored. Of a depth between two surfaces they are the nearer one's:
+// a tap is acne or false occlusion by the surface that the light sees, whatever part of the gap behind it is stored.
+void draw_surface(const MapSource& source, const ShadowMap& map, const gl::Texture& stored, int mapping) {
+  const gl::Texture nearest = make_depth(map.layout, gl::Format::depth32f);
+  const gl::Texture second = make_depth(map.layout, gl::Format::depth32f);
+  const gl::Texture other_ids = make_ids(map.layout);
+  const bool is_second = source.params.surface == StoredSurface::second;
+  draw_map_layer(source, {nearest, is_second ? other_ids : map.ids, MapDepthFormat::f32, shared::DEPTH_LINEAR});
+  draw_map_layer(source,
+                 {second, is_second ? map.ids : other_ids, MapDepthFormat::f32, shared::DEPTH_LINEAR, &nearest});
+  combine_layers(source, {nearest, second}, stored, mapping);
 }
 
 }  // namespace
@@ -53,10 +75,8 @@ ShadowMap make_shadow_map(const gl::Context& context, const MapLayout& layout) {
   require_room(context, layout);
   ShadowMap map;
   map.layout = layout;
-  map.depth =
-      gl::make_texture("shadow depth", gl::Format::depth32f, layout.resolution, layout.resolution, layer_count(layout));
-  map.ids =
-      gl::make_texture("shadow ids", gl::Format::rg32ui, layout.resolution, layout.resolution, layer_count(layout));
+  map.depth = make_depth(layout, gl::Format::depth32f);
+  map.ids = make_ids(layout);
   context.check("shadow map textures");
   return map;
 }
@@ -65,55 +85,43 @@ bool has_textures_for(const ShadowMap& map, const MapLayout& layout) {
   return map.layout.resolution == layout.resolution && layer_count(map.layout) == layer_count(layout);
 }
 
-void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light, ShadowMap& map) {
-  const MapLayout& layout = map.layout;
-  const LightBlock block = make_light_block(light, layout);
-  const MakePass make_pass = [&](bool is_masked) {
-    gl::ProgramSource source{{"shadow.vert", "shadow.frag"},
-                             map_defines(layout) + define("ALPHA_MASK", is_masked ? 1 : 0)};
-    if (layout.kind != MapKind::orthographic) source.files.insert(source.files.begin() + 1, "shadow.geom");
-    gl::Pass pass(context, source);
-    pass.block("LightBlock", block);
-    return pass;
-  };
-
-  const gl::Framebuffer framebuffer = gl::make_framebuffer("shadow map");
-  const unsigned target = framebuffer.name();
-  glNamedFramebufferTexture(target, GL_COLOR_ATTACHMENT0, map.ids.name(), 0);
-  glNamedFramebufferTexture(target, GL_DEPTH_ATTACHMENT, map.depth.name(), 0);
-  const GLuint empty_ids[] = {no_id, no_id, no_id, no_id};
-  const GLfloat one = 1.0f;
-  glDepthMask(GL_TRUE);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glDisable(GL_SCISSOR_TEST);
-  glClearNamedFramebufferuiv(target, GL_COLOR, 0, empty_ids);
-  glClearNamedFramebufferfv(target, GL_DEPTH, 0, &one);
-
-  glBindFramebuffer(GL_FRAMEBUFFER, target);
-  glViewport(0, 0, layout.resolution, layout.resolution);
-  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-  glDepthRangef(0.0f, 1.0f);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
-  glDisable(GL_BLEND);
-  // Orthographic: what rounding puts before the near face still casts. The others clip at their own tiny near plane.
-  (layout.kind == MapKind::orthographic ? glEnable : glDisable)(GL_DEPTH_CLAMP);
-  if (layout.kind == MapKind::orthographic) {
-    draw_views(scene, make_pass, framebuffer, map);
+void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light, ShadowMap& map,
+                       const MapDepthParams& params) {
+  require_sense(params, map.layout);
+  const MapSource source{context, scene, light, map.layout, params};
+  const bool is_direct = stores_linear_floats(params, map.layout.kind);
+  const int mapping = depth_mapping(params, map.layout.kind);
+  gl::Texture encoded;
+  if (!is_direct) encoded = make_stored(context, map.layout, params.format);
+  const gl::Texture& stored = is_direct ? map.depth : encoded;
+  if (params.surface == StoredSurface::nearest) {
+    draw_map_layer(source, {stored, map.ids, params.format, mapping});
   } else {
-    draw_scene(scene, DrawnFor::shadow, make_pass);
+    draw_surface(source, map, stored, mapping);
   }
-  glDisable(GL_DEPTH_CLAMP);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-  context.check("shadow map");
+  if (!is_direct) decode_depth_map(source, stored, map.depth);
 }
 
 ShadowMap draw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light,
-                          const MapLayout& layout) {
+                          const MapLayout& layout, const MapDepthParams& params) {
   ShadowMap map = make_shadow_map(context, layout);
-  redraw_shadow_map(context, scene, light, map);
+  redraw_shadow_map(context, scene, light, map, params);
   return map;
+}
+
+std::optional<DepthRange> depth_range_of(const gl::Context& context, const ShadowMap& map) {
+  std::array<std::uint32_t, 2> bits = {0xffffffffu, 0u};
+  const gl::Buffer range = gl::make_buffer("depth range", std::span<const std::uint32_t>(bits));
+  gl::Pass pass(context, {{"depth_range.comp"}, {}});
+  pass.texture("shadow_depth", map.depth)
+      .buffer("Range", range)
+      .dispatch(map.layout.resolution, map.layout.resolution, layer_count(map.layout));
+  gl::read_buffer(range, std::as_writable_bytes(std::span(bits)));
+  if (bits[0] > bits[1]) return std::nullopt;
+  const auto metres = [&](std::uint32_t each) {
+    return static_cast<double>(std::bit_cast<float>(each)) * map.layout.far_depth;
+  };
+  return DepthRange{metres(bits[0]), metres(bits[1])};
 }
 
 ShadowMapImages read_back(const gl::Context& context, const ShadowMap& map) {

@@ -1,9 +1,12 @@
 // A light's shadow map: linear depth and triangle ids, sampled at texel centres.
 #pragma once
 
+#include <optional>
+
 #include "raster/gbuffer/uploaded_scene.h"
 #include "raster/gl/context.h"
 #include "raster/gl/objects.h"
+#include "techniques/shadow/map_depth.h"
 #include "techniques/shadow/map_layout.h"
 
 namespace umbrameter {
@@ -23,11 +26,21 @@ ShadowMap make_shadow_map(const gl::Context& context, const MapLayout& layout);
 bool has_textures_for(const ShadowMap& map, const MapLayout& layout);
 
 /// Draws the map with the layout map.layout and overwrites its textures. See draw_shadow_map().
-void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light, ShadowMap& map);
+void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light, ShadowMap& map,
+                       const MapDepthParams& params = {});
 
-/// Draws both faces of every triangle; masked materials are alpha-tested. Throws what make_shadow_map() throws.
+/// Draws both faces of every triangle, unless params.faces says otherwise; masked materials are alpha-tested. Whatever
+/// the parameters store, map.depth gets the linear depth that it stands for. Throws what make_shadow_map() and
+/// require_sense() throw, and Error (usage) if the device lacks the format.
 ShadowMap draw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light,
-                          const MapLayout& layout);
+                          const MapLayout& layout, const MapDepthParams& params = {});
+
+/// The nearest and the farthest depth in the map, metres; nothing if the light hits no surface.
+struct DepthRange {
+  double nearest = 0.0;
+  double farthest = 0.0;
+};
+std::optional<DepthRange> depth_range_of(const gl::Context& context, const ShadowMap& map);
 
 ShadowMapImages read_back(const gl::Context& context, const ShadowMap& map);
 

@@ -8,8 +8,8 @@ Parameters describe(ShadowParams& params) {
       Description("shadow")
           .choice("technique", params.technique, names, {.unit = {}, .meaning = "shadow-map technique", .basic = true})
           .take();
-  return concatenate({describe(params.map), describe(params.bias), technique, describe(params.pcf),
-                      describe(params.pcss), describe(params.esm), describe(params.moment_map),
+  return concatenate({describe(params.map), describe(params.map_depth), describe(params.bias), technique,
+                      describe(params.pcf), describe(params.pcss), describe(params.esm), describe(params.moment_map),
                       describe(params.moment_lookup)});
 }
 

@@ -12,6 +12,7 @@
 
 #include "techniques/shadow/capabilities.h"
 #include "techniques/shadow/filter.h"
+#include "techniques/shadow/map_depth.h"
 #include "techniques/shadow/parameters.h"
 #include "techniques/shadow/prefiltered.h"
 
@@ -22,6 +23,7 @@ enum class ShadowTechniqueName : int { pcf, esm, vsm, evsm2, evsm4, msm, pcss };
 /// The shadow.* parameters, grouped by the stage that reads them.
 struct ShadowParams {
   ShadowMapParams map;
+  MapDepthParams map_depth;
   BiasParams bias;
   ShadowTechniqueName technique = ShadowTechniqueName::pcf;
   PcfParams pcf;

@@ -90,7 +90,7 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
     const CountedPixels counted = count_pixels(gbuffer, light, layout);
     const TruthCounts counts = count_truth(visibility, counted);
     const gl::Texture truth = upload_truth(context, visibility, counted.exclusion);
-    const ShadowMap map = draw_shadow_map(context, uploaded, light, layout);
+    const ShadowMap map = draw_shadow_map(context, uploaded, light, layout, grid.map_depth);
     const ShadowMapImages images = read_back(context, map);
     const auto judged = [&](const std::vector<UnresolvedTap>& taps) {
       return test_same_surface(tracer, layout, surfaces_of(scene, layout, gbuffer, taps));

@@ -30,6 +30,7 @@ struct BiasGrid {
   std::vector<double> normal_offsets = {0.0};
   std::size_t judged_filters = 2;  ///< of the first ones the classes are compared by the judge, too
   int cascades = 1;
+  MapDepthParams map_depth{};
 };
 
 struct Agreement {

@@ -64,6 +64,26 @@ TEST_F(BiasResponseGl, Cascades_agree_too) {
   expect_agreement(lights_[0], grid);
 }
 
+TEST_F(BiasResponseGl, Maps_with_other_depths_agree_too) {
+  const auto set = [](const auto& change) {
+    MapDepthParams params;
+    change(params);
+    return params;
+  };
+  BiasGrid grid{{{-0.2f, 0.0f, 0.05f}, {0.0f, 1.5f}}, {96}, {usual_filters()[2]}};
+  grid.judged_filters = 1;
+  for (const MapDepthParams& params : {set([](MapDepthParams& p) { p.format = MapDepthFormat::fixed16; }),
+                                       set([](MapDepthParams& p) { p.encoding = DepthEncoding::reversed; }),
+                                       set([](MapDepthParams& p) { p.faces = CasterFaces::back; }),
+                                       set([](MapDepthParams& p) { p.surface = StoredSurface::midpoint; }),
+                                       set([](MapDepthParams& p) { p.surface = StoredSurface::second; }),
+                                       set([](MapDepthParams& p) { p.surface = StoredSurface::dual; }),
+                                       set([](MapDepthParams& p) { p.polygon_offset_factor = -1.0; })}) {
+    grid.map_depth = params;
+    for (const Light& light : lights_) expect_agreement(light, grid);
+  }
+}
+
 TEST_F(BiasResponseGl, The_largest_filter_agrees_too) {
   NamedFilter tent{"29×29 tent of linear taps", {}};
   tent.params.pcf.filter = ShadowFilter::tent;

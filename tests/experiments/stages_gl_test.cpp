@@ -133,6 +133,14 @@ TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_filt
   for (const std::string technique : {"esm", "vsm", "msm"}) expect_fresh({"shadow.technique=" + technique});
 }
 
+TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_another_surface_in_the_map) {
+  expect_fresh({"shadow.surface=dual", "shadow.depth-format=16", "shadow.depth-encoding=reversed"});
+}
+
+TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_polygon_offset) {
+  expect_fresh({"shadow.polygon-offset-factor=1", "shadow.polygon-offset-units=4", "shadow.depth-format=16"});
+}
+
 TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_an_area_light) {
   expect_fresh({"light.angle=2"});
 }

@@ -14,6 +14,7 @@ TEST(RasterParameters, Every_field_is_described) {
     EXPECT_EQ(describe(params).size(), static_cast<std::size_t>(count_fields<decltype(params)>()));
   };
   expect_all(ShadowMapParams{});
+  expect_all(MapDepthParams{});
   expect_all(BiasParams{});
   expect_all(PcfParams{});
   expect_all(PcssParams{});
@@ -27,10 +28,10 @@ TEST(RasterParameters, Every_field_is_described) {
   expect_all(AoBlurParams{});
   // All parts, plus one field: the choice of technique.
   ShadowParams shadow;
-  EXPECT_EQ(describe(shadow).size(), describe(shadow.map).size() + describe(shadow.bias).size() + 1 +
-                                         describe(shadow.pcf).size() + describe(shadow.pcss).size() +
-                                         describe(shadow.esm).size() + describe(shadow.moment_map).size() +
-                                         describe(shadow.moment_lookup).size());
+  EXPECT_EQ(describe(shadow).size(), 1 + describe(shadow.map).size() + describe(shadow.map_depth).size() +
+                                         describe(shadow.bias).size() + describe(shadow.pcf).size() +
+                                         describe(shadow.pcss).size() + describe(shadow.esm).size() +
+                                         describe(shadow.moment_map).size() + describe(shadow.moment_lookup).size());
   AoParams ao;
   EXPECT_EQ(describe(ao).size(), describe(ao.sampling).size() + describe(ao.bias).size() + describe(ao.noise).size() +
                                      1 + describe(ao.ssao).size() + describe(ao.blur).size());

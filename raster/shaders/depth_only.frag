@@ -1,0 +1,2 @@
+// Leaves the depth to the rasteriser.
+void main() {}

@@ -1,0 +1,65 @@
+// Computes the depth of each texel of a view. With COMBINES: from the linear depths of the two nearest layers, stored
+// by DEPTH_MAPPING. Otherwise the linear depth of a number stored by DEPTH_MAPPING.
+#include "light_map.glsl"
+#include "map_depth.glsl"
+uniform int map_view;
+uniform float near_depth;
+#if COMBINES
+uniform sampler2DArray nearest_layer;
+uniform sampler2DArray second_layer;
+uniform float dual_offset;  // metres
+#else
+uniform sampler2DArray stored_depth;
+#endif
+
+// The number that stands for no surface.
+const bool is_reversed = DEPTH_MAPPING == DEPTH_REVERSED_LINEAR || DEPTH_MAPPING == DEPTH_REVERSED_PERSPECTIVE;
+const float empty_stored = is_reversed ? 0.0 : 1.0;
+
+// Depth of the light's rays per depth along the axis of the face, which the perspective mappings store.
+double depth_per_axis_depth(ivec3 texel) {
+#if MAP_KIND == MAP_CUBE && (DEPTH_MAPPING == DEPTH_PERSPECTIVE || DEPTH_MAPPING == DEPTH_REVERSED_PERSPECTIVE)
+  dvec3 origin;
+  dvec3 direction;
+  texel_ray(texel, origin, direction);
+  return length_of(direction);
+#else
+  return 1.0;
+#endif
+}
+
+#if COMBINES
+// Where the light meets one surface alone, nothing behind it needs a shadow: midpoint and second are then empty.
+// Dual: D. Weiskopf and T. Ertl, Shadow Mapping Based on Dual Depth Layers, Eurographics 2003.
+float combined(float nearest, float second) {
+  bool has_second = second < empty_depth;
+#if SURFACE == SURFACE_SECOND
+  return second;
+#else
+  float midpoint = has_second ? 0.5 * (nearest + second) : empty_depth;
+#if SURFACE == SURFACE_DUAL
+  return nearest < empty_depth ? min(midpoint, nearest + dual_offset / float(far_depth)) : empty_depth;
+#else
+  return midpoint;
+#endif
+#endif
+}
+#endif
+
+void main() {
+  ivec3 texel = ivec3(gl_FragCoord.xy, map_view);
+#if COMBINES
+  float depth = combined(texelFetch(nearest_layer, texel, 0).r, texelFetch(second_layer, texel, 0).r);
+  double metres = double(depth) * far_depth / depth_per_axis_depth(texel);
+  bool is_empty = !(depth < empty_depth);
+#if DEPTH_MAPPING == DEPTH_LINEAR
+  gl_FragDepth = is_empty ? empty_stored : depth;
+#else
+  gl_FragDepth = is_empty ? empty_stored : float(encode_depth(DEPTH_MAPPING, metres, double(near_depth), far_depth));
+#endif
+#else
+  float stored = texelFetch(stored_depth, texel, 0).r;
+  double metres = decode_depth(DEPTH_MAPPING, double(stored), double(near_depth), far_depth);
+  gl_FragDepth = stored == empty_stored ? empty_depth : float(metres * depth_per_axis_depth(texel) / far_depth);
+#endif
+}

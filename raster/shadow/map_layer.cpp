@@ -1,0 +1,126 @@
+#include "raster/shadow/map_layer.h"
+
+#include "raster/gl/api.h"
+#include "raster/gl/pass.h"
+#include "raster/shader_interface.h"
+#include "raster/shadow/light_block.h"
+#include "raster/shadow/polygon_offset.h"
+
+namespace umbrameter {
+namespace {
+
+bool is_reversed(int mapping) {
+  return mapping == shared::DEPTH_REVERSED_LINEAR || mapping == shared::DEPTH_REVERSED_PERSPECTIVE;
+}
+
+DrawnFor use_of(CasterFaces faces) {
+  switch (faces) {
+    case CasterFaces::front:
+      return DrawnFor::shadow_of_front_faces;
+    case CasterFaces::back:
+      return DrawnFor::shadow_of_back_faces;
+    case CasterFaces::all:
+      break;
+  }
+  return DrawnFor::shadow;
+}
+
+// Where a shader writes the depth, it adds the polygon offset, too: the hardware's has no effect there.
+MakePass pass_maker(const MapSource& source, const MapLayer& layer) {
+  const bool has_plane = is_projective(source.layout.kind);
+  gl::ProgramSource program{{"shadow.vert", "shadow.frag"},
+                            map_defines(source.layout) + define("DEPTH_MAPPING", static_cast<unsigned>(layer.mapping)) +
+                                define("HAS_PLANE", has_plane ? 1 : 0) +
+                                define("PEELS", layer.in_front != nullptr ? 1 : 0) +
+                                define("HAS_OFFSET", has_plane && has_polygon_offset(source.params) ? 1 : 0) +
+                                define("IS_FLOAT", layer.format == MapDepthFormat::f32 ? 1 : 0)};
+  if (has_plane) program.files.insert(program.files.begin() + 1, "shadow.geom");
+  const double sign = is_reversed(layer.mapping) ? -1.0 : 1.0;
+  const bool needs_unit = has_plane && source.params.polygon_offset_units != 0.0;
+  const double unit = needs_unit ? measure_offset_unit(source.context, layer.format) : 0.0;
+  return [&source, &layer, program, sign, unit, block = make_light_block(source.light, source.layout)](bool is_masked) {
+    gl::Pass pass(source.context, {program.files, program.defines + define("ALPHA_MASK", is_masked ? 1 : 0)});
+    pass.block("LightBlock", block)
+        .value("near_depth", static_cast<float>(source.params.near_depth))
+        .value("offset_factor", static_cast<float>(sign * source.params.polygon_offset_factor))
+        .value("offset_units", static_cast<float>(sign * unit * source.params.polygon_offset_units));
+    if (layer.in_front != nullptr) pass.texture("in_front", *layer.in_front);
+    return pass;
+  };
+}
+
+// One view after another, each into its layer.
+void draw_views(const MapSource& source, const MapLayer& layer, const MakePass& make_pass, unsigned framebuffer) {
+  const DrawnFor use = use_of(source.params.faces);
+  for (int view = 0; view < static_cast<int>(source.layout.views.size()); ++view) {
+    glNamedFramebufferTextureLayer(framebuffer, GL_COLOR_ATTACHMENT0, layer.ids.name(), 0, view);
+    glNamedFramebufferTextureLayer(framebuffer, GL_DEPTH_ATTACHMENT, layer.depth.name(), 0, view);
+    draw_scene(source.scene, use, [&](bool is_masked) {
+      gl::Pass pass = make_pass(is_masked);
+      pass.value("map_view", view);
+      return pass;
+    });
+  }
+}
+
+}  // namespace
+
+gl::Format texture_format(MapDepthFormat format) {
+  switch (format) {
+    case MapDepthFormat::fixed24:
+      return gl::Format::depth24;
+    case MapDepthFormat::fixed16:
+      return gl::Format::depth16;
+    case MapDepthFormat::f32:
+      break;
+  }
+  return gl::Format::depth32f;
+}
+
+void draw_map_layer(const MapSource& source, const MapLayer& layer) {
+  const MapLayout& layout = source.layout;
+  const MapDepthParams& params = source.params;
+  const MakePass make_pass = pass_maker(source, layer);
+  const bool reversed = is_reversed(layer.mapping);
+
+  const gl::Framebuffer framebuffer = gl::make_framebuffer("shadow map");
+  const unsigned target = framebuffer.name();
+  glNamedFramebufferTexture(target, GL_COLOR_ATTACHMENT0, layer.ids.name(), 0);
+  glNamedFramebufferTexture(target, GL_DEPTH_ATTACHMENT, layer.depth.name(), 0);
+  const GLuint empty_ids[] = {no_id, no_id, no_id, no_id};
+  const GLfloat far_away = reversed ? 0.0f : 1.0f;
+  glDepthMask(GL_TRUE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDisable(GL_SCISSOR_TEST);
+  glClearNamedFramebufferuiv(target, GL_COLOR, 0, empty_ids);
+  glClearNamedFramebufferfv(target, GL_DEPTH, 0, &far_away);
+
+  glBindFramebuffer(GL_FRAMEBUFFER, target);
+  glViewport(0, 0, layout.resolution, layout.resolution);
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  glDepthRangef(0.0f, 1.0f);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(reversed ? GL_GREATER : GL_LESS);
+  glDisable(GL_BLEND);
+  // Orthographic: what rounding puts before the near face still casts. The others clip at their own tiny near plane.
+  (layout.kind == MapKind::orthographic ? glEnable : glDisable)(GL_DEPTH_CLAMP);
+  if (has_polygon_offset(params)) {
+    const double sign = reversed ? -1.0 : 1.0;
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(static_cast<GLfloat>(sign * params.polygon_offset_factor),
+                    static_cast<GLfloat>(sign * params.polygon_offset_units));
+  }
+  if (layout.kind == MapKind::orthographic) {
+    draw_views(source, layer, make_pass, target);
+  } else {
+    // All views at once, through a geometry shader.
+    draw_scene(source.scene, use_of(params.faces), make_pass);
+  }
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glDisable(GL_DEPTH_CLAMP);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  source.context.check("shadow map");
+}
+
+}  // namespace umbrameter

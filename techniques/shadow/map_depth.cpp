@@ -1,0 +1,102 @@
+#include "techniques/shadow/map_depth.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::array<std::string_view, 3> format_names{"32f", "24", "16"};
+constexpr std::array<std::string_view, 3> encoding_names{"linear", "perspective", "reversed"};
+constexpr std::array<std::string_view, 3> face_names{"all", "front", "back"};
+constexpr std::array<std::string_view, 4> surface_names{"nearest", "midpoint", "second", "dual"};
+
+bool is_perspective(int mapping) {
+  return mapping == shared::DEPTH_PERSPECTIVE || mapping == shared::DEPTH_REVERSED_PERSPECTIVE;
+}
+
+// The difference between neighbouring numbers of the format.
+double step_of_stored(MapDepthFormat format, double stored) {
+  switch (format) {
+    case MapDepthFormat::fixed16:
+      return 1.0 / 65535.0;
+    case MapDepthFormat::fixed24:
+      return 1.0 / 16777215.0;
+    case MapDepthFormat::f32:
+      break;
+  }
+  constexpr int digits = std::numeric_limits<float>::digits;
+  return std::ldexp(1.0, std::max(std::ilogb(stored) + 1, std::numeric_limits<float>::min_exponent) - digits);
+}
+
+}  // namespace
+
+Parameters describe(MapDepthParams& params) {
+  return Description("shadow")
+      .choice("depth-format", params.format, format_names,
+              {.unit = {}, .meaning = "format of the shadow map: 32-bit float, 24- or 16-bit fixed point"})
+      .choice("depth-encoding", params.encoding, encoding_names,
+              {.unit = {}, .meaning = "depth that the map stores: linear, of a projection matrix, or that reversed"})
+      .field("depth-near", params.near_depth,
+             {.unit = "m", .meaning = "near plane of perspective encodings, spot and point lights", .min = 1e-6})
+      .choice("faces", params.faces, face_names, {.unit = {}, .meaning = "faces that cast, seen from the light"})
+      .choice("surface", params.surface, surface_names,
+              {.unit = {}, .meaning = "surface whose depth the map holds, of the first two that the light meets"})
+      .field("dual-offset", params.dual_offset,
+             {.unit = "m", .meaning = "dual: largest distance behind the nearest surface", .min = 0})
+      .field("polygon-offset-factor", params.polygon_offset_factor,
+             {.unit = "1", .meaning = "hardware polygon offset: times the depth's slope per texel"})
+      .field("polygon-offset-units", params.polygon_offset_units,
+             {.unit = "units", .meaning = "hardware polygon offset: times the smallest step of the format"})
+      .take();
+}
+
+int depth_mapping(const MapDepthParams& params, MapKind kind) {
+  const bool is_reversed = params.encoding == DepthEncoding::reversed;
+  if (params.encoding == DepthEncoding::linear || !is_projective(kind)) {
+    return is_reversed ? shared::DEPTH_REVERSED_LINEAR : shared::DEPTH_LINEAR;
+  }
+  return is_reversed ? shared::DEPTH_REVERSED_PERSPECTIVE : shared::DEPTH_PERSPECTIVE;
+}
+
+bool stores_linear_floats(const MapDepthParams& params, MapKind kind) {
+  return params.format == MapDepthFormat::f32 && depth_mapping(params, kind) == shared::DEPTH_LINEAR;
+}
+
+bool has_polygon_offset(const MapDepthParams& params) {
+  return params.polygon_offset_factor != 0.0 || params.polygon_offset_units != 0.0;
+}
+
+double depth_per_stored(const MapDepthParams& params, const MapLayout& layout, double depth) {
+  if (!is_perspective(depth_mapping(params, layout.kind))) return layout.far_depth;
+  // Of decode_depth(): both perspective mappings have the derivative z² (f − n) / (n f).
+  const double z = std::max(depth, params.near_depth);
+  return z * z * (layout.far_depth - params.near_depth) / (params.near_depth * layout.far_depth);
+}
+
+double depth_step(const MapDepthParams& params, const MapLayout& layout, double depth) {
+  const double stored =
+      shared::encode_depth(depth_mapping(params, layout.kind), depth, params.near_depth, layout.far_depth);
+  return step_of_stored(params.format, stored) * depth_per_stored(params, layout, depth);
+}
+
+void require_sense(const MapDepthParams& params, const MapLayout& layout) {
+  if (is_perspective(depth_mapping(params, layout.kind)) && !(params.near_depth < layout.far_depth)) {
+    throw Error(ExitCode::usage, "shadow.depth-near",
+                to_string(Value(params.near_depth)) + " m is beyond the farthest surface, at " +
+                    to_string(Value(layout.far_depth)) + " m",
+                "choose a smaller one");
+  }
+  if (params.surface != StoredSurface::nearest && has_polygon_offset(params)) {
+    throw Error(ExitCode::usage, "shadow.surface",
+                "a polygon offset moves a drawn surface, and this depth is computed from two of them",
+                "use the nearest surface, or no polygon offset");
+  }
+}
+
+}  // namespace umbrameter

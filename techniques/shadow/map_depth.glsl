@@ -1,0 +1,24 @@
+// What a shadow map stores for a depth, and back. The shaders compile this text as GLSL, and map_depth.h compiles it as
+// C++. The constants of the mapping are those of map_depth.h. Depths, near_depth and far_depth are in metres.
+#ifndef SHARED
+#define SHARED
+#endif
+
+/// The stored number of a depth, from 0 to 1. A depth before the near plane counts as on it.
+SHARED double encode_depth(int mapping, double depth, double near_depth, double far_depth) {
+  if (mapping == DEPTH_LINEAR) return depth / far_depth;
+  if (mapping == DEPTH_REVERSED_LINEAR) return (far_depth - depth) / far_depth;
+  double z = max(depth, near_depth);
+  // Each difference on its own, so that numbers near 0 keep their digits.
+  if (mapping == DEPTH_PERSPECTIVE) return far_depth * (z - near_depth) / (z * (far_depth - near_depth));
+  return near_depth * (far_depth - z) / (z * (far_depth - near_depth));
+}
+
+/// The depth of a stored number.
+SHARED double decode_depth(int mapping, double stored, double near_depth, double far_depth) {
+  if (mapping == DEPTH_LINEAR) return stored * far_depth;
+  if (mapping == DEPTH_REVERSED_LINEAR) return far_depth - stored * far_depth;
+  double across = stored * (far_depth - near_depth);
+  if (mapping == DEPTH_PERSPECTIVE) return near_depth * far_depth / (far_depth - across);
+  return near_depth * far_depth / (near_depth + across);
+}

@@ -1,0 +1,67 @@
+// How a shadow map is drawn and what its texels store. Look-ups read the linear depth that the stored number stands
+// for, so nothing here concerns them. docs/techniques/map-depth.md has the formulas and papers.
+#pragma once
+
+#include "core/math.h"
+#include "core/parameters.h"
+#include "techniques/shadow/map_layout.h"
+
+namespace umbrameter {
+namespace shared {
+
+using glm::max;
+
+// Which number stands for a depth. The first two are linear.
+inline constexpr int DEPTH_LINEAR = 0;
+inline constexpr int DEPTH_REVERSED_LINEAR = 1;
+inline constexpr int DEPTH_PERSPECTIVE = 2;
+inline constexpr int DEPTH_REVERSED_PERSPECTIVE = 3;
+
+#define SHARED inline
+#include "techniques/shadow/map_depth.glsl"
+#undef SHARED
+
+}  // namespace shared
+
+enum class MapDepthFormat : int { f32, fixed24, fixed16 };
+/// perspective and reversed are those of a projection matrix: of an orthographic one, perspective is linear, too.
+enum class DepthEncoding : int { linear, perspective, reversed };
+/// The faces that cast, seen from the light. Both faces of double-sided materials always cast.
+enum class CasterFaces : int { all, front, back };
+/// The surface whose depth the map holds; from the first two layers that the light's ray through a texel meets.
+enum class StoredSurface : int { nearest, midpoint, second, dual };
+
+struct MapDepthParams {
+  MapDepthFormat format = MapDepthFormat::f32;
+  DepthEncoding encoding = DepthEncoding::linear;
+  double near_depth = 0.1;  ///< metres; of perspective encodings
+  CasterFaces faces = CasterFaces::all;
+  StoredSurface surface = StoredSurface::nearest;
+  double dual_offset = 0.02;           ///< metres
+  double polygon_offset_factor = 0.0;  ///< times the largest slope of the stored depth per texel
+  double polygon_offset_units = 0.0;   ///< times the format's unit
+};
+Parameters describe(MapDepthParams& params);
+
+/// Whether the map has a projection with a centre, for which perspective encodings differ from linear ones.
+inline bool is_projective(MapKind kind) { return kind == MapKind::perspective || kind == MapKind::cube; }
+
+/// One of the constants in `shared`.
+int depth_mapping(const MapDepthParams& params, MapKind kind);
+
+/// Whether the map stores the depth as look-ups read it: linear, in 32-bit floats.
+bool stores_linear_floats(const MapDepthParams& params, MapKind kind);
+
+bool has_polygon_offset(const MapDepthParams& params);
+
+/// The difference between neighbouring depths that the map can store at this depth, metres; in cube maps that store a
+/// perspective depth, at the centre of a face.
+double depth_step(const MapDepthParams& params, const MapLayout& layout, double depth);
+
+/// The change of the depth, in metres, when the stored number changes by one, at this depth.
+double depth_per_stored(const MapDepthParams& params, const MapLayout& layout, double depth);
+
+/// Throws Error (usage) naming a parameter if the parameters do not fit the map or one another.
+void require_sense(const MapDepthParams& params, const MapLayout& layout);
+
+}  // namespace umbrameter
