@@ -51,7 +51,10 @@ ShadowMeasurement measure_shadow(Stages& stages, const Experiment& experiment, s
   measurement.counted = stages.counted(experiment, light);
   measurement.emitter = lamp.emitter;
   if (sides.truth) measurement.truth = stages.truth(experiment, light);
-  if (sides.raster) measurement.raster = stages.draw(experiment, light, sides.truth && has_causes);
+  if (sides.raster) {
+    measurement.raster = stages.draw(experiment, light, sides.truth && has_causes);
+    measurement.stored_depths = stages.stored_depths(experiment, light);
+  }
   if (!sides.raster || !sides.truth) return measurement;
   const Image<float>& drawn = measurement.raster->visibility;
   if (has_causes) {

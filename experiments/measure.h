@@ -45,9 +45,10 @@ struct ShadowMeasurement {
   std::optional<RasterVisibility> raster;
   std::optional<TracedVisibility> truth;
   Emitter emitter;
-  std::optional<ShadowStatistics> statistics;  ///< if raster and truth are present
-  std::vector<MetricScore> metrics{};          ///< if raster and truth are present
-  std::optional<ClassAgreement> agreement{};   ///< with run.classes=exact
+  std::optional<StoredDepths> stored_depths{};  ///< if raster is present
+  std::optional<ShadowStatistics> statistics;   ///< if raster and truth are present
+  std::vector<MetricScore> metrics{};           ///< if raster and truth are present
+  std::optional<ClassAgreement> agreement{};    ///< with run.classes=exact
   /// By the receiver's object and by its material, in descending order of weight; if statistics are present.
   std::vector<PartError> objects{};
   std::vector<PartError> materials{};

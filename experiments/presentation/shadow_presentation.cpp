@@ -132,6 +132,15 @@ std::string technique_text(const ShadowMeasurement& shadow) {
       has_kernel ? value_text(experiment, "shadow.filter") + " filter" : value_text(experiment, "shadow.technique"));
 }
 
+std::string stored_depths_text(const ShadowMeasurement& shadow) {
+  const StoredDepths& depths = *shadow.stored_depths;
+  return fmt::format(
+      "the map holds depths from {} to {} in steps of {} and {} ({}, {}); unit of polygon offsets {:.3g}",
+      metres_text(depths.range->nearest), metres_text(depths.range->farthest), metres_text(depths.step_at_nearest),
+      metres_text(depths.step_at_farthest), value_text(shadow.experiment, "shadow.depth-format"),
+      value_text(shadow.experiment, "shadow.depth-encoding"), depths.polygon_offset_unit);
+}
+
 Presentation present_shadow_error(const Stages& stages, const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
   const std::string& layer = stages.layer(shadow.light);
@@ -152,6 +161,9 @@ Presentation present_shadow_error(const Stages& stages, const ShadowMeasurement&
                              fmt::format("{}, constant bias {}, slope bias {:g} texels.", technique_text(shadow),
                                          length_text(experiment.shadow.bias.constant), experiment.shadow.bias.slope),
                              shadow.raster->visibility, visibility_scale));
+  }
+  if (shadow.stored_depths && shadow.stored_depths->range) {
+    presentation.details.push_back(title + ": " + stored_depths_text(shadow));
   }
   if (const std::string reason = nothing_counted_text(shadow.counted); !reason.empty()) {
     section.text += "\n\n" + title + ": " + reason + ".";

@@ -74,6 +74,16 @@ void add_causes(Json& object, const ShadowMeasurement& shadow, const VisibilityS
   object["materials"] = parts_json(PartKind::material, shadow.materials, weight_sum);
 }
 
+void add_stored_depths(Json& map, const StoredDepths& depths) {
+  if (depths.range) {
+    map["nearest_depth_m"] = depths.range->nearest;
+    map["farthest_depth_m"] = depths.range->farthest;
+    map["depth_step_at_nearest_m"] = depths.step_at_nearest;
+    map["depth_step_at_farthest_m"] = depths.step_at_farthest;
+  }
+  map["polygon_offset_unit"] = depths.polygon_offset_unit;
+}
+
 void add_metrics(Json& object, const std::vector<MetricScore>& scores) {
   for (const MetricScore& scored : scores) object["metrics"][std::string(scored.metric->name)] = scored.score;
 }
@@ -89,6 +99,7 @@ Json shadow_json(const Stages& stages, const ShadowMeasurement& shadow) {
   object["map"] = {{"resolution_texels", shadow.layout.resolution},
                    {"mean_texel_m", texel},
                    {"far_depth_m", shadow.layout.far_depth}};
+  if (shadow.stored_depths) add_stored_depths(object["map"], *shadow.stored_depths);
   object["constant_bias"] = to_json(in_units(shadow.experiment.shadow.bias.constant, texel, shadow.layout.far_depth));
   Json counting = Json::object();
   for (std::size_t i = 0; i < exclusion_names.size(); ++i) {
