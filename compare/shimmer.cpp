@@ -42,8 +42,10 @@ MapLayout shift_grid(const MapLayout& layout, const dvec2& texels, const Bounds&
   MapLayout shifted = layout;
   dmat4 change = glm::translate(dmat4(1.0), dvec3(shift, 0.0));
   if (layout.kind != MapKind::orthographic) {
-    change = turn(std::atan(shift.y), x_axis) * turn(-std::atan(shift.x), y_axis);
-    if (layout.kind == MapKind::cube) change = turn(std::atan(shift.x), z_axis) * change;
+    // In the middle of a paraboloid's view, texels count tangents of half the angle.
+    const dvec2 angle = glm::atan(shift) * (layout.kind == MapKind::paraboloid ? 2.0 : 1.0);
+    change = turn(angle.y, x_axis) * turn(-angle.x, y_axis);
+    if (layout.kind == MapKind::cube) change = turn(angle.x, z_axis) * change;
   }
   shifted.light_from_world = change * layout.light_from_world;
   // A cube's radial distances do not turn, and what moves across the light's axis keeps its depth.

@@ -42,7 +42,12 @@ const std::array<StageInputs, stage_count>& stages() {
       {"surfels", view_parameters, {}, 10.0},
       {"light", [](Experiment& e) { return Parameters{require(describe(e.view), "view.light")}; }, {}, 0.0},
       {"emitter", [](Experiment& e) { return describe(e.light); }, {Stage::light}, 0.0},
-      {"layout", [](Experiment& e) { return describe(e.shadow.map); }, {Stage::surfels, Stage::light}, 1.0},
+      {"layout",
+       [](Experiment& e) {
+         return concatenate({describe(e.shadow.map), {require(describe(e.shadow.map_depth), "shadow.point-map")}});
+       },
+       {Stage::surfels, Stage::light},
+       1.0},
       {"counted pixels",
        [](Experiment&) { return Parameters{}; },
        {Stage::surfels, Stage::emitter, Stage::layout},

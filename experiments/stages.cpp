@@ -140,7 +140,8 @@ std::string Stages::key(Stage stage, const Experiment& experiment, std::uint32_t
 
 const MapLayout& Stages::layout(const Experiment& experiment, std::uint32_t light) {
   return layout_.get(key(Stage::layout, experiment, light), [&] {
-    return fit_map(scene_.lights[light], bounds_, experiment.shadow.map, surfels(experiment).gbuffer);
+    return with_point_map(fit_map(scene_.lights[light], bounds_, experiment.shadow.map, surfels(experiment).gbuffer),
+                          experiment.shadow.map_depth.point_map);
   });
 }
 

@@ -40,6 +40,7 @@ inline constexpr ShaderConstant shader_constants[] = {
     {"MAP_ORTHOGRAPHIC", static_cast<unsigned>(MapKind::orthographic)},
     {"MAP_PERSPECTIVE", static_cast<unsigned>(MapKind::perspective)},
     {"MAP_CUBE", static_cast<unsigned>(MapKind::cube)},
+    {"MAP_PARABOLOID", static_cast<unsigned>(MapKind::paraboloid)},
     {"DEPTH_LINEAR", shared::DEPTH_LINEAR},
     {"DEPTH_REVERSED_LINEAR", shared::DEPTH_REVERSED_LINEAR},
     {"DEPTH_PERSPECTIVE", shared::DEPTH_PERSPECTIVE},

@@ -60,7 +60,7 @@ class Judge {
  private:
   bool is_orthographic() const { return layout_.kind == MapKind::orthographic; }
 
-  double depth(const dvec3& p) const { return layout_.kind == MapKind::cube ? glm::length(p) : -p.z; }
+  double depth(const dvec3& p) const { return is_omnidirectional(layout_.kind) ? glm::length(p) : -p.z; }
 
   LightRay ray_through(const dvec3& p) const {
     if (is_orthographic()) return {{p.x, p.y, 0.0}, {0.0, 0.0, -1.0}};

@@ -150,6 +150,11 @@ View light_view(const Light& light, const MapLayout& layout, std::size_t view) {
       const dmat3 face = cube_face(static_cast<int>(view));
       world_from_camera = world_from_camera * dmat4(dmat3(face[0], face[1], -face[2]));
     }
+    // Of a hemisphere, the middle.
+    if (layout.kind == MapKind::paraboloid && view == 1) {
+      world_from_camera =
+          world_from_camera * dmat4(dvec4(-1, 0, 0, 0), dvec4(0, 1, 0, 0), dvec4(0, 0, -1, 0), dvec4(0, 0, 0, 1));
+    }
     seen.camera.projection =
         PerspectiveProjection{2.0 * std::atan(map_view.half_extent), 1e-4 * layout.far_depth, layout.far_depth};
   }

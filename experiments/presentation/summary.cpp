@@ -22,6 +22,7 @@ const char* kind_name(MapKind kind) {
     case MapKind::perspective:
       return "spot";
     case MapKind::cube:
+    case MapKind::paraboloid:
       return "point";
   }
   return "";

@@ -8,10 +8,13 @@ uniform usampler2DArray shadow_ids;
 const float empty_depth = 1.0;
 const float no_blocker = uintBitsToFloat(0xff800000u);  // minus infinity: lit at every bias
 
+// Whether the map surrounds the light.
+#define IS_OMNIDIRECTIONAL (MAP_KIND == MAP_CUBE || MAP_KIND == MAP_PARABOLOID)
+
 struct Receiver {
   dvec3 in_light;     // light space, metres
   double depth;       // metres; see MapLayout in techniques/shadow/map_layout.h
-  double axis_depth;  // metres along the axis of the map or face
+  double axis_depth;  // metres along the axis of the map or face; paraboloid: plus the radial distance
   dvec2 texels;       // projected position in texels, clamped to the map extended by two texels on each side
   ivec2 texel;        // the texel that contains it
   int view;
@@ -27,14 +30,24 @@ struct Tap {
   float critical_bias;  // metres; the tap is lit if and only if the bias is at least this
 };
 
+// The view of a cube or paraboloid map that sees a direction.
 int face_of(dvec3 direction) {
+#if MAP_KIND == MAP_PARABOLOID
+  return direction.z > 0.0lf ? 1 : 0;
+#endif
   dvec3 d = abs(direction);
   if (d.x >= d.y && d.x >= d.z) return direction.x >= 0.0lf ? 0 : 1;
   if (d.y >= d.z) return direction.y >= 0.0lf ? 2 : 3;
   return direction.z >= 0.0lf ? 4 : 5;
 }
 
+// In the frame of the view; z: what the position on the map is divided by, metres.
 dvec3 on_face(int face, dvec3 p) {
+#if MAP_KIND == MAP_PARABOLOID
+  double side = face == 0 ? 1.0lf : -1.0lf;
+  precise dvec3 q = dvec3(side * p.x, p.y, length_of(p) - side * p.z);
+  return q;
+#endif
   return dvec3(dot_of(face_basis[3 * face].xyz, p), dot_of(face_basis[3 * face + 1].xyz, p),
                dot_of(face_basis[3 * face + 2].xyz, p));
 }
@@ -57,7 +70,7 @@ Receiver project_to_map(dvec3 world) {
   }
   projected = (p.xy - map_views[r.view].xy) / map_views[r.view].z;
 #else
-#if MAP_KIND == MAP_CUBE
+#if IS_OMNIDIRECTIONAL
   r.view = face_of(p);
   dvec3 q = on_face(r.view, p);
   r.axis_depth = q.z;
@@ -73,7 +86,7 @@ Receiver project_to_map(dvec3 world) {
   precise dvec2 texels = (projected * 0.5lf + 0.5lf) * double(resolution);
   r.texels = clamp(texels, -2.0lf, double(resolution) + 2.0lf);
   r.texel = ivec2(floor(r.texels));
-#if MAP_KIND == MAP_CUBE
+#if IS_OMNIDIRECTIONAL
   r.texel = clamp(r.texel, ivec2(0), ivec2(resolution - 1));
 #endif
   r.is_inside = r.is_inside && all(greaterThanEqual(r.texel, ivec2(0))) && all(lessThan(r.texel, ivec2(resolution)));
@@ -100,6 +113,11 @@ void texel_ray(ivec3 texel, out dvec3 origin, out dvec3 direction) {
 #elif MAP_KIND == MAP_PERSPECTIVE
   origin = dvec3(0.0lf);
   direction = dvec3(c, -1.0lf);
+#elif MAP_KIND == MAP_PARABOLOID
+  origin = dvec3(0.0lf);
+  double side = texel.z == 0 ? 1.0lf : -1.0lf;
+  precise dvec3 on_paraboloid = dvec3(side * 2.0lf * c.x, 2.0lf * c.y, -side * (1.0lf - (c.x * c.x + c.y * c.y)));
+  direction = on_paraboloid;
 #else
   origin = dvec3(0.0lf);
   precise dvec3 sum = face_basis[3 * texel.z].xyz * c.x + face_basis[3 * texel.z + 1].xyz * c.y +
@@ -151,10 +169,15 @@ Tap fetch_tap(Receiver receiver, ivec2 offset) {
   Tap tap;
   tap.texel = ivec3(receiver.texel + offset, receiver.view);
   bool is_on_map = all(greaterThanEqual(tap.texel.xy, ivec2(0))) && all(lessThan(tap.texel.xy, ivec2(resolution)));
-#if MAP_KIND == MAP_CUBE
+#if IS_OMNIDIRECTIONAL
+  dvec3 origin;
+  dvec3 direction;
+#if MAP_KIND == MAP_PARABOLOID
+  // Texels outside the circle see the other hemisphere.
+  texel_ray(tap.texel, origin, direction);
+  is_on_map = is_on_map && face_of(direction) == tap.texel.z;
+#endif
   if (!is_on_map) {
-    dvec3 origin;
-    dvec3 direction;
     texel_ray(tap.texel, origin, direction);
     int face = face_of(direction);
     dvec3 q = on_face(face, direction);

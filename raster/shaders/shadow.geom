@@ -2,7 +2,10 @@
 // the depth at the texel centre itself.
 #include "light.glsl"
 layout(triangles) in;
-#if MAP_KIND == MAP_CUBE
+#if CUBE_PASSES
+layout(triangle_strip, max_vertices = 3) out;
+uniform int map_view;
+#elif MAP_KIND == MAP_CUBE
 layout(triangle_strip, max_vertices = 18) out;
 #else
 layout(triangle_strip, max_vertices = 3) out;
@@ -34,10 +37,8 @@ void main() {
   normal /= normal_length;
   float offset = dot(normal, a);
 #if MAP_KIND == MAP_CUBE
-  const int face_count = 6;
   vec2 range = vec2(abs(offset), max(max(length(a), length(b)), length(c)));
 #else
-  const int face_count = 1;
   vec2 range = vec2(min(min(-a.z, -b.z), -c.z), max(max(-a.z, -b.z), -c.z));
 #endif
   float near = nearest_share * float(far_depth);
@@ -45,7 +46,14 @@ void main() {
   near = max(near, near_depth);
 #endif
   float tangent = float(map_views[0].z);
-  for (int f = 0; f < face_count; ++f) {
+#if CUBE_PASSES
+  int first_face = map_view;
+  int end_face = map_view + 1;
+#else
+  const int first_face = 0;
+  const int end_face = MAP_KIND == MAP_CUBE ? 6 : 1;
+#endif
+  for (int f = first_face; f < end_face; ++f) {
     vec4 clip[3];
     for (int i = 0; i < 3; ++i) {
       vec3 p = vertex_in_light[i];

@@ -28,9 +28,10 @@ DrawnFor use_of(CasterFaces faces) {
 // Where a shader writes the depth, it adds the polygon offset, too: the hardware's has no effect there.
 MakePass pass_maker(const MapSource& source, const MapLayer& layer) {
   const bool has_plane = is_projective(source.layout.kind);
+  const bool has_passes = source.layout.kind == MapKind::cube && source.params.cube_passes;
   gl::ProgramSource program{{"shadow.vert", "shadow.frag"},
                             map_defines(source.layout) + define("DEPTH_MAPPING", static_cast<unsigned>(layer.mapping)) +
-                                define("HAS_PLANE", has_plane ? 1 : 0) +
+                                define("HAS_PLANE", has_plane ? 1 : 0) + define("CUBE_PASSES", has_passes ? 1 : 0) +
                                 define("PEELS", layer.in_front != nullptr ? 1 : 0) +
                                 define("HAS_OFFSET", has_plane && has_polygon_offset(source.params) ? 1 : 0) +
                                 define("IS_FLOAT", layer.format == MapDepthFormat::f32 ? 1 : 0)};
@@ -110,12 +111,14 @@ void draw_map_layer(const MapSource& source, const MapLayer& layer) {
     glPolygonOffset(static_cast<GLfloat>(sign * params.polygon_offset_factor),
                     static_cast<GLfloat>(sign * params.polygon_offset_units));
   }
-  if (layout.kind == MapKind::orthographic) {
+  if (layout.kind == MapKind::paraboloid) glEnable(GL_CLIP_DISTANCE0);
+  if (!is_projective(layout.kind) || (layout.kind == MapKind::cube && params.cube_passes)) {
     draw_views(source, layer, make_pass, target);
   } else {
     // All views at once, through a geometry shader.
     draw_scene(source.scene, use_of(params.faces), make_pass);
   }
+  glDisable(GL_CLIP_DISTANCE0);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDisable(GL_DEPTH_CLAMP);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -14,6 +14,7 @@ namespace {
 constexpr std::array<std::string_view, 3> format_names{"32f", "24", "16"};
 constexpr std::array<std::string_view, 3> encoding_names{"linear", "perspective", "reversed"};
 constexpr std::array<std::string_view, 3> face_names{"all", "front", "back"};
+constexpr std::array<std::string_view, 2> point_map_names{"cube", "paraboloid"};
 constexpr std::array<std::string_view, 4> surface_names{"nearest", "midpoint", "second", "dual"};
 
 bool is_perspective(int mapping) {
@@ -53,7 +54,19 @@ Parameters describe(MapDepthParams& params) {
              {.unit = "1", .meaning = "hardware polygon offset: times the depth's slope per texel"})
       .field("polygon-offset-units", params.polygon_offset_units,
              {.unit = "units", .meaning = "hardware polygon offset: times the smallest step of the format"})
+      .choice("point-map", params.point_map, point_map_names,
+              {.unit = {}, .meaning = "map of a point light: six cube faces or two paraboloids"})
+      .field("cube-passes", params.cube_passes,
+             {.unit = {}, .meaning = "draw a cube map in six passes instead of one; the map is the same"})
       .take();
+}
+
+MapLayout with_point_map(MapLayout layout, PointMap point_map) {
+  if (layout.kind == MapKind::cube && point_map == PointMap::paraboloid) {
+    layout.kind = MapKind::paraboloid;
+    layout.views.assign(2, MapView{});
+  }
+  return layout;
 }
 
 int depth_mapping(const MapDepthParams& params, MapKind kind) {

@@ -31,6 +31,9 @@ enum class CasterFaces : int { all, front, back };
 /// The surface whose depth the map holds; from the first two layers that the light's ray through a texel meets.
 enum class StoredSurface : int { nearest, midpoint, second, dual };
 
+/// The map of a point light.
+enum class PointMap : int { cube, paraboloid };
+
 struct MapDepthParams {
   MapDepthFormat format = MapDepthFormat::f32;
   DepthEncoding encoding = DepthEncoding::linear;
@@ -40,8 +43,13 @@ struct MapDepthParams {
   double dual_offset = 0.02;           ///< metres
   double polygon_offset_factor = 0.0;  ///< times the largest slope of the stored depth per texel
   double polygon_offset_units = 0.0;   ///< times the format's unit
+  PointMap point_map = PointMap::cube;
+  bool cube_passes = false;
 };
 Parameters describe(MapDepthParams& params);
+
+/// The layout of a point light's map of that kind, from that of its cube map. Others stay as they are.
+MapLayout with_point_map(MapLayout layout, PointMap point_map);
 
 /// Whether the map has a projection with a centre, for which perspective encodings differ from linear ones.
 inline bool is_projective(MapKind kind) { return kind == MapKind::perspective || kind == MapKind::cube; }

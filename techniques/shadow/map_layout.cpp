@@ -70,7 +70,7 @@ MapLayout fit_light(const Light& light, const Bounds& bounds, int resolution) {
 
 double depth_of(const MapLayout& layout, const dvec3& position) {
   const dvec3 local = in_light_space(layout, position);
-  return layout.kind == MapKind::cube ? glm::length(local) : -local.z;
+  return is_omnidirectional(layout.kind) ? glm::length(local) : -local.z;
 }
 
 std::size_t view_of(const MapLayout& layout, const dvec3& local) {
@@ -90,11 +90,13 @@ double texel_at(const MapLayout& layout, const dvec3& position) {
   const double texel = 2.0 * layout.views[view_of(layout, local)].half_extent / layout.resolution;
   if (layout.kind == MapKind::orthographic) return texel;
   if (layout.kind == MapKind::perspective) return texel * std::max(-local.z, 0.0);
+  // The projection keeps angles: along both axes the tangent of half the angle grows by 1 / (1 + cos θ).
+  if (layout.kind == MapKind::paraboloid) return texel * (glm::length(local) + std::abs(local.z));
   return texel * std::max({std::abs(local.x), std::abs(local.y), std::abs(local.z)});
 }
 
 bool is_inside(const MapLayout& layout, const dvec3& position) {
-  if (layout.kind == MapKind::cube) return true;
+  if (is_omnidirectional(layout.kind)) return true;
   const dvec3 local = in_light_space(layout, position);
   const bool perspective = layout.kind == MapKind::perspective;
   if (perspective && !(-local.z > 0.0)) return false;

@@ -11,12 +11,16 @@
 
 namespace umbrameter {
 
-enum class MapKind : int { orthographic, perspective, cube };
+enum class MapKind : int { orthographic, perspective, cube, paraboloid };
+
+/// Whether the map surrounds the light, so that depth is radial distance.
+inline bool is_omnidirectional(MapKind kind) { return kind == MapKind::cube || kind == MapKind::paraboloid; }
 
 /// One image of a shadow map: a layer of its texture.
 struct MapView {
-  dvec2 center{0.0};         ///< orthographic: centre of the image in light space, metres
-  double half_extent = 1.0;  ///< orthographic: metres; perspective and cube: tangent of half the opening angle
+  dvec2 center{0.0};  ///< orthographic: centre of the image in light space, metres
+  /// orthographic: metres; perspective and cube: tangent of half the opening angle; paraboloid: 1
+  double half_extent = 1.0;
 };
 
 /// Maximum number of views: the size of the array in the shaders.
@@ -30,10 +34,12 @@ inline constexpr int map_view_margin = 16;
 ///
 /// Light space: origin at the light (orthographic: at the centre of the fitted box's near face), x right, y up,
 /// −z the direction in which the light travels. Depth is in metres: along −z for orthographic and perspective maps,
-/// radial distance for cube maps. Map coordinates (u, v) of a view run from 0 to 1 with v up.
+/// radial distance for cube and paraboloid maps. Map coordinates (u, v) of a view run from 0 to 1 with v up.
 ///
 /// Views: a perspective map has one; a cube map has six, its faces, whose axes are cube_face(); an orthographic map has
-/// one or more (cascades). A position is looked up in the first cascade that contains it.
+/// one or more (cascades). A position is looked up in the first cascade that contains it. A paraboloid map has two:
+/// view 0 sees the hemisphere about −z, view 1 that about z, turned about y. A direction at an angle θ to the axis of
+/// its hemisphere lies tan(θ/2) from the middle of the view, so that the hemisphere fills the circle in the square.
 struct MapLayout {
   MapKind kind = MapKind::orthographic;
   int resolution = 1024;        ///< texels along one side of a view
@@ -56,8 +62,8 @@ dmat3 cube_face(int face);
 /// Point: six faces around the light. One texel of margin keeps every receiver inside orthographic maps.
 MapLayout fit_light(const Light& light, const Bounds& bounds, int resolution);
 
-/// Index of the view in which a position (light space) is looked up. Always 0 for a cube: all faces have the same
-/// extent.
+/// Index of the view in which a position (light space) is looked up. Always 0 for a cube or a paraboloid: all views
+/// have the same extent.
 std::size_t view_of(const MapLayout& layout, const dvec3& local);
 
 /// Depth of a world position, metres.

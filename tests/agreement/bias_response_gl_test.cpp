@@ -82,6 +82,8 @@ TEST_F(BiasResponseGl, Maps_with_other_depths_agree_too) {
     grid.map_depth = params;
     for (const Light& light : lights_) expect_agreement(light, grid);
   }
+  grid.map_depth = set([](MapDepthParams& p) { p.point_map = PointMap::paraboloid; });
+  expect_agreement(lights_[2], grid);
 }
 
 TEST_F(BiasResponseGl, The_largest_filter_agrees_too) {

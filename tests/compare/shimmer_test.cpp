@@ -54,6 +54,19 @@ TEST(Shimmer, A_cubes_grid_moves_on_every_face) {
   }
 }
 
+TEST(Shimmer, A_paraboloids_grid_moves_in_the_middle_of_both_views) {
+  MapLayout layout;
+  layout.kind = MapKind::paraboloid;
+  layout.resolution = 512;
+  layout.views.assign(2, MapView{});
+  const MapLayout shifted = shift_grid(layout, {0.5, 0.25}, {});
+  for (const dvec3& place : {dvec3(0, 0, -2), dvec3(0, 0, 2)}) {
+    const dvec2 moved = glm::abs(project_to_map(shifted, place).texels - 256.0);
+    EXPECT_NEAR(moved.x, 0.5, 1e-3);
+    EXPECT_NEAR(moved.y, 0.25, 1e-3);
+  }
+}
+
 // A spot of 70° half opening at the origin, 3 m above a floor of 18 m: half a texel of 64 is 0.043 rad, by which the
 // floor's corners, 9 m off the axis both ways, become deeper by up to 0.77 m.
 TEST(Shimmer, Every_surface_stays_nearer_than_the_far_depth_of_a_shifted_map) {

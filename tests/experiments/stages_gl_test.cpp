@@ -48,7 +48,14 @@ class StagesGl : public testing::Test {
   std::unique_ptr<Stages> make_stages() const {
     StageOptions options;
     options.context = context_;
-    return std::make_unique<Stages>(load_scene("contact-box"), options, Console{.quiet = true});
+    Scene scene = load_scene("contact-box");
+    if (has_point_light_) {
+      const Bounds bounds = bounds_of(scene);
+      Light& light = scene.lights.front();
+      light.world_from_light[3] = dvec4(bounds.center() - bounds.radius() * light.axis(), 1.0);
+      light.shape = PointLight{};
+    }
+    return std::make_unique<Stages>(std::move(scene), options, Console{.quiet = true});
   }
 
   static Experiment base(const std::vector<std::string>& settings) {
@@ -117,6 +124,8 @@ class StagesGl : public testing::Test {
     EXPECT_GT(varied, 30u);
   }
 
+  bool has_point_light_ = false;
+
  private:
   std::shared_ptr<gl::Context> context_;
 };
@@ -139,6 +148,11 @@ TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_anothe
 
 TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_polygon_offset) {
   expect_fresh({"shadow.polygon-offset-factor=1", "shadow.polygon-offset-units=4", "shadow.depth-format=16"});
+}
+
+TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_point_light) {
+  has_point_light_ = true;
+  expect_fresh({"shadow.depth-encoding=perspective", "shadow.depth-format=24"});
 }
 
 TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_an_area_light) {

@@ -10,14 +10,21 @@
 namespace umbrameter {
 namespace {
 
-int face_of(const dvec3& direction) {
+// The view of a cube or paraboloid map that sees a direction.
+int face_of(MapKind kind, const dvec3& direction) {
+  if (kind == MapKind::paraboloid) return direction.z > 0.0 ? 1 : 0;
   const dvec3 d = glm::abs(direction);
   if (d.x >= d.y && d.x >= d.z) return direction.x >= 0.0 ? 0 : 1;
   if (d.y >= d.z) return direction.y >= 0.0 ? 2 : 3;
   return direction.z >= 0.0 ? 4 : 5;
 }
 
-dvec3 on_face(int face, const dvec3& p) {
+// In the frame of the view; z: what the position on the map is divided by, metres.
+dvec3 on_face(MapKind kind, int face, const dvec3& p) {
+  if (kind == MapKind::paraboloid) {
+    const double side = face == 0 ? 1.0 : -1.0;
+    return {side * p.x, p.y, length_of(p) - side * p.z};
+  }
   const dmat3 basis = cube_face(face);
   return {dot_of(basis[0], p), dot_of(basis[1], p), dot_of(basis[2], p)};
 }
@@ -53,10 +60,14 @@ Tap fetch_tap(const MapLookup& lookup, const Receiver& receiver, const ivec2& of
   tap.texel = receiver.texel + offset;
   tap.view = receiver.view;
   bool is_there = is_on_map(tap.texel, resolution);
-  if (layout.kind == MapKind::cube && !is_there) {
+  // A paraboloid's texels outside the circle see the other hemisphere.
+  if (layout.kind == MapKind::paraboloid) {
+    is_there = is_there && face_of(layout.kind, texel_ray(layout, tap.texel, tap.view).direction) == tap.view;
+  }
+  if (is_omnidirectional(layout.kind) && !is_there) {
     const dvec3 direction = texel_ray(layout, tap.texel, tap.view).direction;
-    tap.view = face_of(direction);
-    const dvec3 q = on_face(tap.view, direction);
+    tap.view = face_of(layout.kind, direction);
+    const dvec3 q = on_face(layout.kind, tap.view, direction);
     const dvec2 texels =
         (dvec2(q.x, q.y) / (q.z * layout.views.front().half_extent) * 0.5 + 0.5) * static_cast<double>(resolution);
     tap.texel = glm::clamp(floor_of(texels), ivec2(0), ivec2(resolution - 1));
@@ -198,9 +209,9 @@ Receiver project_to_map(const MapLayout& layout, const dvec3& world) {
   } else {
     dvec3 q(p.x, p.y, -p.z);
     r.depth = q.z;
-    if (layout.kind == MapKind::cube) {
-      r.view = face_of(p);
-      q = on_face(r.view, p);
+    if (is_omnidirectional(layout.kind)) {
+      r.view = face_of(layout.kind, p);
+      q = on_face(layout.kind, r.view, p);
       r.depth = length_of(p);
     }
     r.axis_depth = q.z;
@@ -210,7 +221,7 @@ Receiver project_to_map(const MapLayout& layout, const dvec3& world) {
   const auto resolution = static_cast<double>(layout.resolution);
   r.texels = glm::clamp((projected * 0.5 + 0.5) * resolution, -2.0, resolution + 2.0);
   r.texel = floor_of(r.texels);
-  if (layout.kind == MapKind::cube) r.texel = glm::clamp(r.texel, ivec2(0), ivec2(layout.resolution - 1));
+  if (is_omnidirectional(layout.kind)) r.texel = glm::clamp(r.texel, ivec2(0), ivec2(layout.resolution - 1));
   r.is_inside = r.is_inside && is_on_map(r.texel, layout.resolution);
   return r;
 }
@@ -224,6 +235,10 @@ TexelRay texel_ray(const MapLayout& layout, const ivec2& texel, int face) {
       return {{c.x, c.y, 0.0}, {0.0, 0.0, -1.0}};
     case MapKind::perspective:
       return {dvec3(0.0), {c.x, c.y, -1.0}};
+    case MapKind::paraboloid: {
+      const double side = face == 0 ? 1.0 : -1.0;
+      return {dvec3(0.0), {side * 2.0 * c.x, 2.0 * c.y, -side * (1.0 - (c.x * c.x + c.y * c.y))}};
+    }
     case MapKind::cube:
       break;
   }

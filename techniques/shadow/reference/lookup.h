@@ -28,7 +28,7 @@ struct MapLookup {
 struct Receiver {
   dvec3 in_light{0.0};      ///< light space, metres
   double depth = 0.0;       ///< metres; see MapLayout
-  double axis_depth = 0.0;  ///< metres along the axis of the map or face
+  double axis_depth = 0.0;  ///< metres along the axis of the map or face; paraboloid: plus the radial distance
   dvec2 texels{0.0};        ///< position in texels from the map's lower left corner
   ivec2 texel{0};
   int view = 0;
