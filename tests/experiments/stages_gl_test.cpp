@@ -29,7 +29,8 @@ std::vector<std::string> values_of(const Parameter& parameter) {
     return {std::to_string(**integer), std::to_string(has_room ? **integer + step : **integer - step)};
   }
   if (const auto* const* real = std::get_if<double*>(&parameter.field)) {
-    const double other = **real + 0.5 <= limits.max ? **real + 0.5 : **real - 0.5;
+    double other = **real + 0.5 <= limits.max ? **real + 0.5 : **real - 0.5;
+    if (other < limits.min) other = 0.5 * (**real + limits.max);
     return {to_string(Value(**real)), to_string(Value(other))};
   }
   return {};
@@ -142,17 +143,9 @@ TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_filt
   for (const std::string technique : {"esm", "vsm", "msm"}) expect_fresh({"shadow.technique=" + technique});
 }
 
-TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_another_surface_in_the_map) {
-  expect_fresh({"shadow.surface=dual", "shadow.depth-format=16", "shadow.depth-encoding=reversed"});
-}
-
-TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_polygon_offset) {
-  expect_fresh({"shadow.polygon-offset-factor=1", "shadow.polygon-offset-units=4", "shadow.depth-format=16"});
-}
-
-TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_point_light) {
+TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_other_depths_of_a_point_light) {
   has_point_light_ = true;
-  expect_fresh({"shadow.depth-encoding=perspective", "shadow.depth-format=24"});
+  expect_fresh({"shadow.surface=dual", "shadow.depth-encoding=perspective", "shadow.depth-format=24"});
 }
 
 TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_an_area_light) {
