@@ -27,8 +27,9 @@ Parameters run_parameter(Experiment& experiment, std::string_view key) {
 // The parameters of shadows that neither the map nor its filter reads.
 Parameters visibility_parameters(Experiment& experiment) {
   Parameters all = describe(experiment.shadow);
-  const Parameters earlier = concatenate({describe(experiment.shadow.map), describe(experiment.shadow.map_depth),
-                                          filtered_map_parameters(experiment.shadow)});
+  const Parameters earlier =
+      concatenate({describe(experiment.shadow.map), describe(experiment.shadow.fit),
+                   describe(experiment.shadow.map_depth), filtered_map_parameters(experiment.shadow)});
   std::erase_if(all, [&](const Parameter& parameter) { return find(earlier, parameter.key) != nullptr; });
   return concatenate({all, run_parameter(experiment, "run.classes")});
 }
@@ -44,7 +45,9 @@ const std::array<StageInputs, stage_count>& stages() {
       {"emitter", [](Experiment& e) { return describe(e.light); }, {Stage::light}, 0.0},
       {"layout",
        [](Experiment& e) {
-         return concatenate({describe(e.shadow.map), {require(describe(e.shadow.map_depth), "shadow.point-map")}});
+         return concatenate({describe(e.shadow.map),
+                             describe(e.shadow.fit),
+                             {require(describe(e.shadow.map_depth), "shadow.point-map")}});
        },
        {Stage::surfels, Stage::light},
        1.0},

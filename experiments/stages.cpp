@@ -9,7 +9,6 @@
 #include "core/error.h"
 #include "raster/shadow/polygon_offset.h"
 #include "raytrace/surface_judge.h"
-#include "techniques/shadow/cascades.h"
 
 namespace umbrameter {
 namespace {
@@ -140,8 +139,10 @@ std::string Stages::key(Stage stage, const Experiment& experiment, std::uint32_t
 
 const MapLayout& Stages::layout(const Experiment& experiment, std::uint32_t light) {
   return layout_.get(key(Stage::layout, experiment, light), [&] {
-    return with_point_map(fit_map(scene_.lights[light], bounds_, experiment.shadow.map, surfels(experiment).gbuffer),
-                          experiment.shadow.map_depth.point_map);
+    const Surfels& seen = surfels(experiment);
+    return with_point_map(
+        fit_map(scene_.lights[light], bounds_, experiment.shadow.map, {seen.gbuffer, seen.view}, experiment.shadow.fit),
+        experiment.shadow.map_depth.point_map);
   });
 }
 

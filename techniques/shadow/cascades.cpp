@@ -1,71 +1,191 @@
 #include "techniques/shadow/cascades.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string_view>
+
+#include "core/error.h"
 
 namespace umbrameter {
 namespace {
 
+constexpr std::array<std::string_view, 2> split_range_names{"seen", "camera"};
+constexpr std::array<std::string_view, 3> map_fit_names{"scene", "view", "bounds"};
+constexpr std::array<std::string_view, 2> cascade_fit_names{"tight", "stable"};
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A range of view depths, metres.
 struct DepthRange {
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = infinity;
   double farthest = 0.0;
 };
 
-DepthRange depths_of(const GBuffer& seen) {
+DepthRange depths_of(const GBuffer& surfels) {
   DepthRange range;
-  for (std::size_t i = 0; i < seen.depth.size(); ++i) {
-    const auto depth = static_cast<double>(seen.depth[i]);
-    if (!seen.is_surface(i) || !(depth > 0.0) || !std::isfinite(depth)) continue;
+  for (std::size_t i = 0; i < surfels.depth.size(); ++i) {
+    const auto depth = static_cast<double>(surfels.depth[i]);
+    if (!surfels.is_surface(i) || !(depth > 0.0) || !std::isfinite(depth)) continue;
     range.nearest = std::min(range.nearest, depth);
     range.farthest = std::max(range.farthest, depth);
   }
   return range;
 }
 
-// The square about the surfels up to that depth; nothing (half_extent 0) where there are none.
-MapView view_up_to(const MapLayout& layout, const GBuffer& seen, double depth) {
-  dvec2 low(std::numeric_limits<double>::infinity());
-  dvec2 high(-std::numeric_limits<double>::infinity());
-  for (std::size_t i = 0; i < seen.depth.size(); ++i) {
-    if (!seen.is_surface(i) || static_cast<double>(seen.depth[i]) > depth) continue;
-    const dvec2 place(layout.light_from_world * dvec4(dvec3(seen.position[i]), 1.0));
-    low = glm::min(low, place);
-    high = glm::max(high, place);
+// Logarithmic splits need a near plane in front of the camera; an orthographic camera may have none.
+DepthRange depths_of(const View& view, double max_distance) {
+  constexpr double least_share = 1e-3;
+  const DepthRange planes = std::visit(
+      [](const auto& projection) {
+        return DepthRange{projection.near_plane, projection.far_plane};
+      },
+      view.camera.projection);
+  const double farthest = std::min(planes.farthest, max_distance);
+  const DepthRange range{planes.nearest > 0.0 ? planes.nearest : least_share * farthest, farthest};
+  if (!(range.nearest < range.farthest)) {
+    throw Error(ExitCode::usage, "shadow.max-distance", "the camera's near plane is no nearer",
+                "give more than " + to_string(Value(range.nearest)) + " m");
   }
-  if (!(low.x <= high.x)) return {dvec2(0.0), 0.0};
-  const dvec2 extent = high - low;
-  const double room = 1.0 - 2.0 * map_view_margin / layout.resolution;
-  return {0.5 * (low + high), 0.5 * std::max(extent.x, extent.y) / room};
+  return range;
 }
+
+/// Around the frustum between two view depths.
+struct Sphere {
+  dvec3 center;
+  double radius;
+};
+
+// Its centre is on the camera's axis. Of a perspective frustum whose corners are k times their depth off the axis, the
+// near and the far corners are equally distant from the depth (n + f)(1 + k²)/2; beyond f, the far corners decide.
+Sphere bounding_sphere(const View& view, const DepthRange& range) {
+  assert(view.width > 0 && view.height > 0);
+  const double diagonal = std::hypot(static_cast<double>(view.width) / view.height, 1.0);
+  double depth = 0.5 * (range.nearest + range.farthest);
+  double corner = 0.0;
+  if (const auto* flat = std::get_if<OrthographicProjection>(&view.camera.projection)) {
+    corner = flat->half_height * diagonal;
+  } else {
+    const double k = std::tan(0.5 * std::get<PerspectiveProjection>(view.camera.projection).vertical_fov) * diagonal;
+    depth = std::min(depth * (1.0 + k * k), range.farthest);
+    corner = k * range.farthest;
+  }
+  return {dvec3(view.camera.world_from_camera * dvec4(0.0, 0.0, -depth, 1.0)),
+          std::hypot(corner, range.farthest - depth)};
+}
+
+// Fits the views of one map.
+class Fitter {
+ public:
+  Fitter(const MapLayout& layout, const SeenPart& seen, CascadeFit fit) : layout_(layout), seen_(seen), fit_(fit) {}
+
+  /// The view of what is seen in a range of depths; none if that is empty.
+  std::optional<MapView> fit(const DepthRange& range) const {
+    if (fit_ == CascadeFit::tight) return around_surfels(range);
+    return around_frustum(range);
+  }
+
+ private:
+  std::optional<MapView> around_surfels(const DepthRange& range) const {
+    dvec2 low(infinity);
+    dvec2 high(-infinity);
+    for (std::size_t i = 0; i < seen_.surfels.depth.size(); ++i) {
+      const auto depth = static_cast<double>(seen_.surfels.depth[i]);
+      if (!seen_.surfels.is_surface(i) || depth < range.nearest || depth > range.farthest) continue;
+      const dvec2 place(in_light(dvec3(seen_.surfels.position[i])));
+      low = glm::min(low, place);
+      high = glm::max(high, place);
+    }
+    const dvec2 extent = high - low;
+    const double side = std::max(extent.x, extent.y);
+    if (!(side > 0.0)) return std::nullopt;
+    return MapView{0.5 * (low + high), 0.5 * side / share_within(2 * map_view_margin)};
+  }
+
+  // The area's centre is a whole number of texels from the origin of light space, which does not move with the camera.
+  // (M. Valient, Stable Rendering of Cascaded Shadow Maps, ShaderX6, 2008.)
+  std::optional<MapView> around_frustum(const DepthRange& range) const {
+    const Sphere sphere = bounding_sphere(seen_.view, range);
+    // One texel more than the margin, because the centre moves by up to half a texel.
+    const double half_extent = sphere.radius / share_within(2 * map_view_margin + 1);
+    const double texel = 2.0 * half_extent / layout_.resolution;
+    return MapView{glm::floor(dvec2(in_light(sphere.center)) / texel + 0.5) * texel, half_extent};
+  }
+
+  // Without so many texels, as the share of the map's side. A map that has no more of them gets no margin.
+  double share_within(int texels) const {
+    return layout_.resolution > texels ? 1.0 - static_cast<double>(texels) / layout_.resolution : 1.0;
+  }
+
+  dvec3 in_light(const dvec3& position) const { return dvec3(layout_.light_from_world * dvec4(position, 1.0)); }
+
+  const MapLayout& layout_;
+  const SeenPart& seen_;
+  CascadeFit fit_;
+};
 
 }  // namespace
 
-std::vector<double> split_depths(double nearest, double farthest, int count) {
+Parameters describe(MapFitParams& params) {
+  return Description("shadow")
+      .field("split-lambda", params.split_lambda,
+             {.unit = "1", .meaning = "splits of the cascades: 1 logarithmic, 0 uniform", .min = 0, .max = 1})
+      .choice(
+          "split-range", params.split_range, split_range_names,
+          {.unit = {}, .meaning = "depths that the cascades divide: those seen, or near plane to shadow.max-distance"})
+      .field("max-distance", params.max_distance,
+             {.unit = "m", .meaning = "farthest depth of the range camera", .min = 1e-6, .max = 1e12})
+      .choice("fit", params.fit, map_fit_names,
+              {.unit = {}, .meaning = "area of a directional light's only map or last cascade"})
+      .field("fit-x", params.fit_x, {.unit = "m", .meaning = "centre of the area bounds, in the world"})
+      .field("fit-y", params.fit_y, {.unit = "m", .meaning = "centre of the area bounds, in the world"})
+      .field("fit-z", params.fit_z, {.unit = "m", .meaning = "centre of the area bounds, in the world"})
+      .field("fit-size", params.fit_size,
+             {.unit = "m", .meaning = "side of the area bounds, perpendicular to the light", .min = 1e-6, .max = 1e12})
+      .choice("cascade-fit", params.cascade_fit, cascade_fit_names,
+              {.unit = {}, .meaning = "area of a cascade: around what is seen, or around the frustum in whole texels"})
+      .take();
+}
+
+std::vector<double> split_depths(double nearest, double farthest, int count, double lambda) {
   std::vector<double> splits;
   for (int i = 1; i <= count; ++i) {
     const double share = static_cast<double>(i) / count;
     const double logarithmic = nearest * std::pow(farthest / nearest, share);
     const double uniform = nearest + share * (farthest - nearest);
-    splits.push_back(0.5 * (logarithmic + uniform));
+    splits.push_back(lambda * logarithmic + (1.0 - lambda) * uniform);
   }
   return splits;
 }
 
-MapLayout fit_map(const Light& light, const Bounds& bounds, const ShadowMapParams& params, const GBuffer& seen) {
+MapLayout fit_map(const Light& light, const Bounds& bounds, const ShadowMapParams& params, const SeenPart& seen,
+                  const MapFitParams& fit) {
   MapLayout layout = fit_light(light, bounds, params.resolution);
-  const bool has_room = params.resolution > 2 * map_view_margin;
-  if (layout.kind != MapKind::orthographic || params.cascades == 1 || !has_room) return layout;
-  const DepthRange range = depths_of(seen);
-  if (!(range.nearest <= range.farthest)) return layout;
-  const std::vector<double> splits = split_depths(range.nearest, range.farthest, params.cascades);
-  const MapView whole = layout.views.back();
-  layout.views.clear();
-  for (std::size_t i = 0; i + 1 < splits.size(); ++i) {
-    const MapView view = view_up_to(layout, seen, splits[i]);
-    if (view.half_extent > 0.0 && view.half_extent < whole.half_extent) layout.views.push_back(view);
+  if (layout.kind != MapKind::orthographic) return layout;
+  if (params.cascades == 1 && fit.fit == MapFit::scene) return layout;
+  MapView whole = layout.views.back();
+  if (fit.fit == MapFit::bounds) {
+    const dvec4 center(fit.fit_x, fit.fit_y, fit.fit_z, 1.0);
+    whole = {dvec2(layout.light_from_world * center), 0.5 * fit.fit_size};
   }
-  layout.views.push_back(whole);
+  const DepthRange range =
+      fit.split_range == SplitRange::seen ? depths_of(seen.surfels) : depths_of(seen.view, fit.max_distance);
+  const bool is_empty = !(range.nearest <= range.farthest);
+  const Fitter fitter(layout, seen, fit.cascade_fit);
+  if (fit.fit == MapFit::view && !is_empty) whole = fitter.fit(range).value_or(whole);
+  std::vector<MapView> views;
+  if (params.cascades > 1 && params.resolution > 2 * map_view_margin && !is_empty) {
+    const std::vector<double> splits = split_depths(range.nearest, range.farthest, params.cascades, fit.split_lambda);
+    for (std::size_t i = 0; i + 1 < splits.size(); ++i) {
+      const std::optional<MapView> view = fitter.fit({range.nearest, splits[i]});
+      if (view && view->half_extent < whole.half_extent) views.push_back(*view);
+    }
+  }
+  views.push_back(whole);
+  layout.views = std::move(views);
   return layout;
 }
 

@@ -1,23 +1,59 @@
-// Cascaded shadow maps for directional lights. Each cascade covers what the camera sees up to a view depth; the last
-// covers the whole scene.
+// How the views of a directional light's map are fitted: the area of each, and the split into cascades. The number of
+// views and their resolution are in ShadowMapParams.
 #pragma once
 
 #include <vector>
 
 #include "core/gbuffer.h"
+#include "scenes/view.h"
 #include "techniques/shadow/map_layout.h"
 #include "techniques/shadow/parameters.h"
 
 namespace umbrameter {
 
-/// Far ends of `count` ranges of view depth, metres: halfway between uniform and logarithmic splits, the practical
-/// scheme with λ = ½. (F. Zhang, H. Sun, L. Xu and L. K. Lun, Parallel-Split Shadow Maps for Large-Scale Virtual
-/// Environments, VRCIA 2006.) nearest and farthest are above 0.
-std::vector<double> split_depths(double nearest, double farthest, int count);
+/// The range of view depths that the cascades divide. seen: from the nearest to the farthest surfel. camera: from the
+/// near plane to MapFitParams::max_distance, or to the far plane if that is nearer.
+enum class SplitRange : int { seen, camera };
 
-/// Like fit_light(), but with params.cascades views if the light is directional. Each view except the last is the
-/// smallest square around the surfels up to its split, plus a margin for the taps of a kernel. A view that would be no
-/// finer than the last is omitted.
-MapLayout fit_map(const Light& light, const Bounds& bounds, const ShadowMapParams& params, const GBuffer& seen);
+/// The area of a single map or of the last cascade. scene: the scene's bounds. view: what the camera sees in the range
+/// of the splits. bounds: a given square.
+enum class MapFit : int { scene, view, bounds };
+
+/// The area of the other cascades, and of MapFit::view. tight: the smallest square around the surfels. stable: around
+/// the bounding sphere of that part of the camera's frustum, moved in whole texels. If the range of the splits is
+/// SplitRange::camera, a stable area has the same size wherever the camera is and looks.
+enum class CascadeFit : int { tight, stable };
+
+/// The shadow.* parameters of how a directional light's map is fitted. Other lights ignore them.
+struct MapFitParams {
+  double split_lambda = 0.5;
+  SplitRange split_range = SplitRange::seen;
+  double max_distance = 100.0;
+  MapFit fit = MapFit::scene;
+  double fit_x = 0.0;
+  double fit_y = 0.0;
+  double fit_z = 0.0;
+  double fit_size = 10.0;
+  CascadeFit cascade_fit = CascadeFit::tight;
+};
+Parameters describe(MapFitParams& params);
+
+/// Far ends of `count` ranges of view depth, metres. lambda mixes logarithmic (1) and uniform (0) splits: the practical
+/// split scheme. (F. Zhang, H. Sun, L. Xu and L. K. Lun, Parallel-Split Shadow Maps for Large-Scale Virtual
+/// Environments, VRCIA 2006.) nearest and farthest are above 0.
+std::vector<double> split_depths(double nearest, double farthest, int count, double lambda = 0.5);
+
+/// What the camera sees. Without a view (width 0) there is no frustum to fit to; then use SplitRange::seen and
+/// CascadeFit::tight.
+struct SeenPart {
+  const GBuffer& surfels;
+  View view{};
+};
+
+/// Like fit_light(), but a directional light's map is fitted by `fit` and has params.cascades views. A cascade except
+/// the last has a margin for the taps of a kernel, and is omitted if it would be no finer than the last.
+/// Throws Error (usage) if the range of the splits is empty.
+MapLayout fit_map(const Light& light, const Bounds& bounds, const ShadowMapParams& params, const SeenPart& seen,
+                  const MapFitParams& fit = {});
 
 }  // namespace umbrameter

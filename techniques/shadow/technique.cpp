@@ -8,9 +8,9 @@ Parameters describe(ShadowParams& params) {
       Description("shadow")
           .choice("technique", params.technique, names, {.unit = {}, .meaning = "shadow-map technique", .basic = true})
           .take();
-  return concatenate({describe(params.map), describe(params.map_depth), describe(params.bias), technique,
-                      describe(params.pcf), describe(params.pcss), describe(params.esm), describe(params.moment_map),
-                      describe(params.moment_lookup)});
+  return concatenate({describe(params.map), describe(params.fit), describe(params.map_depth), describe(params.bias),
+                      technique, describe(params.pcf), describe(params.pcss), describe(params.esm),
+                      describe(params.moment_map), describe(params.moment_lookup)});
 }
 
 ShadowTechnique make_technique(const ShadowParams& params, double light_extent) {

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "techniques/shadow/capabilities.h"
+#include "techniques/shadow/cascades.h"
 #include "techniques/shadow/filter.h"
 #include "techniques/shadow/map_depth.h"
 #include "techniques/shadow/parameters.h"
@@ -23,6 +24,7 @@ enum class ShadowTechniqueName : int { pcf, esm, vsm, evsm2, evsm4, msm, pcss };
 /// The shadow.* parameters, grouped by the stage that reads them.
 struct ShadowParams {
   ShadowMapParams map;
+  MapFitParams fit;
   MapDepthParams map_depth;
   BiasParams bias;
   ShadowTechniqueName technique = ShadowTechniqueName::pcf;

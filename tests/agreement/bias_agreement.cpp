@@ -86,8 +86,9 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
   const Tracer tracer(scene);
   const Image<float> visibility = trace_visibility(tracer, gbuffer, light).visibility;
   for (const int resolution : grid.resolutions) {
-    const MapLayout layout = with_point_map(fit_map(light, bounds_of(scene), {resolution, grid.cascades}, gbuffer),
-                                            grid.map_depth.point_map);
+    const MapLayout layout =
+        with_point_map(fit_map(light, bounds_of(scene), {resolution, grid.cascades}, {gbuffer, view}, grid.fit),
+                       grid.map_depth.point_map);
     const CountedPixels counted = count_pixels(gbuffer, light, layout);
     const TruthCounts counts = count_truth(visibility, counted);
     const gl::Texture truth = upload_truth(context, visibility, counted.exclusion);

@@ -31,6 +31,7 @@ struct BiasGrid {
   std::size_t judged_filters = 2;  ///< of the first ones the classes are compared by the judge, too
   int cascades = 1;
   MapDepthParams map_depth{};
+  MapFitParams fit{};
 };
 
 struct Agreement {

@@ -72,7 +72,7 @@ TEST_F(TapsGl, Percentage_closer_soft_shadows_agree_in_every_pixel) {
   const GBuffer gbuffer = read_back(context(), surfels);
   for (const Light& light : lights_) {
     const double extent = std::holds_alternative<DirectionalLight>(light.shape) ? 0.05 : 0.3;
-    const MapLayout layout = fit_map(light, bounds_of(scene_), {.resolution = 256}, gbuffer);
+    const MapLayout layout = fit_map(light, bounds_of(scene_), {.resolution = 256}, {gbuffer, view_});
     const ShadowMap map = draw_shadow_map(context(), uploaded, light, layout);
     const ShadowMapImages images = read_back(context(), map);
     for (const bool in_cone : {false, true}) {

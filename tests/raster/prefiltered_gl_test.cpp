@@ -237,7 +237,7 @@ TEST_F(PrefilteredGl, Every_technique_and_format_draws_under_every_kind_of_light
         if (cascades > 1 && !std::holds_alternative<DirectionalLight>(light.shape)) continue;
         const ShadowMapParams sizes{256, cascades};
         const ShadowMap map =
-            draw_shadow_map(context(), uploaded, light, fit_map(light, bounds, sizes, read_back(context(), surfels)));
+            draw_shadow_map(context(), uploaded, light, fit_map(light, bounds, sizes, {read_back(context(), surfels)}));
         for (const ShadowTechniqueName name : all) {
           for (const MomentFormat format : {MomentFormat::f32, MomentFormat::f16, MomentFormat::unorm16}) {
             ShadowParams params = with(name, Length{1.5, LengthUnit::texels});

@@ -41,14 +41,14 @@ TEST(Cascades, Splits_lie_halfway_between_uniform_and_logarithmic) {
 }
 
 TEST(Cascades, One_is_the_map_fitted_to_the_scene) {
-  const MapLayout one = fit_map(sun(), scene_bounds(), {512, 1}, row_of_surfels());
+  const MapLayout one = fit_map(sun(), scene_bounds(), {512, 1}, {row_of_surfels()});
   const MapLayout fitted = fit_light(sun(), scene_bounds(), 512);
   ASSERT_EQ(one.views.size(), 1u);
   EXPECT_EQ(one.views[0].half_extent, fitted.views[0].half_extent);
 }
 
 TEST(Cascades, The_near_view_holds_what_is_seen_up_to_its_split_and_is_finer) {
-  const MapLayout layout = fit_map(sun(), scene_bounds(), {512, 2}, row_of_surfels());
+  const MapLayout layout = fit_map(sun(), scene_bounds(), {512, 2}, {row_of_surfels()});
   ASSERT_EQ(layout.views.size(), 2u);
   // Depths 1 to 30 (the split is 30.25) span 29 m; 512 − 32 texels hold them.
   EXPECT_NEAR(layout.views[0].half_extent, 0.5 * 29.0 * 512 / 480, 1e-9);
@@ -66,17 +66,17 @@ TEST(Cascades, A_view_no_finer_than_the_whole_map_is_left_out) {
   small.include({1, 1, 0});
   GBuffer far = row_of_surfels();
   for (std::size_t i = 0; i < far.depth.size(); ++i) far.depth[i] = 50.0f;
-  EXPECT_EQ(fit_map(sun(), small, {512, 4}, far).views.size(), 1u);
+  EXPECT_EQ(fit_map(sun(), small, {512, 4}, {far}).views.size(), 1u);
 }
 
 TEST(Cascades, Other_lights_have_their_own_views) {
   Light lamp;
   lamp.shape = PointLight{};
-  EXPECT_EQ(fit_map(lamp, scene_bounds(), {256, 4}, row_of_surfels()).views.size(), 6u);
+  EXPECT_EQ(fit_map(lamp, scene_bounds(), {256, 4}, {row_of_surfels()}).views.size(), 6u);
 }
 
 TEST(Cascades, A_view_without_surfaces_gets_one_map) {
-  EXPECT_EQ(fit_map(sun(), scene_bounds(), {256, 4}, GBuffer(4, 4)).views.size(), 1u);
+  EXPECT_EQ(fit_map(sun(), scene_bounds(), {256, 4}, {GBuffer(4, 4)}).views.size(), 1u);
 }
 
 }  // namespace

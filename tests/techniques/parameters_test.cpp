@@ -15,6 +15,7 @@ TEST(RasterParameters, Every_field_is_described) {
   };
   expect_all(ShadowMapParams{});
   expect_all(MapDepthParams{});
+  expect_all(MapFitParams{});
   expect_all(BiasParams{});
   expect_all(PcfParams{});
   expect_all(PcssParams{});
@@ -28,10 +29,11 @@ TEST(RasterParameters, Every_field_is_described) {
   expect_all(AoBlurParams{});
   // All parts, plus one field: the choice of technique.
   ShadowParams shadow;
-  EXPECT_EQ(describe(shadow).size(), 1 + describe(shadow.map).size() + describe(shadow.map_depth).size() +
-                                         describe(shadow.bias).size() + describe(shadow.pcf).size() +
-                                         describe(shadow.pcss).size() + describe(shadow.esm).size() +
-                                         describe(shadow.moment_map).size() + describe(shadow.moment_lookup).size());
+  EXPECT_EQ(describe(shadow).size(), 1 + describe(shadow.map).size() + describe(shadow.fit).size() +
+                                         describe(shadow.map_depth).size() + describe(shadow.bias).size() +
+                                         describe(shadow.pcf).size() + describe(shadow.pcss).size() +
+                                         describe(shadow.esm).size() + describe(shadow.moment_map).size() +
+                                         describe(shadow.moment_lookup).size());
   AoParams ao;
   EXPECT_EQ(describe(ao).size(), describe(ao.sampling).size() + describe(ao.bias).size() + describe(ao.noise).size() +
                                      1 + describe(ao.ssao).size() + describe(ao.blur).size());
