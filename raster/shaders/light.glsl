@@ -3,8 +3,12 @@ layout(std140) uniform LightBlock {
   dmat4 light_from_world;
   dvec4 light_in_world;  // directional: unit vector to the light, w = 0; else its position, w = 1
   dvec4 face_basis[18];  // cube face i, in light space: [3i] right, [3i + 1] up, [3i + 2] forward
-  dvec4 map_views[MAX_MAP_VIEWS];  // x, y: centre in light space, metres; z: half extent, metres or tangent
+  dvec4 map_views[MAX_MAP_VIEWS];  // x, y: centre in light space, metres; z: half extent, metres or tangent;
+                                   // w: largest view depth, metres
+  dvec4 view_depth_plane;          // view depth = xyz · position in light space + w, metres
   double far_depth;
+  double nearest_view_depth;  // metres
+  double cascade_blend;       // share of a cascade's extent
   int resolution;
   float constant_bias;  // metres, or texels at the receiver
   float slope_bias;
@@ -19,4 +23,7 @@ layout(std140) uniform LightBlock {
   float min_radius;     // PCSS: texels
   int search_count;     // PCSS: taps of the blocker search
   int search_in_cone;   // PCSS: 1 if only blockers inside the cone from the receiver to the light count
+  int selects_by_depth;  // how a cascade is selected; 1: by view depth, 0: the first that contains the position
+  int uses_neighbour;    // 1: looks up the view beside the selected one
+  int is_stable;         // 1: vertices are drawn at whole 1/256 texels
 };

@@ -52,7 +52,56 @@ dvec3 on_face(int face, dvec3 p) {
                dot_of(face_basis[3 * face + 2].xyz, p));
 }
 
-Receiver project_to_map(dvec3 world) {
+#if IS_OMNIDIRECTIONAL
+// The face across the nearest edge, which is that of the second largest component; of paraboloids the other one.
+int neighbour_face_of(dvec3 direction) {
+#if MAP_KIND == MAP_PARABOLOID
+  return 1 - face_of(direction);
+#endif
+  dvec3 other = direction;
+  other[face_of(direction) / 2] = 0.0lf;
+  return face_of(other);
+}
+#elif MAP_KIND == MAP_ORTHOGRAPHIC
+double view_depth(dvec3 p) {
+  precise double depth = dot_of(view_depth_plane.xyz, p) + view_depth_plane.w;
+  return depth;
+}
+
+// Whether a position belongs to a cascade other than the last. inset moves the cascade's border inwards by this share
+// of its extent.
+bool is_in_cascade(int view, dvec3 p, double inset) {
+  dvec4 candidate = map_views[view];
+  if (selects_by_depth != 0) {
+    double nearest = view > 0 ? map_views[view - 1].w : nearest_view_depth;
+    precise double farthest = candidate.w - inset * (candidate.w - nearest);
+    return view_depth(p) <= farthest;
+  }
+  // With a margin for the taps of a kernel.
+  precise double reach =
+      candidate.z * (1.0lf - 2.0lf * double(MAP_VIEW_MARGIN) / double(resolution)) * (1.0lf - inset);
+  return all(lessThanEqual(abs(p.xy - candidate.xy), dvec2(reach)));
+}
+
+// view_of() of techniques/shadow/map_layout.h.
+int view_of(dvec3 p, double dither) {
+  int last = view_count - 1;
+  int blended = last;
+  int view = 0;
+  for (; view < last; ++view) {
+    if (!is_in_cascade(view, p, 0.0lf)) continue;
+    precise double inset = cascade_blend * dither;
+    if (blended != last || is_in_cascade(view, p, inset)) break;
+    blended = view;
+  }
+  bool is_on_last = all(lessThanEqual(abs(p.xy - map_views[last].xy), dvec2(map_views[last].z)));
+  if (view == last && blended != last && !is_on_last) view = blended;
+  return min(view + uses_neighbour, last);
+}
+#endif
+
+// dither: threshold of the pixel for blended cascades.
+Receiver project_to_map(dvec3 world, double dither) {
   Receiver r;
   dvec3 p = transform_point(light_from_world, world);
   r.in_light = p;
@@ -61,17 +110,12 @@ Receiver project_to_map(dvec3 world) {
 #if MAP_KIND == MAP_ORTHOGRAPHIC
   r.axis_depth = -p.z;
   r.depth = r.axis_depth;
-  r.is_inside = true;
-  // The first view that contains the position, with a margin for the taps of a kernel; otherwise the last.
-  for (r.view = 0; r.view + 1 < view_count; ++r.view) {
-    dvec4 view = map_views[r.view];
-    dvec2 reach = dvec2(view.z * (1.0lf - 2.0lf * double(MAP_VIEW_MARGIN) / double(resolution)));
-    if (all(lessThanEqual(abs(p.xy - view.xy), reach))) break;
-  }
+  r.is_inside = selects_by_depth == 0 || view_depth(p) <= map_views[view_count - 1].w;
+  r.view = view_of(p, dither);
   projected = (p.xy - map_views[r.view].xy) / map_views[r.view].z;
 #else
 #if IS_OMNIDIRECTIONAL
-  r.view = face_of(p);
+  r.view = uses_neighbour != 0 ? neighbour_face_of(p) : face_of(p);
   dvec3 q = on_face(r.view, p);
   r.axis_depth = q.z;
   r.depth = length_of(p);
@@ -151,7 +195,7 @@ double compared_depth(Receiver receiver, ivec3 texel) {
   double facing = dot_of(receiver.plane, direction);
   if (facing < 0.0lf) {
     precise double along = dot_of(receiver.plane, receiver.in_light - origin) / facing;
-#if MAP_KIND == MAP_CUBE
+#if IS_OMNIDIRECTIONAL
     along *= length_of(direction);
 #endif
 #if MAP_KIND != MAP_ORTHOGRAPHIC

@@ -36,7 +36,13 @@ void main() {
 #else
   double depth = -p.z / far_depth;
 #endif
-  gl_Position = vec4(vec3((p.x - view.x) / view.z, (p.y - view.y) / view.z, depth), 1.0);
+  dvec2 place = dvec2((p.x - view.x) / view.z, (p.y - view.y) / view.z);
+  if (is_stable != 0) {
+    // The rasteriser rounds positions to this grid; rounding to single precision before that would depend on the view.
+    double steps = 128.0lf * double(resolution);
+    place = floor(place * steps + 0.5lf) / steps;
+  }
+  gl_Position = vec4(vec3(place, depth), 1.0);
 #else
   vertex_instance = id;
   vertex_texcoord = texcoord;

@@ -12,6 +12,15 @@ struct Lookup {
   float bias_unit;  // metres per unit of constant bias
 };
 
+// dither_at() of techniques/shadow/map_layout.h: an 8×8 Bayer matrix.
+double dither_at(ivec2 pixel) {
+  uint column = uint(pixel.x);
+  uint row = uint(textureSize(ids, 0).y - 1 - pixel.y);  // row 0 is the top row
+  uint rank = 0u;
+  for (uint bit = 0u; bit < 3u; ++bit) rank = rank << 2u | ((column ^ row) >> bit & 1u) << 1u | (row >> bit & 1u);
+  return (double(rank) + 0.5lf) / 64.0lf;
+}
+
 Lookup look_up(ivec2 pixel) {
   Lookup result;
   dvec3 position = dvec3(texelFetch(position_depth, pixel, 0).xyz);
@@ -19,7 +28,7 @@ Lookup look_up(ivec2 pixel) {
   dvec3 to_light = light_in_world.w == 0.0lf ? light_in_world.xyz : light_in_world.xyz - position;
   precise double cosine = dot_of(normal, to_light);
   result.faces_light = cosine > 0.0lf;
-  result.receiver = project_to_map(position);
+  result.receiver = project_to_map(position, dither_at(pixel));
   precise double sine = length_of(cross_of(normal, to_light));
   float texel = texel_at(result.receiver);
   result.slope = texel * float(sine / cosine);
@@ -28,7 +37,7 @@ Lookup look_up(ivec2 pixel) {
     // Factor · texel size · sin θ (D. Holbert, Saying "Goodbye" to Shadow Acne, GDC 2011).
     precise double shift = double(normal_offset) * double(texel) * (sine / length_of(to_light));
     precise dvec3 moved = position + normal * shift;
-    result.receiver = project_to_map(moved);
+    result.receiver = project_to_map(moved, dither_at(pixel));
   }
 #if RECEIVER_PLANE
   result.receiver.plane = transform_vector(light_from_world, normal);

@@ -16,8 +16,14 @@ LightBlock make_light_block(const Light& light, const MapLayout& layout) {
   }
   block.view_count = static_cast<int>(layout.views.size());
   for (std::size_t v = 0; v < layout.views.size(); ++v) {
-    block.views[v] = dvec4(layout.views[v].center, layout.views[v].half_extent, 0.0);
+    block.views[v] = dvec4(layout.views[v].center, layout.views[v].half_extent, layout.views[v].farthest);
   }
+  block.view_depth_plane = layout.view_depth_plane;
+  block.nearest_view_depth = layout.nearest_view_depth;
+  block.cascade_blend = layout.blend;
+  block.selects_by_depth = layout.selection == CascadeSelection::depth ? 1 : 0;
+  block.is_stable = layout.is_stable ? 1 : 0;
+  block.uses_neighbour = layout.uses_neighbour ? 1 : 0;
   block.far_depth = layout.far_depth;
   block.resolution = layout.resolution;
   return block;

@@ -14,7 +14,10 @@ struct LightBlock {
   dvec4 light_in_world{0.0};
   dvec4 face_basis[18] = {};
   dvec4 views[max_map_views] = {};
+  dvec4 view_depth_plane{0.0};
   double far_depth = 1.0;
+  double nearest_view_depth = 0.0;
+  double cascade_blend = 0.0;
   int resolution = 1;
   float constant_bias = 0.0f;
   float slope_bias = 0.0f;
@@ -29,8 +32,12 @@ struct LightBlock {
   float min_radius = 0.0f;
   int search_count = 0;
   int search_in_cone = 0;
+  int selects_by_depth = 0;
+  int uses_neighbour = 0;
+  int is_stable = 0;
+  int unused[1] = {};
 };
-static_assert(sizeof(LightBlock) == 1056);
+static_assert(sizeof(LightBlock) == 1120);
 
 /// The block for drawing the map. Bias and filter are 0; bind() in shadow_lookup.h sets them for a look-up.
 LightBlock make_light_block(const Light& light, const MapLayout& layout);

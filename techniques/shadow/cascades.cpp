@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "core/error.h"
@@ -16,6 +17,8 @@ namespace {
 constexpr std::array<std::string_view, 2> split_range_names{"seen", "camera"};
 constexpr std::array<std::string_view, 3> map_fit_names{"scene", "view", "bounds"};
 constexpr std::array<std::string_view, 2> cascade_fit_names{"tight", "stable"};
+
+constexpr std::array<std::string_view, 2> cascade_selection_names{"map", "depth"};
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -77,6 +80,25 @@ Sphere bounding_sphere(const View& view, const DepthRange& range) {
           std::hypot(corner, range.farthest - depth)};
 }
 
+// The camera's view depth as a plane in light space; light space is rigid.
+dvec4 view_depth_plane(const MapLayout& layout, const View& view) {
+  const dmat4 light_from_camera = layout.light_from_world * view.camera.world_from_camera;
+  const dvec3 axis = -dvec3(light_from_camera[2]);
+  return {axis, -glm::dot(axis, dvec3(light_from_camera[3]))};
+}
+
+// Moves the start of the depth range towards the surfels, never away from them.
+void shorten_depth(MapLayout& layout, const GBuffer& surfels, double offset) {
+  double nearest = infinity;
+  for (std::size_t i = 0; i < surfels.depth.size(); ++i) {
+    if (surfels.is_surface(i)) nearest = std::min(nearest, depth_of(layout, dvec3(surfels.position[i])));
+  }
+  if (!std::isfinite(nearest) || !(nearest > offset)) return;
+  const double shift = std::min(nearest - offset, 0.999 * layout.far_depth);
+  layout.light_from_world[3].z += shift;
+  layout.far_depth -= shift;
+}
+
 // Fits the views of one map.
 class Fitter {
  public:
@@ -90,11 +112,16 @@ class Fitter {
 
  private:
   std::optional<MapView> around_surfels(const DepthRange& range) const {
+    // Cascades that are selected by depth hold their own range alone: with room for the rounding of a surfel's depth.
+    const bool is_by_depth = layout_.selection == CascadeSelection::depth;
+    const double room = is_by_depth ? 1e-6 : 0.0;
+    const double nearest = is_by_depth ? range.nearest * (1.0 - room) : -infinity;
+    const double farthest = range.farthest * (1.0 + room);
     dvec2 low(infinity);
     dvec2 high(-infinity);
     for (std::size_t i = 0; i < seen_.surfels.depth.size(); ++i) {
       const auto depth = static_cast<double>(seen_.surfels.depth[i]);
-      if (!seen_.surfels.is_surface(i) || depth < range.nearest || depth > range.farthest) continue;
+      if (!seen_.surfels.is_surface(i) || depth < nearest || depth > farthest) continue;
       const dvec2 place(in_light(dvec3(seen_.surfels.position[i])));
       low = glm::min(low, place);
       high = glm::max(high, place);
@@ -127,6 +154,32 @@ class Fitter {
   CascadeFit fit_;
 };
 
+// The last view is the layout's present one, unless it is to be that of what is seen.
+void fit_views(MapLayout& layout, const Fitter& fitter, const std::vector<double>& splits, MapFit last_fit) {
+  const bool is_by_depth = layout.selection == CascadeSelection::depth;
+  const bool has_room = layout.resolution > 2 * map_view_margin;
+  std::vector<MapView> views;
+  double nearest = layout.nearest_view_depth;
+  double previous = nearest;
+  for (std::size_t i = 0; has_room && i + 1 < splits.size(); ++i) {
+    std::optional<MapView> view = fitter.fit({nearest, splits[i]});
+    const MapView& whole = layout.views.back();
+    const bool is_finer = view && (last_fit == MapFit::view || view->half_extent < whole.half_extent);
+    if (is_by_depth && view && !is_finer) view = whole;
+    if (view && (is_finer || is_by_depth)) {
+      view->farthest = splits[i];
+      views.push_back(*view);
+    }
+    if (!is_by_depth) continue;
+    nearest = splits[i] - layout.blend * (splits[i] - previous);
+    previous = splits[i];
+  }
+  if (last_fit == MapFit::view)
+    layout.views.back() = fitter.fit({nearest, splits.back()}).value_or(layout.views.back());
+  views.push_back(layout.views.back());
+  layout.views = std::move(views);
+}
+
 }  // namespace
 
 Parameters describe(MapFitParams& params) {
@@ -147,7 +200,37 @@ Parameters describe(MapFitParams& params) {
              {.unit = "m", .meaning = "side of the area bounds, perpendicular to the light", .min = 1e-6, .max = 1e12})
       .choice("cascade-fit", params.cascade_fit, cascade_fit_names,
               {.unit = {}, .meaning = "area of a cascade: around what is seen, or around the frustum in whole texels"})
+      .choice("cascade-selection", params.selection, cascade_selection_names,
+              {.unit = {}, .meaning = "cascade of a receiver: the first that contains it, or by its view depth"})
+      .field("cascade-blend", params.blend,
+             {.unit = "1",
+              .meaning = "share of a cascade's extent over which it is blended into the next, by dithering",
+              .min = 0,
+              .max = 1})
+      .field(
+          "pancaking", params.pancaking,
+          {.unit = "", .meaning = "start a directional light's depth range at the receivers, clamp casters before it"})
+      .field("near-offset", params.near_offset,
+             {.unit = "m", .meaning = "pancaking: from the start of the depth range to the nearest receiver", .min = 0})
       .take();
+}
+
+void require_sense(const ShadowMapParams& map, const MapFitParams& fit, std::span<const Light> lights) {
+  const bool any_directional = std::any_of(lights.begin(), lights.end(), [](const Light& light) {
+    return std::holds_alternative<DirectionalLight>(light.shape);
+  });
+  if (any_directional) return;
+  const auto refuse = [](const std::string& key) {
+    throw Error(ExitCode::usage, key, "no measured light is directional, and only directional lights have cascades",
+                "leave it out, or select a directional light with --view.light");
+  };
+  if (map.cascades != 1) refuse("shadow.cascades");
+  MapFitParams given = fit;
+  MapFitParams usual;
+  const Parameters defaults = describe(usual);
+  for (const Parameter& parameter : describe(given)) {
+    if (parameter.value() != require(defaults, parameter.key).value()) refuse(parameter.key);
+  }
 }
 
 std::vector<double> split_depths(double nearest, double farthest, int count, double lambda) {
@@ -165,27 +248,27 @@ MapLayout fit_map(const Light& light, const Bounds& bounds, const ShadowMapParam
                   const MapFitParams& fit) {
   MapLayout layout = fit_light(light, bounds, params.resolution);
   if (layout.kind != MapKind::orthographic) return layout;
+  if (fit.pancaking) shorten_depth(layout, seen.surfels, fit.near_offset);
   if (params.cascades == 1 && fit.fit == MapFit::scene) return layout;
   MapView whole = layout.views.back();
   if (fit.fit == MapFit::bounds) {
     const dvec4 center(fit.fit_x, fit.fit_y, fit.fit_z, 1.0);
     whole = {dvec2(layout.light_from_world * center), 0.5 * fit.fit_size};
   }
-  const DepthRange range =
-      fit.split_range == SplitRange::seen ? depths_of(seen.surfels) : depths_of(seen.view, fit.max_distance);
-  const bool is_empty = !(range.nearest <= range.farthest);
-  const Fitter fitter(layout, seen, fit.cascade_fit);
-  if (fit.fit == MapFit::view && !is_empty) whole = fitter.fit(range).value_or(whole);
-  std::vector<MapView> views;
-  if (params.cascades > 1 && params.resolution > 2 * map_view_margin && !is_empty) {
-    const std::vector<double> splits = split_depths(range.nearest, range.farthest, params.cascades, fit.split_lambda);
-    for (std::size_t i = 0; i + 1 < splits.size(); ++i) {
-      const std::optional<MapView> view = fitter.fit({range.nearest, splits[i]});
-      if (view && view->half_extent < whole.half_extent) views.push_back(*view);
-    }
+  const bool is_by_camera = fit.split_range == SplitRange::camera;
+  const DepthRange range = is_by_camera ? depths_of(seen.view, fit.max_distance) : depths_of(seen.surfels);
+  if (fit.selection == CascadeSelection::depth) {
+    layout.selection = CascadeSelection::depth;
+    layout.view_depth_plane = view_depth_plane(layout, seen.view);
   }
-  views.push_back(whole);
-  layout.views = std::move(views);
+  layout.is_stable = fit.cascade_fit == CascadeFit::stable;
+  layout.nearest_view_depth = range.nearest;
+  layout.blend = fit.blend;
+  layout.views = {whole};
+  if (!(range.nearest <= range.farthest)) return layout;
+  fit_views(layout, Fitter(layout, seen, fit.cascade_fit),
+            split_depths(range.nearest, range.farthest, params.cascades, fit.split_lambda), fit.fit);
+  if (fit.fit == MapFit::view && is_by_camera) layout.views.back().farthest = range.farthest;
   return layout;
 }
 

@@ -2,6 +2,7 @@
 // views and their resolution are in ShadowMapParams.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/gbuffer.h"
@@ -35,8 +36,15 @@ struct MapFitParams {
   double fit_z = 0.0;
   double fit_size = 10.0;
   CascadeFit cascade_fit = CascadeFit::tight;
+  CascadeSelection selection = CascadeSelection::map;
+  double blend = 0.0;
+  bool pancaking = false;
+  double near_offset = 1.0;
 };
 Parameters describe(MapFitParams& params);
+
+/// Throws Error (usage) for cascades or a fit that differs from the default if none of the lights is directional.
+void require_sense(const ShadowMapParams& map, const MapFitParams& fit, std::span<const Light> lights);
 
 /// Far ends of `count` ranges of view depth, metres. lambda mixes logarithmic (1) and uniform (0) splits: the practical
 /// split scheme. (F. Zhang, H. Sun, L. Xu and L. K. Lun, Parallel-Split Shadow Maps for Large-Scale Virtual
@@ -51,7 +59,15 @@ struct SeenPart {
 };
 
 /// Like fit_light(), but a directional light's map is fitted by `fit` and has params.cascades views. A cascade except
-/// the last has a margin for the taps of a kernel, and is omitted if it would be no finer than the last.
+/// the last has a margin for the taps of a kernel.
+///
+/// CascadeSelection::map: a cascade covers everything nearer than its far split, and is omitted if it would be no finer
+/// than the last. CascadeSelection::depth: it covers its own range of depths and the zone that is blended into it; one
+/// that would be no finer than the last covers the area of the last. Positions beyond shadow.max-distance are outside a
+/// map that has MapFit::view and SplitRange::camera.
+///
+/// With pancaking, depth starts near_offset before the nearest surfel, but not before the scene. Casters in front of it
+/// are stored at depth 0. They keep shadowing a surfel while the bias is less than its depth.
 /// Throws Error (usage) if the range of the splits is empty.
 MapLayout fit_map(const Light& light, const Bounds& bounds, const ShadowMapParams& params, const SeenPart& seen,
                   const MapFitParams& fit = {});

@@ -37,6 +37,10 @@ MapLayout fit_directional(const dmat3& axes, const Bounds& bounds, int resolutio
   return layout;
 }
 
+bool is_on_view(const MapView& view, const dvec3& local) {
+  return std::abs(local.x - view.center.x) <= view.half_extent && std::abs(local.y - view.center.y) <= view.half_extent;
+}
+
 }  // namespace
 
 dmat3 cube_face(int face) {
@@ -73,16 +77,42 @@ double depth_of(const MapLayout& layout, const dvec3& position) {
   return is_omnidirectional(layout.kind) ? glm::length(local) : -local.z;
 }
 
-std::size_t view_of(const MapLayout& layout, const dvec3& local) {
+double dither_at(std::uint32_t column, std::uint32_t row) {
+  std::uint32_t rank = 0;
+  for (std::uint32_t bit = 0; bit < 3; ++bit) {
+    rank = rank << 2 | (((column ^ row) >> bit & 1u) << 1) | (row >> bit & 1u);
+  }
+  return (rank + 0.5) / 64.0;
+}
+
+double view_depth(const MapLayout& layout, const dvec3& local) {
+  const dvec4& plane = layout.view_depth_plane;
+  return plane.x * local.x + plane.y * local.y + plane.z * local.z + plane.w;
+}
+
+bool is_in_cascade(const MapLayout& layout, std::size_t view, const dvec3& local, double inset) {
+  const MapView& candidate = layout.views[view];
+  if (layout.selection == CascadeSelection::depth) {
+    const double nearest = view > 0 ? layout.views[view - 1].farthest : layout.nearest_view_depth;
+    return view_depth(layout, local) <= candidate.farthest - inset * (candidate.farthest - nearest);
+  }
+  const double reach = candidate.half_extent * (1.0 - 2.0 * map_view_margin / layout.resolution) * (1.0 - inset);
+  const dvec2 offset = glm::abs(dvec2(local) - candidate.center);
+  return offset.x <= reach && offset.y <= reach;
+}
+
+std::size_t view_of(const MapLayout& layout, const dvec3& local, double dither) {
   std::size_t view = 0;
   if (layout.kind != MapKind::orthographic) return view;
-  for (; view + 1 < layout.views.size(); ++view) {
-    const MapView& candidate = layout.views[view];
-    const double reach = candidate.half_extent * (1.0 - 2.0 * map_view_margin / layout.resolution);
-    const dvec2 offset = glm::abs(dvec2(local) - candidate.center);
-    if (offset.x <= reach && offset.y <= reach) break;
+  const std::size_t last = layout.views.size() - 1;
+  std::size_t blended = last;  // the cascade out of which the position is blended
+  for (; view < last; ++view) {
+    if (!is_in_cascade(layout, view, local, 0.0)) continue;
+    if (blended != last || is_in_cascade(layout, view, local, layout.blend * dither)) break;
+    blended = view;
   }
-  return view;
+  if (view == last && blended != last && !is_on_view(layout.views[last], local)) view = blended;
+  return layout.uses_neighbour ? std::min(view + 1, last) : view;
 }
 
 double texel_at(const MapLayout& layout, const dvec3& position) {
@@ -98,11 +128,14 @@ double texel_at(const MapLayout& layout, const dvec3& position) {
 bool is_inside(const MapLayout& layout, const dvec3& position) {
   if (is_omnidirectional(layout.kind)) return true;
   const dvec3 local = in_light_space(layout, position);
-  const bool perspective = layout.kind == MapKind::perspective;
-  if (perspective && !(-local.z > 0.0)) return false;
-  const MapView& view = layout.views.back();
-  const double half = perspective ? view.half_extent * -local.z : view.half_extent;
-  return std::abs(local.x - view.center.x) <= half && std::abs(local.y - view.center.y) <= half;
+  if (layout.kind == MapKind::perspective) {
+    if (!(-local.z > 0.0)) return false;
+    const double half = layout.views.front().half_extent * -local.z;
+    return std::abs(local.x) <= half && std::abs(local.y) <= half;
+  }
+  const bool is_near =
+      layout.selection == CascadeSelection::map || view_depth(layout, local) <= layout.views.back().farthest;
+  return is_near && is_on_view(layout.views[view_of(layout, local)], local);
 }
 
 PixelExclusion exclusion_of(const Light& light, const MapLayout& layout, const dvec3& position,

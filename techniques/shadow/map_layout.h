@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/bounds.h"
@@ -21,13 +22,18 @@ struct MapView {
   dvec2 center{0.0};  ///< orthographic: centre of the image in light space, metres
   /// orthographic: metres; perspective and cube: tangent of half the opening angle; paraboloid: 1
   double half_extent = 1.0;
+  double farthest = std::numeric_limits<double>::infinity();  ///< CascadeSelection::depth: largest view depth, metres
 };
+
+/// The cascade in which a position is looked up. map: the first that contains it. depth: the first whose farthest view
+/// depth is no nearer.
+enum class CascadeSelection : int { map, depth };
 
 /// Maximum number of views: the size of the array in the shaders.
 inline constexpr std::size_t max_map_views = 8;
 
-/// Margin of a cascade in texels. A cascade, except the last, is used only for positions at least this far inside its
-/// border, so that all taps of a kernel lie on it.
+/// Margin of a cascade in texels. With CascadeSelection::map, a cascade, except the last, is used only for positions at
+/// least this far inside its border, so that all taps of a kernel lie on it.
 inline constexpr int map_view_margin = 16;
 
 /// Projection of one light's map.
@@ -37,15 +43,27 @@ inline constexpr int map_view_margin = 16;
 /// radial distance for cube and paraboloid maps. Map coordinates (u, v) of a view run from 0 to 1 with v up.
 ///
 /// Views: a perspective map has one; a cube map has six, its faces, whose axes are cube_face(); an orthographic map has
-/// one or more (cascades). A position is looked up in the first cascade that contains it. A paraboloid map has two:
-/// view 0 sees the hemisphere about −z, view 1 that about z, turned about y. A direction at an angle θ to the axis of
-/// its hemisphere lies tan(θ/2) from the middle of the view, so that the hemisphere fills the circle in the square.
+/// one or more (cascades). A paraboloid map has two: view 0 sees the hemisphere about −z, view 1 that about z, turned
+/// about y. A direction at an angle θ to the axis of its hemisphere lies tan(θ/2) from the middle of the view, so that
+/// the hemisphere fills the circle in the square.
+///
+/// Cascades can be blended over a share of their extent, by dithering: in this zone each pixel looks up one cascade,
+/// its own or the next, so that taps stay comparisons with one map each. The pixel's threshold is dither_at().
 struct MapLayout {
   MapKind kind = MapKind::orthographic;
   int resolution = 1024;        ///< texels along one side of a view
   dmat4 light_from_world{1.0};  ///< rigid
-  double far_depth = 1.0;       ///< metres; every surface is nearer. Stored depth = depth / far_depth.
-  std::vector<MapView> views{MapView{}};
+  double far_depth = 1.0;       ///< metres; every surface is nearer. Stored depth = depth / far_depth, at least 0.
+  std::vector<MapView> views = std::vector<MapView>(1);
+  CascadeSelection selection = CascadeSelection::map;
+  double blend = 0.0;               ///< share of a cascade's extent, 0 to 1
+  dvec4 view_depth_plane{0.0};      ///< the camera's view depth is xyz · position in light space + w, metres
+  double nearest_view_depth = 0.0;  ///< where the range of the first cascade starts, metres
+  /// The centres of the views are whole texels from the origin of light space, and vertices are drawn at whole 1/256
+  /// texels, so that a view which moves with the camera samples exactly the same points.
+  bool is_stable = false;
+  /// Looks up the view beside the selected one instead: the next cascade, or the cube face across the nearest edge.
+  bool uses_neighbour = false;
 };
 
 /// A shadow map in memory, one image per view, top row (v = 1) first.
@@ -62,14 +80,26 @@ dmat3 cube_face(int face);
 /// Point: six faces around the light. One texel of margin keeps every receiver inside orthographic maps.
 MapLayout fit_light(const Light& light, const Bounds& bounds, int resolution);
 
-/// Index of the view in which a position (light space) is looked up. Always 0 for a cube or a paraboloid: all views
-/// have the same extent.
-std::size_t view_of(const MapLayout& layout, const dvec3& local);
+/// Threshold of a pixel for the blend of cascades, above 0 and below 1; row 0 is the top row. An 8×8 Bayer matrix, so
+/// that 64 adjacent pixels take evenly spaced values. (B. E. Bayer, An Optimum Method for Two-Level Rendition of
+/// Continuous-Tone Pictures, ICC 1973.)
+double dither_at(std::uint32_t column, std::uint32_t row);
+
+/// Index of the view in which a position (light space) is looked up by a pixel with this threshold; 0: no blending.
+/// Always 0 for a cube or a paraboloid: all views have the same extent.
+std::size_t view_of(const MapLayout& layout, const dvec3& local, double dither = 0.0);
+
+/// The camera's view depth of a position (light space), metres.
+double view_depth(const MapLayout& layout, const dvec3& local);
+
+/// Whether a position (light space) belongs to a cascade other than the last. `inset` moves the cascade's border
+/// inwards by this share of its extent.
+bool is_in_cascade(const MapLayout& layout, std::size_t view, const dvec3& local, double inset);
 
 /// Depth of a world position, metres.
 double depth_of(const MapLayout& layout, const dvec3& position);
 
-/// Side length of a texel at a world position, metres.
+/// Side length of a texel at a world position, metres, without blending.
 double texel_at(const MapLayout& layout, const dvec3& position);
 
 /// Whether the position falls on the map.

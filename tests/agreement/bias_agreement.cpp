@@ -89,6 +89,7 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
     const MapLayout layout =
         with_point_map(fit_map(light, bounds_of(scene), {resolution, grid.cascades}, {gbuffer, view}, grid.fit),
                        grid.map_depth.point_map);
+    agreement.views = layout.views.size();
     const CountedPixels counted = count_pixels(gbuffer, light, layout);
     const TruthCounts counts = count_truth(visibility, counted);
     const gl::Texture truth = upload_truth(context, visibility, counted.exclusion);

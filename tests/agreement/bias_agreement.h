@@ -35,6 +35,7 @@ struct BiasGrid {
 };
 
 struct Agreement {
+  std::size_t views = 0;  ///< of the last map
   std::size_t cells = 0;
   std::size_t wrong_cells = 0;             ///< cells with any wrong tap
   std::size_t tested_taps = 0;             ///< that the two-plane rule called false occlusion

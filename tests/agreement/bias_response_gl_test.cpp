@@ -17,12 +17,13 @@ class BiasResponseGl : public GlFixture {
     std::vector<std::string> notes;
     view_ = {96, 54, select_camera(scene_, "", 16.0 / 9.0, notes)};
   }
-  void expect_agreement(const Light& light, const BiasGrid& grid) {
+  std::size_t expect_agreement(const Light& light, const BiasGrid& grid) {
     const Agreement found = compare_ways(context(), scene_, view_, light, grid);
     for (const std::string& line : found.disagreements) ADD_FAILURE() << line;
     EXPECT_EQ(found.wrong_cells, found.cells) << "every cell should have something to count";
     EXPECT_GT(found.tested_taps, 0u);
     EXPECT_LT(found.identity_gap, 1e-7);
+    return found.views;
   }
 
   const Scene scene_ = load_scene("contact-box");
@@ -84,6 +85,23 @@ TEST_F(BiasResponseGl, Maps_with_other_depths_agree_too) {
   }
   grid.map_depth = set([](MapDepthParams& p) { p.point_map = PointMap::paraboloid; });
   expect_agreement(lights_[2], grid);
+}
+
+TEST_F(BiasResponseGl, Blended_and_stable_cascades_agree_too_however_they_are_selected) {
+  const std::vector<NamedFilter> all = usual_filters();
+  BiasGrid grid{{{0.0f, 0.05f, 0.3f}, {0.0f, 1.5f}}, {96}, {all[0], all[2]}, {0.0, 0.7}};
+  grid.judged_filters = 1;
+  grid.cascades = 4;
+  grid.fit.blend = 0.4;
+  for (const CascadeSelection selection : {CascadeSelection::map, CascadeSelection::depth}) {
+    for (const CascadeFit fit : {CascadeFit::tight, CascadeFit::stable}) {
+      grid.fit.selection = selection;
+      grid.fit.cascade_fit = fit;
+      grid.fit.fit = fit == CascadeFit::stable ? MapFit::view : MapFit::scene;
+      grid.fit.pancaking = fit == CascadeFit::stable;
+      EXPECT_GT(expect_agreement(lights_[0], grid), 2u);
+    }
+  }
 }
 
 TEST_F(BiasResponseGl, The_largest_filter_agrees_too) {

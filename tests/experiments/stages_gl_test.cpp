@@ -1,6 +1,7 @@
 // No stage may answer from a result that an earlier experiment left behind.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "core/error.h"
@@ -29,8 +30,8 @@ std::vector<std::string> values_of(const Parameter& parameter) {
     return {std::to_string(**integer), std::to_string(has_room ? **integer + step : **integer - step)};
   }
   if (const auto* const* real = std::get_if<double*>(&parameter.field)) {
-    double other = **real + 0.5 <= limits.max ? **real + 0.5 : **real - 0.5;
-    if (other < limits.min) other = 0.5 * (**real + limits.max);
+    const double step = std::min(0.5, 0.25 * (limits.max - limits.min));
+    const double other = **real + step <= limits.max ? **real + step : **real - step;
     return {to_string(Value(**real)), to_string(Value(other))};
   }
   return {};
@@ -133,6 +134,13 @@ class StagesGl : public testing::Test {
 
 TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_box_filter) {
   expect_fresh({"shadow.filter=box"});
+}
+
+TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_cascades) {
+  expect_fresh({"shadow.cascades=3", "shadow.fit=view", "shadow.cascade-fit=stable", "shadow.split-range=camera",
+                "shadow.max-distance=12", "shadow.cascade-selection=depth", "shadow.cascade-blend=0.2",
+                "shadow.pancaking=true"});
+  expect_fresh({"shadow.fit=bounds", "shadow.fit-size=6"});
 }
 
 TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_disk) {

@@ -19,6 +19,14 @@ int face_of(MapKind kind, const dvec3& direction) {
   return direction.z >= 0.0 ? 4 : 5;
 }
 
+// The face across the nearest edge, which is that of the second largest component; of paraboloids the other one.
+int neighbour_face_of(MapKind kind, const dvec3& direction) {
+  if (kind == MapKind::paraboloid) return 1 - face_of(kind, direction);
+  dvec3 other = direction;
+  other[face_of(kind, direction) / 2] = 0.0;
+  return face_of(kind, other);
+}
+
 // In the frame of the view; z: what the position on the map is divided by, metres.
 dvec3 on_face(MapKind kind, int face, const dvec3& p) {
   if (kind == MapKind::paraboloid) {
@@ -49,7 +57,7 @@ double compared_depth(const MapLookup& lookup, const Receiver& receiver, const i
   const double facing = dot_of(receiver.plane, ray.direction);
   if (!(facing < 0.0)) return receiver.depth;
   double along = dot_of(receiver.plane, receiver.in_light - ray.origin) / facing;
-  if (lookup.layout.kind == MapKind::cube) along *= length_of(ray.direction);
+  if (is_omnidirectional(lookup.layout.kind)) along *= length_of(ray.direction);
   return lookup.layout.kind != MapKind::orthographic && along <= 0.0 ? receiver.depth : along;
 }
 
@@ -195,22 +203,22 @@ void fetch_disk(const MapLookup& lookup, const SurfelLookup& surfel, std::size_t
 
 }  // namespace
 
-Receiver project_to_map(const MapLayout& layout, const dvec3& world) {
+Receiver project_to_map(const MapLayout& layout, const dvec3& world, double dither) {
   Receiver r;
   const dvec3 p = transform_point(layout.light_from_world, world);
   r.in_light = p;
   dvec2 projected(0.0);
   if (layout.kind == MapKind::orthographic) {
     r.axis_depth = r.depth = -p.z;
-    r.is_inside = true;
-    r.view = static_cast<int>(view_of(layout, p));
+    r.is_inside = layout.selection == CascadeSelection::map || view_depth(layout, p) <= layout.views.back().farthest;
+    r.view = static_cast<int>(view_of(layout, p, dither));
     const MapView& view = layout.views[static_cast<std::size_t>(r.view)];
     projected = (dvec2(p.x, p.y) - view.center) / view.half_extent;
   } else {
     dvec3 q(p.x, p.y, -p.z);
     r.depth = q.z;
     if (is_omnidirectional(layout.kind)) {
-      r.view = face_of(layout.kind, p);
+      r.view = layout.uses_neighbour ? neighbour_face_of(layout.kind, p) : face_of(layout.kind, p);
       q = on_face(layout.kind, r.view, p);
       r.depth = length_of(p);
     }
@@ -254,14 +262,16 @@ SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel) {
   const dvec3 to_light = place.w == 0.0 ? dvec3(place) : dvec3(place) - position;
   const double cosine = dot_of(normal, to_light);
   result.faces_light = cosine > 0.0;
-  result.receiver = project_to_map(lookup.layout, position);
+  const auto width = static_cast<std::size_t>(lookup.gbuffer.width);
+  const double dither = dither_at(static_cast<std::uint32_t>(pixel % width), static_cast<std::uint32_t>(pixel / width));
+  result.receiver = project_to_map(lookup.layout, position, dither);
   const double sine = length_of(cross_of(normal, to_light));
   const float texel = texel_side(lookup.layout, result.receiver);
   result.slope = texel * static_cast<float>(sine / cosine);
   result.texel = texel;
   if (const auto offset = static_cast<float>(lookup.bias.normal_offset); offset != 0.0f) {
     const double shift = static_cast<double>(offset) * static_cast<double>(texel) * (sine / length_of(to_light));
-    result.receiver = project_to_map(lookup.layout, position + normal * shift);
+    result.receiver = project_to_map(lookup.layout, position + normal * shift, dither);
   }
   result.receiver.plane = transform_vector(lookup.layout.light_from_world, normal);
   return result;

@@ -35,7 +35,8 @@ struct Receiver {
   bool is_inside = false;
   dvec3 plane{0.0};  ///< geometric normal in light space
 };
-Receiver project_to_map(const MapLayout& layout, const dvec3& world);
+/// dither: threshold of the pixel for blended cascades, dither_at(); 0: no blending.
+Receiver project_to_map(const MapLayout& layout, const dvec3& world, double dither = 0.0);
 
 /// One depth comparison. texel.y counts rows from the bottom.
 struct Tap {
