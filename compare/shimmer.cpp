@@ -48,6 +48,8 @@ MapLayout shift_grid(const MapLayout& layout, const dvec2& texels, const Bounds&
     if (layout.kind == MapKind::cube) change = turn(angle.x, z_axis) * change;
   }
   shifted.light_from_world = change * layout.light_from_world;
+  // Only orthographic maps have such a plane, and these are translated.
+  shifted.view_depth_plane.w -= glm::dot(dvec3(layout.view_depth_plane), dvec3(shift, 0.0));
   // A cube's radial distances do not turn, and what moves across the light's axis keeps its depth.
   if (layout.kind == MapKind::perspective) {
     const double farther = largest_depth(shifted, bounds) - largest_depth(layout, bounds);

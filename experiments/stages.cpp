@@ -76,6 +76,7 @@ void Stages::check_is_meaningful(const Experiment& experiment, const std::vector
   std::vector<Light> measured;
   for (const std::uint32_t light : lights) measured.push_back(scene_.lights[light]);
   require_sense(experiment.light, measured);
+  require_sense(experiment.shadow.map, experiment.shadow.fit, measured);
 }
 
 ProgressBar Stages::bar(const char* stage) const {
@@ -371,6 +372,17 @@ Image<float> Stages::draw_visibility_of(const GpuGBuffer& surfels, const Experim
   const ShadowLookup exact = shadow_lookup(experiment, light, false);
   return draw_visibility(context(), {exact.scene, surfels, exact.map, exact.light, exact.bias, exact.technique, nullptr,
                                      exact.filtered})
+      .visibility;
+}
+
+Image<float> Stages::draw_visibility_with(const MapLayout& layout, const GpuGBuffer& surfels,
+                                          const Experiment& experiment, std::uint32_t light) {
+  const Light& lamp = scene_.lights[light];
+  const ShadowTechnique technique = make_technique(experiment.shadow);
+  const ShadowMap map = draw_shadow_map(context(), uploaded(), lamp, layout);
+  const FilteredMap filtered = filter_map(context(), map, technique);
+  return draw_visibility(context(),
+                         {uploaded(), surfels, map, lamp, experiment.shadow.bias, technique, nullptr, &filtered})
       .visibility;
 }
 

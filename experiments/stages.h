@@ -119,7 +119,7 @@ class Stages {
   std::string title(std::uint32_t light) const;
   /// The light with the extent that the experiment gives it.
   Light light(const Experiment& experiment, std::uint32_t light) const;
-  /// Throws Error (usage) if the light.* parameters make no sense for these lights.
+  /// Throws Error (usage) if the light.* parameters, or those of cascades, make no sense for these lights.
   void check_is_meaningful(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const;
   /// Indices of the lights that a name or index selects; all when empty.
   std::vector<std::uint32_t> lights(const std::string& name_or_index) const;
@@ -156,6 +156,9 @@ class Stages {
   ShadingSurfels shading_surfels(const Experiment& experiment);
   /// The technique's results at these surfels instead of surfels().
   Image<float> draw_visibility_of(const GpuGBuffer& surfels, const Experiment& experiment, std::uint32_t light);
+  /// The technique's visibility from a map that is drawn with this layout instead of layout().
+  Image<float> draw_visibility_with(const MapLayout& layout, const GpuGBuffer& surfels, const Experiment& experiment,
+                                    std::uint32_t light);
   Image<float> draw_ao_of(const GpuGBuffer& surfels, const Experiment& experiment);
   /// The technique's image, by the path of the experiment.
   ShadedImage shade(const Experiment& experiment, std::span<const LitLight> lights, const Image<float>& ao);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "experiments/measure.h"
+#include "experiments/presentation/map_views_report.h"
 #include "raytrace/casters.h"
 
 namespace umbrameter {
@@ -82,6 +83,7 @@ ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow) {
   if (causes == nullptr) {
     ShadowShape shape{analyze_error_shape(input, shadow.raster->visibility)};
     if (!has_area_light(shadow)) shape.error.outside_penumbra.reset();
+    shape.views = measure_map_views(stages, shadow);
     return shape;
   }
   const TracedCasters traced = trace_casters(stages.tracer(), surfels.gbuffer, light);
@@ -92,7 +94,8 @@ ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow) {
   if (!missing.empty() && causes->peter_panning > 0.0) {
     stages.add_notes({stages.title(shadow.light) + ": " + missing});
   }
-  return {analyze_error_shape(input, raster.wrong), std::move(casters.casters), casters.search};
+  return {analyze_error_shape(input, raster.wrong), std::move(casters.casters), casters.search, std::nullopt,
+          measure_map_views(stages, shadow)};
 }
 
 std::string missing_contacts_text(const ContactSearch& search) {
@@ -116,6 +119,7 @@ nlohmann::ordered_json to_json(const Stages& stages, const ShadowShape& shape) {
   Json object = {{"reference_edges_px", shape.error.edges}};
   object["edge_distance"] = {{"all", distances_json(shape.error.all)}};
   if (shape.shimmer) object["shimmer"] = shimmer_json(*shape.shimmer);
+  add_map_views(object, shape.views);
   const bool is_hard = shape.error.components.has_value();
   for (std::size_t p = 0; p < shape.error.parts.size(); ++p) {
     const std::string_view name = is_hard ? cause_names[p] : soft_part_names[p];

@@ -8,6 +8,7 @@
 
 #include "compare/caster_shape.h"
 #include "compare/error_shape.h"
+#include "experiments/map_views.h"
 #include "experiments/shimmer.h"
 
 namespace umbrameter {
@@ -19,6 +20,7 @@ struct ShadowShape {
   std::vector<CasterShape> casters{};             ///< of a light without extent
   std::optional<ContactSearch> contact_search{};  ///< likewise
   std::optional<Shimmer> shimmer{};               ///< with run.shimmer
+  MapViews views{};
 };
 
 /// Of a measurement with both sides.

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "experiments/measure.h"
+#include "experiments/presentation/map_views_report.h"
 #include "experiments/presentation/presentation.h"
 #include "experiments/presentation/shadow_shape.h"
 
@@ -165,6 +166,7 @@ void present_shape(Presentation& presentation, const Stages& stages, const Shado
     section.tables.push_back({"Contact gap and shadow inset by caster", caster_table(stages, shape.casters)});
   }
   if (shape.shimmer) section.tables.push_back({"Shimmer", shimmer_table(*shape.shimmer)});
+  present_map_views(section, shape.views);
   if (shape.error.all.texels) {
     add_figure(presentation, distance_figure(stages.layer(shadow.light), stages.title(shadow.light), shape.error));
   }
