@@ -87,10 +87,13 @@ SHARED float hamburger_bound(vec4 moments, float depth, float bias) {
   c.z = y3 / d33;
   c.y = y2 / d22 - l32 * c.z;
   c.x = 1.0f - b.x * c.y - b.y * c.z;
-  float middle = -0.5f * c.y / c.z;
-  float reach = sqrt(max(middle * middle - c.x / c.z, 0.0f));
-  float near = middle - reach;
-  float far = middle + reach;
+  // Without a difference of nearly equal numbers, even if one root is near infinity.
+  float root = sqrt(max(c.y * c.y - 4.0f * c.x * c.z, 0.0f));
+  float q = -0.5f * (c.y + (c.y < 0.0f ? -root : root));
+  float one = q / c.z;
+  float other = q == 0.0f ? one : c.x / q;
+  float near = min(one, other);
+  float far = max(one, other);
   if (depth <= near) return 1.0f;
   float bound;
   if (depth <= far) {  // all but the weight of the near root
