@@ -31,15 +31,18 @@ Shimmer measure_shimmer(Stages& stages, const ShadowMeasurement& shadow) {
   const auto draw_map = [&](const MapLayout& layout) {
     return draw_shadow_map(context, scene, light, layout, experiment.shadow.map_depth);
   };
-  const auto look_up = [&](const GpuGBuffer& gbuffer, const ShadowMap& map) {
+  const ShadowTechnique technique = make_technique(experiment.shadow);
+  const auto look_up = [&](const GpuGBuffer& gbuffer, const View& view, const ShadowMap& map) {
+    const FilteredMap filtered = filter_map(context, map, technique);
     return draw_visibility(context,
-                           {scene, gbuffer, map, light, experiment.shadow.bias, make_technique(experiment.shadow)})
+                           {scene, gbuffer, map, light, experiment.shadow.bias, technique, nullptr, &filtered, &view})
         .visibility;
   };
 
   Shimmer shimmer;
   for (const dvec2& move : moves) {
-    const Image<float> after = look_up(gpu_surfels, draw_map(shift_grid(shadow.layout, move, stages.bounds())));
+    const Image<float> after =
+        look_up(gpu_surfels, surfels.view, draw_map(shift_grid(shadow.layout, move, stages.bounds())));
     const double share = count_flips(before, after, shadow.counted).share;
     shimmer.grid_mean += share / static_cast<double>(moves.size());
     shimmer.grid_largest = std::max(shimmer.grid_largest, share);
@@ -53,7 +56,7 @@ Shimmer measure_shimmer(Stages& stages, const ShadowMeasurement& shadow) {
     const bool is_traced = experiment.view.surfels == SurfelSource::traced;
     const GBuffer moved =
         is_traced ? trace_gbuffer(stages.tracer(), view) : read_back(context, draw_gbuffer(context, scene, view));
-    add(drawn, count_flips(before, look_up(upload(context, moved), map), shadow.counted, surfels.gbuffer, moved));
+    add(drawn, count_flips(before, look_up(upload(context, moved), view, map), shadow.counted, surfels.gbuffer, moved));
     if (has_area_light(shadow)) continue;
     const Image<float> truth = trace_visibility(stages.tracer(), moved, light).visibility;
     add(traced, count_flips(shadow.truth->visibility, truth, shadow.counted, surfels.gbuffer, moved));

@@ -294,7 +294,8 @@ ShadowLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t l
       make_technique(experiment.shadow, half_size(this->light(experiment, light).emitter));
   const FilteredMap& filtered = filtered_map_.get(key(Stage::filtered_map, experiment, light),
                                                   [&] { return filter_map(context(), map, technique); });
-  return {uploaded(), gpu, map, scene_.lights[light], experiment.shadow.bias, technique, gpu_truth, &filtered};
+  return {uploaded(), gpu,       map,       scene_.lights[light],     experiment.shadow.bias,
+          technique,  gpu_truth, &filtered, &surfels(experiment).view};
 }
 
 RasterVisibility Stages::draw(const Experiment& experiment, std::uint32_t light, bool with_truth) {
@@ -371,7 +372,7 @@ ShadingSurfels Stages::shading_surfels(const Experiment& experiment) {
 Image<float> Stages::draw_visibility_of(const GpuGBuffer& surfels, const Experiment& experiment, std::uint32_t light) {
   const ShadowLookup exact = shadow_lookup(experiment, light, false);
   return draw_visibility(context(), {exact.scene, surfels, exact.map, exact.light, exact.bias, exact.technique, nullptr,
-                                     exact.filtered})
+                                     exact.filtered, exact.view})
       .visibility;
 }
 

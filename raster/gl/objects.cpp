@@ -1,6 +1,7 @@
 #include "raster/gl/objects.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 
 #include "raster/gl/api.h"
@@ -104,23 +105,29 @@ std::size_t texel_bytes(Format format) { return names_of(format).bytes; }
 
 unsigned internal_format(Format format) { return static_cast<unsigned>(names_of(format).internal); }
 
-Texture make_texture(const std::string& label, Format format, int width, int height, int layers) {
+Texture make_texture(const std::string& label, Format format, int width, int height, int layers, int levels) {
   const FormatNames names = names_of(format);
   unsigned name = 0;
   glCreateTextures(layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &name);
   Texture texture(name);
   label_object(GL_TEXTURE, name, label);
   if (layers > 0) {
-    glTextureStorage3D(name, 1, names.internal, width, height, layers);
+    glTextureStorage3D(name, levels, names.internal, width, height, layers);
   } else {
-    glTextureStorage2D(name, 1, names.internal, width, height);
+    glTextureStorage2D(name, levels, names.internal, width, height);
   }
-  glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST);
   glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   return texture;
 }
+
+int mipmap_levels(int width, int height) {
+  return static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
+}
+
+void compute_mipmaps(const Texture& texture) { glGenerateTextureMipmap(texture.name()); }
 
 void write_texels(const Texture& texture, Format format, int width, int height, std::span<const std::byte> texels) {
   const FormatNames names = names_of(format);

@@ -108,8 +108,14 @@ unsigned internal_format(Format format);
 /// buffer's memory alive.
 Texture make_buffer_texture(const std::string& label, Format format, const Buffer& buffer);
 
-/// One level, nearest filter, clamped to the edge; layers 0 is a plain 2D texture, else a 2D array.
-Texture make_texture(const std::string& label, Format format, int width, int height, int layers = 0);
+/// Nearest filter, clamped to the edge; layers 0 is a plain 2D texture, else a 2D array.
+Texture make_texture(const std::string& label, Format format, int width, int height, int layers = 0, int levels = 1);
+
+/// Levels down to one texel.
+int mipmap_levels(int width, int height);
+
+/// Computes all levels from the first: each texel is the mean of four, if the sides are even.
+void compute_mipmaps(const Texture& texture);
 
 struct TextureSize {
   int width = 0;

@@ -1,5 +1,6 @@
 // One axis of the blur of a filtered shadow map. Coordinates are clamped to the edge: the blur does not cross from one
-// view to another. With IS_DEPTH the source is the map's depth, otherwise the result of the other axis.
+// view to another. With IS_DEPTH the source is the map's depth, otherwise the result of the other axis. Each view has
+// GROUPS layers.
 #include "prefilter_settings.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
 uniform sampler2DArray source;
@@ -16,9 +17,11 @@ void main() {
   float weights = 0.0;
   for (int i = 0; i < taps; ++i) {
     ivec2 at = clamp(texel.xy + (i - taps / 2) * axis, ivec2(0), last);
-    vec4 values = texelFetch(source, ivec3(at, texel.z), 0);
 #if IS_DEPTH
-    values = map_values(values.r, settings());
+    float depth = texelFetch(source, ivec3(at, texel.z / GROUPS), 0).r;
+    vec4 values = map_values(depth, texel.z % GROUPS, settings());
+#else
+    vec4 values = texelFetch(source, ivec3(at, texel.z), 0);
 #endif
     sum += blur_weights[i] * values;
     weights += blur_weights[i];

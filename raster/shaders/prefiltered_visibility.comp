@@ -1,4 +1,5 @@
-// Computes the visibility of each surfel from a filtered shadow map, with bilinear interpolation.
+// Computes the visibility of each surfel from a filtered shadow map, with bilinear or, with HAS_MIPMAPS, trilinear
+// interpolation.
 #include "prefilter_settings.glsl"
 #include "surfel_lookup.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
@@ -6,17 +7,64 @@ uniform sampler2DArray values;
 layout(r32f) writeonly uniform image2D visibility_image;
 
 // Bilinear interpolation in full precision: hardware filters with 8-bit weights.
-vec4 values_at(Receiver receiver) {
-  vec2 place = vec2(receiver.texels) - 0.5;
+vec4 values_at_level(Receiver receiver, int group, int level) {
+  int layer = receiver.view * GROUPS + group;
+  ivec2 last = textureSize(values, level).xy - 1;
+  vec2 place = vec2(receiver.texels) * (vec2(last + 1) / float(resolution)) - 0.5;
   ivec2 base = ivec2(floor(place));
   vec2 part = place - vec2(base);
-  ivec2 low = clamp(base, ivec2(0), ivec2(resolution - 1));
-  ivec2 high = clamp(base + 1, ivec2(0), ivec2(resolution - 1));
-  vec4 bottom = mix(texelFetch(values, ivec3(low, receiver.view), 0),
-                    texelFetch(values, ivec3(high.x, low.y, receiver.view), 0), part.x);
-  vec4 top = mix(texelFetch(values, ivec3(low.x, high.y, receiver.view), 0),
-                 texelFetch(values, ivec3(high, receiver.view), 0), part.x);
+  ivec2 low = clamp(base, ivec2(0), last);
+  ivec2 high = clamp(base + 1, ivec2(0), last);
+  vec4 bottom =
+      mix(texelFetch(values, ivec3(low, layer), level), texelFetch(values, ivec3(high.x, low.y, layer), level), part.x);
+  vec4 top = mix(texelFetch(values, ivec3(low.x, high.y, layer), level), texelFetch(values, ivec3(high, layer), level),
+                 part.x);
   return mix(bottom, top, part.y);
+}
+
+#if HAS_MIPMAPS
+#include "view.glsl"
+
+// Texels of the first level per pixel along one axis of the image: by how much the map position moves while a ray moves
+// over 1/64 pixel on the surfel's plane. If that leaves the view of the map, the ray moves the other way.
+float texels_per_pixel(ivec2 pixel, dvec2 axis_of_image, Receiver receiver) {
+  dvec3 position = dvec3(texelFetch(position_depth, pixel, 0).xyz);
+  dvec3 normal = dvec3(texelFetch(geometric_normal, pixel, 0).xyz);
+  double most = 0.0lf;
+  for (int side = -1; side <= 1; side += 2) {
+    dvec2 at = (dvec2(pixel) + 0.5lf + double(side) / 64.0lf * axis_of_image) / dvec2(size) * 2.0lf - 1.0lf;
+    dvec3 origin = eye.xyz + ray_origin[0].xyz + at.x * ray_origin[1].xyz + at.y * ray_origin[2].xyz;
+    dvec3 direction = ray_direction[0].xyz + at.x * ray_direction[1].xyz + at.y * ray_direction[2].xyz;
+    double reach = dot(normal, position - origin) / dot(normal, direction);
+    Receiver moved = project_to_map(origin + reach * direction);
+    if (moved.view == receiver.view) most = max(most, 64.0lf * length(moved.texels - receiver.texels));
+  }
+  return float(most);
+}
+
+float level_of_detail(ivec2 pixel, Receiver receiver) {
+  receiver = project_to_map(dvec3(texelFetch(position_depth, pixel, 0).xyz));  // without the normal offset
+  float most = max(texels_per_pixel(pixel, dvec2(1, 0), receiver), texels_per_pixel(pixel, dvec2(0, 1), receiver));
+  return clamp(log2(max(most, 1.0)), 0.0, float(textureQueryLevels(values) - 1));
+}
+#else
+float level_of_detail(ivec2 pixel, Receiver receiver) { return 0.0; }
+#endif
+
+vec4 values_at(Receiver receiver, int group, float level) {
+  int finer = int(level);
+  vec4 at_finer = values_at_level(receiver, group, finer);
+  float part = level - float(finer);
+  return part == 0.0 ? at_finer : mix(at_finer, values_at_level(receiver, group, finer + 1), part);
+}
+
+float visibility_at(Receiver receiver, float depth, float level) {
+  if (TECHNIQUE != CSM) return visibility_from(values_at(receiver, 0, level), depth, settings());
+  float sum = 0.0;
+  for (int group = 0; group < GROUPS; ++group) {
+    sum += fourier_sum(values_at(receiver, group, level), depth, group, settings());
+  }
+  return fourier_visibility(sum, settings());
 }
 
 void main() {
@@ -31,7 +79,7 @@ void main() {
       if (surfel.receiver.is_inside) {
         double bias = double(constant_bias * surfel.bias_unit + slope_bias * surfel.slope);
         float depth = float((surfel.receiver.depth - bias) / far_depth);
-        visibility = visibility_from(values_at(surfel.receiver), depth, settings());
+        visibility = visibility_at(surfel.receiver, depth, level_of_detail(pixel, surfel.receiver));
       }
     }
   }

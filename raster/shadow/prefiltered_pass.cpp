@@ -4,6 +4,8 @@
 #include <span>
 #include <string>
 
+#include "core/error.h"
+#include "raster/gbuffer/view_block.h"
 #include "raster/shader_interface.h"
 #include "raster/texture_image.h"
 
@@ -33,25 +35,44 @@ MapFormat map_format(const Prefiltered& technique) {
 // The technique is constant in the program, and what a sweep varies is not.
 std::string defines_of(const Prefiltered& technique) {
   return define("TECHNIQUE", static_cast<unsigned>(technique.settings.technique)) +
-         define("IS_QUANTIZED", static_cast<unsigned>(technique.settings.is_quantized));
+         define("IS_QUANTIZED", static_cast<unsigned>(technique.settings.is_quantized)) +
+         define("IS_HAUSDORFF", static_cast<unsigned>(technique.settings.is_hausdorff)) +
+         define("TERMS", static_cast<unsigned>(technique.settings.terms)) +
+         define("GROUPS", static_cast<unsigned>(technique.groups));
 }
 
 gl::Pass& bind(gl::Pass& pass, const shared::PrefilterSettings& settings) {
   return pass.value("exponents", settings.exponents)
       .value("min_variance", settings.min_variance)
       .value("bleeding_reduction", settings.bleeding_reduction)
-      .value("moment_bias", settings.moment_bias);
+      .value("moment_bias", settings.moment_bias)
+      .value("ringing_reduction", settings.ringing_reduction)
+      .value("contrast", settings.contrast);
+}
+
+// For the result and the one of the first axis.
+void require_room(const gl::Context& context, int side, int layers, gl::Format format) {
+  const std::size_t texels =
+      static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * static_cast<std::size_t>(layers);
+  const std::size_t bytes = 2 * texels * gl::texel_bytes(format);
+  if (bytes <= context.memory_limit_bytes()) return;
+  throw Error(ExitCode::usage, "shadow.resolution",
+              "the filtered map takes " + std::to_string(bytes >> 20) + " MiB of the machine's " +
+                  std::to_string(context.memory_limit_bytes() >> 20) + " MiB",
+              "choose a smaller resolution, fewer terms or a smaller format");
 }
 
 }  // namespace
 
 FilteredMap filter(const gl::Context& context, const ShadowMap& map, const Prefiltered& technique) {
   const int side = map.layout.resolution;
-  const int layers = static_cast<int>(map.layout.views.size());
+  const int layers = static_cast<int>(map.layout.views.size()) * technique.groups;
   const MapFormat format = map_format(technique);
+  require_room(context, side, layers, format.format);
   const gl::Buffer weights = gl::make_buffer("blur weights", std::span<const float>(technique.blur));
   const auto blur = [&](const gl::Texture& source, bool is_first) {
-    gl::Texture blurred = gl::make_texture("filtered shadow map", format.format, side, side, layers);
+    const int levels = technique.mipmaps && !is_first ? gl::mipmap_levels(side, side) : 1;
+    gl::Texture blurred = gl::make_texture("filtered shadow map", format.format, side, side, layers, levels);
     gl::Pass pass(context, {{"prefilter.comp"},
                             defines_of(technique) + define("IS_DEPTH", is_first ? 1 : 0) + "#define MAP_FORMAT " +
                                 format.layout + "\n"});
@@ -64,7 +85,9 @@ FilteredMap filter(const gl::Context& context, const ShadowMap& map, const Prefi
         .dispatch(side, side, layers);
     return blurred;
   };
-  return {blur(blur(map.depth, true), false)};
+  FilteredMap filtered{blur(blur(map.depth, true), false)};
+  if (technique.mipmaps) gl::compute_mipmaps(filtered.values);
+  return filtered;
 }
 
 RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const Prefiltered& technique) {
@@ -72,8 +95,13 @@ RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, co
   const int width = lookup.gbuffer.width;
   const int height = lookup.gbuffer.height;
   const gl::Texture visibility = gl::make_texture("visibility", gl::Format::r32f, width, height);
-  gl::Pass pass =
-      lookup_pass(context, lookup, lookup.bias.constant.unit, {{"prefiltered_visibility.comp"}, defines_of(technique)});
+  gl::Pass pass = lookup_pass(
+      context, lookup, lookup.bias.constant.unit,
+      {{"prefiltered_visibility.comp"}, defines_of(technique) + define("HAS_MIPMAPS", technique.mipmaps ? 1 : 0)});
+  if (technique.mipmaps) {
+    assert(lookup.view != nullptr);
+    pass.block("View", make_view_block(*lookup.view));
+  }
   bind(pass, technique.settings)
       .texture("values", lookup.filtered->values)
       .image("visibility_image", visibility, gl::Format::r32f)

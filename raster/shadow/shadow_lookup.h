@@ -10,6 +10,7 @@
 #include "raster/gl/pass.h"
 #include "raster/shadow/filtered_map.h"
 #include "raster/shadow/shadow_map.h"
+#include "scenes/view.h"
 #include "techniques/shadow/map_layout.h"
 #include "techniques/shadow/technique.h"
 
@@ -25,6 +26,7 @@ struct ShadowLookup {
   ShadowTechnique technique;
   const gl::Texture* truth = nullptr;     ///< from upload() or upload_truth(); lit if ≥ 0.5
   const FilteredMap* filtered = nullptr;  ///< nullptr if the technique has none
+  const View* view = nullptr;             ///< that of the surfels, for techniques that read the camera's depth
 };
 
 /// The kernel of the look-up's technique, which sums comparisons.

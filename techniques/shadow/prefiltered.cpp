@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kernel_names{"box", "gaussian"};
 constexpr std::array<std::string_view, 3> format_names{"32f", "16f", "unorm16"};
+constexpr std::array<std::string_view, 2> bound_names{"hamburger", "hausdorff"};
 
 // The square of the exponential is stored: exp(2c) ≤ 65504, the largest half float.
 constexpr double max_half_exponent = 5.54;
@@ -52,15 +53,15 @@ Parameters describe(EsmParams& params) {
 Parameters describe(MomentMapParams& params) {
   return Description("shadow")
       .choice("blur-kernel", params.kernel, kernel_names,
-              {.unit = {}, .meaning = "ESM, VSM, EVSM and MSM: kernel of the blur of the map"})
+              {.unit = {}, .meaning = "filtered maps: kernel of the blur of the map"})
       .field("moment-blur", params.blur,
              {.unit = "texels",
-              .meaning = "VSM, EVSM and MSM: side of the blur of the map",
+              .meaning = "filtered maps except ESM: side of the blur of the map",
               .min = 1,
               .max = 63,
               .odd = true})
       .choice("moment-format", params.format, format_names,
-              {.unit = {}, .meaning = "VSM, EVSM and MSM: format of the map; unorm16 is not for EVSM"})
+              {.unit = {}, .meaning = "filtered maps except ESM: format; unorm16 is not for EVSM"})
       .field("evsm-positive-exponent", params.positive_exponent,
              // The square of the exponential of the largest is still a 32-bit float, summed over the largest blur.
              {.unit = "1",
@@ -69,6 +70,10 @@ Parameters describe(MomentMapParams& params) {
               .max = 42})
       .field("evsm-negative-exponent", params.negative_exponent,
              {.unit = "1", .meaning = "EVSM4: exponent c of the second warp, −exp(−c·t)", .min = 0.1, .max = 42})
+      .field("csm-terms", params.terms,
+             {.unit = "1", .meaning = "CSM: terms of the Fourier series, two to a layer", .min = 1, .max = 16})
+      .field("moment-mipmaps", params.mipmaps,
+             {.unit = {}, .meaning = "filtered maps: trilinear look-up by the pixel's footprint in the map"})
       .take();
 }
 
@@ -90,6 +95,13 @@ Parameters describe(MomentLookupParams& params) {
               .meaning = "MSM: share of ½ in each moment, against rounding; about 6e-5 for unorm16",
               .min = 0,
               .max = 0.1})
+      .choice("msm-bound", params.bound, bound_names,
+              {.unit = {}, .meaning = "MSM: hausdorff uses that no depth lies outside the map's range"})
+      .field(
+          "csm-ringing-reduction", params.ringing_reduction,
+          {.unit = "1", .meaning = "CSM: a in the weight exp(−a·(k/M)²) of the k-th of M terms", .min = 0, .max = 10})
+      .field("csm-contrast", params.contrast,
+             {.unit = "1", .meaning = "CSM: factor of the series, which is ½ at the occluder", .min = 1, .max = 10})
       .take();
 }
 
@@ -102,10 +114,16 @@ Prefiltered make_prefiltered(int technique, const EsmParams& esm, const MomentMa
   made.blur = blur_weights(map.kernel, is_esm ? esm.blur : map.blur);
   made.settings = {technique,
                    made.format == MomentFormat::unorm16 ? 1 : 0,
+                   lookup.bound == MomentBound::hausdorff ? 1 : 0,
+                   map.terms,
                    vec2(is_esm ? esm.exponent : map.positive_exponent, map.negative_exponent),
                    static_cast<float>(lookup.min_variance),
                    static_cast<float>(lookup.bleeding_reduction),
-                   static_cast<float>(lookup.moment_bias)};
+                   static_cast<float>(lookup.moment_bias),
+                   static_cast<float>(lookup.ringing_reduction),
+                   static_cast<float>(lookup.contrast)};
+  made.mipmaps = map.mipmaps;
+  if (technique == shared::CSM) made.groups = (map.terms + 1) / 2;
   return made;
 }
 

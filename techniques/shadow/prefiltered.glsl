@@ -10,14 +10,19 @@ const int VSM = 1;
 const int EVSM2 = 2;
 const int EVSM4 = 3;
 const int MSM = 4;
+const int CSM = 5;
 
 struct PrefilterSettings {
   int technique;             // one of the above
-  int is_quantized;          // MSM: 1 if the map holds quantized_moments()
+  int is_quantized;          // MSM: 1 if the map holds quantized_moments(); CSM: 1 if it holds (1 + value)/2
+  int is_hausdorff;          // MSM: 1 for hausdorff_bound()
+  int terms;                 // CSM
   vec2 exponents;            // ESM: x; EVSM: positive, negative
   float min_variance;        // VSM and EVSM: of the depth
   float bleeding_reduction;  // VSM, EVSM and MSM
   float moment_bias;         // MSM
+  float ringing_reduction;   // CSM
+  float contrast;            // CSM
 };
 
 /// Upper bound of the share of texels at or behind a depth, from the mean of their depths and of their squares: the
@@ -69,12 +74,10 @@ SHARED vec4 moments_of_quantized(vec4 code) {
          (code - vec4(0.035955884801f, 0.0f, 0.0f, 0.0f));
 }
 
-/// Upper bound of the share of texels at or behind a depth, from the means b of the first four powers of their depths:
-/// the sharpest that they allow, but for the bias (Peters and Klein 2015, the Hamburger problem). Of all distributions
-/// with these moments, one with three depths, d among them, has the most in front of d. The other two are the roots of
-/// c.x + c.y·z + c.z·z², where B·c = (1, d, d²) and B is the Hankel matrix ((1, b1, b2), (b1, b2, b3), (b2, b3, b4)).
-SHARED float hamburger_bound(vec4 moments, float depth, float bias) {
-  vec4 b = moments + bias * (vec4(0.5f) - moments);
+/// Of all distributions with the means b of the first four powers, one with three depths, `depth` among them, has the
+/// most in front of `depth`. Returns the other two in ascending order. They are the roots of c.x + c.y·z + c.z·z², where
+/// B·c = (1, d, d²) and B is the Hankel matrix ((1, b1, b2), (b1, b2, b3), (b2, b3, b4)).
+SHARED vec2 other_depths(vec4 b, float depth) {
   // B = L·D·Lᵀ; rounding can bring D to 0.
   float d22 = max(b.y - b.x * b.x, 1.0e-9f);
   float l32_d22 = b.z - b.x * b.y;
@@ -92,8 +95,13 @@ SHARED float hamburger_bound(vec4 moments, float depth, float bias) {
   float q = -0.5f * (c.y + (c.y < 0.0f ? -root : root));
   float one = q / c.z;
   float other = q == 0.0f ? one : c.x / q;
-  float near = min(one, other);
-  float far = max(one, other);
+  return vec2(min(one, other), max(one, other));
+}
+
+/// The share at or behind `depth` of the distribution of other_depths().
+SHARED float three_depth_share(vec4 b, float depth, vec2 others) {
+  float near = others.x;
+  float far = others.y;
   if (depth <= near) return 1.0f;
   float bound;
   if (depth <= far) {  // all but the weight of the near root
@@ -104,8 +112,75 @@ SHARED float hamburger_bound(vec4 moments, float depth, float bias) {
   return min(max(bound, 0.0f), 1.0f);
 }
 
-/// What the map holds for a texel, before the blur.
-SHARED vec4 map_values(float depth, PrefilterSettings settings) {
+/// Moments of the map, mixed with a share of a half at 0 and a half at 1.
+SHARED vec4 biased_moments(vec4 moments, float bias) { return moments + bias * (vec4(0.5f) - moments); }
+
+/// Upper bound of the share of texels at or behind a depth, from the means of the first four powers of their depths:
+/// the sharpest that they allow, but for the bias (Peters and Klein 2015, the Hamburger problem).
+SHARED float hamburger_bound(vec4 moments, float depth, float bias) {
+  vec4 b = biased_moments(moments, bias);
+  return three_depth_share(b, depth, other_depths(b, depth));
+}
+
+/// The sharpest bound if the texels' depths are known to lie from 0 to 1 (Peters and Klein 2015, the Hausdorff problem).
+/// If one of the three depths of the Hamburger problem lies outside, the distribution has four depths: 0, 1, the
+/// receiver's and a fourth x, which follows from the mean of z·(1 − z)·(z − d)·(z − x) = 0.
+SHARED float hausdorff_bound(vec4 moments, float depth, float bias) {
+  if (depth <= 0.0f) return 1.0f;
+  vec4 b = biased_moments(moments, bias);
+  vec2 others = other_depths(b, depth);
+  bool is_inside = others.x >= 0.0f && others.y <= 1.0f;
+  if (is_inside || depth >= 1.0f) return three_depth_share(b, depth, others);
+  float over = b.y - b.z - depth * (b.x - b.y);
+  float x = over == 0.0f ? 1.0f : (b.z - b.w - depth * (b.y - b.z)) / over;  // 0: all texels are at 0 or 1
+  x = min(max(x, 0.0f), 1.0f);
+  float bound;
+  if (x > depth) {  // all but the weight of 0
+    bound = 1.0f + (b.z - (1.0f + depth + x) * b.y + (depth + x + depth * x) * b.x - depth * x) / (depth * x);
+  } else {  // the weights of the receiver's depth and of 1
+    bound = (b.z - (1.0f + x) * b.y + x * b.x) / (depth * max(depth - x, 1.0e-9f) * (depth - 1.0f)) +
+            (b.z - (depth + x) * b.y + depth * x * b.x) / ((1.0f - depth) * (1.0f - x));
+  }
+  return min(max(bound, 0.0f), 1.0f);
+}
+
+/// Frequency of a term of the Fourier series of a step that repeats with period 2; terms count from 1.
+SHARED float fourier_frequency(int term) { return 3.14159265f * float(2 * term - 1); }
+
+/// Cosine and sine of two terms, 2·group + 1 and the next (Annen, Mertens, Bekaert, Seidel and Kautz, Convolution
+/// Shadow Maps, EGSR 2007).
+SHARED vec4 fourier_values(float depth, int group) {
+  float first = fourier_frequency(2 * group + 1) * depth;
+  float second = fourier_frequency(2 * group + 2) * depth;
+  return vec4(cos(first), sin(first), cos(second), sin(second));
+}
+
+/// What a group of two terms adds to the blurred step: ½ + Σ (2/c)·(mean of sin(c·z)·cos(c·d) − of cos(c·z)·sin(c·d)).
+SHARED float fourier_sum(vec4 values, float depth, int group, PrefilterSettings settings) {
+  vec4 means = settings.is_quantized != 0 ? 2.0f * values - vec4(1.0f) : values;
+  vec4 at = fourier_values(depth, group);
+  float sum = 0.0f;
+  for (int i = 0; i < 2; ++i) {
+    int term = 2 * group + 1 + i;
+    if (term > settings.terms) break;
+    float part = float(term) / float(settings.terms);
+    float weight = 2.0f / fourier_frequency(term) * exp(-settings.ringing_reduction * part * part);
+    sum += weight * (means[2 * i + 1] * at[2 * i] - means[2 * i] * at[2 * i + 1]);
+  }
+  return sum;
+}
+
+/// Visibility from the sum over all groups. Where all texels have the receiver's depth, the series is ½.
+SHARED float fourier_visibility(float sum, PrefilterSettings settings) {
+  return min(max(settings.contrast * (0.5f + sum), 0.0f), 1.0f);
+}
+
+/// What the map holds for a texel, before the blur. CSM has one layer for each group of two terms, the others one.
+SHARED vec4 map_values(float depth, int group, PrefilterSettings settings) {
+  if (settings.technique == CSM) {
+    vec4 values = fourier_values(depth, group);
+    return settings.is_quantized != 0 ? 0.5f * values + vec4(0.5f) : values;
+  }
   if (settings.technique == ESM) return vec4(exp(settings.exponents.x * depth), 0.0f, 0.0f, 0.0f);
   float square = depth * depth;
   if (settings.technique == VSM) return vec4(depth, square, 0.0f, 0.0f);
@@ -117,7 +192,7 @@ SHARED vec4 map_values(float depth, PrefilterSettings settings) {
   return vec4(w.x, w.x * w.x, w.y, w.y * w.y);
 }
 
-/// Visibility of a receiver at a depth, 0 to 1, from the blurred values.
+/// Visibility of a receiver at a depth, 0 to 1, from the blurred values; not for CSM.
 SHARED float visibility_from(vec4 values, float depth, PrefilterSettings settings) {
   // Annen et al., Exponential Shadow Maps, GI 2008.
   if (settings.technique == ESM) return min(max(exp(-settings.exponents.x * depth) * values.x, 0.0f), 1.0f);
@@ -126,7 +201,8 @@ SHARED float visibility_from(vec4 values, float depth, PrefilterSettings setting
     bound = chebyshev_bound(vec2(values.x, values.y), depth, settings.min_variance);
   } else if (settings.technique == MSM) {
     vec4 moments = settings.is_quantized != 0 ? moments_of_quantized(values) : values;
-    bound = hamburger_bound(moments, depth, settings.moment_bias);
+    bound = settings.is_hausdorff != 0 ? hausdorff_bound(moments, depth, settings.moment_bias)
+                                       : hamburger_bound(moments, depth, settings.moment_bias);
   } else {
     vec2 w = warped(depth, settings.exponents);
     bound = warped_bound(vec2(values.x, values.y), w.x, settings.exponents.x, settings.min_variance);

@@ -1,5 +1,6 @@
 // Techniques that filter values of the depth before the look-up: exponential (ESM), variance (VSM), exponential
-// variance (EVSM) and moment shadow maps (MSM). prefiltered.glsl has their formulas and sources, for the shaders too.
+// variance (EVSM), moment (MSM) and convolution shadow maps (CSM). prefiltered.glsl has their formulas and sources, for
+// the shaders too.
 #pragma once
 
 #include <vector>
@@ -11,9 +12,11 @@
 namespace umbrameter {
 namespace shared {
 
+using glm::cos;
 using glm::exp;
 using glm::max;
 using glm::min;
+using glm::sin;
 using glm::sqrt;
 
 #define SHARED inline
@@ -25,6 +28,7 @@ using glm::sqrt;
 enum class BlurKernel : int { box, gaussian };
 /// Of each value: float, half float or 16-bit normalised integer.
 enum class MomentFormat : int { f32, f16, unorm16 };
+enum class MomentBound : int { hamburger, hausdorff };
 
 struct EsmParams {
   double exponent = 40.0;
@@ -39,6 +43,8 @@ struct MomentMapParams {
   MomentFormat format = MomentFormat::f32;
   double positive_exponent = 40.0;
   double negative_exponent = 5.0;
+  int terms = 16;
+  bool mipmaps = false;
 };
 Parameters describe(MomentMapParams& params);
 
@@ -47,6 +53,9 @@ struct MomentLookupParams {
   double min_variance = 1e-6;
   double bleeding_reduction = 0.0;
   double moment_bias = 1e-5;
+  MomentBound bound = MomentBound::hamburger;
+  double ringing_reduction = 1.0;
+  double contrast = 2.0;
 };
 Parameters describe(MomentLookupParams& params);
 
@@ -55,6 +64,8 @@ struct Prefiltered {
   shared::PrefilterSettings settings;
   MomentFormat format = MomentFormat::f32;
   std::vector<float> blur;  ///< weights of the kernel along one axis; their sum is not 1
+  int groups = 1;           ///< layers per view
+  bool mipmaps = false;     ///< trilinear, by the pixel's footprint in the map
 };
 
 /// `technique` is one of the constants of prefiltered.glsl. Throws Error (usage) if the format cannot hold the values.

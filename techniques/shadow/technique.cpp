@@ -3,7 +3,7 @@
 namespace umbrameter {
 
 Parameters describe(ShadowParams& params) {
-  static constexpr std::array<std::string_view, 7> names{"pcf", "esm", "vsm", "evsm2", "evsm4", "msm", "pcss"};
+  static constexpr std::array<std::string_view, 8> names{"pcf", "esm", "vsm", "evsm2", "evsm4", "msm", "csm", "pcss"};
   Parameters technique =
       Description("shadow")
           .choice("technique", params.technique, names, {.unit = {}, .meaning = "shadow-map technique", .basic = true})
@@ -32,6 +32,8 @@ ShadowTechnique make_technique(const ShadowParams& params, double light_extent) 
       return prefiltered(shared::EVSM4);
     case ShadowTechniqueName::msm:
       return prefiltered(shared::MSM);
+    case ShadowTechniqueName::csm:
+      return prefiltered(shared::CSM);
   }
   return Pcf{make_filter(params.pcf)};
 }

@@ -19,7 +19,7 @@
 
 namespace umbrameter {
 
-enum class ShadowTechniqueName : int { pcf, esm, vsm, evsm2, evsm4, msm, pcss };
+enum class ShadowTechniqueName : int { pcf, esm, vsm, evsm2, evsm4, msm, csm, pcss };
 
 /// The shadow.* parameters, grouped by the stage that reads them.
 struct ShadowParams {

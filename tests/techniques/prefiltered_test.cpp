@@ -16,6 +16,7 @@ namespace {
 
 using shared::PrefilterSettings;
 
+// CSM's is none.
 constexpr std::array<int, 4> bounds{shared::VSM, shared::EVSM2, shared::EVSM4, shared::MSM};
 
 PrefilterSettings settings_of(int technique, const MomentMapParams& map = {}, const MomentLookupParams& lookup = {}) {
@@ -28,7 +29,7 @@ using Depths = std::vector<float>;
 // Averaged in double precision and rounded once.
 vec4 mean_of(const Depths& depths, const PrefilterSettings& settings) {
   dvec4 sum(0.0);
-  for (const float z : depths) sum += dvec4(shared::map_values(z, settings));
+  for (const float z : depths) sum += dvec4(shared::map_values(z, 0, settings));
   return vec4(sum / static_cast<double>(depths.size()));
 }
 
@@ -61,11 +62,99 @@ TEST(Prefiltered, No_bound_is_darker_than_the_share_of_lit_texels) {
       const float rounding = test::change_by_rounding(mean_of(depths, settings), depth, settings, 4 * test::half_ulp);
       const double tolerance = 1e-5 + static_cast<double>(rounding);  // MSM's bias takes at most 1e-5
       EXPECT_GE(visibility(depths, depth, settings), exact(depths, depth) - tolerance) << technique << " " << round;
-      loose += tolerance > 0.002 ? 1 : 0;
+      if (tolerance > 0.002) ++loose;
       ++checked;
     }
   }
   EXPECT_LT(loose, checked / 50);
+}
+
+PrefilterSettings hausdorff() {
+  MomentLookupParams lookup;
+  lookup.bound = MomentBound::hausdorff;
+  return settings_of(shared::MSM, {}, lookup);
+}
+
+TEST(Prefiltered, The_hausdorff_bound_lies_between_the_share_of_lit_texels_and_the_hamburger_bound) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> uniform;
+  std::size_t sharper = 0;
+  for (int round = 0; round < 20000; ++round) {
+    Depths surfaces(2 + random() % 6);
+    for (float& z : surfaces) z = uniform(random);
+    // Often at the ends of the range, where the bound is sharper.
+    if (round % 2 == 0) surfaces[0] = static_cast<float>(round / 2 % 2);
+    Depths depths(25);
+    for (float& z : depths) z = surfaces[random() % surfaces.size()];
+    const float depth = round % 3 == 0 ? surfaces[1] : uniform(random);
+    const vec4 moments = mean_of(depths, hausdorff());
+    const float found = shared::visibility_from(moments, depth, hausdorff());
+    const float hamburger = shared::visibility_from(moments, depth, settings_of(shared::MSM));
+    const double tolerance =
+        1e-5 + static_cast<double>(test::change_by_rounding(moments, depth, hausdorff(), 4 * test::half_ulp));
+    EXPECT_GE(found, exact(depths, depth) - tolerance) << round;
+    EXPECT_LE(found, static_cast<double>(hamburger) + tolerance) << round;
+    if (found < hamburger - 0.05f) ++sharper;
+  }
+  EXPECT_GT(sharper, 1000u);
+}
+
+TEST(Prefiltered, The_hausdorff_bound_is_exact_for_both_ends_and_two_depths_at_either_of_them) {
+  const Depths depths{0.0f, 0.0f, 0.3f, 0.3f, 0.3f, 0.6f, 0.6f, 1.0f, 1.0f, 1.0f};
+  for (const float depth : {0.3f, 0.6f}) {
+    EXPECT_NEAR(visibility(depths, depth, hausdorff()), exact(depths, depth), 1e-3) << depth;
+    EXPECT_GT(visibility(depths, depth, settings_of(shared::MSM)), exact(depths, depth) + 0.01) << depth;
+  }
+}
+
+float fourier_visibility(float z, float depth, const PrefilterSettings& settings) {
+  float sum = 0.0f;
+  for (int group = 0; 2 * group < settings.terms; ++group) {
+    sum += shared::fourier_sum(shared::map_values(z, group, settings), depth, group, settings);
+  }
+  return shared::fourier_visibility(sum, settings);
+}
+
+TEST(Prefiltered, Csm_is_the_fourier_series_of_a_step) {
+  for (const int terms : {1, 2, 5, 16}) {
+    for (const double a : {0.0, 1.0}) {
+      for (const bool is_quantized : {false, true}) {
+        MomentMapParams map;
+        map.terms = terms;
+        map.format = is_quantized ? MomentFormat::unorm16 : MomentFormat::f32;
+        MomentLookupParams lookup;
+        lookup.ringing_reduction = a;
+        const PrefilterSettings settings = settings_of(shared::CSM, map, lookup);
+        EXPECT_NEAR(fourier_visibility(0.4f, 0.4f, settings), 1.0f, 1e-5f) << terms;
+        for (const double gap : {-0.3, -0.01, 0.004, 0.03, 0.2, 0.5}) {
+          double series = 0.5;
+          for (int k = 1; k <= terms; ++k) {
+            const double c = pi * (2 * k - 1);
+            series -= 2.0 / c * std::exp(-a * k * k / (terms * terms)) * std::sin(c * gap);
+          }
+          const double expected = std::clamp(2.0 * series, 0.0, 1.0);
+          EXPECT_NEAR(fourier_visibility(0.4f, static_cast<float>(0.4 + gap), settings), expected, 5e-5)
+              << terms << " " << gap;
+        }
+      }
+    }
+  }
+}
+
+TEST(Prefiltered, Csm_converges_to_the_hard_shadow_as_its_terms_grow) {
+  // The M-th partial sum of the step differs from it by at most 1/(π·M·sin(π·gap)) (summation by parts), twice that
+  // with the contrast of 2.
+  MomentLookupParams lookup;
+  lookup.ringing_reduction = 0.0;
+  for (const int terms : {1, 2, 4, 8, 16}) {
+    MomentMapParams map;
+    map.terms = terms;
+    const PrefilterSettings settings = settings_of(shared::CSM, map, lookup);
+    for (const double gap : {0.02, 0.05, 0.1, 0.3, 0.5, 0.8}) {
+      const double bound = 2.0 / (pi * terms * std::sin(pi * gap));
+      EXPECT_LE(fourier_visibility(0.1f, static_cast<float>(0.1 + gap), settings), bound) << terms << " " << gap;
+    }
+  }
 }
 
 TEST(Prefiltered, A_map_of_one_depth_gives_a_hard_step) {
