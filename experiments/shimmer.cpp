@@ -31,7 +31,7 @@ Shimmer measure_shimmer(Stages& stages, const ShadowMeasurement& shadow) {
   const auto draw_map = [&](const MapLayout& layout) {
     return draw_shadow_map(context, scene, light, layout, experiment.shadow.map_depth);
   };
-  const ShadowTechnique technique = make_technique(experiment.shadow);
+  const ShadowTechnique technique = make_technique(experiment.shadow, half_size(light.emitter));
   const auto look_up = [&](const GpuGBuffer& gbuffer, const View& view, const ShadowMap& map) {
     const FilteredMap filtered = filter_map(context, map, technique);
     return draw_visibility(context,

@@ -52,13 +52,15 @@ void measure_cells(Stages& stages, const Experiment& experiment, const std::vect
   }
 }
 
-// Calls `take` for each combination of axis values that are words: techniques, kernels and lights. Other axes stay at
-// their first value, because capabilities do not depend on numbers.
+// Calls `take` for each combination of axis values that are words: techniques, kernels, switches and lights. Other axes
+// stay at their first value, because capabilities do not depend on numbers.
 void for_each_technique(Experiment experiment, const std::vector<SweepAxis>& axes,
                         const std::function<void(const Experiment&)>& take, std::size_t axis = 0) {
   if (axis == axes.size()) return take(experiment);
   const Parameters parameters = describe(experiment);
-  const bool is_word = !axes[axis].values.empty() && std::holds_alternative<std::string>(axes[axis].values.front());
+  const std::vector<Value>& values = axes[axis].values;
+  const bool is_word = !values.empty() && (std::holds_alternative<std::string>(values.front()) ||
+                                           std::holds_alternative<bool>(values.front()));
   for (const Value& value : axes[axis].values) {
     set_value(parameters, axes[axis], value);
     for_each_technique(experiment, axes, take, axis + 1);

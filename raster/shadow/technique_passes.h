@@ -3,6 +3,7 @@
 
 #include "raster/shadow/filtered_map.h"
 #include "raster/shadow/prefiltered_pass.h"
+#include "raster/shadow/screen_space_pass.h"
 #include "raster/shadow/visibility_pass.h"
 
 namespace umbrameter {

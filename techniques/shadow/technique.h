@@ -16,10 +16,11 @@
 #include "techniques/shadow/map_depth.h"
 #include "techniques/shadow/parameters.h"
 #include "techniques/shadow/prefiltered.h"
+#include "techniques/shadow/screen_space.h"
 
 namespace umbrameter {
 
-enum class ShadowTechniqueName : int { pcf, esm, vsm, evsm2, evsm4, msm, csm, pcss };
+enum class ShadowTechniqueName : int { pcf, esm, vsm, evsm2, evsm4, msm, csm, pcss, screen_space };
 
 /// The shadow.* parameters, grouped by the stage that reads them.
 struct ShadowParams {
@@ -33,6 +34,7 @@ struct ShadowParams {
   EsmParams esm;
   MomentMapParams moment_map;
   MomentLookupParams moment_lookup;
+  ScreenSpaceParams screen_space;
 };
 Parameters describe(ShadowParams& params);
 
@@ -48,12 +50,23 @@ struct Pcss : Pcf {
   static constexpr TechniqueCapabilities capabilities{.sums_comparisons = true};
 };
 
-using ShadowTechnique = std::variant<Pcf, Pcss, Prefiltered>;
+/// A technique that reads a map.
+using MapTechnique = std::variant<Pcf, Pcss, Prefiltered>;
 
-/// light_extent: half the size of the light, as BlockerSearch::extent; 0 for a light without extent.
+/// Screen-space shadows combined with a technique that reads a map.
+struct ContactShadows {
+  static constexpr TechniqueCapabilities capabilities{};
+  MapTechnique of_map;
+  ScreenSpace march;
+};
+
+using ShadowTechnique = std::variant<Pcf, Pcss, Prefiltered, ScreenSpace, ContactShadows>;
+
+/// light_extent: half the size of the light, as BlockerSearch::extent; 0 for a light without extent. Throws Error
+/// (usage) for parameters that exclude each other.
 ShadowTechnique make_technique(const ShadowParams& params, double light_extent = 0.0);
 
-/// The kernel of a technique that sums comparisons; nullptr for others.
+/// The kernel of a technique that compares taps with a map; nullptr for others.
 const FilterKernel* kernel_of(const ShadowTechnique& technique);
 
 /// The parameters of the pass that filters the shadow map before the look-up. The others affect only the look-up.

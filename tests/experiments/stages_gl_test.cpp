@@ -148,7 +148,20 @@ TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_disk
 }
 
 TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_filtered_map) {
-  for (const std::string technique : {"esm", "vsm", "msm"}) expect_fresh({"shadow.technique=" + technique});
+  for (const std::string technique : {"esm", "vsm", "msm", "csm"}) expect_fresh({"shadow.technique=" + technique});
+}
+
+TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_screen_space_shadows) {
+  expect_fresh({"shadow.technique=screen-space"});
+  expect_fresh({"shadow.technique=pcf", "shadow.contact-shadows=true"});
+}
+
+TEST_F(StagesGl, A_sweep_that_switches_contact_shadows_on_splits_every_error_by_sign_and_edge_distance) {
+  const std::unique_ptr<Stages> stages = make_stages();
+  const Table table = sweep_table(*stages, base({"shadow.technique=pcf"}), {"shadow.contact-shadows=false,true"});
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(table.columns.size(), 1 + row_of(EdgeStatistics{}).size());
+  EXPECT_NE(table.rows[0], table.rows[1]);
 }
 
 TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_other_depths_of_a_point_light) {

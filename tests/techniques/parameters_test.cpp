@@ -22,6 +22,7 @@ TEST(RasterParameters, Every_field_is_described) {
   expect_all(EsmParams{});
   expect_all(MomentMapParams{});
   expect_all(MomentLookupParams{});
+  expect_all(ScreenSpaceParams{});
   expect_all(AoSamplingParams{});
   expect_all(AoBiasParams{});
   expect_all(AoNoiseParams{});
@@ -33,7 +34,7 @@ TEST(RasterParameters, Every_field_is_described) {
                                          describe(shadow.map_depth).size() + describe(shadow.bias).size() +
                                          describe(shadow.pcf).size() + describe(shadow.pcss).size() +
                                          describe(shadow.esm).size() + describe(shadow.moment_map).size() +
-                                         describe(shadow.moment_lookup).size());
+                                         describe(shadow.moment_lookup).size() + describe(shadow.screen_space).size());
   AoParams ao;
   EXPECT_EQ(describe(ao).size(), describe(ao.sampling).size() + describe(ao.bias).size() + describe(ao.noise).size() +
                                      1 + describe(ao.ssao).size() + describe(ao.blur).size());

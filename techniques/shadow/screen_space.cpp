@@ -1,0 +1,30 @@
+#include "techniques/shadow/screen_space.h"
+
+namespace umbrameter {
+
+Parameters describe(ScreenSpaceParams& params) {
+  return Description("shadow")
+      .field("contact-shadows", params.is_combined,
+             {.unit = {}, .meaning = "darken the technique's result by screen-space shadows", .basic = true})
+      .field("screen-length", params.length,
+             {.unit = "m", .meaning = "screen-space shadows: length of the ray", .min = 0, .max = 1e6})
+      .field("screen-steps", params.steps,
+             {.unit = "1", .meaning = "screen-space shadows: samples along the ray", .min = 1, .max = 1024})
+      .field("screen-thickness", params.thickness,
+             {.unit = "m", .meaning = "screen-space shadows: assumed thickness of every surface", .min = 0, .max = 1e6})
+      .field("screen-bias", params.bias,
+             {.unit = "1",
+              .meaning = "screen-space shadows: share of its depth that a sample must lie behind a surface",
+              .min = 0,
+              .max = 1})
+      .field("screen-jitter", params.jitter,
+             {.unit = {}, .meaning = "screen-space shadows: shift the samples by interleaved gradient noise"})
+      .take();
+}
+
+ScreenSpace make_screen_space(const ScreenSpaceParams& params) {
+  return {{static_cast<float>(params.length), params.steps, static_cast<float>(params.thickness),
+           static_cast<float>(params.bias), params.jitter ? 1 : 0}};
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,37 @@
+// Screen-space shadows (contact shadows): a march through the camera's depth buffer towards the light.
+#pragma once
+
+#include "core/math.h"
+#include "core/parameters.h"
+#include "techniques/shadow/capabilities.h"
+
+namespace umbrameter {
+namespace shared {
+
+using glm::fract;
+
+#define SHARED inline
+#include "techniques/shadow/screen_space.glsl"
+#undef SHARED
+
+}  // namespace shared
+
+/// The defaults of length and steps are those of Filament's LightManager::ShadowOptions.
+struct ScreenSpaceParams {
+  bool is_combined = false;
+  double length = 0.3;
+  int steps = 8;
+  double thickness = 0.1;
+  double bias = 0.002;
+  bool jitter = true;
+};
+Parameters describe(ScreenSpaceParams& params);
+
+struct ScreenSpace {
+  static constexpr TechniqueCapabilities capabilities{};
+  shared::MarchSettings march;
+};
+
+ScreenSpace make_screen_space(const ScreenSpaceParams& params);
+
+}  // namespace umbrameter
