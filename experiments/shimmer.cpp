@@ -4,6 +4,7 @@
 #include <array>
 
 #include "experiments/measure.h"
+#include "scenes/emitter.h"
 
 namespace umbrameter {
 namespace {

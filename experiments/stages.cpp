@@ -306,6 +306,15 @@ ShadowMapImages Stages::read_map(const Experiment& experiment, std::uint32_t lig
   return read_back(context(), map(experiment, light));
 }
 
+std::vector<Image<float>> Stages::draw_lookups(std::span<const Experiment> experiments, std::uint32_t light) {
+  const ShadowLookup lookup = shadow_lookup(experiments.front(), light, false);
+  std::vector<PrefilteredLookup> lookups;
+  for (const Experiment& each : experiments) {
+    lookups.push_back(lookup_of(each.shadow.bias, std::get<Prefiltered>(make_technique(each.shadow))));
+  }
+  return umbrameter::draw_lookups(context(), lookup, std::get<Prefiltered>(lookup.technique), lookups);
+}
+
 BiasHistogram Stages::bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes) {
   BiasHistogram histogram = draw_bias_response(context(), shadow_lookup(experiment, light, true), axes);
   if (experiment.run.classes == ClassRule::fast) return histogram;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
 
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "experiments/look_ahead.h"
 #include "experiments/measure.h"
 #include "experiments/measure_biases.h"
 
@@ -15,19 +17,19 @@ namespace {
 struct MeasureCell {
   Stages& stages;
   const Experiment& experiment;
+  const std::function<Image<float>()>& draw_visibility;
 
   std::uint32_t light() const { return stages.lights(experiment.view.light).front(); }
-  RasterVisibility draw() const { return stages.draw(experiment, light(), false); }
 
   CellStatistics operator()(const VisibilityStatistics&) const {
     return std::get<VisibilityStatistics>(*measure_shadow(stages, experiment, light(), {}).statistics);
   }
   CellStatistics operator()(const EdgeStatistics&) const {
-    return measure_edges(stages, experiment, light(), draw().visibility);
+    return measure_edges(stages, experiment, light(), draw_visibility());
   }
   CellStatistics operator()(const SoftVisibilityStatistics&) const {
     const TracedVisibility& truth = stages.truth(experiment, light());
-    return analyze_soft_visibility(draw().visibility, sampled(truth), stages.counted(experiment, light()));
+    return analyze_soft_visibility(draw_visibility(), sampled(truth), stages.counted(experiment, light()));
   }
   CellStatistics operator()(const AoStatistics&) const { return *measure_ao(stages, experiment, {}).statistics; }
   CellStatistics operator()(const ImageStatistics&) const {
@@ -36,7 +38,8 @@ struct MeasureCell {
 };
 
 void measure_cells(Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
-                   const CellStatistics& statistics, const CellGroup& group, const RowSink& keep) {
+                   const CellStatistics& statistics, LookAhead& look_ahead, const CellGroup& group,
+                   const RowSink& keep) {
   // Extents may be varied, and not every combination of them makes sense.
   const Experiment of_group = at_cell(experiment, axes, group.values);
   const SweptQuantity quantity = quantity_of(statistics);
@@ -46,8 +49,12 @@ void measure_cells(Stages& stages, const Experiment& experiment, const std::vect
   for (std::size_t c = 0; c < group.constant_bias.values.size(); ++c) {
     for (std::size_t s = 0; s < group.slope_bias.values.size(); ++s) {
       throw_if_interrupted();
-      const Experiment cell = at_cell(experiment, axes, values_at(group, c, s));
-      keep(c, s, row_of(std::visit(MeasureCell{stages, cell}, statistics)));
+      const std::vector<Value> values = values_at(group, c, s);
+      const Experiment cell = at_cell(experiment, axes, values);
+      const std::function<Image<float>()> draw = [&] {
+        return look_ahead.visibility(stages, experiment, axes, values);
+      };
+      keep(c, s, row_of(std::visit(MeasureCell{stages, cell, draw}, statistics)));
     }
   }
 }
@@ -154,7 +161,8 @@ Experiment at_cell(Experiment experiment, const std::vector<SweepAxis>& axes, co
 EvaluateGroup make_evaluator(Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                              const CellStatistics& statistics) {
   const bool one_pass = is_one_pass(stages, experiment, axes, statistics);
-  return [&stages, experiment, axes, statistics, one_pass](const CellGroup& group, const RowSink& keep) {
+  return [&stages, experiment, axes, statistics, one_pass, look_ahead = std::make_shared<LookAhead>()](
+             const CellGroup& group, const RowSink& keep) {
     if (one_pass) {
       const Experiment of_group = at_cell(experiment, axes, group.values);
       const std::uint32_t light = stages.lights(of_group.view.light).front();
@@ -169,7 +177,7 @@ EvaluateGroup make_evaluator(Stages& stages, const Experiment& experiment, const
         }
       }
     } else {
-      measure_cells(stages, experiment, axes, statistics, group, keep);
+      measure_cells(stages, experiment, axes, statistics, *look_ahead, group, keep);
     }
   };
 }

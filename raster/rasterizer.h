@@ -10,6 +10,7 @@
 #include "raster/gbuffer/uploaded_scene.h"
 #include "raster/gl/context.h"
 #include "raster/shadow/bias_response_pass.h"
+#include "raster/shadow/prefiltered_pass.h"
 #include "raster/shadow/shadow_map.h"
 #include "raster/shadow/unresolved_taps_pass.h"
 #include "raster/shadow/visibility_pass.h"

@@ -19,7 +19,7 @@ void main() {
     ivec2 at = clamp(texel.xy + (i - taps / 2) * axis, ivec2(0), last);
 #if IS_DEPTH
     float depth = texelFetch(source, ivec3(at, texel.z / GROUPS), 0).r;
-    vec4 values = map_values(depth, texel.z % GROUPS, settings());
+    vec4 values = map_values(depth, texel.z % GROUPS, settings_of_map());
 #else
     vec4 values = texelFetch(source, ivec3(at, texel.z), 0);
 #endif

@@ -1,10 +1,34 @@
 // Computes the visibility of each surfel from a filtered shadow map, with bilinear or, with HAS_MIPMAPS, trilinear
-// interpolation.
+// interpolation: for several look-ups at once, each into its layer.
 #include "prefilter_settings.glsl"
 #include "surfel_lookup.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
 uniform sampler2DArray values;
-layout(r32f) writeonly uniform image2D visibility_image;
+layout(r32f) writeonly uniform image2DArray visibility_image;
+uniform int lookup_count;
+
+// What each look-up reads besides the map. PrefilteredLookup in raster/shadow/prefiltered_pass.h has the same fields.
+struct LookupValues {
+  float constant_bias;
+  float slope_bias;
+  float min_variance;
+  float bleeding_reduction;
+  float moment_bias;
+  float ringing_reduction;
+  float contrast;
+  float unused;
+};
+layout(std140) uniform Lookups { LookupValues lookups[MAX_LOOKUPS]; };
+
+PrefilterSettings settings_of(LookupValues lookup) {
+  PrefilterSettings settings = settings_of_map();
+  settings.min_variance = lookup.min_variance;
+  settings.bleeding_reduction = lookup.bleeding_reduction;
+  settings.moment_bias = lookup.moment_bias;
+  settings.ringing_reduction = lookup.ringing_reduction;
+  settings.contrast = lookup.contrast;
+  return settings;
+}
 
 // Bilinear interpolation in full precision: hardware filters with 8-bit weights.
 vec4 values_at_level(Receiver receiver, int group, int level) {
@@ -58,30 +82,36 @@ vec4 values_at(Receiver receiver, int group, float level) {
   return part == 0.0 ? at_finer : mix(at_finer, values_at_level(receiver, group, finer + 1), part);
 }
 
-float visibility_at(Receiver receiver, float depth, float level) {
-  if (TECHNIQUE != CSM) return visibility_from(values_at(receiver, 0, level), depth, settings());
+float visibility_at(Receiver receiver, float depth, float level, PrefilterSettings settings) {
+  if (TECHNIQUE != CSM) return visibility_from(values_at(receiver, 0, level), depth, settings);
   float sum = 0.0;
   for (int group = 0; group < GROUPS; ++group) {
-    sum += fourier_sum(values_at(receiver, group, level), depth, group, settings());
+    sum += fourier_sum(values_at(receiver, group, level), depth, group, settings);
   }
-  return fourier_visibility(sum, settings());
+  return fourier_visibility(sum, settings);
 }
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, textureSize(ids, 0)))) return;
-  float visibility = 1.0;
+  float same_for_all = 1.0;
+  bool reads_map = false;
+  Lookup surfel;
+  float level = 0.0;
   if (texelFetch(ids, pixel, 0).r != NO_ID) {
-    visibility = 0.0;
-    Lookup surfel = look_up(pixel);
-    if (surfel.faces_light) {
-      visibility = 1.0;
-      if (surfel.receiver.is_inside) {
-        double bias = double(constant_bias * surfel.bias_unit + slope_bias * surfel.slope);
-        float depth = float((surfel.receiver.depth - bias) / far_depth);
-        visibility = visibility_at(surfel.receiver, depth, level_of_detail(pixel, surfel.receiver));
-      }
-    }
+    surfel = look_up(pixel);
+    same_for_all = surfel.faces_light ? 1.0 : 0.0;
+    reads_map = surfel.faces_light && surfel.receiver.is_inside;
+    if (reads_map) level = level_of_detail(pixel, surfel.receiver);
   }
-  imageStore(visibility_image, pixel, vec4(visibility));
+  for (int i = 0; i < lookup_count; ++i) {
+    float visibility = same_for_all;
+    if (reads_map) {
+      LookupValues lookup = lookups[i];
+      double bias = double(lookup.constant_bias * surfel.bias_unit + lookup.slope_bias * surfel.slope);
+      float depth = float((surfel.receiver.depth - bias) / far_depth);
+      visibility = visibility_at(surfel.receiver, depth, level, settings_of(lookup));
+    }
+    imageStore(visibility_image, ivec3(pixel, i), vec4(visibility));
+  }
 }

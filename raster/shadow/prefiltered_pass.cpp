@@ -1,8 +1,11 @@
 #include "raster/shadow/prefiltered_pass.h"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "core/error.h"
 #include "raster/gbuffer/view_block.h"
@@ -11,6 +14,8 @@
 
 namespace umbrameter {
 namespace {
+
+static_assert(max_lookups == constant("MAX_LOOKUPS"));
 
 struct MapFormat {
   gl::Format format;
@@ -41,15 +46,6 @@ std::string defines_of(const Prefiltered& technique) {
          define("GROUPS", static_cast<unsigned>(technique.groups));
 }
 
-gl::Pass& bind(gl::Pass& pass, const shared::PrefilterSettings& settings) {
-  return pass.value("exponents", settings.exponents)
-      .value("min_variance", settings.min_variance)
-      .value("bleeding_reduction", settings.bleeding_reduction)
-      .value("moment_bias", settings.moment_bias)
-      .value("ringing_reduction", settings.ringing_reduction)
-      .value("contrast", settings.contrast);
-}
-
 // For the result and the one of the first axis.
 void require_room(const gl::Context& context, int side, int layers, gl::Format format) {
   const std::size_t texels =
@@ -76,7 +72,7 @@ FilteredMap filter(const gl::Context& context, const ShadowMap& map, const Prefi
     gl::Pass pass(context, {{"prefilter.comp"},
                             defines_of(technique) + define("IS_DEPTH", is_first ? 1 : 0) + "#define MAP_FORMAT " +
                                 format.layout + "\n"});
-    bind(pass, technique.settings)
+    pass.value("exponents", technique.settings.exponents)
         .texture("source", source)
         .image("blurred", blurred, format.format, true)
         .buffer("BlurWeights", weights)
@@ -90,11 +86,15 @@ FilteredMap filter(const gl::Context& context, const ShadowMap& map, const Prefi
   return filtered;
 }
 
-RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const Prefiltered& technique) {
-  assert(lookup.filtered != nullptr);
+std::vector<Image<float>> draw_lookups(const gl::Context& context, const ShadowLookup& lookup,
+                                       const Prefiltered& technique, std::span<const PrefilteredLookup> lookups) {
+  assert(lookup.filtered != nullptr && lookups.size() <= max_lookups);
   const int width = lookup.gbuffer.width;
   const int height = lookup.gbuffer.height;
-  const gl::Texture visibility = gl::make_texture("visibility", gl::Format::r32f, width, height);
+  const int layers = static_cast<int>(lookups.size());
+  const gl::Texture visibility = gl::make_texture("visibility", gl::Format::r32f, width, height, layers);
+  std::array<PrefilteredLookup, max_lookups> block{};
+  std::ranges::copy(lookups, block.begin());
   gl::Pass pass = lookup_pass(
       context, lookup, lookup.bias.constant.unit,
       {{"prefiltered_visibility.comp"}, defines_of(technique) + define("HAS_MIPMAPS", technique.mipmaps ? 1 : 0)});
@@ -102,11 +102,30 @@ RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, co
     assert(lookup.view != nullptr);
     pass.block("View", make_view_block(*lookup.view));
   }
-  bind(pass, technique.settings)
+  pass.value("exponents", technique.settings.exponents)
+      .value("lookup_count", layers)
+      .block("Lookups", block)
       .texture("values", lookup.filtered->values)
-      .image("visibility_image", visibility, gl::Format::r32f)
+      .image("visibility_image", visibility, gl::Format::r32f, true)
       .dispatch(width, height);
-  return {read_image<float>(visibility, gl::Format::r32f), {Image<uvec4>(width, height, uvec4(0)), 1}};
+  return read_layers<float>(visibility, gl::Format::r32f, layers);
+}
+
+PrefilteredLookup lookup_of(const BiasParams& bias, const Prefiltered& technique) {
+  const shared::PrefilterSettings& settings = technique.settings;
+  return {static_cast<float>(bias.constant.number),
+          static_cast<float>(bias.slope),
+          settings.min_variance,
+          settings.bleeding_reduction,
+          settings.moment_bias,
+          settings.ringing_reduction,
+          settings.contrast};
+}
+
+RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const Prefiltered& technique) {
+  const PrefilteredLookup one = lookup_of(lookup.bias, technique);
+  Image<float> visibility = std::move(draw_lookups(context, lookup, technique, {&one, 1}).front());
+  return {std::move(visibility), {Image<uvec4>(lookup.gbuffer.width, lookup.gbuffer.height, uvec4(0)), 1}};
 }
 
 }  // namespace umbrameter

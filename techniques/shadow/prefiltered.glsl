@@ -1,6 +1,6 @@
 // What filtered shadow maps store and how a look-up reads them. The shaders compile this text as GLSL, and
-// prefiltered.h compiles it as C++ with GLM. A depth is the map's depth over its range, 0 to 1. docs/filtered-maps.md
-// has the formulas.
+// prefiltered.h compiles it as C++ with GLM. A depth is the map's depth over its range, 0 to 1.
+// docs/techniques/filtered-maps.md has the formulas.
 #ifndef SHARED
 #define SHARED
 #endif

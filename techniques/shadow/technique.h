@@ -72,6 +72,10 @@ const FilterKernel* kernel_of(const ShadowTechnique& technique);
 /// The parameters of the pass that filters the shadow map before the look-up. The others affect only the look-up.
 Parameters filtered_map_parameters(ShadowParams& params);
 
+/// The parameters that only the look-up reads, of which one pass over the pixels can take many values
+/// (draw_lookups() in raster/shadow/prefiltered_pass.h). Empty if the technique has no filtered map.
+Parameters lookup_parameters(ShadowParams& params);
+
 TechniqueCapabilities capabilities_of(const ShadowTechnique& technique);
 
 }  // namespace umbrameter

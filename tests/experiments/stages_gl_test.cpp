@@ -128,6 +128,35 @@ class StagesGl : public testing::Test {
 
   bool has_point_light_ = false;
 
+  // The cells of one sweep against a fresh run of each.
+  void expect_single_runs(const std::vector<std::string>& settings, const std::vector<std::string>& axes) const {
+    const std::unique_ptr<Stages> stages = make_stages();
+    const Experiment experiment = base(settings);
+    const Table table = sweep_table(*stages, experiment, axes);
+    ASSERT_GE(table.rows.size(), 2u);
+    for (const std::vector<Value>& row : table.rows) {
+      Experiment cell = experiment;
+      const Parameters parameters = describe(cell);
+      for (std::size_t a = 0; a < axes.size(); ++a) {
+        const std::string& column = table.columns[a].name;
+        const bool is_in_texels = axes[a].ends_with("texels");
+        require(parameters, column).set_text(to_string(row[a]) + (is_in_texels ? "texels" : ""));
+      }
+      const std::unique_ptr<Stages> fresh = make_stages();
+      const ShadowMeasurement shadow = measure_shadow(*fresh, cell, 0, {});
+      ShadowStatistics single = *shadow.statistics;
+      // Beside techniques without causes, those with causes are measured by edge distance.
+      if (row.size() == axes.size() + row_of(EdgeStatistics{}).size() &&
+          std::holds_alternative<VisibilityStatistics>(single)) {
+        single = measure_edges(*fresh, cell, 0, shadow.raster->visibility);
+      }
+      const std::vector<Value> expected = std::visit([](auto& each) { return row_of(describe(each)); }, single);
+      ASSERT_EQ(row.size(), axes.size() + expected.size());
+      EXPECT_TRUE(std::equal(expected.begin(), expected.end(), row.begin() + static_cast<std::ptrdiff_t>(axes.size())))
+          << axes.front();
+    }
+  }
+
  private:
   std::shared_ptr<gl::Context> context_;
 };
@@ -177,26 +206,21 @@ TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_defe
   expect_fresh({"run.measure=image", "shading.path=deferred"});
 }
 
-// The cells of one sweep against a run of each.
 TEST_F(StagesGl, Cells_of_a_sweep_are_those_of_single_runs) {
-  const std::unique_ptr<Stages> stages = make_stages();
   for (const std::string technique : {"pcf", "esm", "evsm4"}) {
-    const Experiment experiment = base({"shadow.technique=" + technique});
-    const Table table = sweep_table(
-        *stages, experiment,
-        {"shadow.resolution=32,64", "shadow.cascades=1,2", "shadow.constant-bias=0.01,0.05", "shadow.slope-bias=0,1"});
-    ASSERT_EQ(table.rows.size(), 16u);
-    for (const std::vector<Value>& row : table.rows) {
-      Experiment cell = experiment;
-      const Parameters parameters = describe(cell);
-      for (std::size_t a = 0; a < 4; ++a) require(parameters, table.columns[a].name).set(row[a]);
-      const std::unique_ptr<Stages> fresh = make_stages();
-      ShadowStatistics single = *measure_shadow(*fresh, cell, 0, {}).statistics;
-      const std::vector<Value> expected = std::visit([](auto& each) { return row_of(describe(each)); }, single);
-      EXPECT_EQ(row.size(), 4 + expected.size());
-      EXPECT_TRUE(std::equal(expected.begin(), expected.end(), row.begin() + 4)) << technique;
-    }
+    expect_single_runs({"shadow.technique=" + technique}, {"shadow.resolution=32,64", "shadow.cascades=1,2",
+                                                           "shadow.constant-bias=0.01,0.05", "shadow.slope-bias=0,1"});
   }
+}
+
+TEST_F(StagesGl, Cells_that_differ_only_in_the_look_up_are_those_of_single_runs) {
+  expect_single_runs({"shadow.technique=vsm"}, {"shadow.min-variance=1e-6,1e-4", "shadow.constant-bias=1texels,2texels",
+                                                "shadow.moment-blur=3,5", "shadow.bleeding-reduction=0,0.1,0.3"});
+  expect_single_runs({"shadow.technique=msm", "shadow.moment-mipmaps=true"},
+                     {"shadow.msm-bound=hamburger,hausdorff", "shadow.msm-moment-bias=1e-5,1e-3"});
+  expect_single_runs({}, {"shadow.technique=pcf,csm", "shadow.csm-contrast=1,2,4", "shadow.slope-bias=0,1"});
+  expect_single_runs({"shadow.technique=vsm", "shadow.contact-shadows=true"}, {"shadow.bleeding-reduction=0,0.3"});
+  expect_single_runs({"light.angle=2", "shadow.technique=evsm2"}, {"shadow.min-variance=1e-6,1e-4"});
 }
 
 }  // namespace

@@ -6,12 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "prefiltered_window.h"
 #include "raster/shadow/technique_passes.h"
 #include "scenes/builtin/scenes.h"
 #include "techniques/shadow/cascades.h"
-#include "techniques/shadow/reference/lookup.h"
 #include "test_scenes.h"
-#include "tests/support/prefiltered_rounding.h"
 
 namespace umbrameter {
 namespace {
@@ -107,63 +106,6 @@ TEST_F(PrefilteredGl, A_blurred_edge_passes_one_half_where_the_kernel_is_half_co
   const Image<float> seen = see({uploaded, surfel, map, light}, esm(40.0, 9));
   const double expected = 0.5 * (1.0 + std::exp(-40.0 * 2.0 / layout.far_depth));
   EXPECT_NEAR(static_cast<double>(seen[0]), expected, 1e-3);
-}
-
-// The texels that a look-up averages: those under the blur at each corner of the bilinear interpolation.
-struct Window {
-  std::vector<dvec4> groups;  // mean of map_values()
-  double lit_share = 0.0;     // of texels at or behind the receiver
-  float depth = 0.0f;         // of the receiver, less the bias
-};
-
-Window window_at(const MapLayout& layout, const ShadowMapImages& map, const Prefiltered& technique,
-                 const Receiver& receiver, double bias) {
-  Window window{std::vector<dvec4>(static_cast<std::size_t>(technique.groups), dvec4(0.0))};
-  window.depth = static_cast<float>((receiver.depth - bias) / layout.far_depth);
-  const dvec2 place = receiver.texels - 0.5;
-  const ivec2 base(glm::floor(place));
-  const dvec2 part = place - dvec2(base);
-  const int taps = static_cast<int>(technique.blur.size());
-  double sum = 0.0;
-  for (const float weight : technique.blur) sum += static_cast<double>(weight);
-  // Of the separable kernel: the bilinear interpolation adds a texel to the blur.
-  const auto weight_of = [&](int offset, double share) {
-    const auto blur = [&](int i) {
-      return i >= 0 && i < taps ? static_cast<double>(technique.blur[static_cast<std::size_t>(i)]) / sum : 0.0;
-    };
-    return (1.0 - share) * blur(offset) + share * blur(offset - 1);
-  };
-  for (int y = 0; y <= taps; ++y) {
-    for (int x = 0; x <= taps; ++x) {
-      const ivec2 at = glm::clamp(base + ivec2(x, y) - taps / 2, ivec2(0), ivec2(layout.resolution - 1));
-      const double weight = weight_of(x, part.x) * weight_of(y, part.y);
-      const float depth = map.depth[static_cast<std::size_t>(receiver.view)][texel_index(layout, at)];
-      for (int group = 0; group < technique.groups; ++group) {
-        window.groups[static_cast<std::size_t>(group)] +=
-            weight * dvec4(shared::map_values(depth, group, technique.settings));
-      }
-      if (depth >= window.depth) window.lit_share += weight;
-    }
-  }
-  return window;
-}
-
-float visibility_of(const Window& window, const Prefiltered& technique) {
-  if (technique.settings.technique != shared::CSM) {
-    return shared::visibility_from(vec4(window.groups[0]), window.depth, technique.settings);
-  }
-  float sum = 0.0f;
-  for (int group = 0; group < technique.groups; ++group) {
-    const vec4 values(window.groups[static_cast<std::size_t>(group)]);
-    sum += shared::fourier_sum(values, window.depth, group, technique.settings);
-  }
-  return shared::fourier_visibility(sum, technique.settings);
-}
-
-// CSM's visibility is a sum of a few stored values, none above 1.
-float rounding_of(const Window& window, const Prefiltered& technique) {
-  if (technique.settings.technique == shared::CSM) return 0.0f;
-  return test::change_by_rounding(vec4(window.groups[0]), window.depth, technique.settings, 4 * test::half_ulp);
 }
 
 // A stair of three heights over the ground.
@@ -344,6 +286,39 @@ TEST_F(PrefilteredGl, A_map_with_texels_larger_than_pixels_is_read_at_its_first_
       const Image<float> without = see({uploaded, surfels, map, light, &view}, params);
       params.moment_map.mipmaps = true;
       EXPECT_EQ(see({uploaded, surfels, map, light, &view}, params) == without, is_equal) << resolution;
+    }
+  }
+}
+
+TEST_F(PrefilteredGl, Many_look_ups_in_one_pass_give_what_each_gives_alone) {
+  const Scene scene = builtin::make_two_occluders();
+  const UploadedScene uploaded = upload(context(), scene);
+  const View view{160, 90, scene.cameras[0]};
+  const GpuGBuffer surfels = draw_gbuffer(context(), uploaded, view);
+  const Light light = scene.lights[0];
+  const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 512));
+  for (const ShadowTechniqueName name : all) {
+    std::vector<ShadowParams> params;
+    for (int i = 0; i < 5; ++i) {
+      const double part = 0.1 * i;
+      ShadowParams& each = params.emplace_back(with(name, Length{part, LengthUnit::texels}));
+      each.bias.slope = 0.5 * part;
+      each.moment_lookup = {1e-5 * (1 + i), part, 1e-4 * part, MomentBound::hamburger, part, 1.0 + part};
+      each.moment_map.terms = 5;
+    }
+    const ShadowTechnique technique = make_technique(params[0]);
+    const FilteredMap filtered = filter_map(context(), map, technique);
+    std::vector<PrefilteredLookup> lookups;
+    for (const ShadowParams& each : params) {
+      lookups.push_back(lookup_of(each.bias, std::get<Prefiltered>(make_technique(each))));
+    }
+    const std::vector<Image<float>> together =
+        draw_lookups(context(), {uploaded, surfels, map, light, params[0].bias, technique, nullptr, &filtered},
+                     std::get<Prefiltered>(technique), lookups);
+    ASSERT_EQ(together.size(), params.size());
+    for (std::size_t i = 0; i < params.size(); ++i) {
+      EXPECT_EQ(together[i], see({uploaded, surfels, map, light}, params[i])) << static_cast<int>(name) << " " << i;
+      EXPECT_EQ(together[i] == together[0], i == 0);
     }
   }
 }
