@@ -17,10 +17,17 @@ namespace {
 
 int layer_count(const MapLayout& layout) { return static_cast<int>(layout.views.size()); }
 
-void require_room(const gl::Context& context, const MapLayout& layout) {
+// Depth and ids; another encoding's texture; and both layers of a combined surface, with the ids of one.
+std::size_t texel_bytes(const MapLayout& layout, const MapDepthParams& params) {
+  const std::size_t depth = gl::texel_bytes(gl::Format::depth32f);
+  const std::size_t ids = gl::texel_bytes(gl::Format::rg32ui);
+  return depth + ids + (stores_linear_floats(params, layout.kind) ? 0 : depth) +
+         (params.surface == StoredSurface::nearest ? 0 : 2 * depth + ids);
+}
+
+void require_room(const gl::Context& context, const MapLayout& layout, const MapDepthParams& params) {
   const auto side = static_cast<std::size_t>(layout.resolution);
-  const std::size_t bytes = side * side * static_cast<std::size_t>(layer_count(layout)) *
-                            (gl::texel_bytes(gl::Format::depth32f) + gl::texel_bytes(gl::Format::rg32ui));
+  const std::size_t bytes = side * side * static_cast<std::size_t>(layer_count(layout)) * texel_bytes(layout, params);
   std::string given = std::to_string(layout.resolution);
   given += " texels ";
   if (layout.resolution > context.max_texture_size()) {
@@ -72,7 +79,7 @@ void draw_surface(const MapSource& source, const ShadowMap& map, const gl::Textu
 }  // namespace
 
 ShadowMap make_shadow_map(const gl::Context& context, const MapLayout& layout) {
-  require_room(context, layout);
+  require_room(context, layout, {});
   ShadowMap map;
   map.layout = layout;
   map.depth = make_depth(layout, gl::Format::depth32f);
@@ -88,6 +95,7 @@ bool has_textures_for(const ShadowMap& map, const MapLayout& layout) {
 void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light, ShadowMap& map,
                        const MapDepthParams& params) {
   require_sense(params, map.layout);
+  require_room(context, map.layout, params);
   const MapSource source{context, scene, light, map.layout, params};
   const bool is_direct = stores_linear_floats(params, map.layout.kind);
   const int mapping = depth_mapping(params, map.layout.kind);
