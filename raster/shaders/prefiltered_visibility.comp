@@ -82,12 +82,10 @@ vec4 values_at(Receiver receiver, int group, float level) {
   return part == 0.0 ? at_finer : mix(at_finer, values_at_level(receiver, group, finer + 1), part);
 }
 
-float visibility_at(Receiver receiver, float depth, float level, PrefilterSettings settings) {
-  if (TECHNIQUE != CSM) return visibility_from(values_at(receiver, 0, level), depth, settings);
+float visibility_at(vec4 of_groups[GROUPS], float depth, PrefilterSettings settings) {
+  if (TECHNIQUE != CSM) return visibility_from(of_groups[0], depth, settings);
   float sum = 0.0;
-  for (int group = 0; group < GROUPS; ++group) {
-    sum += fourier_sum(values_at(receiver, group, level), depth, group, settings);
-  }
+  for (int group = 0; group < GROUPS; ++group) sum += fourier_sum(of_groups[group], depth, group, settings);
   return fourier_visibility(sum, settings);
 }
 
@@ -97,12 +95,15 @@ void main() {
   float same_for_all = 1.0;
   bool reads_map = false;
   Lookup surfel;
-  float level = 0.0;
+  vec4 of_groups[GROUPS];
   if (texelFetch(ids, pixel, 0).r != NO_ID) {
     surfel = look_up(pixel);
     same_for_all = surfel.faces_light ? 1.0 : 0.0;
     reads_map = surfel.faces_light && surfel.receiver.is_inside;
-    if (reads_map) level = level_of_detail(pixel, surfel.receiver);
+    if (reads_map) {
+      float level = level_of_detail(pixel, surfel.receiver);
+      for (int group = 0; group < GROUPS; ++group) of_groups[group] = values_at(surfel.receiver, group, level);
+    }
   }
   for (int i = 0; i < lookup_count; ++i) {
     float visibility = same_for_all;
@@ -110,7 +111,7 @@ void main() {
       LookupValues lookup = lookups[i];
       double bias = double(lookup.constant_bias * surfel.bias_unit + lookup.slope_bias * surfel.slope);
       float depth = float((surfel.receiver.depth - bias) / far_depth);
-      visibility = visibility_at(surfel.receiver, depth, level, settings_of(lookup));
+      visibility = visibility_at(of_groups, depth, settings_of(lookup));
     }
     imageStore(visibility_image, ivec3(pixel, i), vec4(visibility));
   }

@@ -5,7 +5,7 @@ namespace umbrameter {
 Parameters describe(ScreenSpaceParams& params) {
   return Description("shadow")
       .field("contact-shadows", params.is_combined,
-             {.unit = {}, .meaning = "darken the technique's result by screen-space shadows", .basic = true})
+             {.unit = {}, .meaning = "darken the technique's result by screen-space shadows"})
       .field("screen-length", params.length,
              {.unit = "m", .meaning = "screen-space shadows: length of the ray", .min = 0, .max = 1e6})
       .field("screen-steps", params.steps,

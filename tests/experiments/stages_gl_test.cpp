@@ -139,8 +139,9 @@ class StagesGl : public testing::Test {
       const Parameters parameters = describe(cell);
       for (std::size_t a = 0; a < axes.size(); ++a) {
         const std::string& column = table.columns[a].name;
-        const bool is_in_texels = axes[a].ends_with("texels");
-        require(parameters, column).set_text(to_string(row[a]) + (is_in_texels ? "texels" : ""));
+        std::string value = to_string(row[a]);
+        if (axes[a].ends_with("texels")) value += "texels";
+        require(parameters, column).set_text(value);
       }
       const std::unique_ptr<Stages> fresh = make_stages();
       const ShadowMeasurement shadow = measure_shadow(*fresh, cell, 0, {});
