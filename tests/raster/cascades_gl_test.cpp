@@ -85,7 +85,8 @@ TEST_F(CascadesGl, The_least_bias_without_acne_follows_its_formula_in_every_casc
             return acne;
           };
           const double least = rho * texel * p_plus_q * std::tan(theta);
-          EXPECT_EQ(acne_at(1.002 * least), 0u) << "cascade " << v;
+          // A stable map moves vertices by up to 1/512 texel each way: the plane by 1/256 of the half texel of rho.
+          EXPECT_EQ(acne_at(1.005 * least), 0u) << "cascade " << v;
           EXPECT_GT(acne_at(0.8 * least), 0u) << "cascade " << v;
         }
       }
