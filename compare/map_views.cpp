@@ -34,6 +34,10 @@ bool is_at_seam(const GBuffer& gbuffer, const MapLayout& layout, std::size_t pix
     const dvec2 inner = glm::min(receiver.texels, static_cast<double>(layout.resolution) - receiver.texels);
     return std::min(inner.x, inner.y) < 1.0;
   }
+  if (layout.kind == MapKind::paraboloid) {
+    const double radius = glm::length(2.0 * receiver.texels / static_cast<double>(layout.resolution) - 1.0);
+    return (1.0 - radius) * layout.resolution < 2.0;
+  }
   const auto view = static_cast<std::size_t>(receiver.view);
   return view + 1 < layout.views.size() && !is_in_cascade(layout, view, receiver.in_light, seam_zone) &&
          holds(layout, view + 1, receiver.in_light);

@@ -34,7 +34,8 @@ std::vector<ViewStatistics> analyze_views(const ShapeInput& input, const Image<f
 inline constexpr double seam_zone = 0.1;
 
 /// The counted pixels near a border between two views whose position both views hold; 1 for these. At a cascade's
-/// border the zone is the outer seam_zone of the finer cascade's extent, at a cube's edges one texel wide.
+/// border the zone is the outer seam_zone of the finer cascade's extent, at the edges of a cube's
+/// faces or of paraboloids one texel wide.
 Image<std::uint8_t> find_seams(const GBuffer& gbuffer, const MapLayout& layout, const CountedPixels& counted);
 
 /// The difference between two views at the same surfels: the step that is seen where one view ends.

@@ -5,6 +5,7 @@
 
 #include "compare/shimmer.h"
 #include "experiments/measure.h"
+#include "experiments/shimmer.h"
 
 namespace umbrameter {
 namespace {
@@ -22,12 +23,13 @@ bool follows_camera(const ShadowMeasurement& shadow) {
 SeamStatistics measure_seams(Stages& stages, const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
   const GpuGBuffer& surfels = stages.gpu_surfels(experiment);
+  const View& view = stages.surfels(experiment).view;
   MapLayout layout = shadow.layout;
   layout.blend = 0.0;
   const Image<std::uint8_t> seams = find_seams(stages.surfels(experiment).gbuffer, layout, shadow.counted);
-  const Image<float> own = stages.draw_visibility_with(layout, surfels, experiment, shadow.light);
+  const Image<float> own = draw_visibility_with(stages, shadow, layout, surfels, view);
   layout.uses_neighbour = true;
-  const Image<float> neighbour = stages.draw_visibility_with(layout, surfels, experiment, shadow.light);
+  const Image<float> neighbour = draw_visibility_with(stages, shadow, layout, surfels, view);
   return analyze_seams(seams, own, neighbour, shadow.counted);
 }
 
@@ -53,7 +55,7 @@ FitShimmer measure_fit_shimmer(Stages& stages, const ShadowMeasurement& shadow) 
       if (shadow.counted.exclusion[i] != PixelExclusion::none) both.exclusion[i] = shadow.counted.exclusion[i];
     }
     const Image<float> after =
-        stages.draw_visibility_with(layout, stages.gpu_surfels(experiment), experiment, shadow.light);
+        draw_visibility_with(stages, shadow, layout, stages.gpu_surfels(experiment), surfels.view);
     const Flips flips = count_flips(shadow.raster->visibility, after, both);
     shimmer.pixels += flips.pixels;
     shimmer.mean_change += flips.share / static_cast<double>(steps.size());

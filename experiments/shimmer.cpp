@@ -21,6 +21,20 @@ Flips mean_of(Flips sum) { return {sum.pixels / moves.size(), sum.share / static
 
 }  // namespace
 
+Image<float> draw_visibility_with(Stages& stages, const ShadowMeasurement& shadow, const MapLayout& layout,
+                                  const GpuGBuffer& surfels, const View& view) {
+  const Experiment& experiment = shadow.experiment;
+  const gl::Context& context = stages.context();
+  const UploadedScene& scene = stages.uploaded();
+  const Light light = stages.light(experiment, shadow.light);
+  const ShadowTechnique technique = make_technique(experiment.shadow, half_size(light.emitter));
+  const ShadowMap map = draw_shadow_map(context, scene, light, layout, experiment.shadow.map_depth);
+  const FilteredMap filtered = filter_map(context, map, technique);
+  return draw_visibility(context,
+                         {scene, surfels, map, light, experiment.shadow.bias, technique, nullptr, &filtered, &view})
+      .visibility;
+}
+
 Shimmer measure_shimmer(Stages& stages, const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
   const gl::Context& context = stages.context();
@@ -29,27 +43,16 @@ Shimmer measure_shimmer(Stages& stages, const ShadowMeasurement& shadow) {
   const GpuGBuffer& gpu_surfels = stages.gpu_surfels(experiment);
   const Light light = stages.light(experiment, shadow.light);
   const Image<float>& before = shadow.raster->visibility;
-  const auto draw_map = [&](const MapLayout& layout) {
-    return draw_shadow_map(context, scene, light, layout, experiment.shadow.map_depth);
-  };
-  const ShadowTechnique technique = make_technique(experiment.shadow, half_size(light.emitter));
-  const auto look_up = [&](const GpuGBuffer& gbuffer, const View& view, const ShadowMap& map) {
-    const FilteredMap filtered = filter_map(context, map, technique);
-    return draw_visibility(context,
-                           {scene, gbuffer, map, light, experiment.shadow.bias, technique, nullptr, &filtered, &view})
-        .visibility;
-  };
 
   Shimmer shimmer;
   for (const dvec2& move : moves) {
-    const Image<float> after =
-        look_up(gpu_surfels, surfels.view, draw_map(shift_grid(shadow.layout, move, stages.bounds())));
+    const MapLayout shifted = shift_grid(shadow.layout, move, stages.bounds());
+    const Image<float> after = draw_visibility_with(stages, shadow, shifted, gpu_surfels, surfels.view);
     const double share = count_flips(before, after, shadow.counted).share;
     shimmer.grid_mean += share / static_cast<double>(moves.size());
     shimmer.grid_largest = std::max(shimmer.grid_largest, share);
   }
 
-  const ShadowMap map = draw_map(shadow.layout);
   Flips drawn;
   Flips traced;
   for (const dvec2& move : moves) {
@@ -57,7 +60,8 @@ Shimmer measure_shimmer(Stages& stages, const ShadowMeasurement& shadow) {
     const bool is_traced = experiment.view.surfels == SurfelSource::traced;
     const GBuffer moved =
         is_traced ? trace_gbuffer(stages.tracer(), view) : read_back(context, draw_gbuffer(context, scene, view));
-    add(drawn, count_flips(before, look_up(upload(context, moved), view, map), shadow.counted, surfels.gbuffer, moved));
+    const Image<float> after = draw_visibility_with(stages, shadow, shadow.layout, upload(context, moved), view);
+    add(drawn, count_flips(before, after, shadow.counted, surfels.gbuffer, moved));
     if (has_area_light(shadow)) continue;
     const Image<float> truth = trace_visibility(stages.tracer(), moved, light).visibility;
     add(traced, count_flips(shadow.truth->visibility, truth, shadow.counted, surfels.gbuffer, moved));

@@ -7,6 +7,7 @@
 
 namespace umbrameter {
 
+struct GpuGBuffer;
 struct ShadowMeasurement;
 class Stages;
 
@@ -17,6 +18,11 @@ struct Shimmer {
   /// Change of the truth over the same moves of the camera, at the same pixels; only for a light without extent.
   std::optional<Flips> camera_truth;
 };
+
+/// The visibility of the measured technique from a map that is drawn with this layout, at these surfels, which `view`
+/// sees.
+Image<float> draw_visibility_with(Stages& stages, const ShadowMeasurement& shadow, const MapLayout& layout,
+                                  const GpuGBuffer& surfels, const View& view);
 
 /// Draws the map and the visibility again for four moves of the map's grid and four of the camera.
 Shimmer measure_shimmer(Stages& stages, const ShadowMeasurement& shadow);

@@ -385,17 +385,6 @@ Image<float> Stages::draw_visibility_of(const GpuGBuffer& surfels, const Experim
       .visibility;
 }
 
-Image<float> Stages::draw_visibility_with(const MapLayout& layout, const GpuGBuffer& surfels,
-                                          const Experiment& experiment, std::uint32_t light) {
-  const Light& lamp = scene_.lights[light];
-  const ShadowTechnique technique = make_technique(experiment.shadow);
-  const ShadowMap map = draw_shadow_map(context(), uploaded(), lamp, layout);
-  const FilteredMap filtered = filter_map(context(), map, technique);
-  return draw_visibility(context(),
-                         {uploaded(), surfels, map, lamp, experiment.shadow.bias, technique, nullptr, &filtered})
-      .visibility;
-}
-
 ShadedImage Stages::shade(const Experiment& experiment, std::span<const LitLight> lights, const Image<float>& ao) {
   const View& view = surfels(experiment).view;
   const GpuGBuffer& exact = gpu_surfels(experiment);

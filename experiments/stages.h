@@ -158,9 +158,6 @@ class Stages {
   ShadingSurfels shading_surfels(const Experiment& experiment);
   /// The technique's results at these surfels instead of surfels().
   Image<float> draw_visibility_of(const GpuGBuffer& surfels, const Experiment& experiment, std::uint32_t light);
-  /// The technique's visibility from a map that is drawn with this layout instead of layout().
-  Image<float> draw_visibility_with(const MapLayout& layout, const GpuGBuffer& surfels, const Experiment& experiment,
-                                    std::uint32_t light);
   Image<float> draw_ao_of(const GpuGBuffer& surfels, const Experiment& experiment);
   /// The technique's image, by the path of the experiment.
   ShadedImage shade(const Experiment& experiment, std::span<const LitLight> lights, const Image<float>& ao);
