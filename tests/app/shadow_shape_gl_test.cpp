@@ -44,6 +44,34 @@ TEST_F(ShadowShapeRun, The_contact_gap_of_a_standing_sheet_is_what_its_thickness
   EXPECT_GT(shimmer["camera"]["truth"].get<double>(), 0.0);
 }
 
+TEST_F(ShadowShapeRun, A_map_of_several_views_reports_each_view_its_seams_and_the_shimmer_of_its_fit) {
+  const auto shape_of = [&](const std::vector<std::string>& settings) {
+    std::vector<std::string> arguments{
+        "compare", "contact-box",       "-o", folder_ / "views", "--force", "--size",
+        "160x90",  "--truth.spp",       "4",  "--light",         "sun",     "--shadow.resolution",
+        "256",     "--shadow.cascades", "3",  "--shimmer",       "--json",  "--quiet"};
+    arguments.insert(arguments.end(), settings.begin(), settings.end());
+    const ProgramResult result = run_program(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return Json::parse(result.out)["shadows"][0];
+  };
+  const Json by_causes = shape_of({"--shadow.fit", "view"});
+  double share = 0.0;
+  double mae = 0.0;
+  for (const Json& view : by_causes["shape"]["views"]) {
+    if (view["pixels"] == 0) continue;
+    share += view["share"].get<double>();
+    mae += view["share"].get<double>() * view["mae"].get<double>();
+  }
+  EXPECT_NEAR(share, 1.0, 1e-12);
+  EXPECT_NEAR(mae, by_causes["statistics"]["mae"].get<double>(), 1e-6);
+  EXPECT_GT(by_causes["shape"]["seams"]["pixels"].get<int>(), 0);
+  EXPECT_GT(by_causes["shape"]["fit_shimmer"]["mean_change"].get<double>(), 0.0);
+  const Json filtered = shape_of({"--shadow.technique", "vsm"})["shape"];
+  EXPECT_TRUE(filtered["views"][0]["acne"].is_null());
+  EXPECT_GT(filtered["shimmer"]["grid"]["mean"].get<double>(), 0.0);
+}
+
 // A texel of the finer map is a quarter of that of the coarser one, and far below a pixel.
 TEST_F(ShadowShapeRun, Finer_texels_do_not_hide_contacts) {
   const auto contacts = [&](const char* resolution) {
