@@ -26,8 +26,6 @@ Statistics describe(SoftVisibilityStatistics& s) {
              "counted pixels: they face part of the light and lie inside its map, cone and range")
       .field("lit", s.error.mean_truth, "1", "mean visibility of the reference")
       .field("penumbra", s.penumbra, "1", "share in the penumbra: neither lit nor blocked in the reference")
-      .field("penumbra_mae", s.penumbra_mae, "1", "mean absolute error of visibility in the penumbra",
-             {"Error in the penumbra", "mean absolute error in the penumbra [%], 95 % interval"})
       .field("mae", s.error.mae, "1", "mean absolute error of visibility",
              {"Mean absolute error of visibility", "mean absolute error [%], 95 % interval"})
       .field("rmse", s.error.rmse, "1", "root mean square error, corrected for the variance of the reference")
@@ -41,6 +39,8 @@ Statistics describe(SoftVisibilityStatistics& s) {
       .field("mean_raster", s.error.mean_raster, "1", "mean visibility of the technique")
       .field("max_error", s.error.max_error, "1", "largest absolute error, including the noise of the reference")
       .field("mean_texel", s.mean_texel, "m", mean_texel_meaning)
+      .field("penumbra_mae", s.penumbra_mae, "1", "mean absolute error of visibility in the penumbra",
+             {"Error in the penumbra", "mean absolute error in the penumbra [%], 95 % interval"})
       .take();
 }
 

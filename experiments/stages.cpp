@@ -302,10 +302,6 @@ RasterVisibility Stages::draw(const Experiment& experiment, std::uint32_t light,
   return draw_visibility(context(), shadow_lookup(experiment, light, with_truth));
 }
 
-ShadowMapImages Stages::read_map(const Experiment& experiment, std::uint32_t light) {
-  return read_back(context(), map(experiment, light));
-}
-
 std::vector<Image<float>> Stages::draw_lookups(std::span<const Experiment> experiments, std::uint32_t light) {
   const ShadowLookup lookup = shadow_lookup(experiments.front(), light, false);
   std::vector<PrefilteredLookup> lookups;

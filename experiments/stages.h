@@ -133,6 +133,9 @@ class Stages {
   const MapLayout& layout(const Experiment& experiment, std::uint32_t light);
   const CountedPixels& counted(const Experiment& experiment, std::uint32_t light);
   ShadowMapImages read_map(const Experiment& experiment, std::uint32_t light);
+  /// The values that a filtered map holds: for each view the same number of layers, one after the other; none if the
+  /// technique has no such map.
+  std::vector<Image<vec4>> read_filtered_map(const Experiment& experiment, std::uint32_t light);
 
   /// Capabilities of the experiment's technique.
   TechniqueCapabilities capabilities(const Experiment& experiment) const {

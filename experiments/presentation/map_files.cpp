@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 namespace umbrameter {
 namespace {
@@ -36,6 +37,15 @@ Image<float> as_numbers(const Image<std::uint32_t>& ids) {
   return numbers;
 }
 
+// The components as channels X, Y, Z and W.
+void add_values(LayeredImage& file, const std::string& layer, const Image<vec4>& values) {
+  for (int component = 0; component < 4; ++component) {
+    Image<float> channel(values.width, values.height);
+    for (std::size_t i = 0; i < values.size(); ++i) channel[i] = values[i][component];
+    file.channels.push_back({fmt::format("{}.{}", layer, "XYZW"[component]), std::move(channel)});
+  }
+}
+
 }  // namespace
 
 std::string map_file_name(const Stages& stages, std::uint32_t light) {
@@ -43,15 +53,20 @@ std::string map_file_name(const Stages& stages, std::uint32_t light) {
 }
 
 LayeredImage map_layers(Stages& stages, const Experiment& experiment, std::uint32_t light) {
-  static constexpr std::array<std::string_view, 3> kinds{"orthographic", "perspective", "cube"};
+  static constexpr std::array<std::string_view, 4> kinds{"orthographic", "perspective", "cube", "paraboloid"};
   const MapLayout& layout = stages.layout(experiment, light);
   const ShadowMapImages images = stages.read_map(experiment, light);
+  const std::vector<Image<vec4>> filtered = stages.read_filtered_map(experiment, light);
   LayeredImage file;
   for (std::size_t view = 0; view < layout.views.size(); ++view) {
     const std::string name = fmt::format("view{}_", view);
     add_layer(file, name + "depth", in_metres(images.depth[view], layout.far_depth));
     add_layer(file, name + "instance", as_numbers(images.instance[view]));
     add_layer(file, name + "triangle", as_numbers(images.triangle[view]));
+    const std::size_t layers = filtered.size() / layout.views.size();
+    for (std::size_t layer = 0; layer < layers; ++layer) {
+      add_values(file, fmt::format("{}filtered{}", name, layer), filtered[view * layers + layer]);
+    }
     file.attributes[name + "center"] = fmt::format("{} {}", layout.views[view].center.x, layout.views[view].center.y);
     file.attributes[name + "half_extent"] = fmt::format("{}", layout.views[view].half_extent);
   }

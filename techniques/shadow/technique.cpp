@@ -63,6 +63,11 @@ const FilterKernel* kernel_of(const ShadowTechnique& technique) {
   return pcss != nullptr ? &pcss->kernel : nullptr;
 }
 
+const Prefiltered* prefiltered_of(const ShadowTechnique& technique) {
+  const auto* combined = std::get_if<ContactShadows>(&technique);
+  return combined != nullptr ? std::get_if<Prefiltered>(&combined->of_map) : std::get_if<Prefiltered>(&technique);
+}
+
 Parameters filtered_map_parameters(ShadowParams& params) {
   return concatenate(
       {{require(describe(params), "shadow.technique")}, describe(params.esm), describe(params.moment_map)});

@@ -69,6 +69,9 @@ ShadowTechnique make_technique(const ShadowParams& params, double light_extent =
 /// The kernel of a technique that compares taps with a map; nullptr for others.
 const FilterKernel* kernel_of(const ShadowTechnique& technique);
 
+/// The technique that looks up a filtered map, alone or combined with screen-space shadows; nullptr for others.
+const Prefiltered* prefiltered_of(const ShadowTechnique& technique);
+
 /// The parameters of the pass that filters the shadow map before the look-up. The others affect only the look-up.
 Parameters filtered_map_parameters(ShadowParams& params);
 

@@ -221,6 +221,36 @@ TEST_F(KnownAnswersGl, A_slope_scaled_bias_counts_texels) {
   }
 }
 
+// The receiver is raised by o t sin theta along its normal, so that the shadow of a wall of height h ends at
+// (h − o t sin theta) tan theta.
+TEST_F(KnownAnswersGl, A_normal_offset_shortens_a_shadow_by_its_length_times_tan_theta) {
+  for (const double theta : {30.0, 50.0, 70.0}) {
+    const double a = theta * degrees;
+    Scene scene;
+    add_mesh(scene, ground(30.0f));
+    add_mesh(scene, box({-0.2f, 0, -20}, {0, 1, 20}));
+    const UploadedScene uploaded = upload(context(), scene);
+    const double texel = 0.01;
+    const MapLayout layout = exact_layout({-std::sin(a), std::cos(a), 0}, 1024, texel, 20 * degrees);
+    const ShadowMap map = draw_shadow_map(context(), uploaded, light_of(layout), layout);
+    const double width = 1.2 * std::tan(a);
+    const GpuGBuffer surfels = upload(context(), surfels_on_ground(256, 256, 0, width, -1, 1));
+    for (const double offset : {0.0, 4.0, 16.0}) {
+      ShadowParams params;
+      params.bias.constant = 0.02;
+      params.bias.slope = 0.75;  // frees the ground of acne; the wall's top is far above it
+      params.bias.normal_offset = offset;
+      const Image<float> found =
+          draw_visibility(context(), {uploaded, surfels, map, light_of(layout), params.bias, make_technique(params)})
+              .visibility;
+      const double length = (1.0 - mean(found)) * width;
+      // A texel covers t / cos theta of the ground; over all phases of the turned map that averages out.
+      EXPECT_NEAR(length, (1.0 - offset * texel * std::sin(a)) * std::tan(a), 0.3 * texel / std::cos(a) + 0.03 * texel)
+          << theta << " " << offset;
+    }
+  }
+}
+
 // Item 13: behind a wall of thickness w on flat ground, sun elevation e: a strip of width max(0, b cos e - w).
 TEST_F(KnownAnswersGl, The_lit_strip_behind_a_wall_follows_its_formula) {
   for (const double elevation : {25.0, 40.0, 60.0}) {
