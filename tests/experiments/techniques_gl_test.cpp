@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "experiments/stages.h"
+#include "experiments/measure.h"
 #include "scenes/builtin.h"
 
 namespace umbrameter {
@@ -59,6 +59,29 @@ TEST_F(TechniquesGl, Every_choice_draws_under_every_kind_of_light) {
   }
   EXPECT_GT(drawn, 100u);
   EXPECT_LT(refused, 10u);
+}
+
+// A light of 0.5 m at 2 m is 14.25° across. With 64 taps for the search and for the filter, and compared with the
+// receiver's plane, so that the wide kernel needs no wide bias.
+TEST_F(TechniquesGl, PCSS_meets_the_traced_penumbra_of_a_light_of_half_a_metre) {
+  Stages stages(load_scene("contact-box"), {.gl_device = {}, .context = context_}, Console{.quiet = true});
+  Experiment experiment;
+  experiment.view.size = {240, 135};
+  experiment.light.angle = 14.25;
+  experiment.shadow.map.resolution = 2048;
+  experiment.shadow.technique = ShadowTechniqueName::pcss;
+  experiment.shadow.bias.receiver_plane = true;
+  experiment.shadow.bias.constant = {0.5, LengthUnit::texels};
+  experiment.shadow.pcf.samples = 64;
+  experiment.shadow.pcss.blockers = 64;
+  const auto error_of = [&](const Experiment& of) {
+    return std::get<SoftVisibilityStatistics>(*measure_shadow(stages, of, 0, {}).statistics);
+  };
+  const SoftVisibilityStatistics pcss = error_of(experiment);
+  EXPECT_GT(pcss.penumbra, 0.04);
+  EXPECT_LT(pcss.penumbra_mae.value, 0.05);
+  experiment.shadow.technique = ShadowTechniqueName::pcf;
+  EXPECT_GT(error_of(experiment).penumbra_mae.value, 0.15);
 }
 
 }  // namespace
