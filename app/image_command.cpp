@@ -14,6 +14,7 @@
 #include "reports/files/data.h"
 #include "reports/files/markup.h"
 #include "scenes/builtin.h"
+#include "scenes/emitter.h"
 
 namespace umbrameter {
 namespace {
@@ -46,6 +47,18 @@ void require_utf8(const std::string& path) {
   if (is_utf8(path)) return;
   throw Error(ExitCode::usage, path, "the path is not UTF-8 and cannot be stored in experiment.toml",
               "rename the file or its folder");
+}
+
+// Where the technique can do nothing for a light.
+void add_technique_notes(Stages& stages, const Experiment& experiment, const std::vector<std::uint32_t>& lights) {
+  if (experiment.shadow.technique != ShadowTechniqueName::pcss) return;
+  for (const std::uint32_t light : lights) {
+    const Light lamp = stages.light(experiment, light);
+    if (is_area(lamp)) continue;
+    const bool is_sun = std::holds_alternative<DirectionalLight>(lamp.shape);
+    stages.add_notes({fmt::format("PCSS: {} has no extent, so that its kernel is one tap; set --light.{}",
+                                  stages.title(light), is_sun ? "angle" : "radius")});
+  }
 }
 
 }  // namespace
@@ -98,6 +111,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   const Sides sides = sides_of(line.command);
   const std::vector<std::uint32_t> lights = stages.lights(experiment.view.light);
   stages.check_is_meaningful(experiment, lights);
+  add_technique_notes(stages, experiment, lights);
   const bool has_image = measures_image(experiment);
   if (has_image) check_shading(stages, experiment);
   if (sides.raster) {

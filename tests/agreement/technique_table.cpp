@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -115,7 +116,9 @@ void write_picture(const std::filesystem::path& path, const Image<float>& visibi
 std::string per_cent(double share) { return fmt::format("{:.2f}", 100.0 * share); }
 
 std::string line_of(const Row& row, const Cell& cell) {
-  std::string line = fmt::format("| {} | {} |", row.name, std::isnan(cell.bias) ? "own" : fmt::format("{}", cell.bias));
+  std::string bias = std::isnan(cell.bias) ? "own" : fmt::format("{}", cell.bias);
+  if (cell.bias == *std::prev(std::end(biases))) bias = "≥ " + bias;  // the error may fall beyond the axis
+  std::string line = fmt::format("| {} | {} |", row.name, bias);
   for (const double share : {cell.edges.mae, cell.edges.rmse, cell.edges.too_dark_away, cell.edges.too_dark_at_edge,
                              cell.edges.too_bright_at_edge, cell.edges.too_bright_away}) {
     line += fmt::format(" {} |", per_cent(share));
