@@ -9,10 +9,12 @@ uniform int steps;
 uniform float thickness;
 uniform float screen_bias;
 uniform int is_jittered;
+uniform int uses_plane;
 
 bool is_blocked(ivec2 pixel) {
-  MarchSettings settings = MarchSettings(reach, steps, thickness, screen_bias, is_jittered);
+  MarchSettings settings = MarchSettings(reach, steps, thickness, screen_bias, is_jittered, uses_plane);
   dvec3 position = dvec3(texelFetch(position_depth, pixel, 0).xyz);
+  dvec3 normal = dvec3(texelFetch(geometric_normal, pixel, 0).xyz);
   dvec3 towards = light_in_world.xyz;
   double ray = double(settings.reach);
   if (light_in_world.w != 0.0lf) {
@@ -31,7 +33,9 @@ bool is_blocked(ivec2 pixel) {
     ivec2 seen = ivec2(floor(at.xy));
     if (any(lessThan(seen, ivec2(0))) || any(greaterThanEqual(seen, size))) return false;
     if (seen == pixel || texelFetch(ids, seen, 0).r == NO_ID) continue;
-    if (blocks_march(at.z, texelFetch(position_depth, seen, 0).w, settings)) return true;
+    vec4 surface = texelFetch(position_depth, seen, 0);
+    float above = float(dot_of(normal, dvec3(surface.xyz) - position));
+    if (blocks_march(at.z, surface.w, settings) && is_before_plane(above, at.z, settings)) return true;
   }
   return false;
 }

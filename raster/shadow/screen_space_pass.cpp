@@ -23,6 +23,7 @@ RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, co
       .value("thickness", technique.march.thickness)
       .value("screen_bias", technique.march.bias)
       .value("is_jittered", technique.march.is_jittered)
+      .value("uses_plane", technique.march.uses_plane)
       .image("visibility_image", visibility, gl::Format::r32f)
       .dispatch(width, height);
   return {read_image<float>(visibility, gl::Format::r32f), {Image<uvec4>(width, height, uvec4(0)), 1}};

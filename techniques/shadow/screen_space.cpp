@@ -19,12 +19,14 @@ Parameters describe(ScreenSpaceParams& params) {
               .max = 1})
       .field("screen-jitter", params.jitter,
              {.unit = {}, .meaning = "screen-space shadows: shift the samples by interleaved gradient noise"})
+      .field("screen-plane", params.plane,
+             {.unit = {}, .meaning = "screen-space shadows: only what lies before the receiver's plane blocks"})
       .take();
 }
 
 ScreenSpace make_screen_space(const ScreenSpaceParams& params) {
   return {{static_cast<float>(params.length), params.steps, static_cast<float>(params.thickness),
-           static_cast<float>(params.bias), params.jitter ? 1 : 0}};
+           static_cast<float>(params.bias), params.jitter ? 1 : 0, params.plane ? 1 : 0}};
 }
 
 }  // namespace umbrameter

@@ -10,6 +10,7 @@ struct MarchSettings {
   float thickness;  // of every surface along the camera's axis, metres
   float bias;       // share of the depth by which a surface must lie in front of the ray
   int is_jittered;
+  int uses_plane;   // 1: only what lies in front of the receiver's plane blocks
 };
 
 /// From the surfel to the end of its ray. x and y: pixels from the image's lower left corner. z is linear in them: the
@@ -60,6 +61,13 @@ SHARED vec3 march_sample(March march, int i, int is_orthographic, MarchSettings 
   vec3 at = march.start + part * (march.end - march.start);
   if (is_orthographic == 0) at.z = 1.0f / at.z;
   return at;
+}
+
+/// Whether a surface `above` the receiver's plane, metres, can block a ray that leaves it at this depth. What the plane
+/// itself shows in other pixels cannot; without this test their depth, of the pixel's centre instead of the sample,
+/// blocks rays wherever the camera sees the plane at a grazing angle.
+SHARED bool is_before_plane(float above, float depth, MarchSettings settings) {
+  return settings.uses_plane == 0 || above > settings.bias * depth;
 }
 
 /// Whether a surface at the depth `stored` blocks a ray at `depth`.

@@ -24,6 +24,7 @@ struct ScreenSpaceParams {
   double thickness = 0.1;
   double bias = 0.002;
   bool jitter = true;
+  bool plane = true;
 };
 Parameters describe(ScreenSpaceParams& params);
 

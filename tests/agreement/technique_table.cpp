@@ -211,6 +211,8 @@ int run(int argc, char** argv) {
       "total, between filters.\nErrors are in % of the counted pixels; edges are within two texels of the reference's "
       "shadow edges. Causes exist for techniques\nthat sum depth comparisons. Time: map, filter and look-up over the "
       "nearest tap, processor time of a software rasteriser, ±20 %;\na GPU orders techniques differently.\n\n"
+      "A bias of \"≥ 16\" is the end of the axis. Where hardly anything is too dark, the least error may be no shadow "
+      "at all: `long-posts`\nhas posts thinner than a texel, of which a blur leaves nothing.\n\n"
       "PCSS needs a light with extent: without one it is the nearest tap. [Filters that sum "
       "comparisons](comparing-filters.md) measures it.\n");
   for (const std::string& scene : scenes) print_scene(scene, pictures);

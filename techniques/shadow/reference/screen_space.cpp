@@ -2,11 +2,15 @@
 
 #include <algorithm>
 
+#include "techniques/shadow/reference/ordered.h"
+
 namespace umbrameter {
 namespace {
 
-bool is_blocked(const GBuffer& gbuffer, const shared::March& march, const ivec2& pixel, int is_orthographic,
-                const shared::MarchSettings& settings) {
+bool is_blocked(const GBuffer& gbuffer, const shared::March& march, std::size_t receiver, const ivec2& pixel,
+                int is_orthographic, const shared::MarchSettings& settings) {
+  const dvec3 position(gbuffer.position[receiver]);
+  const dvec3 normal(gbuffer.geometric_normal[receiver]);
   for (int i = 0; i < settings.steps; ++i) {
     const vec3 sample = shared::march_sample(march, i, is_orthographic, settings);
     const ivec2 at(glm::floor(vec2(sample)));
@@ -15,7 +19,12 @@ bool is_blocked(const GBuffer& gbuffer, const shared::March& march, const ivec2&
     const std::size_t seen =
         static_cast<std::size_t>(gbuffer.height - 1 - at.y) * static_cast<std::size_t>(gbuffer.width) +
         static_cast<std::size_t>(at.x);
-    if (gbuffer.is_surface(seen) && shared::blocks_march(sample.z, gbuffer.depth[seen], settings)) return true;
+    if (!gbuffer.is_surface(seen)) continue;
+    const auto above = static_cast<float>(dot_of(normal, dvec3(gbuffer.position[seen]) - position));
+    if (shared::blocks_march(sample.z, gbuffer.depth[seen], settings) &&
+        shared::is_before_plane(above, sample.z, settings)) {
+      return true;
+    }
   }
   return false;
 }
@@ -44,7 +53,7 @@ Image<float> march_depth_buffer(const GBuffer& gbuffer, const View& view, const 
     const dvec3 end = shared::on_screen(from_world, to_clip, size, position + reach * towards);
     const ivec2 pixel(static_cast<int>(i) % gbuffer.width, gbuffer.height - 1 - static_cast<int>(i) / gbuffer.width);
     const shared::March march = shared::make_march(start, end, is_orthographic, pixel, technique.march);
-    if (!is_blocked(gbuffer, march, pixel, is_orthographic, technique.march)) visibility[i] = 1.0f;
+    if (!is_blocked(gbuffer, march, i, pixel, is_orthographic, technique.march)) visibility[i] = 1.0f;
   }
   return visibility;
 }
