@@ -1,11 +1,12 @@
 // Image metrics. Each computes an error map and a score in one call. To add one: a new file, its declaration at the end
-// of this header, and a line in metrics.cpp.
+// of this header, and a line in metrics.cpp. color_metric.h applies them to colour images.
 #pragma once
 
 #include <functional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/image.h"
@@ -23,7 +24,17 @@ struct MetricInput {
 struct MetricResult {
   double score = 0.0;  ///< NaN if no pixel counts
   Image<float> map;    ///< the contribution of each pixel; NaN if it does not count
+  /// What the metric chose by itself, name and value: the exposures of HDR-FLIP.
+  std::vector<std::pair<std::string, double>> details{};
 };
+
+/// Which values of colour images a metric of scalar images compares.
+enum class ColorRule {
+  values,          ///< all values of the three channels, as the files store them
+  display_values,  ///< all values of the three channels as sRGB code values, 0 to 1
+};
+
+struct ColorInput;
 
 struct Metric {
   std::string_view name;     ///< name in keys: "psnr"
@@ -33,24 +44,31 @@ struct Metric {
   std::string_view formula;  ///< formula of the score
   std::string_view source;   ///< publication that defines it
   bool is_higher_better = false;
-  MetricResult (*measure)(const MetricInput& input) = nullptr;
+  MetricResult (*measure)(const MetricInput& input) = nullptr;       ///< null where it needs colour
+  ColorRule color_rule = ColorRule::values;                          ///< where measure is given
+  MetricResult (*measure_color)(const ColorInput& input) = nullptr;  ///< where measure is null
 };
 
-/// All metrics.
+/// The metrics of scalar images.
 std::span<const Metric> metrics();
 
-/// The names of all metrics: "mae, rmse".
-std::string metric_names();
+/// The names of metrics: "mae, rmse".
+std::string metric_names(std::span<const Metric> all = metrics());
 
-/// The metrics of a comma-separated list of names. For an unknown name, throws Error (usage) that suggests a similar
-/// one.
-std::vector<const Metric*> select_metrics(std::string_view names);
+/// The metrics of a comma-separated list of names. For an unknown name, throws Error (usage) that names the option and
+/// the known metrics.
+std::vector<const Metric*> select_metrics(std::string_view names, std::span<const Metric> all = metrics(),
+                                          const std::string& option = "run.metrics");
 
 /// Applies a function of test and reference to every counted pixel. The score is its mean.
 MetricResult mean_of_pixels(const MetricInput& input, double (*of_pixel)(double test, double reference));
 
+/// The score is the mean of the counted pixels whose value is not NaN. Other pixels become NaN.
+MetricResult mean_of_map(Image<float> map, const std::function<bool(std::size_t)>& is_counted);
+
 extern const Metric mae_metric;
 extern const Metric rmse_metric;
 extern const Metric psnr_metric;
+extern const Metric ldr_flip_metric;
 
 }  // namespace umbrameter

@@ -1,33 +1,45 @@
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <limits>
 
-#include "compare/metrics/metric.h"
+#include "compare/metrics/color_metric.h"
 #include "core/error.h"
 
 namespace umbrameter {
 
-std::span<const Metric> metrics() {
-  static const std::array all = {mae_metric, rmse_metric, psnr_metric};
+namespace {
+
+// Those of scalar images first.
+const std::vector<Metric>& all_metrics() {
+  static const std::vector<Metric> all = {mae_metric, rmse_metric, psnr_metric, ldr_flip_metric};
   return all;
 }
 
-std::string metric_names() {
+}  // namespace
+
+std::span<const Metric> metrics() {
+  const std::vector<Metric>& all = all_metrics();
+  const auto end = std::find_if(all.begin(), all.end(), [](const Metric& m) { return m.measure == nullptr; });
+  return {all.data(), static_cast<std::size_t>(end - all.begin())};
+}
+
+std::span<const Metric> color_metrics() { return all_metrics(); }
+
+std::string metric_names(std::span<const Metric> all) {
   std::string names;
-  for (const Metric& metric : metrics()) names += (names.empty() ? "" : ", ") + std::string(metric.name);
+  for (const Metric& metric : all) names += (names.empty() ? "" : ", ") + std::string(metric.name);
   return names;
 }
 
-std::vector<const Metric*> select_metrics(std::string_view names) {
+std::vector<const Metric*> select_metrics(std::string_view names, std::span<const Metric> all,
+                                          const std::string& option) {
   std::vector<const Metric*> selected;
   while (!names.empty()) {
     const std::string name(names.substr(0, names.find(',')));
     names.remove_prefix(std::min(names.size(), name.size() + 1));
-    const auto found =
-        std::find_if(metrics().begin(), metrics().end(), [&](const Metric& m) { return m.name == name; });
-    if (found == metrics().end()) {
-      throw Error(ExitCode::usage, "run.metrics", "there is no metric '" + name + "'",
-                  "choose from: " + metric_names());
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Metric& m) { return m.name == name; });
+    if (found == all.end()) {
+      throw Error(ExitCode::usage, option, "there is no metric '" + name + "'", "choose from: " + metric_names(all));
     }
     selected.push_back(&*found);
   }
@@ -47,6 +59,21 @@ MetricResult mean_of_pixels(const MetricInput& input, double (*of_pixel)(double 
     ++pixels;
   }
   result.score = pixels > 0 ? sum / static_cast<double>(pixels) : std::numeric_limits<double>::quiet_NaN();
+  return result;
+}
+
+MetricResult mean_of_map(Image<float> map, const std::function<bool(std::size_t)>& is_counted) {
+  MetricResult result;
+  double sum = 0.0;
+  std::size_t pixels = 0;
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    if (!is_counted(i)) map[i] = std::numeric_limits<float>::quiet_NaN();
+    if (std::isnan(map[i])) continue;
+    sum += static_cast<double>(map[i]);
+    ++pixels;
+  }
+  result.score = pixels > 0 ? sum / static_cast<double>(pixels) : std::numeric_limits<double>::quiet_NaN();
+  result.map = std::move(map);
   return result;
 }
 

@@ -16,6 +16,7 @@ const Metric psnr_metric = {
       MetricResult result = rmse_metric.measure(input);
       result.score = -20.0 * std::log10(result.score);
       return result;
-    }};
+    },
+    ColorRule::display_values};
 
 }  // namespace umbrameter
