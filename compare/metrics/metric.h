@@ -70,5 +70,6 @@ extern const Metric mae_metric;
 extern const Metric rmse_metric;
 extern const Metric psnr_metric;
 extern const Metric ldr_flip_metric;
+extern const Metric hdr_flip_metric;
 
 }  // namespace umbrameter

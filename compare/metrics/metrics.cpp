@@ -11,7 +11,7 @@ namespace {
 
 // Those of scalar images first.
 const std::vector<Metric>& all_metrics() {
-  static const std::vector<Metric> all = {mae_metric, rmse_metric, psnr_metric, ldr_flip_metric};
+  static const std::vector<Metric> all = {mae_metric, rmse_metric, psnr_metric, ldr_flip_metric, hdr_flip_metric};
   return all;
 }
 
