@@ -1,6 +1,7 @@
 #include "compare/metrics/color_metric.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -10,20 +11,42 @@
 namespace umbrameter {
 namespace {
 
-// The values that a metric compares: the three channels one below the other.
-Image<float> channel_values(const Image<vec3>& image, const ColorInput& input, ColorRule rule) {
+// The values of an image that a metric compares, channel by channel.
+std::array<Image<float>, 3> channels(const Image<vec3>& image, const ColorInput& input, ColorRule rule) {
   const bool code =
       input.content == ImageContent::display || (input.content == ImageContent::scene && rule != ColorRule::values);
   const double scale = rule == ColorRule::values ? 1.0 : static_cast<double>(exposure_factor(input));
-  Image<float> values(image.width, 3 * image.height);
+  std::array<Image<float>, 3> result;
   parallel_for(3, [&](std::size_t channel) {
+    result[channel] = Image<float>(image.width, image.height);
     for (std::size_t i = 0; i < image.size(); ++i) {
       const double value = static_cast<double>(image[i][static_cast<int>(channel)]);
-      values[channel * image.size() + i] =
-          static_cast<float>(code ? srgb_from_linear(std::clamp(scale * value, 0.0, 1.0)) : value);
+      result[channel][i] = static_cast<float>(code ? srgb_from_linear(std::clamp(scale * value, 0.0, 1.0)) : value);
     }
   });
-  return values;
+  return result;
+}
+
+// One below the other, so that a mean over the pixels is a mean over all values.
+Image<float> stacked(const std::array<Image<float>, 3>& planes) {
+  Image<float> result(planes[0].width, 3 * planes[0].height);
+  auto end = result.pixels.begin();
+  for (const Image<float>& plane : planes) end = std::copy(plane.pixels.begin(), plane.pixels.end(), end);
+  return result;
+}
+
+Image<float> luma(const std::array<Image<float>, 3>& planes) {
+  Image<float> result = planes[1];
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = 0.299f * planes[0][i] + 0.587f * planes[1][i] + 0.114f * planes[2][i];
+  }
+  return result;
+}
+
+Image<float> mean_of_three(std::size_t pixels, const Image<float>& like, const auto& value) {
+  Image<float> mean(like.width, like.height);
+  for (std::size_t i = 0; i < pixels; ++i) mean[i] = (value(0, i) + value(1, i) + value(2, i)) / 3.0f;
+  return mean;
 }
 
 }  // namespace
@@ -34,15 +57,21 @@ float exposure_factor(const ColorInput& input) {
 
 MetricResult measure_color(const Metric& metric, const ColorInput& input) {
   if (metric.measure == nullptr) return metric.measure_color(input);
-  const Image<float> test = channel_values(input.test, input, metric.color_rule);
-  const Image<float> reference = channel_values(input.reference, input, metric.color_rule);
+  const std::array test = channels(input.test, input, metric.color_rule);
+  const std::array reference = channels(input.reference, input, metric.color_rule);
   const std::size_t pixels = input.test.size();
-  MetricResult result = metric.measure({test, reference, [&](std::size_t i) { return input.is_counted(i % pixels); }});
-  Image<float> mean(input.test.width, input.test.height);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    mean[i] = (result.map[i] + result.map[pixels + i] + result.map[2 * pixels + i]) / 3.0f;
+  if (metric.color_rule == ColorRule::display_luma) {
+    return metric.measure({luma(test), luma(reference), input.is_counted});
   }
-  result.map = std::move(mean);
+  if (metric.color_rule == ColorRule::display_channels) {
+    std::array<MetricResult, 3> each;
+    for (std::size_t c = 0; c < 3; ++c) each[c] = metric.measure({test[c], reference[c], input.is_counted});
+    return {(each[0].score + each[1].score + each[2].score) / 3.0,
+            mean_of_three(pixels, test[0], [&](std::size_t c, std::size_t i) { return each[c].map[i]; })};
+  }
+  MetricResult result =
+      metric.measure({stacked(test), stacked(reference), [&](std::size_t i) { return input.is_counted(i % pixels); }});
+  result.map = mean_of_three(pixels, test[0], [&](std::size_t c, std::size_t i) { return result.map[c * pixels + i]; });
   return result;
 }
 

@@ -30,8 +30,10 @@ struct MetricResult {
 
 /// Which values of colour images a metric of scalar images compares.
 enum class ColorRule {
-  values,          ///< all values of the three channels, as the files store them
-  display_values,  ///< all values of the three channels as sRGB code values, 0 to 1
+  values,            ///< all values of the three channels, as the files store them
+  display_values,    ///< all values of the three channels as sRGB code values, 0 to 1
+  display_channels,  ///< each channel as an image of sRGB code values; score and map are the means of the three
+  display_luma,      ///< one image: 0.299 R + 0.587 G + 0.114 B of the sRGB code values (ITU-R BT.601)
 };
 
 struct ColorInput;
@@ -68,7 +70,12 @@ MetricResult mean_of_map(Image<float> map, const std::function<bool(std::size_t)
 
 extern const Metric mae_metric;
 extern const Metric rmse_metric;
+extern const Metric mse_metric;
+extern const Metric relative_rmse_metric;
 extern const Metric psnr_metric;
+extern const Metric ssim_metric;
+extern const Metric ssim_uniform_metric;
+extern const Metric ms_ssim_metric;
 extern const Metric ldr_flip_metric;
 extern const Metric hdr_flip_metric;
 
