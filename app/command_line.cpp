@@ -37,6 +37,8 @@ constexpr CommandDescription trace_command = {
 constexpr CommandDescription raster_command = {
     "raster", "Render the techniques alone: OpenGL, no Embree",
     "Example: umbrameter raster courtyard -o out --shadow.filter box --shadow.filter-size 5"};
+constexpr CommandDescription diff_command = {"diff", "Measure the difference of two images: FLIP, SSIM, PSNR, ...",
+                                             "Example: umbrameter diff test.exr reference.exr -o error.png --json"};
 constexpr CommandDescription scenes_command = {"scenes", "List the built-in scenes, or draw them on a contact sheet",
                                                "Example: umbrameter scenes --sheet scenes.pdf"};
 constexpr CommandDescription scene_command = {"scene", "Write a built-in scene as a .glb file",
@@ -211,6 +213,32 @@ Information generated(const CLI::App& app, const std::string& kind, const std::f
   return {manual_page(help), file};
 }
 
+void add_diff_command(CLI::App& app, CommandLine& line) {
+  DiffOptions& diff = line.diff;
+  CLI::App& command = add_command(app, diff_command);
+  command.add_option("TEST", diff.test, "image to judge: EXR, PNG, Radiance HDR or PFM")->required();
+  command.add_option("REFERENCE", diff.reference, "image to compare with, of the same size")->required();
+  const auto text = [&](const char* names, auto& value, const char* placeholder, const char* meaning) {
+    return command.add_option(names, value, meaning)->type_name(placeholder);
+  };
+  text("-o,--output", line.output, "FILE", "write an error map, .png, with a fixed colour scale");
+  text("--metrics", diff.metrics, "LIST", "metrics to measure, comma-separated; all by default");
+  text("--map", diff.map, "NAME", "metric of the error map (hdr-flip for linear files, else ldr-flip)");
+  text("--layer", diff.layer, "NAME", "layer of EXR files: truth_ao, truth_ao.Y");
+  text("--reference-layer", diff.reference_layer, "NAME", "layer of the reference, if it has another name");
+  text("--mask", diff.mask, "FILE", "count only the pixels where this image is not black");
+  text("--crop", diff.crop, "X,Y,W,H", "compare only this rectangle [px]");
+  text("--pixels-per-degree", diff.pixels_per_degree, "X", "resolution seen by the viewer, for FLIP (67.02)")
+      ->check(CLI::Range(1.0, 1000.0));
+  text("--exposure", diff.exposure, "EV", "exposure of linear files for metrics of displayed images [EV] (0)")
+      ->check(CLI::Range(-100.0, 100.0));
+  text("--exposures", diff.exposures, "RANGE", "exposures of HDR-FLIP [EV], START:STOP[:COUNT]; automatic by default");
+  command.add_flag("--data", diff.data, "the values are data from 0 to 1 (visibility, AO), compared as they are");
+  command.add_flag("--exit-code", diff.exit_code, "exit with 1 if a counted pixel differs");
+  add_threads(command, line);
+  add_output_flags(command, line);
+}
+
 void add_other_commands(CLI::App& app, CommandLine& line) {
   CLI::App& scenes = add_command(app, scenes_command);
   scenes.add_option("NAME", line.names, "list only these scenes");
@@ -257,6 +285,7 @@ std::variant<CommandLine, Information> parse_command_line(int argc, const char* 
   for (const CommandDescription* description : {&compare_command, &sweep_command, &trace_command, &raster_command}) {
     add_image_command(app, line, *description);
   }
+  add_diff_command(app, line);
   add_other_commands(app, line);
   std::string topic;
   add_command(app, help_command).add_option("COMMAND", topic, "command to explain");

@@ -9,8 +9,25 @@
 
 namespace umbrameter {
 
+/// What `diff` compares and how; texts as given.
+struct DiffOptions {
+  std::filesystem::path test;
+  std::filesystem::path reference;
+  std::string layer;
+  std::string reference_layer;  ///< empty: the same
+  std::string metrics;          ///< comma-separated; empty for all
+  std::string map;              ///< metric whose map is written; empty for FLIP
+  std::filesystem::path mask;
+  std::string crop;  ///< "X,Y,WIDTH,HEIGHT"
+  bool data = false;
+  double pixels_per_degree = 0.0;  ///< 0: default
+  double exposure = 0.0;           ///< [EV]
+  std::string exposures;           ///< "START:STOP[:COUNT]"
+  bool exit_code = false;
+};
+
 struct CommandLine {
-  std::string command;  ///< "compare", "sweep", "trace", "raster", "scenes", "scene", "cache", "info" or
+  std::string command;  ///< "compare", "sweep", "trace", "raster", "diff", "scenes", "scene", "cache", "info" or
                         ///< "parameters"
   std::string scene;    ///< file or name of a built-in scene; empty when not given
   std::filesystem::path output;
@@ -33,6 +50,7 @@ struct CommandLine {
   std::filesystem::path sheet;     ///< contact sheet to draw; empty for none
   std::string tile_size;           ///< of each picture on it, "WxH"; empty for the usual one
   bool measure_memory = false;
+  DiffOptions diff;
 };
 
 /// Help, version or a generated file, to print or to write; the program then ends well.

@@ -30,6 +30,7 @@ std::optional<CacheFolder> chosen_cache(const CommandLine& line, const Console& 
 
 ExitCode run_image_command(const CommandLine& line, const Console& console);  ///< compare, trace, raster
 ExitCode run_sweep_command(const CommandLine& line, const Console& console);
+ExitCode run_diff(const CommandLine& line, const Console& console);
 ExitCode run_scenes(const CommandLine& line, const Console& console);
 ExitCode run_scene(const CommandLine& line, const Console& console);
 ExitCode run_cache(const CommandLine& line, const Console& console);

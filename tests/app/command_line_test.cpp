@@ -9,7 +9,7 @@
 namespace umbrameter {
 namespace {
 
-const std::vector<std::string> commands = {"compare", "sweep", "trace", "raster",     "scenes",
+const std::vector<std::string> commands = {"compare", "sweep", "trace", "raster",     "diff", "scenes",
                                            "scene",   "cache", "info",  "parameters", "help"};
 
 // In characters, not bytes.
@@ -50,7 +50,7 @@ TEST(CommandLine, Help_is_on_stdout_and_shows_an_example_for_each_command) {
   const ProgramResult all = run_program({"--help"});
   EXPECT_EQ(all.exit_code, 0);
   EXPECT_EQ(all.err, "");
-  for (const char* command : {"compare", "sweep", "trace", "raster", "scenes", "scene", "info", "parameters"}) {
+  for (const char* command : {"compare", "sweep", "trace", "raster", "diff", "scenes", "scene", "info", "parameters"}) {
     EXPECT_NE(all.out.find(command), std::string::npos) << command;
     const ProgramResult one = run_program({command, "--help"});
     EXPECT_EQ(one.exit_code, 0) << command;

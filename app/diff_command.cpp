@@ -1,0 +1,241 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "app/commands.h"
+#include "compare/metrics/color_metric.h"
+#include "reports/figures/figures.h"
+#include "reports/files/image_file.h"
+#include "reports/files/text_layout.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+[[noreturn]] void reject(const std::string& option, const std::string& text, const std::string& remedy) {
+  throw Error(ExitCode::usage, option + " " + text, "not understood", remedy);
+}
+
+// The numbers of a text with separators: "1,2,3". Nothing for anything else.
+template <class T>
+std::optional<std::vector<T>> parse_list(std::string_view text, char separator) {
+  std::vector<T> values;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (true) {
+    const auto [next, error] = std::from_chars(at, end, values.emplace_back());
+    if (error != std::errc()) return std::nullopt;
+    if (next == end) return values;
+    if (*next != separator) return std::nullopt;
+    at = next + 1;
+  }
+}
+
+struct Pair {
+  ColorImage test, reference;
+  Image<vec3> mask;  ///< empty: all pixels count
+  ImageContent content = ImageContent::display;
+};
+
+std::string size_text(const Image<vec3>& image) { return fmt::format("{}x{}", image.width, image.height); }
+
+void require_same_size(const std::filesystem::path& path, const Image<vec3>& image, const Image<vec3>& reference) {
+  if (image.width == reference.width && image.height == reference.height) return;
+  throw Error(ExitCode::usage, path.string(),
+              fmt::format("its size {} differs from the reference's {}", size_text(image), size_text(reference)),
+              "compare images of one size");
+}
+
+void require_numbers(const std::filesystem::path& path, const Image<vec3>& image) {
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    const vec3& color = image[i];
+    if (std::isfinite(color.x) && std::isfinite(color.y) && std::isfinite(color.z)) continue;
+    throw Error(ExitCode::unreadable_input, path.string(),
+                fmt::format("pixel ({}, {}) is infinite or not a number", i % static_cast<std::size_t>(image.width),
+                            i / static_cast<std::size_t>(image.width)),
+                "use --crop to leave it out");
+  }
+}
+
+Image<vec3> cropped(const Image<vec3>& image, int left, int top, int width, int height) {
+  Image<vec3> result(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) result.at(x, y) = image.at(left + x, top + y);
+  }
+  return result;
+}
+
+void crop(Pair& pair, const std::string& text) {
+  const std::optional<std::vector<int>> box = parse_list<int>(text, ',');
+  if (!box || box->size() != 4) reject("--crop", text, "write it like 100,50,640,360: left, top, width, height");
+  const auto [left, top, width, height] = std::array{(*box)[0], (*box)[1], (*box)[2], (*box)[3]};
+  const Image<vec3>& image = pair.reference.linear;
+  if (left < 0 || top < 0 || width < 1 || height < 1 || left > image.width - width || top > image.height - height) {
+    throw Error(ExitCode::usage, "--crop " + text, "it leaves the image of " + size_text(image));
+  }
+  for (Image<vec3>* each : {&pair.test.linear, &pair.reference.linear, &pair.mask}) {
+    if (!each->empty()) *each = cropped(*each, left, top, width, height);
+  }
+}
+
+Pair read_pair(const DiffOptions& diff) {
+  Pair pair;
+  pair.test = read_color_image(diff.test, diff.layer);
+  pair.reference = read_color_image(diff.reference, diff.reference_layer.empty() ? diff.layer : diff.reference_layer);
+  require_same_size(diff.test, pair.test.linear, pair.reference.linear);
+  if (!diff.mask.empty()) {
+    pair.mask = read_color_image(diff.mask).linear;
+    require_same_size(diff.mask, pair.mask, pair.reference.linear);
+  }
+  if (!diff.crop.empty()) crop(pair, diff.crop);
+  require_numbers(diff.test, pair.test.linear);
+  require_numbers(diff.reference, pair.reference.linear);
+  const bool both_display = pair.test.is_display && pair.reference.is_display;
+  pair.content = diff.data ? ImageContent::data : both_display ? ImageContent::display : ImageContent::scene;
+  return pair;
+}
+
+ColorMetricParams metric_params(const DiffOptions& diff) {
+  ColorMetricParams params;
+  if (diff.pixels_per_degree > 0.0) params.pixels_per_degree = diff.pixels_per_degree;
+  params.exposure = diff.exposure;
+  if (diff.exposures.empty()) return params;
+  const std::optional<std::vector<double>> range = parse_list<double>(diff.exposures, ':');
+  const bool is_range = range && (range->size() == 2 || range->size() == 3) && std::isfinite((*range)[0]) &&
+                        std::isfinite((*range)[1]) && std::abs((*range)[0]) <= 100.0 && std::abs((*range)[1]) <= 100.0;
+  const double count = is_range && range->size() == 3 ? (*range)[2] : 2.0;
+  if (!is_range || !(count >= 1.0 && count <= 1000.0 && count == std::floor(count))) {
+    reject("--exposures", diff.exposures, "write it like -3:4 or -3:4:8, in stops from -100 to 100, at most 1000");
+  }
+  params.start_exposure = (*range)[0];
+  params.stop_exposure = (*range)[1];
+  params.exposures = range->size() == 3 ? static_cast<int>(count) : 0;
+  return params;
+}
+
+struct Measured {
+  const Metric* metric = nullptr;
+  MetricResult result;
+  PooledMap pooled;
+};
+
+std::vector<const Metric*> chosen_metrics(const DiffOptions& diff, ImageContent content) {
+  if (!diff.metrics.empty()) return select_metrics(diff.metrics, color_metrics(), "--metrics");
+  std::vector<const Metric*> all;
+  for (const Metric& metric : color_metrics()) {
+    // HDR-FLIP is about exposures, which only images of a scene have.
+    if (metric.name != hdr_flip_metric.name || content == ImageContent::scene) all.push_back(&metric);
+  }
+  return all;
+}
+
+std::string cell(double value, int digits) { return std::isnan(value) ? "-" : fmt::format("{:.{}f}", value, digits); }
+
+// The statistics are those of the map; the JSON has more of them, and all digits.
+std::vector<std::string> table_lines(const std::vector<Measured>& all) {
+  std::vector<std::vector<std::string>> rows = {
+      {"metric", "score", "map: min", "w25", "w50", "w75", "99 %", "max", "at x,y"}};
+  for (const Measured& each : all) {
+    const PooledMap& p = each.pooled;
+    rows.push_back({std::string(each.metric->name), cell(each.result.score, 6), cell(p.min, 4),
+                    cell(p.weighted_quartile_1, 4), cell(p.weighted_median, 4), cell(p.weighted_quartile_3, 4),
+                    cell(p.percentile_99, 4), cell(p.max, 4), fmt::format("{},{}", p.max_at.x, p.max_at.y)});
+  }
+  return aligned(rows);
+}
+
+// JSON has neither NaN nor infinity: both are null.
+Json to_json(const Measured& each) {
+  const PooledMap& p = each.pooled;
+  Json json = {{"score", each.result.score},
+               {"unit", each.metric->unit},
+               {"range", each.metric->range},
+               {"higher_is_better", each.metric->is_higher_better},
+               {"mean", p.mean},
+               {"min", p.min},
+               {"min_at", {p.min_at.x, p.min_at.y}},
+               {"max", p.max},
+               {"max_at", {p.max_at.x, p.max_at.y}},
+               {"median", p.median},
+               {"percentile_95", p.percentile_95},
+               {"percentile_99", p.percentile_99},
+               {"weighted_quartile_1", p.weighted_quartile_1},
+               {"weighted_median", p.weighted_median},
+               {"weighted_quartile_3", p.weighted_quartile_3}};
+  for (const auto& [name, value] : each.result.details) json[name] = value;
+  return json;
+}
+
+const char* content_text(ImageContent content) {
+  if (content == ImageContent::data) return "data, compared as they are";
+  return content == ImageContent::display ? "sRGB" : "linear";
+}
+
+}  // namespace
+
+ExitCode run_diff(const CommandLine& line, const Console& console) {
+  const ThreadLimit threads(line.threads);
+  const DiffOptions& diff = line.diff;
+  const ColorMetricParams params = metric_params(diff);
+  if (!line.output.empty() && line.output.extension() != ".png") {
+    reject("-o", line.output.string(), "name a .png file");
+  }
+  if (!diff.map.empty()) select_metrics(diff.map, color_metrics(), "--map");
+  if (!diff.metrics.empty()) select_metrics(diff.metrics, color_metrics(), "--metrics");
+  const Pair pair = read_pair(diff);
+  const auto is_counted = [&](std::size_t i) { return pair.mask.empty() || pair.mask[i] != vec3(0.0f); };
+  const ColorInput input{pair.test.linear, pair.reference.linear, is_counted, pair.content, params};
+  std::size_t counted = 0;
+  bool is_equal = true;
+  for (std::size_t i = 0; i < input.test.size(); ++i) {
+    if (!is_counted(i)) continue;
+    ++counted;
+    is_equal = is_equal && input.test[i] == input.reference[i];
+  }
+  if (counted == 0) throw Error(ExitCode::usage, "--mask " + diff.mask.string(), "no pixel counts");
+
+  std::vector<Measured> all;
+  const auto measured = [&](const Metric* metric) -> const Measured& {
+    for (const Measured& each : all) {
+      if (each.metric == metric) return each;
+    }
+    MetricResult result = measure_color(*metric, input);
+    const PooledMap pooled = pool(result.map);
+    return all.emplace_back(Measured{metric, std::move(result), pooled});
+  };
+  for (const Metric* metric : chosen_metrics(diff, pair.content)) measured(metric);
+
+  Json json = {{"test", diff.test.string()},  {"reference", diff.reference.string()},
+               {"width", input.test.width},   {"height", input.test.height},
+               {"counted_pixels", counted},   {"values", content_text(pair.content)},
+               {"exposure", params.exposure}, {"pixels_per_degree", params.pixels_per_degree}};
+  for (const Measured& each : all) json["metrics"][std::string(each.metric->name)] = to_json(each);
+  print_line(
+      console,
+      fmt::format("{} x {} pixels, {} counted, {}{}", input.test.width, input.test.height, grouped(counted),
+                  content_text(pair.content),
+                  pair.content == ImageContent::scene ? fmt::format(", shown at {:+g} EV", params.exposure) : ""));
+  for (const std::string& text : table_lines(all)) print_line(console, text);
+  for (const Measured& each : all) {
+    for (const auto& [name, value] : each.result.details) {
+      add_line(console, fmt::format("{}: {} {:.4g}", each.metric->name, name, value));
+    }
+  }
+  if (!line.output.empty()) {
+    const std::string usual(pair.content == ImageContent::scene ? hdr_flip_metric.name : ldr_flip_metric.name);
+    const Metric* metric = select_metrics(diff.map.empty() ? usual : diff.map, color_metrics(), "--map").front();
+    write_png(line.output, colorize(measured(metric).result.map, {ColorMap::visibility, 0.0, 1.0, ""}));
+    json["map"] = {{"file", line.output.string()}, {"metric", metric->name}, {"first", 0.0}, {"last", 1.0}};
+    add_line(console, fmt::format("{}: map of {}, dark is 0, bright is 1", line.output.string(), metric->name));
+  }
+  if (console.json) fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+  return diff.exit_code && !is_equal ? ExitCode::check_failed : ExitCode::ok;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,131 @@
+// `diff` on files: what it prints, which values it compares, and how it refuses.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "reports/files/exr.h"
+#include "reports/files/png.h"
+#include "tests/app/run_program.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Black before column x, white from it on.
+std::string step_png(int x) {
+  Image<glm::u8vec3> image(64, 64);
+  for (int row = 0; row < 64; ++row) {
+    for (int column = x; column < 64; ++column) image.at(column, row) = glm::u8vec3(255);
+  }
+  return to_png(image);
+}
+
+std::string constant_exr(const TemporaryFolder& folder, const std::string& name, float value, int width = 16) {
+  LayeredImage file;
+  for (const char* channel : {"R", "G", "B"}) file.channels.push_back({channel, Image<float>(width, 16, value)});
+  add_layer(file, "ao", Image<float>(width, 16, value / 2.0f));
+  write_exr(folder / name, file);
+  return folder / name;
+}
+
+Json diff_json(std::vector<std::string> words) {
+  words.insert(words.begin(), "diff");
+  words.push_back("--json");
+  const ProgramResult result = run_program(words);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return Json::parse(result.out);
+}
+
+void expect_error(std::vector<std::string> words, int exit_code, const std::string& text) {
+  words.insert(words.begin(), "diff");
+  const ProgramResult result = run_program(words);
+  EXPECT_EQ(result.exit_code, exit_code) << result.err;
+  EXPECT_TRUE(is_one_line(result.err)) << result.err;
+  EXPECT_NE(result.err.find(text), std::string::npos) << result.err;
+  EXPECT_EQ(result.out, "");
+}
+
+TEST(Diff, Of_a_moved_edge_has_the_published_flip) {
+  const TemporaryFolder folder;
+  const std::string test = folder.write("test.png", step_png(33));
+  const std::string reference = folder.write("reference.png", step_png(32));
+  const Json json = diff_json({test, reference, "-o", folder / "map.png"});
+  EXPECT_NEAR(json["metrics"]["ldr-flip"]["score"].get<double>(), 0.051723, 1.2e-5);
+  EXPECT_NEAR(json["metrics"]["ldr-flip"]["max"].get<double>(), 0.772917, 1.2e-5);
+  EXPECT_EQ(json["metrics"]["mae"]["score"], 1.0 / 64.0);  // one column of 64
+  EXPECT_EQ(json["metrics"]["mae"]["max_at"], (Json{32, 0}));
+  EXPECT_EQ(json["metrics"]["ms-ssim"]["score"], nullptr);  // too small for five scales
+  EXPECT_FALSE(json["metrics"].contains("hdr-flip"));
+  EXPECT_EQ(json["map"]["metric"], "ldr-flip");
+  EXPECT_EQ(from_png(text_of(folder / "map.png")).width, 64);
+
+  const ProgramResult table = run_program({"diff", test, reference});
+  EXPECT_NE(table.out.find("ldr-flip"), std::string::npos) << table.out;
+  EXPECT_NE(table.out.find("32,0"), std::string::npos) << table.out;
+}
+
+TEST(Diff, Mask_and_crop_select_the_pixels_that_count) {
+  const TemporaryFolder folder;
+  const std::string test = folder.write("test.png", step_png(33));
+  const std::string reference = folder.write("reference.png", step_png(32));
+  const std::string mask = folder.write("mask.png", step_png(32));
+  const Json masked = diff_json({test, reference, "--mask", mask, "--metrics", "mae"});
+  EXPECT_EQ(masked["counted_pixels"], 32 * 64);
+  EXPECT_EQ(masked["metrics"]["mae"]["score"], 1.0 / 32.0);
+  EXPECT_EQ(masked["metrics"].size(), 1u);
+  const Json cropped = diff_json({test, reference, "--crop", "30,10,4,5", "--metrics", "mae"});
+  EXPECT_EQ(cropped["counted_pixels"], 20);
+  EXPECT_EQ(cropped["metrics"]["mae"]["score"], 0.25);
+  EXPECT_EQ(cropped["metrics"]["mae"]["max_at"], (Json{2, 0}));
+}
+
+TEST(Diff, Reads_exr_files_as_linear_and_their_layers_by_name) {
+  const TemporaryFolder folder;
+  const std::string test = constant_exr(folder, "test.exr", 0.5f);
+  const std::string reference = constant_exr(folder, "reference.exr", 2.0f);
+  const Json json = diff_json({test, reference, "--exposures", "-2:1:3"});
+  EXPECT_EQ(json["values"], "linear");
+  EXPECT_EQ(json["metrics"]["mae"]["score"], 1.5);
+  EXPECT_EQ(json["metrics"]["hdr-flip"]["start_exposure"], -2.0);
+  EXPECT_EQ(json["metrics"]["hdr-flip"]["exposures"], 3.0);
+  // A display clips 2 to white: the metrics of displayed images see 0.5 against 1, at −1 EV 0.25 against 1.
+  EXPECT_NEAR(json["metrics"]["psnr"]["score"].get<double>(), -20.0 * std::log10(1.0 - 0.735357), 1e-4);
+  const Json layer = diff_json({test, reference, "--layer", "ao", "--data", "--metrics", "mae,psnr"});
+  EXPECT_EQ(layer["metrics"]["mae"]["score"], 0.75);
+  EXPECT_NEAR(layer["metrics"]["psnr"]["score"].get<double>(), -20.0 * std::log10(0.75), 1e-9);
+}
+
+TEST(Diff, Of_a_black_reference_and_of_equal_images_ends) {
+  const TemporaryFolder folder;
+  const std::string black = constant_exr(folder, "black.exr", 0.0f);
+  const std::string white = constant_exr(folder, "white.exr", 1.0f);
+  EXPECT_GT(diff_json({white, black})["metrics"]["hdr-flip"]["score"], 0.5);
+  const Json equal = diff_json({white, white, "--exit-code"});
+  EXPECT_EQ(equal["metrics"]["hdr-flip"]["weighted_median"], 0.0);
+  EXPECT_EQ(equal["metrics"]["psnr"]["score"], nullptr);  // infinite
+  EXPECT_EQ(run_program({"diff", white, black, "--exit-code"}).exit_code, 1);
+}
+
+TEST(Diff, Refuses_what_it_cannot_compare_in_one_line) {
+  const TemporaryFolder folder;
+  const std::string a = constant_exr(folder, "a.exr", 1.0f);
+  expect_error({a, constant_exr(folder, "wide.exr", 1.0f, 17)}, 2, "16x16 differs from the reference's 17x16");
+  expect_error({a, folder / "missing.exr"}, 4, "missing.exr");
+  expect_error({constant_exr(folder, "nan.exr", std::numeric_limits<float>::quiet_NaN()), a}, 4,
+               "nan.exr: pixel (0, 0)");
+  expect_error({a, folder.write("text.txt", "hello")}, 4, "text.txt");
+  expect_error({a, a, "--layer", "none"}, 2, "ao.Y");
+  expect_error({a, a, "--metrics", "flop"}, 2, "ldr-flip");
+  expect_error({a, a, "--crop", "1,2,3"}, 2, "--crop 1,2,3");
+  expect_error({a, a, "--crop", "0,0,17,1"}, 2, "leaves the image");
+  expect_error({a, a, "--exposures", "3:-3"}, 2, "the start is after the stop");
+  expect_error({a, a, "--exposures", "low"}, 2, "--exposures low");
+  expect_error({a, a, "-o", folder / "map.jpg"}, 2, ".png");
+  expect_error({a}, 2, "REFERENCE");
+}
+
+}  // namespace
+}  // namespace umbrameter
