@@ -5,8 +5,6 @@
 #include <limits>
 #include <string_view>
 
-#include "compare/metrics/metric.h"
-
 namespace umbrameter {
 namespace {
 
@@ -26,7 +24,7 @@ Parameters describe(RunParams& params) {
       .field("shimmer", params.shimmer,
              {"", "measure shimmer: shadow map and camera move by fractions of a texel or pixel"})
       .field("metrics", params.metrics,
-             {"", "image metrics of visibility and AO that compare reports: " + metric_names() + "; comma-separated"})
+             {"", "image metrics of visibility and AO that compare reports: mae, ssim, ... (docs/metrics.md)"})
       .field("write-maps", params.write_maps, {"", "write each shadow map with its projection as an EXR file"})
       .field("overlay", params.overlay,
              {"", "debug views in a corner of the image and as figures: all, depth, normal, shadow-map:LIGHT, ..."})
