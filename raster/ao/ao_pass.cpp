@@ -1,5 +1,6 @@
 #include "raster/ao/ao_pass.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "raster/ao/blur_pass.h"
@@ -21,7 +22,10 @@ Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, cons
   const AoInputs inputs{gbuffer, depth, view, seed};
   gl::Texture ao =
       std::visit([&](const auto& technique) { return draw(context, inputs, technique); }, make_technique(params));
-  return read_image<float>(blur(context, gbuffer, std::move(ao), params.blur), gl::Format::r32f);
+  Image<float> image = read_image<float>(blur(context, gbuffer, std::move(ao), params.blur), gl::Format::r32f);
+  // GTAO's estimate exceeds 1 in some pixels, and only its mean over the noise does not.
+  for (float& pixel : image.pixels) pixel = std::min(pixel, 1.0f);
+  return image;
 }
 
 }  // namespace umbrameter

@@ -1,5 +1,7 @@
 #include "techniques/ao/parameters.h"
 
+#include <array>
+
 namespace umbrameter {
 
 Parameters describe(AoSamplingParams& params) {
@@ -12,6 +14,18 @@ Parameters describe(AoSamplingParams& params) {
               .min = 1e-6,
               .units = {.scene_size = true},
               .basic = true})
+      .take();
+}
+
+Parameters radius_parameter(AoSamplingParams& params) { return {require(describe(params), "ao.radius")}; }
+
+Parameters describe(AoSliceParams& params) {
+  static constexpr std::array<std::string_view, 2> spacings{"image", "angle"};
+  return Description("ao")
+      .field("slices", params.slices, {.unit = "1", .meaning = "slices per pixel", .min = 1, .max = 256})
+      .field("steps", params.steps, {.unit = "1", .meaning = "samples on each side of a slice", .min = 1, .max = 1024})
+      .choice("slice-spacing", params.spacing, spacings,
+              {.unit = {}, .meaning = "slices are even in the image, or in angle about the direction to the viewer"})
       .take();
 }
 

@@ -12,6 +12,19 @@ struct AoSamplingParams {
 };
 Parameters describe(AoSamplingParams& params);
 
+/// For techniques that do not read ao.samples.
+Parameters radius_parameter(AoSamplingParams& params);
+
+enum class AoSliceSpacing : int { image, angle };
+
+/// Techniques that search planes through the direction to the viewer. The numbers are those of XeGTAO, quality "High".
+struct AoSliceParams {
+  int slices = 3;
+  int steps = 3;
+  AoSliceSpacing spacing = AoSliceSpacing::image;
+};
+Parameters describe(AoSliceParams& params);
+
 /// Bias of techniques that compare depths.
 struct AoBiasParams {
   Length depth{0.1, LengthUnit::scene_percent};  ///< 1/20 of the radius, as in Learn OpenGL, "SSAO"

@@ -7,7 +7,7 @@
 
 namespace umbrameter {
 
-enum class AoRandom : std::uint32_t { kernel, rotation };
+enum class AoRandom : std::uint32_t { kernel, rotation, stratum };
 
 /// Uniform in [0, 1).
 inline float ao_random(std::uint32_t seed, AoRandom purpose, int index, std::uint32_t dimension) {

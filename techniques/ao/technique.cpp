@@ -5,13 +5,13 @@
 namespace umbrameter {
 
 Parameters describe(AoParams& params) {
-  static constexpr std::array<std::string_view, 1> names{"ssao"};
+  static constexpr std::array<std::string_view, 2> names{"ssao", "gtao"};
   Parameters technique = Description("ao")
                              .choice("technique", params.technique, names,
                                      {.unit = {}, .meaning = "ambient-occlusion technique", .basic = true})
                              .take();
   return concatenate({describe(params.sampling), describe(params.bias), describe(params.noise), technique,
-                      describe(params.ssao), describe(params.blur)});
+                      describe(params.ssao), describe(params.slices), describe(params.gtao), describe(params.blur)});
 }
 
 AoParams in_metres(AoParams params, double scene_size) {
@@ -24,6 +24,8 @@ AoTechnique make_technique(const AoParams& params) {
   switch (params.technique) {
     case AoTechniqueName::ssao:
       break;
+    case AoTechniqueName::gtao:
+      return Gtao{params.sampling, params.noise, params.slices, params.gtao};
   }
   return Ssao{params.sampling, params.bias, params.noise, params.ssao};
 }

@@ -11,6 +11,7 @@
 
 #include "core/parameters.h"
 #include "techniques/ao/blur.h"
+#include "techniques/ao/gtao.h"
 #include "techniques/ao/noise.h"
 #include "techniques/ao/parameters.h"
 #include "techniques/ao/ssao.h"
@@ -18,7 +19,7 @@
 namespace umbrameter {
 
 /// Names of the techniques, in the order of AoTechnique's alternatives.
-enum class AoTechniqueName : int { ssao };
+enum class AoTechniqueName : int { ssao, gtao };
 
 /// The ao.* parameters: those that techniques share, those of each technique, and those of the blur.
 struct AoParams {
@@ -27,6 +28,8 @@ struct AoParams {
   AoNoiseParams noise;
   AoTechniqueName technique = AoTechniqueName::ssao;
   SsaoParams ssao;
+  AoSliceParams slices;
+  GtaoParams gtao;
   AoBlurParams blur;
 };
 Parameters describe(AoParams& params);
@@ -34,7 +37,7 @@ Parameters describe(AoParams& params);
 /// Converts all lengths to metres, as draw_ao() expects. scene_size is the diagonal of the scene's bounds, metres.
 AoParams in_metres(AoParams params, double scene_size);
 
-using AoTechnique = std::variant<Ssao>;
+using AoTechnique = std::variant<Ssao, Gtao>;
 
 AoTechnique make_technique(const AoParams& params);
 

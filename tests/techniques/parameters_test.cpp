@@ -27,6 +27,8 @@ TEST(RasterParameters, Every_field_is_described) {
   expect_all(AoBiasParams{});
   expect_all(AoNoiseParams{});
   expect_all(SsaoParams{});
+  expect_all(AoSliceParams{});
+  expect_all(GtaoParams{});
   expect_all(AoBlurParams{});
   // All parts, plus one field: the choice of technique.
   ShadowParams shadow;
@@ -37,7 +39,8 @@ TEST(RasterParameters, Every_field_is_described) {
                                          describe(shadow.moment_lookup).size() + describe(shadow.screen_space).size());
   AoParams ao;
   EXPECT_EQ(describe(ao).size(), describe(ao.sampling).size() + describe(ao.bias).size() + describe(ao.noise).size() +
-                                     1 + describe(ao.ssao).size() + describe(ao.blur).size());
+                                     1 + describe(ao.ssao).size() + describe(ao.slices).size() +
+                                     describe(ao.gtao).size() + describe(ao.blur).size());
 }
 
 TEST(RasterParameters, Every_default_keeps_to_its_own_limits) {

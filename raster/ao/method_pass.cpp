@@ -1,0 +1,40 @@
+#include "raster/ao/method_pass.h"
+
+#include <span>
+
+#include "raster/gbuffer/view_block.h"
+#include "raster/gl/pass.h"
+
+namespace umbrameter {
+namespace {
+
+// The size of a block in layout std140 is a multiple of 16 bytes.
+template <class Settings>
+struct alignas(16) SettingsBlock {
+  Settings settings;
+};
+
+template <class Technique>
+gl::Texture run(const gl::Context& context, const AoInputs& inputs, const char* shader, const Technique& technique) {
+  const GpuGBuffer& gbuffer = inputs.gbuffer;
+  const std::vector<vec4> noise = stratified_tile(technique.noise, inputs.seed);
+  gl::Texture ao = gl::make_texture("ao", gl::Format::r32f, gbuffer.width, gbuffer.height);
+  gl::Pass pass(context, {{shader}, {}});
+  bind(pass, gbuffer)
+      .texture("linear_depth", inputs.linear_depth)
+      .block("View", make_view_block(inputs.view))
+      .block("Settings", SettingsBlock<decltype(settings_of(technique))>{settings_of(technique)})
+      .buffer("Noise", gl::make_buffer("ao noise", std::span<const vec4>(noise)))
+      .value("noise_size", technique.noise.size)
+      .image("ao_image", ao, gl::Format::r32f)
+      .dispatch(gbuffer.width, gbuffer.height);
+  return ao;
+}
+
+}  // namespace
+
+gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Gtao& technique) {
+  return run(context, inputs, "gtao.comp", technique);
+}
+
+}  // namespace umbrameter

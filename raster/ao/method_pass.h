@@ -1,0 +1,12 @@
+// The methods whose text shaders and processor share (techniques/ao/*.glsl).
+#pragma once
+
+#include "raster/ao/ao_inputs.h"
+#include "raster/gl/context.h"
+#include "techniques/ao/gtao.h"
+
+namespace umbrameter {
+
+gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Gtao& technique);
+
+}  // namespace umbrameter

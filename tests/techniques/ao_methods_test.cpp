@@ -1,0 +1,66 @@
+// Parts of the AO methods against numerical integration.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "techniques/ao/noise.h"
+#include "techniques/ao/technique.h"
+
+namespace umbrameter {
+namespace {
+
+TEST(AoNoise, Each_pixel_of_a_stratified_tile_has_another_part_of_the_range) {
+  for (const int size : {1, 4, 8}) {
+    const std::vector<vec4> tile = stratified_tile({.size = size}, 7);
+    const auto count = static_cast<std::size_t>(size * size);
+    ASSERT_EQ(tile.size(), count);
+    for (const int axis : {0, 1}) {
+      std::vector<int> seen(count, 0);
+      for (const vec4& pair : tile) ++seen.at(static_cast<std::size_t>(pair[axis] * static_cast<float>(count)));
+      EXPECT_EQ(seen, std::vector<int>(count, 1)) << size;
+    }
+    EXPECT_NE(tile, stratified_tile({.size = size}, 8));
+  }
+}
+
+TEST(Gtao, The_inner_integral_is_that_of_the_cosine_to_the_normal) {
+  shared::GtaoMethod method;
+  for (const double n : {-1.4, -0.7, 0.0, 0.3, 1.2}) {
+    for (const double low : {-3.0, -1.2, -0.4, -0.01}) {
+      for (const double high : {0.02, 0.5, 1.5, 3.0}) {
+        // The midpoint rule; horizons below the normal's hemisphere do not count.
+        constexpr int parts = 20000;
+        double expected = 0.0;
+        for (int i = 0; i < parts; ++i) {
+          const double theta = low + (high - low) * (i + 0.5) / parts;
+          expected += std::max(0.0, std::cos(theta - n)) * std::abs(std::sin(theta)) * (high - low) / parts;
+        }
+        EXPECT_NEAR(method.slice_visibility(static_cast<float>(n), static_cast<float>(low), static_cast<float>(high)),
+                    expected, 3e-6)
+            << n << " " << low << " " << high;
+      }
+    }
+  }
+}
+
+TEST(Gtao, An_open_hemisphere_is_1_for_every_direction_of_view) {
+  shared::GtaoMethod method;
+  for (const float tilt : {0.0f, 0.5f, 1.0f, 1.5f}) {
+    const vec3 normal(std::sin(tilt), 0.0f, std::cos(tilt));
+    double sum = 0.0;
+    constexpr int slices = 20000;
+    for (int i = 0; i < slices; ++i) {
+      const float azimuth = static_cast<float>(pi * (i + 0.5) / slices);
+      const float along = std::cos(azimuth) * normal.x;
+      const float length = std::hypot(along, normal.z);
+      const float n = std::atan2(along, normal.z);
+      sum += static_cast<double>(length * method.slice_visibility(n, -3.1f, 3.1f)) / slices;
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-4) << tilt;
+  }
+}
+
+}  // namespace
+}  // namespace umbrameter
