@@ -37,4 +37,16 @@ gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Gtao&
   return run(context, inputs, "gtao.comp", technique);
 }
 
+gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Hbao& technique) {
+  return run(context, inputs, "hbao.comp", technique);
+}
+
+gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Alchemy& technique) {
+  return run(context, inputs, "alchemy.comp", technique);
+}
+
+gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Crytek& technique) {
+  return run(context, inputs, "crytek.comp", technique);
+}
+
 }  // namespace umbrameter

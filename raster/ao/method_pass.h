@@ -3,10 +3,13 @@
 
 #include "raster/ao/ao_inputs.h"
 #include "raster/gl/context.h"
-#include "techniques/ao/gtao.h"
+#include "techniques/ao/technique.h"
 
 namespace umbrameter {
 
 gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Gtao& technique);
+gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Hbao& technique);
+gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Alchemy& technique);
+gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Crytek& technique);
 
 }  // namespace umbrameter

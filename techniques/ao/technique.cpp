@@ -5,13 +5,14 @@
 namespace umbrameter {
 
 Parameters describe(AoParams& params) {
-  static constexpr std::array<std::string_view, 2> names{"ssao", "gtao"};
+  static constexpr std::array<std::string_view, 5> names{"ssao", "gtao", "hbao", "alchemy", "crytek"};
   Parameters technique = Description("ao")
                              .choice("technique", params.technique, names,
                                      {.unit = {}, .meaning = "ambient-occlusion technique", .basic = true})
                              .take();
   return concatenate({describe(params.sampling), describe(params.bias), describe(params.noise), technique,
-                      describe(params.ssao), describe(params.slices), describe(params.gtao), describe(params.blur)});
+                      describe(params.ssao), describe(params.slices), describe(params.gtao), describe(params.hbao),
+                      describe(params.alchemy), describe(params.blur)});
 }
 
 AoParams in_metres(AoParams params, double scene_size) {
@@ -26,6 +27,12 @@ AoTechnique make_technique(const AoParams& params) {
       break;
     case AoTechniqueName::gtao:
       return Gtao{params.sampling, params.noise, params.slices, params.gtao};
+    case AoTechniqueName::hbao:
+      return Hbao{params.sampling, params.noise, params.hbao};
+    case AoTechniqueName::alchemy:
+      return Alchemy{params.sampling, params.noise, params.alchemy};
+    case AoTechniqueName::crytek:
+      return Crytek{params.sampling, params.bias, params.noise, params.ssao};
   }
   return Ssao{params.sampling, params.bias, params.noise, params.ssao};
 }

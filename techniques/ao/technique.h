@@ -10,8 +10,11 @@
 #include <variant>
 
 #include "core/parameters.h"
+#include "techniques/ao/alchemy.h"
 #include "techniques/ao/blur.h"
+#include "techniques/ao/crytek.h"
 #include "techniques/ao/gtao.h"
+#include "techniques/ao/hbao.h"
 #include "techniques/ao/noise.h"
 #include "techniques/ao/parameters.h"
 #include "techniques/ao/ssao.h"
@@ -19,7 +22,7 @@
 namespace umbrameter {
 
 /// Names of the techniques, in the order of AoTechnique's alternatives.
-enum class AoTechniqueName : int { ssao, gtao };
+enum class AoTechniqueName : int { ssao, gtao, hbao, alchemy, crytek };
 
 /// The ao.* parameters: those that techniques share, those of each technique, and those of the blur.
 struct AoParams {
@@ -30,6 +33,8 @@ struct AoParams {
   SsaoParams ssao;
   AoSliceParams slices;
   GtaoParams gtao;
+  HbaoParams hbao;
+  AlchemyParams alchemy;
   AoBlurParams blur;
 };
 Parameters describe(AoParams& params);
@@ -37,7 +42,7 @@ Parameters describe(AoParams& params);
 /// Converts all lengths to metres, as draw_ao() expects. scene_size is the diagonal of the scene's bounds, metres.
 AoParams in_metres(AoParams params, double scene_size);
 
-using AoTechnique = std::variant<Ssao, Gtao>;
+using AoTechnique = std::variant<Ssao, Gtao, Hbao, Alchemy, Crytek>;
 
 AoTechnique make_technique(const AoParams& params);
 

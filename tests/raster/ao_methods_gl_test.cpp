@@ -176,5 +176,99 @@ TEST_F(AoMethodsGl, GTAO_is_that_of_the_processor) {
   }
 }
 
+// The mean of f(distance, azimuth) over even distances from 0 to `radius` and even azimuths.
+template <class F>
+double mean_over_disk(double radius, const F& f) {
+  double sum = 0.0;
+  constexpr int parts = 1000;
+  for (int i = 0; i < parts; ++i) {
+    for (int j = 0; j < parts; ++j) sum += f(radius * (i + 0.5) / parts, 2.0 * pi * (j + 0.5) / parts);
+  }
+  return sum / (parts * parts);
+}
+
+TEST_F(AoMethodsGl, An_open_plane_is_open_for_HBAO_and_Alchemy_AO_and_half_open_for_full_sphere_SSAO) {
+  AoParams params = method(AoTechniqueName::hbao);
+  params.blur.kind = AoBlur::box;
+  expect_open_plane(params, {{10, 0.005}, {30, 0.005}, {60, 0.015}, {85, 0.05}});
+  params.technique = AoTechniqueName::alchemy;
+  for (const auto estimator : {AlchemyEstimator::alchemy, AlchemyEstimator::sao}) {
+    params.alchemy.estimator = estimator;
+    expect_open_plane(params, {{10, 1e-3}, {30, 1e-3}, {60, 1e-3}, {85, 1e-3}});
+  }
+  params.technique = AoTechniqueName::crytek;
+  params.bias.depth = 0.0;
+  // Near the horizon, half of the points lie before the background.
+  expect_open_plane(params, {{10, 0.03}, {30, 0.03}, {60, 0.05}, {85, 0.5}}, 0.5);
+}
+
+TEST_F(AoMethodsGl, HBAO_meets_its_integral_beside_a_step) {
+  AoParams params = method(AoTechniqueName::hbao);
+  params.sampling.radius = 3.0;
+  params.hbao = {16, 96, 0.0, 1.0, true};
+  for (const double distance : {0.5, 1.0}) {
+    // The sine of the step's edge in each direction, times 1 - (r/R)².
+    const double occlusion = mean_over_disk(1.0, [&](double, double azimuth) {
+      if (std::cos(azimuth) <= 0.0) return 0.0;
+      const double square = 1.0 + std::pow(distance / std::cos(azimuth), 2);
+      return std::max(0.0, 1.0 - square / 9.0) / std::sqrt(square);
+    });
+    EXPECT_NEAR(beside_step(params, distance), 1.0 - occlusion, 0.015);
+  }
+}
+
+TEST_F(AoMethodsGl, Alchemy_AO_meets_its_integral_beside_a_step) {
+  AoParams params = method(AoTechniqueName::alchemy);
+  params.sampling.radius = 2.0;
+  params.sampling.samples = 512;
+  params.alchemy.turns = 89;
+  params.alchemy.bias = 0.0;
+  params.alchemy.intensity = 0.5;
+  for (const auto estimator : {AlchemyEstimator::alchemy, AlchemyEstimator::sao}) {
+    params.alchemy.estimator = estimator;
+    for (const double distance : {0.5, 1.0}) {
+      const double occlusion = mean_over_disk(2.0, [&](double across, double azimuth) {
+        const double square = across * across + 1.0;
+        if (across * std::cos(azimuth) <= distance || square >= 4.0) return 0.0;
+        // The height is 1 and the radius is 2.
+        return estimator == AlchemyEstimator::sao ? 5.0 * 2.0 * std::pow(1.0 - square / 4.0, 3) / square
+                                                  : 2.0 * 2.0 / square;
+      });
+      EXPECT_NEAR(beside_step(params, distance), 1.0 - 0.5 * occlusion, 0.015);
+    }
+  }
+}
+
+TEST_F(AoMethodsGl, Full_sphere_SSAO_is_the_share_of_the_ball_above_the_step) {
+  AoParams params = method(AoTechniqueName::crytek);
+  params.sampling.radius = 2.0;
+  params.sampling.samples = 512;
+  params.bias.depth = 0.0;
+  params.ssao.range_check = false;
+  for (const double distance : {0.5, 1.0}) {
+    // In the half-ball above the floor: the discs of the ball at the height y, cut at the step.
+    double hidden = 0.0;
+    constexpr int parts = 10000;
+    for (int i = 0; i < parts; ++i) {
+      const double y = (i + 0.5) / parts;  // up to the height 1
+      const double r = std::sqrt(4.0 - y * y);
+      if (r > distance) hidden += r * r * std::acos(distance / r) - distance * std::sqrt(r * r - distance * distance);
+    }
+    EXPECT_NEAR(beside_step(params, distance), 0.5 - hidden / parts / (4.0 / 3.0 * pi * 8.0), 0.015);
+  }
+}
+
+TEST_F(AoMethodsGl, HBAO_Alchemy_AO_and_full_sphere_SSAO_are_those_of_the_processor) {
+  AoParams params = method(AoTechniqueName::hbao);
+  expect_as_on_cpu(params, shared::HbaoMethod{}, settings_of(std::get<Hbao>(make_technique(params))));
+  params.technique = AoTechniqueName::alchemy;
+  for (const auto estimator : {AlchemyEstimator::alchemy, AlchemyEstimator::sao}) {
+    params.alchemy.estimator = estimator;
+    expect_as_on_cpu(params, shared::AlchemyMethod{}, settings_of(std::get<Alchemy>(make_technique(params))));
+  }
+  params.technique = AoTechniqueName::crytek;
+  expect_as_on_cpu(params, shared::CrytekMethod{}, settings_of(std::get<Crytek>(make_technique(params))));
+}
+
 }  // namespace
 }  // namespace umbrameter

@@ -29,6 +29,8 @@ TEST(RasterParameters, Every_field_is_described) {
   expect_all(SsaoParams{});
   expect_all(AoSliceParams{});
   expect_all(GtaoParams{});
+  expect_all(HbaoParams{});
+  expect_all(AlchemyParams{});
   expect_all(AoBlurParams{});
   // All parts, plus one field: the choice of technique.
   ShadowParams shadow;
@@ -40,7 +42,8 @@ TEST(RasterParameters, Every_field_is_described) {
   AoParams ao;
   EXPECT_EQ(describe(ao).size(), describe(ao.sampling).size() + describe(ao.bias).size() + describe(ao.noise).size() +
                                      1 + describe(ao.ssao).size() + describe(ao.slices).size() +
-                                     describe(ao.gtao).size() + describe(ao.blur).size());
+                                     describe(ao.gtao).size() + describe(ao.hbao).size() + describe(ao.alchemy).size() +
+                                     describe(ao.blur).size());
 }
 
 TEST(RasterParameters, Every_default_keeps_to_its_own_limits) {

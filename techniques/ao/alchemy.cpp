@@ -1,0 +1,33 @@
+#include "techniques/ao/alchemy.h"
+
+#include <array>
+
+namespace umbrameter {
+
+Parameters describe(AlchemyParams& params) {
+  static constexpr std::array<std::string_view, 2> estimators{"alchemy", "sao"};
+  return Description("ao")
+      .choice("alchemy-estimator", params.estimator, estimators,
+              {.unit = {}, .meaning = "Alchemy AO: estimator of 2011, or that of Scalable Ambient Obscurance, 2012"})
+      .field("alchemy-turns", params.turns,
+             {.unit = "1", .meaning = "Alchemy AO: turns of the spiral of samples", .min = 1, .max = 1024})
+      .field("alchemy-bias", params.bias,
+             {.unit = "ao.radius", .meaning = "Alchemy AO: height above the tangent plane that does not occlude"})
+      .field("alchemy-intensity", params.intensity,
+             {.unit = "1", .meaning = "Alchemy AO: factor on the occlusion", .min = 0.0})
+      .take();
+}
+
+Parameters describe(Alchemy& technique) {
+  return concatenate({describe(technique.sampling), describe(technique.noise), describe(technique.params)});
+}
+
+shared::AlchemyMethod::AlchemySettings settings_of(const Alchemy& technique) {
+  const AlchemyParams& params = technique.params;
+  const double radius = technique.sampling.radius.number;
+  return {technique.sampling.samples,           params.turns,
+          static_cast<float>(radius),           static_cast<float>(params.bias * radius),
+          static_cast<float>(params.intensity), params.estimator == AlchemyEstimator::sao ? 1 : 0};
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,35 @@
+// The original SSAO: points in the full sphere, no normal (Mittring 2007). An open plane gives 0.5.
+// crytek.glsl has the formulas, for the shader too.
+#pragma once
+
+#include <string_view>
+
+#include "core/parameters.h"
+#include "techniques/ao/noise.h"
+#include "techniques/ao/parameters.h"
+#include "techniques/ao/screen.h"
+#include "techniques/ao/ssao.h"
+
+namespace umbrameter {
+namespace shared {
+
+struct CrytekMethod : AoScreen {
+#define SHARED
+#include "techniques/ao/crytek.glsl"
+#undef SHARED
+};
+
+}  // namespace shared
+
+struct Crytek {
+  static constexpr std::string_view title = "Full-sphere SSAO";
+  AoSamplingParams sampling;
+  AoBiasParams bias;
+  AoNoiseParams noise;
+  SsaoParams range;
+};
+Parameters describe(Crytek& technique);
+
+shared::CrytekMethod::CrytekSettings settings_of(const Crytek& technique);
+
+}  // namespace umbrameter
