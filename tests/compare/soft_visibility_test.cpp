@@ -161,6 +161,7 @@ TEST(SoftVisibility, Rows_stand_under_their_column) {
   s.error.mean_raster = 21;
   s.error.max_error = 22;
   s.mean_texel = 23;
+  s.penumbra_mae = {24, 25, 26};
   test::expect_row({columns_of(SoftVisibilityStatistics{}), {row_of(s)}}, {{"pixels", 1},
                                                                            {"lit", 2},
                                                                            {"lit_lo", 3},
@@ -183,7 +184,10 @@ TEST(SoftVisibility, Rows_stand_under_their_column) {
                                                                            {"false_lit_hi", 20},
                                                                            {"mean_raster", 21},
                                                                            {"max_error", 22},
-                                                                           {"mean_texel", 23}});
+                                                                           {"mean_texel", 23},
+                                                                           {"penumbra_mae", 24},
+                                                                           {"penumbra_mae_lo", 25},
+                                                                           {"penumbra_mae_hi", 26}});
 }
 
 TEST(SoftVisibility, Rows_fit_their_columns_and_hold_no_numbers_without_pixels) {

@@ -162,6 +162,8 @@ class StagesGl : public testing::Test {
   std::shared_ptr<gl::Context> context_;
 };
 
+TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_GTAO) { expect_fresh({"ao.technique=gtao"}); }
+
 TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_box_filter) {
   expect_fresh({"shadow.filter=box"});
 }
