@@ -9,7 +9,7 @@ foreach(module IN LISTS UMBRAMETER_MODULES)
   set_target_properties(umbrameter_${module} PROPERTIES EXPORT_NAME ${module})
   install(TARGETS umbrameter_${module} EXPORT umbrameter ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${module} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/umbrameter
-          FILES_MATCHING PATTERN "*.h" PATTERN "techniques/shading/*.glsl" PATTERN "techniques/shadow/*.glsl" PATTERN "shaders" EXCLUDE
+          FILES_MATCHING PATTERN "*.h" PATTERN "techniques/shading/*.glsl" PATTERN "techniques/shadow/*.glsl" PATTERN "techniques/ao/*.glsl" PATTERN "shaders" EXCLUDE
           PATTERN "templates" EXCLUDE PATTERN "gl/api.h" EXCLUDE PATTERN "embree*" EXCLUDE
           PATTERN "gltf_*" EXCLUDE PATTERN "results_schema.h" EXCLUDE)
 endforeach()

@@ -60,14 +60,15 @@ float texels_per_pixel(ivec2 pixel, dvec2 axis_of_image, Receiver receiver) {
     dvec3 origin = eye.xyz + ray_origin[0].xyz + at.x * ray_origin[1].xyz + at.y * ray_origin[2].xyz;
     dvec3 direction = ray_direction[0].xyz + at.x * ray_direction[1].xyz + at.y * ray_direction[2].xyz;
     double reach = dot(normal, position - origin) / dot(normal, direction);
-    Receiver moved = project_to_map(origin + reach * direction);
+    Receiver moved = project_to_map(origin + reach * direction, dither_at(pixel));
     if (moved.view == receiver.view) most = max(most, 64.0lf * length(moved.texels - receiver.texels));
   }
   return float(most);
 }
 
 float level_of_detail(ivec2 pixel, Receiver receiver) {
-  receiver = project_to_map(dvec3(texelFetch(position_depth, pixel, 0).xyz));  // without the normal offset
+  // Without the normal offset.
+  receiver = project_to_map(dvec3(texelFetch(position_depth, pixel, 0).xyz), dither_at(pixel));
   float most = max(texels_per_pixel(pixel, dvec2(1, 0), receiver), texels_per_pixel(pixel, dvec2(0, 1), receiver));
   return clamp(log2(max(most, 1.0)), 0.0, float(textureQueryLevels(values) - 1));
 }

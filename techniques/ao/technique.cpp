@@ -6,10 +6,10 @@ namespace umbrameter {
 
 Parameters describe(AoParams& params) {
   static constexpr std::array<std::string_view, 5> names{"ssao", "gtao", "hbao", "alchemy", "crytek"};
-  Parameters technique = Description("ao")
-                             .choice("technique", params.technique, names,
-                                     {.unit = {}, .meaning = "ambient-occlusion technique", .basic = true})
-                             .take();
+  Parameters technique =
+      Description("ao")
+          .choice("technique", params.technique, names, {.unit = {}, .meaning = "AO technique", .basic = true})
+          .take();
   return concatenate({describe(params.sampling), describe(params.bias), describe(params.noise), technique,
                       describe(params.ssao), describe(params.slices), describe(params.gtao), describe(params.hbao),
                       describe(params.alchemy), describe(params.blur)});

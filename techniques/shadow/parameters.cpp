@@ -32,10 +32,9 @@ Parameters describe(BiasParams& params) {
               .meaning = "constant bias, along the light's axis or ray",
               .units = {.texels = true},
               .basic = true})
-      .field("slope-bias", params.slope,
-             {.unit = "texels", .meaning = "slope-scaled bias, times tan θ; θ: normal to light ray", .basic = true})
+      .field("slope-bias", params.slope, {.unit = "texels", .meaning = "slope-scaled bias, times tan θ", .basic = true})
       .field("normal-offset", params.normal_offset,
-             {.unit = "texels", .meaning = "normal offset, times sin θ; θ: normal to light ray", .basic = true})
+             {.unit = "texels", .meaning = "normal offset, times sin θ", .basic = true})
       .field("receiver-plane", params.receiver_plane,
              {.unit = {}, .meaning = "compare each tap with the depth of the receiver's plane at the tap"})
       .field("cone-bias", params.cone,
@@ -49,7 +48,7 @@ Parameters describe(PcfParams& params) {
               {.unit = {}, .meaning = "PCF kernel", .basic = true, .aliases = {{"pcf", "box"}}})
       .field("filter-size", params.size,
              {.unit = "texels",
-              .meaning = "side of the box, tent, Gaussian, optimized or area-tent kernel",
+              .meaning = "side of the PCF kernel; not of a disk",
               .min = 1,
               .max = FilterKernel::largest_size,
               .basic = true})

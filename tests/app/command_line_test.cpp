@@ -166,7 +166,7 @@ TEST(Completion, Bash_completes_commands_parameters_values_and_scenes) {
   EXPECT_EQ(completions(folder, {"umbrameter", "compare", "--shadow.filter", "bo"}), " box ");
   EXPECT_EQ(completions(folder, {"umbrameter", "compare", "--shadow.filter", "=", "bo"}), " box ");
   EXPECT_EQ(completions(folder, {"umbrameter", "compare", "--shadow.filter", "="}),
-            " nearest bilinear box tent gaussian poisson vogel ");
+            " nearest bilinear box tent gaussian poisson vogel optimized area-tent ");
   EXPECT_EQ(completions(folder, {"umbrameter", "sweep", "--vary", "shadow.resol"}), " shadow.resolution= ");
   EXPECT_EQ(completions(folder, {"umbrameter", "info", "courty"}), " courtyard ");
   EXPECT_EQ(completions(folder, {"umbrameter", "compare", "complete"}), " complete.sh ") << "files are scenes, too";

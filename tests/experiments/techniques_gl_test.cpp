@@ -2,6 +2,8 @@
 // the driver.
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "core/error.h"
 #include "experiments/measure.h"
 #include "scenes/builtin.h"
@@ -28,6 +30,16 @@ std::vector<std::string> names_of(const Parameter& parameter) {
   return choice != nullptr ? choice->names : std::vector<std::string>{};
 }
 
+// A setting with which the parameter has an effect.
+std::pair<const char*, const char*> user_of(const std::string& key) {
+  const auto has = [&](const char* part) { return key.find(part) != std::string::npos; };
+  if (has("moment") || has("msm") || has("blur-kernel")) return {"shadow.technique", "msm"};
+  if (has("screen")) return {"shadow.technique", "screen-space"};
+  if (has("pcss")) return {"shadow.technique", "pcss"};
+  if (has("rotation")) return {"shadow.filter", "vogel"};
+  return {"shadow.filter", "gaussian"};
+}
+
 // A driver's message is an Error that is not the user's fault.
 TEST_F(TechniquesGl, Every_choice_draws_under_every_kind_of_light) {
   Stages stages(load_scene("courtyard"), {.gl_device = {}, .context = context_}, Console{.quiet = true});
@@ -42,6 +54,8 @@ TEST_F(TechniquesGl, Every_choice_draws_under_every_kind_of_light) {
         experiment.view.size = {64, 36};
         experiment.shadow.map.resolution = 128;
         experiment.shadow.map.cascades = 3;
+        const auto [key, value] = user_of(parameter.key);
+        require(describe(experiment.shadow), key).set_text(value);
         require(describe(experiment.shadow), parameter.key).set_text(name);
         try {
           const Image<float> visibility = stages.draw(experiment, light, false).visibility;
