@@ -198,7 +198,8 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   section.text = "All cells are in sweep.csv.";
   if (!sweep.ao_limit.empty())
     section.text += " The reference looks for occluders " + sweep.ao_limit + " in every cell.";
-  const bool varies_filter = varies_group(sweep.plan.axes, "shadow.filter");
+  const bool varies_filter =
+      varies_group(sweep.plan.axes, "shadow.filter") || varies_group(sweep.plan.axes, "shadow.technique");
   if (varies_filter && sweep.quantity() == SweptQuantity::visibility)
     section.text += "\n\n" + std::string(filter_caution);
   for (const std::string& warning : warnings) section.text += "\n\nWarning: " + warning + ".";

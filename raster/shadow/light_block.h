@@ -39,7 +39,7 @@ struct LightBlock {
 };
 static_assert(sizeof(LightBlock) == 1120);
 
-/// The block for drawing the map. Bias and filter are 0; bind() in shadow_lookup.h sets them for a look-up.
+/// The block for drawing the map. Bias and filter are 0; lookup_pass() in shadow_lookup.h sets them for a look-up.
 LightBlock make_light_block(const Light& light, const MapLayout& layout);
 
 /// "#define MAP_KIND 0"

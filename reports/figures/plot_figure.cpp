@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "core/error.h"
@@ -109,7 +111,17 @@ Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Js
   result["axis"]["title"] = axis.label;
   if (!is_numeric_axis) {
     result["sort"] = nullptr;
-    result["axis"]["labelAngle"] = 0;
+    // Every name is drawn: where they do not fit beside each other, they are slanted.
+    std::set<std::string> names;
+    std::size_t characters = 0;
+    for (const Json& row : rows) {
+      const std::string name = row.at(field).get<std::string>();
+      if (names.insert(name).second) characters += name.size() + 2;
+    }
+    constexpr std::size_t characters_in_a_row = 45;
+    const bool fits_in_a_row = characters <= characters_in_a_row;
+    result["axis"]["labelAngle"] = fits_in_a_row ? 0 : -40;
+    if (!fits_in_a_row) result["axis"]["labelOverlap"] = false;
     return result;
   }
   const bool is_x = std::string_view(field) == "x";
