@@ -154,7 +154,7 @@ TEST_F(KnownAnswersGl, The_least_bias_without_acne_follows_its_formula) {
         params.pcf.size = c.size;
         params.pcf.taps = c.taps;
         const double least = c.rho * t * p_plus_q * std::tan(slope.theta * degrees);
-        const std::vector<double> biases = evenly(0.0, 1.1 * least, 1101);
+        const std::vector<double> biases = evenly(0.85 * least, 1.05 * least, 201);
         const std::vector<VisibilitySums> found = respond(plane, params, biases, 1.0f);
         std::size_t k = 0;
         while (k < found.size() && share(found[k], Cause::acne) > 0.0) ++k;
