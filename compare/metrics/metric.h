@@ -76,6 +76,9 @@ extern const Metric psnr_metric;
 extern const Metric ssim_metric;
 extern const Metric ssim_uniform_metric;
 extern const Metric ms_ssim_metric;
+extern const Metric edge_displacement_metric;
+extern const Metric edge_roughness_metric;
+extern const Metric edge_width_metric;
 extern const Metric ldr_flip_metric;
 extern const Metric hdr_flip_metric;
 

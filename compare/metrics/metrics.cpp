@@ -11,9 +11,10 @@ namespace {
 
 // Those of scalar images first.
 const std::vector<Metric>& all_metrics() {
-  static const std::vector<Metric> all = {mae_metric,      mse_metric,     rmse_metric,         relative_rmse_metric,
-                                          psnr_metric,     ssim_metric,    ssim_uniform_metric, ms_ssim_metric,
-                                          ldr_flip_metric, hdr_flip_metric};
+  static const std::vector<Metric> all = {
+      mae_metric,        mse_metric,          rmse_metric,    relative_rmse_metric,     psnr_metric,
+      ssim_metric,       ssim_uniform_metric, ms_ssim_metric, edge_displacement_metric, edge_roughness_metric,
+      edge_width_metric, ldr_flip_metric,     hdr_flip_metric};
   return all;
 }
 

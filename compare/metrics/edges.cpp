@@ -1,0 +1,327 @@
+#include "compare/metrics/edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace umbrameter {
+namespace {
+
+constexpr int reach = 32;        // px from the crossing to a plateau
+constexpr float plateau = 0.1f;  // least distance from 0 or 1 that is still one
+constexpr int further = 2;       // px on a plateau that belong to a profile
+constexpr int fit_lines = 3;     // on each side, for the slope of an edge
+constexpr double fewest_in_fit = 4.0;
+constexpr double linked = 1.5;     // px between the crossings of neighbouring lines
+constexpr std::size_t fewest = 8;  // points of an edge that has a roughness
+
+// Rows or columns of both images as lines of pixels.
+struct Lines {
+  const MetricInput& input;
+  bool are_rows = true;
+
+  int count() const { return are_rows ? input.reference.height : input.reference.width; }
+  int length() const { return are_rows ? input.reference.width : input.reference.height; }
+  std::size_t index(int line, int at) const {
+    return are_rows ? input.reference.index(at, line) : input.reference.index(line, at);
+  }
+  bool counts(int line, int at) const {
+    return line >= 0 && line < count() && at >= 0 && at < length() && input.is_counted(index(line, at));
+  }
+  float reference(int line, int at) const { return input.reference[index(line, at)]; }
+  float test(int line, int at) const { return input.test[index(line, at)]; }
+};
+
+struct Crossing {
+  int line = 0;
+  int before = 0;      // the reference passes ½ between this pixel and the next
+  bool rises = false;  // from dark to lit
+  double place = 0.0;  // along the line, px
+  double moved = 0.0;  // along the line, px
+  double width = 0.0;  // along the line, px
+  double reference_width = 0.0;
+  bool is_found = false;
+  std::size_t edge = 0;
+};
+
+// Change of the reference along and across the lines about a crossing, from the halves of a window.
+bool crosses_steeply(const Lines& lines, int line, int before) {
+  double along = 0.0;
+  double across = 0.0;
+  for (int l = -fit_lines; l <= fit_lines; ++l) {
+    for (int a = -fit_lines; a <= fit_lines + 1; ++a) {
+      if (!lines.counts(line + l, before + a)) continue;
+      const auto value = static_cast<double>(lines.reference(line + l, before + a));
+      along += a > 0 ? value : -value;
+      across += l > 0 ? value : l < 0 ? -value : 0.0;
+    }
+  }
+  // Of a window of as many pixels: 7 lines of 8, of which the middle one has no part in the second sum.
+  across *= 7.0 / 6.0;
+  // Each edge is crossed in one direction; at 45° in rows.
+  return lines.are_rows ? std::abs(along) >= std::abs(across) : std::abs(along) > std::abs(across);
+}
+
+bool is_on_plateau(float value, bool is_lit) { return is_lit ? value >= 1.0f - plateau : value <= plateau; }
+
+// A little farther, where both images are still on it, for the last part of the profile; nothing where the pixels that
+// count end.
+std::optional<int> end_of_plateau(const Lines& lines, const Crossing& crossing, int at, int step) {
+  const bool is_lit = crossing.rises == (step > 0);
+  for (int i = 0; i < further; ++i) {
+    const int next = at + step;
+    if (!lines.counts(crossing.line, next)) return {};
+    if (!is_on_plateau(lines.reference(crossing.line, next), is_lit) ||
+        !is_on_plateau(lines.test(crossing.line, next), is_lit)) {
+      break;
+    }
+    at = next;
+  }
+  return at;
+}
+
+// The pixel on one side of the crossing from which both images stay on a plateau.
+std::optional<int> plateau_from(const Lines& lines, const Crossing& crossing, int step) {
+  const bool is_lit = crossing.rises == (step > 0);
+  for (int i = 0; i < reach; ++i) {
+    const int at = crossing.before + (step > 0 ? 1 + i : -i);
+    if (!lines.counts(crossing.line, at)) return {};
+    const float reference = lines.reference(crossing.line, at);
+    if ((reference >= 0.5f) != is_lit) return {};
+    if (is_on_plateau(reference, is_lit) && is_on_plateau(lines.test(crossing.line, at), is_lit)) {
+      return end_of_plateau(lines, crossing, at, step);
+    }
+  }
+  return {};
+}
+
+// Where a profile passes a level between two pixels, searched from its dark end or from its lit one.
+double passes(const std::vector<float>& from_dark, float level, bool from_lit) {
+  const auto last = static_cast<int>(from_dark.size()) - 1;
+  for (int i = 0; i < last; ++i) {
+    const int low = from_lit ? last - 1 - i : i;
+    const float a = from_dark[static_cast<std::size_t>(low)];
+    const float b = from_dark[static_cast<std::size_t>(low) + 1];
+    if (a < level && b >= level) return low + static_cast<double>((level - a) / (b - a));
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+double ramp_width(const std::vector<float>& from_dark) {
+  return std::max(0.0, 2.0 * (passes(from_dark, 0.75f, true) - passes(from_dark, 0.25f, false)));
+}
+
+void read_profile(const Lines& lines, Crossing& crossing) {
+  const std::optional<int> first = plateau_from(lines, crossing, -1);
+  const std::optional<int> last = plateau_from(lines, crossing, 1);
+  if (!first || !last) return;
+  std::vector<float> reference;
+  std::vector<float> test;
+  double darker = 0.0;
+  double dark = 0.0;
+  for (int at = *first; at <= *last; ++at) {
+    reference.push_back(lines.reference(crossing.line, at));
+    test.push_back(lines.test(crossing.line, at));
+    darker += static_cast<double>(reference.back()) - static_cast<double>(test.back());
+    dark += 1.0 - static_cast<double>(reference.back());
+  }
+  if (!crossing.rises) {
+    std::reverse(reference.begin(), reference.end());
+    std::reverse(test.begin(), test.end());
+  }
+  crossing.moved = darker;
+  crossing.place = crossing.rises ? *first + dark : *last + 1 - dark;
+  crossing.width = ramp_width(test);
+  crossing.reference_width = ramp_width(reference);
+  crossing.is_found = std::isfinite(crossing.width) && std::isfinite(crossing.reference_width);
+}
+
+std::vector<Crossing> crossings_of(const Lines& lines) {
+  std::vector<Crossing> all;
+  for (int line = 0; line < lines.count(); ++line) {
+    for (int at = 0; at + 1 < lines.length(); ++at) {
+      if (!lines.counts(line, at) || !lines.counts(line, at + 1)) continue;
+      const bool is_lit = lines.reference(line, at) >= 0.5f;
+      if (is_lit == (lines.reference(line, at + 1) >= 0.5f) || !crosses_steeply(lines, line, at)) continue;
+      Crossing crossing{.line = line, .before = at, .rises = !is_lit, .place = at + 1.0};
+      read_profile(lines, crossing);
+      all.push_back(crossing);
+    }
+  }
+  return all;
+}
+
+// Numbers the connected edges from `next` on, and returns the crossings of each in the order of their lines.
+std::vector<std::vector<std::size_t>> connect(std::vector<Crossing>& all, std::size_t next) {
+  std::vector<std::vector<std::size_t>> edges;
+  std::size_t first_of_last = 0;  // crossings of the line before
+  std::size_t first_of_line = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i > 0 && all[i].line != all[i - 1].line) {
+      first_of_last = all[i].line == all[i - 1].line + 1 ? first_of_line : i;
+      first_of_line = i;
+    }
+    std::size_t nearest = all.size();
+    double least = linked;
+    for (std::size_t j = first_of_last; j < first_of_line; ++j) {
+      const double gap = std::abs(all[j].place - all[i].place);
+      const bool is_taken = edges[all[j].edge - next].back() != j;
+      if (all[j].rises != all[i].rises || is_taken || gap > least) continue;
+      least = gap;
+      nearest = j;
+    }
+    if (nearest == all.size()) {
+      all[i].edge = next + edges.size();
+      edges.emplace_back();
+    } else {
+      all[i].edge = all[nearest].edge;
+    }
+    edges[all[i].edge - next].push_back(i);
+  }
+  return edges;
+}
+
+// Cosine between the edge's normal and the lines, from a line through the places found near one of its crossings; 0
+// where they are too few.
+double cosine_at(const std::vector<Crossing>& all, const std::vector<std::size_t>& edge, std::size_t at) {
+  const std::size_t begin = at < fit_lines ? 0 : at - fit_lines;
+  const std::size_t end = std::min(edge.size(), at + fit_lines + 1);
+  double sum_line = 0.0;
+  double sum_place = 0.0;
+  double count = 0.0;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (!all[edge[i]].is_found) continue;
+    sum_line += all[edge[i]].line;
+    sum_place += all[edge[i]].place;
+    ++count;
+  }
+  if (count < fewest_in_fit) return 0.0;
+  double squares = 0.0;
+  double products = 0.0;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (!all[edge[i]].is_found) continue;
+    const double line = all[edge[i]].line - sum_line / count;
+    squares += line * line;
+    products += line * (all[edge[i]].place - sum_place / count);
+  }
+  const double slope = squares > 0.0 ? products / squares : 0.0;
+  return 1.0 / std::sqrt(1.0 + slope * slope);
+}
+
+// A map of a value of the found points, and the details that all metrics of edges report.
+MetricResult measure_points(const MetricInput& input, const std::vector<EdgePoint>& points,
+                            const std::vector<double>& values) {
+  Image<float> map(input.reference.width, input.reference.height, std::numeric_limits<float>::quiet_NaN());
+  double found = 0.0;
+  double width = 0.0;
+  double reference_width = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].is_found) continue;
+    ++found;
+    width += points[i].width;
+    reference_width += points[i].reference_width;
+    map[points[i].pixel] = static_cast<float>(values[i]);
+  }
+  MetricResult result = mean_of_map(std::move(map), [](std::size_t) { return true; });
+  result.details = {{"edge points", static_cast<double>(points.size())},
+                    {"share of them found", found / static_cast<double>(points.size())},
+                    {"penumbra width [px]", width / found},
+                    {"penumbra width of the reference [px]", reference_width / found}};
+  return result;
+}
+
+MetricResult measure_displacement(const MetricInput& input) {
+  const std::vector<EdgePoint> points = find_edge_points(input);
+  std::vector<double> values;
+  for (const EdgePoint& point : points) values.push_back(point.displacement);
+  return measure_points(input, points, values);
+}
+
+MetricResult measure_roughness(const MetricInput& input) {
+  std::vector<EdgePoint> points = find_edge_points(input);
+  struct Sum {
+    double displacement = 0.0;
+    std::size_t count = 0;
+  };
+  std::vector<Sum> sums;
+  for (const EdgePoint& point : points) {
+    if (sums.size() <= point.edge) sums.resize(point.edge + 1);
+    if (!point.is_found) continue;
+    sums[point.edge].displacement += point.displacement;
+    ++sums[point.edge].count;
+  }
+  std::vector<double> values;
+  for (EdgePoint& point : points) {
+    const Sum& sum = sums[point.edge];
+    point.is_found = point.is_found && sum.count >= fewest;
+    const double mean = sum.count > 0 ? sum.displacement / static_cast<double>(sum.count) : 0.0;
+    values.push_back((point.displacement - mean) * (point.displacement - mean));
+  }
+  MetricResult result = measure_points(input, points, values);
+  result.score = std::sqrt(result.score);
+  return result;
+}
+
+MetricResult measure_width(const MetricInput& input) {
+  const std::vector<EdgePoint> points = find_edge_points(input);
+  std::vector<double> values;
+  for (const EdgePoint& point : points) values.push_back(point.width - point.reference_width);
+  return measure_points(input, points, values);
+}
+
+}  // namespace
+
+std::vector<EdgePoint> find_edge_points(const MetricInput& input) {
+  std::vector<EdgePoint> points;
+  std::size_t edges = 0;
+  for (const bool are_rows : {true, false}) {
+    const Lines lines{input, are_rows};
+    std::vector<Crossing> all = crossings_of(lines);
+    const std::vector<std::vector<std::size_t>> connected = connect(all, edges);
+    for (const std::vector<std::size_t>& edge : connected) {
+      for (std::size_t i = 0; i < edge.size(); ++i) {
+        const Crossing& crossing = all[edge[i]];
+        const double cosine = cosine_at(all, edge, i);
+        const bool is_found = crossing.is_found && cosine > 0.0;
+        points.push_back({lines.index(crossing.line, crossing.before), is_found, cosine * crossing.moved,
+                          cosine * crossing.width, cosine * crossing.reference_width, crossing.edge});
+      }
+    }
+    edges += connected.size();
+  }
+  return points;
+}
+
+const Metric edge_displacement_metric = {"edge-displacement",
+                                         "mean displacement of edges",
+                                         "px",
+                                         "any; 0 is in place, above 0 shadows are larger",
+                                         "mean over the reference's edges of how far they moved into the light",
+                                         "slanted-edge analysis as in ISO 12233, here by the light under each row",
+                                         false,
+                                         measure_displacement,
+                                         ColorRule::display_luma};
+
+const Metric edge_roughness_metric = {"edge-roughness",
+                                      "roughness of edges",
+                                      "px",
+                                      "0 and up, 0 is as straight as the reference",
+                                      "RMS of the displacement about the mean of each connected edge",
+                                      "line edge roughness as in SEMI P47, about the reference's edge",
+                                      false,
+                                      measure_roughness,
+                                      ColorRule::display_luma};
+
+const Metric edge_width_metric = {"edge-width",
+                                  "change of the width of penumbrae",
+                                  "px",
+                                  "any; 0 is as wide as the reference, above 0 is softer",
+                                  "mean over the reference's edges of the width (twice the distance from 25 to 75 %) "
+                                  "less the reference's",
+                                  "edge width as in ISO 12233's edge spread",
+                                  false,
+                                  measure_width,
+                                  ColorRule::display_luma};
+
+}  // namespace umbrameter

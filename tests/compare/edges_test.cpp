@@ -1,0 +1,113 @@
+// Edges whose displacement, roughness and penumbra are known, to a hundredth of a pixel.
+#include "compare/metrics/edges.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "core/math.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr int side = 80;
+constexpr int samples = 10;  // along a pixel's side
+
+// Each pixel is the mean of a function over its area. x and y from the image's centre, px, y down.
+Image<float> drawn(const std::function<double(double x, double y)>& lit) {
+  Image<float> image(side, side);
+  for (int y = 0; y < side; ++y) {
+    for (int x = 0; x < side; ++x) {
+      double sum = 0.0;
+      for (int s = 0; s < samples * samples; ++s) {
+        sum += lit(x + (s % samples + 0.5) / samples - side / 2.0, y + (s / samples + 0.5) / samples - side / 2.0);
+      }
+      image.at(x, y) = static_cast<float>(sum / (samples * samples));
+    }
+  }
+  return image;
+}
+
+// Lit beyond a straight edge through the centre whose normal has this angle; moved by `bend` of the place along it, and
+// a linear ramp of `width`.
+Image<float> edge(double angle, const std::function<double(double)>& bend, double width = 0.0) {
+  return drawn([&](double x, double y) {
+    const double across = x * std::cos(angle) + y * std::sin(angle);
+    const double along = y * std::cos(angle) - x * std::sin(angle);
+    const double beyond = across - bend(along);
+    // A hard edge is as soft as a sample, so that it is not seen where the samples are.
+    return std::clamp(0.5 + beyond / (width == 0.0 ? 1.0 / samples : width), 0.0, 1.0);
+  });
+}
+
+Image<float> straight(double angle, double moved, double width = 0.0) {
+  return edge(
+      angle, [=](double) { return moved; }, width);
+}
+
+bool inside(std::size_t pixel) {
+  const int x = static_cast<int>(pixel) % side - side / 2;
+  const int y = static_cast<int>(pixel) / side - side / 2;
+  return x * x + y * y < 36 * 36;
+}
+
+double score(const Metric& metric, const Image<float>& test, const Image<float>& reference) {
+  return metric.measure({test, reference, inside}).score;
+}
+
+const double angles[] = {0.0, 0.1, pi / 4, 1.0, pi / 2, 2.3, 4.0};
+
+TEST(Edges, A_displacement_is_found_at_any_angle) {
+  for (const double angle : angles) {
+    const Image<float> reference = straight(angle, 0.13);
+    for (const double moved : {-2.4, 0.0, 0.37, 3.3}) {
+      const Image<float> test = straight(angle, 0.13 + moved);
+      EXPECT_NEAR(score(edge_displacement_metric, test, reference), moved, 0.01) << angle;
+      EXPECT_NEAR(score(edge_roughness_metric, test, reference), 0.0, 0.01) << angle << " " << moved;
+    }
+  }
+}
+
+// The mean over a pixel's length leaves sin(πl)/(πl) of a wave of l per pixel.
+TEST(Edges, A_roughness_is_found_at_any_angle) {
+  for (const double angle : angles) {
+    const Image<float> reference = straight(angle, 0.0);
+    for (const double wavelength : {12.0, 22.0}) {
+      for (const double amplitude : {0.2, 0.8}) {
+        const auto wave = [&](double along) { return 0.5 + amplitude * std::sin(2.0 * pi * along / wavelength); };
+        const Image<float> test = edge(angle, wave);
+        const double left = std::sin(pi / wavelength) / (pi / wavelength);
+        EXPECT_NEAR(score(edge_roughness_metric, test, reference), left * amplitude / std::sqrt(2.0), 0.02)
+            << angle << " " << wavelength << " " << amplitude;
+        EXPECT_NEAR(score(edge_displacement_metric, test, reference), 0.5, 0.03) << angle;
+      }
+    }
+  }
+}
+
+// Twice the distance from 25 to 75 % doubles the error of each place.
+TEST(Edges, The_width_of_a_penumbra_is_found_at_any_angle) {
+  for (const double angle : angles) {
+    for (const double width : {4.0, 6.5, 12.0}) {
+      const Image<float> reference = straight(angle, 0.2, 5.0);
+      const Image<float> test = straight(angle, 0.5, width);
+      EXPECT_NEAR(score(edge_width_metric, test, reference), width - 5.0, 0.015) << angle;
+      EXPECT_NEAR(score(edge_displacement_metric, test, reference), 0.3, 0.01) << angle;
+    }
+  }
+}
+
+TEST(Edges, Details_tell_how_many_edges_were_found) {
+  const Image<float> reference = straight(0.3, 0.0);
+  const MetricResult lost = edge_displacement_metric.measure({Image<float>(side, side, 1.0f), reference, inside});
+  EXPECT_TRUE(std::isnan(lost.score)) << "no shadow at all is no edge in another place";
+  EXPECT_GT(lost.details[0].second, 60.0);
+  EXPECT_EQ(lost.details[1].second, 0.0);
+  const MetricResult found = edge_displacement_metric.measure({reference, reference, inside});
+  EXPECT_EQ(found.score, 0.0);
+  EXPECT_GT(found.details[1].second, 0.9);
+}
+
+}  // namespace
+}  // namespace umbrameter
