@@ -39,6 +39,9 @@ double share_of_unresolved(const ClassAgreement& agreement) {
   return share(agreement.reclassified, agreement.unresolved);
 }
 double share_of_wrong(const ClassAgreement& agreement) { return share(agreement.reclassified, agreement.wrong); }
+double share_on_own_layer(const ClassAgreement& agreement) {
+  return share(agreement.on_own_layer, agreement.peter_panning);
+}
 
 std::size_t pixel_of(const UnresolvedTap& tap, const GBuffer& gbuffer) {
   const ivec2 at = unpacked(tap.pixel);
@@ -98,6 +101,15 @@ void add_reclassified(ClassAgreement& agreement, std::span<const UnresolvedTap> 
     ++agreement.taps;
     agreement.unresolved += taps[i].weight;
     if (is_same_surface[i] != 0) agreement.reclassified += taps[i].weight;
+  }
+}
+
+void add_blocked(ClassAgreement& agreement, std::span<const UnresolvedTap> taps,
+                 std::span<const std::uint8_t> is_own_layer) {
+  assert(taps.size() == is_own_layer.size());
+  for (std::size_t i = 0; i < taps.size(); ++i) {
+    agreement.peter_panning += taps[i].weight;
+    if (is_own_layer[i] != 0) agreement.on_own_layer += taps[i].weight;
   }
 }
 

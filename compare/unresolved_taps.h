@@ -1,5 +1,6 @@
-// Wrong taps that the two-plane rule calls false occlusion, and that ray tests can reclassify as acne: the surface
-// points to test, and the update of counts with the results. raytrace/surface_judge.h traces the rays.
+// Wrong taps whose sample lies on another surface by the two-plane rule, and that ray tests check: false occlusion can
+// become acne. The surface points to test, and the update of counts with the results. raytrace/surface_judge.h traces
+// the rays.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +21,16 @@ struct ClassAgreement {
   std::uint64_t unresolved = 0;    ///< wrong taps that are false occlusion by the two-plane rule
   std::uint64_t reclassified = 0;  ///< unresolved taps that ray tests reclassified as acne
   std::uint64_t taps = 0;          ///< number of ray-tested taps, not weighted
+  /// Wrong taps that are peter-panning by the two-plane rule and, of those, the ones whose sample rays find on the
+  /// receiver's own layer: light leak. They are counted here and not reclassified.
+  std::uint64_t peter_panning = 0;
+  std::uint64_t on_own_layer = 0;
 };
 /// `reclassified` as a share of `unresolved` or of `wrong`, 0 to 1; 0 if the whole is 0.
 double share_of_unresolved(const ClassAgreement& agreement);
 double share_of_wrong(const ClassAgreement& agreement);
+/// `on_own_layer` as a share of `peter_panning`, 0 to 1; 0 if there is none.
+double share_on_own_layer(const ClassAgreement& agreement);
 
 /// The index of a tap's pixel in images.
 std::size_t pixel_of(const UnresolvedTap& tap, const GBuffer& gbuffer);
@@ -41,8 +48,12 @@ void reclassify(WrongTaps& wrong, const GBuffer& gbuffer, std::span<const Unreso
 void reclassify(BiasHistogram& histogram, std::span<const UnresolvedTap> taps,
                 std::span<const std::uint8_t> is_same_surface);
 
-/// Adds the tested taps to all members but `wrong`.
+/// Adds the tested taps of lit pixels.
 void add_reclassified(ClassAgreement& agreement, std::span<const UnresolvedTap> taps,
                       std::span<const std::uint8_t> is_same_surface);
+
+/// Adds the tested taps of blocked pixels.
+void add_blocked(ClassAgreement& agreement, std::span<const UnresolvedTap> taps,
+                 std::span<const std::uint8_t> is_own_layer);
 
 }  // namespace umbrameter

@@ -32,17 +32,20 @@ struct LightRay {
 
 class Judge {
  public:
-  Judge(const Tracer& tracer, const MapLayout& layout)
-      : tracer_(tracer), layout_(layout), world_from_light_(glm::inverse(layout.light_from_world)) {
+  Judge(const Tracer& tracer, const MapLayout& layout, Continuity continuity)
+      : tracer_(tracer),
+        layout_(layout),
+        continuity_(continuity),
+        world_from_light_(glm::inverse(layout.light_from_world)) {
     const std::vector<Instance>& instances = tracer.scene().instances;
     const auto& masks = tracer.state().mesh_masks;
     has_masks_ =
         std::any_of(instances.begin(), instances.end(), [&](const auto& i) { return masks[i.mesh] != nullptr; });
   }
 
-  // For receivers that are lit in the reference: the light sees the receiver, so if the sample is on its surface, the
-  // light sees continuous depths between them. At a blocked receiver the light sees another surface, so there is a
-  // jump, and the rule about two planes has decided.
+  // Continuity::seen is for receivers that are lit in the reference: the light sees the receiver, so if the sample is
+  // on its surface, the light sees continuous depths between them. At a blocked receiver the light sees another
+  // surface, so there is always a jump.
   bool is_same_surface(const TapSurfaces& tap) const {
     SeenPoint a = seen(tap.receiver);
     SeenPoint b = seen(tap.sample);
@@ -50,7 +53,8 @@ class Judge {
     for (int i = 0; i < std::numeric_limits<double>::digits; ++i) {
       if (a.instance == b.instance && a.triangle == b.triangle) return true;
       if (distance_across(a, b) <= a.width + b.width) break;
-      const std::optional<SeenPoint> middle = first_seen(between(a, b));
+      const LightRay ray = between(a, b);
+      const std::optional<SeenPoint> middle = continuity_ == Continuity::seen ? first_seen(ray) : layer_on(ray, a, b);
       if (!middle) return false;
       (step_between(a, *middle) >= step_between(*middle, b) ? b : a) = *middle;
     }
@@ -125,23 +129,67 @@ class Judge {
     return point;
   }
 
-  // The nearest hit along a ray of the light, if any. Its position is the intersection of the triangle's plane with the
-  // ray as rounded to floats for Embree, in double precision.
+  // A ray of the light, rounded to floats for Embree.
+  struct WorldRay {
+    vec3 origin;
+    vec3 direction;
+  };
+  WorldRay rounded(const LightRay& ideal) const {
+    return {vec3(dvec3(world_from_light_ * dvec4(ideal.origin, 1.0))),
+            vec3(dmat3(world_from_light_) * ideal.direction)};
+  }
+
+  // The nearest hit along a ray of the light, if any.
   std::optional<SeenPoint> first_seen(const LightRay& ideal) const {
     RayQuery query;
     prepare(query, tracer_.state(), false);
     query.own_instance[0] = no_id;
     query.own_triangle[0] = no_id;
     if (!has_masks_) filter_every_hit(query, false);
-    const vec3 origin(dvec3(world_from_light_ * dvec4(ideal.origin, 1.0)));
-    const vec3 direction(dmat3(world_from_light_) * ideal.direction);
-    const NearestHit hit = nearest_hit(query, origin, direction, std::numeric_limits<float>::infinity());
+    const WorldRay ray = rounded(ideal);
+    const NearestHit hit = nearest_hit(query, ray.origin, ray.direction, std::numeric_limits<float>::infinity());
     if (hit.instance == no_id) return std::nullopt;
+    return hit_point(ray, hit, static_cast<double>(hit.distance));
+  }
+
+  // Of all surfaces along a ray of the light, the one whose depth the planes of both points explain best.
+  std::optional<SeenPoint> layer_on(const LightRay& ideal, const SeenPoint& a, const SeenPoint& b) const {
+    constexpr int most_layers = 64;
+    RayQuery query;
+    prepare(query, tracer_.state(), false);
+    filter_every_hit(query, true);
+    const WorldRay ray = rounded(ideal);
+    NearestHit last;
+    last.instance = no_id;
+    last.triangle = no_id;
+    double travelled = 0.0;
+    std::optional<SeenPoint> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int layer = 0; layer < most_layers; ++layer) {
+      // From the last hit, which leaves out its own triangle.
+      query.own_instance[0] = last.instance;
+      query.own_triangle[0] = last.triangle;
+      const vec3 origin(dvec3(ray.origin) + travelled * dvec3(ray.direction));
+      last = nearest_hit(query, origin, ray.direction, std::numeric_limits<float>::infinity());
+      if (last.instance == no_id) break;
+      travelled += static_cast<double>(last.distance);
+      const SeenPoint point = hit_point(ray, last, travelled);
+      const double steps = step_between(a, point) + step_between(point, b);
+      if (steps < least) {
+        least = steps;
+        best = point;
+      }
+    }
+    return best;
+  }
+
+  // The position is the intersection of the triangle's plane with the ray, in double precision.
+  SeenPoint hit_point(const WorldRay& traced, const NearestHit& hit, double distance) const {
     SeenPoint point = on_triangle(hit.instance, hit.triangle);
-    const LightRay ray{dvec3(layout_.light_from_world * dvec4(dvec3(origin), 1.0)),
-                       glm::normalize(dmat3(layout_.light_from_world) * dvec3(direction))};
+    const LightRay ray{dvec3(layout_.light_from_world * dvec4(dvec3(traced.origin), 1.0)),
+                       glm::normalize(dmat3(layout_.light_from_world) * dvec3(traced.direction))};
     const double exact = distance_to_plane(point, ray);
-    point.in_light = ray.origin + ray.direction * (std::isfinite(exact) ? exact : static_cast<double>(hit.distance));
+    point.in_light = ray.origin + ray.direction * (std::isfinite(exact) ? exact : distance);
     point.depth = depth(point.in_light);
     set_errors(point, ray);
     return point;
@@ -171,6 +219,7 @@ class Judge {
 
   const Tracer& tracer_;
   const MapLayout& layout_;
+  Continuity continuity_;
   dmat4 world_from_light_;
   bool has_masks_ = false;
 };
@@ -178,9 +227,10 @@ class Judge {
 }  // namespace
 
 std::vector<std::uint8_t> test_same_surface(const Tracer& tracer, const MapLayout& layout,
-                                            std::span<const TapSurfaces> taps, const Progress& progress) {
+                                            std::span<const TapSurfaces> taps, Continuity continuity,
+                                            const Progress& progress) {
   constexpr std::size_t batch = 256;
-  const Judge judge(tracer, layout);
+  const Judge judge(tracer, layout, continuity);
   std::vector<std::uint8_t> is_same(taps.size());
   const std::size_t batches = (taps.size() + batch - 1) / batch;
   std::size_t done = 0;

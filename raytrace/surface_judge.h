@@ -13,11 +13,17 @@
 
 namespace umbrameter {
 
-/// 1 for each tap between whose receiver and sample the depth seen from the light has no jump, 0 for the others. The
-/// light must see both points. Bisects the segment between them on the map's plane by rays, always into the half with
-/// the larger depth step that the slopes do not explain, until rays cannot distinguish its ends (docs/classes.md). The
-/// result does not depend on the number of threads.
+/// Which surface must be continuous between the two points. seen: the depth that the light sees, for receivers that it
+/// sees. own_layer: that of the receiver itself, whatever blocks it, for the others.
+enum class Continuity { seen, own_layer };
+
+/// 1 for each tap between whose receiver and sample the depth has no jump, 0 for the others. The light must see the
+/// sample. Bisects the segment between them on the map's plane by rays, always into the half with
+/// the larger depth step that the slopes do not explain, until rays cannot distinguish its ends (docs/classes.md). With
+/// own_layer, each ray passes through surfaces and takes the one that best continues both ends. The result does not
+/// depend on the number of threads.
 std::vector<std::uint8_t> test_same_surface(const Tracer& tracer, const MapLayout& layout,
-                                            std::span<const TapSurfaces> taps, const Progress& progress = {});
+                                            std::span<const TapSurfaces> taps, Continuity continuity,
+                                            const Progress& progress = {});
 
 }  // namespace umbrameter

@@ -19,10 +19,10 @@ static_assert(sizeof(UnresolvedTap) % sizeof(std::uint32_t) == 0);
 
 }  // namespace
 
-void list_unresolved_taps(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes,
+void list_unresolved_taps(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes, bool of_lit,
                           const UnresolvedTapSink& sink) {
   assert(lookup.truth != nullptr && !axes.constant.empty() && !axes.slope.empty());
-  const gl::Buffer list = list_response_pixels(context, lookup, axes, true);
+  const gl::Buffer list = list_response_pixels(context, lookup, axes, of_lit);
   const std::uint32_t pixels = count_listed(context, list);
   if (pixels == 0) return;
 
@@ -31,7 +31,7 @@ void list_unresolved_taps(const gl::Context& context, const ShadowLookup& lookup
       std::min<std::size_t>(pixels, std::max<std::size_t>(max_taps_at_once / taps, constant("LIST_GROUP_SIZE"))));
   const gl::Buffer found =
       gl::make_empty_buffer("unresolved taps", sizeof(std::uint32_t) + at_once * taps * sizeof(UnresolvedTap));
-  gl::Pass pass = lookup_pass(context, lookup, axes.unit, {{"unresolved_taps.comp"}, {}});
+  gl::Pass pass = lookup_pass(context, lookup, axes.unit, {{"unresolved_taps.comp"}, define("OF_LIT", of_lit ? 1 : 0)});
   bind_axes(pass, axes).buffer("PixelList", list).buffer("UnresolvedTaps", found);
   std::vector<std::byte> words;
   std::vector<UnresolvedTap> records;

@@ -1,4 +1,4 @@
-// Lists the taps that are false occlusion by the two-plane rule, so that ray tests can confirm or reclassify them.
+// Lists the taps whose sample lies on another surface by the two-plane rule, so that ray tests can check them.
 #pragma once
 
 #include <functional>
@@ -14,11 +14,12 @@ namespace umbrameter {
 /// Receives the taps in batches, in no particular order.
 using UnresolvedTapSink = std::function<void(std::span<const UnresolvedTap>)>;
 
-/// Lists every tap that draw_bias_response() counts as false occlusion at some bias of the axes, once. If the axes hold
-/// only the biases of one configuration, these are the false-occlusion taps that draw_visibility() counts. Ignores
+/// Lists every tap that draw_bias_response() counts as false occlusion (of_lit) or as peter-panning (otherwise) at some
+/// bias of the axes, once. If the axes hold only the biases of one configuration, these are the taps of that cause that
+/// draw_visibility() counts. Ignores
 /// lookup.bias.constant and lookup.bias.slope. The look-up must have a truth. Memory use does not grow with the number
 /// of taps.
-void list_unresolved_taps(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes,
+void list_unresolved_taps(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes, bool of_lit,
                           const UnresolvedTapSink& sink);
 
 }  // namespace umbrameter

@@ -38,8 +38,8 @@ struct TapSurfaces {
   SurfacePoint sample;
 };
 
-/// A wrong tap that is false occlusion by the two-plane rule: the pixel is lit in the reference, and the rule assigns
-/// the sample to another surface. The memory layout is that of shaders/unresolved_taps.comp.
+/// A wrong tap whose sample lies on another surface by the two-plane rule: false occlusion if the pixel is lit in the
+/// reference, peter-panning otherwise. The memory layout is that of shaders/unresolved_taps.comp.
 struct UnresolvedTap {
   std::uint32_t pixel = 0;  ///< x, and y from the bottom in the upper half
   std::uint32_t texel = 0;  ///< x, and y from the bottom in the upper half

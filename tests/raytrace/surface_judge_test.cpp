@@ -45,9 +45,10 @@ void expect_own(const Scene& scene, const dvec3& towards_light, const dvec3& rec
   for (const Light& light : lights_from(towards_light)) {
     const MapLayout layout = fit_light(light, bounds_of(scene), 1024);
     const TapSurfaces tap{seen_towards(caster, light, layout, receiver), seen_towards(caster, light, layout, sample)};
-    EXPECT_EQ(test_same_surface(tracer, layout, {&tap, 1}).front() != 0, own) << "light " << light.shape.index();
+    EXPECT_EQ(test_same_surface(tracer, layout, {&tap, 1}, Continuity::seen).front() != 0, own)
+        << "light " << light.shape.index();
     const TapSurfaces turned{tap.sample, tap.receiver};
-    EXPECT_EQ(test_same_surface(tracer, layout, {&turned, 1}).front() != 0, own)
+    EXPECT_EQ(test_same_surface(tracer, layout, {&turned, 1}, Continuity::seen).front() != 0, own)
         << "turned, light " << light.shape.index();
   }
 }
@@ -73,6 +74,34 @@ Scene height_field(int cells, const std::function<double(double, double)>& heigh
 }
 
 const dvec3 oblique(0.3, 1.0, 0.2);
+
+// A roof over the half x < 0 of a bulge, seen from above. The receiver is below the roof, the sample beside it.
+TEST(SurfaceJudge, A_blocked_receiver_s_own_layer_goes_on_below_what_blocks_it) {
+  Scene scene = height_field(60, [](double x, double z) { return -0.3 * (x * x + z * z); });
+  shapes::add_mesh(scene, shapes::quad({-1, 0.5, 1}, {1, 0, 0}, {0, 0, -2}));
+  const Tracer tracer(scene);
+  const ReferenceCaster caster(scene);
+  for (const Light& light : lights_from({0.0, 1.0, 0.0})) {
+    const MapLayout layout = fit_light(light, bounds_of(scene), 1024);
+    const auto at = [&](double x, bool on_roof) {
+      SurfacePoint point = seen_towards(caster, light, layout, {x, on_roof ? 0.5 : -0.3 * x * x, 0.1});
+      return point;
+    };
+    const SurfacePoint beside = at(0.4, false);
+    const SurfacePoint roof = at(-0.3, true);
+    // Straight below that point of the roof.
+    Scene open = height_field(60, [](double x, double z) { return -0.3 * (x * x + z * z); });
+    const ReferenceCaster below(open);
+    const SurfacePoint receiver = seen_towards(below, light, layout, {-0.3, -0.027, 0.1});
+    const auto judged = [&](const SurfacePoint& sample, Continuity continuity) {
+      const TapSurfaces tap{receiver, sample};
+      return test_same_surface(tracer, layout, {&tap, 1}, continuity).front() != 0;
+    };
+    EXPECT_TRUE(judged(beside, Continuity::own_layer)) << "light " << light.shape.index();
+    EXPECT_FALSE(judged(beside, Continuity::seen)) << "the light sees the roof between them";
+    EXPECT_FALSE(judged(roof, Continuity::own_layer)) << "light " << light.shape.index();
+  }
+}
 
 TEST(SurfaceJudge, A_finely_tessellated_bulge_is_one_surface) {
   const Scene scene = height_field(150, [](double x, double z) { return -0.3 * (x * x + z * z); });
@@ -187,7 +216,7 @@ TEST(SurfaceJudge, A_wall_that_reaches_over_an_edge_of_the_cube_is_one_surface) 
   TapSurfaces known = tap;
   known.receiver = seen_towards(caster, light, layout, tap.receiver.in_light);
   known.sample = seen_towards(caster, light, layout, tap.sample.in_light);
-  EXPECT_EQ(test_same_surface(tracer, layout, {&known, 1}).front(), 1);
+  EXPECT_EQ(test_same_surface(tracer, layout, {&known, 1}, Continuity::seen).front(), 1);
 }
 
 TEST(SurfaceJudge, Its_verdicts_do_not_depend_on_the_number_of_threads) {
@@ -213,7 +242,7 @@ TEST(SurfaceJudge, Its_verdicts_do_not_depend_on_the_number_of_threads) {
   for (std::size_t i = 0; i + 1 < points.size(); ++i) taps.push_back({points[i], points[i + 1]});
   const auto judged = [&](int threads) {
     const ThreadLimit limit(threads);
-    return test_same_surface(tracer, layout, taps);
+    return test_same_surface(tracer, layout, taps, Continuity::seen);
   };
   const std::vector<std::uint8_t> one = judged(1);
   EXPECT_EQ(judged(4), one);
