@@ -1,7 +1,8 @@
 // umbrameter_technique_table [--pictures DIR] [SCENE...]: every shadow technique on scenes that show failures, as the
 // page docs/techniques/table.md. All settings but those in a row's name are the defaults. The time is that of map,
 // filter and look-up together, in processor time of all threads, over that of the nearest tap in the same turn.
-// --pictures writes the visibility of every cell as a PNG, so that the numbers can be checked by eye.
+// --pictures writes the errors of each scene's techniques as techniques-SCENE.png, so that the numbers can be checked
+// by eye.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,10 +20,10 @@
 #include "experiments/measure.h"
 #include "raster/gl/timer.h"
 #include "raster/shadow/technique_passes.h"
-#include "reports/files/output.h"
-#include "reports/files/png.h"
+#include "reports/figures/drawing.h"
 #include "scenes/builtin.h"
 #include "scenes/emitter.h"
+#include "tests/agreement/technique_sheet.h"
 
 namespace umbrameter {
 namespace {
@@ -98,19 +99,12 @@ double seconds(Stages& stages, const Experiment& experiment) {
   gl::run_timed(&time, [&] {
     const ShadowMap map =
         draw_shadow_map(stages.context(), stages.uploaded(), light, layout, experiment.shadow.map_depth);
-    const FilteredMap filtered = filter_map(stages.context(), map, technique);
+    const FilteredMap filtered =
+        filter_map({stages.context(), stages.uploaded(), light, map, experiment.shadow.map_depth}, technique);
     draw_visibility(stages.context(), {stages.uploaded(), surfels, map, light, experiment.shadow.bias, technique,
                                        nullptr, &filtered, &view});
   });
   return time.processor;
-}
-
-void write_picture(const std::filesystem::path& path, const Image<float>& visibility) {
-  Image<glm::u8vec3> picture(visibility.width, visibility.height);
-  for (std::size_t i = 0; i < visibility.size(); ++i) {
-    picture[i] = glm::u8vec3(static_cast<std::uint8_t>(255.0f * std::clamp(visibility[i], 0.0f, 1.0f) + 0.5f));
-  }
-  write_text(path, to_png(picture));
 }
 
 std::string per_cent(double share) { return fmt::format("{:.2f}", 100.0 * share); }
@@ -157,6 +151,8 @@ void print_scene(const std::string& scene, const std::filesystem::path& pictures
       "false occlusion | peter-panning | leak | time |\n| --- |");
   for (int i = 0; i < 12; ++i) fmt::print(" --- |");
   fmt::print("\n");
+  std::vector<TechniqueCell> cells;
+  Image<float> truth;
   for (const Row& row : rows()) {
     const Experiment nearest = experiment_of(scene, rows().front(), stages.bounds());
     Experiment experiment = stages.in_metres(experiment_of(scene, row, stages.bounds()));
@@ -178,11 +174,14 @@ void print_scene(const std::string& scene, const std::filesystem::path& pictures
     fmt::print("{}\n", line_of(row, cell));
     std::fflush(stdout);
     if (!pictures.empty()) {
-      std::string name = scene + "_" + row.name;
-      std::replace(name.begin(), name.end(), ' ', '-');
-      write_picture(pictures / (name + ".png"), shadow.raster->visibility);
+      truth = shadow.truth->visibility;
+      for (std::size_t i = 0; i < truth.size(); ++i) {
+        if (shadow.counted.exclusion[i] != PixelExclusion::none) truth[i] = -1.0f;
+      }
+      cells.push_back({fmt::format("{}: {} %", row.name, per_cent(cell.edges.mae)), shadow.raster->visibility});
     }
   }
+  if (!pictures.empty()) write_drawing(pictures / ("techniques-" + scene + ".png"), technique_sheet(truth, cells));
 }
 
 int run(int argc, char** argv) {
