@@ -10,6 +10,7 @@
 #include "app/dry_run.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
+#include "experiments/measure_biases.h"
 #include "experiments/presentation/run_output.h"
 #include "experiments/presentation/sweep_report.h"
 #include "experiments/reference_key.h"
@@ -180,16 +181,16 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
         console);
   }
 
-  // The view does not move the map's range: with the view at hand nothing has to be drawn for it.
-  const auto depth_range = [&](const std::vector<Value>& values) {
+  // The view does not move the map's range, and hardly its mean depth: with the view at hand nothing has to be drawn.
+  const auto depth_unit = [&](const std::vector<Value>& values) {
     Experiment cell = at_cell(experiment, axes, values);
     const std::uint32_t light = stages.lights(cell.view.light).front();
     cell.view = experiment.view;
-    return stages.layout(cell, light).far_depth;
+    return mean_depth_unit(stages, cell, light);
   };
   const bool is_limit_fixed = quantity == SweptQuantity::ao && !varies_group(axes, "truth.ao-distance");
   const std::string ao_limit = is_limit_fixed ? ao_limit_text(stages.in_metres(experiment).truth) : "";
-  const SweepResults results{parameters, plan, store, statistics, depth_range, ao_limit};
+  const SweepResults results{parameters, plan, store, statistics, depth_unit, ao_limit};
   const Table best_of_lines = best_rows(results);
   const std::optional<BiasCurves> curves = read_bias_curves(results);
   const std::vector<Value> least = least_row(results);

@@ -5,15 +5,17 @@
 
 namespace umbrameter {
 
-BiasInUnits in_units(const Length& bias, double mean_texel, double depth_range) {
-  assert(bias.unit == LengthUnit::metres || bias.unit == LengthUnit::texels);
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  const double texel = mean_texel > 0.0 ? mean_texel : unknown;
-  BiasInUnits all;
+BiasInUnits in_units(const Length& bias, double mean_texel, double depth_unit) {
+  const auto known = [](double size) { return size > 0.0 ? size : std::numeric_limits<double>::quiet_NaN(); };
   const bool is_in_texels = bias.unit == LengthUnit::texels;
-  all.metres = is_in_texels ? bias.number * texel : bias.number;
-  all.texels = is_in_texels ? bias.number : bias.number / texel;
-  all.depth = depth_range > 0.0 ? all.metres / depth_range : unknown;
+  const bool is_in_depth = bias.unit == LengthUnit::map_depth;
+  assert(is_in_texels || is_in_depth || bias.unit == LengthUnit::metres);
+  BiasInUnits all;
+  all.metres = is_in_texels  ? bias.number * known(mean_texel)
+               : is_in_depth ? bias.number * known(depth_unit)
+                             : bias.number;
+  all.texels = is_in_texels ? bias.number : all.metres / known(mean_texel);
+  all.depth = is_in_depth ? bias.number : all.metres / known(depth_unit);
   return all;
 }
 

@@ -75,6 +75,7 @@ bool fits(const FieldDescription& description, double number) {
 bool fits(const FieldDescription& description, const Length& length) {
   if (length.unit == LengthUnit::automatic) return description.units.automatic;
   if (length.unit == LengthUnit::texels && !description.units.texels) return false;
+  if (length.unit == LengthUnit::map_depth && !description.units.map_depth) return false;
   if (length.unit == LengthUnit::scene_percent && !description.units.scene_size) return false;
   return fits(description, length.number);
 }
@@ -86,10 +87,10 @@ struct NamedUnit {
 };
 // A suffix that ends another one comes after it.
 constexpr NamedUnit length_units[] = {
-    {"texels", LengthUnit::texels, 1.0},  {"texel", LengthUnit::texels, 1.0}, {"%", LengthUnit::scene_percent, 1.0},
-    {"mm", LengthUnit::metres, 0.001},    {"cm", LengthUnit::metres, 0.01},   {"km", LengthUnit::metres, 1000.0},
-    {"inch", LengthUnit::metres, 0.0254}, {"in", LengthUnit::metres, 0.0254}, {"foot", LengthUnit::metres, 0.3048},
-    {"ft", LengthUnit::metres, 0.3048},   {"m", LengthUnit::metres, 1.0},
+    {"texels", LengthUnit::texels, 1.0},   {"texel", LengthUnit::texels, 1.0},   {"%", LengthUnit::scene_percent, 1.0},
+    {"depth", LengthUnit::map_depth, 1.0}, {"mm", LengthUnit::metres, 0.001},    {"cm", LengthUnit::metres, 0.01},
+    {"km", LengthUnit::metres, 1000.0},    {"inch", LengthUnit::metres, 0.0254}, {"in", LengthUnit::metres, 0.0254},
+    {"foot", LengthUnit::metres, 0.3048},  {"ft", LengthUnit::metres, 0.3048},   {"m", LengthUnit::metres, 1.0},
 };
 
 // "2cm" is 0.02: the decimal number is scaled, never the binary one, which would be 0.020000000000000004 for some.
@@ -110,6 +111,8 @@ std::string_view unit_name(LengthUnit unit) {
       return "m";
     case LengthUnit::texels:
       return "texels";
+    case LengthUnit::map_depth:
+      return "of the map's depth";
     case LengthUnit::scene_percent:
       return "% of the scene's size";
     case LengthUnit::automatic:
@@ -129,6 +132,8 @@ std::string to_string(const Length& length) {
       return number_text(length.number);
     case LengthUnit::texels:
       return number_text(length.number) + "texels";
+    case LengthUnit::map_depth:
+      return number_text(length.number) + "depth";
     case LengthUnit::scene_percent:
       return number_text(length.number) + "%";
     case LengthUnit::automatic:
@@ -282,6 +287,7 @@ std::string Parameter::limits() const {
                  [&](Length*) {
                    std::string text = range("a length") + " in m (2cm, 20mm)";
                    if (description.units.texels) text += ", texels (1.5texels)";
+                   if (description.units.map_depth) text += ", the map's depth from 0 to 1 (0.0005depth)";
                    if (description.units.scene_size) text += ", % of the scene's size (2%)";
                    if (description.units.automatic) text += ", or auto";
                    return text;

@@ -43,11 +43,12 @@ struct Size {
 enum class LengthUnit : int {
   metres,
   texels,         ///< of the shadow map, as large as they are at the receiver
+  map_depth,      ///< of the depth that the shadow map stores, which runs from 0 to 1
   scene_percent,  ///< hundredths of the diagonal of the scene's bounds
   automatic       ///< no number: what reads the field derives it from another one
 };
 
-/// A length as users write it: "0.02", "2cm", "1.5texels", "2%" (of the scene's size) or "auto".
+/// A length as users write it: "0.02", "2cm", "1.5texels", "0.0005depth", "2%" (of the scene's size) or "auto".
 struct Length {
   double number = 0.0;
   LengthUnit unit = LengthUnit::metres;
@@ -58,18 +59,20 @@ struct Length {
 /// As a column or label names it: "m", "texels", "% of the scene's size"; empty for automatic.
 std::string_view unit_name(LengthUnit unit);
 
-/// In metres. scene_size is the diagonal of the scene's bounds, metres; the unit must not be texels or automatic.
+/// In metres. scene_size is the diagonal of the scene's bounds, metres; the unit must be metres or scene_percent.
 double to_metres(const Length& length, double scene_size);
 
 /// "0.02" for metres, "1.5texels", "2%", "auto": read back by parse_length() as the same value.
 std::string to_string(const Length& length);
 
-/// Nothing where the text is no length. Units: m, mm, cm, km, inch, foot (and in, ft), texels (texel), % of the scene.
+/// Nothing where the text is no length. Units: m, mm, cm, km, inch, foot (and in, ft), texels (texel),
+/// depth (of the map), % of the scene.
 std::optional<Length> parse_length(std::string_view text);
 
 /// The units besides metres that a field accepts.
 struct LengthUnits {
   bool texels = false;
+  bool map_depth = false;
   bool scene_size = false;
   bool automatic = false;
 };

@@ -1,5 +1,7 @@
 #include "experiments/measure.h"
 
+#include "experiments/measure_biases.h"
+
 namespace umbrameter {
 
 SampledImage sampled(const TracedVisibility& truth) {
@@ -48,6 +50,7 @@ ShadowMeasurement measure_shadow(Stages& stages, const Experiment& experiment, s
   measurement.experiment = experiment;
   measurement.light = light;
   measurement.layout = stages.layout(experiment, light);
+  measurement.depth_unit = mean_depth_unit(stages, experiment, light);
   measurement.counted = stages.counted(experiment, light);
   measurement.emitter = lamp.emitter;
   if (sides.truth) measurement.truth = stages.truth(experiment, light);

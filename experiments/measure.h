@@ -41,6 +41,7 @@ struct ShadowMeasurement {
   Experiment experiment;  ///< the parameters of this measurement
   std::uint32_t light = 0;
   MapLayout layout;
+  double depth_unit = 0.0;  ///< mean_depth_unit()
   CountedPixels counted;
   std::optional<RasterVisibility> raster;
   std::optional<TracedVisibility> truth;

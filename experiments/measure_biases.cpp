@@ -29,4 +29,18 @@ std::vector<std::vector<VisibilityStatistics>> measure_biases(Stages& stages, co
   return measured;
 }
 
+double mean_depth_unit(Stages& stages, const Experiment& experiment, std::uint32_t light) {
+  const MapLayout layout = with_depth_encoding(stages.layout(experiment, light), experiment.shadow.map_depth);
+  if (layout.encoded_near == 0.0) return layout.far_depth;
+  const CountedPixels& counted = stages.counted(experiment, light);
+  const GBuffer& gbuffer = stages.surfels(experiment).gbuffer;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < counted.exclusion.size(); ++i) {
+    if (counted.exclusion[i] != PixelExclusion::none) continue;
+    sum += metres_per_map_depth(layout, depth_of(layout, dvec3(gbuffer.position[i])));
+  }
+  const std::uint64_t pixels = counted.totals[static_cast<std::size_t>(PixelExclusion::none)];
+  return pixels > 0 ? sum / static_cast<double>(pixels) : 0.0;
+}
+
 }  // namespace umbrameter

@@ -16,4 +16,7 @@ std::vector<std::vector<VisibilityStatistics>> measure_biases(Stages& stages, co
                                                               std::uint32_t light, const std::vector<double>& constant,
                                                               const std::vector<double>& slope);
 
+/// Metres per unit of the depth that the light's map stores: mean over the counted pixels, 0 if there is none.
+double mean_depth_unit(Stages& stages, const Experiment& experiment, std::uint32_t light);
+
 }  // namespace umbrameter

@@ -292,8 +292,9 @@ ShadowLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t l
   }
   const ShadowTechnique technique =
       make_technique(experiment.shadow, half_size(this->light(experiment, light).emitter));
-  const FilteredMap& filtered = filtered_map_.get(key(Stage::filtered_map, experiment, light),
-                                                  [&] { return filter_map(context(), map, technique); });
+  const FilteredMap& filtered = filtered_map_.get(key(Stage::filtered_map, experiment, light), [&] {
+    return filter_map({context(), uploaded(), scene_.lights[light], map, experiment.shadow.map_depth}, technique);
+  });
   return {uploaded(), gpu,       map,       scene_.lights[light],     experiment.shadow.bias,
           technique,  gpu_truth, &filtered, &surfels(experiment).view};
 }
@@ -314,22 +315,23 @@ std::vector<Image<float>> Stages::draw_lookups(std::span<const Experiment> exper
 BiasHistogram Stages::bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes) {
   BiasHistogram histogram = draw_bias_response(context(), shadow_lookup(experiment, light, true), axes);
   if (experiment.run.classes == ClassRule::fast) return histogram;
-  test_unresolved_taps(experiment, light, axes,
-                       [&](std::span<const UnresolvedTap> taps, std::span<const std::uint8_t> is_same_surface) {
-                         umbrameter::reclassify(histogram, taps, is_same_surface);
-                       });
+  test_unresolved_taps(experiment, light, axes, true, [&](auto taps, auto is_same_surface) {
+    umbrameter::reclassify(histogram, taps, is_same_surface);
+  });
   return histogram;
 }
 
-void Stages::test_unresolved_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes,
+void Stages::test_unresolved_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes, bool of_lit,
                                   const TestedTaps& take) {
   const ShadowLookup lookup = shadow_lookup(experiment, light, true);
   const MapLayout& layout = lookup.map.layout;
   const GBuffer& gbuffer = surfels(experiment).gbuffer;
   const Tracer& rays = tracer();
+  const Continuity continuity = of_lit ? Continuity::seen : Continuity::own_layer;
   ProgressBar progress = bar("classes");
-  list_unresolved_taps(context(), lookup, axes, [&](std::span<const UnresolvedTap> taps) {
-    take(taps, test_same_surface(rays, layout, surfaces_of(scene_, layout, gbuffer, taps), progress.callback()));
+  list_unresolved_taps(context(), lookup, axes, of_lit, [&](std::span<const UnresolvedTap> taps) {
+    const std::vector<TapSurfaces> surfaces = surfaces_of(scene_, layout, gbuffer, taps);
+    take(taps, test_same_surface(rays, layout, surfaces, continuity, progress.callback()));
   });
 }
 
@@ -340,11 +342,12 @@ ClassAgreement Stages::reclassify(const Experiment& experiment, std::uint32_t li
   const Length& bias = experiment.shadow.bias.constant;
   const BiasAxes biases{
       {static_cast<float>(bias.number)}, {static_cast<float>(experiment.shadow.bias.slope)}, bias.unit};
-  test_unresolved_taps(experiment, light, biases,
-                       [&](std::span<const UnresolvedTap> taps, std::span<const std::uint8_t> is_same_surface) {
-                         umbrameter::reclassify(wrong, gbuffer, taps, is_same_surface);
-                         add_reclassified(agreement, taps, is_same_surface);
-                       });
+  test_unresolved_taps(experiment, light, biases, true, [&](auto taps, auto is_same_surface) {
+    umbrameter::reclassify(wrong, gbuffer, taps, is_same_surface);
+    add_reclassified(agreement, taps, is_same_surface);
+  });
+  test_unresolved_taps(experiment, light, biases, false,
+                       [&](auto taps, auto is_own_layer) { add_blocked(agreement, taps, is_own_layer); });
   return agreement;
 }
 

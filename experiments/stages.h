@@ -182,7 +182,7 @@ class Stages {
 
  private:
   using TestedTaps = std::function<void(std::span<const UnresolvedTap>, std::span<const std::uint8_t>)>;
-  void test_unresolved_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes,
+  void test_unresolved_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes, bool of_lit,
                             const TestedTaps& take);
   ShadowLookup shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth);
   const StoredSurfels& stored_surfels(const Experiment& experiment);

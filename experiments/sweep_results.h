@@ -16,8 +16,8 @@ struct SweepResults {
   const SweepPlan& plan;
   const ResultsStore& store;
   const CellStatistics& statistics;  ///< the kind of statistics in the rows
-  /// The shadow map's depth range at these values of the axes, metres; empty for ambient occlusion.
-  std::function<double(const std::vector<Value>& values)> depth_range;
+  /// mean_depth_unit() at these values of the axes, metres; empty for ambient occlusion.
+  std::function<double(const std::vector<Value>& values)> depth_unit;
   /// Distance limit of an ambient-occlusion reference: "up to 58.6 cm"; empty if it is varied.
   std::string ao_limit{};
 

@@ -46,6 +46,8 @@ inline constexpr ShaderConstant shader_constants[] = {
     {"DEPTH_REVERSED_LINEAR", shared::DEPTH_REVERSED_LINEAR},
     {"DEPTH_PERSPECTIVE", shared::DEPTH_PERSPECTIVE},
     {"DEPTH_REVERSED_PERSPECTIVE", shared::DEPTH_REVERSED_PERSPECTIVE},
+    {"BIAS_IN_TEXELS", static_cast<unsigned>(LengthUnit::texels)},
+    {"BIAS_IN_MAP_DEPTH", static_cast<unsigned>(LengthUnit::map_depth)},
     {"SURFACE_MIDPOINT", static_cast<unsigned>(StoredSurface::midpoint)},
     {"SURFACE_SECOND", static_cast<unsigned>(StoredSurface::second)},
     {"SURFACE_DUAL", static_cast<unsigned>(StoredSurface::dual)},

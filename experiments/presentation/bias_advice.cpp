@@ -44,19 +44,21 @@ std::array<double, cause_count> shares_of(const BiasCell& cell) {
 }
 
 BiasInUnits in_units(const BiasAdvice& advice, const BiasCell& cell) {
-  return in_units(Length{cell.constant, advice.unit}, advice.mean_texel, advice.depth_range);
-}
-
-// In the unit in use first, then in the other one.
-std::string bias_text(const BiasAdvice& advice, const BiasCell& cell) {
-  const BiasInUnits bias = in_units(advice, cell);
-  const std::string texels = fmt::format("{:.3g} texels", bias.texels);
-  return advice.unit == LengthUnit::texels ? fmt::format("{} ({})", texels, metres_text(bias.metres))
-                                           : fmt::format("{} ({})", metres_text(bias.metres), texels);
+  return in_units(Length{cell.constant, advice.unit}, advice.mean_texel, advice.depth_unit);
 }
 
 std::string short_bias_text(const BiasAdvice& advice, const BiasCell& cell) {
   return length_text(Length{cell.constant, advice.unit});
+}
+
+// In the unit in use first, then in texels or metres.
+std::string bias_text(const BiasAdvice& advice, const BiasCell& cell) {
+  const BiasInUnits bias = in_units(advice, cell);
+  const std::string texels = fmt::format("{:.3g} texels", bias.texels);
+  if (advice.unit == LengthUnit::texels) return fmt::format("{} ({})", texels, metres_text(bias.metres));
+  const std::string own =
+      advice.unit == LengthUnit::map_depth ? short_bias_text(advice, cell) : metres_text(bias.metres);
+  return fmt::format("{} ({})", own, texels);
 }
 
 }  // namespace
@@ -66,14 +68,15 @@ bool is_best(const BiasAdvice& advice) { return advice.line.least_error->mae >= 
 bool is_open_ended(const BiasAdvice& advice) { return advice.line.least_error->constant >= advice.largest; }
 
 BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32_t light) {
-  const MapLayout& layout = stages.layout(experiment, light);
   const CountedPixels& counted = stages.counted(experiment, light);
   const Length& used = experiment.shadow.bias.constant;
   BiasAdvice advice;
   advice.unit = used.unit;
   advice.mean_texel = counted.mean_texel;
-  advice.depth_range = layout.far_depth;
-  const double texel = used.unit == LengthUnit::texels ? 1.0 : advice.mean_texel;
+  advice.depth_unit = mean_depth_unit(stages, experiment, light);
+  const double texel = used.unit == LengthUnit::texels      ? 1.0
+                       : used.unit == LengthUnit::map_depth ? advice.mean_texel / advice.depth_unit
+                                                            : advice.mean_texel;
   const std::vector<double> biases = readable_axis(min_texels * texel, max_texels * texel);
   advice.largest = biases.back();
 
@@ -121,7 +124,7 @@ ReportTable advice_table(const BiasAdvice& advice) {
   Table table{{{"constant bias", "", "all other parameters as in this run"},
                {"along the light", "m", "length along the light; texels are converted at their mean size"},
                {"in texels", "texels", "in texels of mean size over the counted pixels"},
-               {"in depth", "1", "normalised depth: share of the map's depth range"},
+               {"in depth", "1", "of the depth that the map stores, from 0 to 1"},
                {"error", "%", "mean absolute error of visibility"}},
               {}};
   for (std::size_t c = 0; c < cause_count; ++c) {

@@ -19,7 +19,7 @@ struct BiasAdvice {
   BiasLine line;                         ///< what the axis holds
   double largest = 0.0;                  ///< the axis's upper end; the lower one is 0
   double mean_texel = 0.0;               ///< metres
-  double depth_range = 0.0;              ///< of the map, metres
+  double depth_unit = 0.0;               ///< mean_depth_unit()
 };
 
 /// Whether no bias of the axis has less error than the one in use, or less by less than a hundredth of it.

@@ -285,8 +285,8 @@ std::optional<PlotFigure> law_plot(const Drawing& drawing) {
     for (std::size_t line = 0; line < drawing.lines(); ++line) {
       const BiasCurve* curve = curve_at(drawing, line);
       if (curve == nullptr) continue;
-      const auto point =
-          fit_point(drawing.curves, law.of, curve->optima.lines[drawing.slope], curve->optima.mean_texel);
+      const auto point = fit_point(drawing.curves, law.of, curve->optima.lines[drawing.slope], curve->optima.mean_texel,
+                                   curve->depth_unit);
       if (point) plot.data.rows.push_back({point->texel, point->bias, name, true});
     }
     plot.caption += fmt::format(" Fit of {}: bias ≈ {}, {}.", name, law_text(*law.law), residual_text(*law.law));

@@ -47,7 +47,7 @@ void fill(BiasCurves& curves, const SweepResults& sweep, const std::vector<std::
     }
     if (curve.optima.mean_texel == 0.0) {
       curve.optima.mean_texel = statistics.mean_texel;
-      if (sweep.depth_range) curve.depth_range = sweep.depth_range(values_at(plan, at));
+      if (sweep.depth_unit) curve.depth_unit = sweep.depth_unit(values_at(plan, at));
     }
     const InnerAxis& constant = plan.constant_bias;
     const InnerAxis& slope = plan.slope_bias;
@@ -87,9 +87,9 @@ void add_laws(BiasCurves& curves, std::size_t resolution) {
         if (without_resolution(curve.others) != others) continue;
         const double texel = curve.optima.mean_texel;
         for (const BiasLine& line : curve.optima.lines) {
-          if (const auto point = fit_point(curves, of, line, texel)) all.push_back(*point);
+          if (const auto point = fit_point(curves, of, line, texel, curve.depth_unit)) all.push_back(*point);
         }
-        const auto point = fit_point(curves, of, flattest(curve.optima), texel);
+        const auto point = fit_point(curves, of, flattest(curve.optima), texel, curve.depth_unit);
         if (point) flat.push_back(*point);
         if (!point) ++law.left_out;
       }
@@ -102,7 +102,8 @@ void add_laws(BiasCurves& curves, std::size_t resolution) {
 
 }  // namespace
 
-std::optional<FitPoint> fit_point(const BiasCurves& curves, LawOf of, const BiasLine& line, double mean_texel) {
+std::optional<FitPoint> fit_point(const BiasCurves& curves, LawOf of, const BiasLine& line, double mean_texel,
+                                  double depth_unit) {
   const std::span<const double> axis = curves.constants;
   std::optional<FitPoint> point;
   if (of == LawOf::least_error) {
@@ -111,15 +112,16 @@ std::optional<FitPoint> fit_point(const BiasCurves& curves, LawOf of, const Bias
     const std::optional<BiasCell>& cell = of == LawOf::no_acne ? line.acne_free : line.little_acne;
     if (cell) point = point_of_least_free(*cell, mean_texel, axis);
   }
-  if (point && curves.unit == LengthUnit::texels) {
-    point->bias *= mean_texel;
-    point->step *= mean_texel;
+  if (point && curves.unit != LengthUnit::metres) {
+    const double metres = curves.unit == LengthUnit::texels ? mean_texel : depth_unit;
+    point->bias *= metres;
+    point->step *= metres;
   }
   return point;
 }
 
 BiasInUnits in_units(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
-  return in_units(Length{cell.constant, curves.unit}, curve.optima.mean_texel, curve.depth_range);
+  return in_units(Length{cell.constant, curves.unit}, curve.optima.mean_texel, curve.depth_unit);
 }
 
 std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep) {

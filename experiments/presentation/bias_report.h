@@ -21,7 +21,7 @@ namespace umbrameter {
 struct BiasCurve {
   std::vector<Value> others;  ///< values of the other axes
   BiasOptima optima;
-  double depth_range = 0.0;  ///< of the map, metres
+  double depth_unit = 0.0;  ///< mean_depth_unit()
 };
 
 /// The bias of a BiasLine to which a law is fitted.
@@ -45,13 +45,14 @@ struct BiasCurves {
   std::vector<BiasCurve> curves;         ///< in the order of cells
   std::vector<CurveLaw> laws;            ///< empty unless resolution and constant bias are varied
   std::vector<double> constants;         ///< the axis of constant biases, ascending, in `unit`
-  LengthUnit unit = LengthUnit::metres;  ///< of all constant biases: metres or texels
+  LengthUnit unit = LengthUnit::metres;  ///< of all constant biases
   std::size_t combinations = 0;          ///< number of curves in the sweep; only the first ones are read
 };
 
 /// The line's bias as a point of the fit, in metres for any unit of the axis. Empty if the line has no such bias, or if
 /// this is at an end of the axis beyond which the optimum may lie.
-std::optional<FitPoint> fit_point(const BiasCurves& curves, LawOf of, const BiasLine& line, double mean_texel);
+std::optional<FitPoint> fit_point(const BiasCurves& curves, LawOf of, const BiasLine& line, double mean_texel,
+                                  double depth_unit);
 
 /// The cell's constant bias in all units.
 BiasInUnits in_units(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell);

@@ -51,7 +51,7 @@ Table choices_table(const BiasCurves& curves) {
       {"choice", "", "which bias; 'acne at most 0.1 %' and 'no acne' use the slope-scaled bias nearest to 0"},
       {"constant bias", "m", "along the light"},
       {"in texels", "texels", "constant bias in texels of mean size"},
-      {"in depth", "1", "constant bias as normalised depth: share of the map's depth range"},
+      {"in depth", "1", "constant bias in the depth that the map stores, from 0 to 1"},
       {"slope bias", "texels", "slope-scaled bias"},
       {"error", "%", "mean absolute error of visibility"}};
   table.columns.insert(table.columns.end(), rest.begin(), rest.end());
@@ -203,7 +203,8 @@ std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const Bi
   }
   const bool is_in_texels = curves.unit == LengthUnit::texels;
   const auto own_text = [&](double constant) {
-    return is_in_texels ? fmt::format("{:.{}g} texels", constant, digits) : metres_text(constant, digits);
+    return curves.unit == LengthUnit::metres ? metres_text(constant, digits)
+                                             : fmt::format("{:.{}g} {}", constant, digits, unit_name(curves.unit));
   };
   std::string text = own_text(cell.constant);
   std::string more = is_in_texels                 ? metres_text(bias.metres, digits)

@@ -109,9 +109,14 @@ void present_soft_error(Presentation& presentation, const Stages& stages, const 
 }
 
 std::string agreement_text(const ClassAgreement& agreement) {
-  return fmt::format(
+  std::string text = fmt::format(
       "ray tests reclassified {:.2g} % of {} taps from false occlusion to acne: {:.2g} % of all wrong taps.",
       100.0 * share_of_unresolved(agreement), agreement.taps, 100.0 * share_of_wrong(agreement));
+  if (agreement.peter_panning > 0) {
+    text += fmt::format(" Rays find {:.2g} % of peter-panning on the receiver's own layer, where it is light leak.",
+                        100.0 * share_on_own_layer(agreement));
+  }
+  return text;
 }
 
 ReportTable worst_parts(const char* what, PartKind kind, const std::vector<PartError>& parts,
@@ -225,12 +230,12 @@ Presentation present_shadow_error(const Stages& stages, const ShadowMeasurement&
 ReportTable bias_table(const ShadowMeasurement& shadow) {
   Table table{{{"constant bias", "", ""}, {"value", "", ""}, {"unit", "", ""}}, {}};
   const double texel = shadow.counted.mean_texel;
-  const BiasInUnits bias = in_units(shadow.experiment.shadow.bias.constant, texel, shadow.layout.far_depth);
+  const BiasInUnits bias = in_units(shadow.experiment.shadow.bias.constant, texel, shadow.depth_unit);
   const auto known = [](double number) { return std::isfinite(number) ? fmt::format("{:.4g}", number) : "—"; };
   table.rows.push_back({std::string("along the light"), known(bias.metres), std::string("m")});
   table.rows.push_back(
       {std::string("in texels of mean size ") + metres_text(texel), known(bias.texels), std::string("texels")});
-  table.rows.push_back({std::string("as a share of the map's depth range of ") + metres_text(shadow.layout.far_depth),
+  table.rows.push_back({std::string("of the depth that the map stores, of mean size ") + metres_text(shadow.depth_unit),
                         known(bias.depth), std::string("normalised depth")});
   return {"Constant bias of these images", std::move(table)};
 }

@@ -53,7 +53,9 @@ Json agreement_json(const ClassAgreement& agreement) {
           {"foreign_weight", agreement.unresolved},
           {"reclassified_weight", agreement.reclassified},
           {"reclassified_of_unresolved", share_of_unresolved(agreement)},
-          {"reclassified_of_wrong", share_of_wrong(agreement)}};
+          {"reclassified_of_wrong", share_of_wrong(agreement)},
+          {"peter_panning_weight", agreement.peter_panning},
+          {"peter_panning_on_own_layer", share_on_own_layer(agreement)}};
 }
 
 template <class Struct>
@@ -101,7 +103,7 @@ Json shadow_json(const Stages& stages, const ShadowMeasurement& shadow) {
                    {"mean_texel_m", texel},
                    {"far_depth_m", shadow.layout.far_depth}};
   if (shadow.stored_depths) add_stored_depths(object["map"], *shadow.stored_depths);
-  object["constant_bias"] = to_json(in_units(shadow.experiment.shadow.bias.constant, texel, shadow.layout.far_depth));
+  object["constant_bias"] = to_json(in_units(shadow.experiment.shadow.bias.constant, texel, shadow.depth_unit));
   Json counting = Json::object();
   for (std::size_t i = 0; i < exclusion_names.size(); ++i) {
     counting[std::string(exclusion_names[i])] = shadow.counted.totals[i];

@@ -25,9 +25,9 @@ struct Receiver {
 };
 
 struct Tap {
-  ivec3 texel;         // x, y, face
+  ivec3 texel;  // x, y, face
   bool has_blocker;
-  float critical_bias;  // metres; the tap is lit if and only if the bias is at least this
+  float critical_bias;  // metres at the receiver; the tap is lit if and only if the bias is at least this
 };
 
 // The view of a cube or paraboloid map that sees a direction.
@@ -78,8 +78,7 @@ bool is_in_cascade(int view, dvec3 p, double inset) {
     return view_depth(p) <= farthest;
   }
   // With a margin for the taps of a kernel.
-  precise double reach =
-      candidate.z * (1.0lf - 2.0lf * double(MAP_VIEW_MARGIN) / double(resolution)) * (1.0lf - inset);
+  precise double reach = candidate.z * (1.0lf - 2.0lf * double(MAP_VIEW_MARGIN) / double(resolution)) * (1.0lf - inset);
   return all(lessThanEqual(abs(p.xy - candidate.xy), dvec2(reach)));
 }
 
@@ -164,8 +163,8 @@ void texel_ray(ivec3 texel, out dvec3 origin, out dvec3 direction) {
   direction = on_paraboloid;
 #else
   origin = dvec3(0.0lf);
-  precise dvec3 sum = face_basis[3 * texel.z].xyz * c.x + face_basis[3 * texel.z + 1].xyz * c.y +
-                      face_basis[3 * texel.z + 2].xyz;
+  precise dvec3 sum =
+      face_basis[3 * texel.z].xyz * c.x + face_basis[3 * texel.z + 1].xyz * c.y + face_basis[3 * texel.z + 2].xyz;
   direction = sum;
 #endif
 }
@@ -182,6 +181,29 @@ float texel_at(Receiver receiver) {
   side *= receiver.axis_depth;
 #endif
   return float(side);
+}
+
+// Metres per unit of constant bias at a receiver: bias_unit_of() of techniques/shadow/reference/lookup.cpp.
+float bias_unit_of(Receiver receiver, float texel) {
+  if (bias_unit == BIAS_IN_TEXELS) return texel;
+  if (bias_unit != BIAS_IN_MAP_DEPTH) return 1.0;
+  if (encoded_near == 0.0lf) return float(far_depth);
+  precise double metres = receiver.depth * receiver.depth * (far_depth - encoded_near) / (encoded_near * far_depth);
+  return float(metres);
+}
+
+// Whether depths are compared as the map stores them, and not in metres. Their difference is then scaled by the unit of
+// the bias, so that critical biases stay in metres at the receiver.
+bool compares_encoded() { return bias_unit == BIAS_IN_MAP_DEPTH && encoded_near > 0.0lf; }
+
+// The depth of the surface in a tap's texel, metres.
+double blocker_depth(Receiver receiver, float critical_bias) {
+  precise double depth = receiver.depth - double(critical_bias);
+  if (compares_encoded()) {
+    precise double encoded = receiver.depth * receiver.depth / (receiver.depth + double(critical_bias));
+    depth = encoded;
+  }
+  return depth;
 }
 
 // Depth with which a tap compares its texel, metres: that of the receiver or, with receiver_plane, of the receiver's
@@ -233,7 +255,14 @@ Tap fetch_tap(Receiver receiver, ivec2 offset) {
 #endif
   float stored = receiver.is_inside && is_on_map ? texelFetch(shadow_depth, tap.texel, 0).r : empty_depth;
   tap.has_blocker = stored < empty_depth;
-  precise double above = compared_depth(receiver, tap.texel) - double(stored) * far_depth;
+  double compared = compared_depth(receiver, tap.texel);
+  precise double blocker = double(stored) * far_depth;
+  precise double above = compared - blocker;
+  if (compares_encoded()) {
+    // The difference of the reciprocal depths, times the square of the receiver's.
+    precise double scale = receiver.depth * receiver.depth / (max(compared, encoded_near) * max(blocker, encoded_near));
+    above *= scale;
+  }
 #if CONE_BIAS
   precise dvec2 away = dvec2(receiver.texel + offset) + 0.5lf - receiver.texels;
   precise double squared = away.x * away.x + away.y * away.y;

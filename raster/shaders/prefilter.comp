@@ -1,6 +1,6 @@
 // One axis of the blur of a filtered shadow map. Coordinates are clamped to the edge: the blur does not cross from one
-// view to another. With IS_DEPTH the source is the map's depth, otherwise the result of the other axis. Each view has
-// GROUPS layers.
+// view to another. With IS_DEPTH the source is a map's depth with SAMPLES × SAMPLES texels to each texel of the result,
+// whose values are averaged; otherwise it is the result of the other axis. Each view has GROUPS layers.
 #include "prefilter_settings.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
 uniform sampler2DArray source;
@@ -11,15 +11,20 @@ uniform ivec2 axis;
 
 void main() {
   ivec3 texel = ivec3(gl_GlobalInvocationID);
-  ivec2 last = textureSize(source, 0).xy - 1;
+  ivec2 last = imageSize(blurred).xy - 1;
   if (any(greaterThan(texel.xy, last))) return;
   vec4 sum = vec4(0.0);
   float weights = 0.0;
   for (int i = 0; i < taps; ++i) {
     ivec2 at = clamp(texel.xy + (i - taps / 2) * axis, ivec2(0), last);
 #if IS_DEPTH
-    float depth = texelFetch(source, ivec3(at, texel.z / GROUPS), 0).r;
-    vec4 values = map_values(depth, texel.z % GROUPS, settings_of_map());
+    vec4 values = vec4(0.0);
+    for (int s = 0; s < SAMPLES * SAMPLES; ++s) {
+      ivec2 place = SAMPLES * at + ivec2(s % SAMPLES, s / SAMPLES);
+      float depth = texelFetch(source, ivec3(place, texel.z / GROUPS), 0).r;
+      values += map_values(depth, texel.z % GROUPS, settings_of_map());
+    }
+    values /= float(SAMPLES * SAMPLES);
 #else
     vec4 values = texelFetch(source, ivec3(at, texel.z), 0);
 #endif

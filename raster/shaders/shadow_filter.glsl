@@ -137,7 +137,7 @@ float search_radius(Lookup surfel, vec2 turn) {
     vec2 p = search_points[i];
     Tap tap = fetch_tap(receiver, disk_offset(receiver, p, turn, float(reach)));
     if (!tap.has_blocker || is_lit(tap.critical_bias, surfel)) continue;
-    precise double blocker = receiver.depth - double(tap.critical_bias);
+    double blocker = blocker_depth(receiver, tap.critical_bias);
     if (!(blocker > 0.0lf)) continue;
     precise double squared = double(p.x) * double(p.x) + double(p.y) * double(p.y);
     precise double away = sqrt(squared) * reach * texel;

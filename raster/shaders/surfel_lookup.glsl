@@ -32,13 +32,13 @@ Lookup look_up(ivec2 pixel) {
   precise double sine = length_of(cross_of(normal, to_light));
   float texel = texel_at(result.receiver);
   result.slope = texel * float(sine / cosine);
-  result.bias_unit = bias_in_texels != 0 ? texel : 1.0;
   if (normal_offset != 0.0) {
     // Factor · texel size · sin θ (D. Holbert, Saying "Goodbye" to Shadow Acne, GDC 2011).
     precise double shift = double(normal_offset) * double(texel) * (sine / length_of(to_light));
     precise dvec3 moved = position + normal * shift;
     result.receiver = project_to_map(moved, dither_at(pixel));
   }
+  result.bias_unit = bias_unit_of(result.receiver, texel);
 #if RECEIVER_PLANE
   result.receiver.plane = transform_vector(light_from_world, normal);
 #endif

@@ -4,10 +4,10 @@
 
 namespace umbrameter {
 
-FilteredMap filter(const gl::Context&, const ShadowMap&, const Pcf&) { return {}; }
+FilteredMap filter(const DrawnMap&, const Pcf&) { return {}; }
 
-FilteredMap filter_map(const gl::Context& context, const ShadowMap& map, const ShadowTechnique& technique) {
-  return std::visit([&](const auto& each) { return filter(context, map, each); }, technique);
+FilteredMap filter_map(const DrawnMap& drawn, const ShadowTechnique& technique) {
+  return std::visit([&](const auto& each) { return filter(drawn, each); }, technique);
 }
 
 }  // namespace umbrameter

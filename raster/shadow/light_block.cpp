@@ -25,6 +25,7 @@ LightBlock make_light_block(const Light& light, const MapLayout& layout) {
   block.is_stable = layout.is_stable ? 1 : 0;
   block.uses_neighbour = layout.uses_neighbour ? 1 : 0;
   block.far_depth = layout.far_depth;
+  block.encoded_near = layout.encoded_near;
   block.resolution = layout.resolution;
   return block;
 }

@@ -18,13 +18,14 @@ struct LightBlock {
   double far_depth = 1.0;
   double nearest_view_depth = 0.0;
   double cascade_blend = 0.0;
+  double encoded_near = 0.0;
   int resolution = 1;
   float constant_bias = 0.0f;
   float slope_bias = 0.0f;
   float normal_offset = 0.0f;
   float filter_radius = 0.0f;
   int tap_count = 0;
-  int bias_in_texels = 0;
+  int bias_unit = 0;
   int view_count = 1;
   float cone_bias = 0.0f;
   float search_extent = 0.0f;
@@ -35,9 +36,9 @@ struct LightBlock {
   int selects_by_depth = 0;
   int uses_neighbour = 0;
   int is_stable = 0;
-  int unused[1] = {};
+  int unused[7] = {};
 };
-static_assert(sizeof(LightBlock) == 1120);
+static_assert(sizeof(LightBlock) == 1152);
 
 /// The block for drawing the map. Bias and filter are 0; lookup_pass() in shadow_lookup.h sets them for a look-up.
 LightBlock make_light_block(const Light& light, const MapLayout& layout);

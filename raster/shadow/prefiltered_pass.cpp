@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -60,7 +61,9 @@ void require_room(const gl::Context& context, int side, int layers, gl::Format f
 
 }  // namespace
 
-FilteredMap filter(const gl::Context& context, const ShadowMap& map, const Prefiltered& technique) {
+FilteredMap filter(const DrawnMap& drawn, const Prefiltered& technique) {
+  const gl::Context& context = drawn.context;
+  const ShadowMap& map = drawn.map;
   const int side = map.layout.resolution;
   const int layers = static_cast<int>(map.layout.views.size()) * technique.groups;
   const MapFormat format = map_format(technique);
@@ -70,8 +73,9 @@ FilteredMap filter(const gl::Context& context, const ShadowMap& map, const Prefi
     const int levels = technique.mipmaps && !is_first ? gl::mipmap_levels(side, side) : 1;
     gl::Texture blurred = gl::make_texture("filtered shadow map", format.format, side, side, layers, levels);
     gl::Pass pass(context, {{"prefilter.comp"},
-                            defines_of(technique) + define("IS_DEPTH", is_first ? 1 : 0) + "#define MAP_FORMAT " +
-                                format.layout + "\n"});
+                            defines_of(technique) + define("IS_DEPTH", is_first ? 1 : 0) +
+                                define("SAMPLES", static_cast<unsigned>(technique.samples_per_side)) +
+                                "#define MAP_FORMAT " + format.layout + "\n"});
     pass.value("exponents", technique.settings.exponents)
         .texture("source", source)
         .image("blurred", blurred, format.format, true)
@@ -81,7 +85,14 @@ FilteredMap filter(const gl::Context& context, const ShadowMap& map, const Prefi
         .dispatch(side, side, layers);
     return blurred;
   };
-  FilteredMap filtered{blur(blur(map.depth, true), false)};
+  // The same projection, with smaller texels.
+  std::optional<ShadowMap> finer;
+  if (technique.samples_per_side > 1) {
+    MapLayout layout = map.layout;
+    layout.resolution *= technique.samples_per_side;
+    finer = draw_shadow_map(context, drawn.scene, drawn.light, layout, drawn.depth);
+  }
+  FilteredMap filtered{blur(blur(finer ? finer->depth : map.depth, true), false)};
   if (technique.mipmaps) gl::compute_mipmaps(filtered.values);
   return filtered;
 }

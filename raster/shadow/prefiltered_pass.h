@@ -11,7 +11,7 @@
 namespace umbrameter {
 
 /// The values of each texel, blurred along both axes.
-FilteredMap filter(const gl::Context& context, const ShadowMap& map, const Prefiltered& technique);
+FilteredMap filter(const DrawnMap& drawn, const Prefiltered& technique);
 
 /// What only the look-up reads. Layout std140: LookupValues in shaders/prefiltered_visibility.comp.
 struct PrefilteredLookup {

@@ -9,7 +9,7 @@
 
 namespace umbrameter {
 
-FilteredMap filter(const gl::Context&, const ShadowMap&, const ScreenSpace&) { return {}; }
+FilteredMap filter(const DrawnMap&, const ScreenSpace&) { return {}; }
 
 RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const ScreenSpace& technique) {
   assert(lookup.view != nullptr);
@@ -29,8 +29,8 @@ RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, co
   return {read_image<float>(visibility, gl::Format::r32f), {Image<uvec4>(width, height, uvec4(0)), 1}};
 }
 
-FilteredMap filter(const gl::Context& context, const ShadowMap& map, const ContactShadows& technique) {
-  return std::visit([&](const auto& each) { return filter(context, map, each); }, technique.of_map);
+FilteredMap filter(const DrawnMap& drawn, const ContactShadows& technique) {
+  return std::visit([&](const auto& each) { return filter(drawn, each); }, technique.of_map);
 }
 
 RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const ContactShadows& technique) {

@@ -52,12 +52,13 @@ const FilterKernel& kernel_of(const ShadowLookup& lookup) {
 
 gl::Pass lookup_pass(const gl::Context& context, const ShadowLookup& lookup, LengthUnit bias_unit,
                      const gl::ProgramSource& source) {
+  require_bias_unit(lookup.map.layout, bias_unit);
   LightBlock block = make_light_block(lookup.light, lookup.map.layout);
   block.constant_bias = static_cast<float>(lookup.bias.constant.number);
   block.slope_bias = static_cast<float>(lookup.bias.slope);
   block.normal_offset = static_cast<float>(lookup.bias.normal_offset);
   block.cone_bias = static_cast<float>(lookup.bias.cone);
-  block.bias_in_texels = bias_unit == LengthUnit::texels ? 1 : 0;
+  block.bias_unit = static_cast<int>(bias_unit);
   std::string defines = map_defines(lookup.map.layout) + source.defines +
                         define("RECEIVER_PLANE", lookup.bias.receiver_plane ? 1 : 0) +
                         define("CONE_BIAS", lookup.bias.cone > 0.0 ? 1 : 0);

@@ -95,6 +95,7 @@ bool has_textures_for(const ShadowMap& map, const MapLayout& layout) {
 void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, const Light& light, ShadowMap& map,
                        const MapDepthParams& params) {
   require_sense(params, map.layout);
+  map.layout = with_depth_encoding(std::move(map.layout), params);
   require_room(context, map.layout, params);
   const MapSource source{context, scene, light, map.layout, params};
   const bool is_direct = stores_linear_floats(params, map.layout.kind);

@@ -8,7 +8,7 @@
 
 namespace umbrameter {
 
-FilteredMap filter(const gl::Context& context, const ShadowMap& map, const Pcf& pcf);
+FilteredMap filter(const DrawnMap& drawn, const Pcf& pcf);
 RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const Pcf& pcf);
 
 }  // namespace umbrameter

@@ -16,7 +16,7 @@ __extension__ using WideCount = unsigned __int128;
 struct BiasAxes {
   std::vector<float> constant;           ///< in `unit`, strictly ascending
   std::vector<float> slope;              ///< texels
-  LengthUnit unit = LengthUnit::metres;  ///< metres, or texels at the receiver
+  LengthUnit unit = LengthUnit::metres;  ///< metres, texels at the receiver, or the map's depth
 };
 
 /// The taps that are wrong at some bias of the axis, binned by the bias at which they flip. A tap of bin k is lit at
@@ -41,15 +41,13 @@ struct BiasHistogram {
 /// allow contraction to a fused multiply-add.
 float flip_bias(float critical_bias, float slope, float slope_factor);
 
-/// Metres per unit of constant bias, at a receiver with this texel size (metres).
-inline float bias_unit_of(LengthUnit unit, float texel) { return unit == LengthUnit::texels ? texel : 1.0f; }
-
 /// Whether a tap that flips at `flip` metres is lit at this bias. The shaders have the same function. Not inline, like
 /// flip_bias().
 bool is_lit_at(float bias, float bias_unit, float flip);
 
 /// The bin of BiasHistogram for a tap with this flip: the number of biases at which the tap is blocked. If the flip is
-/// NaN, that is all of them. bias_unit is bias_unit_of() at the tap's receiver.
+/// NaN, that is all of them. bias_unit: metres per unit of constant bias at the
+/// tap's receiver.
 std::size_t bias_bin(const BiasAxes& axes, float flip, float bias_unit);
 
 }  // namespace umbrameter

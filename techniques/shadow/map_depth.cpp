@@ -77,6 +77,11 @@ int depth_mapping(const MapDepthParams& params, MapKind kind) {
   return is_reversed ? shared::DEPTH_REVERSED_PERSPECTIVE : shared::DEPTH_PERSPECTIVE;
 }
 
+MapLayout with_depth_encoding(MapLayout layout, const MapDepthParams& params) {
+  layout.encoded_near = is_perspective(depth_mapping(params, layout.kind)) ? params.near_depth : 0.0;
+  return layout;
+}
+
 bool stores_linear_floats(const MapDepthParams& params, MapKind kind) {
   return params.format == MapDepthFormat::f32 && depth_mapping(params, kind) == shared::DEPTH_LINEAR;
 }
@@ -85,17 +90,11 @@ bool has_polygon_offset(const MapDepthParams& params) {
   return params.polygon_offset_factor != 0.0 || params.polygon_offset_units != 0.0;
 }
 
-double depth_per_stored(const MapDepthParams& params, const MapLayout& layout, double depth) {
-  if (!is_perspective(depth_mapping(params, layout.kind))) return layout.far_depth;
-  // Of decode_depth(): both perspective mappings have the derivative z² (f − n) / (n f).
-  const double z = std::max(depth, params.near_depth);
-  return z * z * (layout.far_depth - params.near_depth) / (params.near_depth * layout.far_depth);
-}
-
 double depth_step(const MapDepthParams& params, const MapLayout& layout, double depth) {
   const double stored =
       shared::encode_depth(depth_mapping(params, layout.kind), depth, params.near_depth, layout.far_depth);
-  return step_of_stored(params.format, stored) * depth_per_stored(params, layout, depth);
+  const MapLayout encoded = with_depth_encoding(layout, params);
+  return step_of_stored(params.format, stored) * metres_per_map_depth(encoded, std::max(depth, encoded.encoded_near));
 }
 
 void require_sense(const MapDepthParams& params, const MapLayout& layout) {

@@ -51,6 +51,9 @@ Parameters describe(MapDepthParams& params);
 /// The layout of a point light's map of that kind, from that of its cube map. Others stay as they are.
 MapLayout with_point_map(MapLayout layout, PointMap point_map);
 
+/// The layout of a map that stores its depth so.
+MapLayout with_depth_encoding(MapLayout layout, const MapDepthParams& params);
+
 /// Whether the map has a projection with a centre, for which perspective encodings differ from linear ones.
 inline bool is_projective(MapKind kind) { return kind == MapKind::perspective || kind == MapKind::cube; }
 
@@ -65,9 +68,6 @@ bool has_polygon_offset(const MapDepthParams& params);
 /// The difference between neighbouring depths that the map can store at this depth, metres; in cube maps that store a
 /// perspective depth, at the centre of a face.
 double depth_step(const MapDepthParams& params, const MapLayout& layout, double depth);
-
-/// The change of the depth, in metres, when the stored number changes by one, at this depth.
-double depth_per_stored(const MapDepthParams& params, const MapLayout& layout, double depth);
 
 /// Throws Error (usage) naming a parameter if the parameters do not fit the map or one another.
 void require_sense(const MapDepthParams& params, const MapLayout& layout);

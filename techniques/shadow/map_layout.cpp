@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.h"
+
 namespace umbrameter {
 namespace {
 
@@ -113,6 +115,20 @@ std::size_t view_of(const MapLayout& layout, const dvec3& local, double dither) 
   }
   if (view == last && blended != last && !is_on_view(layout.views[last], local)) view = blended;
   return layout.uses_neighbour ? std::min(view + 1, last) : view;
+}
+
+double metres_per_map_depth(const MapLayout& layout, double depth) {
+  const double near = layout.encoded_near;
+  const double far = layout.far_depth;
+  // Of decode_depth() in map_depth.glsl: both perspective mappings have the derivative z² (f − n) / (n f).
+  return near > 0.0 ? depth * depth * (far - near) / (near * far) : far;
+}
+
+void require_bias_unit(const MapLayout& layout, LengthUnit unit) {
+  if (unit != LengthUnit::map_depth || layout.encoded_near == 0.0 || layout.kind == MapKind::perspective) return;
+  throw Error(ExitCode::usage, "shadow.constant-bias",
+              "a cube map with this shadow.depth-encoding stores a depth along each face's axis, not from the light",
+              "give the bias in metres or texels, or use the linear encoding");
 }
 
 double texel_at(const MapLayout& layout, const dvec3& position) {

@@ -8,6 +8,7 @@
 
 #include "core/bounds.h"
 #include "core/image.h"
+#include "core/parameters.h"
 #include "scenes/light.h"
 
 namespace umbrameter {
@@ -54,6 +55,8 @@ struct MapLayout {
   int resolution = 1024;        ///< texels along one side of a view
   dmat4 light_from_world{1.0};  ///< rigid
   double far_depth = 1.0;       ///< metres; every surface is nearer. Stored depth = depth / far_depth, at least 0.
+  /// Near plane if the map stores the depth of a perspective projection, metres; 0: it stores a linear depth.
+  double encoded_near = 0.0;
   std::vector<MapView> views = std::vector<MapView>(1);
   CascadeSelection selection = CascadeSelection::map;
   double blend = 0.0;               ///< share of a cascade's extent, 0 to 1
@@ -98,6 +101,13 @@ bool is_in_cascade(const MapLayout& layout, std::size_t view, const dvec3& local
 
 /// Depth of a world position, metres.
 double depth_of(const MapLayout& layout, const dvec3& position);
+
+/// The change of a depth when the number that the map stores for it changes by one, metres.
+double metres_per_map_depth(const MapLayout& layout, double depth);
+
+/// Throws Error (usage) where a constant bias cannot have this unit: the map's depth in a cube whose faces store the
+/// depth of a perspective projection, because a face's depth is not the distance from the light.
+void require_bias_unit(const MapLayout& layout, LengthUnit unit);
 
 /// Side length of a texel at a world position, metres, without blending.
 double texel_at(const MapLayout& layout, const dvec3& position);

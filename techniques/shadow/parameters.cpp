@@ -30,7 +30,7 @@ Parameters describe(BiasParams& params) {
       .field("constant-bias", params.constant,
              {.unit = "m",
               .meaning = "constant bias, along the light's axis or ray",
-              .units = {.texels = true},
+              .units = {.texels = true, .map_depth = true},
               .basic = true})
       .field("slope-bias", params.slope, {.unit = "texels", .meaning = "slope-scaled bias, times tan θ", .basic = true})
       .field("normal-offset", params.normal_offset,

@@ -19,8 +19,9 @@ Parameters describe(ShadowMapParams& params);
 
 /// A tap is lit if and only if constant ≥ β − slope · m, where β = receiver depth − stored depth is the critical bias
 /// and m = texel size at the receiver · tan θ; all in metres. A constant bias in texels is multiplied by the texel size
-/// at the receiver. With receiver_plane, the receiver depth is that of its plane at the tap's texel centre. The cone
-/// bias moves the receiver towards the light by `cone` times the distance from the receiver to the texel's centre.
+/// at the receiver. One in the map's depth is compared in that depth: metres_per_map_depth() of it at the receiver.
+/// With receiver_plane, the receiver depth is that of its plane at the tap's texel centre. The cone bias moves the
+/// receiver towards the light by `cone` times the distance from the receiver to the texel's centre.
 struct BiasParams {
   Length constant{1.5, LengthUnit::texels};
   double slope = 0.0;

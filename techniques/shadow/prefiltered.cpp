@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 #include <string_view>
 
 #include "core/error.h"
@@ -72,6 +73,11 @@ Parameters describe(MomentMapParams& params) {
              {.unit = "1", .meaning = "EVSM4: exponent c of the second warp, −exp(−c·t)", .min = 0.1, .max = 42})
       .field("csm-terms", params.terms,
              {.unit = "1", .meaning = "CSM: terms of the Fourier series, two to a layer", .min = 1, .max = 16})
+      .field("moment-samples", params.samples,
+             {.unit = "1",
+              .meaning = "filtered maps: depths in a texel whose values are averaged, a square number",
+              .min = 1,
+              .max = 16})
       .field("moment-mipmaps", params.mipmaps,
              {.unit = {}, .meaning = "filtered maps: trilinear look-up by the pixel's footprint in the map"})
       .take();
@@ -123,6 +129,11 @@ Prefiltered make_prefiltered(int technique, const EsmParams& esm, const MomentMa
                    static_cast<float>(lookup.ringing_reduction),
                    static_cast<float>(lookup.contrast)};
   made.mipmaps = map.mipmaps;
+  made.samples_per_side = static_cast<int>(std::lround(std::sqrt(map.samples)));
+  if (made.samples_per_side * made.samples_per_side != map.samples) {
+    throw Error(ExitCode::usage, "shadow.moment-samples", std::to_string(map.samples) + " is no square number",
+                "choose 1, 4, 9 or 16");
+  }
   if (technique == shared::CSM) made.groups = (map.terms + 1) / 2;
   return made;
 }

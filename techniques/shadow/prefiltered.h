@@ -44,6 +44,7 @@ struct MomentMapParams {
   double positive_exponent = 40.0;
   double negative_exponent = 5.0;
   int terms = 16;
+  int samples = 1;
   bool mipmaps = false;
 };
 Parameters describe(MomentMapParams& params);
@@ -63,9 +64,10 @@ struct Prefiltered {
   static constexpr TechniqueCapabilities capabilities{};
   shared::PrefilterSettings settings;
   MomentFormat format = MomentFormat::f32;
-  std::vector<float> blur;  ///< weights of the kernel along one axis; their sum is not 1
-  int groups = 1;           ///< layers per view
-  bool mipmaps = false;     ///< trilinear, by the pixel's footprint in the map
+  std::vector<float> blur;   ///< weights of the kernel along one axis; their sum is not 1
+  int groups = 1;            ///< layers per view
+  int samples_per_side = 1;  ///< depths along a texel's side, of which a texel's values are the mean
+  bool mipmaps = false;      ///< trilinear, by the pixel's footprint in the map
 };
 
 /// `technique` is one of the constants of prefiltered.glsl. Throws Error (usage) if the format cannot hold the values.

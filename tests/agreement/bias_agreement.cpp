@@ -45,7 +45,7 @@ bool comes_before(const UnresolvedTap& a, const UnresolvedTap& b) { return field
 // In one order, whatever order they were found in.
 std::vector<UnresolvedTap> listed(const gl::Context& context, const ShadowLookup& lookup, const BiasAxes& axes) {
   std::vector<UnresolvedTap> all;
-  list_unresolved_taps(context, lookup, axes,
+  list_unresolved_taps(context, lookup, axes, true,
                        [&](std::span<const UnresolvedTap> taps) { all.insert(all.end(), taps.begin(), taps.end()); });
   std::sort(all.begin(), all.end(), comes_before);
   return all;
@@ -96,7 +96,7 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
     const ShadowMap map = draw_shadow_map(context, uploaded, light, layout, grid.map_depth);
     const ShadowMapImages images = read_back(context, map);
     const auto judged = [&](const std::vector<UnresolvedTap>& taps) {
-      return test_same_surface(tracer, layout, surfaces_of(scene, layout, gbuffer, taps));
+      return test_same_surface(tracer, layout, surfaces_of(scene, layout, gbuffer, taps), Continuity::seen);
     };
     for (const NamedFilter& filter : grid.filters) {
       const bool is_judged = static_cast<std::size_t>(&filter - grid.filters.data()) < grid.judged_filters;
@@ -106,7 +106,7 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
         ShadowLookup lookup{uploaded, surfels, map, light, params.bias, make_technique(params), &truth};
         const BiasHistogram drawn = draw_bias_response(context, lookup, grid.axes);
         const FilterKernel kernel = make_filter(params.pcf);
-        const MapLookup on_processor{gbuffer, layout, light, images, kernel, params.bias};
+        const MapLookup on_processor{gbuffer, map.layout, light, images, kernel, params.bias};
         const BiasHistogram computed =
             count_bias_response(scene, on_processor, visibility, counted.exclusion, grid.axes);
         const std::string where =

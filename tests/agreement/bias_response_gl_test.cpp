@@ -57,6 +57,17 @@ TEST_F(BiasResponseGl, Biases_in_texels_agree_too_under_every_kind_of_light) {
   for (const Light& light : lights_) expect_agreement(light, grid);
 }
 
+TEST_F(BiasResponseGl, Biases_in_the_map_s_depth_agree_too) {
+  BiasGrid grid{{{-1e-3f, 0.0f, 2e-3f, 0.02f}, {0.0f, 1.5f}, LengthUnit::map_depth}, {96}, {usual_filters()[2]}};
+  for (const Light& light : lights_) expect_agreement(light, grid);
+  grid.filters.front().params.bias.receiver_plane = true;
+  for (const DepthEncoding encoding : {DepthEncoding::perspective, DepthEncoding::reversed}) {
+    grid.map_depth.encoding = encoding;
+    expect_agreement(lights_[1], grid);
+  }
+  EXPECT_THROW(expect_agreement(lights_[2], grid), Error) << "a face's depth is not the distance from the light";
+}
+
 TEST_F(BiasResponseGl, Cascades_agree_too) {
   const std::vector<NamedFilter> all = usual_filters();
   BiasGrid grid{{{0.0f, 0.05f, 0.3f}, {0.0f, 1.5f}}, {96}, {all[0], all[2]}};

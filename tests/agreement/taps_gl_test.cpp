@@ -95,7 +95,7 @@ TEST_F(TapsGl, Percentage_closer_soft_shadows_agree_in_every_pixel) {
         std::uint32_t lit = 0;
         if (surfel.faces_light) {
           fetch_taps(lookup, surfel, pixel, taps);
-          const float unit = bias_unit_of(params.bias.constant.unit, surfel.texel);
+          const float unit = surfel.bias_unit;
           for (const Tap& tap : taps) {
             const float flip = flip_bias(tap.critical_bias, surfel.slope, static_cast<float>(params.bias.slope));
             if (is_lit_at(static_cast<float>(params.bias.constant.number), unit, flip)) lit += tap.weight;

@@ -286,5 +286,43 @@ TEST_F(KnownAnswersGl, The_lit_strip_behind_a_wall_follows_its_formula) {
   }
 }
 
+// A perspective depth is A − B / z with B = f n / (f − n), and the reciprocal depth of a plane with the unit normal m
+// at the distance d from the light is linear in the map's coordinates: m · (x, y, −1) / d. A nearest tap is off by half
+// a texel t (a tangent), so that the same bias B t (|m.x| + |m.y|) / (2 d) serves the whole plane.
+TEST_F(KnownAnswersGl, One_bias_in_a_perspective_map_s_depth_serves_a_whole_plane) {
+  Scene scene;
+  add_mesh(scene, ground(30.0f));
+  const UploadedScene uploaded = upload(context(), scene);
+  const Light light = spot_light({0, 3, 0}, {6, 0, 0.5}, 0.35);
+  const MapLayout layout = fit_light(light, bounds_of(scene), 256);
+  MapDepthParams depth;
+  depth.encoding = DepthEncoding::reversed;
+  const ShadowMap map = draw_shadow_map(context(), uploaded, light, layout, depth);
+  const dvec3 normal(layout.light_from_world * dvec4(0, 1, 0, 0));
+  const double texel = 2.0 * layout.views.front().half_extent / 256;
+  const double b = layout.far_depth * depth.near_depth / (layout.far_depth - depth.near_depth);
+  const double least = b * texel * (std::abs(normal.x) + std::abs(normal.y)) / (2.0 * 3.0);
+  const gl::Texture lit = upload(context(), Image<float>(256, 256, 1.0f));
+  const auto acne = [&](double from, double to, const Length& bias) {
+    const GpuGBuffer surfels = upload(context(), surfels_on_ground(256, 256, from, to, -0.1 * from, 0.1 * from));
+    ShadowParams params;
+    params.bias.constant = bias;
+    return mean(draw_visibility(context(), {uploaded, surfels, map, light, params.bias, make_technique(params), &lit})
+                    .wrong)
+        .x;
+  };
+  for (const auto& [from, to] : {std::pair{3.0, 4.0}, std::pair{8.0, 9.0}, std::pair{16.0, 20.0}}) {
+    EXPECT_EQ(acne(from, to, {1.005 * least, LengthUnit::map_depth}), 0.0f) << from;
+    EXPECT_GT(acne(from, to, {0.9 * least, LengthUnit::map_depth}), 0.0f) << from;
+  }
+  // In metres, what serves the far end is many times what serves the near one.
+  const auto metres = [&](double x) {
+    return Length{1.005 * least * metres_per_map_depth(map.layout, depth_of(layout, {x, 0, 0}))};
+  };
+  EXPECT_EQ(acne(3.0, 4.0, metres(4.0)), 0.0f);
+  EXPECT_GT(acne(16.0, 20.0, metres(4.0)), 0.1f);
+  EXPECT_GT(metres(20.0).number, 10.0 * metres(4.0).number);
+}
+
 }  // namespace
 }  // namespace umbrameter

@@ -26,7 +26,7 @@ class ScreenSpaceGl : public GlTest {
     const ShadowMap map =
         draw_shadow_map(context(), uploaded, drawn.light, fit_light(drawn.light, bounds_of(drawn.scene), 256));
     const ShadowTechnique technique = make_technique(params);
-    const FilteredMap filtered = filter_map(context(), map, technique);
+    const FilteredMap filtered = filter_map({context(), uploaded, drawn.light, map}, technique);
     return draw_visibility(context(), {uploaded, surfels, map, drawn.light, params.bias, technique, nullptr, &filtered,
                                        &drawn.view})
         .visibility;

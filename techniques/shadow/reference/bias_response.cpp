@@ -45,7 +45,9 @@ void add(BiasHistogram::Bin& sum, const BiasHistogram::Bin& part) {
 class PixelCounter {
  public:
   PixelCounter(const Scene& scene, const MapLookup& lookup, const BiasAxes& axes)
-      : scene_(scene), lookup_(lookup), axes_(axes) {}
+      : scene_(scene), lookup_(lookup), axes_(axes) {
+    lookup_.bias.constant.unit = axes.unit;
+  }
 
   void count(std::size_t pixel, bool is_lit, std::vector<std::vector<BiasHistogram::Bin>>& by_slope) {
     const SurfelLookup surfel = look_up(lookup_, pixel);
@@ -56,8 +58,8 @@ class PixelCounter {
     for (std::size_t s = 0; s < axes_.slope.size(); ++s) {
       flipping_.clear();
       for (std::size_t i = 0; i < taps_.size(); ++i) {
-        const std::size_t bin = bias_bin(axes_, flip_bias(taps_[i].critical_bias, surfel.slope, axes_.slope[s]),
-                                         bias_unit_of(axes_.unit, surfel.texel));
+        const std::size_t bin =
+            bias_bin(axes_, flip_bias(taps_[i].critical_bias, surfel.slope, axes_.slope[s]), surfel.bias_unit);
         if (taps_[i].weight == 0 || bin == never) continue;
         if (causes_[i] == unknown) causes_[i] = cause_of(taps_[i], surfel.receiver, pixel, is_lit);
         flipping_.push_back({bin, taps_[i].weight, causes_[i]});
@@ -76,7 +78,7 @@ class PixelCounter {
   }
 
   const Scene& scene_;
-  const MapLookup& lookup_;
+  MapLookup lookup_;
   const BiasAxes& axes_;
   std::vector<Tap> taps_;
   std::vector<std::size_t> causes_;

@@ -50,6 +50,28 @@ float texel_side(const MapLayout& layout, const Receiver& receiver) {
   return static_cast<float>(side);
 }
 
+// Metres per unit of constant bias. The same operations in the same order as in light_map.glsl.
+float bias_unit_of(const MapLookup& lookup, const Receiver& receiver, float texel) {
+  switch (lookup.bias.constant.unit) {
+    case LengthUnit::texels:
+      return texel;
+    case LengthUnit::map_depth:
+      return static_cast<float>(metres_per_map_depth(lookup.layout, receiver.depth));
+    default:
+      return 1.0f;
+  }
+}
+
+// As in light_map.glsl.
+bool compares_encoded(const MapLookup& lookup) {
+  return lookup.bias.constant.unit == LengthUnit::map_depth && lookup.layout.encoded_near > 0.0;
+}
+
+double blocker_depth(const MapLookup& lookup, const Receiver& receiver, float critical_bias) {
+  const auto bias = static_cast<double>(critical_bias);
+  return compares_encoded(lookup) ? receiver.depth * receiver.depth / (receiver.depth + bias) : receiver.depth - bias;
+}
+
 // compared_depth() of light_map.glsl.
 double compared_depth(const MapLookup& lookup, const Receiver& receiver, const ivec2& texel, int view) {
   if (!lookup.bias.receiver_plane) return receiver.depth;
@@ -85,8 +107,13 @@ Tap fetch_tap(const MapLookup& lookup, const Receiver& receiver, const ivec2& of
   const float stored = lookup.map.depth[static_cast<std::size_t>(tap.view)][texel_index(layout, tap.texel)];
   tap.has_blocker = stored < 1.0f;
   if (tap.has_blocker) {
-    double above =
-        compared_depth(lookup, receiver, tap.texel, tap.view) - static_cast<double>(stored) * layout.far_depth;
+    const double compared = compared_depth(lookup, receiver, tap.texel, tap.view);
+    const double blocker = static_cast<double>(stored) * layout.far_depth;
+    double above = compared - blocker;
+    if (compares_encoded(lookup)) {
+      const double near = layout.encoded_near;
+      above *= receiver.depth * receiver.depth / (std::max(compared, near) * std::max(blocker, near));
+    }
     if (lookup.bias.cone > 0.0) {
       const dvec2 away = dvec2(receiver.texel + offset) + 0.5 - receiver.texels;
       above -= static_cast<double>(static_cast<float>(lookup.bias.cone)) *
@@ -172,14 +199,14 @@ float search_radius(const MapLookup& lookup, const SurfelLookup& surfel, const v
   const auto texel = static_cast<double>(texel_side(lookup.layout, receiver));
   double reach = static_cast<double>(search.max_radius);
   if (is_orthographic) reach = std::min(reach, penumbra_at(0.0) / texel);
-  const float bias_unit = bias_unit_of(lookup.bias.constant.unit, surfel.texel);
   double sum = 0.0;
   int count = 0;
   for (const vec2& p : search.points) {
     const Tap tap = fetch_tap(lookup, receiver, disk_offset(receiver, p, turn, static_cast<float>(reach)));
     const float flip = flip_bias(tap.critical_bias, surfel.slope, static_cast<float>(lookup.bias.slope));
-    if (!tap.has_blocker || is_lit_at(static_cast<float>(lookup.bias.constant.number), bias_unit, flip)) continue;
-    const double blocker = receiver.depth - static_cast<double>(tap.critical_bias);
+    if (!tap.has_blocker || is_lit_at(static_cast<float>(lookup.bias.constant.number), surfel.bias_unit, flip))
+      continue;
+    const double blocker = blocker_depth(lookup, receiver, tap.critical_bias);
     if (!(blocker > 0.0)) continue;
     const dvec2 at(p);
     const double away = std::sqrt(at.x * at.x + at.y * at.y) * reach * texel;
@@ -268,11 +295,11 @@ SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel) {
   const double sine = length_of(cross_of(normal, to_light));
   const float texel = texel_side(lookup.layout, result.receiver);
   result.slope = texel * static_cast<float>(sine / cosine);
-  result.texel = texel;
   if (const auto offset = static_cast<float>(lookup.bias.normal_offset); offset != 0.0f) {
     const double shift = static_cast<double>(offset) * static_cast<double>(texel) * (sine / length_of(to_light));
     result.receiver = project_to_map(lookup.layout, position + normal * shift, dither);
   }
+  result.bias_unit = bias_unit_of(lookup, result.receiver, texel);
   result.receiver.plane = transform_vector(lookup.layout.light_from_world, normal);
   return result;
 }

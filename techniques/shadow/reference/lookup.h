@@ -21,7 +21,7 @@ struct MapLookup {
   const Light& light;
   const ShadowMapImages& map;
   const FilterKernel& filter;
-  BiasParams bias{};  ///< of PCSS all; other filters do not read the constant and the slope-scaled bias
+  BiasParams bias{};  ///< of PCSS all; other filters read neither the number of the constant bias nor the slope's
 };
 
 /// Where a position falls on the map.
@@ -64,8 +64,8 @@ inline std::size_t texel_index(const MapLayout& layout, const ivec2& texel) {
 struct SurfelLookup {
   bool faces_light = false;  ///< geometric N·L > 0
   Receiver receiver;
-  float slope = 0.0f;  ///< texel size at the receiver · tan θ, metres
-  float texel = 0.0f;  ///< texel size at the receiver, metres
+  float slope = 0.0f;      ///< texel size at the receiver · tan θ, metres
+  float bias_unit = 1.0f;  ///< metres per unit of constant bias
 };
 SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel);
 
