@@ -1,0 +1,221 @@
+#include "raytrace/ao_integral.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <mutex>
+
+#include "core/random.h"
+#include "raytrace/ao_samples.h"
+#include "raytrace/packet.h"
+#include "raytrace/surfel.h"
+#include "techniques/ao/reference/depth_surface.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr int tile_size = 16;
+
+using Means = std::array<double, occluder_kinds>;
+
+// Slope and curvature of the output by central differences.
+struct Output {
+  double value = 0.0;
+  double slope = 0.0;
+  double curvature = 0.0;
+};
+Output output_at(const AoIntegral& integral, double accessibility) {
+  constexpr double h = 1e-3;
+  const double value = integral.output(accessibility);
+  const double before = integral.output(accessibility - h);
+  const double after = integral.output(accessibility + h);
+  return {value, (after - before) / (2.0 * h), (after - 2.0 * value + before) / (h * h)};
+}
+
+class IntegralTile {
+ public:
+  IntegralTile(const Tracer& tracer, const GBuffer& gbuffer, const DepthSurface& surface, const AoIntegral& integral,
+               const AoIntegralParams& params)
+      : gbuffer_(gbuffer),
+        surface_(surface),
+        integral_(integral),
+        params_(params),
+        split_(split(params.spp)),
+        packet_(tracer.state()),
+        triangles_(tracer) {
+    directions_.ao_weight = integral.directions == AoDirections::cosine ? AoWeight::cosine : AoWeight::uniform;
+  }
+
+  void trace(const Tile& tile, TracedIntegral& result) {
+    for (int y = tile.y_begin; y < tile.y_end; ++y) {
+      for (int x = tile.x_begin; x < tile.x_end; ++x) {
+        const std::size_t i = gbuffer_.instance.index(x, y);
+        if (gbuffer_.is_surface(i)) trace_pixel(i, result);
+      }
+    }
+  }
+
+  const TraceStatistics& statistics() const { return statistics_; }
+
+ private:
+  void trace_pixel(std::size_t pixel, TracedIntegral& result) {
+    const RayOrigin origin = ray_origin(gbuffer_, pixel, triangles_);
+    Hemisphere hemisphere;
+    hemisphere.normal = vec3(origin.normal);
+    hemisphere.frame = frame_about(hemisphere.normal);
+    hemisphere.offset = origin.offset;
+    hemisphere.reach = integral_.reach;
+    hemisphere.clear_cosine = static_cast<float>(origin.clear_cosine) + 0x1p-20f;
+    statistics_.largest_offset = std::max(statistics_.largest_offset, origin.offset);
+    packet_.set_own_triangle(gbuffer_.instance[pixel], gbuffer_.triangle[pixel]);
+    const PixelRays rays{vec3(origin.point), {split_, 0}, hash(static_cast<std::uint32_t>(pixel), 0u, params_.seed)};
+    samples_.make(directions_, hemisphere, std::span(&rays, 1));
+    normal_ = glm::normalize(surface_.view_from_world() * dvec3(origin.normal));
+    viewer_ = surface_.to_viewer(pixel);
+    occlusion_.fill({});
+    for (std::size_t first = 0; first < samples_.size(); first += packet_width) {
+      const std::size_t count = std::min(samples_.size() - first, packet_width);
+      samples_.lift(first, packet_.lanes(), lifted_);
+      packet_.use(count, lifted_.are_clear);
+      directions_of(count);
+      packet_.trace();
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        Means& sums = occlusion_[samples_.source(first + lane) % max_randomisations];
+        const Means ray = occlusion_of(pixel, lane);
+        for (std::size_t k = 0; k < occluder_kinds; ++k) sums[k] += ray[k];
+      }
+    }
+    statistics_.rays += samples_.size();
+    store(pixel, result);
+  }
+
+  void directions_of(std::size_t count) {
+    const RayLanes rays = packet_.lanes();
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const dvec3 world(rays.dx[lane], rays.dy[lane], rays.dz[lane]);
+      ray_directions_[lane] = glm::normalize(surface_.view_from_world() * world);
+    }
+  }
+
+  AoHit hit_at(const dvec3& direction, double distance, double depth_difference) const {
+    const double up = glm::dot(direction, viewer_);
+    const dvec3 across = direction - up * viewer_;
+    const double length = glm::length(across);
+    const dvec3 towards = length > 0.0 ? across / length : dvec3(0.0);
+    const double tangent = -std::atan2(glm::dot(normal_, towards), glm::dot(normal_, viewer_));
+    return {distance, std::max(glm::dot(direction, normal_), 0.0), std::asin(std::clamp(up, -1.0, 1.0)) - tangent,
+            std::abs(depth_difference)};
+  }
+
+  Means occlusion_of(std::size_t pixel, std::size_t lane) const {
+    Means occlusion{};
+    const dvec3& direction = ray_directions_[lane];
+    const auto weight = [&](double distance, double depth_difference) {
+      return integral_.occlusion(hit_at(direction, distance, depth_difference));
+    };
+    constexpr auto all = static_cast<std::size_t>(Occluders::all);
+    constexpr auto in_view = static_cast<std::size_t>(Occluders::in_view);
+    constexpr auto seen = static_cast<std::size_t>(Occluders::seen);
+    constexpr auto solid = static_cast<std::size_t>(Occluders::solid);
+    if (packet_.is_blocked(lane)) {
+      const double distance =
+          std::max(static_cast<double>(packet_.distance(lane)) + static_cast<double>(lifted_.step[lane]), 0.0);
+      occlusion[all] = weight(distance, distance * direction.z);
+      // The view volume is convex: a ray that has left it does not come back.
+      if (distance <= surface_.reach_in_view(pixel, direction, integral_.reach)) occlusion[in_view] = occlusion[all];
+    }
+    const double own_depth = -surface_.position(pixel).z;
+    bool found_solid = false;
+    const auto visit = [&](const SurfaceEvent& event) {
+      const double difference = event.depth - own_depth;
+      if (!found_solid) {
+        occlusion[solid] = std::max(occlusion[solid], weight(event.distance, difference));
+        found_solid = !integral_.fades_with_depth;
+      }
+      if (!event.is_connected) return true;
+      occlusion[seen] = std::max(occlusion[seen], weight(event.distance, difference));
+      return integral_.fades_with_depth;  // a later surface may occlude more
+    };
+    surface_.march(pixel, direction, integral_.reach, params_.thickness, std::cref(visit));
+    return occlusion;
+  }
+
+  void store(std::size_t pixel, TracedIntegral& result) const {
+    const auto count = static_cast<std::size_t>(split_.count);
+    Means mean{};
+    std::array<Means, max_randomisations> open{};
+    for (std::size_t r = 0; r < count; ++r) {
+      for (std::size_t k = 0; k < occluder_kinds; ++k) {
+        open[r][k] = 1.0 - occlusion_[r][k] / split_.size(static_cast<int>(r));
+        mean[k] += open[r][k] / static_cast<double>(count);
+      }
+    }
+    const double scale = count > 1 ? 1.0 / static_cast<double>(count * (count - 1)) : 0.0;
+    std::array<Output, occluder_kinds> output;
+    for (std::size_t k = 0; k < occluder_kinds; ++k) {
+      output[k] = output_at(integral_, mean[k]);
+      double of_mean = 0.0;
+      double of_step = 0.0;
+      for (std::size_t r = 0; r < count; ++r) {
+        const double off = open[r][k] - mean[k];
+        const double step =
+            output[k].slope * off - (k > 0 ? output[k - 1].slope * (open[r][k - 1] - mean[k - 1]) : 0.0);
+        of_mean += off * off * scale;
+        of_step += step * step * scale;
+      }
+      // The output of a noisy mean is off by half its curvature times the variance, to second order.
+      const double value = output[k].value - 0.5 * output[k].curvature * of_mean;
+      result.accessibility[k][pixel] = static_cast<float>(value);
+      result.variance[k][pixel] = static_cast<float>(output[k].slope * output[k].slope * of_mean);
+      result.step_variance[k][pixel] = static_cast<float>(of_step);
+    }
+    result.samples[pixel] = static_cast<float>(split_.points);
+  }
+
+  const GBuffer& gbuffer_;
+  const DepthSurface& surface_;
+  const AoIntegral& integral_;
+  const AoIntegralParams& params_;
+  TruthParams directions_;
+  Randomisations split_;
+  HitPacket packet_;
+  TriangleCache triangles_;
+  HemisphereSamples samples_;
+  LiftedLanes lifted_;
+  dvec3 normal_{0, 0, 1};
+  dvec3 viewer_{0, 0, 1};
+  std::array<dvec3, packet_width> ray_directions_{};
+  std::array<Means, max_randomisations> occlusion_{};
+  TraceStatistics statistics_;
+};
+
+}  // namespace
+
+TracedIntegral trace_integral(const Tracer& tracer, const GBuffer& gbuffer, const View& view,
+                              const AoIntegral& integral, const AoIntegralParams& params, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  TracedIntegral traced;
+  for (std::size_t k = 0; k < occluder_kinds; ++k) {
+    traced.accessibility[k] = Image<float>(gbuffer.width, gbuffer.height, 1.0f);
+    traced.variance[k] = traced.step_variance[k] = Image<float>(gbuffer.width, gbuffer.height, 0.0f);
+  }
+  traced.samples = Image<float>(gbuffer.width, gbuffer.height, 0.0f);
+  traced.degrees_of_freedom = split(params.spp).count - 1;
+  const DepthSurface surface(gbuffer, view);
+  std::mutex mutex;
+  parallel_tiles(
+      gbuffer.width, gbuffer.height, tile_size,
+      [&](const Tile& tile) {
+        IntegralTile pixels(tracer, gbuffer, surface, integral, params);
+        pixels.trace(tile, traced);
+        tracer.state().rays_traced += pixels.statistics().rays;
+        const std::lock_guard lock(mutex);
+        traced.statistics.add(pixels.statistics());
+      },
+      progress);
+  traced.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return traced;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,186 @@
+// A method's own integral on the full geometry and on what a depth buffer knows of it, against closed forms.
+#include "raytrace/ao_integral.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "tests/support/shapes.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr auto all = static_cast<std::size_t>(Occluders::all);
+constexpr auto in_view = static_cast<std::size_t>(Occluders::in_view);
+constexpr auto seen = static_cast<std::size_t>(Occluders::seen);
+constexpr auto solid = static_cast<std::size_t>(Occluders::solid);
+
+View view_from(const dvec3& eye, const dvec3& target, double degrees = 50.0) {
+  View view{160, 120, {}};
+  const dvec3 z = glm::normalize(eye - target);
+  const dvec3 x = glm::normalize(glm::cross(std::abs(z.y) < 0.999 ? dvec3(0, 1, 0) : dvec3(0, 0, -1), z));
+  view.camera.world_from_camera = dmat4(dvec4(x, 0), dvec4(glm::cross(z, x), 0), dvec4(z, 0), dvec4(eye, 1));
+  view.camera.projection = PerspectiveProjection{degrees * pi / 180.0, 0.01, 1000.0};
+  return view;
+}
+
+View parallel(View view, double half_height) {
+  view.camera.projection = OrthographicProjection{half_height, half_height, 0.01, 100.0};
+  return view;
+}
+
+// Every hit up to the reach occludes in full.
+AoIntegral plain(AoDirections directions, double reach) {
+  return {directions, reach, [](const AoHit&) { return 1.0; }, [](double a) { return a; }, false, {}};
+}
+
+Scene floor() {
+  Scene scene = shapes::empty_scene();
+  shapes::add_mesh(scene, shapes::quad({-500, 0, 500}, {1000, 0, 0}, {0, 0, -1000}));
+  return scene;
+}
+
+struct Traced {
+  GBuffer gbuffer;
+  TracedIntegral integral;
+};
+Traced trace(const Scene& scene, const View& view, const AoIntegral& integral, int spp = 64,
+             double thickness = std::numeric_limits<double>::infinity()) {
+  const Tracer tracer(scene);
+  Traced traced{trace_gbuffer(tracer, view), {}};
+  traced.integral = trace_integral(tracer, traced.gbuffer, view, integral, {spp, 1, thickness});
+  return traced;
+}
+
+struct Mean {
+  double value = 0.0;
+  double error = 0.0;  // standard
+  double exact = 0.0;
+  double pixels = 0.0;
+};
+// Over floor pixels that `is_in` selects, with the mean of the closed form at their positions.
+template <class IsIn, class Exact>
+Mean mean_over(const Traced& traced, std::size_t occluders, const IsIn& is_in, const Exact& exact) {
+  Mean mean;
+  for (std::size_t i = 0; i < traced.gbuffer.position.size(); ++i) {
+    const vec3& p = traced.gbuffer.position[i];
+    if (traced.gbuffer.instance[i] != 0 || !is_in(p)) continue;
+    mean.value += traced.integral.accessibility[occluders][i];
+    mean.error += traced.integral.variance[occluders][i];
+    mean.exact += exact(p);
+    ++mean.pixels;
+  }
+  mean.value /= mean.pixels;
+  mean.exact /= mean.pixels;
+  mean.error = std::sqrt(mean.error) / mean.pixels;
+  return mean;
+}
+
+// The occlusion of a floor point at distance d from an endless wall of height h, limit D, cosine weight:
+// c = d/D, a = d/√(d² + h²), S(c) = acos c − c√(1 − c²): c ≥ 1: 0; c ≥ a: S(c)/π; else (S(c) − a·S(c/a))/π.
+double wall_occlusion(double d, double h, double limit) {
+  const auto s = [](double c) { return std::acos(c) - c * std::sqrt(1.0 - c * c); };
+  const double c = d / limit;
+  const double a = d / std::hypot(d, h);
+  if (c >= 1.0) return 0.0;
+  return c >= a ? s(c) / pi : (s(c) - a * s(c / a)) / pi;
+}
+
+TEST(AoIntegral, An_open_plane_is_open_to_all_occluders_at_every_angle_of_view) {
+  for (const double degrees : {5.0, 30.0, 60.0, 85.0}) {
+    const double angle = degrees * pi / 180.0;
+    const dvec3 eye(0.3, 3.0 * std::cos(angle), 3.0 * std::sin(angle));
+    for (const View& view : {view_from(eye, dvec3(0)), parallel(view_from(eye, dvec3(0)), 1.0)}) {
+      for (const AoDirections directions : {AoDirections::cosine, AoDirections::uniform}) {
+        const Traced traced = trace(floor(), view, plain(directions, 0.5), 8);
+        for (const Image<float>& image : traced.integral.accessibility) {
+          EXPECT_EQ(*std::min_element(image.pixels.begin(), image.pixels.end()), 1.0f) << degrees;
+        }
+      }
+    }
+  }
+}
+
+TEST(AoIntegral, Beside_a_wall_in_full_view_all_occluders_give_the_closed_form) {
+  Scene scene = floor();
+  shapes::add_mesh(scene, shapes::quad({0, 0, -500}, {0, 1, 0}, {0, 0, 1000}));
+  const auto near = [](const vec3& p) { return p.x > 0.02f && p.x < 1.2f && std::abs(p.z) < 0.6f; };
+  const auto exact = [](const vec3& p) { return 1.0 - wall_occlusion(p.x, 1.0, 0.8); };
+  for (const View& view :
+       {view_from({3, 2.5, 0.4}, {0.5, 0.3, 0}), parallel(view_from({3, 3, 0}, {0.5, 0.3, 0}), 1.6)}) {
+    const Traced traced = trace(scene, view, plain(AoDirections::cosine, 0.8), 64);
+    for (const std::size_t occluders : {all, in_view, seen, solid}) {
+      const Mean mean = mean_over(traced, occluders, near, exact);
+      EXPECT_GT(mean.pixels, 500.0);
+      // Where the two planes meet, a facet reaches half a pixel (about 1 cm) too far.
+      EXPECT_NEAR(mean.value, mean.exact, 4.0 * mean.error + (occluders == all || occluders == in_view ? 0.0 : 5e-4))
+          << occluders;
+    }
+  }
+}
+
+TEST(AoIntegral, A_wall_beside_the_image_is_off_screen) {
+  Scene scene = floor();
+  shapes::add_mesh(scene, shapes::quad({0, 0, -500}, {0, 1, 0}, {0, 0, 1000}));
+  const View view = view_from({1.0, 3, 0.001}, {1.0, 0, 0}, 20.0);  // sees 0.3 < x < 1.7
+  const Traced traced = trace(scene, view, plain(AoDirections::cosine, 0.8), 64);
+  const auto near = [](const vec3& p) { return p.x < 0.6f; };
+  const auto exact = [](const vec3& p) { return 1.0 - wall_occlusion(p.x, 1.0, 0.8); };
+  const Mean full = mean_over(traced, all, near, exact);
+  EXPECT_NEAR(full.value, full.exact, 4.0 * full.error);
+  EXPECT_LT(full.exact, 0.95);
+  for (const std::size_t occluders : {in_view, seen, solid}) {
+    EXPECT_EQ(mean_over(traced, occluders, near, exact).value, 1.0) << occluders;
+  }
+}
+
+TEST(AoIntegral, A_thin_disk_has_its_closed_form_unless_it_is_assumed_solid) {
+  // On the axis: 1 − r²/(r² + h²); off the axis by s: ½(1 − (s² + h² − r²)/√((s² + h² + r²)² − 4r²s²)).
+  constexpr double r = 0.5;
+  constexpr double h = 0.4;
+  Scene scene = floor();
+  shapes::add_mesh(scene, shapes::disk({0, h, 0}, r, 720));
+  const View view = view_from({0, 1.2, 2.5}, {0, 0.1, 0.2});
+  const auto near = [](const vec3& p) { return std::abs(p.x) < 0.4f && p.z > 0.0f && p.z < 0.8f; };
+  const auto exact = [](const vec3& p) {
+    const double s2 = double{p.x} * p.x + double{p.z} * p.z;
+    const double root = std::sqrt((s2 + h * h + r * r) * (s2 + h * h + r * r) - 4.0 * r * r * s2);
+    return 1.0 - 0.5 * (1.0 - (s2 + h * h - r * r) / root);
+  };
+  const Traced traced = trace(scene, view, plain(AoDirections::cosine, 2.0), 64);
+  for (const std::size_t occluders : {all, in_view, seen}) {
+    const Mean mean = mean_over(traced, occluders, near, exact);
+    // The disk's outline is known to half a pixel, about 1 cm.
+    EXPECT_NEAR(mean.value, mean.exact, 4.0 * mean.error + (occluders == seen ? 5e-3 : 2e-4)) << occluders;
+  }
+  const Mean thick = mean_over(traced, solid, near, exact);
+  EXPECT_LT(thick.value, thick.exact - 0.04);
+  // A slab of 1 mm hides little more than the disk.
+  const Traced thin = trace(scene, view, plain(AoDirections::cosine, 2.0), 64, 0.001);
+  const Mean slab = mean_over(thin, solid, near, exact);
+  EXPECT_NEAR(slab.value, slab.exact, 1e-2);
+}
+
+TEST(AoIntegral, The_far_side_of_a_box_is_hidden) {
+  Scene scene = floor();
+  shapes::add_mesh(scene, shapes::box({-40, -0.1f, -0.5f}, {40, 1, 0}));
+  // Over the box, whose far side is at z = -0.5, onto the floor behind it.
+  const View view = view_from({0, 4.0, 1.0}, {0, 0, -1.4}, 40.0);
+  const auto near = [](const vec3& p) { return p.z < -1.0f && p.z > -1.4f && std::abs(p.x) < 0.5f; };
+  const auto exact = [](const vec3& p) { return 1.0 - wall_occlusion(-0.5 - p.z, 1.0, 1.0); };
+  const Traced traced = trace(scene, view, plain(AoDirections::cosine, 1.0), 64);
+  for (const std::size_t occluders : {all, in_view}) {
+    const Mean mean = mean_over(traced, occluders, near, exact);
+    EXPECT_GT(mean.pixels, 300.0);
+    EXPECT_NEAR(mean.value, mean.exact, 4.0 * mean.error);
+  }
+  // Without the far side, rays reach the top from inside, or nothing; all that is behind the top seems solid.
+  const double full = mean_over(traced, in_view, near, exact).value;
+  EXPECT_GT(mean_over(traced, seen, near, exact).value, full + 0.02);
+  EXPECT_LT(mean_over(traced, solid, near, exact).value, full - 0.02);
+}
+
+}  // namespace
+}  // namespace umbrameter
