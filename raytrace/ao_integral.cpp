@@ -98,22 +98,21 @@ class IntegralTile {
     }
   }
 
-  AoHit hit_at(const dvec3& direction, double distance, double depth_difference) const {
+  // `point`: from the surfel to the point of the surface.
+  AoHit hit_at(const dvec3& direction, double along_ray, const dvec3& point) const {
     const double up = glm::dot(direction, viewer_);
     const dvec3 across = direction - up * viewer_;
     const double length = glm::length(across);
     const dvec3 towards = length > 0.0 ? across / length : dvec3(0.0);
     const double tangent = -std::atan2(glm::dot(normal_, towards), glm::dot(normal_, viewer_));
-    return {distance, std::max(glm::dot(direction, normal_), 0.0), std::asin(std::clamp(up, -1.0, 1.0)) - tangent,
-            std::abs(depth_difference)};
+    const double distance = glm::length(point);
+    return {along_ray, distance, distance > 0.0 ? glm::dot(point, normal_) / distance : 0.0,
+            std::asin(std::clamp(up, -1.0, 1.0)) - tangent, std::abs(point.z)};
   }
 
   Means occlusion_of(std::size_t pixel, std::size_t lane) const {
     Means occlusion{};
     const dvec3& direction = ray_directions_[lane];
-    const auto weight = [&](double distance, double depth_difference) {
-      return integral_.occlusion(hit_at(direction, distance, depth_difference));
-    };
     constexpr auto all = static_cast<std::size_t>(Occluders::all);
     constexpr auto in_view = static_cast<std::size_t>(Occluders::in_view);
     constexpr auto seen = static_cast<std::size_t>(Occluders::seen);
@@ -121,21 +120,17 @@ class IntegralTile {
     if (packet_.is_blocked(lane)) {
       const double distance =
           std::max(static_cast<double>(packet_.distance(lane)) + static_cast<double>(lifted_.step[lane]), 0.0);
-      occlusion[all] = weight(distance, distance * direction.z);
+      occlusion[all] = integral_.occlusion(hit_at(direction, distance, distance * direction));
       // The view volume is convex: a ray that has left it does not come back.
       if (distance <= surface_.reach_in_view(pixel, direction, integral_.reach)) occlusion[in_view] = occlusion[all];
     }
-    const double own_depth = -surface_.position(pixel).z;
-    bool found_solid = false;
     const auto visit = [&](const SurfaceEvent& event) {
-      const double difference = event.depth - own_depth;
-      if (!found_solid) {
-        occlusion[solid] = std::max(occlusion[solid], weight(event.distance, difference));
-        found_solid = !integral_.fades_with_depth;
-      }
-      if (!event.is_connected) return true;
-      occlusion[seen] = std::max(occlusion[seen], weight(event.distance, difference));
-      return integral_.fades_with_depth;  // a later surface may occlude more
+      const double weight =
+          integral_.occlusion(hit_at(direction, event.distance, event.seen - surface_.position(pixel)));
+      // Behind a distant surface, which occludes little, a nearer one may occlude more.
+      occlusion[solid] = std::max(occlusion[solid], weight);
+      if (event.is_connected) occlusion[seen] = weight;
+      return !event.is_connected;
     };
     surface_.march(pixel, direction, integral_.reach, params_.thickness, std::cref(visit));
     return occlusion;

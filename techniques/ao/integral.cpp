@@ -34,13 +34,9 @@ AoIntegral integral_of(const Ssao& technique) {
   const double radius = technique.sampling.radius.number;
   const SsaoParams params = technique.params;
   const auto occlusion = [=](const AoHit& hit) {
-    return kernel_share_beyond(hit.distance / radius) * range_check(params, radius, hit.depth_difference);
+    return kernel_share_beyond(hit.along_ray / radius) * range_check(params, radius, hit.depth_difference);
   };
-  return {AoDirections::uniform,
-          radius,
-          occlusion,
-          unchanged,
-          params.range_check,
+  return {AoDirections::uniform, radius, occlusion, unchanged,
           "uniform directions; a hit at x = distance / radius occludes by the share of the kernel's points beyond x"};
 }
 
@@ -49,15 +45,11 @@ AoIntegral integral_of(const Crytek& technique) {
   const double radius = technique.sampling.radius.number;
   const SsaoParams params = technique.range;
   const auto occlusion = [=](const AoHit& hit) {
-    const double x = hit.distance / radius;
+    const double x = hit.along_ray / radius;
     return std::max(1.0 - x * x * x, 0.0) * range_check(params, radius, hit.depth_difference);
   };
   return {
-      AoDirections::uniform,
-      radius,
-      occlusion,
-      [](double accessibility) { return 0.5 * accessibility; },
-      params.range_check,
+      AoDirections::uniform, radius, occlusion, [](double accessibility) { return 0.5 * accessibility; },
       "uniform directions; a hit at x = distance / radius occludes by 1 − x³, the share of the ball's points beyond "
       "x; halved, because the lower half of the ball is below the surface"};
 }
@@ -70,11 +62,8 @@ AoIntegral integral_of(const Gtao& technique) {
     const double range = std::sqrt(hit.distance * hit.distance + stretch * hit.depth_difference * hit.depth_difference);
     return std::clamp((radius - range) / std::max(radius * params.falloff_range, 1e-20), 0.0, 1.0);
   };
-  return {AoDirections::cosine,
-          radius,
-          occlusion,
+  return {AoDirections::cosine, radius, occlusion,
           [power = params.power](double accessibility) { return std::pow(std::max(accessibility, 0.0), power); },
-          params.thin_compensation > 0.0,
           "cosine-weighted directions; a hit occludes in full up to the start of the falloff, from there linearly to 0 "
           "at radius × multiplier; the result is raised to the power"};
 }
@@ -87,13 +76,10 @@ AoIntegral integral_of(const Hbao& technique) {
     const double x = hit.distance / radius;
     return hit.above_tangent < bias ? 0.0 : std::max(1.0 - x * x, 0.0);
   };
-  return {AoDirections::uniform,
-          radius,
-          occlusion,
+  return {AoDirections::uniform, radius, occlusion,
           [intensity = params.intensity](double accessibility) {
             return std::max(1.0 - intensity * (1.0 - accessibility), 0.0);
           },
-          false,
           "uniform directions; a hit at x = distance / radius occludes by 1 − x², unless its direction is lower above "
           "the tangent plane than the tangent bias; times the intensity"};
 }
@@ -112,13 +98,10 @@ AoIntegral integral_of(const Alchemy& technique) {
     const double rest = 1.0 - square / limit;
     return 5.0 * rest * rest * rest * term;
   };
-  return {AoDirections::uniform,
-          radius,
-          occlusion,
+  return {AoDirections::uniform, radius, occlusion,
           [intensity = params.intensity](double accessibility) {
             return std::max(1.0 - intensity * (1.0 - accessibility), 0.0);
           },
-          false,
           "uniform directions; the first hit adds the estimator's own term, which exceeds 1 near by; times the "
           "intensity, cut at 0"};
 }

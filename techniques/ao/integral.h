@@ -13,12 +13,14 @@ namespace umbrameter {
 /// How the directions of the hemisphere are weighted.
 enum class AoDirections : int { cosine, uniform };
 
-/// Where a ray from a surfel meets a surface.
+/// What blocks a ray from a surfel: a point of a surface. The ray passes through that point, or behind it as the camera
+/// sees it, where all is assumed solid.
 struct AoHit {
-  double distance = 0.0;          ///< metres along the ray
-  double cosine = 1.0;            ///< between ray and geometric normal
+  double along_ray = 0.0;         ///< metres along the ray at which it is blocked
+  double distance = 0.0;          ///< metres from the surfel to the point
+  double cosine = 1.0;            ///< between the geometric normal and the direction to the point
   double above_tangent = 0.0;     ///< radians from tangent plane to ray, in the plane through ray and viewer direction
-  double depth_difference = 0.0;  ///< metres along the camera's axis from the surfel to the surface, not negative
+  double depth_difference = 0.0;  ///< metres along the camera's axis from the surfel to the point, not negative
 };
 
 /// A method's own integral: output(1 − mean over the directions of occlusion(hit)), where a ray without a hit within
@@ -28,9 +30,6 @@ struct AoIntegral {
   double reach = 0.0;  ///< metres
   std::function<double(const AoHit&)> occlusion;
   std::function<double(double)> output;
-  /// Whether occlusion() also falls with the depth difference: then a surface behind may occlude more than one in
-  /// front.
-  bool fades_with_depth = false;
   std::string formula;  ///< for people: the weight of a hit and the output
 };
 

@@ -33,7 +33,7 @@ View parallel(View view, double half_height) {
 
 // Every hit up to the reach occludes in full.
 AoIntegral plain(AoDirections directions, double reach) {
-  return {directions, reach, [](const AoHit&) { return 1.0; }, [](double a) { return a; }, false, {}};
+  return {directions, reach, [](const AoHit&) { return 1.0; }, [](double a) { return a; }, {}};
 }
 
 Scene floor() {

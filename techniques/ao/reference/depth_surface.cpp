@@ -164,7 +164,15 @@ void DepthSurface::march(std::size_t pixel, const dvec3& direction, double reach
     const double behind_first = facet_at(enter) - ray_at(enter);  // above 0: the ray is behind
     const double behind_last = facet_at(leave) - ray_at(leave);
     const auto event_at = [&](double s, bool is_crossing, bool is_connected) {
-      return SurfaceEvent{distance_at(s), depth_of(facet_at(s)), is_crossing, is_connected};
+      const double distance = distance_at(s);
+      const double depth = depth_of(facet_at(s));
+      dvec3 seen = positions_[pixel] + distance * direction;
+      if (is_orthographic_) {
+        seen.z = -depth;
+      } else {
+        seen *= depth / -seen.z;
+      }
+      return SurfaceEvent{distance, seen, is_crossing, is_connected};
     };
     const auto is_within = [&](double s) { return depth_of(ray_at(s)) - depth_of(facet_at(s)) <= thickness; };
     const bool enters_behind = behind_first > tolerance;
