@@ -34,5 +34,6 @@ std::string to_png(const ImageDrawing& drawing, const std::string& frame_png);
 /// JSON text. Throws Error (partial) when the table lacks a column that the figure names.
 std::string to_plot_specification(const PlotFigure& figure);
 std::string to_plot_specification(const HeatMapFigure& figure);
+std::string to_plot_specification(const WaterfallFigure& figure);
 
 }  // namespace umbrameter

@@ -107,7 +107,8 @@ struct PlotDrawings {
 };
 
 // All plots in one run of Node: its start takes longer than a plot.
-PlotDrawings draw_plots(const std::vector<PlotFigure>& plots, const std::vector<HeatMapFigure>& heat_maps) {
+PlotDrawings draw_plots(const std::vector<PlotFigure>& plots, const std::vector<HeatMapFigure>& heat_maps,
+                        const std::vector<WaterfallFigure>& waterfalls) {
   PlotDrawings result;
   std::string specifications;
   std::vector<std::string> stems;
@@ -123,6 +124,7 @@ PlotDrawings draw_plots(const std::vector<PlotFigure>& plots, const std::vector<
   };
   for (const PlotFigure& plot : plots) add(plot);
   for (const HeatMapFigure& heat_map : heat_maps) add(heat_map);
+  for (const WaterfallFigure& waterfall : waterfalls) add(waterfall);
   if (stems.empty()) return result;
   const fs::path script = data_folder() / "figures.cjs";
   std::error_code error;
@@ -180,11 +182,11 @@ std::vector<std::string> collect_problems(const std::vector<Written>& written, s
 
 FigureOutcome write_figures(const fs::path& folder, const std::vector<ImageFigure>& images,
                             const std::vector<PlotFigure>& plots, const std::vector<HeatMapFigure>& heat_maps,
-                            const FigureProgress& progress) {
+                            const FigureProgress& progress, const std::vector<WaterfallFigure>& waterfalls) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw Error(ExitCode::partial, "cannot make " + folder.string(), error.message());
-  const std::size_t all = images.size() + plots.size() + heat_maps.size();
+  const std::size_t all = images.size() + plots.size() + heat_maps.size() + waterfalls.size();
   std::mutex mutex;
   std::size_t done = 0;
   const auto count_one = [&] {
@@ -192,7 +194,8 @@ FigureOutcome write_figures(const fs::path& folder, const std::vector<ImageFigur
     if (progress) progress(++done, all);
   };
   // Node takes as long to start as several images take to be written.
-  std::future<PlotDrawings> drawn = std::async(std::launch::async, [&] { return draw_plots(plots, heat_maps); });
+  std::future<PlotDrawings> drawn =
+      std::async(std::launch::async, [&] { return draw_plots(plots, heat_maps, waterfalls); });
   std::vector<Written> written(images.size());
   parallel_for(images.size(), [&](std::size_t i) {
     written[i] = write_image(folder, images[i]);

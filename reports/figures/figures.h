@@ -88,6 +88,28 @@ struct HeatMapFigure {
   Table data;
 };
 
+/// One step of a sum.
+struct WaterfallStep {
+  std::string name;
+  std::string note;  ///< below the name: "RMS 0.031"
+  double value = 0.0;
+  double lower = 0.0;  ///< 95 % interval of the value; equal bounds: none
+  double upper = 0.0;
+};
+
+/// A sum, step by step: each bar starts where the one before ends. The total starts at 0.
+struct WaterfallFigure {
+  std::string stem;
+  std::string title;
+  std::string conditions;  ///< as PlotFigure has them
+  std::string caption;
+  std::string label;  ///< quantity and unit of the value axis
+  std::string below;  ///< what a step below 0 means: "darkens"
+  std::string above;
+  std::vector<WaterfallStep> steps;
+  WaterfallStep total;
+};
+
 /// sRGB bytes of a scalar image. NaN is magenta; values outside the scale take its end colours.
 Image<glm::u8vec3> colorize(const Image<float>& values, const ColorScale& scale);
 
@@ -106,6 +128,6 @@ struct FigureOutcome {
 /// Draws on all threads at once; the files and the order of the problems do not depend on their number.
 FigureOutcome write_figures(const std::filesystem::path& folder, const std::vector<ImageFigure>& images,
                             const std::vector<PlotFigure>& plots, const std::vector<HeatMapFigure>& heat_maps = {},
-                            const FigureProgress& progress = {});
+                            const FigureProgress& progress = {}, const std::vector<WaterfallFigure>& waterfalls = {});
 
 }  // namespace umbrameter

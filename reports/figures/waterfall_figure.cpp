@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/figures/figure_parts.h"
+#include "reports/figures/plot_parts.h"
+#include "reports/files/text_layout.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr int step_width = 74;
+constexpr int waterfall_height = 280;
+// CIE L* 46, 70 and 36: readable in grey, and the label of a step has its sign.
+constexpr const char* below_color = "#0072b2";
+constexpr const char* above_color = "#e69f00";
+constexpr const char* sum_color = "#555555";
+constexpr const char* sum_name = "total";
+
+std::string signed_text(double value) { return fmt::format("{}{:.4f}", value < 0.0 ? "−" : "+", std::abs(value)); }
+
+// Under a step: its name and its note.
+std::string category(const WaterfallStep& step) { return step.name + "|" + step.note; }
+
+}  // namespace
+
+std::string to_plot_specification(const WaterfallFigure& figure) {
+  Json rows = Json::array();
+  Json links = Json::array();
+  double sum = 0.0;
+  double lowest = 0.0;
+  double highest = 0.0;
+  const auto add = [&](const WaterfallStep& step, double from, const std::string& kind) {
+    const double to = from + step.value;
+    Json row = {
+        {"step", category(step)},          {"from", from}, {"to", to}, {"kind", kind}, {"top", std::max(from, to)},
+        {"label", signed_text(step.value)}};
+    if (step.upper > step.lower) {
+      row["lo"] = from + step.lower;
+      row["hi"] = from + step.upper;
+      row["top"] = std::max(from, from + step.upper);
+    }
+    rows.push_back(std::move(row));
+    lowest = std::min({lowest, to, from + step.lower});
+    highest = std::max({highest, to, from + step.upper});
+  };
+  for (std::size_t i = 0; i < figure.steps.size(); ++i) {
+    const WaterfallStep& step = figure.steps[i];
+    add(step, sum, step.value < 0.0 ? figure.below : figure.above);
+    sum += step.value;
+    const WaterfallStep& next = i + 1 < figure.steps.size() ? figure.steps[i + 1] : figure.total;
+    links.push_back({{"step", category(step)}, {"next", category(next)}, {"at", sum}});
+  }
+  add(figure.total, 0.0, sum_name);
+  std::vector<std::string> order;
+  for (const WaterfallStep& step : figure.steps) order.push_back(category(step));
+  order.push_back(category(figure.total));
+  const double margin = 0.08 * std::max(highest - lowest, 1e-6);
+
+  const Json x = {{"field", "step"},
+                  {"type", "nominal"},
+                  {"sort", nullptr},
+                  {"scale", {{"domain", order}}},
+                  {"axis",
+                   {{"title", nullptr},
+                    {"labelAngle", 0},
+                    {"labelOverlap", false},
+                    {"labelExpr", "split(datum.label, '|')"},
+                    {"labelFontSize", 11},
+                    {"ticks", false}}}};
+  const auto y = [&](const char* field) {
+    return Json{{"field", field},
+                {"type", "quantitative"},
+                {"title", figure.label},
+                {"scale", {{"domain", {lowest - margin, highest + margin}}, {"nice", false}}}};
+  };
+  const Json color = {
+      {"field", "kind"},
+      {"type", "nominal"},
+      {"scale", {{"domain", {figure.below, figure.above, sum_name}}, {"range", {below_color, above_color, sum_color}}}},
+      {"legend", {{"title", nullptr}, {"symbolType", "square"}, {"symbolSize", 160}}}};
+  Json spec;
+  spec["$schema"] = "https://vega.github.io/schema/vega-lite/v6.json";
+  spec["description"] = figure.title;
+  spec["title"]["text"] = figure.title;
+  const std::vector<std::string> subtitle = wrap_lines(figure.conditions, subtitle_characters);
+  if (!subtitle.empty()) spec["title"]["subtitle"] = subtitle;
+  spec["width"] = step_width * static_cast<int>(order.size());
+  spec["height"] = waterfall_height;
+  spec["data"]["values"] = rows;
+  Json next = x;
+  next["field"] = "step";
+  spec["layer"] = {{{"mark", {{"type", "rule"}, {"color", "#666666"}}},
+                    {"data", {{"values", Json::array({{{"zero", 0.0}}})}}},
+                    {"encoding", {{"y", y("zero")}}}},
+                   {{"mark", {{"type", "rule"}, {"color", "#999999"}, {"strokeDash", {2, 2}}}},
+                    {"data", {{"values", links}}},
+                    {"encoding", {{"x", next}, {"x2", {{"field", "next"}}}, {"y", y("at")}}}},
+                   {{"mark", {{"type", "bar"}, {"size", 44}}},
+                    {"encoding", {{"x", x}, {"y", y("from")}, {"y2", {{"field", "to"}}}, {"color", color}}}},
+                   {{"mark", {{"type", "rule"}, {"color", "#1a1a1a"}, {"strokeWidth", 1.5}}},
+                    {"transform", {{{"filter", "isValid(datum.lo)"}}}},
+                    {"encoding", {{"x", x}, {"y", y("lo")}, {"y2", {{"field", "hi"}}}}}},
+                   {{"mark", {{"type", "text"}, {"dy", -8}, {"fontSize", 12}, {"color", "#1a1a1a"}}},
+                    {"encoding", {{"x", x}, {"y", y("top")}, {"text", {{"field", "label"}, {"type", "nominal"}}}}}}};
+  spec["config"] = plot_look();
+  return spec.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace umbrameter
