@@ -131,6 +131,9 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   if (&description == &compare_command) {
     command.add_flag_callback(
         "--shimmer", [&line] { line.settings.emplace_back("run.shimmer", "true"); }, "same as --run.shimmer true");
+    command.add_flag_callback(
+        "--ao-stages", [&line] { line.settings.emplace_back("run.ao-stages", "true"); },
+        "same as --run.ao-stages true");
   }
   if (&description == &compare_command || &description == &raster_command) {
     command.add_flag_callback(

@@ -7,6 +7,7 @@
 #include "app/dry_run.h"
 #include "compare/metrics/metric.h"
 #include "core/parallel.h"
+#include "experiments/presentation/ao_stages_report.h"
 #include "experiments/presentation/debug_views.h"
 #include "experiments/presentation/run_output.h"
 #include "experiments/reference_cache.h"
@@ -139,6 +140,10 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
     measurement.shadows.push_back(std::move(shadow));
   }
   measurement.ao = measure_ao(stages, experiment, sides);
+  if (line.command == "compare" && experiment.run.ao_stages) {
+    measurement.ao->stages =
+        measure_ao_stages(stages, experiment, *measurement.ao->truth, *measurement.ao->raster, console);
+  }
   if (has_image) measurement.image = measure_image(stages, experiment, lights, sides);
 
   RunOutput output;
@@ -153,6 +158,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
     if (shadow.shape) present_shape(output.parts.back(), stages, shadow);
   }
   output.parts.push_back(present_ao(*measurement.ao));
+  if (measurement.ao->stages) output.parts.push_back(present_ao_stages(*measurement.ao));
   if (measurement.image) output.parts.push_back(present_image(stages, *measurement.image));
   if (sides.raster && !experiment.run.overlay.empty()) {
     output.parts.push_back(present_debug_views(stages, measurement));

@@ -23,6 +23,8 @@ Parameters describe(RunParams& params) {
               {.unit = {}, .meaning = "what is measured; auto: shadows and AO, in a sweep depending on the axes"})
       .field("shimmer", params.shimmer,
              {"", "measure shimmer: shadow map and camera move by fractions of a texel or pixel"})
+      .field("ao-stages", params.ao_stages,
+             {"", "split the error of AO by stage, from the method's model to its blur; costs further rays"})
       .field("metrics", params.metrics,
              {"", "image metrics of visibility and AO that compare reports: mae, ssim, ... (docs/metrics.md)"})
       .field("write-maps", params.write_maps, {"", "write each shadow map with its projection as an EXR file"})

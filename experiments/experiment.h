@@ -31,6 +31,7 @@ struct RunParams {
   ClassRule classes = ClassRule::exact;
   SweepMeasure measure = SweepMeasure::automatic;
   bool shimmer = false;
+  bool ao_stages = false;
   std::string metrics;  ///< names of image metrics, comma-separated
   bool write_maps = false;
   std::string overlay;  ///< names of debug views, comma-separated

@@ -33,6 +33,11 @@ void add_ao(LayeredImage& image, const AoMeasurement& ao) {
   }
   if (ao.raster) add_layer(image, "raster_ao", *ao.raster);
   if (ao.statistics) add_layer(image, "error_ao", signed_error(*ao.raster, ao.truth->ao));
+  if (!ao.stages) return;
+  for (std::size_t k = 0; k < ao_stage_count; ++k) {
+    add_layer(image, "ao_stage_" + std::string(ao_stage_names[k]),
+              stage_difference(ao.stages->images, static_cast<AoStage>(k)));
+  }
 }
 
 void add_image(LayeredImage& image, const Stages& stages, const ImageMeasurement& shaded) {

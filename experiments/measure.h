@@ -11,6 +11,7 @@
 #include "compare/metrics/metric.h"
 #include "compare/soft_visibility.h"
 #include "compare/visibility.h"
+#include "experiments/measure_ao_stages.h"
 #include "experiments/measure_image.h"
 #include "experiments/presentation/bias_advice.h"
 #include "experiments/presentation/shadow_shape.h"
@@ -76,6 +77,7 @@ struct AoMeasurement {
   std::optional<TracedAo> truth;
   std::optional<AoStatistics> statistics;  ///< if raster and truth are present
   std::vector<MetricScore> metrics{};      ///< if raster and truth are present
+  std::optional<AoStages> stages{};        ///< set by the compare command, with run.ao-stages
 };
 
 struct Measurement {

@@ -140,6 +140,10 @@ void add_figure(Presentation& presentation, HeatMapFigure figure) {
   add_to(presentation.section, presentation.heat_maps, std::move(figure));
 }
 
+void add_figure(Presentation& presentation, WaterfallFigure figure) {
+  add_to(presentation.section, presentation.waterfalls, std::move(figure));
+}
+
 Presentation present_picture(const Stages& stages, const Measurement& measurement) {
   Presentation presentation;
   presentation.section.title = "The view";

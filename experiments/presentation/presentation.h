@@ -23,6 +23,7 @@ struct Presentation {
   std::vector<ImageFigure> images;
   std::vector<PlotFigure> plots;
   std::vector<HeatMapFigure> heat_maps;
+  std::vector<WaterfallFigure> waterfalls{};
   std::vector<std::string> answers{};  ///< for the console, printed first: the main results
   std::vector<std::string> lines{};    ///< for the console: further results
   std::vector<std::string> details{};  ///< diagnostics: for the page's last section and --verbose
@@ -51,5 +52,6 @@ ReportTable bias_table(const ShadowMeasurement& shadow);
 void add_figure(Presentation& presentation, ImageFigure figure);
 void add_figure(Presentation& presentation, PlotFigure figure);
 void add_figure(Presentation& presentation, HeatMapFigure figure);
+void add_figure(Presentation& presentation, WaterfallFigure figure);
 
 }  // namespace umbrameter

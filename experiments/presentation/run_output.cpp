@@ -15,6 +15,8 @@
 namespace umbrameter {
 namespace {
 
+constexpr const char* ao_stages_file = "ao_stages.csv";
+
 Report make_report(const RunOutput& output) {
   Report report;
   report.title = output.title;
@@ -57,6 +59,7 @@ void leave_out_figures(RunOutput& output) {
     part.images.clear();
     part.plots.clear();
     part.heat_maps.clear();
+    part.waterfalls.clear();
     part.section.figures.clear();
     part.section.figure_titles.clear();
     part.section.captions.clear();
@@ -81,16 +84,22 @@ void write_figures_of(const std::filesystem::path& folder, const Console& consol
   std::vector<ImageFigure> images;
   std::vector<PlotFigure> plots;
   std::vector<HeatMapFigure> heat_maps;
+  std::vector<WaterfallFigure> waterfalls;
   for (Presentation& part : output.parts) {
     std::move(part.images.begin(), part.images.end(), std::back_inserter(images));
     std::move(part.plots.begin(), part.plots.end(), std::back_inserter(plots));
     std::move(part.heat_maps.begin(), part.heat_maps.end(), std::back_inserter(heat_maps));
+    std::move(part.waterfalls.begin(), part.waterfalls.end(), std::back_inserter(waterfalls));
   }
   ProgressBar bar(console, "figures");
   output.summary.problems =
-      write_figures(folder / "figures", images, plots, heat_maps, [&](std::size_t done, std::size_t all) {
-        bar.show(static_cast<double>(done) / static_cast<double>(all), fmt::format("{} of {}", done, all));
-      }).problems;
+      write_figures(
+          folder / "figures", images, plots, heat_maps,
+          [&](std::size_t done, std::size_t all) {
+            bar.show(static_cast<double>(done) / static_cast<double>(all), fmt::format("{} of {}", done, all));
+          },
+          waterfalls)
+          .problems;
 }
 
 void write_layers(const std::filesystem::path& path, const SummaryInput& summary) {
@@ -98,6 +107,12 @@ void write_layers(const std::filesystem::path& path, const SummaryInput& summary
   image.attributes["scene"] = scene_title(summary.experiment);
   image.attributes["version"] = UMBRAMETER_VERSION;
   write_exr(path, image);
+}
+
+// The error of AO by stage; null if the run did not measure it.
+const AoStages* ao_stages_of(const RunOutput& output) {
+  const Measurement* measurement = output.summary.measurement;
+  return measurement != nullptr && measurement->ao && measurement->ao->stages ? &*measurement->ao->stages : nullptr;
 }
 
 std::vector<std::string> map_files(const RunOutput& output) {
@@ -135,6 +150,8 @@ ExitCode write_run(RunFolder& run_folder, const Console& console, RunOutput outp
   std::vector<std::string> further = figure_files(output.parts);
   const std::vector<std::string> maps = map_files(output);
   further.insert(further.end(), maps.begin(), maps.end());
+  const AoStages* ao_stages = ao_stages_of(output);
+  if (ao_stages != nullptr) further.emplace_back(ao_stages_file);
   run_folder.require_free(further);
   run_folder.begin();
   run_folder.announce(further);
@@ -148,6 +165,10 @@ ExitCode write_run(RunFolder& run_folder, const Console& console, RunOutput outp
   if (summary.measurement != nullptr) {
     layers = std::async(std::launch::async, [&] { write_layers(folder / "images.exr", summary); });
     summary.files.push_back("images.exr");
+  }
+  if (ao_stages != nullptr) {
+    write_text(folder / ao_stages_file, to_csv(ao_stage_table(ao_stages->statistics, ao_stages->bins)));
+    summary.files.emplace_back(ao_stages_file);
   }
   if (output.results != nullptr) {
     write_rows(folder / "sweep.csv", *output.results);

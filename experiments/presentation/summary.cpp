@@ -141,6 +141,12 @@ Json ao_json(const AoMeasurement& ao) {
     object["max_error_at_px"] = place_json(error.max_x, error.max_y);
   }
   add_metrics(object, ao.metrics);
+  if (ao.stages) {
+    const AoStages& stages = *ao.stages;
+    object["stages"] = {{"integral", stages.integral},
+                        {"rays", stages.integrals.rays},
+                        {"statistics", statistics_json(stages.statistics)}};
+  }
   return object;
 }
 

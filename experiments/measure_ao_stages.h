@@ -1,0 +1,28 @@
+// Measures why a method of ambient occlusion is wrong: its error by stage. Costs several times the rays of the
+// reference, so runs measure it only with run.ao-stages.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compare/ao_stages.h"
+#include "experiments/console.h"
+#include "experiments/stages.h"
+
+namespace umbrameter {
+
+struct AoStages {
+  std::string integral;  ///< the method's own integral, for people
+  AoStageImages images;
+  AoStageStatistics statistics;
+  std::vector<AoStageBin> bins;
+  int many_draws = 0;         ///< draws with many samples, each with another seed, whose mean is the approximation
+  TraceStatistics integrals;  ///< cost of the rays of the method's integral
+};
+
+/// The stages from the reference asked for, `truth`, to the result of the technique, `drawn`. Traces truth.spp rays per
+/// pixel. Throws Error (usage) if the technique has no integral.
+AoStages measure_ao_stages(Stages& stages, const Experiment& experiment, const TracedAo& truth,
+                           const Image<float>& drawn, const Console& console);
+
+}  // namespace umbrameter
