@@ -19,18 +19,18 @@ constexpr int tile_size = 16;
 
 using Means = std::array<double, occluder_kinds>;
 
-// Slope and curvature of the output by central differences.
+// The output at a mean that has noise: its value without the bias that noise of this standard error gives a curved or
+// bent output, and its slope over the noise. Two points at ±1 standard error give both to second order.
 struct Output {
   double value = 0.0;
   double slope = 0.0;
-  double curvature = 0.0;
 };
-Output output_at(const AoIntegral& integral, double accessibility) {
-  constexpr double h = 1e-3;
+Output output_at(const AoIntegral& integral, double accessibility, double standard_error) {
+  const double h = std::max(standard_error, 1e-4);
   const double value = integral.output(accessibility);
   const double before = integral.output(accessibility - h);
   const double after = integral.output(accessibility + h);
-  return {value, (after - before) / (2.0 * h), (after - 2.0 * value + before) / (h * h)};
+  return {2.0 * value - 0.5 * (before + after), (after - before) / (2.0 * h)};
 }
 
 class IntegralTile {
@@ -147,22 +147,24 @@ class IntegralTile {
       }
     }
     const double scale = count > 1 ? 1.0 / static_cast<double>(count * (count - 1)) : 0.0;
+    Means variance{};
     std::array<Output, occluder_kinds> output;
     for (std::size_t k = 0; k < occluder_kinds; ++k) {
-      output[k] = output_at(integral_, mean[k]);
-      double of_mean = 0.0;
-      double of_step = 0.0;
       for (std::size_t r = 0; r < count; ++r) {
         const double off = open[r][k] - mean[k];
-        const double step =
-            output[k].slope * off - (k > 0 ? output[k - 1].slope * (open[r][k - 1] - mean[k - 1]) : 0.0);
-        of_mean += off * off * scale;
+        variance[k] += off * off * scale;
+      }
+      output[k] = output_at(integral_, mean[k], std::sqrt(variance[k]));
+    }
+    for (std::size_t k = 0; k < occluder_kinds; ++k) {
+      double of_step = 0.0;
+      for (std::size_t r = 0; r < count; ++r) {
+        double step = output[k].slope * (open[r][k] - mean[k]);
+        if (k > 0) step -= output[k - 1].slope * (open[r][k - 1] - mean[k - 1]);
         of_step += step * step * scale;
       }
-      // The output of a noisy mean is off by half its curvature times the variance, to second order.
-      const double value = output[k].value - 0.5 * output[k].curvature * of_mean;
-      result.accessibility[k][pixel] = static_cast<float>(value);
-      result.variance[k][pixel] = static_cast<float>(output[k].slope * output[k].slope * of_mean);
+      result.accessibility[k][pixel] = static_cast<float>(output[k].value);
+      result.variance[k][pixel] = static_cast<float>(output[k].slope * output[k].slope * variance[k]);
       result.step_variance[k][pixel] = static_cast<float>(of_step);
     }
     result.samples[pixel] = static_cast<float>(split_.points);
