@@ -42,7 +42,7 @@ Experiment experiment_of(const std::string& scene, const Row& row) {
   Experiment experiment;
   experiment.scene = scene;
   experiment.view.size = {480, 270};
-  experiment.truth.spp = 64;
+  experiment.truth.spp = 32;
   const Parameters parameters = describe(experiment);
   for (const std::string& setting : row.settings) {
     const std::size_t equals = setting.find('=');
@@ -98,7 +98,7 @@ int run(int argc, char** argv) {
       "# Every method of ambient occlusion on five scenes\n\n"
       "Made by `umbrameter_ao_table`: 480×270 pixels, first camera, default settings but for the method. The "
       "reference\n"
-      "is traced with cosine weight up to the radius, 64 rays per pixel.\n\n"
+      "is traced with cosine weight up to the radius, 32 rays per pixel.\n\n"
       "The columns from model to blur are the signed means of the [stages](stages.md), in units of accessibility: "
       "below\n"
       "0 the stage darkens. They add up to the mean error, whose 95 % interval has the half width in the column ±. "

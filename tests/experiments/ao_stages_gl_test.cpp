@@ -1,0 +1,124 @@
+// Ambient-occlusion error by stage, of every technique on built-in scenes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "experiments/measure.h"
+#include "scenes/builtin.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/shapes.h"
+
+namespace umbrameter {
+namespace {
+
+struct Measured {
+  AoMeasurement ao;
+  AoStages stages;
+};
+
+class AoStagesGl : public test::GlFixture {
+ protected:
+  static Experiment experiment(AoTechniqueName technique, const std::string& camera) {
+    Experiment experiment;
+    experiment.view.size = {160, 90};
+    experiment.view.camera = camera;
+    experiment.ao.technique = technique;
+    experiment.truth.spp = 16;
+    return experiment;
+  }
+  static Measured measure(Stages& stages, const Experiment& relative) {
+    const Experiment experiment = stages.in_metres(relative);
+    AoMeasurement ao = measure_ao(stages, experiment, {});
+    AoStages measured = measure_ao_stages(stages, experiment, *ao.truth, *ao.raster, Console{});
+    return {std::move(ao), std::move(measured)};
+  }
+  static const AoStageError& of(const Measured& measured, AoStage stage) {
+    return measured.stages.statistics.stages[static_cast<std::size_t>(stage)];
+  }
+};
+
+TEST_F(AoStagesGl, The_signed_stages_of_every_technique_add_up_to_its_error) {
+  Stages stages(load_scene("corner"), {}, Console{});
+  for (const AoTechniqueName technique : {AoTechniqueName::ssao, AoTechniqueName::gtao, AoTechniqueName::hbao,
+                                          AoTechniqueName::alchemy, AoTechniqueName::crytek}) {
+    const Measured measured = measure(stages, experiment(technique, "overview"));
+    double sum = 0.0;
+    for (const AoStageError& stage : measured.stages.statistics.stages) sum += stage.mean.value;
+    // The error that a run reports without stages.
+    EXPECT_NEAR(sum, measured.ao.statistics->error.mean_error.value, 1e-6) << static_cast<int>(technique);
+    EXPECT_NEAR(measured.stages.statistics.total.rmse.value, measured.ao.statistics->error.rmse.value, 1e-9);
+    // No occluder of the surfels in this view is outside it.
+    EXPECT_NEAR(of(measured, AoStage::off_screen).mean.value, 0.0, 1e-3) << static_cast<int>(technique);
+  }
+}
+
+TEST_F(AoStagesGl, Seen_from_above_a_trench_is_as_solid_as_the_depth_buffer_assumes) {
+  Stages stages(load_scene("trench"), {}, Console{});
+  Experiment above = experiment(AoTechniqueName::ssao, "above");
+  above.view.size = {320, 180};  // a pixel is half as wide as the narrowest slot
+  above.truth.spp = 8;
+  above.ao.ssao.range_check = false;  // it fades the walls of deep slots, whose tops are far from their floors in depth
+  const Measured measured = measure(stages, above);
+  // The walls are seen edge-on, by no pixel: without them the slots are much brighter, and solid blocks mend all of it.
+  const Estimate& hidden = of(measured, AoStage::hidden).mean;
+  const Estimate& thin = of(measured, AoStage::thin).mean;
+  EXPECT_GT(hidden.lower, 0.05);
+  const double interval = 0.5 * (hidden.upper - hidden.lower + thin.upper - thin.lower);
+  EXPECT_NEAR(hidden.value + thin.value, 0.0, interval + 0.001);
+  // The points that the range check would fade are the only ones of which method and integral differ much.
+  EXPECT_NEAR(of(measured, AoStage::approximation).mean.value, 0.0, 0.02);
+}
+
+TEST_F(AoStagesGl, With_many_samples_HBAO_and_GTAO_without_falloff_come_to_their_own_integrals) {
+  Stages stages(load_scene("trench"), {}, Console{});
+  const Measured hbao = measure(stages, experiment(AoTechniqueName::hbao, "above"));
+  EXPECT_NEAR(of(hbao, AoStage::approximation).mean.value, 0.0, 0.02);
+  Experiment plain = experiment(AoTechniqueName::gtao, "above");
+  plain.ao.gtao.falloff_range = 0.0;
+  plain.ao.gtao.power = 1.0;
+  const double without_falloff = of(measure(stages, plain), AoStage::approximation).mean.value;
+  EXPECT_NEAR(without_falloff, 0.0, 0.02);
+  // With a falloff GTAO mixes cosines of horizons. Occlusion is their square: a weight acts squared, and too little.
+  plain.ao.gtao.falloff_range = 0.615;
+  EXPECT_GT(of(measure(stages, plain), AoStage::approximation).mean.value, without_falloff + 0.01);
+}
+
+TEST_F(AoStagesGl, Bias_and_range_check_of_full_sphere_SSAO_brighten_an_open_plane) {
+  // Points less than the bias b behind the plane along the view axis count as open. For an angle θ between normal and
+  // axis they fill a slab of thickness c = b cos θ / R of the unit ball: the result is ½ + (3c − c³)/4.
+  Scene scene = shapes::empty_scene();
+  shapes::add_mesh(scene, shapes::quad({-500, 0, 500}, {1000, 0, 0}, {0, 0, -1000}));
+  const auto mean_at = [&](double angle, bool range_check) {
+    Camera camera;
+    const dvec3 z(0, std::cos(angle), std::sin(angle));
+    camera.world_from_camera =
+        dmat4(dvec4(1, 0, 0, 0), dvec4(glm::cross(z, dvec3(1, 0, 0)), 0), dvec4(z, 0), dvec4(10.0 * z, 1));
+    camera.projection = OrthographicProjection{1.0, 1.0, 0.01, 100.0};
+    scene.cameras = {camera};
+    Stages stages(scene, {}, Console{});
+    Experiment plane = experiment(AoTechniqueName::crytek, "");
+    plane.ao.sampling.radius = 0.2;
+    plane.ao.bias.depth = 0.01;
+    plane.ao.ssao.range_check = range_check;
+    const Measured measured = measure(stages, plane);
+    EXPECT_NEAR(of(measured, AoStage::model).mean.value, -0.5, 1e-6);
+    // Away from the image's border, beyond which points are compared with the depths at the border.
+    const auto approximation = static_cast<std::size_t>(AoStage::approximation) + 1;
+    const Image<float>& drawn = measured.stages.images.accessibility[approximation];
+    double mean = 0.0;
+    for (int y = 25; y < 65; ++y) {
+      for (int x = 60; x < 100; ++x) mean += static_cast<double>(drawn.at(x, y)) / 1600.0;
+    }
+    return mean;
+  };
+  for (const double angle : {0.0, pi / 3.0}) {
+    const double c = 0.05 * std::cos(angle);
+    EXPECT_NEAR(mean_at(angle, false), 0.5 + (3.0 * c - c * c * c) / 4.0, 1.5e-3) << angle;
+  }
+  // At 60° the plane that the ball covers spans depths of ±1.7 radii, and beyond one radius the range check fades.
+  EXPECT_GT(mean_at(pi / 3.0, true), mean_at(pi / 3.0, false) + 0.01);
+}
+
+}  // namespace
+}  // namespace umbrameter
