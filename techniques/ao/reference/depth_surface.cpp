@@ -163,7 +163,7 @@ void DepthSurface::march(std::size_t pixel, const dvec3& direction, double reach
     const double tolerance = rounding * std::abs(facet.center);
     const double behind_first = facet_at(enter) - ray_at(enter);  // above 0: the ray is behind
     const double behind_last = facet_at(leave) - ray_at(leave);
-    const auto event_at = [&](double s, bool is_crossing, bool is_connected) {
+    const auto event_at = [&](double s, bool is_connected) {
       const double distance = distance_at(s);
       const double depth = depth_of(facet_at(s));
       dvec3 seen = positions_[pixel] + distance * direction;
@@ -172,7 +172,7 @@ void DepthSurface::march(std::size_t pixel, const dvec3& direction, double reach
       } else {
         seen *= depth / -seen.z;
       }
-      return SurfaceEvent{distance, seen, is_crossing, is_connected};
+      return SurfaceEvent{distance, seen, is_connected};
     };
     const auto is_within = [&](double s) { return depth_of(ray_at(s)) - depth_of(facet_at(s)) <= thickness; };
     const bool enters_behind = behind_first > tolerance;
@@ -184,14 +184,14 @@ void DepthSurface::march(std::size_t pixel, const dvec3& direction, double reach
     if (enters_behind) {
       const bool is_connected = !was_behind && is_joined(before, at);
       if (is_connected || is_within(enter)) {
-        goes_on = visit(event_at(enter, !was_behind, is_connected));
+        goes_on = visit(event_at(enter, is_connected));
       } else if (leaves_behind && is_within(leave)) {
-        goes_on = visit(event_at(leave, false, false));
+        goes_on = visit(event_at(leave, false));
       }
-      if (goes_on && !leaves_behind) goes_on = visit(event_at(through(), false, true));
+      if (goes_on && !leaves_behind) goes_on = visit(event_at(through(), true));
     } else {
-      if (was_behind && is_joined(before, at)) goes_on = visit(event_at(enter, false, true));
-      if (goes_on && leaves_behind) goes_on = visit(event_at(through(), true, true));
+      if (was_behind && is_joined(before, at)) goes_on = visit(event_at(enter, true));
+      if (goes_on && leaves_behind) goes_on = visit(event_at(through(), true));
     }
     if (!goes_on) return;
     was_behind = leaves_behind;

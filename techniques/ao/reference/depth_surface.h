@@ -17,9 +17,8 @@ namespace umbrameter {
 
 /// A ray met the surface, or is behind it in one of the pixels that it crosses.
 struct SurfaceEvent {
-  double distance = 0.0;    ///< metres along the ray
-  dvec3 seen{0.0};          ///< the facet's point there, in view space: what the depth buffer holds
-  bool is_crossing = true;  ///< the ray was in front before
+  double distance = 0.0;  ///< metres along the ray
+  dvec3 seen{0.0};        ///< the facet's point there, in view space: what the depth buffer holds
   /// The ray passes through the surface itself, from either side. Otherwise it is behind a facet whose depth edge it
   /// has passed, where the image shows an object's outline but not how thick the object is.
   bool is_connected = true;
