@@ -88,6 +88,55 @@ double wall_occlusion(double d, double h, double limit) {
   return c >= a ? s(c) / pi : (s(c) - a * s(c / a)) / pi;
 }
 
+TEST(AoIntegral, Under_an_endless_ceiling_each_method_has_its_closed_form) {
+  // Ceiling at height h, radius R, c = h/R; a ray at μ = cos θ goes h/μ, that is x = c/μ of the radius. The occlusion
+  // is ∫ w(c/μ) dμ for uniform and ∫ 2μ w(c/μ) dμ for cosine weight, from c to 1.
+  constexpr double h = 1.2;
+  constexpr double radius = 3.0;
+  constexpr double c = h / radius;
+  Scene scene = floor();
+  shapes::add_mesh(scene, shapes::quad({-2000, h, -2000}, {4000, 0, 0}, {0, 0, 4000}));
+  const View view = view_from({0, 1.0, 0.01}, {0, 0, 0});
+  AoSamplingParams sampling;
+  sampling.radius = radius;
+  GtaoParams gtao;
+  gtao.radius_multiplier = gtao.power = 1.0;
+  HbaoParams hbao;
+  hbao.tangent_bias = 0.0;
+  AlchemyParams alchemy;
+  alchemy.bias = 0.0;
+  alchemy.estimator = AlchemyEstimator::alchemy;
+  alchemy.intensity = 0.25;
+  // The share of the kernel's points ξ (0.1 + 0.9 u²) beyond c/μ, by midpoints.
+  double ssao_occlusion = 0.0;
+  constexpr int steps = 1000;
+  for (int i = 0; i < steps; ++i) {
+    for (int k = 0; k < steps; ++k) {
+      const double mu = c + (1.0 - c) * (i + 0.5) / steps;
+      const double u = (k + 0.5) / steps;
+      ssao_occlusion += (1.0 - c) / (1.0 * steps * steps) * std::max(0.0, 1.0 - c / mu / (0.1 + 0.9 * u * u));
+    }
+  }
+  const std::pair<AoIntegral, double> expected[] = {
+      {integral_of(Ssao{sampling, {}, {}, {}}), 1.0 - ssao_occlusion},
+      // Only the fading part, from x = 0.385 on, is met: ∫ 2μ (1 − c/μ)/0.615 dμ.
+      {integral_of(Gtao{sampling, {}, {}, gtao}), 1.0 - (1 - c) * (1 - c) / 0.615},
+      // ∫ (1 − c²/μ²) dμ.
+      {integral_of(Hbao{sampling, {}, hbao}), 1.0 - (1 - c) * (1 - c)},
+      // A quarter of ∫ 2R (h/μ · μ)/(h/μ)² dμ = ∫ 2μ²/c dμ; the estimator's ε changes it by less than 10⁻³.
+      {integral_of(Alchemy{sampling, {}, alchemy}), 1.0 - 0.25 * 2.0 / (3.0 * c) * (1 - c * c * c)},
+      // Half of 1 − ∫ (1 − c³/μ³) dμ.
+      {integral_of(Crytek{sampling, {}, {}, {}}), 0.5 * (1.0 - (1.0 - 1.5 * c + 0.5 * c * c * c))},
+  };
+  const auto everywhere = [](const vec3&) { return true; };
+  for (const auto& [integral, exact] : expected) {
+    const Traced traced = trace(scene, view, integral);
+    const Mean mean = mean_over(traced, all, everywhere, [](const vec3&) { return 0.0; });
+    EXPECT_NEAR(mean.value, exact, 5.0 * mean.error + 2e-4) << integral.formula;
+    EXPECT_LT(mean.error, 5e-4) << integral.formula;
+  }
+}
+
 TEST(AoIntegral, An_open_plane_is_open_to_all_occluders_at_every_angle_of_view) {
   for (const double degrees : {5.0, 30.0, 60.0, 85.0}) {
     const double angle = degrees * pi / 180.0;
