@@ -8,12 +8,9 @@
 
 #include "core/error.h"
 #include "raster/shadow/polygon_offset.h"
-#include "raytrace/surface_judge.h"
 
 namespace umbrameter {
 namespace {
-
-std::uint64_t sum_of(const uvec4& v) { return std::uint64_t{v.x} + v.y + v.z + v.w; }
 
 // Both sides multiply three lengths in single precision, whose range is about 1e-38 to 1e38.
 void require_measurable(const Bounds& bounds, const dvec3& origin, const std::string& name) {
@@ -310,45 +307,6 @@ std::vector<Image<float>> Stages::draw_lookups(std::span<const Experiment> exper
     lookups.push_back(lookup_of(each.shadow.bias, std::get<Prefiltered>(make_technique(each.shadow))));
   }
   return umbrameter::draw_lookups(context(), lookup, std::get<Prefiltered>(lookup.technique), lookups);
-}
-
-BiasHistogram Stages::bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes) {
-  BiasHistogram histogram = draw_bias_response(context(), shadow_lookup(experiment, light, true), axes);
-  if (experiment.run.classes == ClassRule::fast) return histogram;
-  test_unresolved_taps(experiment, light, axes, true, [&](auto taps, auto is_same_surface) {
-    umbrameter::reclassify(histogram, taps, is_same_surface);
-  });
-  return histogram;
-}
-
-void Stages::test_unresolved_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes, bool of_lit,
-                                  const TestedTaps& take) {
-  const ShadowLookup lookup = shadow_lookup(experiment, light, true);
-  const MapLayout& layout = lookup.map.layout;
-  const GBuffer& gbuffer = surfels(experiment).gbuffer;
-  const Tracer& rays = tracer();
-  const Continuity continuity = of_lit ? Continuity::seen : Continuity::own_layer;
-  ProgressBar progress = bar("classes");
-  list_unresolved_taps(context(), lookup, axes, of_lit, [&](std::span<const UnresolvedTap> taps) {
-    const std::vector<TapSurfaces> surfaces = surfaces_of(scene_, layout, gbuffer, taps);
-    take(taps, test_same_surface(rays, layout, surfaces, continuity, progress.callback()));
-  });
-}
-
-ClassAgreement Stages::reclassify(const Experiment& experiment, std::uint32_t light, WrongTaps& wrong) {
-  ClassAgreement agreement;
-  for (const uvec4& weights : wrong.weights.pixels) agreement.wrong += sum_of(weights);
-  const GBuffer& gbuffer = surfels(experiment).gbuffer;
-  const Length& bias = experiment.shadow.bias.constant;
-  const BiasAxes biases{
-      {static_cast<float>(bias.number)}, {static_cast<float>(experiment.shadow.bias.slope)}, bias.unit};
-  test_unresolved_taps(experiment, light, biases, true, [&](auto taps, auto is_same_surface) {
-    umbrameter::reclassify(wrong, gbuffer, taps, is_same_surface);
-    add_reclassified(agreement, taps, is_same_surface);
-  });
-  test_unresolved_taps(experiment, light, biases, false,
-                       [&](auto taps, auto is_own_layer) { add_blocked(agreement, taps, is_own_layer); });
-  return agreement;
 }
 
 Image<float> Stages::draw_ao(const Experiment& experiment) { return draw_ao_of(gpu_surfels(experiment), experiment); }

@@ -154,6 +154,8 @@ class Stages {
   ClassAgreement reclassify(const Experiment& experiment, std::uint32_t light, WrongTaps& wrong);
   /// The error at every bias of the axes, which replace the experiment's biases. Classifies taps by run.classes.
   BiasHistogram bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes);
+  /// Where the tap of each pixel flips, for a technique with one tap per pixel. Classifies taps by run.classes.
+  TapFlips tap_flips(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes);
   /// The visibility of experiments that differ only in lookup_parameters(), at most max_lookups, in one pass.
   std::vector<Image<float>> draw_lookups(std::span<const Experiment> experiments, std::uint32_t light);
   Image<float> draw_ao(const Experiment& experiment);

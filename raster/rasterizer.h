@@ -12,6 +12,7 @@
 #include "raster/shadow/bias_response_pass.h"
 #include "raster/shadow/prefiltered_pass.h"
 #include "raster/shadow/shadow_map.h"
+#include "raster/shadow/tap_flips_pass.h"
 #include "raster/shadow/unresolved_taps_pass.h"
 #include "raster/shadow/visibility_pass.h"
 #include "techniques/ao/technique.h"

@@ -25,22 +25,6 @@ void add_product(uint word, uint a, uint b) {
   if (before + value < before) atomicAdd(words[word + 2u], 1u);
 }
 
-// The number of biases of the axis at which the tap is blocked.
-uint bias_bin(float flip, float bias_unit) {
-  int first = 0;
-  int count = bias_count;
-  while (count > 0) {
-    int half_count = count / 2;
-    if (is_lit_at(bias_axis_values[first + half_count], bias_unit, flip)) {
-      count = half_count;
-    } else {
-      first += half_count + 1;
-      count -= half_count + 1;
-    }
-  }
-  return uint(first);
-}
-
 struct WrongTap {
   float critical_bias;
   uint weight;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/image.h"
 #include "core/parameters.h"
 #include "techniques/shadow/causes.h"
 
@@ -35,6 +36,16 @@ struct BiasHistogram {
   BiasAxes axes;
   std::uint32_t weight_sum = 1;
   std::vector<std::vector<Bin>> by_slope;  ///< for each slope-scaled bias: constant.size() + 1 bins
+};
+
+/// Where the tap of each pixel flips, for techniques with one tap per pixel. It gives the image of causes at every bias
+/// of the axis.
+struct TapFlips {
+  BiasAxes axes;  ///< one slope-scaled bias
+  /// 0: not counted, or correct at every bias of the axis. Otherwise 1 + the bin of BiasHistogram: the tap is lit at
+  /// constant[bin - 1] and above, blocked below.
+  Image<std::uint16_t> bin;
+  Image<Cause> cause;  ///< of the error, where bin is not 0
 };
 
 /// The smallest constant bias, in metres, at which a tap is lit. Not inline: the compiler options of other modules may
