@@ -42,6 +42,7 @@ struct CommandLine {
   bool json = false;
   bool markdown = false;
   bool no_figures = false;         ///< no figures/ folder, and a page without pictures
+  bool full_images = false;        ///< the page holds every pixel of large images
   bool no_cache = false;           ///< references are traced anew and not kept
   bool force = false;              ///< an earlier run's results in the folder are replaced
   bool dry_run = false;            ///< show what would be measured, write nothing

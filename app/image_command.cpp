@@ -167,6 +167,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   if (sides.raster) output.summary.gl_renderer = stages.context().device().renderer;
   if (sides.raster && experiment.run.write_maps) output.maps = lights;
   output.with_figures = !line.no_figures;
+  output.with_full_images = line.full_images;
   return write_run(folder, console, std::move(output));
 }
 

@@ -231,6 +231,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
                     {},
                     {}};
   output.with_figures = !line.no_figures;
+  output.with_full_images = line.full_images;
   return write_run(folder, console, std::move(output));
 }
 

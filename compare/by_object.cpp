@@ -16,13 +16,18 @@ std::vector<PartError> empty_parts(const Scene& scene, PartKind kind) {
   std::vector<PartError> parts(is_object ? scene.objects.size() : scene.materials.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     parts[i].index = static_cast<std::uint32_t>(i);
-    parts[i].name = is_object ? scene.objects[i].name : scene.materials[i].name;
-    if (parts[i].name.empty()) parts[i].name = (is_object ? "object " : "material ") + std::to_string(i);
+    parts[i].name = part_name(scene, kind, parts[i].index);
   }
   return parts;
 }
 
 }  // namespace
+
+std::string part_name(const Scene& scene, PartKind kind, std::uint32_t index) {
+  const bool is_object = kind == PartKind::object;
+  const std::string& name = is_object ? scene.objects[index].name : scene.materials[index].name;
+  return !name.empty() ? name : (is_object ? "object " : "material ") + std::to_string(index);
+}
 
 std::vector<PartError> errors_by_part(const Scene& scene, PartKind kind, const GBuffer& gbuffer, const WrongTaps& wrong,
                                       const CountedPixels& counted) {

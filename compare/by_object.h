@@ -22,6 +22,9 @@ struct PartError {
 
 enum class PartKind { object, material };
 
+/// "object 3" or "material 3" if the file gives no name.
+std::string part_name(const Scene& scene, PartKind kind, std::uint32_t index);
+
 /// Every object, or material, that has a counted pixel, in descending order of the weight of its error; parts of equal
 /// weight are in the scene's order.
 std::vector<PartError> errors_by_part(const Scene& scene, PartKind kind, const GBuffer& gbuffer, const WrongTaps& wrong,

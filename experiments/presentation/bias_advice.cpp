@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "experiments/measure_biases.h"
@@ -37,6 +38,20 @@ std::vector<double> readable_axis(double first, double last) {
 
 BiasCell cell_of(double constant, double slope, const VisibilityStatistics& s) {
   return {constant, slope, s.mae, s.acne, s.false_occlusion, s.peter_panning, s.leak};
+}
+
+// Ascending; a bias in use that is one of the axis is listed once.
+void add_cells(BiasAdvice& advice, const std::vector<double>& biases,
+               const std::vector<VisibilityStatistics>& measured) {
+  const auto as_measured = [](double bias) { return static_cast<float>(bias); };
+  const float used = as_measured(advice.used.constant);
+  for (std::size_t i = 0; i < biases.size(); ++i) {
+    const float previous = i > 0 ? as_measured(biases[i - 1]) : -std::numeric_limits<float>::infinity();
+    if (used > previous && used < as_measured(biases[i])) advice.cells.push_back(advice.used);
+    advice.cells.push_back(as_measured(biases[i]) == used ? advice.used
+                                                          : cell_of(biases[i], advice.used.slope, measured[i]));
+  }
+  if (used > as_measured(biases.back())) advice.cells.push_back(advice.used);
 }
 
 std::array<double, cause_count> shares_of(const BiasCell& cell) {
@@ -83,12 +98,19 @@ BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32
   std::vector<double> measured_biases = biases;
   measured_biases.push_back(used.number);
   const double slope = experiment.shadow.bias.slope;
+  const ShadowTechnique technique = make_technique(experiment.shadow);
   const std::vector<VisibilityStatistics> measured =
       measure_biases(stages, experiment, light, measured_biases, {slope}).front();
   advice.line.slope = slope;
   for (std::size_t i = 0; i < biases.size(); ++i) add(advice.line, cell_of(biases[i], slope, measured[i]));
   advice.used = cell_of(used.number, slope, measured.back());
   if (used.number >= 0.0) add(advice.line, advice.used);
+  add_cells(advice, biases, measured);
+  if (const auto* pcf = std::get_if<Pcf>(&technique); pcf != nullptr && pcf->kernel.tap_count() == 1) {
+    BiasAxes axes{{}, {static_cast<float>(slope)}, advice.unit};
+    for (const BiasCell& cell : advice.cells) axes.constant.push_back(static_cast<float>(cell.constant));
+    advice.flips = stages.tap_flips(experiment, light, axes);
+  }
   return advice;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct BiasAdvice {
   LengthUnit unit = LengthUnit::metres;  ///< of the biases: that of the experiment's own
   BiasCell used;                         ///< the experiment's bias
   BiasLine line;                         ///< what the axis holds
+  std::vector<BiasCell> cells{};         ///< each bias of the axis and the one in use, ascending
+  std::optional<TapFlips> flips{};       ///< on the axis of `cells`, if the technique has one tap per pixel
   double largest = 0.0;                  ///< the axis's upper end; the lower one is 0
   double mean_texel = 0.0;               ///< metres
   double depth_unit = 0.0;               ///< mean_depth_unit()

@@ -13,16 +13,6 @@ namespace {
 const ColorScale image_error_scale{ColorMap::error, -0.25, 0.25,
                                    "technique − reference [luminance, 1 is white]: below 0 is too dark"};
 
-// The palette of class_colors(); "no visible error" is light.
-std::vector<CategoryColor> cause_colors() {
-  constexpr std::array<glm::u8vec3, image_cause_count> inks = {
-      {{213, 94, 0}, {0, 114, 178}, {204, 121, 167}, {86, 180, 233}}};
-  std::vector<CategoryColor> colors;
-  for (std::size_t c = 0; c < image_cause_count; ++c) colors.push_back({std::string(image_cause_names[c]), inks[c]});
-  colors.push_back({"no visible error, or background", {240, 240, 240}});
-  return colors;
-}
-
 ImageFigure picture_figure(const char* stem, const char* title, std::string caption, const Image<vec3>& image,
                            const Experiment& experiment) {
   ImageFigure figure;
@@ -98,6 +88,16 @@ std::string exposure_warning(const ImageMeasurement& image) {
 
 }  // namespace
 
+// The palette of class_colors(); "no visible error" is light.
+std::vector<CategoryColor> image_cause_colors() {
+  constexpr std::array<glm::u8vec3, image_cause_count> inks = {
+      {{213, 94, 0}, {0, 114, 178}, {204, 121, 167}, {86, 180, 233}}};
+  std::vector<CategoryColor> colors;
+  for (std::size_t c = 0; c < image_cause_count; ++c) colors.push_back({std::string(image_cause_names[c]), inks[c]});
+  colors.push_back({"no visible error, or background", {240, 240, 240}});
+  return colors;
+}
+
 Presentation present_image(const Stages& stages, const ImageMeasurement& image) {
   const Experiment& experiment = image.experiment;
   Presentation presentation;
@@ -139,7 +139,7 @@ Presentation present_image(const Stages& stages, const ImageMeasurement& image) 
   causes.title = "Cause of the image's error";
   causes.caption = "The input whose replacement by the reference's changes the pixel most, where the error is visible.";
   causes.category = image.causes;
-  causes.categories = cause_colors();
+  causes.categories = image_cause_colors();
   add_figure(presentation, std::move(causes));
   if (image.gbuffer_change) add_gbuffer_figures(presentation, stages, image);
   section.headlines = {{"mean absolute error", percent(s.error.mae), "of white"},

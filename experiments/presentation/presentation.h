@@ -17,6 +17,9 @@ Table in_percent(Table table, std::size_t first_column = 0);
 /// Name and colour of each PixelClass, in its order; the same in all figures.
 const std::vector<CategoryColor>& class_colors();
 
+/// Name and colour of each cause of the error of the image, and of pixels without one.
+std::vector<CategoryColor> image_cause_colors();
+
 /// Section, figures and text lines of one part of a run.
 struct Presentation {
   ReportSection section;

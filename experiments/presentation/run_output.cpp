@@ -5,10 +5,12 @@
 #include <cstdio>
 #include <future>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "experiments/layers.h"
 #include "experiments/presentation/map_files.h"
+#include "experiments/presentation/page_viewer.h"
 #include "reports/files/data.h"
 #include "reports/files/output.h"
 
@@ -102,11 +104,11 @@ void write_figures_of(const std::filesystem::path& folder, const Console& consol
           .problems;
 }
 
-void write_layers(const std::filesystem::path& path, const SummaryInput& summary) {
+LayeredImage run_layers(const SummaryInput& summary) {
   LayeredImage image = layers_of(*summary.stages, *summary.measurement);
   image.attributes["scene"] = scene_title(summary.experiment);
   image.attributes["version"] = UMBRAMETER_VERSION;
-  write_exr(path, image);
+  return image;
 }
 
 // The error of AO by stage; null if the run did not measure it.
@@ -161,9 +163,11 @@ ExitCode write_run(RunFolder& run_folder, const Console& console, RunOutput outp
   write_text(folder / "experiment.toml", experiment_text(experiment));
   summary.files.push_back("experiment.toml");
   // Compresses on one thread, while others draw figures.
+  LayeredImage image;
   std::future<void> layers;
   if (summary.measurement != nullptr) {
-    layers = std::async(std::launch::async, [&] { write_layers(folder / "images.exr", summary); });
+    image = run_layers(summary);
+    layers = std::async(std::launch::async, [&] { write_exr(folder / "images.exr", image); });
     summary.files.push_back("images.exr");
   }
   if (ao_stages != nullptr) {
@@ -185,7 +189,11 @@ ExitCode write_run(RunFolder& run_folder, const Console& console, RunOutput outp
   summary.files.push_back("index.html");
   const std::string json = to_summary_json(summary);
   write_text(folder / "summary.json", json);
-  write_page(folder, make_report(output));
+  std::optional<ViewerData> viewer;
+  if (output.with_figures && summary.measurement != nullptr) {
+    viewer = viewer_data(*summary.stages, *summary.measurement, image, output.with_full_images);
+  }
+  write_page(folder, make_report(output), viewer ? &*viewer : nullptr);
   add_line(console, fmt::format("report: {}", (folder / "index.html").string()));
   if (console.json) fmt::print("{}", json);
   run_folder.finish(summary.problems.empty());

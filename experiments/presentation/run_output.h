@@ -22,6 +22,7 @@ struct RunOutput {
   const ResultsStore* results = nullptr;  ///< of a sweep: sweep.csv is a view of it
   std::vector<std::uint32_t> maps{};      ///< lights whose shadow maps are written
   bool with_figures = true;               ///< else no figures/ folder, and the page says so
+  bool with_full_images = false;          ///< the page's viewer gets every pixel of large images, too
 };
 
 /// The complete experiment file.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "reports/figures/color_table.h"
 #include "reports/figures/figures.h"
 #include "reports/files/output.h"
 #include "reports/files/png.h"
@@ -13,8 +14,6 @@ namespace umbrameter {
 namespace {
 
 constexpr glm::u8vec3 not_a_number_color{255, 0, 255};
-constexpr int table_size = 1025;  // odd, so that the middle of a diverging scale has an entry of its own
-using ColorTable = std::array<glm::u8vec3, table_size>;
 
 // IEC 61966-2-1.
 std::uint8_t to_srgb_byte(double linear) {
@@ -52,19 +51,18 @@ dvec3 diverging(double t) {
   return x < 0.0 ? from_polar(0.97 + 0.49 * x, -0.18 * x, 262.0) : from_polar(0.97 - 0.49 * x, 0.18 * x, 30.0);
 }
 
-ColorTable make_table(ColorMap map) {
+}  // namespace
+
+ColorTable color_table(ColorMap map) {
   ColorTable table;
-  for (int i = 0; i < table_size; ++i) {
-    const double t = static_cast<double>(i) / (table_size - 1);
+  for (int i = 0; i < color_table_size; ++i) {
+    const double t = static_cast<double>(i) / (color_table_size - 1);
     table[static_cast<std::size_t>(i)] = from_oklab(map == ColorMap::error ? diverging(t) : sequential(t));
   }
   return table;
 }
-
-}  // namespace
-
 Image<glm::u8vec3> colorize(const Image<float>& values, const ColorScale& scale) {
-  const ColorTable table = make_table(scale.map);
+  const ColorTable table = color_table(scale.map);
   const double range = scale.last - scale.first;
   Image<glm::u8vec3> colors(values.width, values.height);
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -74,7 +72,7 @@ Image<glm::u8vec3> colorize(const Image<float>& values, const ColorScale& scale)
       continue;
     }
     const double t = range != 0.0 ? std::clamp((value - scale.first) / range, 0.0, 1.0) : 0.5;
-    colors[i] = table[static_cast<std::size_t>(std::lround(t * (table_size - 1)))];
+    colors[i] = table[static_cast<std::size_t>(std::lround(t * (color_table_size - 1)))];
   }
   return colors;
 }

@@ -11,6 +11,7 @@
 #include "reports/files/output.h"
 #include "reports/page/page_figure.h"
 #include "reports/page/template.h"
+#include "reports/page/viewer_data.h"
 
 namespace umbrameter {
 namespace {
@@ -184,9 +185,14 @@ std::string script_text(const Json& data) {
 
 }  // namespace
 
-void write_page(const fs::path& folder, const Report& report) {
+void write_page(const fs::path& folder, const Report& report, const ViewerData* viewer) {
   Json page = page_data(folder, report);
   page["data"] = script_text(page);
+  if (viewer != nullptr && !viewer->layers.empty()) page["viewer"] = script_text(viewer_json(*viewer));
+  if (const std::string_view script = page_script(); !script.empty()) {
+    page["script"] = script;
+    page["script_hash"] = to_base64(page_script_hash());
+  }
   page["style"] = embedded_page_file("page.css");
   page["style_hash"] = to_base64(page_style_hash());
   for (Json& section : page["sections"]) {

@@ -9,6 +9,8 @@
 
 namespace umbrameter {
 
+struct ViewerData;
+
 /// A number that the reader should see first.
 struct Headline {
   std::string label;  ///< "mean absolute error"
@@ -41,7 +43,8 @@ struct Report {
   Table settings;  ///< every parameter: name, value, unit, meaning
 };
 
-/// Writes DIR/index.html with the figures of DIR/figures inlined and its data as JSON. No code, no outside reference.
-void write_page(const std::filesystem::path& folder, const Report& report);
+/// Writes DIR/index.html with the figures of DIR/figures inlined and its data as JSON. Refers to no other file. The
+/// page is complete without its script, which adds the image viewer and sorts tables.
+void write_page(const std::filesystem::path& folder, const Report& report, const ViewerData* viewer = nullptr);
 
 }  // namespace umbrameter

@@ -23,4 +23,8 @@ std::string_view embedded_page_file(std::string_view name);
 /// The SHA-256 of page.css, 32 bytes.
 std::string_view page_style_hash();
 
+/// The page's script and its SHA-256, 32 bytes. Both empty if the build had no Node.
+std::string_view page_script();
+std::string_view page_script_hash();
+
 }  // namespace umbrameter

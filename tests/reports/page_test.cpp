@@ -13,6 +13,8 @@
 #include "reports/figures/figures.h"
 #include "reports/files/markup.h"
 #include "reports/page/page_figure.h"
+#include "reports/page/template.h"
+#include "reports/page/viewer_data.h"
 #include "tests/support/temporary_folder.h"
 
 namespace umbrameter {
@@ -34,9 +36,26 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-std::string page_of(const TemporaryFolder& folder, const Report& report) {
-  write_page(folder.path(), report);
-  return text_of(folder / "index.html");
+// The page without the text of its script, which a build without Node does not have.
+std::string page_of(const TemporaryFolder& folder, const Report& report, const ViewerData* viewer = nullptr) {
+  write_page(folder.path(), report, viewer);
+  std::string page = text_of(folder / "index.html");
+  const std::string script = "<script>" + std::string(page_script()) + "</script>\n";
+  if (page_script().empty()) return page;
+  const std::size_t at = page.find(script);
+  EXPECT_NE(at, std::string::npos);
+  return page.erase(at, script.size());
+}
+
+std::string sha256_of(const TemporaryFolder& folder, const std::string& text) {
+  put_text(folder / "text", text);
+  const std::unique_ptr<FILE, int (*)(FILE*)> tool(popen(("sha256sum < " + (folder / "text").string()).c_str(), "r"),
+                                                   pclose);
+  char digits[65] = {};
+  if (tool == nullptr || fread(digits, 1, 64, tool.get()) != 64) return {};
+  std::string bytes;
+  for (int i = 0; i < 64; i += 2) bytes += static_cast<char>(std::stoi(std::string(digits + i, 2), nullptr, 16));
+  return "'sha256-" + to_base64(bytes) + "'";
 }
 
 // The JSON that the page holds for programs, as text.
@@ -183,19 +202,58 @@ TEST(Page, It_loads_nothing) {
   EXPECT_EQ(std::regex_search(page, std::regex("<[a-z]+ [^>]*\\bon[a-z]+=")), false);
 }
 
-TEST(Page, Its_policy_forbids_all_but_its_own_style_and_inlined_pictures) {
+TEST(Page, Its_policy_forbids_all_but_its_own_style_its_own_script_and_inlined_pictures) {
   const TemporaryFolder folder;
   const std::string page = page_of(folder, sample("plain"));
   const std::size_t begin = page.find("<style>") + 7;
-  put_text(folder / "style", page.substr(begin, page.find("</style>") - begin));
-  const std::unique_ptr<FILE, int (*)(FILE*)> tool(popen(("sha256sum < " + (folder / "style").string()).c_str(), "r"),
-                                                   pclose);
-  char digits[65] = {};
-  if (tool == nullptr || fread(digits, 1, 64, tool.get()) != 64) GTEST_SKIP() << "sha256sum is missing";
-  std::string bytes;
-  for (int i = 0; i < 64; i += 2) bytes += static_cast<char>(std::stoi(std::string(digits + i, 2), nullptr, 16));
-  EXPECT_TRUE(contains(page, "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-" +
-                                 to_base64(bytes) + "'; img-src data:; base-uri 'none'; form-action 'none'\""));
+  const std::string style = sha256_of(folder, page.substr(begin, page.find("</style>") - begin));
+  if (style.empty()) GTEST_SKIP() << "sha256sum is missing";
+  const std::string script =
+      page_script().empty() ? "" : "script-src " + sha256_of(folder, std::string(page_script())) + "; ";
+  EXPECT_TRUE(contains(page, "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src " + style +
+                                 "; " + script + "img-src data:; base-uri 'none'; form-action 'none'\""));
+}
+
+TEST(Page, Its_script_cannot_end_its_element) {
+  for (const char* text : {"</script", "<!--", "<script"})
+    EXPECT_EQ(page_script().find(text), std::string::npos) << text;
+}
+
+ViewerData viewer_sample(const std::string& text) {
+  ViewerData data{2, 1, false, {{text, text, text, ViewerRole::error, ViewerKind::error, 0.5, text}}};
+  data.layers[0].planes = {Image<float>(2, 1, 0.25f)};
+  data.layers[0].categories = {{text, {1, 2, 3}}};
+  data.objects = {Image<std::uint16_t>(2, 1, 1), {text}};
+  return data;
+}
+
+TEST(Page, The_viewer_has_its_data_as_json_whatever_the_names_are) {
+  const TemporaryFolder folder;
+  for (const std::string& text : {std::string("plain"), hostile}) {
+    const ViewerData viewer = viewer_sample(text);
+    const std::string page = page_of(folder, sample(text), &viewer);
+    EXPECT_EQ(unbalanced(page), "");
+    EXPECT_EQ(count(page, "<script"), 2u) << "two blocks of data";
+    static const std::string begin = "<script type=\"application/json\" id=\"viewer-data\">";
+    const std::size_t at = page.find(begin) + begin.size();
+    const nlohmann::json data = nlohmann::json::parse(page.substr(at, page.find("</script>", at) - at));
+    const nlohmann::json& layer = data.at("layers").at(0);
+    EXPECT_EQ(layer["role"], "error");
+    EXPECT_EQ(layer["range"], (nlohmann::json{-0.5, 0.5}));
+    EXPECT_EQ(layer["name"], data["objects"]["names"][0]);
+    EXPECT_EQ(layer["planes"][0]["type"], "f16");
+    EXPECT_EQ(data["objects"]["plane"]["type"], "u16");
+    EXPECT_EQ(data["stride"], 1);
+  }
+}
+
+TEST(Page, Of_large_images_the_viewer_has_every_second_pixel_unless_all_are_asked_for) {
+  ViewerData data = viewer_sample("plain");
+  data.width = 1280;
+  data.height = 720;
+  EXPECT_EQ(viewer_json(data)["stride"], 2);
+  data.full = true;
+  EXPECT_EQ(viewer_json(data)["stride"], 1);
 }
 
 TEST(Page, Ids_are_used_once_even_when_a_figure_is_shown_twice) {

@@ -63,11 +63,13 @@ TEST(Template, A_figure_says_one_thing_about_its_picture) {
   };
   const std::string caption = "<figcaption><strong>Figure 3.</strong> C\n</figcaption>\n</figure>\n";
   EXPECT_EQ(filled("drawing", "<svg></svg>"),
-            "<figure>\n<div class=\"picture\" role=\"img\" aria-label=\"T. C\"><svg></svg></div>\n" + caption);
+            "<figure data-stem=\"a\">\n<div class=\"picture\" role=\"img\" aria-label=\"T. C\"><svg></svg></div>\n" +
+                caption);
   EXPECT_EQ(filled("pixels", "data:x"),
-            "<figure>\n<div class=\"picture\"><img alt=\"T. C\" src=\"data:x\"></div>\n" + caption);
+            "<figure data-stem=\"a\">\n<div class=\"picture\"><img alt=\"T. C\" src=\"data:x\"></div>\n" + caption);
   EXPECT_EQ(filled("missing", true),
-            "<figure>\n<div class=\"picture\"><p class=\"missing\">This figure could not be drawn; see the notes.</p>"
+            "<figure data-stem=\"a\">\n<div class=\"picture\"><p class=\"missing\">This figure could not be drawn; see "
+            "the notes.</p>"
             "</div>\n<figcaption><strong>Figure 3.</strong> T. C\n</figcaption>\n</figure>\n");
 }
 

@@ -1,0 +1,164 @@
+#include "experiments/presentation/page_viewer.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <map>
+
+#include "experiments/presentation/presentation.h"
+#include "experiments/presentation/presentation_parts.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr const char* ao_group = "ambient occlusion";
+constexpr const char* image_group = "shaded image";
+constexpr const char* scene_group = "scene";
+
+// Titles, colours and roles of the layers by name.
+using LayerTable = std::map<std::string, ViewerLayer>;
+
+void add_light(LayerTable& table, const std::string& light, const std::string& group) {
+  using enum ViewerKind;
+  const auto add = [&](const std::string& prefix, ViewerLayer layer) {
+    layer.group = group;
+    table[prefix + light] = std::move(layer);
+  };
+  add("truth_visibility_", {{}, "Reference", {}, ViewerRole::reference, share});
+  add("raster_visibility_", {{}, "Technique", {}, ViewerRole::technique, share});
+  add("error_visibility_", {{}, "Error", {}, ViewerRole::error, error, 1.0});
+  add("class_", {{}, "Cause", {}, ViewerRole::cause, category, 1.0, "", class_colors()});
+  add("truth_visibility_standard_error_", {{}, "Standard error of the reference"});
+  add("truth_visibility_samples_", {{}, "Samples per pixel of the reference"});
+  add("gbuffer_change_visibility_", {{}, "Change by the G-buffer", {}, ViewerRole::other, error, 1.0});
+}
+
+LayerTable layer_table(const Stages& stages, const Measurement& measurement) {
+  using enum ViewerKind;
+  LayerTable table = {
+      {"truth_ao", {{}, "Reference", ao_group, ViewerRole::reference, share}},
+      {"raster_ao", {{}, "Technique", ao_group, ViewerRole::technique, share}},
+      {"error_ao", {{}, "Error", ao_group, ViewerRole::error, error, 0.5}},
+      {"truth_ao_standard_error", {{}, "Standard error of the reference", ao_group}},
+      {"truth_ao_samples", {{}, "Rays per pixel of the reference", ao_group}},
+      {"truth_ao_hit_distance", {{}, "Distance of occluders", ao_group, ViewerRole::other, number, 1.0, "m"}},
+      {"truth_bent_normal", {{}, "Bent normal", ao_group, ViewerRole::other, vector}},
+      {"gbuffer_change_ao", {{}, "Change by the G-buffer", ao_group, ViewerRole::other, error, 0.5}},
+      {"truth_image", {{}, "Reference", image_group, ViewerRole::reference, color}},
+      {"raster_image", {{}, "Technique", image_group, ViewerRole::technique, color}},
+      {"error_image", {{}, "Error of luminance", image_group, ViewerRole::error, error, 0.25}},
+      {"cause_image", {{}, "Cause", image_group, ViewerRole::cause, category, 1.0, "", image_cause_colors()}},
+      {"truth_image_standard_error", {{}, "Standard error of the reference", image_group}},
+      {"raster_light_buffer", {{}, "Light buffer", image_group, ViewerRole::other, color}},
+      {"gbuffer_change_image", {{}, "Change by the G-buffer", image_group, ViewerRole::other, error, 0.25}},
+      {"", {{}, "Picture", scene_group, ViewerRole::other, color}},
+      {"Z", {{}, "Depth", scene_group, ViewerRole::other, number, 1.0, "m"}},
+      {"gbuffer_normal", {{}, "Geometric normal", scene_group, ViewerRole::other, vector}},
+  };
+  for (const ShadowMeasurement& shadow : measurement.shadows) {
+    add_light(table, stages.layer(shadow.light), stages.title(shadow.light));
+  }
+  return table;
+}
+
+// A layer that the table does not list is shown as a number.
+ViewerLayer start_layer(const LayerTable& table, const std::string& name) {
+  const auto found = table.find(name);
+  ViewerLayer layer = found != table.end() ? found->second : ViewerLayer{{}, name, "further layers"};
+  layer.name = name.empty() ? "picture" : name;
+  return layer;
+}
+
+std::vector<ViewerLayer> viewer_layers(const LayerTable& table, const LayeredImage& image) {
+  std::vector<ViewerLayer> layers;
+  for (const Channel& channel : image.channels) {
+    const std::size_t dot = channel.name.rfind('.');
+    const std::string component = dot == std::string::npos ? channel.name : channel.name.substr(dot + 1);
+    if (component == "A") continue;
+    const std::string name = dot != std::string::npos ? channel.name.substr(0, dot) : component == "Z" ? "Z" : "";
+    if (name == "gbuffer_position") continue;  // incompressible, and no use to the eye
+    const ViewerLayer layer = start_layer(table, name);
+    if (layers.empty() || layers.back().name != layer.name) layers.push_back(layer);
+    layers.back().planes.push_back(channel.values);
+  }
+  return layers;
+}
+
+// Why the images of a light cannot follow a change of the bias.
+std::string missing_text(const ShadowMeasurement& shadow) {
+  if (has_area_light(shadow)) {
+    return "An area light has a soft shadow, so that no single tap is right or wrong; there is no bias slider.";
+  }
+  const TechniqueCapabilities can = capabilities_of(make_technique(shadow.experiment.shadow));
+  if (!can.sums_comparisons) {
+    return "This technique does not sum depth comparisons, so that taps have no critical bias; there is no bias "
+           "slider.";
+  }
+  if (!can.taps_independent_of_bias) {
+    return "The bias of this technique changes which texels it compares, so that one pass does not give the images at "
+           "other biases; there is no bias slider.";
+  }
+  return fmt::format("The bias slider needs one depth comparison per pixel (shadow.filter nearest); this run uses {}.",
+                     value_text(shadow.experiment, "shadow.filter"));
+}
+
+ViewerBias viewer_bias(const Stages& stages, const ShadowMeasurement& shadow) {
+  ViewerBias bias;
+  bias.group = stages.title(shadow.light);
+  if (!shadow.advice || !shadow.advice->flips) bias.missing = missing_text(shadow);
+  if (!shadow.advice) return bias;
+  const BiasAdvice& advice = *shadow.advice;
+  bias.unit = advice.unit == LengthUnit::texels ? "texels" : "m";
+  bias.mean_texel = advice.mean_texel;
+  bias.used = advice.used.constant;
+  for (const BiasCell& cell : advice.cells) {
+    bias.axis.push_back(cell.constant);
+    bias.shares.push_back({cell.acne, cell.false_occlusion, cell.peter_panning, cell.leak});
+  }
+  if (!advice.flips) return bias;
+  bias.bin = advice.flips->bin;
+  bias.cause = Image<std::uint8_t>(bias.bin.width, bias.bin.height);
+  for (std::size_t i = 0; i < bias.bin.size(); ++i) {
+    if (bias.bin[i] == 0) continue;
+    bias.cause[i] = static_cast<std::uint8_t>(static_cast<std::size_t>(PixelClass::acne) +
+                                              static_cast<std::size_t>(advice.flips->cause[i]));
+  }
+  return bias;
+}
+
+// The parts in view, in the scene's order; none if there are more than 16 bits can number.
+ViewerParts viewer_parts(const Scene& scene, const GBuffer& gbuffer, PartKind kind) {
+  const bool is_object = kind == PartKind::object;
+  const auto part_of = [&](const Instance& instance) {
+    return is_object ? instance.object : scene.meshes[instance.mesh].material;
+  };
+  std::map<std::uint32_t, std::uint16_t> numbers;
+  for (const std::uint32_t instance : gbuffer.instance.pixels) {
+    if (instance != no_id) numbers.emplace(part_of(scene.instances[instance]), 0);
+  }
+  if (numbers.size() >= std::numeric_limits<std::uint16_t>::max()) return {};
+  ViewerParts parts{Image<std::uint16_t>(gbuffer.width, gbuffer.height), {}};
+  for (auto& [part, number] : numbers) {
+    parts.names.push_back(part_name(scene, kind, part));
+    number = static_cast<std::uint16_t>(parts.names.size());
+  }
+  for (std::size_t i = 0; i < gbuffer.instance.size(); ++i) {
+    if (gbuffer.is_surface(i)) parts.index[i] = numbers[part_of(scene.instances[gbuffer.instance[i]])];
+  }
+  return parts;
+}
+
+}  // namespace
+
+ViewerData viewer_data(const Stages& stages, const Measurement& measurement, const LayeredImage& image, bool is_full) {
+  const GBuffer& gbuffer = measurement.surfels.gbuffer;
+  ViewerData data{gbuffer.width, gbuffer.height, is_full, viewer_layers(layer_table(stages, measurement), image)};
+  for (const ShadowMeasurement& shadow : measurement.shadows) {
+    if (shadow.raster && shadow.truth) data.biases.push_back(viewer_bias(stages, shadow));
+  }
+  data.objects = viewer_parts(stages.scene(), gbuffer, PartKind::object);
+  data.materials = viewer_parts(stages.scene(), gbuffer, PartKind::material);
+  return data;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,14 @@
+// The layers of a run for the page's image viewer.
+#pragma once
+
+#include "experiments/measure.h"
+#include "reports/files/exr.h"
+#include "reports/page/viewer_data.h"
+
+namespace umbrameter {
+
+/// Every layer of `image`, which is layers_of() the measurement, but for world positions; the bias curves of the
+/// measurement's lights; the objects and materials in view. `is_full`: see ViewerData::full.
+ViewerData viewer_data(const Stages& stages, const Measurement& measurement, const LayeredImage& image, bool is_full);
+
+}  // namespace umbrameter

@@ -1,0 +1,209 @@
+// Charts that answer to the pointer and to keys: values of a point, the same cell in the other charts, downloads. The
+// drawings hold their points as metadata (reports/web/render.mjs).
+import {download, make, make_svg} from './dom';
+import {number_text} from './pixels';
+import {csv_cell} from './tables';
+
+type Value = number | string | null;
+interface Point {
+  x: number; // in the drawing
+  y: number;
+  values: Value[];
+  key: string;
+}
+interface Meta {
+  columns: string[];
+  labels: string[];
+  keys: number; // so many of the first values tell which cell it is
+  points: [number, number, ...Value[]][];
+}
+
+const reach = 36; // in units of the drawing
+
+const text_of = (value: Value) => (value === null ? '—' : typeof value === 'string' && Number.isNaN(Number(value)) ? value
+  : number_text(Number(value)));
+
+class Chart {
+  readonly meta: Meta;
+  readonly points: Point[];
+  readonly kind: string; // charts of one kind show the same cells
+  private readonly rings = make_svg('g', {class: 'rings', 'aria-hidden': 'true'});
+  private readonly tip = make('div', {class: 'tip', role: 'status', hidden: true});
+  private at = -1;
+
+  constructor(readonly picture: HTMLElement, readonly svg: SVGSVGElement, private readonly all: Chart[],
+              private readonly panel: CellPanel) {
+    this.meta = JSON.parse(svg.querySelector('metadata')!.textContent!) as Meta;
+    const {columns, keys} = this.meta;
+    this.kind = JSON.stringify(columns.slice(0, keys));
+    this.points = this.meta.points.map(([x, y, ...values]) =>
+      ({x, y, values, key: JSON.stringify(values.slice(0, keys).map(String))}));
+    svg.append(this.rings);
+    picture.append(this.tip);
+    picture.tabIndex = 0;
+    picture.setAttribute('role', 'group');
+    picture.classList.add('live');
+    picture.addEventListener('pointermove', (event) => this.show(this.nearest(event)));
+    picture.addEventListener('pointerleave', () => this.show(-1));
+    picture.addEventListener('blur', () => this.show(-1));
+    picture.addEventListener('click', (event) => {
+      const at = this.nearest(event);
+      if (at >= 0) panel.show(this, this.points[at]);
+    });
+    picture.addEventListener('keydown', (event) => this.key(event));
+  }
+
+  private nearest(event: MouseEvent): number {
+    const matrix = this.svg.getScreenCTM();
+    if (!matrix) return -1;
+    const {x, y} = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+    let best = -1;
+    let least = reach;
+    this.points.forEach((point, i) => {
+      const distance = Math.hypot(point.x - x, point.y - y);
+      if (distance < least) [best, least] = [i, distance];
+    });
+    return best;
+  }
+
+  // Rings the points of a cell.
+  mark(kind: string, key: string | null): void {
+    const found = key !== null && kind === this.kind ? this.points.filter((point) => point.key === key) : [];
+    this.rings.replaceChildren(...found.flatMap(({x, y}) =>
+      ['outer', 'inner'].map((name) => make_svg('circle', {cx: x, cy: y, r: 7, class: name}))));
+  }
+
+  private show(at: number): void {
+    if (at === this.at) return;
+    this.at = at;
+    const point = this.points[at];
+    for (const chart of this.all) chart.mark(this.kind, point?.key ?? this.panel.key_of(this.kind));
+    this.tip.hidden = !point;
+    if (!point) return;
+    this.tip.replaceChildren(...this.rows_of(point).map(([name, value]) =>
+      make('div', {}, make('span', {}, name), make('b', {}, value))));
+    const matrix = this.svg.getScreenCTM()!;
+    const frame = this.picture.getBoundingClientRect();
+    const place = new DOMPoint(point.x, point.y).matrixTransform(matrix);
+    const [left, top] = [place.x - frame.left, place.y - frame.top];
+    const {offsetWidth: width, offsetHeight: height} = this.tip;
+    this.tip.style.left = `${Math.max(4, Math.min(frame.width - width - 4, left - width / 2))}px`;
+    this.tip.style.top = `${top > height + 16 ? top - height - 14 : top + 14}px`;
+  }
+
+  rows_of(point: Point): [string, string][] {
+    return point.values.map((value, i): [string, string] => [this.meta.labels[i], text_of(value)]);
+  }
+
+  // Left and right along a line, up and down between lines.
+  private key(event: KeyboardEvent): void {
+    const steps: Record<string, [number, number]> = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
+    const step = steps[event.key];
+    const point = this.points[this.at];
+    if (event.key === 'Enter' && point) this.panel.show(this, point);
+    else if (event.key === 'Escape') this.panel.hide();
+    else if (step) this.show(point ? this.neighbour(point, step) : 0);
+    else return;
+    event.preventDefault();
+  }
+
+  private neighbour(from: Point, [dx, dy]: [number, number]): number {
+    const rest = (point: Point) => JSON.stringify(point.values.slice(1, this.meta.keys));
+    let best = this.at;
+    let least = Infinity;
+    this.points.forEach((point, i) => {
+      const [along, across] = dx ? [(point.x - from.x) * dx, 0] : [(point.y - from.y) * dy, Math.abs(point.x - from.x)];
+      const is_line = dx ? rest(point) === rest(from) : rest(point) !== rest(from);
+      const distance = along + 1000 * across;
+      if (along <= 0 || !is_line || distance >= least) return;
+      [best, least] = [i, distance];
+    });
+    return best;
+  }
+
+  csv(): string {
+    const heads = this.meta.labels.map((label, i) => csv_cell(label || this.meta.columns[i])).join(',');
+    return [heads, ...this.points.map(({values}) => values.map((each) => csv_cell(String(each ?? ''))).join(','))]
+      .map((line) => `${line}\r\n`).join('');
+  }
+
+  // The drawing as it stands in the page, without marks.
+  drawing(): string {
+    const copy = this.svg.cloneNode(true) as SVGSVGElement;
+    copy.querySelector('.rings')?.remove();
+    return new XMLSerializer().serializeToString(copy);
+  }
+}
+
+// The statistics of the clicked cell, from all charts that show it.
+class CellPanel {
+  private readonly body = make('div');
+  private readonly element = make('aside', {class: 'cell', 'aria-label': 'Selected cell', 'aria-live': 'polite', hidden: true},
+                                  make('button', {type: 'button', class: 'close', 'aria-label': 'Close', click: () => this.hide()}, '×'),
+                                  this.body);
+  private shown: {kind: string; key: string} | null = null;
+
+  constructor(private readonly all: Chart[]) {
+    document.querySelector('.page')!.append(this.element);
+  }
+
+  key_of(kind: string): string | null {
+    return this.shown?.kind === kind ? this.shown.key : null;
+  }
+
+  show(from: Chart, point: Point): void {
+    this.shown = {kind: from.kind, key: point.key};
+    const rows = new Map(from.rows_of(point).slice(0, from.meta.keys));
+    for (const chart of this.all.filter((each) => each.kind === from.kind)) {
+      for (const same of chart.points.filter((each) => each.key === point.key)) {
+        chart.rows_of(same).slice(chart.meta.keys).forEach(([name, value]) => rows.set(name, value));
+      }
+    }
+    this.body.replaceChildren(make('table', {}, make('caption', {}, 'Selected cell'), make('tbody', {},
+      ...[...rows].map(([name, value]) => make('tr', {}, make('th', {scope: 'row'}, name), make('td', {class: 'number'}, value))))));
+    this.element.hidden = false;
+    for (const chart of this.all) chart.mark(from.kind, point.key);
+  }
+
+  hide(): void {
+    this.shown = null;
+    this.element.hidden = true;
+    for (const chart of this.all) chart.mark('', null);
+  }
+}
+
+function save_png(chart: Chart, name: string): void {
+  const {width, height} = chart.svg.viewBox.baseVal;
+  const image = new Image();
+  image.onload = () => {
+    const canvas = make('canvas', {width: 3 * width, height: 3 * height});
+    canvas.getContext('2d')!.drawImage(image, 0, 0, canvas.width, canvas.height);
+    canvas.toBlob((blob) => blob && download(name, blob, 'image/png'));
+  };
+  image.src = `data:image/svg+xml,${encodeURIComponent(chart.drawing())}`;
+}
+
+// The page may have been sent without its folder: it saves the drawing from itself.
+function add_downloads(chart: Chart, figure: HTMLElement): void {
+  const stem = figure.dataset.stem ?? 'chart';
+  const save = (title: string, action: () => void) =>
+    make('li', {}, make('button', {type: 'button', class: 'save', click: action}, `Save ${title}`));
+  figure.querySelector('figcaption')?.append(make('ul', {class: 'files'},
+    save('SVG', () => download(`${stem}.svg`, chart.drawing(), 'image/svg+xml')),
+    save('PNG', () => save_png(chart, `${stem}.png`)),
+    save('CSV', () => download(`${stem}.csv`, chart.csv(), 'text/csv'))));
+}
+
+export function extend_charts(): void {
+  const charts: Chart[] = [];
+  let panel: CellPanel | null = null;
+  for (const figure of document.querySelectorAll<HTMLElement>('figure[data-stem]')) {
+    const picture = figure.querySelector<HTMLElement>('.picture');
+    const svg = figure.querySelector<SVGSVGElement>('svg');
+    if (!picture || !svg?.querySelector('metadata')) continue;
+    panel ??= new CellPanel(charts);
+    const chart = new Chart(picture, svg, charts, panel);
+    charts.push(chart);
+    add_downloads(chart, figure);
+  }
+}

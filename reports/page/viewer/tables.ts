@@ -1,0 +1,69 @@
+// Sorting, filtering and CSV download of the page's tables.
+import {download, make} from './dom';
+
+const rows_with_filter = 8;
+
+const text_of = (row: HTMLTableRowElement, column: number) => row.cells[column]?.textContent?.trim() ?? '';
+
+// Numbers by value and before texts; empty cells last in either direction.
+export function compare_cells(a: string, b: string, sign: number): number {
+  if (a === '' || b === '') return a === b ? 0 : a === '' ? 1 : -1;
+  const [x, y] = [Number(a.replace('−', '-')), Number(b.replace('−', '-'))];
+  if (Number.isNaN(x) || Number.isNaN(y)) {
+    if (Number.isNaN(x) !== Number.isNaN(y)) return sign * (Number.isNaN(x) ? 1 : -1);
+    return sign * a.localeCompare(b, 'en', {numeric: true});
+  }
+  return sign * (x - y);
+}
+
+// RFC 4180.
+export const csv_cell = (text: string) => (/[",\r\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text);
+
+export function csv_of(table: HTMLTableElement): string {
+  const heads = [...table.tHead!.rows[0].cells].map((cell, c) => {
+    const unit = table.tHead!.rows[1]?.cells[c]?.textContent?.trim();
+    return csv_cell((cell.textContent?.trim() ?? '') + (unit ? ` [${unit}]` : ''));
+  });
+  const rows = [...table.tBodies[0].rows].filter((row) => !row.hidden);
+  return [heads, ...rows.map((row) => [...row.cells].map((cell) => csv_cell(cell.textContent?.trim() ?? '')))]
+    .map((cells) => cells.join(',') + '\r\n').join('');
+}
+
+function sort_by(table: HTMLTableElement, column: number): void {
+  const head = table.tHead!.rows[0].cells[column];
+  const sign = head.getAttribute('aria-sort') === 'ascending' ? -1 : 1;
+  for (const each of table.tHead!.rows[0].cells) each.removeAttribute('aria-sort');
+  head.setAttribute('aria-sort', sign > 0 ? 'ascending' : 'descending');
+  const [body] = table.tBodies;
+  const rows = [...body.rows];
+  rows.sort((a, b) => compare_cells(text_of(a, column), text_of(b, column), sign));
+  body.append(...rows);
+}
+
+function file_name(caption: string): string {
+  const words = caption.replace(/^Table \d+\. /, '').toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '');
+  return `${words.slice(0, 60) || 'table'}.csv`;
+}
+
+export function extend_table(region: HTMLElement): void {
+  const table = region.querySelector('table');
+  if (!table?.tHead || table.tBodies[0].rows.length < 2) return;
+  [...table.tHead.rows[0].cells].forEach((head, column) => {
+    const name = head.textContent ?? '';
+    head.replaceChildren(make('button', {type: 'button', class: 'sort', click: () => sort_by(table, column)}, name));
+  });
+  const caption = table.caption!;
+  const tools = make('span', {class: 'table-tools'});
+  if (table.tBodies[0].rows.length >= rows_with_filter) {
+    const filter = make('input', {type: 'search', placeholder: 'filter rows', 'aria-label': `Filter ${caption.textContent}`,
+                                  input: () => {
+      const wanted = filter.value.trim().toLowerCase();
+      for (const row of table.tBodies[0].rows) row.hidden = !(row.textContent ?? '').toLowerCase().includes(wanted);
+    }});
+    tools.append(filter);
+  }
+  const name = file_name(caption.textContent ?? '');
+  tools.append(make('button', {type: 'button', class: 'csv', title: 'Download these rows as CSV',
+                               click: () => download(name, csv_of(table), 'text/csv')}, 'CSV'));
+  caption.append(tools);
+}
