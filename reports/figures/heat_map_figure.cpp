@@ -53,7 +53,7 @@ std::vector<double> cell_edges(const std::vector<double>& values, bool logarithm
 }
 
 struct Cells {
-  Json rows = Json::array();  ///< x and x2 the cell's edges, xm its value, y, p (panel), v (step), k (mark)
+  Json rows = Json::array();  ///< x and x2 the cell's edges, xm its value, y, p (panel), v (step), e (value), k (mark)
   std::vector<double> edges;
   std::size_t dropped = 0;
 };
@@ -84,6 +84,7 @@ Cells collect_cells(const HeatMapFigure& figure) {
     const auto i = static_cast<std::size_t>(place - values.begin());
     Json cell = {{"x", cells.edges[i]}, {"x2", cells.edges[i + 1]}, {"xm", *at}, {"y", to_string(row[y])}};
     cell["v"] = step_of(figure, *height);
+    cell["e"] = *height;
     if (figure.panel) cell["p"] = to_string(row[panel]);
     if (figure.mark) cell["k"] = std::get<bool>(row[mark]);
     cells.rows.push_back(std::move(cell));
@@ -203,6 +204,10 @@ std::string to_plot_specification(const HeatMapFigure& figure) {
     // A shared axis would stand under places without a panel, too.
     if (panels.size() % static_cast<std::size_t>(columns) != 0) spec["resolve"]["axis"]["x"] = "independent";
   }
+  std::vector<PlotField> fields = {{"xm", figure.x.column, figure.x.label}, {"y", figure.y.column, figure.y.label}};
+  if (figure.panel) fields.push_back({"p", *figure.panel, figure.panel_label});
+  fields.push_back({"e", figure.value.column, figure.value.label});
+  spec["usermeta"] = plot_fields(fields, fields.size() - 1);
   spec["data"]["values"] = cells.rows;
   spec["config"] = plot_look();
   return spec.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -269,6 +269,19 @@ Json make_layers(const PlotFigure& figure, const Points& points, bool has_numeri
   return layers;
 }
 
+Json fields_of(const PlotFigure& figure) {
+  std::vector<PlotField> fields = {{"x", figure.x.column, figure.x.label}};
+  if (figure.series) fields.push_back({"s", *figure.series, figure.series_label});
+  if (figure.style) fields.push_back({"d", *figure.style, figure.style_label});
+  const std::size_t keys = fields.size();
+  fields.push_back({"y", figure.y.column, figure.y.label});
+  if (figure.lower && figure.upper) {
+    fields.push_back({"lo", *figure.lower, "lower bound"});
+    fields.push_back({"hi", *figure.upper, "upper bound"});
+  }
+  return plot_fields(fields, keys);
+}
+
 }  // namespace
 
 std::string to_plot_specification(const PlotFigure& figure) {
@@ -292,6 +305,7 @@ std::string to_plot_specification(const PlotFigure& figure) {
 
   spec["encoding"]["x"] = axis_of("x", figure.x, has_numeric_x, points.rows);
   spec["layer"] = make_layers(figure, points, has_numeric_x);
+  spec["usermeta"] = fields_of(figure);
   spec["data"]["values"] = std::move(points.rows);
   spec["config"] = plot_look();
   return spec.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -40,6 +40,16 @@ std::vector<std::string> different_values(const Table& table, std::size_t column
   return texts;
 }
 
+Json plot_fields(const std::vector<PlotField>& fields, std::size_t keys) {
+  Json meta = {{"fields", Json::array()}, {"columns", Json::array()}, {"labels", Json::array()}, {"keys", keys}};
+  for (const PlotField& each : fields) {
+    meta["fields"].push_back(each.field);
+    meta["columns"].push_back(each.column);
+    meta["labels"].push_back(each.label.empty() ? each.column : each.label);
+  }
+  return meta;
+}
+
 Json plot_look() {
   const char* font = "DejaVu Sans";
   const char* ink = "#1a1a1a";

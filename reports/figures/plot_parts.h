@@ -33,6 +33,17 @@ inline constexpr std::size_t subtitle_characters = 72;
 /// The parentheses belong to it: in a header Vega-Lite replaces "datum.label" by an expression with operators in it.
 inline constexpr const char* short_labels = "isNaN(+(datum.label)) ? datum.label : format(+(datum.label), '.4~g')";
 
+/// A field of a plot's rows.
+struct PlotField {
+  std::string field;   ///< "x"
+  std::string column;  ///< of the table: "shadow.constant-bias"
+  std::string label;   ///< "constant bias [m]"; may be empty
+};
+
+/// usermeta of a specification: the fields that the drawing keeps of each point, so that a page can show them. The
+/// first `keys` of them tell which cell of a sweep it is.
+Json plot_fields(const std::vector<PlotField>& fields, std::size_t keys);
+
 /// Fonts, inks, axes and legends.
 Json plot_look();
 

@@ -28,13 +28,46 @@ const loader = {
   sanitize: () => Promise.reject(new Error('a plot may not link to anything')),
 };
 
+// The data points of a plot with their places in the drawing, so that a page can tell which point the pointer is at.
+// usermeta.fields names the fields to keep; a row that has several marks is listed once.
+function points_of(view, fields) {
+  const padding = view.padding();
+  const [left, top] = [view.origin()[0] + padding.left, view.origin()[1] + padding.top];
+  const points = new Map();
+  const visit = (mark, dx, dy) => {
+    for (const item of mark.items ?? []) {
+      if (mark.marktype === 'group') {
+        for (const inner of item.items ?? []) visit(inner, dx + (item.x ?? 0), dy + (item.y ?? 0));
+      } else if (['line', 'symbol', 'rect'].includes(mark.marktype) && item.datum && 'x' in item.datum) {
+        const values = fields.map((field) => item.datum[field] ?? null);
+        const [x, y] = [item.x + (item.width ?? 0) / 2, item.y + (item.height ?? 0) / 2];
+        if (Number.isFinite(x + y)) points.set(JSON.stringify(values), [tenths(x + dx), tenths(y + dy), ...values]);
+      }
+    }
+  };
+  visit(view.scenegraph().root, left, top);
+  return [...points.values()];
+}
+
+const tenths = (value) => Math.round(10 * value) / 10;
+
+const escaped = (text) => text.replace(/[&<>]/g, (c) => ({'&': '&amp;', '<': '&lt;', '>': '&gt;'})[c]);
+
+// usermeta and "points", each [x, y, a value for each field], as the drawing's metadata.
+function with_points(svg, view, meta) {
+  if (!meta?.fields) return svg;
+  const data = {...meta, points: points_of(view, meta.fields)};
+  const end = svg.indexOf('>', svg.indexOf('<svg')) + 1;
+  return `${svg.slice(0, end)}<metadata>${escaped(JSON.stringify(data))}</metadata>${svg.slice(end)}`;
+}
+
 async function draw(spec) {
   const problems = [];
   const keep = (...words) => problems.push(words.join(' '));
   const logger = {level: () => logger, error: keep, warn: keep, info: () => logger, debug: () => logger};
   const runtime = vega.parse(compile(spec, {logger}).spec);
   const view = new vega.View(runtime, {renderer: 'none', loader, logger});
-  const svg = await view.toSVG();
+  const svg = with_points(await view.toSVG(), view, spec.usermeta);
   view.finalize();
   if (problems.length > 0) throw new Error(problems.join('; '));
   return svg;
