@@ -212,7 +212,13 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
     output.parts.push_back(present_image(stages, *measurement.image));
   } else {
     measurement.shadows.push_back(measure_shadow(stages, best, stages.lights(best.view.light).front(), {}));
-    output.parts.push_back(present_shadow(stages, measurement.shadows.front()));
+    ShadowMeasurement& shadow = measurement.shadows.front();
+    output.parts.push_back(present_shadow(stages, shadow));
+    // For the page's bias slider: the sweep's own part has recommended a bias.
+    const VisibilityStatistics* causes = by_cause(shadow);
+    if (causes != nullptr && causes->pixels > 0 && stages.capabilities(best).taps_independent_of_bias) {
+      shadow.advice = advise_bias(stages, best, shadow.light);
+    }
   }
   // The sweep's own part has the answer.
   Presentation& of_cell = output.parts.back();

@@ -152,7 +152,11 @@ ViewerParts viewer_parts(const Scene& scene, const GBuffer& gbuffer, PartKind ki
 
 ViewerData viewer_data(const Stages& stages, const Measurement& measurement, const LayeredImage& image, bool is_full) {
   const GBuffer& gbuffer = measurement.surfels.gbuffer;
-  ViewerData data{gbuffer.width, gbuffer.height, is_full, viewer_layers(layer_table(stages, measurement), image)};
+  ViewerData data;
+  data.width = gbuffer.width;
+  data.height = gbuffer.height;
+  data.full = is_full;
+  data.layers = viewer_layers(layer_table(stages, measurement), image);
   for (const ShadowMeasurement& shadow : measurement.shadows) {
     if (shadow.raster && shadow.truth) data.biases.push_back(viewer_bias(stages, shadow));
   }

@@ -192,6 +192,10 @@ ExitCode write_run(RunFolder& run_folder, const Console& console, RunOutput outp
   std::optional<ViewerData> viewer;
   if (output.with_figures && summary.measurement != nullptr) {
     viewer = viewer_data(*summary.stages, *summary.measurement, image, output.with_full_images);
+    if (summary.sweep) {
+      viewer->title = "Images of the cell of least error";
+      viewer->section = 1;  // after the figures over all cells
+    }
   }
   write_page(folder, make_report(output), viewer ? &*viewer : nullptr);
   add_line(console, fmt::format("report: {}", (folder / "index.html").string()));

@@ -272,8 +272,8 @@ Json make_layers(const PlotFigure& figure, const Points& points, bool has_numeri
 Json fields_of(const PlotFigure& figure) {
   std::vector<PlotField> fields = {{"x", figure.x.column, figure.x.label}};
   if (figure.series) fields.push_back({"s", *figure.series, figure.series_label});
-  if (figure.style) fields.push_back({"d", *figure.style, figure.style_label});
   const std::size_t keys = fields.size();
+  if (figure.style) fields.push_back({"d", *figure.style, figure.style_label});
   fields.push_back({"y", figure.y.column, figure.y.label});
   if (figure.lower && figure.upper) {
     fields.push_back({"lo", *figure.lower, "lower bound"});

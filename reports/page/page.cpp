@@ -188,7 +188,10 @@ std::string script_text(const Json& data) {
 void write_page(const fs::path& folder, const Report& report, const ViewerData* viewer) {
   Json page = page_data(folder, report);
   page["data"] = script_text(page);
-  if (viewer != nullptr && !viewer->layers.empty()) page["viewer"] = script_text(viewer_json(*viewer));
+  if (viewer != nullptr && !viewer->layers.empty()) {
+    page["viewer"] = script_text(viewer_json(*viewer));
+    if (viewer->section < page["sections"].size()) page["sections"][viewer->section]["has_viewer"] = true;
+  }
   if (const std::string_view script = page_script(); !script.empty()) {
     page["script"] = script;
     page["script_hash"] = to_base64(page_script_hash());

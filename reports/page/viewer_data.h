@@ -60,6 +60,8 @@ struct ViewerParts {
 };
 
 struct ViewerData {
+  std::string title = "Images";
+  std::size_t section = 0;  ///< the viewer stands before this section of the page
   int width = 0;
   int height = 0;
   bool full = false;  ///< every pixel, however large the images are

@@ -82,7 +82,8 @@ Json parts_json(const ViewerParts& parts, int stride) {
 Json viewer_json(const ViewerData& data) {
   const std::size_t pixels = static_cast<std::size_t>(data.width) * static_cast<std::size_t>(data.height);
   const int stride = data.full || pixels <= most_pixels_in_full ? 1 : 2;
-  Json json = {{"width", data.width},
+  Json json = {{"title", data.title},
+               {"width", data.width},
                {"height", data.height},
                {"stride", stride},
                {"maps", {{"sequential", table_text(ColorMap::visibility)}, {"diverging", table_text(ColorMap::error)}}},

@@ -245,8 +245,9 @@ test('the bias slider is moved by mouse and keys, and its shares are those of a 
   const mae = JSON.parse(readFileSync(path.join(out, 'summary.json'))).shadows[0].statistics.mae;
   const shown = await page.locator('.shares tr').first().locator('td').innerText();
   assert.ok(Math.abs(parseFloat(shown) / 100 - mae) < 0.006 * mae, `${shown}, not ${mae}`);
-  const curve = await page.locator('svg.curve').boundingBox();
-  await page.mouse.click(curve.x + 0.75 * curve.width, curve.y + 0.5 * curve.height);
+  const curve = page.locator('svg.curve');
+  const {width, height} = await curve.boundingBox();
+  await curve.click({position: {x: 0.75 * width, y: 0.5 * height}});
   await expect_fragment(page, {bias: /^[5-9]|^[1-5]\d/});
   await page.getByRole('button', {name: 'Bias of this run'}).click();
   await expect_fragment(page, {bias: undefined});
@@ -307,6 +308,50 @@ test('tables are sorted, filtered and downloaded', async () => {
   const lines = readFileSync(await (await download).path(), 'utf8').split('\r\n');
   assert.match(lines[0], /^object,pixels \[px\],mae \[%\],acne \[%\]/);
   assert.equal(lines[1].split(',')[0], name);
+  assert.deepEqual(problems, []);
+  await page.context().close();
+});
+
+test('charts show values, the same cell elsewhere and its statistics, and are saved', async () => {
+  const sweep = path.join(folder, 'sweep');
+  run('sweep', 'courtyard', '-o', sweep, '--light', 'sun', '--size', '96x54', '--quiet', '--vary',
+      'shadow.constant-bias=0.01:0.2:5:log', '--vary', 'shadow.resolution=512,1024');
+  const rows = readFileSync(path.join(sweep, 'sweep.csv'), 'utf8').trim().split('\r\n').map((line) => line.split(','));
+  const {page, problems} = await open_page(browser, sweep);
+  const figure = page.locator('figure', {has: page.locator('svg text', {hasText: /^Mean absolute error of visibility$/})});
+  const picture = figure.locator('.picture');
+  await picture.focus();
+  for (const key of ['ArrowRight', 'ArrowRight', 'Enter']) await picture.press(key);
+  const tip = await picture.locator('.tip').innerText();
+  const [bias, resolution, mae] = tip.split('\n').filter((_, i) => i % 2 === 1).map(Number);
+  const column = (name) => rows[0].indexOf(name);
+  const cell = rows.find((row) => Math.abs(row[column('shadow.constant-bias')] / bias - 1) < 1e-3 &&
+                                  Number(row[column('shadow.resolution')]) === resolution);
+  assert.ok(cell, tip);
+  assert.ok(Math.abs(100 * cell[column('mae')] / mae - 1) < 1e-3, tip);
+  const panel = page.getByRole('complementary', {name: 'Selected cell'});
+  const acne = panel.locator('tr', {hasText: /^acne: share/}).locator('td');
+  assert.ok(Math.abs(100 * cell[column('acne')] - Number(await acne.innerText())) < 1e-3 + 0.1 * cell[column('acne')]);
+  assert.ok(await page.locator('.rings circle.inner').count() >= 3, 'ringed in the other charts');
+  await picture.press('Escape');
+  assert.equal(await panel.isVisible(), false);
+  const position = await picture.evaluate((element) => {
+    const svg = element.querySelector('svg');
+    const [x, y] = JSON.parse(svg.querySelector('metadata').textContent).points[0];
+    const place = new DOMPoint(x, y).matrixTransform(svg.getScreenCTM());
+    const frame = element.getBoundingClientRect();
+    return {x: place.x - frame.left, y: place.y - frame.top};
+  });
+  await picture.click({position});
+  assert.equal(await panel.isVisible(), true);
+  for (const [kind, start] of [['SVG', /^<svg/], ['PNG', /^.PNG/], ['CSV', /^constant bias \[m\],/]]) {
+    const download = page.waitForEvent('download');
+    await figure.locator('.files').getByText(kind).first().click();
+    assert.match(readFileSync(await (await download).path(), 'latin1'), start);
+  }
+  const slider = page.getByRole('slider', {name: 'Constant bias of sun'});
+  await slider.fill('0');
+  await page.getByText(/^Technique at 0 texels/).or(page.locator('output.reading', {hasText: '0 texels'})).first().waitFor();
   assert.deepEqual(problems, []);
   await page.context().close();
 });

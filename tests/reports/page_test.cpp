@@ -220,7 +220,11 @@ TEST(Page, Its_script_cannot_end_its_element) {
 }
 
 ViewerData viewer_sample(const std::string& text) {
-  ViewerData data{2, 1, false, {{text, text, text, ViewerRole::error, ViewerKind::error, 0.5, text}}};
+  ViewerData data;
+  data.title = text;
+  data.width = 2;
+  data.height = 1;
+  data.layers = {{text, text, text, ViewerRole::error, ViewerKind::error, 0.5, text}};
   data.layers[0].planes = {Image<float>(2, 1, 0.25f)};
   data.layers[0].categories = {{text, {1, 2, 3}}};
   data.objects = {Image<std::uint16_t>(2, 1, 1), {text}};

@@ -12,6 +12,7 @@ interface Point {
   key: string;
 }
 interface Meta {
+  fields: string[];
   columns: string[];
   labels: string[];
   keys: number; // so many of the first values tell which cell it is
@@ -91,8 +92,13 @@ class Chart {
     this.tip.style.top = `${top > height + 16 ? top - height - 14 : top + 14}px`;
   }
 
+  // Names and values. A style, such as a cause, tells several lines of one chart apart: it names the value.
   rows_of(point: Point): [string, string][] {
-    return point.values.map((value, i): [string, string] => [this.meta.labels[i], text_of(value)]);
+    const {fields, labels} = this.meta;
+    const style = fields.includes('d') ? `${text_of(point.values[fields.indexOf('d')])}: ` : '';
+    const rows = point.values.map((value, i): [string, string] =>
+      [(fields[i] === 'y' ? style : '') + labels[i].replace(/, square-root scale$/, ''), text_of(value)]);
+    return rows.filter((_, i) => fields[i] !== 'd');
   }
 
   // Left and right along a line, up and down between lines.
@@ -183,15 +189,24 @@ function save_png(chart: Chart, name: string): void {
   image.src = `data:image/svg+xml,${encodeURIComponent(chart.drawing())}`;
 }
 
-// The page may have been sent without its folder: it saves the drawing from itself.
-function add_downloads(chart: Chart, figure: HTMLElement): void {
+// The page may have been sent without its folder: the links to drawings save them from the page.
+function extend_downloads(chart: Chart, figure: HTMLElement): void {
   const stem = figure.dataset.stem ?? 'chart';
-  const save = (title: string, action: () => void) =>
-    make('li', {}, make('button', {type: 'button', class: 'save', click: action}, `Save ${title}`));
-  figure.querySelector('figcaption')?.append(make('ul', {class: 'files'},
-    save('SVG', () => download(`${stem}.svg`, chart.drawing(), 'image/svg+xml')),
-    save('PNG', () => save_png(chart, `${stem}.png`)),
-    save('CSV', () => download(`${stem}.csv`, chart.csv(), 'text/csv'))));
+  const actions: Record<string, () => void> = {
+    svg: () => download(`${stem}.svg`, chart.drawing(), 'image/svg+xml'),
+    png: () => save_png(chart, `${stem}.png`),
+  };
+  for (const link of figure.querySelectorAll<HTMLAnchorElement>('.files a')) {
+    const action = actions[link.href.split('.').pop() ?? ''];
+    if (!action) continue;
+    link.addEventListener('click', (event) => {
+      event.preventDefault();
+      action();
+    });
+  }
+  const csv = make('button', {type: 'button', class: 'save', title: 'Download the points of this chart as CSV',
+                              click: () => download(`${stem}.csv`, chart.csv(), 'text/csv')}, 'CSV');
+  figure.querySelector('.files')?.append(make('li', {}, csv));
 }
 
 export function extend_charts(): void {
@@ -204,6 +219,6 @@ export function extend_charts(): void {
     panel ??= new CellPanel(charts);
     const chart = new Chart(picture, svg, charts, panel);
     charts.push(chart);
-    add_downloads(chart, figure);
+    extend_downloads(chart, figure);
   }
 }

@@ -91,8 +91,10 @@ export class Curve {
     const path = (value: (i: number) => number) =>
       axis.map((_, i) => `${i > 0 ? 'L' : 'M'}${this.x_of(i).toFixed(1)} ${y_of(value(i)).toFixed(1)}`).join('');
     this.inks.forEach((ink, c) => {
-      this.svg.append(make_svg('path', {d: path((i) => shares[i][c]), class: 'cause', stroke: ink.color,
-                                        'stroke-dasharray': ink.dash}));
+      // The outline gives light colours contrast.
+      const line = {d: path((i) => shares[i][c]), 'stroke-dasharray': ink.dash};
+      this.svg.append(make_svg('path', {...line, class: 'outline'}),
+                      make_svg('path', {...line, class: 'cause', stroke: ink.color}));
     });
     this.svg.append(make_svg('path', {d: path((i) => total_of(shares[i])), class: 'total'}));
     const here = this.x_of(this.bias.index);

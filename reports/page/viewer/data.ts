@@ -32,6 +32,7 @@ interface PackedParts {
   plane: PackedPlane;
 }
 interface PackedRun {
+  title: string;
   width: number;
   height: number;
   stride: number;
@@ -56,6 +57,7 @@ export interface Parts {
   index: Float32Array; // 0 is the background, otherwise 1 + an index into names
 }
 export interface Run {
+  title: string;
   width: number; // of the rendered images, pixels
   height: number;
   stride: number; // every stride-th pixel is here
@@ -128,6 +130,7 @@ export async function read_run(json: string): Promise<Run> {
     return bias;
   });
   return {
+    title: packed.title,
     width: packed.width,
     height: packed.height,
     stride: packed.stride,

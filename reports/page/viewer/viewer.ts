@@ -46,7 +46,7 @@ export class Viewer {
     const sampling = run.stride > 1
       ? `Every second pixel of ${run.width}×${run.height}; run with --full-images for all of them.`
       : `${run.width}×${run.height} pixels.`;
-    mount.append(make('h2', {id: 'images'}, 'Images'), this.toolbar.element,
+    mount.append(make('h2', {id: 'images'}, run.title), this.toolbar.element,
                  make('div', {class: 'body'},
                       make('div', {class: 'main'}, this.stage, this.status),
                       make('div', {class: 'aside'}, this.inspector, this.legend,
