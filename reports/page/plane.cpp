@@ -17,8 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Fast enough for a page of twenty layers; the next levels save one per cent.
-constexpr int compression_level = 5;
+// The higher levels save a few per cent and take a multiple of the time.
+constexpr int compression_level = 3;
 
 template <class T>
 std::vector<T> sampled(const Image<T>& image, int stride) {

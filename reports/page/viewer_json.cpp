@@ -3,7 +3,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
+#include <vector>
 
+#include "core/parallel.h"
 #include "reports/figures/color_table.h"
 #include "reports/files/markup.h"
 #include "reports/page/plane.h"
@@ -91,7 +93,9 @@ Json viewer_json(const ViewerData& data) {
                {"biases", Json::array()},
                {"objects", parts_json(data.objects, stride)},
                {"materials", parts_json(data.materials, stride)}};
-  for (const ViewerLayer& layer : data.layers) json["layers"].push_back(layer_json(layer, stride));
+  std::vector<Json> layers(data.layers.size());
+  parallel_for(layers.size(), [&](std::size_t i) { layers[i] = layer_json(data.layers[i], stride); });
+  for (Json& layer : layers) json["layers"].push_back(std::move(layer));
   for (const ViewerBias& bias : data.biases) json["biases"].push_back(bias_json(bias, stride));
   return json;
 }
