@@ -86,6 +86,9 @@ std::vector<ViewerLayer> viewer_layers(const LayerTable& table, const LayeredIma
 
 // Why the images of a light cannot follow a change of the bias.
 std::string missing_text(const ShadowMeasurement& shadow) {
+  if (const std::string reason = nothing_counted_text(shadow.counted); !reason.empty()) {
+    return "There is no bias slider: " + reason + ".";
+  }
   if (has_area_light(shadow)) {
     return "An area light has a soft shadow, so that no single tap is right or wrong; there is no bias slider.";
   }
