@@ -74,7 +74,9 @@ std::string usage_of(const CLI::App& command) {
   }
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_positional() || !option->get_required()) continue;
-    text += "-" + option->get_snames().front() + " " + value_name(*option) + " ";
+    const bool has_short_name = !option->get_snames().empty();
+    text += has_short_name ? "-" + option->get_snames().front() : "--" + option->get_lnames().front();
+    text += " " + value_name(*option) + " ";
   }
   return text + "[OPTIONS]";
 }

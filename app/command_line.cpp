@@ -39,6 +39,10 @@ constexpr CommandDescription raster_command = {
     "Example: umbrameter raster courtyard -o out --shadow.filter box --shadow.filter-size 5"};
 constexpr CommandDescription diff_command = {"diff", "Measure the difference of two images: FLIP, SSIM, PSNR, ...",
                                              "Example: umbrameter diff test.exr reference.exr -o error.png --json"};
+constexpr CommandDescription check_command = {
+    "check", "Hold finished runs against a budget; exit code 1 if they break it",
+    "Example: umbrameter check out --budget budget.toml --junit report.xml\n"
+    "'umbrameter check out --budget budget.toml --update' writes the budget."};
 constexpr CommandDescription scenes_command = {"scenes", "List the built-in scenes, or draw them on a contact sheet",
                                                "Example: umbrameter scenes --sheet scenes.pdf"};
 constexpr CommandDescription scene_command = {"scene", "Write a built-in scene as a .glb file",
@@ -134,6 +138,11 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
     command.add_flag_callback(
         "--ao-stages", [&line] { line.settings.emplace_back("run.ao-stages", "true"); },
         "same as --run.ao-stages true");
+  }
+  if (&description == &compare_command) {
+    command.add_option("--fail-if", line.fail_if, "exit with 1 if a statistic is so: 'acne>0.1%'; repeatable")
+        ->type_name("CONDITION")
+        ->take_all();
   }
   if (&description == &compare_command || &description == &raster_command) {
     command.add_flag_callback(
@@ -244,6 +253,18 @@ void add_diff_command(CLI::App& app, CommandLine& line) {
   add_output_flags(command, line);
 }
 
+void add_check_command(CLI::App& app, CommandLine& line) {
+  CheckOptions& check = line.check;
+  CLI::App& command = add_command(app, check_command);
+  command.add_option("DIR", check.folders, "folder of a finished compare or sweep; repeatable")->required();
+  command.add_option("--budget", check.budget, "budget file (TOML)")->type_name("FILE")->required();
+  command.add_flag("--update", check.update, "set the bounds to the present values with head room");
+  command.add_option("--junit", check.junit, "write the result as JUnit XML")->type_name("FILE");
+  command.add_option("--summary", check.summary, "append the result as Markdown: \"$GITHUB_STEP_SUMMARY\"")
+      ->type_name("FILE");
+  add_output_flags(command, line);
+}
+
 void add_other_commands(CLI::App& app, CommandLine& line) {
   CLI::App& scenes = add_command(app, scenes_command);
   scenes.add_option("NAME", line.names, "list only these scenes");
@@ -291,6 +312,7 @@ std::variant<CommandLine, Information> parse_command_line(int argc, const char* 
     add_image_command(app, line, *description);
   }
   add_diff_command(app, line);
+  add_check_command(app, line);
   add_other_commands(app, line);
   std::string topic;
   add_command(app, help_command).add_option("COMMAND", topic, "command to explain");

@@ -26,9 +26,18 @@ struct DiffOptions {
   bool exit_code = false;
 };
 
+/// What `check` holds against what.
+struct CheckOptions {
+  std::vector<std::filesystem::path> folders;  ///< finished runs
+  std::filesystem::path budget;
+  std::filesystem::path junit;    ///< JUnit XML to write; empty for none
+  std::filesystem::path summary;  ///< Markdown to append to; empty for none
+  bool update = false;
+};
+
 struct CommandLine {
-  std::string command;  ///< "compare", "sweep", "trace", "raster", "diff", "scenes", "scene", "cache", "info" or
-                        ///< "parameters"
+  std::string command;  ///< "compare", "sweep", "trace", "raster", "diff", "check", "scenes", "scene", "cache", "info"
+                        ///< or "parameters"
   std::string scene;    ///< file or name of a built-in scene; empty when not given
   std::filesystem::path output;
   std::filesystem::path experiment_file;
@@ -52,6 +61,8 @@ struct CommandLine {
   std::string tile_size;           ///< of each picture on it, "WxH"; empty for the usual one
   bool measure_memory = false;
   DiffOptions diff;
+  CheckOptions check;
+  std::vector<std::string> fail_if;  ///< conditions under which compare ends with exit code 1
 };
 
 /// Help, version or a generated file, to print or to write; the program then ends well.

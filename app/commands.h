@@ -8,6 +8,7 @@
 #include "experiments/cache_folder.h"
 #include "experiments/console.h"
 #include "experiments/experiment.h"
+#include "experiments/gate.h"
 #include "scenes/load_options.h"
 
 namespace umbrameter {
@@ -28,9 +29,13 @@ LoadOptions load_options(const CommandLine& line, bool materials = false);
 /// The user's cache of references, unless --no-cache is given or nothing is traced.
 std::optional<CacheFolder> chosen_cache(const CommandLine& line, const Console& console);
 
+/// Prints what fails and the answer; ExitCode::check_failed if a bound is broken.
+ExitCode show_checks(const Console& console, const std::vector<GateCheck>& checks);
+
 ExitCode run_image_command(const CommandLine& line, const Console& console);  ///< compare, trace, raster
 ExitCode run_sweep_command(const CommandLine& line, const Console& console);
 ExitCode run_diff(const CommandLine& line, const Console& console);
+ExitCode run_check(const CommandLine& line, const Console& console);
 ExitCode run_scenes(const CommandLine& line, const Console& console);
 ExitCode run_scene(const CommandLine& line, const Console& console);
 ExitCode run_cache(const CommandLine& line, const Console& console);

@@ -7,6 +7,8 @@
 #include "app/dry_run.h"
 #include "compare/metrics/metric.h"
 #include "core/parallel.h"
+#include "experiments/gate.h"
+#include "experiments/known_statistics.h"
 #include "experiments/presentation/ao_stages_report.h"
 #include "experiments/presentation/debug_views.h"
 #include "experiments/presentation/run_output.h"
@@ -62,6 +64,15 @@ void add_technique_notes(Stages& stages, const Experiment& experiment, const std
   }
 }
 
+// Image metrics are measured only if run.metrics names them.
+void add_metrics(Experiment& experiment, const std::vector<BudgetEntry>& conditions) {
+  for (const BudgetEntry& condition : conditions) {
+    const std::string metric = metric_to_measure(condition.statistic);
+    if (metric.empty() || ("," + experiment.run.metrics + ",").find("," + metric + ",") != std::string::npos) continue;
+    experiment.run.metrics += (experiment.run.metrics.empty() ? "" : ",") + metric;
+  }
+}
+
 }  // namespace
 
 Experiment make_experiment(const CommandLine& line) {
@@ -99,7 +110,9 @@ std::optional<CacheFolder> chosen_cache(const CommandLine& line, const Console& 
 }
 
 ExitCode run_image_command(const CommandLine& line, const Console& console) {
-  const Experiment given = make_experiment(line);
+  Experiment given = make_experiment(line);
+  const std::vector<BudgetEntry> conditions = budgets_of(line.fail_if);
+  add_metrics(given, conditions);
   std::optional<RunFolder> run_folder;
   if (!line.dry_run) {
     run_folder.emplace(line.output, RunPlan{line.command, experiment_text(given), run_files(false)}, line.force);
@@ -168,7 +181,9 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   if (sides.raster && experiment.run.write_maps) output.maps = lights;
   output.with_figures = !line.no_figures;
   output.with_full_images = line.full_images;
-  return write_run(folder, console, std::move(output));
+  const ExitCode code = write_run(folder, console, std::move(output));
+  if (code != ExitCode::ok || conditions.empty()) return code;
+  return show_checks(console, check_budget(conditions, read_run(line.output)));
 }
 
 }  // namespace umbrameter

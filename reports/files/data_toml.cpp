@@ -1,42 +1,12 @@
-#include <toml++/toml.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <fstream>
-#include <system_error>
 
 #include "core/error.h"
 #include "reports/files/data.h"
+#include "reports/files/toml_text.h"
 
 namespace umbrameter {
 namespace {
-
-constexpr std::size_t largest_file = std::size_t{1} << 20;
-
-// TOML 1.0, "String": basic strings escape quote, backslash and control characters.
-std::string toml_string(std::string_view text) {
-  static constexpr char digits[] = "0123456789ABCDEF";
-  std::string result = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      result += '\\';
-      result += c;
-    } else if (c == '\n') {
-      result += "\\n";
-    } else if (c == '\t') {
-      result += "\\t";
-    } else if (byte < 0x20 || byte == 0x7f) {
-      result += "\\u00";
-      result += digits[byte >> 4];
-      result += digits[byte & 15];
-    } else {
-      result += c;
-    }
-  }
-  return result + "\"";
-}
 
 // A comment ends with the line, and TOML allows no control characters in it.
 std::string comment_text(std::string text) {
@@ -81,38 +51,6 @@ std::string text_of(const toml::node& node, const std::string& key, const std::s
               "write it in quotes");
 }
 
-std::string read_text(const std::filesystem::path& path) {
-  const auto refuse = [&](int error) {
-    throw Error(ExitCode::unreadable_input, "cannot read " + path.string(), std::generic_category().message(error));
-  };
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) refuse(EISDIR);
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) refuse(errno);
-  // Devices and pipes may never end.
-  std::string text(largest_file + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) refuse(EIO);
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > largest_file) {
-    throw Error(ExitCode::unreadable_input, "cannot read " + path.string(),
-                "it is larger than 1 MiB, more than any experiment file", "give a TOML file such as experiment.toml");
-  }
-  return text;
-}
-
-toml::table parse(const std::string& text, const std::string& file) {
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& problem) {
-    throw Error(
-        ExitCode::usage,
-        file + ":" + std::to_string(problem.source().begin.line) + ":" + std::to_string(problem.source().begin.column),
-        std::string(problem.description()), "correct that line");
-  }
-}
-
 }  // namespace
 
 std::string to_toml(const std::string& scene, const Parameters& parameters,
@@ -141,7 +79,7 @@ std::string to_toml(const std::string& scene, const Parameters& parameters,
 
 ExperimentFile read_experiment(const std::filesystem::path& path) {
   const std::string file = path.string();
-  const toml::table table = parse(read_text(path), file);
+  const toml::table table = parse_toml_file(path, "an experiment file such as experiment.toml");
   // toml++ sorts keys; the order of the lines is what the user wrote, and the order of axes means something.
   std::vector<std::pair<toml::source_position, std::pair<std::string, std::string>>> axes;
   ExperimentFile result;

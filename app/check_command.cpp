@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "experiments/gate.h"
+#include "experiments/presentation/gate_report.h"
+#include "experiments/run_record.h"
+#include "reports/files/output.h"
+
+namespace umbrameter {
+namespace {
+
+std::vector<MeasuredStatistic> read_runs(const std::vector<std::filesystem::path>& folders) {
+  std::vector<MeasuredStatistic> measured;
+  for (const std::filesystem::path& folder : folders) {
+    for (MeasuredStatistic& each : read_run(folder)) measured.push_back(std::move(each));
+  }
+  return measured;
+}
+
+ExitCode update(const CheckOptions& options, const std::vector<MeasuredStatistic>& measured, const Console& console) {
+  std::vector<BudgetEntry> budget;
+  std::error_code error;
+  if (std::filesystem::exists(options.budget, error)) budget = read_budget(options.budget);
+  budget = update_budget(std::move(budget), measured);
+  write_budget(options.budget, budget);
+  // Budgets that no run measured keep their bounds.
+  std::size_t kept = 0;
+  for (const GateCheck& check : check_budget(budget, measured)) kept += check.measured ? 0u : 1u;
+  print_line(console,
+             fmt::format("{}: {} of {} bounds updated", options.budget.string(), budget.size() - kept, budget.size()));
+  if (kept > 0) note(console, fmt::format("{} bounds name nothing in these runs and were left as they are", kept));
+  if (console.json)
+    fmt::print("{}\n", nlohmann::ordered_json({{"bounds", budget.size()}, {"unchanged", kept}}).dump(2));
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+ExitCode show_checks(const Console& console, const std::vector<GateCheck>& checks) {
+  const std::size_t failed = count_failed(checks);
+  for (const std::string& line : gate_lines(checks, false)) print_line(console, line);
+  print_line(console, gate_answer(checks));
+  std::fflush(stdout);
+  return failed == 0 ? ExitCode::ok : ExitCode::check_failed;
+}
+
+ExitCode run_check(const CommandLine& line, const Console& console) {
+  const CheckOptions& options = line.check;
+  if (options.update && (!options.junit.empty() || !options.summary.empty())) {
+    throw Error(ExitCode::usage, "--update", "it checks nothing", "leave --junit and --summary out");
+  }
+  if (options.update) return update(options, read_runs(options.folders), console);
+  const std::vector<BudgetEntry> budget = read_budget(options.budget);
+  const std::vector<GateCheck> checks = check_budget(budget, read_runs(options.folders));
+  const ExitCode code = show_checks(console, checks);
+  if (console.verbose) {
+    for (const std::string& text : gate_lines(checks, true)) diagnostic(console, text);
+  }
+  if (!options.junit.empty()) write_text(options.junit, junit_xml(checks));
+  if (!options.summary.empty()) {
+    // Several steps write to one file.
+    write_text(options.summary, text_of_file(options.summary).value_or("") + gate_markdown(checks));
+  }
+  if (console.json) fmt::print("{}\n", to_json(checks).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  return code;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,100 @@
+#include "experiments/known_statistics.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/error.h"
+#include "core/suggestion.h"
+#include "experiments/measure.h"
+#include "experiments/sweep_evaluator.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::array<std::string_view, 3> kinds = {"shadow", "ao", "image"};
+
+std::string_view kind_of(SweptQuantity quantity) {
+  return quantity == SweptQuantity::ao ? kinds[1] : quantity == SweptQuantity::image ? kinds[2] : kinds[0];
+}
+
+void add(std::vector<KnownStatistic>& all, KnownStatistic statistic) {
+  const bool is_known = std::any_of(all.begin(), all.end(), [&](const KnownStatistic& each) {
+    return each.kind == statistic.kind && each.name == statistic.name;
+  });
+  if (!is_known) all.push_back(std::move(statistic));
+}
+
+void add_described(std::vector<KnownStatistic>& all, CellStatistics statistics) {
+  const std::string kind(kind_of(quantity_of(statistics)));
+  for (const Statistic& each : describe(statistics)) {
+    add(all, {kind, each.name, each.unit, each.meaning, !each.curve.title.empty()});
+  }
+}
+
+template <std::size_t... i>
+void add_alternatives(std::vector<KnownStatistic>& all, std::index_sequence<i...>) {
+  (add_described(all, CellStatistics(std::in_place_index<i>)), ...);
+}
+
+std::vector<KnownStatistic> make_known() {
+  std::vector<KnownStatistic> all;
+  add_alternatives(all, std::make_index_sequence<std::variant_size_v<CellStatistics>>{});
+  for (const std::string_view kind : {kinds[0], kinds[1]}) {
+    for (const Metric& metric : metrics()) {
+      add(all, {std::string(kind), std::string(metric.name), std::string(metric.unit), std::string(metric.title), true,
+                metric.is_higher_better, true});
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+const std::vector<KnownStatistic>& known_statistics() {
+  static const std::vector<KnownStatistic> all = make_known();
+  return all;
+}
+
+StatisticName parse_statistic_name(std::string_view text) {
+  for (const std::string_view kind : kinds) {
+    if (text.size() > kind.size() && text.starts_with(kind) && text[kind.size()] == '.') {
+      return {std::string(kind), std::string(text.substr(kind.size() + 1))};
+    }
+  }
+  return {{}, std::string(text)};
+}
+
+std::string metric_to_measure(std::string_view statistic) {
+  const StatisticName wanted = parse_statistic_name(statistic);
+  bool is_metric = false;
+  for (const KnownStatistic& each : known_statistics()) {
+    if (each.name != wanted.name || (!wanted.kind.empty() && each.kind != wanted.kind)) continue;
+    if (!each.is_metric) return {};
+    is_metric = true;
+  }
+  return is_metric ? wanted.name : "";
+}
+
+std::vector<KnownStatistic> require_statistic(const StatisticName& name, const std::string& option,
+                                              const std::vector<std::string>& more) {
+  std::vector<KnownStatistic> found;
+  std::vector<std::string> names;
+  for (const KnownStatistic& each : known_statistics()) {
+    if (!name.kind.empty() && each.kind != name.kind) continue;
+    if (each.name == name.name) found.push_back(each);
+    if (std::find(names.begin(), names.end(), each.name) == names.end()) names.push_back(each.name);
+  }
+  if (!found.empty()) return found;
+  names.insert(names.end(), more.begin(), more.end());
+  const std::string similar = suggestion(similar_names(name.name, names));
+  std::string list;
+  for (const KnownStatistic& each : known_statistics()) {
+    if (each.is_error && list.find(each.name) == std::string::npos) list += (list.empty() ? "" : ", ") + each.name;
+  }
+  throw Error(ExitCode::usage, option,
+              "there is no statistic '" + name.name + "'" + (name.kind.empty() ? "" : " of kind " + name.kind),
+              similar.empty() ? "choose from: " + list : similar);
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,38 @@
+// Every statistic that a run can report, by name: for conditions, budgets and costs that users write.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace umbrameter {
+
+struct KnownStatistic {
+  std::string kind;  ///< "shadow", "ao" or "image"
+  std::string name;  ///< "acne"; of an image metric "psnr"
+  std::string unit;
+  std::string meaning;
+  bool is_error = false;          ///< has a curve or is an image metric: smaller is better unless is_higher_better
+  bool is_higher_better = false;  ///< an image metric such as PSNR
+  bool is_metric = false;         ///< measured only if run.metrics names it
+};
+
+/// All described statistics, then the image metrics. A name occurs once for each kind that has it.
+const std::vector<KnownStatistic>& known_statistics();
+
+/// "ao.mae" is the statistic mae of kind ao; "mae" is of any kind.
+struct StatisticName {
+  std::string kind;  ///< empty: any
+  std::string name;
+};
+StatisticName parse_statistic_name(std::string_view text);
+
+/// The known statistics of that name and kind. Throws Error (usage) that names `option` and the nearest names if there
+/// is none. `more` are names that are also allowed and are suggested, such as parameters.
+std::vector<KnownStatistic> require_statistic(const StatisticName& name, const std::string& option,
+                                              const std::vector<std::string>& more = {});
+
+/// The image metric that run.metrics must name for this statistic; empty for a described one and an unknown name.
+std::string metric_to_measure(std::string_view statistic);
+
+}  // namespace umbrameter

@@ -1,0 +1,147 @@
+// `check` on summaries that are written here: what it exits with, prints and writes, and how it refuses.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/run_program.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A run of one light and of AO. A share of 1 % of 10,000 pixels has a Wilson half width of 0.196 %.
+std::string summary(double acne, double psnr = 30.0) {
+  const Json shadow = {{"light", "sun"},
+                       {"index", 0},
+                       {"statistics", {{"pixels", 10000}, {"mae", 0.02}, {"acne", acne}, {"mean_error", -0.01}}},
+                       {"metrics", {{"psnr", psnr}}}};
+  const Json ao = {{"statistics", {{"pixels", 5000}, {"mae", 0.1}, {"mae_lo", 0.09}, {"mae_hi", 0.11}}}};
+  return Json({{"scene", {{"name", "court"}}}, {"shadows", {shadow}}, {"ao", ao}}).dump();
+}
+
+class Check : public testing::Test {
+ protected:
+  std::string run(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories(folder_ / name);
+    folder_.write(name + "/summary.json", text);
+    return folder_ / name;
+  }
+  std::string budget(const std::string& text) const { return folder_.write("budget.toml", text); }
+
+  TemporaryFolder folder_;
+};
+
+constexpr const char* acne_budget = "[[budget]]\nscene = \"court\"\nstatistic = \"acne\"\nbound = \"< 1.2%\"\n";
+
+TEST_F(Check, Passes_within_the_bounds_and_fails_beyond_them_by_the_right_number_of_intervals) {
+  const std::string good = run("good", summary(0.01)), bad = run("bad", summary(0.02));
+  const ProgramResult passed = run_program({"check", good, "--budget", budget(acne_budget)});
+  EXPECT_EQ(passed.exit_code, 0) << passed.err;
+  EXPECT_EQ(passed.out, "the bound is kept\n");
+
+  const ProgramResult failed = run_program({"check", bad, "--budget", budget(acne_budget), "--json"});
+  EXPECT_EQ(failed.exit_code, 1) << failed.err;
+  const Json check = Json::parse(failed.out)["checks"][0];
+  EXPECT_FALSE(check["kept"]);
+  EXPECT_NEAR(check["excess"], 0.008, 1e-12);
+  // Wilson: 1.95996·√(0.02·0.98/10⁴ + 1.95996²/4·10⁸)/(1 + 1.95996²/10⁴) = 0.0027495
+  EXPECT_NEAR(check["half_width_95"], 0.0027495, 1e-6);
+  EXPECT_NEAR(check["excess_in_intervals"], 0.008 / 0.0027495, 1e-3);
+}
+
+TEST_F(Check, Writes_junit_and_appends_to_the_step_summary) {
+  const std::string bad = run("bad", summary(0.02));
+  const std::string junit = folder_ / "junit.xml";
+  const std::string page = folder_.write("page.md", "before\n");
+  EXPECT_EQ(run_program({"check", bad, "--budget", budget(acne_budget), "--junit", junit, "--summary", page}).exit_code,
+            1);
+  EXPECT_NE(text_of(junit).find("<testsuite name=\"umbrameter\" tests=\"1\" failures=\"1\""), std::string::npos);
+  EXPECT_NE(text_of(junit).find("<testcase classname=\"court, sun\" name=\"acne &lt; 1.20 %\""), std::string::npos)
+      << text_of(junit);
+  EXPECT_EQ(text_of(page).rfind("before\n### ❌ Umbrameter: 1 of 1 bounds is broken\n", 0), 0u) << text_of(page);
+}
+
+TEST_F(Check, Update_writes_bounds_that_the_run_keeps_with_head_room_and_that_a_worse_run_breaks) {
+  const std::string good = run("good", summary(0.01)), bad = run("bad", summary(0.02, 20.0));
+  const std::string file = folder_ / "new.toml";
+  EXPECT_EQ(run_program({"check", good, "--budget", file, "--update"}).exit_code, 0);
+  EXPECT_NE(text_of(file).find("bound = \"<= 1.2%\""), std::string::npos) << text_of(file);  // 1 % + 0.196 %
+  EXPECT_NE(text_of(file).find("bound = \"<= 11%\""), std::string::npos) << text_of(file);   // 10 % + (11 − 9)/2 %
+  EXPECT_NE(text_of(file).find("bound = \">= 29.7\""), std::string::npos) << text_of(file);  // 30 dB less 1 %
+  EXPECT_EQ(run_program({"check", good, "--budget", file}).exit_code, 0);
+  const ProgramResult worse = run_program({"check", bad, "--budget", file});
+  EXPECT_EQ(worse.exit_code, 1);
+  EXPECT_NE(worse.out.find("2 of 4 bounds are broken"), std::string::npos) << worse.out;
+  // Updating changes the values alone.
+  EXPECT_EQ(run_program({"check", bad, "--budget", file, "--update"}).exit_code, 0);
+  EXPECT_EQ(run_program({"check", bad, "--budget", file}).exit_code, 0);
+}
+
+TEST_F(Check, Budget_that_names_nothing_in_the_run_fails) {
+  const ProgramResult result =
+      run_program({"check", run("good", summary(0.01)), "--budget",
+                   budget("[[budget]]\nscene = \"other\"\nstatistic = \"acne\"\nbound = 0.5\n")});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.out.find("not measured"), std::string::npos) << result.out;
+}
+
+TEST_F(Check, Kind_light_and_magnitude_select_the_value) {
+  const std::string good = run("good", summary(0.01));
+  const auto exit_code = [&](const std::string& lines) {
+    return run_program({"check", good, "--budget", budget("[[budget]]\n" + lines)}).exit_code;
+  };
+  EXPECT_EQ(exit_code("statistic = \"mae\"\nbound = \"5%\""), 1);  // AO has 10 %
+  EXPECT_EQ(exit_code("statistic = \"mae\"\nbound = \"5%\"\nkind = \"shadow\""), 0);
+  EXPECT_EQ(exit_code("statistic = \"shadow.mae\"\nbound = \"5%\""), 0);
+  EXPECT_EQ(exit_code("statistic = \"mae\"\nbound = \"5%\"\nlight = \"SUN\""), 0);
+  EXPECT_EQ(exit_code("statistic = \"mae\"\nbound = \"5%\"\nlight = 0"), 0);
+  EXPECT_EQ(exit_code("statistic = \"mean_error\"\nbound = 0"), 0);
+  EXPECT_EQ(exit_code("statistic = \"|mean_error|\"\nbound = 0"), 1);
+}
+
+TEST_F(Check, Hostile_budgets_are_refused_in_one_line_with_their_place) {
+  const std::string good = run("good", summary(0.01));
+  const auto expect = [&](const std::string& text, int exit_code, const std::string& part) {
+    const ProgramResult result = run_program({"check", good, "--budget", budget(text)});
+    EXPECT_EQ(result.exit_code, exit_code) << text << result.err;
+    EXPECT_TRUE(is_one_line(result.err)) << result.err;
+    EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+    EXPECT_EQ(result.out, "");
+  };
+  expect("not = toml = at all", 2, "budget.toml:1:");
+  expect("", 2, "it holds no [[budget]]");
+  expect("budget = 3", 2, "budget.toml:1: 'budget' must be a list of tables");
+  expect("budget = [3]", 2, "'budget' must be a list of tables");
+  expect("[budgets]\na = 1", 2, "unknown key 'budgets'");
+  expect("[[budget]]\nstatistic = \"acne\"", 2, "budget.toml:1: a budget needs 'bound'");
+  expect("[[budget]]\nbound = 1", 2, "a budget needs 'statistic'");
+  expect("[[budget]]\nstatistic = 3\nbound = 1", 2, "budget.toml:2: 'statistic' must be a string");
+  expect("[[budget]]\nstatistic = \"acne\"\nbound = nan", 2, "budget.toml:3: the bound must be a finite number");
+  expect("[[budget]]\nstatistic = \"acne\"\nbound = true", 2, "'bound' must be a number or a string");
+  expect("[[budget]]\nstatistic = \"acne\"\nbound = \"low\"", 2, "there is no number");
+  expect("[[budget]]\nstatistic = \"acne\"\nbound = \"< 3 dB\"", 2, "acne is a share");
+  expect("[[budget]]\nstatistic = \"acme\"\nbound = 1", 2, "did you mean 'acne'");
+  expect("[[budget]]\nstatistic = \"acne\"\nbound = 1\nlihgt = \"sun\"", 2, "did you mean 'light'");
+  expect("[[budget]]\nstatistic = \"acne\"\nbound = 1\nkind = \"sound\"", 2, "choose shadow, ao or image");
+}
+
+TEST_F(Check, Refuses_folders_and_files_that_it_cannot_read) {
+  const std::string good = run("good", summary(0.01));
+  const auto expect = [&](const std::vector<std::string>& words, int exit_code, const std::string& part) {
+    const ProgramResult result = run_program(words);
+    EXPECT_EQ(result.exit_code, exit_code) << result.err;
+    EXPECT_TRUE(is_one_line(result.err)) << result.err;
+    EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+  };
+  expect({"check", folder_ / "none", "--budget", budget(acne_budget)}, 4, "none/summary.json");
+  expect({"check", run("text", "hello"), "--budget", budget(acne_budget)}, 4, "is no summary");
+  expect({"check", run("other", R"({"scene": {"name": 3}})"), "--budget", budget(acne_budget)}, 4, "is damaged");
+  expect({"check", run("empty", R"({"scene": {"name": "a"}})"), "--budget", budget(acne_budget)}, 4, "no statistics");
+  expect({"check", good, "--budget", folder_ / "missing.toml"}, 4, "missing.toml");
+  expect({"check", good}, 2, "--budget");
+  expect({"check", good, "--budget", budget(acne_budget), "--update", "--junit", "x.xml"}, 2, "--update");
+}
+
+}  // namespace
+}  // namespace umbrameter
