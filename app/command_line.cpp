@@ -31,6 +31,11 @@ constexpr CommandDescription sweep_command = {
     "Example: umbrameter sweep courtyard -o out --light sun \\\n"
     "             --vary shadow.constant-bias=0:0.2:65 --vary shadow.resolution=512,1024,2048\n"
     "An axis is first:last:count[:log] or a list a,b,c. Open out/index.html; out/sweep.csv has all cells."};
+constexpr CommandDescription tune_command = {
+    "tune", "Find the best parameters over several scenes, cameras and lights",
+    "Example: umbrameter tune courtyard -o out --over view.camera=all --constraint 'acne<0.1%' \\\n"
+    "             --vary shadow.constant-bias=0:8texels --vary shadow.slope-bias=0:4\n"
+    "An axis is first:last[:log], or as for sweep. Then run: umbrameter compare -c out/tuned.toml -o best"};
 constexpr CommandDescription trace_command = {
     "trace", "Render the reference alone: Embree, no OpenGL",
     "Example: umbrameter trace courtyard -o out --truth.spp 1024 --truth.ao-distance 2"};
@@ -115,9 +120,40 @@ void add_memory(CLI::App& command, CommandLine& line) {
       ->type_name("SIZE");
 }
 
+void add_tune_options(CLI::App& command, CommandLine& line) {
+  TuneOptions& tune = line.tune;
+  command.add_option("--vary", line.vary, "parameter to tune: first:last[:log], or an axis of sweep; repeatable")
+      ->type_name("PARAM=AXIS")
+      ->take_all();
+  command.add_option("--minimize", tune.minimize, "cost: a statistic, or a sum like 'acne + 0.5*rmse' (mae)")
+      ->type_name("COST");
+  command.add_option("--constraint", tune.constraints, "condition that every case must keep: 'acne<0.1%'; repeatable")
+      ->type_name("CONDITION")
+      ->take_all();
+  command.add_option("--over", tune.over, "go over these values: view.camera=all, light.angle=0,0.5; repeatable")
+      ->type_name("PARAM=LIST")
+      ->take_all();
+  command.add_flag("--worst-case", tune.worst_case, "minimize the largest cost of all cases, not their mean");
+  command.add_option("--held-out", tune.held_out, "check the result on view.camera=LIST or scene=NAME; repeatable")
+      ->type_name("PARAM=LIST")
+      ->take_all();
+  command.add_option("--evaluations", tune.evaluations, "max evaluations of all cases (30 for each axis)")
+      ->check(CLI::Range(1, 1000000))
+      ->type_name("N");
+  command.add_option("--minutes", tune.minutes, "end the search after this time")
+      ->check(CLI::Range(0.001, 1e6))
+      ->type_name("X");
+}
+
 void add_image_command(CLI::App& app, CommandLine& line, const CommandDescription& description) {
   CLI::App& command = add_command(app, description);
-  command.add_option("SCENE", line.scene, "a .gltf or .glb file, or a built-in scene ('umbrameter scenes')");
+  const bool is_tune = &description == &tune_command;
+  const char* scene_meaning = "a .gltf or .glb file, or a built-in scene ('umbrameter scenes')";
+  if (is_tune) {
+    command.add_option("SCENE", line.tune.scenes, scene_meaning);
+  } else {
+    command.add_option("SCENE", line.scene, scene_meaning);
+  }
   command.add_option("-o,--output", line.output, "folder for the results, created if missing")
       ->type_name("DIR")
       ->required();
@@ -128,10 +164,11 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
         ->type_name("PARAM=AXIS")
         ->take_all();
   }
+  if (is_tune) add_tune_options(command, line);
   command.add_flag("--force", line.force,
                    &description == &sweep_command ? "replace an earlier run's results and measure every cell again"
                                                   : "replace an earlier run's results in the folder");
-  command.add_flag("--dry-run", line.dry_run, "show what would be measured, and stop");
+  if (!is_tune) command.add_flag("--dry-run", line.dry_run, "show what would be measured, and stop");
   if (&description == &compare_command) {
     command.add_flag_callback(
         "--shimmer", [&line] { line.settings.emplace_back("run.shimmer", "true"); }, "same as --run.shimmer true");
@@ -308,7 +345,8 @@ std::variant<CommandLine, Information> parse_command_line(int argc, const char* 
   app.set_help_all_flag("--help-all", "show all options");
   app.set_version_flag("-V,--version", std::string("umbrameter ") + UMBRAMETER_VERSION, "show the version");
   app.require_subcommand(1);
-  for (const CommandDescription* description : {&compare_command, &sweep_command, &trace_command, &raster_command}) {
+  for (const CommandDescription* description :
+       {&compare_command, &sweep_command, &tune_command, &trace_command, &raster_command}) {
     add_image_command(app, line, *description);
   }
   add_diff_command(app, line);

@@ -35,9 +35,21 @@ struct CheckOptions {
   bool update = false;
 };
 
+/// What `tune` varies, minimises and goes over; texts as given.
+struct TuneOptions {
+  std::vector<std::string> scenes;
+  std::string minimize = "mae";
+  std::vector<std::string> constraints;
+  std::vector<std::string> over;      ///< "view.camera=all"
+  std::vector<std::string> held_out;  ///< "view.camera=1", "scene=forest"
+  bool worst_case = false;
+  std::size_t evaluations = 0;  ///< 0: by the number of axes
+  double minutes = 0.0;         ///< 0: no limit
+};
+
 struct CommandLine {
-  std::string command;  ///< "compare", "sweep", "trace", "raster", "diff", "check", "scenes", "scene", "cache", "info"
-                        ///< or "parameters"
+  std::string command;  ///< "compare", "sweep", "tune", "trace", "raster", "diff", "check", "scenes", "scene", "cache",
+                        ///< "info" or "parameters"
   std::string scene;    ///< file or name of a built-in scene; empty when not given
   std::filesystem::path output;
   std::filesystem::path experiment_file;
@@ -62,6 +74,7 @@ struct CommandLine {
   bool measure_memory = false;
   DiffOptions diff;
   CheckOptions check;
+  TuneOptions tune;
   std::vector<std::string> fail_if;  ///< conditions under which compare ends with exit code 1
 };
 

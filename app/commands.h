@@ -34,6 +34,7 @@ ExitCode show_checks(const Console& console, const std::vector<GateCheck>& check
 
 ExitCode run_image_command(const CommandLine& line, const Console& console);  ///< compare, trace, raster
 ExitCode run_sweep_command(const CommandLine& line, const Console& console);
+ExitCode run_tune_command(const CommandLine& line, const Console& console);
 ExitCode run_diff(const CommandLine& line, const Console& console);
 ExitCode run_check(const CommandLine& line, const Console& console);
 ExitCode run_scenes(const CommandLine& line, const Console& console);

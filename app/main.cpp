@@ -26,6 +26,7 @@ ExitCode run(int argc, const char* const* argv) {
   const CommandLine& line = std::get<CommandLine>(parsed);
   const Console console{line.quiet, line.json, line.verbose};
   if (line.command == "sweep") return run_sweep_command(line, console);
+  if (line.command == "tune") return run_tune_command(line, console);
   if (line.command == "diff") return run_diff(line, console);
   if (line.command == "check") return run_check(line, console);
   if (line.command == "scenes") return run_scenes(line, console);

@@ -76,6 +76,12 @@ void Stages::check_is_meaningful(const Experiment& experiment, const std::vector
   require_sense(experiment.shadow.map, experiment.shadow.fit, measured);
 }
 
+void Stages::keep_cases(std::size_t cases, bool with_maps) {
+  const auto keep = [&](auto&... memos) { (memos.keep(cases), ...); };
+  keep(surfels_, gpu_surfels_, layout_, counted_, truth_, gpu_truth_, ao_truth_);
+  if (with_maps) keep(map_, stored_depths_, filtered_map_);
+}
+
 ProgressBar Stages::bar(const char* stage) const {
   if (tracing_) return ProgressBar(Progress());
   return ProgressBar(console_, stage);

@@ -2,9 +2,11 @@
 // it depends on (stage_inputs.h), so that the cells of a sweep share results.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <future>
+#include <list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -26,10 +28,13 @@
 
 namespace umbrameter {
 
-/// The last computed value and its key.
+/// The last computed values and their keys; one, unless keep() allows more. A value stays where it is until it gives
+/// way to a newer one.
 template <class T>
 class Memo {
  public:
+  void keep(std::size_t values) { most_ = values; }
+
   const T& get(const std::string& key, const std::function<T()>& make) {
     return remake(key, [&](std::optional<T> last) {
       last.reset();
@@ -37,19 +42,29 @@ class Memo {
     });
   }
 
-  /// make() receives the last value and may reuse its parts.
+  /// make() receives the oldest value, if it has to give way, and may reuse its parts.
   const T& remake(const std::string& key, const std::function<T(std::optional<T>)>& make) {
-    if (!value_ || key != key_) {
-      std::optional<T> last = std::exchange(value_, std::nullopt);
-      value_.emplace(make(std::move(last)));
-      key_ = key;
+    const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& each) { return each.key == key; });
+    if (found != kept_.end()) {
+      kept_.splice(kept_.begin(), kept_, found);
+      return kept_.front().value;
     }
-    return *value_;
+    std::optional<T> oldest;
+    while (kept_.size() >= most_) {
+      oldest.emplace(std::move(kept_.back().value));
+      kept_.pop_back();
+    }
+    kept_.push_front({key, make(std::move(oldest))});
+    return kept_.front().value;
   }
 
  private:
-  std::string key_;
-  std::optional<T> value_;
+  struct Kept {
+    std::string key;
+    T value;
+  };
+  std::list<Kept> kept_;  // the newest first
+  std::size_t most_ = 1;
 };
 
 /// The surfels of a view, for technique and reference.
@@ -170,6 +185,10 @@ class Stages {
   const ShadowMap& map(const Experiment& experiment, std::uint32_t light);
   /// What the light's shadow map can store.
   const StoredDepths& stored_depths(const Experiment& experiment, std::uint32_t light);
+
+  /// From now on keeps the surfels, references and, if with_maps, shadow maps of this many views and lights, for
+  /// commands that go round them.
+  void keep_cases(std::size_t cases, bool with_maps);
 
   /// Reports the progress of tracing to `to`, for a bar that covers several stages; the stages then show no bars. If
   /// `to` is empty, each stage shows its bar again.

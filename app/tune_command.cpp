@@ -1,0 +1,384 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <deque>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/commands.h"
+#include "core/interrupt.h"
+#include "core/parallel.h"
+#include "experiments/presentation/run_output.h"
+#include "experiments/presentation/tune_report.h"
+#include "experiments/presentation/tune_text.h"
+#include "experiments/reference_key.h"
+#include "experiments/tuning/tune_cases.h"
+#include "reports/files/data.h"
+#include "reports/files/output.h"
+#include "scenes/builtin.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr const char* tuned_name = "tuned.toml";
+
+std::vector<std::pair<std::string, std::string>> split_all(const std::vector<std::string>& assignments,
+                                                           const std::string& option) {
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const std::string& assignment : assignments) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos) {
+      throw Error(ExitCode::usage, option + " " + assignment, "no '='", "write it like " + option + " view.camera=all");
+    }
+    result.emplace_back(assignment.substr(0, equals), assignment.substr(equals + 1));
+  }
+  return result;
+}
+
+std::vector<TuneAxis> parse_tune_axes(Experiment experiment) {
+  if (experiment.axes.empty()) {
+    throw Error(ExitCode::usage, "tune", "nothing to vary",
+                "add an axis, such as --vary shadow.constant-bias=0:8texels");
+  }
+  const Parameters parameters = describe(experiment);
+  std::vector<TuneAxis> axes;
+  std::set<std::string> keys;
+  for (const auto& [key, text] : experiment.axes) {
+    axes.push_back(parse_tune_axis(parameters, key, text));
+    if (!keys.insert(key).second) throw Error(ExitCode::usage, "--vary " + key, "the axis is given twice");
+    const std::string group = key.substr(0, key.find('.'));
+    if (group != "shadow" && group != "ao" && group != "shading") {
+      throw Error(ExitCode::usage, "--vary " + key, "only the technique can be tuned: shadow.*, ao.* and shading.*",
+                  group == "view" || group == "light" ? "use --over to take the mean over several" : "");
+    }
+  }
+  return axes;
+}
+
+void check_over(const std::vector<TuneAxis>& axes, const CaseAxes& over, const std::string& option) {
+  std::set<std::string> keys;
+  for (const auto& [key, text] : over) {
+    if (!keys.insert(key).second) throw Error(ExitCode::usage, option + " " + key, "it is given twice");
+    for (const TuneAxis& axis : axes) {
+      if (axis.key() == key) throw Error(ExitCode::usage, option + " " + key, "the parameter is varied, too");
+    }
+    if (key.starts_with("scene.") || key == "view.scene") {
+      throw Error(ExitCode::usage, option + " " + key, "a scene is loaded only once", "name several SCENEs");
+    }
+  }
+}
+
+// The reference must not follow a radius that is tuned.
+void fix_reference(Experiment& experiment, const std::vector<TuneAxis>& axes) {
+  for (const TuneAxis& axis : axes) {
+    if (axis.key() != "ao.radius" || experiment.truth.ao_distance.unit != LengthUnit::automatic) continue;
+    experiment.truth.ao_distance = experiment.ao.sampling.radius;
+  }
+}
+
+// The scenes of a tuning, which share an OpenGL context.
+class Scenes {
+ public:
+  Scenes(const CommandLine& line, const Console& console, bool materials)
+      : line_(line), console_(console), materials_(materials) {}
+
+  Stages& load(const Experiment& experiment) {
+    if (!context_) {
+      context_ = std::make_shared<gl::Context>(gl::Context::make({line_.gl_device, line_.threads}));
+      cache_ = chosen_cache(line_, console_);
+    }
+    return all_.emplace_back(
+        load_scene(experiment.scene, experiment.view.scene, experiment.scene_params, load_options(line_, materials_)),
+        StageOptions{line_.gl_device, line_.threads, cache_, experiment.scene, context_}, console_);
+  }
+
+ private:
+  const CommandLine& line_;
+  const Console& console_;
+  bool materials_;
+  std::shared_ptr<gl::Context> context_;
+  std::optional<CacheFolder> cache_;
+  std::deque<Stages> all_;
+};
+
+struct Job {
+  std::vector<Experiment> experiments;  ///< one for each scene
+  std::vector<TuneAxis> axes;
+  TuneGoal goal;
+  SweptQuantity quantity = SweptQuantity::visibility;
+  CaseAxes over, held_out;
+};
+
+Job make_job(const CommandLine& line) {
+  const TuneOptions& options = line.tune;
+  Job job;
+  for (const std::string& scene : options.scenes.empty() ? std::vector<std::string>{""} : options.scenes) {
+    CommandLine of_scene = line;
+    of_scene.scene = scene;
+    job.experiments.push_back(make_experiment(of_scene));
+  }
+  Experiment& first = job.experiments.front();
+  job.axes = parse_tune_axes(first);
+  job.over = split_all(options.over, "--over");
+  job.held_out = split_all(options.held_out, "--held-out");
+  check_over(job.axes, job.over, "--over");
+  check_over(job.axes, job.held_out, "--held-out");
+  std::vector<SweepAxis> axes;
+  for (const TuneAxis& axis : job.axes) axes.push_back(axis.axis);
+  job.quantity = choose_quantity(first.run.measure, axes);
+  const std::string kind = job.quantity == SweptQuantity::ao      ? "ao"
+                           : job.quantity == SweptQuantity::image ? "image"
+                                                                  : "shadow";
+  job.goal = make_goal(options.minimize, options.constraints, kind, job.axes, options.worst_case);
+  for (Experiment& experiment : job.experiments) {
+    fix_reference(experiment, job.axes);
+    experiment.axes.clear();
+    experiment.run.metrics.clear();
+  }
+  return job;
+}
+
+// The cases that --held-out names; by default, a camera of the first scene that has one left.
+std::vector<TuneCase> held_out_cases(const Job& job, Scenes& scenes,
+                                     const std::vector<std::vector<TuneCase>>& by_scene) {
+  std::vector<TuneCase> cases;
+  const auto add = [&](Stages& stages, const Experiment& experiment, const CaseAxes& over) {
+    const std::vector<TuneCase> more = cases_of(stages, experiment, job.quantity, over);
+    cases.insert(cases.end(), more.begin(), more.end());
+  };
+  CaseAxes over = job.over;
+  for (const auto& [key, text] : job.held_out) {
+    if (key == "scene") continue;
+    std::erase_if(over, [&, &k = key](const auto& each) { return each.first == k; });
+    over.emplace_back(key, text);
+  }
+  bool names_scenes = false;
+  for (const auto& [key, text] : job.held_out) {
+    if (key != "scene") continue;
+    names_scenes = true;
+    Experiment experiment = job.experiments.front();
+    experiment.scene = text;
+    CaseAxes without_names = job.held_out;  // cameras and lights of other scenes mean nothing here
+    std::erase_if(without_names, [](const auto& each) { return each.first == "scene"; });
+    add(scenes.load(experiment), experiment, without_names);
+  }
+  if (names_scenes) return cases;
+  for (std::size_t s = 0; s < by_scene.size(); ++s) {
+    if (!job.held_out.empty()) {
+      add(*by_scene[s].front().stages, job.experiments[s], over);
+      continue;
+    }
+    const std::string camera = unused_camera(by_scene[s]);
+    if (camera.empty()) continue;
+    std::erase_if(over, [](const auto& each) { return each.first == "view.camera"; });
+    Experiment experiment = job.experiments[s];
+    experiment.view.camera = camera;
+    add(*by_scene[s].front().stages, experiment, over);
+  }
+  return cases;
+}
+
+// All that the evaluations depend on.
+std::vector<std::pair<std::string, std::string>> settings_of(const Job& job, const CommandLine& line,
+                                                             const std::vector<std::vector<TuneCase>>& by_scene) {
+  std::vector<std::pair<std::string, std::string>> settings = {{"program", tracer_identity()},
+                                                               {"the cost", line.tune.minimize}};
+  const auto list = [&](const char* name, const auto& texts) {
+    std::string all;
+    for (const auto& text : texts) all += text + "\n";
+    settings.emplace_back(name, all);
+  };
+  list("a constraint", line.tune.constraints);
+  std::vector<std::string> axes;
+  for (const TuneAxis& axis : job.axes) axes.push_back(axis.key() + "=" + axis.axis.text);
+  list("an axis", axes);
+  for (std::size_t s = 0; s < by_scene.size(); ++s) {
+    Stages& stages = *by_scene[s].front().stages;
+    std::string text = job.experiments[s].scene + " " + scene_content(stages.scene());
+    for (const TuneCase& each : by_scene[s]) {
+      Experiment experiment = each.experiment;
+      text += "\n" + each.title + " " + surfel_content(stages.surfels(experiment).gbuffer) + "\n" +
+              umbrameter::key_of(describe(experiment));
+    }
+    settings.emplace_back(fmt::format("scene {}", s + 1), text);
+  }
+  settings.emplace_back("OpenGL", by_scene.front().front().stages->context().device().renderer);
+  return settings;
+}
+
+std::string experiment_of(const Job& job, const CommandLine& line) {
+  std::string text = "# umbrameter tune\n";
+  for (const Experiment& experiment : job.experiments) text += "#   " + experiment.scene + "\n";
+  text += "#   --minimize '" + line.tune.minimize + "'" + (line.tune.worst_case ? " --worst-case" : "") + "\n";
+  for (const std::string& each : line.tune.constraints) text += "#   --constraint '" + each + "'\n";
+  for (const std::string& each : line.tune.over) text += "#   --over " + each + "\n";
+  for (const TuneAxis& axis : job.axes) text += "#   --vary " + axis.key() + "=" + axis.axis.text + "\n";
+  return text + experiment_text(job.experiments.front());
+}
+
+// What compare runs: the given experiment with the best values, over all lights and the first camera.
+std::string tuned_text(const Job& job, const TuneSummary& summary) {
+  Experiment tuned = job.experiments.front();
+  for (std::size_t a = 0; a < job.axes.size(); ++a) {
+    set_value(describe(tuned), job.axes[a].axis, summary.result.best.values[a]);
+  }
+  return fmt::format("# The best point of `umbrameter tune`: {} = {}, {} of {} cases.\n", summary.goal.text,
+                     cost_text(summary.goal, summary.result.best.score.cost),
+                     summary.goal.is_worst_case ? "the worst" : "the mean", summary.cases.size()) +
+         experiment_text(tuned);
+}
+
+TuneResult search(const Job& job, const std::vector<TuneCase>& cases, const TuneOptions& options, TuneJournal& journal,
+                  const std::filesystem::path& folder, const Console& console) {
+  if (journal.count() > 0) note(console, fmt::format("{} evaluations are done; resuming", journal.count()));
+  const TuneInput input{job.axes, cases, job.goal, {options.evaluations, options.minutes}};
+  for (const TuneCase& each : cases) each.stages->report_tracing([](double) {});
+  try {
+    ProgressBar bar(console, "evaluations");
+    bar.show(0.0);
+    TuneResult result = tune(input, journal, [&](std::size_t done, std::size_t all, const TuneScore& best) {
+      bar.show(static_cast<double>(done) / static_cast<double>(all),
+               fmt::format("{} of at most {}, {} {}", done, all, job.goal.text, cost_text(job.goal, best.cost)));
+    });
+    return result;
+  } catch (const Error& error) {
+    if (error.code() != ExitCode::interrupted && error.code() != ExitCode::terminated) throw;
+    throw_if_interrupted(fmt::format("{} evaluations are stored in {}; rerun the command to resume", journal.count(),
+                                     (folder / tune_journal_name).string()));
+    throw;
+  }
+}
+
+std::vector<std::string> tune_files() {
+  return {"experiment.toml", tuned_name, "evaluations.csv", "summary.json", "index.html", tune_journal_name};
+}
+
+std::vector<std::string> figure_files(const Presentation& part) {
+  std::vector<std::string> files;
+  for (const std::string& stem : part.section.figures) {
+    for (const char* format : {".svg", ".pdf", ".png"}) files.push_back("figures/" + stem + format);
+  }
+  return files;
+}
+
+}  // namespace
+
+ExitCode run_tune_command(const CommandLine& line, const Console& console) {
+  const Job job = make_job(line);
+  RunFolder folder(line.output, RunPlan{line.command, experiment_of(job, line), tune_files()}, line.force);
+  const std::filesystem::path journal_path = folder.path() / tune_journal_name;
+  const ThreadLimit threads(line.threads);
+  Scenes scenes(line, console, job.quantity == SweptQuantity::image);
+
+  std::vector<std::vector<TuneCase>> by_scene;
+  std::vector<TuneCase> cases;
+  bool varies_map = false;
+  for (const TuneAxis& axis : job.axes) varies_map = varies_map || depends_on(Stage::map, axis.key());
+  for (const Experiment& experiment : job.experiments) {
+    Stages& stages = scenes.load(experiment);
+    by_scene.push_back(cases_of(stages, experiment, job.quantity, job.over));
+    stages.keep_cases(by_scene.back().size(), !varies_map);
+    cases.insert(cases.end(), by_scene.back().begin(), by_scene.back().end());
+  }
+  const std::vector<TuneCase> unseen = held_out_cases(job, scenes, by_scene);
+  for (const TuneCase& each : cases) require_statistics(each, job.goal);
+  for (const TuneCase& each : cases) prepare(each);
+
+  if (line.force) std::filesystem::remove(journal_path);
+  folder.announce({tune_journal_name});
+  TuneJournal journal(journal_path, settings_of(job, line, by_scene));
+  folder.begin();
+  write_text(folder.path() / "experiment.toml", experiment_of(job, line));
+  const TuneResult result = search(job, cases, line.tune, journal, folder.path(), console);
+
+  const auto at = [&](const std::vector<Value>& values) {
+    return [&](const TuneCase& each) { return at_point(each, job.axes, values); };
+  };
+  const auto given = [](const TuneCase& each) { return each.experiment; };
+  TuneJudgement judgement;
+  std::optional<HeldOut> held_out;
+  {
+    ProgressBar bar(console, "significance");
+    const LeftOutBlocks of_best = leave_out_blocks(cases, job.goal, at(result.best.values));
+    judgement.best = cost_interval(job.goal, result.best.cases, of_best);
+    bar.show(0.25);
+    judgement.against_before = cost_difference(job.goal, result.best.cases, of_best, result.before.cases,
+                                               leave_out_blocks(cases, job.goal, given));
+    bar.show(0.5);
+    if (result.runner_up) {
+      judgement.against_runner_up = cost_difference(job.goal, result.best.cases, of_best, result.runner_up->cases,
+                                                    leave_out_blocks(cases, job.goal, at(result.runner_up->values)));
+    }
+    bar.show(0.75);
+    if (!unseen.empty()) {
+      held_out = HeldOut{unseen, {}, {}, {}};
+      for (const TuneCase& each : unseen) {
+        throw_if_interrupted();
+        held_out->before.cases.push_back(measure_case(each, each.experiment, job.goal));
+        held_out->best.cases.push_back(measure_case(each, at(result.best.values)(each), job.goal));
+      }
+      held_out->before.values = result.before.values;
+      held_out->best.values = result.best.values;
+      for (TunePoint* point : {&held_out->before, &held_out->best}) {
+        point->score = score_of(job.goal, point->values, point->cases);
+      }
+      held_out->difference =
+          cost_difference(job.goal, held_out->best.cases, leave_out_blocks(unseen, job.goal, at(result.best.values)),
+                          held_out->before.cases, leave_out_blocks(unseen, job.goal, given));
+    }
+  }
+  const TuneSummary summary{job.axes, cases, job.goal, result, judgement, held_out};
+
+  Presentation part = present_tuning(summary);
+  for (const std::string& text : part.answers) print_line(console, text);
+  for (const std::string& text : part.lines) add_line(console, text);
+  for (const std::string& text : part.details) diagnostic(console, text);
+  std::fflush(stdout);
+  write_text(folder.path() / tuned_name, tuned_text(job, summary));
+  write_text(folder.path() / "evaluations.csv", to_csv(evaluation_table(summary)));
+  std::vector<std::string> problems;
+  if (line.no_figures) {
+    part.section.figures.clear();
+    part.section.figure_titles.clear();
+    part.section.captions.clear();
+  } else {
+    folder.require_free(figure_files(part));
+    folder.announce(figure_files(part));
+    problems = write_figures(folder.path() / "figures", {}, part.plots).problems;
+  }
+  Report report;
+  report.title = fmt::format("{}{}: tuning", scene_title(job.experiments.front()),
+                             job.experiments.size() > 1 ? fmt::format(" and {} more", job.experiments.size() - 1) : "");
+  report.subtitle = fmt::format("{} cases, {}×{} pixels each", cases.size(), job.experiments.front().view.size.width,
+                                job.experiments.front().view.size.height);
+  report.command = fmt::format("umbrameter compare -c {} -o OUT", tuned_name);
+  report.answers = part.answers;
+  std::set<std::string> notes;
+  for (const auto& of_scene : by_scene) {
+    for (const std::string& text : of_scene.front().stages->notes()) {
+      if (notes.insert(text).second) report.notes.push_back(text);
+    }
+  }
+  report.sections.push_back(part.section);
+  Experiment experiment = job.experiments.front();
+  for (const TuneAxis& axis : job.axes) experiment.axes.emplace_back(axis.key(), axis.axis.text);
+  report.settings = settings_table(std::move(experiment));
+  nlohmann::ordered_json json = {{"program", {{"name", "umbrameter"}, {"version", UMBRAMETER_VERSION}}},
+                                 {"command", line.command},
+                                 {"scene", {{"name", scene_title(job.experiments.front())}}},
+                                 {"tuning", to_json(summary)},
+                                 {"problems", problems}};
+  const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  write_text(folder.path() / "summary.json", text);
+  write_page(folder.path(), report);
+  std::filesystem::remove(journal_path);
+  add_line(console, fmt::format("tuned: {}; run it with 'umbrameter compare -c {} -o DIR'",
+                                (folder.path() / tuned_name).string(), (folder.path() / tuned_name).string()));
+  add_line(console, fmt::format("report: {}", (folder.path() / "index.html").string()));
+  if (console.json) fmt::print("{}", text);
+  folder.finish(problems.empty());
+  for (const std::string& problem : problems) fmt::print(stderr, "umbrameter: {}\n", problem);
+  return problems.empty() ? ExitCode::ok : ExitCode::partial;
+}
+
+}  // namespace umbrameter

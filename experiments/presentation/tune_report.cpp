@@ -1,0 +1,370 @@
+#include "experiments/presentation/tune_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "experiments/presentation/axis_ends.h"
+#include "experiments/presentation/plot_axes.h"
+#include "experiments/presentation/tune_text.h"
+#include "reports/files/text_layout.h"
+
+namespace umbrameter {
+namespace {
+
+std::string column_title(const Column& column) { return column.name; }
+
+std::vector<std::size_t> objectives_of(const TuneGoal& goal) {
+  std::set<std::size_t> columns;
+  for (const TuneTerm& term : goal.terms) columns.insert(term.column);
+  for (const TuneConstraint& constraint : goal.constraints) {
+    if (!constraint.axis) columns.insert(constraint.column);
+  }
+  return {columns.begin(), columns.end()};
+}
+
+// Signed so that smaller is better.
+double objective(const TuneGoal& goal, std::size_t column, const std::vector<CaseValues>& cases) {
+  double value = aggregate(goal, column, cases);
+  for (const TuneTerm& term : goal.terms) {
+    if (term.column != column) continue;
+    if (term.is_magnitude) value = std::abs(value);
+    if (term.weight < 0.0) value = -value;
+  }
+  for (const TuneConstraint& constraint : goal.constraints) {
+    if (constraint.axis || constraint.column != column) continue;
+    if (constraint.condition.is_magnitude) value = std::abs(value);
+    const Relation relation = constraint.condition.bound.relation;
+    if (relation == Relation::greater || relation == Relation::at_least) value = -value;
+  }
+  return value;
+}
+
+std::string judged(const TuneGoal& goal, const std::optional<Estimate>& difference, double plain) {
+  if (!difference) return fmt::format("a difference of {}, not tested", cost_text(goal, plain));
+  const std::string text = cost_text(goal, difference->value, difference);
+  if (difference->upper < 0.0) return fmt::format("a difference of {}: significantly better", text);
+  if (difference->lower > 0.0) return fmt::format("a difference of {}: significantly worse", text);
+  return fmt::format("a difference of {}: not significant", text);
+}
+
+std::string comparison(const TuneSummary& summary, const std::string& what, const TunePoint& other,
+                       const TunePoint& best, const std::optional<Estimate>& difference) {
+  const TuneGoal& goal = summary.goal;
+  std::string verdict = judged(goal, difference, best.score.cost - other.score.cost);
+  if (best.score.is_kept() && !other.score.is_kept()) {
+    verdict += ", and it breaks a constraint that the best point keeps";
+  }
+  return fmt::format("{}: {}; {}", what, cost_text(goal, other.score.cost), verdict);
+}
+
+Table case_table(const TuneSummary& summary) {
+  Table table{{{"case", "", "scene, camera and light"}}, {}};
+  for (const char* when : {"default", "best"}) {
+    for (const Column& column : summary.goal.columns) {
+      table.columns.push_back({fmt::format("{}: {}", when, column_title(column)), "", column.meaning});
+    }
+  }
+  const auto add = [&](const std::vector<TuneCase>& cases, const TunePoint& before, const TunePoint& best,
+                       const char* prefix) {
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+      std::vector<Value> row = {prefix + cases[c].title};
+      for (const TunePoint* point : {&before, &best}) {
+        for (std::size_t k = 0; k < summary.goal.columns.size(); ++k) {
+          row.emplace_back(statistic_text(point->cases[c][k], summary.goal.columns[k].unit));
+        }
+      }
+      table.rows.push_back(std::move(row));
+    }
+  };
+  add(summary.cases, summary.result.before, summary.result.best, "");
+  if (summary.held_out) add(summary.held_out->cases, summary.held_out->before, summary.held_out->best, "held out: ");
+  return table;
+}
+
+// The values of an axis, next to the best one, at which the scanned cost first exceeds the least by a twentieth.
+std::string tolerance_text(const TuneSummary& summary, const AxisScan& scan) {
+  const TuneAxis& axis = summary.axes[scan.axis];
+  if (axis.is_word()) return "—";
+  const double limit = summary.result.best.score.cost + 0.05 * std::abs(summary.result.best.score.cost);
+  const double best = position_of(axis, summary.result.best.values[scan.axis]);
+  const Value* lower = &summary.result.best.values[scan.axis];
+  const Value* upper = lower;
+  for (const TunePoint& point : scan.points) {
+    const Value& value = point.values[scan.axis];
+    if (position_of(axis, value) <= best || !(point.score.cost <= limit) || !point.score.is_kept()) {
+      if (position_of(axis, value) > best) break;
+      continue;
+    }
+    upper = &value;
+  }
+  for (auto point = scan.points.rbegin(); point != scan.points.rend(); ++point) {
+    const Value& value = point->values[scan.axis];
+    if (position_of(axis, value) >= best) continue;
+    if (!(point->score.cost <= limit) || !point->score.is_kept()) break;
+    lower = &value;
+  }
+  return fmt::format("{} to {}", value_text(axis, *lower), value_text(axis, *upper));
+}
+
+// The largest cost along the axis, in multiples of the least.
+std::string worst_text(const TuneSummary& summary, const AxisScan& scan) {
+  double worst = summary.result.best.score.cost;
+  for (const TunePoint& point : scan.points) {
+    if (std::isfinite(point.score.cost)) worst = std::max(worst, point.score.cost);
+  }
+  return cost_text(summary.goal, worst);
+}
+
+Table sensitivity_table(const TuneSummary& summary) {
+  Table table{{{"parameter", "", "varied; the others keep their best values"},
+               {"axis", "", "values that were allowed"},
+               {"best", "", "value of least cost"},
+               {"within 5 %", "", "measured values next to it whose cost is at most 5 % higher"},
+               {"highest cost", "", "on the measured values of the axis"}},
+              {}};
+  for (const AxisScan& scan : summary.result.scans) {
+    const TuneAxis& axis = summary.axes[scan.axis];
+    table.rows.push_back({axis.key(), axis.axis.text, value_text(axis, summary.result.best.values[scan.axis]),
+                          tolerance_text(summary, scan), worst_text(summary, scan)});
+  }
+  return table;
+}
+
+std::vector<std::string> lines_of(const Table& table) {
+  std::vector<std::vector<std::string>> rows(1);
+  for (const Column& column : table.columns) rows.front().push_back(column.name);
+  for (const std::vector<Value>& row : table.rows) {
+    std::vector<std::string>& cells = rows.emplace_back();
+    for (const Value& value : row) cells.push_back(to_string(value));
+  }
+  return aligned(rows);
+}
+
+double shown(const TuneGoal& goal, double cost) { return cost_unit(goal) == "1" ? 100.0 * cost : cost; }
+
+std::string cost_label(const TuneGoal& goal) {
+  const std::string unit = cost_unit(goal) == "1" ? "%" : cost_unit(goal);
+  return fmt::format("{}{}{}", goal.text, goal.is_worst_case ? ", worst case" : "",
+                     unit.empty() ? "" : " [" + unit + "]");
+}
+
+// One line through the costs along an axis.
+PlotFigure scan_figure(const TuneSummary& summary, const AxisScan& scan) {
+  const TuneAxis& axis = summary.axes[scan.axis];
+  PlotFigure plot;
+  plot.stem = fmt::format("cost_{}", scan.axis);
+  plot.title = "Cost along " + axis.key();
+  plot.caption =
+      "Cost along " + axis.key() + ", the other parameters at their best values. The ring is the best point.";
+  plot.x = {"value", label_of(axis.axis), axis.is_logarithmic};
+  plot.y = {"cost", cost_label(summary.goal)};
+  plot.mark = "best";
+  plot.data.columns = {{"value", axis.axis.unit, "value"}, {"cost", "1", "cost"}, {"best", "", "best point"}};
+  for (const TunePoint& point : scan.points) {
+    const Value& value = point.values[scan.axis];
+    plot.data.rows.push_back({to_number(value), shown(summary.goal, point.score.cost), false});
+  }
+  plot.data.rows.push_back(
+      {to_number(summary.result.best.values[scan.axis]), shown(summary.goal, summary.result.best.score.cost), true});
+  return plot;
+}
+
+PlotFigure search_figure(const TuneSummary& summary) {
+  PlotFigure plot;
+  plot.stem = "search";
+  plot.title = "Least cost during the search";
+  plot.caption = "The least cost so far, after each evaluation. Points that break a constraint do not count.";
+  plot.x = {"evaluation", "evaluation"};
+  plot.y = {"cost", cost_label(summary.goal)};
+  plot.data.columns = {{"evaluation", "1", "number"}, {"cost", "1", "least cost so far"}};
+  std::optional<TuneScore> best;
+  std::int64_t number = 0;
+  for (const TunePoint& point : summary.result.points) {
+    ++number;
+    if (!best || is_better(point.score, *best)) best = point.score;
+    if (best->is_kept()) plot.data.rows.push_back({number, shown(summary.goal, best->cost)});
+  }
+  return plot;
+}
+
+PlotFigure front_figure(const TuneSummary& summary, const std::vector<TunePoint>& front) {
+  const TuneGoal& goal = summary.goal;
+  const std::vector<std::size_t> objectives = objectives_of(goal);
+  const Column& x = goal.columns[objectives[0]];
+  const Column& y = goal.columns[objectives[1]];
+  const auto label = [](const Column& column) {
+    return fmt::format("{} [{}]", column.name, column.unit == "1" ? "%" : column.unit);
+  };
+  const auto number = [](const Column& column, double value) { return column.unit == "1" ? 100.0 * value : value; };
+  PlotFigure plot;
+  plot.stem = "pareto_front";
+  plot.title = "Pareto front";
+  plot.caption = fmt::format(
+      "Points of which none is better in every objective, {} against {}. The ring is the best point by the cost and "
+      "the "
+      "constraints.",
+      y.name, x.name);
+  plot.x = {"x", label(x)};
+  plot.y = {"y", label(y)};
+  plot.mark = "best";
+  plot.data.columns = {{"x", "1", x.meaning}, {"y", "1", y.meaning}, {"best", "", "best point"}};
+  const auto add = [&](const TunePoint& point, bool best) {
+    plot.data.rows.push_back({number(x, aggregate(goal, objectives[0], point.cases)),
+                              number(y, aggregate(goal, objectives[1], point.cases)), best});
+  };
+  for (const TunePoint& point : front) add(point, false);
+  add(summary.result.best, true);
+  return plot;
+}
+
+Table front_table(const TuneSummary& summary, const std::vector<TunePoint>& front) {
+  Table table;
+  for (const TuneAxis& axis : summary.axes) table.columns.push_back({axis.key(), "", "value"});
+  for (const std::size_t c : objectives_of(summary.goal)) {
+    table.columns.push_back({summary.goal.columns[c].name, "", summary.goal.columns[c].meaning});
+  }
+  constexpr std::size_t max_rows = 30;
+  for (const std::size_t i : thin(front.size(), max_rows).indices) {
+    std::vector<Value> row;
+    for (std::size_t a = 0; a < summary.axes.size(); ++a) {
+      row.emplace_back(value_text(summary.axes[a], front[i].values[a]));
+    }
+    for (const std::size_t c : objectives_of(summary.goal)) {
+      row.emplace_back(statistic_text(aggregate(summary.goal, c, front[i].cases), summary.goal.columns[c].unit));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::string constraint_line(const TuneSummary& summary) {
+  if (summary.goal.constraints.empty()) return {};
+  if (!summary.result.best.score.is_kept())
+    return "no point keeps every constraint in every case; this one breaks them least";
+  return "every constraint is kept in every case";
+}
+
+std::string method_text(const TuneSummary& summary) {
+  const TuneResult& result = summary.result;
+  std::string text = fmt::format("Search: {}; {} {}", result.method, result.evaluations,
+                                 result.evaluations == 1 ? "evaluation" : "evaluations");
+  if (!result.stopped_by.empty()) text += ", stopped after " + result.stopped_by;
+  return text + fmt::format(" of {} {}.", summary.cases.size(), summary.cases.size() == 1 ? "case" : "cases");
+}
+
+}  // namespace
+
+std::vector<TunePoint> pareto_front(const TuneGoal& goal, const std::vector<TunePoint>& points) {
+  const std::vector<std::size_t> objectives = objectives_of(goal);
+  std::vector<std::vector<double>> values;
+  for (const TunePoint& point : points) {
+    std::vector<double>& of_point = values.emplace_back();
+    for (const std::size_t c : objectives) of_point.push_back(objective(goal, c, point.cases));
+  }
+  const auto dominates = [&](std::size_t a, std::size_t b) {
+    bool is_less = false;
+    for (std::size_t k = 0; k < objectives.size(); ++k) {
+      if (!(values[a][k] <= values[b][k])) return false;
+      is_less = is_less || values[a][k] < values[b][k];
+    }
+    return is_less || a < b;  // of equal points the first
+  };
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    bool is_dominated = std::any_of(values[i].begin(), values[i].end(), [](double v) { return std::isnan(v); });
+    for (std::size_t j = 0; j < points.size() && !is_dominated; ++j) is_dominated = j != i && dominates(j, i);
+    if (!is_dominated) kept.push_back(i);
+  }
+  std::sort(kept.begin(), kept.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::vector<TunePoint> front;
+  for (const std::size_t i : kept) front.push_back(points[i]);
+  return front;
+}
+
+std::vector<std::string> end_warnings(const TuneSummary& summary) {
+  std::vector<std::string> warnings;
+  Experiment experiment;
+  const Parameters parameters = describe(experiment);
+  for (std::size_t a = 0; a < summary.axes.size(); ++a) {
+    const TuneAxis& axis = summary.axes[a];
+    if (axis.is_word() || axis.count() < 2) continue;
+    const Value& value = summary.result.best.values[a];
+    const double position = position_of(axis, value);
+    constexpr double near_end = 0.005;
+    if (axis.is_continuous ? position > near_end && position < 1.0 - near_end : position > 0.0 && position < 1.0)
+      continue;
+    std::vector<double> ends;
+    for (const Value& each : axis.axis.values) ends.push_back(to_number(each));
+    const double end = to_number(position < 0.5 ? axis.axis.values.front() : axis.axis.values.back());
+    const AxisEnd at = end_of(ends, end, require(parameters, axis.key()).description);
+    if (at == AxisEnd::none) continue;
+    warnings.push_back(fmt::format("{}: the best value {} is the {} end of the axis; extend it", axis.key(),
+                                   value_text(axis, value), at == AxisEnd::lower ? "lower" : "upper"));
+  }
+  return warnings;
+}
+
+Presentation present_tuning(const TuneSummary& summary) {
+  const TuneResult& result = summary.result;
+  const TuneGoal& goal = summary.goal;
+  Presentation shown_part;
+  std::vector<std::string>& answers = shown_part.answers;
+  answers.push_back(fmt::format(
+      "best: {}: {} {}{}", point_text(summary.axes, result.best.values), goal.text,
+      cost_text(goal, result.best.score.cost, summary.judgement.best),
+      summary.cases.size() == 1
+          ? ""
+          : fmt::format(", {} of {} cases", goal.is_worst_case ? "the worst" : "the mean", summary.cases.size())));
+  if (const std::string line = constraint_line(summary); !line.empty()) answers.push_back("constraints: " + line);
+  answers.push_back(comparison(summary, "default", result.before, result.best, summary.judgement.against_before));
+  if (result.runner_up) {
+    answers.push_back(comparison(summary,
+                                 fmt::format("runner-up {}", point_text(summary.axes, result.runner_up->values)),
+                                 *result.runner_up, result.best, summary.judgement.against_runner_up));
+  }
+  if (summary.held_out) {
+    const HeldOut& held = *summary.held_out;
+    answers.push_back(
+        fmt::format("held out, {}: {} → {}; {}",
+                    held.cases.size() == 1 ? held.cases.front().title : fmt::format("{} cases", held.cases.size()),
+                    cost_text(goal, held.before.score.cost), cost_text(goal, held.best.score.cost),
+                    judged(goal, held.difference, held.best.score.cost - held.before.score.cost)));
+  } else {
+    answers.emplace_back("held out: nothing; the scenes have no camera left, name one with --held-out");
+  }
+  for (const std::string& warning : end_warnings(summary)) answers.push_back("warning: " + warning);
+
+  std::vector<TunePoint> candidates = result.points;
+  candidates.insert(candidates.end(), result.curve.begin(), result.curve.end());
+  const std::vector<TunePoint> front = pareto_front(goal, candidates);
+  const Table sensitivity = sensitivity_table(summary);
+  shown_part.lines = lines_of(sensitivity);
+  ReportSection& section = shown_part.section;
+  section.title = "Tuning";
+  section.text =
+      method_text(summary) +
+      "\n\nIntervals are 95 % over the choice of pixels: each of up to 64 blocks of the image is left out in "
+      "turn (jackknife). Differences are paired: both points lose the same block.";
+  section.tables.push_back({"Sensitivity to each parameter", sensitivity});
+  section.tables.push_back({"Each case", case_table(summary)});
+  if (objectives_of(goal).size() > 1) {
+    section.tables.push_back({"Pareto front", front_table(summary, front)});
+    add_figure(shown_part, front_figure(summary, front));
+  }
+  for (const AxisScan& scan : result.scans) {
+    if (!summary.axes[scan.axis].is_word() && scan.points.size() > 1) {
+      add_figure(shown_part, scan_figure(summary, scan));
+    }
+  }
+  if (result.points.size() > 1) {
+    PlotFigure search = search_figure(summary);
+    if (search.data.rows.size() > 1) add_figure(shown_part, std::move(search));
+  }
+  shown_part.details.push_back(method_text(summary));
+  return shown_part;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,52 @@
+// The result of a tuning as text, figures, a page section, a table and JSON.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/presentation/presentation.h"
+#include "experiments/tuning/tune_significance.h"
+
+namespace umbrameter {
+
+/// What the significance of a tuning is judged by.
+struct TuneJudgement {
+  std::optional<Estimate> best;               ///< cost, with its interval
+  std::optional<Estimate> against_before;     ///< best − default
+  std::optional<Estimate> against_runner_up;  ///< best − runner-up
+};
+
+/// The check on cases that the search did not see.
+struct HeldOut {
+  std::vector<TuneCase> cases;
+  TunePoint before, best;
+  std::optional<Estimate> difference;  ///< best − default
+};
+
+struct TuneSummary {
+  const std::vector<TuneAxis>& axes;
+  const std::vector<TuneCase>& cases;
+  const TuneGoal& goal;
+  const TuneResult& result;
+  const TuneJudgement& judgement;
+  const std::optional<HeldOut>& held_out;
+};
+
+/// Points of which none is better in every objective: each statistic of the cost, and each constrained one. Ordered by
+/// the first objective; one point where there is one objective.
+std::vector<TunePoint> pareto_front(const TuneGoal& goal, const std::vector<TunePoint>& points);
+
+/// Axes at whose end the best value lies, although the parameter could go on: "shadow.normal-offset: the best value 3
+/// is the upper end of the axis; extend it".
+std::vector<std::string> end_warnings(const TuneSummary& summary);
+
+Presentation present_tuning(const TuneSummary& summary);
+
+/// A row for each evaluated point: its values, cost, violation, then each statistic over the cases.
+Table evaluation_table(const TuneSummary& summary);
+
+nlohmann::ordered_json to_json(const TuneSummary& summary);
+
+}  // namespace umbrameter

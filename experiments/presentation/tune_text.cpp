@@ -1,0 +1,68 @@
+#include "experiments/presentation/tune_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "experiments/number_text.h"
+
+namespace umbrameter {
+namespace {
+
+int decimals_for(double size) {
+  return size > 0.0 && std::isfinite(size) ? std::clamp(1 - static_cast<int>(std::floor(std::log10(size))), 0, 9) : 0;
+}
+
+}  // namespace
+
+std::string statistic_text(double value, const std::string& unit) {
+  if (!std::isfinite(value)) return "—";
+  if (unit == "1") return percent(value);
+  if (unit == "m") return metres_text(value);
+  return fmt::format("{:.4g} {}", value, unit);
+}
+
+std::string cost_unit(const TuneGoal& goal) {
+  std::string unit;
+  for (const TuneTerm& term : goal.terms) {
+    const std::string& of_term = goal.columns[term.column].unit;
+    if (!unit.empty() && unit != of_term) return "";
+    unit = of_term;
+  }
+  return unit;
+}
+
+std::string cost_text(const TuneGoal& goal, double value, const std::optional<Estimate>& interval) {
+  const std::string unit = cost_unit(goal);
+  if (!interval || !(interval->upper > interval->lower)) return statistic_text(value, unit);
+  const double scale = unit == "1" ? 100.0 : 1.0;
+  const int decimals = decimals_for(scale * 0.5 * (interval->upper - interval->lower));
+  const std::string shown = unit == "1" ? " %" : unit.empty() ? "" : " " + unit;
+  return fmt::format("{:.{}f}{} [{:.{}f}, {:.{}f}]", scale * interval->value, decimals, shown, scale * interval->lower,
+                     decimals, scale * interval->upper, decimals);
+}
+
+std::string value_text(const TuneAxis& axis, const Value& value) {
+  const auto* number = std::get_if<double>(&value);
+  std::string text = number != nullptr ? fmt::format("{:.5g}", *number) : to_string(value);
+  if (number != nullptr && std::isnan(*number)) text = "in another unit";
+  const std::string& unit = axis.axis.unit;
+  return unit.empty() || unit == "1" || axis.is_word() ? text : text + " " + unit;
+}
+
+std::string point_text(const std::vector<TuneAxis>& axes, const std::vector<Value>& values) {
+  std::string text;
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    const std::string& key = axes[a].key();
+    text += fmt::format("{}{} {}", a > 0 ? ", " : "", key.substr(key.find('.') + 1), value_text(axes[a], values[a]));
+  }
+  return text;
+}
+
+std::string kept_text(const TuneGoal& goal, const TuneScore& score) {
+  if (goal.constraints.empty() || score.is_kept()) return "";
+  return goal.constraints.size() == 1 ? " (breaks the constraint)" : " (breaks constraints)";
+}
+
+}  // namespace umbrameter

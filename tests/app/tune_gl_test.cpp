@@ -1,0 +1,107 @@
+// `tune` as a program: its best point against a grid, its files, and what it does with wrong input and interrupts.
+#include <algorithm>
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "reports/files/data.h"
+#include "tests/app/gl_run.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::json;
+
+class Tune : public GlRun {
+ protected:
+  std::vector<std::string> arguments(const std::string& output, const std::vector<std::string>& more) const {
+    return words({"tune", "corner", "-o", folder_ / output, "--size", "96x54", "--no-figures", "--truth.spp", "16"},
+                 more);
+  }
+  Json tuning(const std::string& output, const std::vector<std::string>& more) const {
+    const ProgramResult result = run_program(arguments(output, more));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return Json::parse(text_of(folder_ / (output + "/summary.json")))["tuning"];
+  }
+};
+
+TEST_F(Tune, Of_the_bias_alone_is_at_least_as_good_as_a_grid_of_a_thousand) {
+  const Json tuned = tuning("tuned", {"--light", "sun", "--vary", "shadow.constant-bias=0:0.2"});
+  const std::vector<std::string> sweep = {
+      "sweep",       "corner",  "-o",  folder_ / "grid", "--size",
+      "96x54",       "--light", "sun", "--vary",         "shadow.constant-bias=0:0.2:1000",
+      "--no-figures"};
+  ASSERT_EQ(run_program(sweep).exit_code, 0);
+  const Json grid = Json::parse(text_of(folder_ / "grid/summary.json"))["sweep"]["least_mae"][0];
+  EXPECT_LE(tuned["best"]["cost"].get<double>(), grid["mae"].get<double>());
+  EXPECT_EQ(tuned["evaluations"], 1);
+
+  // The best point, measured as a configuration like any other, has the cost that the search found.
+  const std::vector<std::string> compare = {"compare",         "-c",          folder_ / "tuned/tuned.toml", "-o",
+                                            folder_ / "again", "--no-figures"};
+  ASSERT_EQ(run_program(compare).exit_code, 0);
+  const Json again = Json::parse(text_of(folder_ / "again/summary.json"))["shadows"][0]["statistics"];
+  EXPECT_NEAR(again["mae"].get<double>(), tuned["best"]["cost"].get<double>(), 1e-12);
+}
+
+TEST_F(Tune, Over_several_lights_and_parameters_beats_the_default_and_repeats_to_the_bit) {
+  const std::vector<std::string> flags = {"--vary",        "shadow.constant-bias=0:8texels",
+                                          "--vary",        "shadow.slope-bias=0:4",
+                                          "--vary",        "shadow.normal-offset=0:2",
+                                          "--constraint",  "acne<5%",
+                                          "--evaluations", "15"};
+  const Json first = tuning("first", flags);
+  EXPECT_LT(first["best"]["cost"].get<double>(), first["default"]["cost"].get<double>());
+  EXPECT_TRUE(first["best"]["keeps_constraints"]);
+  EXPECT_EQ(first["sensitivity"].size(), 3u);
+  EXPECT_EQ(first["evaluations"], 15);
+  EXPECT_EQ(tuning("second", flags), first);
+  EXPECT_EQ(text_of(folder_ / "second/evaluations.csv"), text_of(folder_ / "first/evaluations.csv"));
+}
+
+TEST_F(Tune, Interrupted_run_resumes_to_the_same_result) {
+  const std::vector<std::string> flags = {
+      "--light", "sun", "--vary", "shadow.slope-bias=0:4", "--vary", "shadow.normal-offset=0:2", "--evaluations", "20"};
+  const Json whole = tuning("whole", flags);
+  ProgramOptions options;
+  options.signal = SIGINT;
+  options.signal_counts_from = [&] {
+    const std::string journal = text_of(folder_ / "parts/tuning.partial.jsonl");
+    return std::count(journal.begin(), journal.end(), '\n') > 5;
+  };
+  const ProgramResult interrupted = run_program(arguments("parts", flags), options);
+  EXPECT_EQ(interrupted.exit_code, 130) << interrupted.err;
+  EXPECT_NE(interrupted.err.find("rerun the command to resume"), std::string::npos) << interrupted.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "parts/summary.json"));
+  EXPECT_EQ(tuning("parts", flags), whole);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "parts/tuning.partial.jsonl"));
+}
+
+TEST_F(Tune, Of_ambient_occlusion_goes_through_all_combinations_where_these_are_few) {
+  const Json tuned =
+      tuning("ao", {"--vary", "ao.samples=4,16", "--vary", "ao.blur-size=2,4,8", "--constraint", "ao.samples<=8"});
+  EXPECT_EQ(tuned["method"], "all 6 combinations");
+  EXPECT_EQ(tuned["best"]["values"]["ao.samples"], 4);
+}
+
+TEST_F(Tune, Refuses_in_one_line_what_it_cannot_tune) {
+  const auto expect = [&](const std::vector<std::string>& more, const std::string& part) {
+    const ProgramResult result = run_program(arguments("refused", more));
+    EXPECT_EQ(result.exit_code, 2) << result.err;
+    EXPECT_TRUE(is_one_line(result.err)) << result.err;
+    EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "refused"));
+  };
+  const std::vector<std::string> bias = {"--vary", "shadow.constant-bias=0:8texels"};
+  expect({}, "nothing to vary");
+  expect({"--vary", "view.camera=0,1"}, "use --over");
+  expect({"--vary", "shadow.constant-bias=8texels:0texels"}, "the first end is larger");
+  expect(words(bias, {"--minimize", "flup"}), "there is no statistic 'flup'");
+  expect(words(bias, {"--constraint", "acne"}), "there is no <");
+  expect(words(bias, {"--over", "view.camera"}), "no '='");
+  expect(words(bias, {"--over", "shadow.constant-bias=1"}), "is varied, too");
+  expect(words(bias, {"--vary", "ao.radius=0.1:1"}), "both shadows and ambient occlusion");
+  expect(words(bias, {"--shadow.technique", "vsm", "--light", "sun", "--minimize", "acne"}), "report no 'acne'");
+}
+
+}  // namespace
+}  // namespace umbrameter

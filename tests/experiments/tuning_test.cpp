@@ -1,0 +1,168 @@
+// The parts of a tuning whose answer is known: axes, goals, the search, the front, the journal.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+
+#include "core/error.h"
+#include "experiments/experiment.h"
+#include "experiments/presentation/tune_report.h"
+#include "experiments/tuning/minimize.h"
+#include "experiments/tuning/tune_goal.h"
+#include "experiments/tuning/tune_journal.h"
+#include "experiments/tuning/tune_significance.h"
+#include "tests/support/temporary_folder.h"
+
+namespace umbrameter {
+namespace {
+
+TuneAxis axis(const std::string& key, const std::string& text) {
+  Experiment experiment;
+  return parse_tune_axis(describe(experiment), key, text);
+}
+
+std::string refusal(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::usage);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(TuneAxis, Range_is_continuous_and_its_ends_are_exact) {
+  const TuneAxis range = axis("shadow.constant-bias", "0:8texels");
+  EXPECT_TRUE(range.is_continuous);
+  EXPECT_EQ(range.axis.unit, "texels");
+  EXPECT_EQ(to_number(value_at(range, 0.0)), 0.0);
+  EXPECT_EQ(to_number(value_at(range, 1.0)), 8.0);
+  EXPECT_EQ(to_number(value_at(range, 0.5)), 4.0);
+  EXPECT_EQ(position_of(range, 2.0), 0.25);
+  const TuneAxis logarithmic = axis("ao.radius", "0.1:10:log");
+  EXPECT_EQ(to_number(value_at(logarithmic, 0.5)), 1.0);
+  EXPECT_NEAR(position_of(logarithmic, 1.0), 0.5, 1e-15);
+}
+
+TEST(TuneAxis, Whole_numbers_are_those_that_the_parameter_accepts) {
+  EXPECT_EQ(axis("shadow.resolution", "256:1024").axis.values,
+            (std::vector<Value>{std::int64_t{256}, std::int64_t{512}, std::int64_t{1024}}));
+  EXPECT_EQ(axis("ao.samples", "4:7").count(), 4u);
+  EXPECT_FALSE(axis("ao.samples", "4:7").is_continuous);
+}
+
+TEST(TuneAxis, Of_a_sweep_keeps_its_values_and_words_have_no_order) {
+  EXPECT_EQ(axis("shadow.slope-bias", "0:2:5").count(), 5u);
+  EXPECT_TRUE(axis("shadow.filter", "nearest,box").is_word());
+  EXPECT_NE(refusal([] { axis("shadow.slope-bias", "2:1"); }), "");
+  EXPECT_NE(refusal([] { axis("shadow.slope-bias", "0:x"); }), "");
+  EXPECT_NE(refusal([] { axis("shadow.slope-bais", "0:1"); }).find("did you mean"), std::string::npos);
+}
+
+TuneGoal goal(const std::string& cost, const std::vector<std::string>& constraints = {}, bool worst = false) {
+  static const std::vector<TuneAxis> axes = {axis("shadow.slope-bias", "0:4")};
+  return make_goal(cost, constraints, "shadow", axes, worst);
+}
+
+TEST(TuneGoal, Cost_is_the_weighted_sum_over_the_mean_or_the_worst_case) {
+  const TuneGoal mean = goal("acne + 0.5*rmse");
+  const std::vector<CaseValues> cases = {{0.1, 0.2}, {0.3, 0.0}};
+  EXPECT_DOUBLE_EQ(total_cost(mean, cases), 0.25);
+  EXPECT_DOUBLE_EQ(total_cost(goal("acne + 0.5*rmse", {}, true), cases), 0.3);
+  EXPECT_TRUE(std::isnan(total_cost(mean, {{0.1, std::nan("")}})));
+}
+
+TEST(TuneGoal, Constraint_holds_in_every_case_and_comes_before_the_cost) {
+  const TuneGoal constrained = goal("mae", {"acne<10%"});
+  const TuneScore kept = score_of(constrained, {0.0}, {{0.5, 0.05}, {0.5, 0.09}});
+  const TuneScore broken = score_of(constrained, {0.0}, {{0.1, 0.05}, {0.1, 0.2}});
+  EXPECT_TRUE(kept.is_kept());
+  EXPECT_NEAR(broken.violation, 1.0, 1e-6);  // 20 % is 100 % more than 10 %
+  EXPECT_TRUE(is_better(kept, broken));
+  EXPECT_LT(to_number(kept), to_number(broken));
+  EXPECT_FALSE(score_of(goal("mae", {"shadow.slope-bias<=1"}), {1.5}, {{0.1}}).is_kept());
+}
+
+TEST(TuneGoal, Unknown_names_and_senseless_weights_are_refused) {
+  EXPECT_NE(refusal([] { goal("mea"); }).find("did you mean 'mae'"), std::string::npos);
+  EXPECT_NE(refusal([] { goal("ssim"); }).find("write -1*ssim"), std::string::npos);
+  EXPECT_EQ(refusal([] { goal("-1*ssim"); }), "");
+  EXPECT_NE(refusal([] { goal("ao.mae"); }).find("of kind ao"), std::string::npos);
+  EXPECT_NE(refusal([] { goal("mae", {"shadow.resolution<3"}); }).find("not varied"), std::string::npos);
+  EXPECT_NE(refusal([] { goal("mae", {"acne<3dB"}); }).find("acne is a share"), std::string::npos);
+}
+
+TEST(Minimize, Finds_the_lower_of_two_valleys_to_a_thousandth) {
+  std::size_t calls = 0;
+  // Least at (0.8, 0.3), with a wider but higher valley at (0.2, 0.7).
+  const auto valleys = [&](const std::vector<double>& p) {
+    ++calls;
+    const auto distance = [&](double x, double y) { return std::hypot(p[0] - x, p[1] - y); };
+    return std::min(distance(0.8, 0.3), 0.2 + 0.5 * distance(0.2, 0.7));
+  };
+  const std::vector<double> best = minimize({2, 80, 120, {0.2, 0.7}}, valleys);
+  EXPECT_NEAR(best[0], 0.8, 1e-3);
+  EXPECT_NEAR(best[1], 0.3, 1e-3);
+  EXPECT_LE(calls, 210u);
+}
+
+TEST(Minimize, Passes_on_what_the_function_throws) {
+  struct Stop {};
+  std::size_t calls = 0;
+  const auto function = [&](const std::vector<double>&) -> double {
+    if (++calls == 5) throw Stop{};
+    return 1.0;
+  };
+  EXPECT_THROW(minimize({1, 50, 50, {}}, function), Stop);
+  EXPECT_EQ(calls, 5u);
+}
+
+TunePoint point(double acne, double mae) { return {{0.0}, {{mae, acne}}, {}}; }
+
+TEST(ParetoFront, Holds_the_points_of_which_none_is_better_in_both) {
+  const TuneGoal both = goal("mae", {"acne<10%"});
+  const std::vector<TunePoint> front =
+      pareto_front(both, {point(0.3, 0.1), point(0.2, 0.2), point(0.3, 0.2), point(0.1, 0.3), point(0.1, 0.3)});
+  ASSERT_EQ(front.size(), 3u);
+  EXPECT_EQ(front[0].cases[0], (CaseValues{0.1, 0.3}));
+  EXPECT_EQ(front[2].cases[0], (CaseValues{0.3, 0.1}));
+}
+
+TEST(CostDifference, Of_points_that_differ_alike_in_every_block_is_significant) {
+  const TuneGoal mae = goal("mae");
+  // One case of four blocks. b is worse by 0.1 whichever block is left out, although both vary by much more.
+  const LeftOutBlocks a = {{{0.5}, {0.9}, {0.1}, {0.5}}};
+  const LeftOutBlocks b = {{{0.6}, {1.0}, {0.2}, {0.6}}};
+  const std::optional<Estimate> difference = cost_difference(mae, {{0.5}}, a, {{0.6}}, b);
+  ASSERT_TRUE(difference.has_value());
+  EXPECT_NEAR(difference->value, -0.1, 1e-12);
+  EXPECT_LT(difference->upper, 0.0);
+  // Of one alone: 2 √(3/4 · (0.4² + 0.4²)) = 0.9798
+  const std::optional<Estimate> alone = cost_interval(mae, {{0.5}}, a);
+  EXPECT_NEAR(alone->upper - alone->value, 0.979796, 1e-5);
+  EXPECT_FALSE(cost_interval(mae, {{0.5}}, {{}}).has_value());
+}
+
+TEST(TuneJournal, Is_read_back_to_the_bit_and_a_line_that_was_cut_off_is_ignored) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "journal";
+  const std::vector<std::pair<std::string, std::string>> settings = {{"an axis", "a"}};
+  const TuneRecord record{{0.1, std::int64_t{3}, std::string("box"), true}, {{1.0 / 3.0, std::nan("")}}};
+  {
+    TuneJournal journal(path, settings);
+    journal.add("first", record);
+    journal.add("second", record);
+  }
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 9);
+  TuneJournal journal(path, settings);
+  EXPECT_EQ(journal.count(), 1u);
+  ASSERT_NE(journal.find("first"), nullptr);
+  EXPECT_EQ(journal.find("first")->point, record.point);
+  EXPECT_EQ(journal.find("first")->cases[0][0], 1.0 / 3.0);
+  EXPECT_TRUE(std::isnan(journal.find("first")->cases[0][1]));
+  EXPECT_NE(refusal([&] { TuneJournal(path, {{"an axis", "b"}}); }).find("an axis differs"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace umbrameter
