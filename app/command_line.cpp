@@ -137,7 +137,7 @@ void add_tune_options(CLI::App& command, CommandLine& line) {
   command.add_option("--held-out", tune.held_out, "check the result on view.camera=LIST or scene=NAME; repeatable")
       ->type_name("PARAM=LIST")
       ->take_all();
-  command.add_option("--evaluations", tune.evaluations, "max evaluations of all cases (30 for each axis)")
+  command.add_option("--evaluations", tune.evaluations, "max evaluations of all cases (30 for each searched axis)")
       ->check(CLI::Range(1, 1000000))
       ->type_name("N");
   command.add_option("--minutes", tune.minutes, "end the search after this time")

@@ -296,6 +296,12 @@ std::vector<std::string> end_warnings(const TuneSummary& summary) {
     constexpr double near_end = 0.005;
     if (axis.is_continuous ? position > near_end && position < 1.0 - near_end : position > 0.0 && position < 1.0)
       continue;
+    // Where the cost does not depend on the parameter, any value is as good.
+    const std::vector<TunePoint>& scanned = summary.result.scans[a].points;
+    const bool matters = std::any_of(scanned.begin(), scanned.end(), [&](const TunePoint& point) {
+      return is_better(summary.result.best.score, point.score);
+    });
+    if (!matters) continue;
     std::vector<double> ends;
     for (const Value& each : axis.axis.values) ends.push_back(to_number(each));
     const double end = to_number(position < 0.5 ? axis.axis.values.front() : axis.axis.values.back());

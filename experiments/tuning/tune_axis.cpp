@@ -41,6 +41,19 @@ std::vector<Value> whole_numbers(const Parameter& parameter, double first, doubl
   return values;
 }
 
+// parse_axis() of a text that the user did not write: messages show the written one.
+SweepAxis parse_ends(const Parameters& parameters, std::string_view key, std::string_view text,
+                     const std::string& with_count) {
+  try {
+    return parse_axis(parameters, key, with_count);
+  } catch (const Error& error) {
+    const std::string_view message = error.what();
+    const std::string prefix = fmt::format("--vary {}={}: ", key, with_count);
+    if (!message.starts_with(prefix)) throw;
+    throw Error(error.code(), fmt::format("--vary {}={}", key, text), std::string(message.substr(prefix.size())));
+  }
+}
+
 }  // namespace
 
 bool TuneAxis::is_word() const {
@@ -53,7 +66,7 @@ TuneAxis parse_tune_axis(const Parameters& parameters, std::string_view key, std
   const bool is_log = text.ends_with(":log");
   const std::string_view ends = is_log ? text.substr(0, text.size() - 4) : text;
   const std::string with_count = fmt::format("{}:2{}", ends, is_log ? ":log" : "");
-  TuneAxis axis{parse_axis(parameters, key, with_count), true, is_log};
+  TuneAxis axis{parse_ends(parameters, key, text, with_count), true, is_log};
   axis.axis.text = text;
   if (to_number(axis.axis.values.front()) > to_number(axis.axis.values.back())) {
     throw Error(ExitCode::usage, fmt::format("--vary {}={}", key, text), "the first end is larger than the last",

@@ -44,7 +44,7 @@ std::vector<double> dense_values(const Parameters& parameters, const TuneAxis& a
 class Tuner {
  public:
   Tuner(const TuneInput& input, TuneJournal& journal, const TuneProgress& progress)
-      : in_(input), journal_(journal), progress_(progress), limit_(max_evaluations(input)), start_(Clock::now()) {
+      : in_(input), journal_(journal), progress_(progress), start_(Clock::now()) {
     for (std::size_t a = 0; a < in_.axes.size(); ++a) {
       if (in_.axes[a].key() == constant_bias_key && is_exact()) {
         exact_ = a;
@@ -52,6 +52,8 @@ class Tuner {
         (in_.axes[a].is_word() ? words_ : numbers_).push_back(a);
       }
     }
+    limit_ = in_.budget.evaluations;
+    if (limit_ == 0) limit_ = evaluations_per_axis * std::max<std::size_t>(1, words_.size() + numbers_.size());
     if (exact_) {
       Experiment experiment;
       constants_ = dense_values(describe(experiment), in_.axes[*exact_]);
@@ -89,7 +91,7 @@ class Tuner {
   static std::string key_of(const char* kind, const std::vector<Value>& values, std::optional<std::size_t> left_out) {
     std::string key = kind;
     for (std::size_t a = 0; a < values.size(); ++a) {
-      key += "|" + (a == left_out ? std::string("*") : to_string(values[a]));
+      key += fmt::format("|{}", a == left_out ? "*" : to_string(values[a]));
     }
     return key;
   }
@@ -323,7 +325,7 @@ class Tuner {
   const TuneInput& in_;
   TuneJournal& journal_;
   const TuneProgress& progress_;
-  std::size_t limit_;
+  std::size_t limit_ = 0;
   Clock::time_point start_;
   std::optional<std::size_t> exact_;
   std::vector<std::size_t> words_, numbers_;
@@ -334,11 +336,6 @@ class Tuner {
 };
 
 }  // namespace
-
-std::size_t max_evaluations(const TuneInput& input) {
-  if (input.budget.evaluations > 0) return input.budget.evaluations;
-  return evaluations_per_axis * std::max<std::size_t>(1, input.axes.size());
-}
 
 TuneResult tune(const TuneInput& input, TuneJournal& journal, const TuneProgress& progress) {
   return Tuner(input, journal, progress).run();

@@ -12,7 +12,7 @@
 namespace umbrameter {
 
 struct TuneBudget {
-  std::size_t evaluations = 0;  ///< 0: by the number of axes
+  std::size_t evaluations = 0;  ///< 0: 30 for each axis that is searched
   double minutes = 0.0;         ///< 0: no limit
 };
 
@@ -51,9 +51,6 @@ struct TuneInput {
   const TuneGoal& goal;
   TuneBudget budget;
 };
-
-/// Evaluations that the budget allows for these axes.
-std::size_t max_evaluations(const TuneInput& input);
 
 /// Throws Error (usage) if no point can be measured. Deterministic unless the budget is in minutes or a time is
 /// measured.
