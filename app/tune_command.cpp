@@ -359,6 +359,9 @@ ExitCode run_tune_command(const CommandLine& line, const Console& console) {
       if (notes.insert(text).second) report.notes.push_back(text);
     }
   }
+  if (line.no_figures) {
+    report.notes.emplace_back("This page has no pictures: the run used --no-figures. Rerun without it to draw them.");
+  }
   report.sections.push_back(part.section);
   Experiment experiment = job.experiments.front();
   for (const TuneAxis& axis : job.axes) experiment.axes.emplace_back(axis.key(), axis.axis.text);

@@ -249,10 +249,12 @@ std::string constraint_line(const TuneSummary& summary) {
 
 std::string method_text(const TuneSummary& summary) {
   const TuneResult& result = summary.result;
-  std::string text = fmt::format("Search: {}; {} {}", result.method, result.evaluations,
-                                 result.evaluations == 1 ? "evaluation" : "evaluations");
-  if (!result.stopped_by.empty()) text += ", stopped after " + result.stopped_by;
-  return text + fmt::format(" of {} {}.", summary.cases.size(), summary.cases.size() == 1 ? "case" : "cases");
+  const auto counted = [](std::size_t count, const char* what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  };
+  return fmt::format("Search: {}; {} of {}{}.", result.method, counted(result.evaluations, "evaluation"),
+                     counted(summary.cases.size(), "case"),
+                     result.stopped_by.empty() ? "" : ", stopped after " + result.stopped_by);
 }
 
 }  // namespace
