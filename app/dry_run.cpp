@@ -153,12 +153,12 @@ ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSw
   rows.emplace_back("groups",
                     fmt::format("{} of up to {} cells; {}", grouped(groups), grouped(group_at(plan, 0).size()),
                                 is_one_pass(stages, sweep.experiment, sweep.axes, sweep.statistics)
-                                    ? "one pass measures all constant and slope-scaled biases of a group"
+                                    ? "one pass measures all cells of a group"
                                     : "each cell is measured separately"));
   const EvaluateGroup evaluate = make_evaluator(stages, sweep.experiment, sweep.axes, sweep.statistics);
   const TimeEstimate estimate = estimate_time(plan, estimate_budget, [&](std::size_t index) {
     const auto start = std::chrono::steady_clock::now();
-    evaluate(group_at(plan, index), [](std::size_t, std::size_t, std::span<const Value>) {});
+    evaluate(group_at(plan, index), [](std::size_t, std::span<const Value>) {});
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   });
   rows.emplace_back("time", fmt::format("{} {} to measure, plus the report; estimated from {} measured groups of {}",

@@ -130,7 +130,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   check_axes(axes, experiment);
   const SweptQuantity quantity = choose_quantity(experiment.run.measure, axes);
   const Parameters parameters = describe(experiment);
-  const SweepPlan plan = plan_sweep(parameters, axes, cost_of_change);
+  const SweepPlan plan = plan_sweep(parameters, axes, cost_of_change, inner_keys(experiment, axes, quantity));
   std::optional<RunFolder> run_folder;
   if (!line.dry_run) {
     run_folder.emplace(line.output, RunPlan{line.command, experiment_text(experiment), run_files(true), true},

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
+#include "compare/error_sums.h"
 #include "core/math.h"
 #include "core/parallel.h"
 #include "core/quantiles.h"
@@ -15,47 +15,12 @@ namespace {
 // −ln 0.05: rays that all agree miss a larger share than this over their number with a probability below 5 %.
 constexpr double rule_of_three = 2.995732273553991;
 
-// Of the part of the absolute error that has one sign.
-struct PartSums {
-  double low = 0.0;               // of estimates that are at most the part, on average
-  double low_variance = 0.0;      // of `low`
-  double low_squares = 0.0;       // of its pixels' variances
-  double variance = 0.0;          // of the measured part, an upper bound
-  double variance_squares = 0.0;  // of its pixels' variances
-
-  void add(const PartSums& other) {
-    low += other.low;
-    low_variance += other.low_variance;
-    low_squares += other.low_squares;
-    variance += other.variance;
-    variance_squares += other.variance_squares;
-  }
-};
-
-struct RowSums {
-  std::uint64_t pixels = 0;
-  double raster = 0.0;
-  double truth = 0.0;
-  double error = 0.0;
-  double absolute = 0.0;
-  double absolute_bias = 0.0;  // what noise of the truth may have added to the absolute error
-  double squared = 0.0;
-  double squared_variance = 0.0;
-  double variance = 0.0;
-  double variance_squared = 0.0;
-  double min_samples = std::numeric_limits<double>::infinity();
-  double scatter = 0.0;
-  double max_error = 0.0;
-  int max_x = -1;
-  PartSums too_dark;
-  PartSums too_bright;
-};
-
-// E|e + sZ| − |e| for standard normal Z: mean of the folded normal distribution (Leone, Nelson and Nottingham 1961).
-double folded_excess(double e, double s) {
-  if (s <= 0.0) return 0.0;
-  const double r = std::abs(e) / s;
-  return s * (std::sqrt(2.0 / pi) * std::exp(-0.5 * r * r) - r * std::erfc(r / std::sqrt(2.0)));
+void add(PartSums& sum, const PartSums& part) {
+  sum.low += part.low;
+  sum.low_variance += part.low_variance;
+  sum.low_squares += part.low_squares;
+  sum.variance += part.variance;
+  sum.variance_squares += part.variance_squares;
 }
 
 // A bound on what noise adds to an absolute error, and how it changes with the measured error.
@@ -93,8 +58,8 @@ void add_part(PartSums& part, double error, double variance, const NoiseBound& n
   part.variance_squares += slope * variance * variance;
 }
 
-RowSums sum_row(int y, const Image<float>& raster, const SampledImage& truth, const IsCounted& is_counted) {
-  RowSums sums;
+ErrorSums sum_row(int y, const Image<float>& raster, const SampledImage& truth, const IsCounted& is_counted) {
+  ErrorSums sums;
   // Noise may have moved a measured error away from zero: its excess is taken as if the error were this many standard
   // errors smaller, which bounds it for all but 2.5 % of the pixels.
   const double noise_reach = student_95(truth.degrees_of_freedom);
@@ -145,16 +110,50 @@ Estimate estimate_part(double value, const PartSums& part, int degrees_of_freedo
 
 }  // namespace
 
+double folded_excess(double e, double s) {
+  if (s <= 0.0) return 0.0;
+  const double r = std::abs(e) / s;
+  return s * (std::sqrt(2.0 / pi) * std::exp(-0.5 * r * r) - r * std::erfc(r / std::sqrt(2.0)));
+}
+
+SampledError statistics_of(const ErrorSums& total, int degrees_of_freedom) {
+  SampledError statistics;
+  statistics.pixels = total.pixels;
+  if (total.pixels == 0) return statistics;
+  const double scale = 1.0 / static_cast<double>(total.pixels);
+  const double quantile = quantile_of(total.variance, total.variance_squared, degrees_of_freedom);
+  const double unseen = std::min(rule_of_three / total.min_samples, 1.0);
+  const double half_width = std::max(quantile * std::sqrt(total.variance), unseen) * scale;
+  const auto around = [half_width](double value) { return Estimate{value, value - half_width, value + half_width}; };
+  statistics.mean_raster = total.raster * scale;
+  statistics.mean_truth = around(total.truth * scale);
+  statistics.mean_error = around(total.error * scale);
+  statistics.mae = around(total.absolute * scale);
+  statistics.mae.lower = std::max(statistics.mae.lower - total.absolute_bias * scale, 0.0);
+  const auto part = [&](double sum, const PartSums& sums) {
+    const Estimate estimate = estimate_part(sum, sums, degrees_of_freedom, unseen);
+    return Estimate{estimate.value * scale, estimate.lower * scale, estimate.upper * scale};
+  };
+  statistics.too_dark = part(0.5 * (total.absolute - total.error), total.too_dark);
+  statistics.too_bright = part(0.5 * (total.absolute + total.error), total.too_bright);
+  statistics.mean_standard_error = total.scatter * scale;
+  const double mean_square = (total.squared - total.variance) * scale;
+  const double square_half_width = quantile * std::sqrt(total.squared_variance) * scale;
+  const auto root = [](double square) { return std::sqrt(std::max(square, 0.0)); };
+  statistics.rmse = {root(mean_square), root(mean_square - square_half_width), root(mean_square + square_half_width)};
+  return statistics;
+}
+
 SampledError analyze_sampled(const Image<float>& raster, const SampledImage& truth, const IsCounted& is_counted) {
   assert(raster.size() == truth.value.size());
   assert(truth.variance.empty() || raster.size() == truth.variance.size());
   assert(truth.samples.empty() || raster.size() == truth.samples.size());
-  std::vector<RowSums> rows(static_cast<std::size_t>(raster.height));
+  std::vector<ErrorSums> rows(static_cast<std::size_t>(raster.height));
   parallel_for(rows.size(), [&](std::size_t y) { rows[y] = sum_row(static_cast<int>(y), raster, truth, is_counted); });
-  RowSums total;
-  SampledError statistics;
+  ErrorSums total;
+  int max_y = -1;
   for (std::size_t y = 0; y < rows.size(); ++y) {
-    const RowSums& row = rows[y];
+    const ErrorSums& row = rows[y];
     total.pixels += row.pixels;
     total.raster += row.raster;
     total.truth += row.truth;
@@ -166,38 +165,19 @@ SampledError analyze_sampled(const Image<float>& raster, const SampledImage& tru
     total.variance += row.variance;
     total.scatter += row.scatter;
     total.variance_squared += row.variance_squared;
-    total.too_dark.add(row.too_dark);
-    total.too_bright.add(row.too_bright);
+    add(total.too_dark, row.too_dark);
+    add(total.too_bright, row.too_bright);
     total.min_samples = std::min(total.min_samples, row.min_samples);
-    if (row.max_error > statistics.max_error) {
-      statistics.max_error = row.max_error;
-      statistics.max_x = row.max_x;
-      statistics.max_y = static_cast<int>(y);
+    if (row.max_error > total.max_error) {
+      total.max_error = row.max_error;
+      total.max_x = row.max_x;
+      max_y = static_cast<int>(y);
     }
   }
-  statistics.pixels = total.pixels;
-  if (total.pixels == 0) return statistics;
-  const double scale = 1.0 / static_cast<double>(total.pixels);
-  const double quantile = quantile_of(total.variance, total.variance_squared, truth.degrees_of_freedom);
-  const double unseen = std::min(rule_of_three / total.min_samples, 1.0);
-  const double half_width = std::max(quantile * std::sqrt(total.variance), unseen) * scale;
-  const auto around = [half_width](double value) { return Estimate{value, value - half_width, value + half_width}; };
-  statistics.mean_raster = total.raster * scale;
-  statistics.mean_truth = around(total.truth * scale);
-  statistics.mean_error = around(total.error * scale);
-  statistics.mae = around(total.absolute * scale);
-  statistics.mae.lower = std::max(statistics.mae.lower - total.absolute_bias * scale, 0.0);
-  const auto part = [&](double sum, const PartSums& sums) {
-    const Estimate estimate = estimate_part(sum, sums, truth.degrees_of_freedom, unseen);
-    return Estimate{estimate.value * scale, estimate.lower * scale, estimate.upper * scale};
-  };
-  statistics.too_dark = part(0.5 * (total.absolute - total.error), total.too_dark);
-  statistics.too_bright = part(0.5 * (total.absolute + total.error), total.too_bright);
-  statistics.mean_standard_error = total.scatter * scale;
-  const double mean_square = (total.squared - total.variance) * scale;
-  const double square_half_width = quantile * std::sqrt(total.squared_variance) * scale;
-  const auto root = [](double square) { return std::sqrt(std::max(square, 0.0)); };
-  statistics.rmse = {root(mean_square), root(mean_square - square_half_width), root(mean_square + square_half_width)};
+  SampledError statistics = statistics_of(total, truth.degrees_of_freedom);
+  statistics.max_error = total.max_error;
+  statistics.max_x = total.max_x;
+  statistics.max_y = max_y;
   return statistics;
 }
 

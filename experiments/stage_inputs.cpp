@@ -34,6 +34,14 @@ Parameters visibility_parameters(Experiment& experiment) {
   return concatenate({all, run_parameter(experiment, "run.classes")});
 }
 
+// All of ambient occlusion but what follows the blur.
+Parameters ao_parameters(Experiment& experiment) {
+  Parameters all = describe(experiment.ao);
+  const Parameters later = describe(experiment.ao.tone);
+  std::erase_if(all, [&](const Parameter& parameter) { return find(later, parameter.key) != nullptr; });
+  return concatenate({all, run_parameter(experiment, "run.seed")});
+}
+
 Parameters sampling_parameters(Experiment& experiment) {
   return concatenate({describe(experiment.truth), run_parameter(experiment, "run.seed")});
 }
@@ -63,14 +71,10 @@ const std::array<StageInputs, stage_count>& stages() {
       {"stored G-buffer", [](Experiment& e) { return gbuffer_parameters(e.shading); }, {Stage::surfels}, 3.0},
       {"shading",
        [](Experiment& e) { return describe(e.shading); },
-       {Stage::stored_gbuffer, Stage::visibility, Stage::ao},
+       {Stage::stored_gbuffer, Stage::visibility, Stage::finished_ao},
        5.0},
-      {"ambient occlusion",
-       [](Experiment& e) {
-         return concatenate({describe(e.ao), run_parameter(e, "run.seed")});
-       },
-       {Stage::surfels},
-       2.0},
+      {"ambient occlusion", ao_parameters, {Stage::surfels}, 2.0},
+      {"finished ambient occlusion", [](Experiment& e) { return describe(e.ao.tone); }, {Stage::ao}, 0.1},
       {"reference of ambient occlusion", sampling_parameters, {Stage::surfels}, 1000.0},
   }};
   return all;

@@ -23,7 +23,8 @@ enum class Stage {
   area_reference,    ///< shadow rays to an area light
   stored_gbuffer,    ///< the G-buffer of the deferred path
   shading,           ///< the technique's image
-  ao,                ///< the technique's ambient occlusion
+  ao,                ///< the technique's ambient occlusion after its blur
+  finished_ao,       ///< the same with its intensity and power
   ao_reference,      ///< hemisphere rays
 };
 

@@ -315,13 +315,6 @@ std::vector<Image<float>> Stages::draw_lookups(std::span<const Experiment> exper
   return umbrameter::draw_lookups(context(), lookup, std::get<Prefiltered>(lookup.technique), lookups);
 }
 
-Image<float> Stages::draw_ao(const Experiment& experiment) { return draw_ao_of(gpu_surfels(experiment), experiment); }
-
-Image<float> Stages::draw_ao_of(const GpuGBuffer& surfels, const Experiment& experiment) {
-  return umbrameter::draw_ao(context(), surfels, this->surfels(experiment).view, in_metres(experiment).ao,
-                             static_cast<std::uint32_t>(experiment.run.seed));
-}
-
 const StoredSurfels& Stages::stored_surfels(const Experiment& experiment) {
   const GpuGBuffer& exact = gpu_surfels(experiment);
   return stored_surfels_.get(key_of(Stage::stored_gbuffer, experiment), [&] {

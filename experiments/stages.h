@@ -174,6 +174,9 @@ class Stages {
   /// The visibility of experiments that differ only in lookup_parameters(), at most max_lookups, in one pass.
   std::vector<Image<float>> draw_lookups(std::span<const Experiment> experiments, std::uint32_t light);
   Image<float> draw_ao(const Experiment& experiment);
+  /// The samples of hemisphere SSAO that occlude at the axes' first bias or more. The axes replace the experiment's
+  /// bias and number of samples.
+  void draw_ao_response(const Experiment& experiment, const AoAxes& axes, const AoResponseSink& sink);
 
   ShadingSurfels shading_surfels(const Experiment& experiment);
   /// The technique's results at these surfels instead of surfels().
@@ -234,6 +237,7 @@ class Stages {
   Memo<ShadowMap> map_;
   Memo<StoredDepths> stored_depths_;
   Memo<FilteredMap> filtered_map_;
+  Memo<Image<float>> ao_;
   Memo<TracedVisibility> truth_;
   Memo<gl::Texture> gpu_truth_;
   Memo<TracedAo> ao_truth_;

@@ -11,13 +11,12 @@ void store_group(const CellGroup& group, ResultsStore& store, const EvaluateGrou
   store.append(group.first_cell, [&](const CellSink& keep) {
     std::vector<bool> seen(group.size());
     std::size_t rows = 0;
-    evaluate(group, [&](std::size_t constant, std::size_t slope, std::span<const Value> measured) {
-      const std::size_t place = constant * group.slope_bias.values.size() + slope;
+    evaluate(group, [&](std::size_t place, std::span<const Value> measured) {
       if (seen.at(place)) throw std::logic_error("the evaluator gave a cell twice");
       seen[place] = true;
-      std::vector<Value> row = values_at(group, constant, slope);
+      std::vector<Value> row = values_at(group, place);
       row.insert(row.end(), measured.begin(), measured.end());
-      keep(group.cell(constant, slope), row);
+      keep(group.cell(place), row);
       ++rows;
     });
     if (rows != group.size()) throw std::logic_error("the evaluator left cells out");

@@ -8,6 +8,7 @@
 #include "core/interrupt.h"
 #include "experiments/look_ahead.h"
 #include "experiments/measure.h"
+#include "experiments/measure_ao_axes.h"
 #include "experiments/measure_biases.h"
 
 namespace umbrameter {
@@ -46,17 +47,72 @@ void measure_cells(Stages& stages, const Experiment& experiment, const std::vect
   if (quantity != SweptQuantity::ao) {
     stages.check_is_meaningful(of_group, swept_lights(stages, experiment, axes, quantity));
   }
-  for (std::size_t c = 0; c < group.constant_bias.values.size(); ++c) {
-    for (std::size_t s = 0; s < group.slope_bias.values.size(); ++s) {
-      throw_if_interrupted();
-      const std::vector<Value> values = values_at(group, c, s);
-      const Experiment cell = at_cell(experiment, axes, values);
-      const std::function<Image<float>()> draw = [&] {
-        return look_ahead.visibility(stages, experiment, axes, values);
-      };
-      keep(c, s, row_of(std::visit(MeasureCell{stages, cell, draw}, statistics)));
-    }
+  for (std::size_t place = 0; place < group.size(); ++place) {
+    throw_if_interrupted();
+    const std::vector<Value> values = values_at(group, place);
+    const Experiment cell = at_cell(experiment, axes, values);
+    const std::function<Image<float>()> draw = [&] { return look_ahead.visibility(stages, experiment, axes, values); };
+    keep(place, row_of(std::visit(MeasureCell{stages, cell, draw}, statistics)));
   }
+}
+
+// Passes rows to the sink in the order of the group's places.
+template <class Struct>
+class RowsInOrder {
+ public:
+  explicit RowsInOrder(const RowSink& keep) : keep_(keep) {}
+  void operator()(const Struct& statistics) {
+    cell_ = statistics;
+    keep_(place_++, row_of(described_));
+  }
+
+ private:
+  const RowSink& keep_;
+  Struct cell_;
+  const Statistics described_ = describe(cell_);  // made once, because it allocates the names of all columns
+  std::size_t place_ = 0;
+};
+
+void measure_bias_group(Stages& stages, const Experiment& experiment, const CellGroup& group, const RowSink& keep) {
+  const std::uint32_t light = stages.lights(experiment.view.light).front();
+  const auto measured = measure_biases(stages, experiment, light, group.inner[0].values, group.inner[1].values);
+  RowsInOrder<VisibilityStatistics> rows(keep);
+  for (std::size_t c = 0; c < group.inner[0].values.size(); ++c) {
+    for (const std::vector<VisibilityStatistics>& at_slope : measured) rows(at_slope[c]);
+  }
+}
+
+// The experiment's parameters of AO, in metres, for each value of an inner axis.
+template <class Read>
+auto along(const Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
+           const CellGroup& group, std::string_view key, const Read& read) {
+  const auto read_at = [&](const std::vector<Value>& values) {
+    return read(stages.in_metres(at_cell(experiment, axes, values)).ao);
+  };
+  std::vector<decltype(read(AoParams{}))> all;
+  std::size_t stride = group.size();
+  for (const InnerAxis& inner : group.inner) {
+    stride /= inner.values.size();
+    if (!inner.axis || axes[*inner.axis].key != key) continue;
+    for (std::size_t i = 0; i < inner.values.size(); ++i) all.push_back(read_at(values_at(group, i * stride)));
+  }
+  if (all.empty()) all.push_back(read_at(group.values));
+  return all;
+}
+
+void measure_ao_group(Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
+                      const CellGroup& group, const RowSink& keep) {
+  const auto values_of = [&](std::string_view key, const auto& read) {
+    return along(stages, experiment, axes, group, key, read);
+  };
+  const AoCells cells{
+      values_of(ao_bias_key, [](const AoParams& ao) { return static_cast<float>(ao.bias.depth.number); }),
+      values_of(ao_samples_key, [](const AoParams& ao) { return ao.sampling.samples; }),
+      values_of(ao_intensity_key, [](const AoParams& ao) { return ao.tone.intensity; }),
+      values_of(ao_power_key, [](const AoParams& ao) { return ao.tone.power; })};
+  RowsInOrder<AoStatistics> rows(keep);
+  const Experiment of_group = at_cell(experiment, axes, group.values);
+  for (const AoStatistics& statistics : measure_ao_axes(stages, of_group, cells)) rows(statistics);
 }
 
 // Calls `take` for each combination of axis values that are words: techniques, kernels, switches and lights. Other axes
@@ -143,8 +199,24 @@ CellStatistics choose_statistics(const Stages& stages, const Experiment& experim
   return VisibilityStatistics{};
 }
 
+InnerKeys inner_keys(const Experiment& experiment, const std::vector<SweepAxis>& axes, SweptQuantity quantity) {
+  if (quantity != SweptQuantity::ao) return {constant_bias_key, slope_bias_key};
+  bool is_one_pass = true;
+  bool is_prefix = true;
+  for_each_technique(experiment, axes, [&](const Experiment& cell) {
+    is_one_pass = is_one_pass && is_ao_one_pass(cell.ao);
+    is_prefix = is_prefix && capabilities_of(make_technique(cell.ao)).samples_are_prefix;
+  });
+  if (!is_one_pass) return {};
+  if (!is_prefix) return {ao_bias_key, ao_intensity_key, ao_power_key};
+  return {ao_bias_key, ao_samples_key, ao_intensity_key, ao_power_key};
+}
+
 bool is_one_pass(const Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                  const CellStatistics& statistics) {
+  if (std::holds_alternative<AoStatistics>(statistics)) {
+    return !inner_keys(experiment, axes, SweptQuantity::ao).empty();
+  }
   if (!std::holds_alternative<VisibilityStatistics>(statistics)) return false;
   bool all = true;
   for_each_technique(experiment, axes,
@@ -163,19 +235,10 @@ EvaluateGroup make_evaluator(Stages& stages, const Experiment& experiment, const
   const bool one_pass = is_one_pass(stages, experiment, axes, statistics);
   return [&stages, experiment, axes, statistics, one_pass, look_ahead = std::make_shared<LookAhead>()](
              const CellGroup& group, const RowSink& keep) {
-    if (one_pass) {
-      const Experiment of_group = at_cell(experiment, axes, group.values);
-      const std::uint32_t light = stages.lights(of_group.view.light).front();
-      const auto measured =
-          measure_biases(stages, of_group, light, group.constant_bias.values, group.slope_bias.values);
-      VisibilityStatistics cell;
-      const Statistics described = describe(cell);  // outside the loops, because it allocates the names of all columns
-      for (std::size_t s = 0; s < measured.size(); ++s) {
-        for (std::size_t c = 0; c < measured[s].size(); ++c) {
-          cell = measured[s][c];
-          keep(c, s, row_of(described));
-        }
-      }
+    if (one_pass && std::holds_alternative<AoStatistics>(statistics)) {
+      measure_ao_group(stages, experiment, axes, group, keep);
+    } else if (one_pass) {
+      measure_bias_group(stages, at_cell(experiment, axes, group.values), group, keep);
     } else {
       measure_cells(stages, experiment, axes, statistics, *look_ahead, group, keep);
     }

@@ -34,7 +34,11 @@ std::vector<std::uint32_t> swept_lights(const Stages& stages, const Experiment& 
 CellStatistics choose_statistics(const Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                                  SweptQuantity quantity);
 
-/// Whether one pass measures every constant and slope-scaled bias of a group.
+/// The parameters whose combinations form a group of cells. Shadows: the biases. Ambient occlusion: what one pass
+/// measures, or none if the technique, in any cell, measures each cell alone.
+InnerKeys inner_keys(const Experiment& experiment, const std::vector<SweepAxis>& axes, SweptQuantity quantity);
+
+/// Whether one pass measures every cell of a group.
 bool is_one_pass(const Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                  const CellStatistics& statistics);
 

@@ -44,13 +44,16 @@ LengthUnit unit_of_constants(const Parameters& parameters, const SweepPlan& plan
   return length != nullptr ? (*length)->unit : LengthUnit::metres;
 }
 
-// The numbers of biases in one group. The cost of a pass grows with the number of slope-scaled biases, hardly with that
-// of constant ones, so a group that is too large is split along the slope-scaled biases first.
-std::size_t constants_in_group(const SweepPlan& plan) {
-  return std::min(plan.constant_bias.values.size(), max_group_cells);
-}
-std::size_t slopes_in_group(const SweepPlan& plan) {
-  return std::min(plan.slope_bias.values.size(), max_group_cells / constants_in_group(plan));
+// The number of values of each inner axis in one group. A group that is too large is split along its last axes: the
+// cost of a pass grows with the number of slope-scaled biases, hardly with that of constant ones.
+std::vector<std::size_t> group_sizes(const SweepPlan& plan) {
+  std::vector<std::size_t> sizes;
+  std::size_t room = max_group_cells;
+  for (const InnerAxis& axis : plan.inner) {
+    sizes.push_back(std::min(axis.values.size(), std::max<std::size_t>(room, 1)));
+    room /= sizes.back();
+  }
+  return sizes;
 }
 
 std::size_t divide_up(std::size_t number, std::size_t by) { return (number + by - 1) / by; }
@@ -66,7 +69,8 @@ std::size_t take_part(InnerAxis& inner, std::size_t part, std::size_t size) {
 
 }  // namespace
 
-SweepPlan plan_sweep(const Parameters& parameters, std::vector<SweepAxis> axes, const CostOfChange& cost) {
+SweepPlan plan_sweep(const Parameters& parameters, std::vector<SweepAxis> axes, const CostOfChange& cost,
+                     const InnerKeys& inner) {
   SweepPlan plan;
   std::set<std::string> keys;
   for (const SweepAxis& axis : axes) require_axis(parameters, axis, keys);
@@ -80,10 +84,11 @@ SweepPlan plan_sweep(const Parameters& parameters, std::vector<SweepAxis> axes, 
   }
   for (std::size_t a = 0; a < plan.axes.size(); ++a) {
     const std::string& key = plan.axes[a].key;
-    if (key != constant_bias_key && key != slope_bias_key) plan.outer.push_back(a);
+    if (std::find(inner.begin(), inner.end(), key) == inner.end()) plan.outer.push_back(a);
   }
   std::stable_sort(plan.outer.begin(), plan.outer.end(),
                    [&](std::size_t a, std::size_t b) { return cost(plan.axes[a].key) > cost(plan.axes[b].key); });
+  for (const std::string_view key : inner) plan.inner.push_back(make_inner(parameters, plan, key));
   plan.constant_bias = make_inner(parameters, plan, constant_bias_key);
   plan.slope_bias = make_inner(parameters, plan, slope_bias_key);
   plan.constant_unit = unit_of_constants(parameters, plan);
@@ -105,23 +110,39 @@ std::vector<std::size_t> outer_axes_as_given(const SweepPlan& plan) {
   return axes;
 }
 
+std::size_t CellGroup::size() const {
+  std::size_t cells = 1;
+  for (const InnerAxis& axis : inner) cells *= axis.values.size();
+  return cells;
+}
+
+std::size_t CellGroup::cell(std::size_t place) const {
+  std::size_t cell = first_cell;
+  for (auto axis = inner.rbegin(); axis != inner.rend(); ++axis) {
+    cell += place % axis->values.size() * axis->stride;
+    place /= axis->values.size();
+  }
+  return cell;
+}
+
 std::size_t count_groups(const SweepPlan& plan) {
-  const std::size_t inner = plan.constant_bias.values.size() * plan.slope_bias.values.size();
-  return plan.cells / inner * divide_up(plan.constant_bias.values.size(), constants_in_group(plan)) *
-         divide_up(plan.slope_bias.values.size(), slopes_in_group(plan));
+  const std::vector<std::size_t> sizes = group_sizes(plan);
+  std::size_t groups = plan.cells;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    groups = groups / plan.inner[i].values.size() * divide_up(plan.inner[i].values.size(), sizes[i]);
+  }
+  return groups;
 }
 
 CellGroup group_at(const SweepPlan& plan, std::size_t index) {
   assert(index < count_groups(plan));
-  CellGroup group{0, {}, plan.constant_bias, plan.slope_bias};
-  const std::size_t constants = constants_in_group(plan);
-  const std::size_t slopes = slopes_in_group(plan);
-  const std::size_t constant_parts = divide_up(plan.constant_bias.values.size(), constants);
-  const std::size_t slope_parts = divide_up(plan.slope_bias.values.size(), slopes);
-  group.first_cell += take_part(group.constant_bias, index % constant_parts, constants);
-  index /= constant_parts;
-  group.first_cell += take_part(group.slope_bias, index % slope_parts, slopes);
-  index /= slope_parts;
+  CellGroup group{0, {}, plan.inner};
+  const std::vector<std::size_t> sizes = group_sizes(plan);
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const std::size_t parts = divide_up(plan.inner[i].values.size(), sizes[i]);
+    group.first_cell += take_part(group.inner[i], index % parts, sizes[i]);
+    index /= parts;
+  }
   for (auto a = plan.outer.rbegin(); a != plan.outer.rend(); ++a) {
     const std::size_t count = plan.axes[*a].values.size();
     group.first_cell += index % count * plan.strides[*a];
@@ -131,10 +152,19 @@ CellGroup group_at(const SweepPlan& plan, std::size_t index) {
   return group;
 }
 
-std::vector<Value> values_at(const CellGroup& group, std::size_t constant, std::size_t slope) {
+std::vector<Value> values_at(const CellGroup& group, std::size_t place) {
   std::vector<Value> values = group.values;
-  if (group.constant_bias.axis) values[*group.constant_bias.axis] = group.constant_bias.values[constant];
-  if (group.slope_bias.axis) values[*group.slope_bias.axis] = group.slope_bias.values[slope];
+  for (auto inner = group.inner.rbegin(); inner != group.inner.rend(); ++inner) {
+    const double number = inner->values[place % inner->values.size()];
+    place /= inner->values.size();
+    if (!inner->axis) continue;
+    Value& value = values[*inner->axis];
+    if (std::holds_alternative<std::int64_t>(value)) {
+      value = static_cast<std::int64_t>(number);
+    } else {
+      value = number;
+    }
+  }
   return values;
 }
 

@@ -9,9 +9,9 @@ Table sweep_table(Stages& stages, const Experiment& given, const std::vector<std
   const Parameters parameters = describe(experiment);
   std::vector<SweepAxis> axes;
   for (const std::string& assignment : assignments) axes.push_back(parse_axis(parameters, assignment));
-  const SweepPlan plan = plan_sweep(parameters, axes, cost_of_change);
-  const CellStatistics statistics =
-      choose_statistics(stages, experiment, axes, choose_quantity(experiment.run.measure, axes));
+  const SweptQuantity quantity = choose_quantity(experiment.run.measure, axes);
+  const SweepPlan plan = plan_sweep(parameters, axes, cost_of_change, inner_keys(experiment, axes, quantity));
+  const CellStatistics statistics = choose_statistics(stages, experiment, axes, quantity);
   const EvaluateGroup evaluate = make_evaluator(stages, experiment, axes, statistics);
 
   Table table;
@@ -23,9 +23,9 @@ Table sweep_table(Stages& stages, const Experiment& given, const std::vector<std
   table.rows.resize(plan.cells);
   for (std::size_t g = 0; g < count_groups(plan); ++g) {
     const CellGroup group = group_at(plan, g);
-    evaluate(group, [&](std::size_t constant, std::size_t slope, std::span<const Value> values) {
-      std::vector<Value>& row = table.rows[group.cell(constant, slope)];
-      row = values_at(group, constant, slope);
+    evaluate(group, [&](std::size_t place, std::span<const Value> values) {
+      std::vector<Value>& row = table.rows[group.cell(place)];
+      row = values_at(group, place);
       row.insert(row.end(), values.begin(), values.end());
     });
   }

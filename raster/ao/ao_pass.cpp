@@ -10,22 +10,37 @@
 
 namespace umbrameter {
 
-Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,
-                     std::uint32_t seed) {
-  assert(params.sampling.radius.unit == LengthUnit::metres && params.bias.depth.unit == LengthUnit::metres);
-  const gl::Texture depth = gl::make_texture("ao linear depth", gl::Format::r32f, gbuffer.width, gbuffer.height);
+namespace {
+
+gl::Texture linear_depth_of(const gl::Context& context, const GpuGBuffer& gbuffer) {
+  gl::Texture depth = gl::make_texture("ao linear depth", gl::Format::r32f, gbuffer.width, gbuffer.height);
   gl::Pass(context, {{"linear_depth.comp"}, {}})
       .texture("ids", gbuffer.ids)
       .texture("position_depth", gbuffer.position_depth)
       .image("linear_depth", depth, gl::Format::r32f)
       .dispatch(gbuffer.width, gbuffer.height);
+  return depth;
+}
+
+}  // namespace
+
+Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,
+                     std::uint32_t seed) {
+  assert(params.sampling.radius.unit == LengthUnit::metres && params.bias.depth.unit == LengthUnit::metres);
+  const gl::Texture depth = linear_depth_of(context, gbuffer);
   const AoInputs inputs{gbuffer, depth, view, seed};
   gl::Texture ao =
       std::visit([&](const auto& technique) { return draw(context, inputs, technique); }, make_technique(params));
   Image<float> image = read_image<float>(blur(context, gbuffer, std::move(ao), params.blur), gl::Format::r32f);
   // GTAO's estimate exceeds 1 in some pixels, and only its mean over the noise does not.
-  for (float& pixel : image.pixels) pixel = std::min(pixel, 1.0f);
+  for (float& pixel : image.pixels) pixel = with_tone(std::min(pixel, 1.0f), params.tone);
   return image;
+}
+
+void draw_ao_response(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,
+                      std::uint32_t seed, const AoAxes& axes, const AoResponseSink& sink) {
+  const gl::Texture depth = linear_depth_of(context, gbuffer);
+  list_occluding_samples(context, {gbuffer, depth, view, seed}, std::get<Ssao>(make_technique(params)), axes, sink);
 }
 
 }  // namespace umbrameter

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/image.h"
+#include "raster/ao/ssao_pass.h"
 #include "raster/gbuffer/gbuffer_pass.h"
 #include "raster/gl/context.h"
 #include "scenes/view.h"
@@ -11,9 +12,14 @@
 
 namespace umbrameter {
 
-/// Accessibility by the selected technique, 1 open and on background, after its blur. Lengths of the params are in
-/// metres: in_metres().
+/// Accessibility by the selected technique, 1 open and on background, after its blur and tone. Lengths of the params
+/// are in metres: in_metres().
 Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,
                      std::uint32_t seed);
+
+/// Calls the sink with the samples of hemisphere SSAO that occlude at the axes' first bias or more (ssao_pass.h). The
+/// technique must be one whose samples flip at the bias.
+void draw_ao_response(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,
+                      std::uint32_t seed, const AoAxes& axes, const AoResponseSink& sink);
 
 }  // namespace umbrameter

@@ -1,54 +1,22 @@
-// Hemisphere SSAO (J. de Vries, Learn OpenGL, "SSAO"; after Mittring, Finding Next Gen: CryEngine 2, 2007), in
-// metres. Two differences from the source: the hemisphere is oriented by the geometric normal, as in the reference, and
-// the background does not occlude.
-#include "view.glsl"
+// Hemisphere SSAO.
+#include "ssao_sample.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
-uniform usampler2D ids;
-uniform sampler2D position_depth;
-uniform sampler2D linear_depth;
-uniform sampler2D geometric_normal;
 layout(r32f) writeonly uniform image2D ao_image;
-// A uniform block: on llvmpipe, reading the kernel from a storage buffer makes the pass 2.5 times as slow.
-layout(std140) uniform Kernel { vec4 kernel[MAX_SAMPLES]; };
-layout(std430) readonly buffer Rotations { vec4 rotations[]; };
-uniform int samples;
-uniform int noise_size;
-uniform float radius;
 uniform float bias;
-
-// A unit vector perpendicular to the normal, used if the rotation vector is parallel to the normal.
-vec3 any_tangent(vec3 n) {
-  return normalize(abs(n.x) > 0.5 ? cross(n, vec3(0, 1, 0)) : cross(n, vec3(1, 0, 0)));
-}
+uniform float share;  // of one sample; a product rounds alike on every device, a quotient need not
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, size))) return;
-  float ao = 1.0;
+  precise float ao = 1.0;
   if (texelFetch(ids, pixel, 0).r != NO_ID) {
-    vec3 position = vec3(view_from_world * dvec4(dvec3(texelFetch(position_depth, pixel, 0).xyz), 1.0lf));
-    vec3 normal = normalize(vec3(dmat3(view_from_world) * dvec3(texelFetch(geometric_normal, pixel, 0).xyz)));
-    // The noise is tiled from the top left corner of the image; row 0 of the texture is the bottom row.
-    ivec2 tile = ivec2(pixel.x, size.y - 1 - pixel.y) % noise_size;
-    vec3 rotation = rotations[tile.y * noise_size + tile.x].xyz;
-    vec3 across = rotation - normal * dot(rotation, normal);
-    vec3 tangent = dot(across, across) > 1e-12 ? normalize(across) : any_tangent(normal);
-    mat3 view_from_tangent = mat3(tangent, cross(normal, tangent), normal);
-    float occlusion = 0.0;
+    SsaoSurfel surfel = ssao_surfel(pixel);
+    precise float occlusion = 0.0;
     for (int i = 0; i < samples; ++i) {
-      vec3 point = position + radius * (view_from_tangent * kernel[i].xyz);
-      vec4 clip = clip_from_view * vec4(point, 1.0);
-      if (!(clip.w > 0.0)) continue;
-      ivec2 seen = clamp(ivec2(floor((clip.xy / clip.w * 0.5 + 0.5) * vec2(size))), ivec2(0), size - 1);
-      float seen_z = -texelFetch(linear_depth, seen, 0).r;
-      if (!(seen_z >= point.z + bias)) continue;
-#if AO_RANGE_CHECK
-      occlusion += smoothstep(0.0, 1.0, radius / max(abs(position.z - seen_z), 1e-20));
-#else
-      occlusion += 1.0;
-#endif
+      SsaoSample at = ssao_sample(surfel, i);
+      if (at.is_in_front && occludes(at, bias)) occlusion += occlusion_weight(surfel, at);
     }
-    ao = 1.0 - occlusion / float(samples);
+    ao = max(1.0 - occlusion * share, 0.0);
   }
   imageStore(ao_image, pixel, vec4(ao));
 }

@@ -5,12 +5,21 @@
 #include <vector>
 
 #include "core/math.h"
+#include "core/parameters.h"
 
 namespace umbrameter {
 
-/// Points in the unit hemisphere around +z, uniform in direction. The factor lerp(0.1, 1, (i/n)²) on the distance of
-/// point i makes them denser near the centre (J. de Vries, Learn OpenGL, "SSAO"). w is 0. Depends only on the
-/// arguments.
-std::vector<vec4> hemisphere_kernel(int samples, std::uint32_t seed);
+enum class AoKernel : int { learnopengl, progressive };
+
+struct AoKernelParams {
+  AoKernel kind = AoKernel::learnopengl;
+};
+Parameters describe(AoKernelParams& params);
+
+/// Points in the unit hemisphere around +z, uniform in direction, denser near the centre; w is 0. Depends only on the
+/// arguments. learnopengl: random points, with the factor lerp(0.1, 1, (i/n)²) on the distance of point i (J. de Vries,
+/// Learn OpenGL, "SSAO"). progressive: the same distribution from a low-discrepancy sequence with a random start; fewer
+/// samples are the first ones of more samples.
+std::vector<vec4> hemisphere_kernel(const AoKernelParams& params, int samples, std::uint32_t seed);
 
 }  // namespace umbrameter

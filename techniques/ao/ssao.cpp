@@ -10,8 +10,8 @@ Parameters describe(SsaoParams& params) {
 }
 
 Parameters describe(Ssao& technique) {
-  return concatenate(
-      {describe(technique.sampling), describe(technique.bias), describe(technique.noise), describe(technique.params)});
+  return concatenate({describe(technique.sampling), describe(technique.bias), describe(technique.noise),
+                      describe(technique.params), describe(technique.kernel)});
 }
 
 }  // namespace umbrameter

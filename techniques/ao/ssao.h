@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/parameters.h"
+#include "techniques/ao/kernel.h"
 #include "techniques/ao/noise.h"
 #include "techniques/ao/parameters.h"
 
@@ -21,7 +22,11 @@ struct Ssao {
   AoBiasParams bias;
   AoNoiseParams noise;
   SsaoParams params;
+  AoKernelParams kernel;
 };
 Parameters describe(Ssao& technique);
+
+/// What a sample of weight 1 adds to the occlusion.
+inline float share_of_sample(int samples) { return 1.0f / static_cast<float>(samples); }
 
 }  // namespace umbrameter

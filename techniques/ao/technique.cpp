@@ -11,8 +11,8 @@ Parameters describe(AoParams& params) {
           .choice("technique", params.technique, names, {.unit = {}, .meaning = "AO technique", .basic = true})
           .take();
   return concatenate({describe(params.sampling), describe(params.bias), describe(params.noise), technique,
-                      describe(params.ssao), describe(params.slices), describe(params.gtao), describe(params.hbao),
-                      describe(params.alchemy), describe(params.blur)});
+                      describe(params.ssao), describe(params.kernel), describe(params.slices), describe(params.gtao),
+                      describe(params.hbao), describe(params.alchemy), describe(params.blur), describe(params.tone)});
 }
 
 AoParams in_metres(AoParams params, double scene_size) {
@@ -34,11 +34,17 @@ AoTechnique make_technique(const AoParams& params) {
     case AoTechniqueName::crytek:
       return Crytek{params.sampling, params.bias, params.noise, params.ssao};
   }
-  return Ssao{params.sampling, params.bias, params.noise, params.ssao};
+  return Ssao{params.sampling, params.bias, params.noise, params.ssao, params.kernel};
 }
 
 Parameters describe(AoTechnique& technique) {
   return std::visit([](auto& each) { return describe(each); }, technique);
+}
+
+AoCapabilities capabilities_of(const AoTechnique& technique) {
+  const auto* ssao = std::get_if<Ssao>(&technique);
+  if (ssao == nullptr) return {};
+  return {true, ssao->kernel.kind == AoKernel::progressive};
 }
 
 std::string_view title_of(const AoTechnique& technique) {

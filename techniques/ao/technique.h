@@ -15,27 +15,31 @@
 #include "techniques/ao/crytek.h"
 #include "techniques/ao/gtao.h"
 #include "techniques/ao/hbao.h"
+#include "techniques/ao/kernel.h"
 #include "techniques/ao/noise.h"
 #include "techniques/ao/parameters.h"
 #include "techniques/ao/ssao.h"
+#include "techniques/ao/tone.h"
 
 namespace umbrameter {
 
 /// Names of the techniques, in the order of AoTechnique's alternatives.
 enum class AoTechniqueName : int { ssao, gtao, hbao, alchemy, crytek };
 
-/// The ao.* parameters: those that techniques share, those of each technique, and those of the blur.
+/// The ao.* parameters: those that techniques share, those of each technique, and those of what follows.
 struct AoParams {
   AoSamplingParams sampling;
   AoBiasParams bias;
   AoNoiseParams noise;
   AoTechniqueName technique = AoTechniqueName::ssao;
   SsaoParams ssao;
+  AoKernelParams kernel;
   AoSliceParams slices;
   GtaoParams gtao;
   HbaoParams hbao;
   AlchemyParams alchemy;
   AoBlurParams blur;
+  AoToneParams tone;
 };
 Parameters describe(AoParams& params);
 
@@ -48,6 +52,12 @@ AoTechnique make_technique(const AoParams& params);
 
 /// The parameters that the technique reads.
 Parameters describe(AoTechnique& technique);
+
+struct AoCapabilities {
+  bool flips_at_bias = false;       ///< each sample occludes up to a critical value of ao.bias, and adds to a sum
+  bool samples_are_prefix = false;  ///< n samples are the first n of more samples
+};
+AoCapabilities capabilities_of(const AoTechnique& technique);
 
 /// The technique's name in titles.
 std::string_view title_of(const AoTechnique& technique);

@@ -44,13 +44,14 @@ struct FakeSweep {
 
   void evaluate(const CellGroup& group, const RowSink& keep) {
     ++groups;
-    for (std::size_t s = 0; s < group.slope_bias.values.size(); ++s) {
-      for (std::size_t c = 0; c < group.constant_bias.values.size(); ++c) {
+    const std::vector<double>& constant = group.inner[0].values;
+    const std::vector<double>& slope = group.inner[1].values;
+    for (std::size_t s = 0; s < slope.size(); ++s) {
+      for (std::size_t c = 0; c < constant.size(); ++c) {
         if (rows == fail_after_rows) throw std::runtime_error("evaluator");
         ++rows;
-        keep(c, s,
-             std::vector<Value>{static_cast<std::int64_t>(group.cell(c, s)),
-                                group.constant_bias.values[c] + 10 * group.slope_bias.values[s]});
+        const std::size_t place = c * slope.size() + s;
+        keep(place, std::vector<Value>{static_cast<std::int64_t>(group.cell(place)), constant[c] + 10 * slope[s]});
       }
     }
   }

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "experiments/measure.h"
 #include "experiments/stages.h"
+#include "experiments/sweep_evaluator.h"
 #include "experiments/sweep_table.h"
 #include "scenes/builtin.h"
 
@@ -211,6 +212,44 @@ TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_an_are
 
 TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_deferred_image) {
   expect_fresh({"run.measure=image", "shading.path=deferred"});
+}
+
+TEST_F(StagesGl, One_pass_measures_ambient_occlusion_at_every_bias_number_of_samples_and_tone_like_single_runs) {
+  const std::vector<std::string> axes = {"ao.power=1,2.2", "ao.bias=0,0.05,0.01,1", "truth.ao-distance=0.3,0.2",
+                                         "ao.samples=5,8,1", "ao.intensity=1,1.4"};
+  for (const std::string kernel : {"progressive", "learnopengl"}) {
+    const std::vector<std::string> settings = {"ao.kernel=" + kernel, "ao.blur=none"};
+    const std::unique_ptr<Stages> stages = make_stages();
+    const Experiment experiment = base(settings);
+    const SweptQuantity ao = SweptQuantity::ao;
+    std::vector<SweepAxis> parsed;
+    Experiment described = experiment;
+    for (const std::string& axis : axes) parsed.push_back(parse_axis(describe(described), axis));
+    EXPECT_EQ(inner_keys(experiment, parsed, ao).size(), kernel == "progressive" ? 4u : 3u);
+    const Table table = sweep_table(*stages, experiment, axes);
+    ASSERT_EQ(table.rows.size(), 2u * 4 * 2 * 3 * 2);
+    for (const std::vector<Value>& row : table.rows) {
+      Experiment cell = experiment;
+      const Parameters parameters = describe(cell);
+      for (std::size_t a = 0; a < axes.size(); ++a) {
+        require(parameters, table.columns[a].name).set_text(to_string(row[a]));
+      }
+      const std::vector<Value> single = row_of(*measure_ao(*stages, cell, {}).statistics);
+      ASSERT_EQ(row.size(), axes.size() + single.size());
+      for (std::size_t i = 0; i < single.size(); ++i) {
+        const double expected = to_number(single[i]);
+        EXPECT_NEAR(to_number(row[axes.size() + i]), expected, 1e-9) << table.columns[axes.size() + i].name;
+      }
+    }
+  }
+  // A blur needs the image of each cell; so does a technique whose samples do not flip at the bias.
+  Experiment blurred = base({"ao.blur=box"});
+  const std::vector<SweepAxis> bias = {parse_axis(describe(blurred), "ao.bias=0,0.01")};
+  EXPECT_TRUE(inner_keys(blurred, bias, SweptQuantity::ao).empty());
+  EXPECT_FALSE(inner_keys(base({"ao.blur=none"}), bias, SweptQuantity::ao).empty());
+  EXPECT_TRUE(inner_keys(base({"ao.blur=none", "ao.technique=gtao"}), bias, SweptQuantity::ao).empty());
+  const std::vector<SweepAxis> kinds = {parse_axis(describe(blurred), "ao.blur=none,box")};
+  EXPECT_TRUE(inner_keys(base({"ao.blur=none"}), kinds, SweptQuantity::ao).empty());
 }
 
 TEST_F(StagesGl, Cells_of_a_sweep_are_those_of_single_runs) {

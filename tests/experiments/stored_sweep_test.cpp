@@ -83,11 +83,11 @@ TEST(StoredSweep, An_evaluator_that_leaves_cells_out_is_found_out) {
   FakeSweep sweep(four_groups);
   ResultsStore store = ResultsStore::open(folder.path(), sweep.description);
   const std::vector<Value> row = {std::int64_t{1}, 1.0};
-  EXPECT_THROW(run_sweep(sweep.plan, store, [&](const CellGroup&, const RowSink& keep) { keep(0, 0, row); }),
+  EXPECT_THROW(run_sweep(sweep.plan, store, [&](const CellGroup&, const RowSink& keep) { keep(0, row); }),
                std::logic_error);
   EXPECT_THROW(run_sweep(sweep.plan, store,
                          [&](const CellGroup& group, const RowSink& keep) {
-                           for (std::size_t i = 0; i < group.size(); ++i) keep(0, 0, row);
+                           for (std::size_t i = 0; i < group.size(); ++i) keep(0, row);
                          }),
                std::logic_error);
   EXPECT_EQ(store.count(), 0u);

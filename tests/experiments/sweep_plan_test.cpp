@@ -35,12 +35,13 @@ Parameters describe(Sample& s) {
                           .take()});
 }
 
-SweepPlan plan_of(const std::vector<std::string>& assignments) {
+SweepPlan plan_of(const std::vector<std::string>& assignments,
+                  const InnerKeys& inner = {constant_bias_key, slope_bias_key}) {
   Sample sample;
   const Parameters parameters = describe(sample);
   std::vector<SweepAxis> axes;
   for (const std::string& assignment : assignments) axes.push_back(parse_axis(parameters, assignment));
-  return plan_sweep(parameters, axes, cost_of_change);
+  return plan_sweep(parameters, axes, cost_of_change, inner);
 }
 
 // Every cell's own values, got from its index alone: the last axis runs fastest.
@@ -60,17 +61,15 @@ void expect_covered(const SweepPlan& plan) {
   for (std::size_t g = 0; g < count_groups(plan); ++g) {
     const CellGroup group = group_at(plan, g);
     ASSERT_LE(group.size(), max_group_cells);
-    for (std::size_t c = 0; c < group.constant_bias.values.size(); ++c) {
-      for (std::size_t s = 0; s < group.slope_bias.values.size(); ++s) {
-        const std::size_t cell = group.cell(c, s);
-        ASSERT_LT(cell, plan.cells);
-        ASSERT_FALSE(seen[cell]) << cell;
-        seen[cell] = true;
-        ++count;
-        // Comparing all of a million would take longer than the plan.
-        if (cell % 97 != 0 && plan.cells > 10'000) continue;
-        ASSERT_EQ(values_at(group, c, s), grid_values(plan, cell)) << cell;
-      }
+    for (std::size_t place = 0; place < group.size(); ++place) {
+      const std::size_t cell = group.cell(place);
+      ASSERT_LT(cell, plan.cells);
+      ASSERT_FALSE(seen[cell]) << cell;
+      seen[cell] = true;
+      ++count;
+      // Comparing all of a million would take longer than the plan.
+      if (cell % 97 != 0 && plan.cells > 10'000) continue;
+      ASSERT_EQ(values_at(group, place), grid_values(plan, cell)) << cell;
     }
   }
   EXPECT_EQ(count, plan.cells);
@@ -123,12 +122,12 @@ TEST(SweepPlan, Biases_that_are_not_varied_are_the_experiments_own) {
   ASSERT_EQ(count_groups(plan), 2u);
   const CellGroup group = group_at(plan, 1);
   EXPECT_EQ(group.size(), 1u);
-  EXPECT_EQ(group.constant_bias.values, (std::vector<double>{0.02}));
-  EXPECT_EQ(group.slope_bias.values, (std::vector<double>{0.5}));
-  EXPECT_FALSE(group.constant_bias.axis);
+  EXPECT_EQ(group.inner[0].values, (std::vector<double>{0.02}));
+  EXPECT_EQ(group.inner[1].values, (std::vector<double>{0.5}));
+  EXPECT_FALSE(group.inner[0].axis);
   EXPECT_EQ(group.values, (std::vector<Value>{std::int64_t{512}}));
-  EXPECT_EQ(values_at(group, 0, 0), group.values);
-  EXPECT_EQ(group.cell(0, 0), 1u);
+  EXPECT_EQ(values_at(group, 0), group.values);
+  EXPECT_EQ(group.cell(0), 1u);
 }
 
 TEST(SweepPlan, A_huge_inner_grid_is_split_into_groups_that_keep_constant_biases_together) {
@@ -139,8 +138,8 @@ TEST(SweepPlan, A_huge_inner_grid_is_split_into_groups_that_keep_constant_biases
       plan_of({"shadow.slope-bias=0:1:300", "shadow.resolution=1,2", "shadow.constant-bias=0:1:1000"});
   // 65 slope-scaled biases with 1,000 constant ones fit into 65,536 cells: five groups for 300 of them.
   EXPECT_EQ(count_groups(wide), 2u * 5);
-  EXPECT_EQ(group_at(wide, 0).constant_bias.values.size(), 1000u);
-  EXPECT_EQ(group_at(wide, 0).slope_bias.values.size(), 65u);
+  EXPECT_EQ(group_at(wide, 0).inner[0].values.size(), 1000u);
+  EXPECT_EQ(group_at(wide, 0).inner[1].values.size(), 65u);
   expect_covered(wide);
   const SweepPlan both = plan_of({"shadow.slope-bias=0:1:3", "shadow.constant-bias=0:1:100000"});
   EXPECT_EQ(count_groups(both), 3u * 2);
@@ -157,6 +156,25 @@ TEST(SweepPlan, A_group_of_a_billion_cells_is_made_from_its_number_at_once) {
   // The filter changes first: the second group differs from the first in it alone.
   EXPECT_EQ(group_at(plan, 1).values, (std::vector<Value>{std::int64_t{3}, std::int64_t{1}}));
   EXPECT_EQ(group_at(plan, 1).first_cell, 2000u);
+}
+
+TEST(SweepPlan, Any_parameters_form_groups_and_none_leave_each_cell_alone) {
+  const std::vector<std::string> axes = {"truth.spp=1,2,3", "shadow.constant-bias=0:1:4", "shadow.filter-size=1,3",
+                                         "shadow.resolution=256,512"};
+  const SweepPlan three = plan_of(axes, {"shadow.filter-size", "truth.spp", "shadow.slope-bias"});
+  EXPECT_EQ(count_groups(three), 4u * 2);
+  EXPECT_EQ(group_at(three, 0).size(), 2u * 3);
+  expect_covered(three);
+  EXPECT_EQ(values_at(group_at(three, 0), 1)[0], Value(std::int64_t{2})) << "whole numbers stay whole";
+  const SweepPlan none = plan_of(axes, {});
+  EXPECT_EQ(count_groups(none), none.cells);
+  expect_covered(none);
+  // 65,536 / 1,000 / 9 rounds down to 7 of the last axis.
+  const SweepPlan large = plan_of({"shadow.constant-bias=0:1:1000", "shadow.slope-bias=0:1:9", "truth.spp=1:20:20"},
+                                  {"shadow.constant-bias", "shadow.slope-bias", "truth.spp"});
+  EXPECT_EQ(count_groups(large), 3u);
+  EXPECT_EQ(group_at(large, 0).inner[2].values.size(), 7u);
+  expect_covered(large);
 }
 
 TEST(SweepPlan, Empty_and_repeated_axes_are_refused) {

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "test_scenes.h"
 
@@ -108,6 +110,75 @@ TEST_F(SsaoGl, The_box_blur_is_the_mean_of_its_pixels) {
       }
     }
   }
+}
+
+// The image at a bias of the axes, from the first samples.
+Image<float> image_at(const std::vector<std::vector<OccludingSample>>& pixels, const View& view, std::size_t bias,
+                      int samples) {
+  Image<float> ao(view.width, view.height, 1.0f);
+  for (std::size_t i = 0; i < ao.size(); ++i) {
+    float occlusion = 0.0f;
+    for (const OccludingSample& each : pixels[i]) {
+      if (each.index() < samples && bias < each.biases()) occlusion += each.weight;
+    }
+    ao[i] = std::max(1.0f - occlusion * share_of_sample(samples), 0.0f);
+  }
+  return ao;
+}
+
+TEST_F(SsaoGl, One_pass_holds_the_image_of_every_bias_and_number_of_samples_to_the_bit) {
+  Scene scene;
+  add_mesh(scene, ground(20));
+  add_mesh(scene, box({-1, 0, -1}, {1, 1, 1}));
+  add_mesh(scene, box({-0.1f, 0, 2}, {0.1f, 3, 2.1f}));
+  AoParams params;
+  params.sampling.radius = 1.0;
+  params.blur.kind = AoBlur::none;
+  params.kernel.kind = AoKernel::progressive;
+  const AoAxes axes{{-0.05f, 0.0f, 1e-4f, 0.01f, 0.012f, 0.05f, 0.3f, 2.0f}, {1, 3, 8, 17, 49}, {}};
+  for (const View& view :
+       {perspective_view(96, 64, {2, 3, 4}, {0, 0.5, 0}), orthographic_view(96, 64, {2, 3, 4}, {0, 0.5, 0}, 2.0)}) {
+    const GpuGBuffer surfels = draw_gbuffer(context(), upload(context(), scene), view);
+    for (const bool range_check : {true, false}) {
+      params.ssao.range_check = range_check;
+      std::vector<std::vector<OccludingSample>> pixels;
+      draw_ao_response(context(), surfels, view, params, 3, axes, [&](std::span<const AoResponseRow> rows) {
+        for (const AoResponseRow& row : rows) {
+          ASSERT_EQ(static_cast<std::size_t>(row.y) * row.counts.size(), pixels.size());
+          for (std::size_t x = 0; x < row.counts.size(); ++x) {
+            pixels.emplace_back(row.pixel(x).begin(), row.pixel(x).end());
+          }
+        }
+      });
+      ASSERT_EQ(pixels.size(), 96u * 64u);
+      for (std::size_t b = 0; b < axes.biases.size(); ++b) {
+        for (const int samples : axes.samples) {
+          params.bias.depth = static_cast<double>(axes.biases[b]);
+          params.sampling.samples = samples;
+          const Image<float> drawn = draw_ao(context(), surfels, view, params, 3);
+          EXPECT_EQ(drawn.pixels, image_at(pixels, view, b, samples).pixels) << axes.biases[b] << " " << samples;
+        }
+      }
+      EXPECT_LT(mean(image_at(pixels, view, 0, 49)), mean(image_at(pixels, view, 5, 49)));
+    }
+  }
+}
+
+TEST_F(SsaoGl, Intensity_and_power_follow_the_blur) {
+  Scene scene;
+  add_mesh(scene, ground(20));
+  add_mesh(scene, box({-1, 0, -1}, {1, 1, 1}));
+  const View view = perspective_view(64, 48, {2, 3, 4}, {0, 0.5, 0});
+  AoParams params;
+  params.sampling.radius = 1.0;
+  const Image<float> plain = ao(scene, view, params);
+  params.tone = {1.5, 2.0};
+  const Image<float> toned = ao(scene, view, params);
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    const double open = std::max(0.0, 1.0 - 1.5 * (1.0 - static_cast<double>(plain[i])));
+    ASSERT_NEAR(static_cast<double>(toned[i]), open * open, 1e-6);
+  }
+  EXPECT_LT(mean(toned), mean(plain) - 0.01);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace umbrameter {
 namespace {
 
 TEST(AoKernel, Points_fill_the_upper_unit_hemisphere_and_thin_out_from_the_centre) {
-  const std::vector<vec4> kernel = hemisphere_kernel(1024, 7);
+  const std::vector<vec4> kernel = hemisphere_kernel({}, 1024, 7);
   ASSERT_EQ(kernel.size(), 1024u);
   double mean_z = 0.0;
   for (const vec4& point : kernel) {
@@ -22,8 +22,34 @@ TEST(AoKernel, Points_fill_the_upper_unit_hemisphere_and_thin_out_from_the_centr
     mean_z += static_cast<double>(point.z) / std::max(1e-9, static_cast<double>(glm::length(vec3(point)))) / 1024;
   }
   EXPECT_NEAR(mean_z, 0.5, 0.03);  // uniform directions: the mean of z over a hemisphere is 1/2
-  EXPECT_EQ(kernel, hemisphere_kernel(1024, 7));
-  EXPECT_NE(kernel, hemisphere_kernel(1024, 8));
+  EXPECT_EQ(kernel, hemisphere_kernel({}, 1024, 7));
+  EXPECT_NE(kernel, hemisphere_kernel({}, 1024, 8));
+}
+
+TEST(AoKernel, A_progressive_kernel_begins_with_every_smaller_one) {
+  const AoKernelParams params{AoKernel::progressive};
+  const std::vector<vec4> all = hemisphere_kernel(params, 1024, 7);
+  for (const int samples : {1, 16, 100}) {
+    const std::vector<vec4> first = hemisphere_kernel(params, samples, 7);
+    EXPECT_TRUE(std::equal(first.begin(), first.end(), all.begin())) << samples;
+  }
+  EXPECT_NE(all, hemisphere_kernel(params, 1024, 8));
+  // Directions and distances are distributed as in Learn OpenGL: the mean distance is E[u](0.1 + 0.9 E[v²]) = 0.2.
+  double mean_z = 0.0;
+  double mean_length = 0.0;
+  double random_length = 0.0;
+  const std::vector<vec4> random = hemisphere_kernel({}, 1024, 7);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double length = glm::length(dvec3(all[i]));
+    EXPECT_GE(all[i].z, 0.0f);
+    EXPECT_LE(length, 1.0);
+    mean_z += static_cast<double>(all[i].z) / std::max(1e-9, length) / 1024;
+    mean_length += length / 1024;
+    random_length += glm::length(dvec3(random[i])) / 1024;
+  }
+  EXPECT_NEAR(mean_z, 0.5, 0.006);  // as accurate as 1024 × 27 random directions
+  EXPECT_NEAR(mean_length, 0.2, 0.002);
+  EXPECT_NEAR(random_length, 0.2, 0.02);
 }
 
 TEST(AoNoise, The_tile_has_a_rotation_for_each_of_its_pixels_and_follows_from_the_seed) {
@@ -75,6 +101,14 @@ TEST(AoTechnique, Every_technique_holds_the_values_of_the_parameters_that_it_rea
     }
     EXPECT_TRUE(keys.contains("ao.radius"));
   }
+}
+
+TEST(AoTone, Intensity_comes_before_power_and_ones_change_no_bit) {
+  EXPECT_EQ(with_tone(0.3f, {1.0, 1.0}), 0.3f);
+  EXPECT_EQ(with_tone(1.0f, {0.7, 3.0}), 1.0f);
+  EXPECT_FLOAT_EQ(with_tone(0.8f, {2.0, 1.0}), 0.6f);
+  EXPECT_FLOAT_EQ(with_tone(0.8f, {2.0, 2.0}), 0.36f);
+  EXPECT_EQ(with_tone(0.3f, {2.0, 0.5}), 0.0f);
 }
 
 TEST(AoTechnique, Lengths_become_metres_of_the_scenes_size) {

@@ -1,0 +1,46 @@
+// The sums over pixels from which SampledError follows. For code that adds pixels in its own order.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "compare/sampled_error.h"
+
+namespace umbrameter {
+
+/// Of the part of the absolute error that has one sign.
+struct PartSums {
+  double low = 0.0;               // of estimates that are at most the part, on average
+  double low_variance = 0.0;      // of `low`
+  double low_squares = 0.0;       // of its pixels' variances
+  double variance = 0.0;          // of the measured part, an upper bound
+  double variance_squares = 0.0;  // of its pixels' variances
+};
+
+struct ErrorSums {
+  std::uint64_t pixels = 0;
+  double raster = 0.0;
+  double truth = 0.0;
+  double error = 0.0;
+  double absolute = 0.0;
+  double absolute_bias = 0.0;  // what noise of the truth may have added to the absolute error
+  double squared = 0.0;
+  double squared_variance = 0.0;
+  double variance = 0.0;
+  double variance_squared = 0.0;
+  double min_samples = std::numeric_limits<double>::infinity();
+  double scatter = 0.0;
+  double max_error = 0.0;
+  int max_x = -1;
+  PartSums too_dark;
+  PartSums too_bright;
+};
+
+/// What noise of the standard error s adds to the mean of an absolute error e: E|e + sZ| − |e| for standard normal Z
+/// (mean of the folded normal distribution, Leone, Nelson and Nottingham 1961).
+double folded_excess(double e, double s);
+
+/// All but max_error, max_x and max_y.
+SampledError statistics_of(const ErrorSums& total, int degrees_of_freedom);
+
+}  // namespace umbrameter

@@ -1,0 +1,26 @@
+// The stages of the technique's ambient occlusion.
+#include "experiments/stages.h"
+
+namespace umbrameter {
+
+Image<float> Stages::draw_ao(const Experiment& experiment) {
+  Image<float> ao = ao_.get(key_of(Stage::ao, experiment), [&] {
+    Experiment without_tone = experiment;
+    without_tone.ao.tone = {};
+    return draw_ao_of(gpu_surfels(experiment), without_tone);
+  });
+  for (float& pixel : ao.pixels) pixel = with_tone(pixel, experiment.ao.tone);
+  return ao;
+}
+
+void Stages::draw_ao_response(const Experiment& experiment, const AoAxes& axes, const AoResponseSink& sink) {
+  umbrameter::draw_ao_response(context(), gpu_surfels(experiment), surfels(experiment).view, in_metres(experiment).ao,
+                               static_cast<std::uint32_t>(experiment.run.seed), axes, sink);
+}
+
+Image<float> Stages::draw_ao_of(const GpuGBuffer& surfels, const Experiment& experiment) {
+  return umbrameter::draw_ao(context(), surfels, this->surfels(experiment).view, in_metres(experiment).ao,
+                             static_cast<std::uint32_t>(experiment.run.seed));
+}
+
+}  // namespace umbrameter
