@@ -18,9 +18,11 @@ const ColorScale ao_error_scale{ColorMap::error, -0.5, 0.5, "technique − refer
 std::string ao_technique_text(const AoParams& params) {
   AoTechnique technique = make_technique(params);
   const bool has_bias = find(describe(technique), "ao.bias") != nullptr;
+  AoBlurParams blur = params.blur;
+  const std::string kind = to_string(require(describe(blur), "ao.blur").value());
   return fmt::format("{} samples, radius {}{}{}.", params.sampling.samples, metres_text(params.sampling.radius.number),
                      has_bias ? fmt::format(", bias {}", metres_text(params.bias.depth.number)) : "",
-                     params.blur.kind == AoBlur::box ? fmt::format(", {0}×{0} box blur", params.blur.size) : "");
+                     params.blur.kind == AoBlur::none ? "" : fmt::format(", {0}×{0} {1} blur", params.blur.size, kind));
 }
 
 template <class Figure>

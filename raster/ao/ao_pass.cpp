@@ -31,7 +31,7 @@ Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, cons
   const AoInputs inputs{gbuffer, depth, view, seed};
   gl::Texture ao =
       std::visit([&](const auto& technique) { return draw(context, inputs, technique); }, make_technique(params));
-  Image<float> image = read_image<float>(blur(context, gbuffer, std::move(ao), params.blur), gl::Format::r32f);
+  Image<float> image = read_image<float>(blur(context, gbuffer, std::move(ao), params), gl::Format::r32f);
   // GTAO's estimate exceeds 1 in some pixels, and only its mean over the noise does not.
   for (float& pixel : image.pixels) pixel = with_tone(std::min(pixel, 1.0f), params.tone);
   return image;

@@ -4,24 +4,41 @@
 
 namespace umbrameter {
 
-gl::Texture blur(const gl::Context& context, const GpuGBuffer& gbuffer, gl::Texture ao, const AoBlurParams& params) {
+namespace {
+
+gl::Texture blur_along(const gl::Context& context, const GpuGBuffer& gbuffer, const gl::Texture& source,
+                       const AoParams& ao, const ivec2& axis) {
+  const AoBlurParams& params = ao.blur;
   const AoBlurTaps taps = taps_of(params);
-  if (taps.count == 1) return ao;
-  const auto along = [&](const gl::Texture& source, int step_x, int step_y, bool is_last) {
-    gl::Texture blurred = gl::make_texture("ao blurred", gl::Format::r32f, gbuffer.width, gbuffer.height);
-    gl::Pass(context, {{"box_blur.comp"}, {}})
-        .texture("ids", gbuffer.ids)
-        .texture("source", source)
-        .image("blurred", blurred, gl::Format::r32f)
-        .value("axis", step_x, step_y)
-        .value("first", taps.first)
-        .value("taps", taps.count)
-        .value("is_last", is_last ? 1 : 0)
-        .dispatch(gbuffer.width, gbuffer.height);
-    return blurred;
-  };
-  // Textures have the bottom row first: down is −y.
-  return along(along(ao, 1, 0, false), 0, -1, true);
+  const bool is_box = params.kind == AoBlur::box;
+  const bool is_bilateral = params.kind == AoBlur::bilateral;
+  gl::Texture blurred = gl::make_texture("ao blurred", gl::Format::r32f, gbuffer.width, gbuffer.height);
+  gl::Pass pass(context, {{is_box ? "box_blur.comp" : "weighted_blur.comp"}, {}});
+  bind(pass, gbuffer)
+      .texture("source", source)
+      .image("blurred", blurred, gl::Format::r32f)
+      .value("axis", axis.x, axis.y)
+      .value("first", taps.first)
+      .value("taps", taps.count)
+      .value("is_last", axis.y != 0 ? 1 : 0)
+      .value("deviation", static_cast<float>(deviation_of(params)))
+      .value("plane_distance",
+             is_bilateral ? static_cast<float>(params.plane_distance * ao.sampling.radius.number) : 0.0f)
+      .value("normal_exponent", is_bilateral ? static_cast<float>(params.normal_exponent) : 0.0f)
+      .dispatch(gbuffer.width, gbuffer.height);
+  return blurred;
+}
+
+}  // namespace
+
+gl::Texture blur(const gl::Context& context, const GpuGBuffer& gbuffer, gl::Texture ao, const AoParams& params) {
+  if (taps_of(params.blur).count == 1) return ao;
+  for (int i = 0; i < params.blur.passes; ++i) {
+    ao = blur_along(context, gbuffer, ao, params, {1, 0});
+    // Textures have the bottom row first: down is −y.
+    ao = blur_along(context, gbuffer, ao, params, {0, -1});
+  }
+  return ao;
 }
 
 }  // namespace umbrameter

@@ -3,11 +3,11 @@
 
 #include "raster/gbuffer/gbuffer_pass.h"
 #include "raster/gl/context.h"
-#include "techniques/ao/blur.h"
+#include "techniques/ao/technique.h"
 
 namespace umbrameter {
 
-/// Along both axes; background stays 1.
-gl::Texture blur(const gl::Context& context, const GpuGBuffer& gbuffer, gl::Texture ao, const AoBlurParams& params);
+/// All passes along both axes; background stays 1.
+gl::Texture blur(const gl::Context& context, const GpuGBuffer& gbuffer, gl::Texture ao, const AoParams& params);
 
 }  // namespace umbrameter

@@ -49,4 +49,12 @@ gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Cryte
   return run(context, inputs, "crytek.comp", technique);
 }
 
+gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Bitmask& technique) {
+  return run(context, inputs, "bitmask.comp", technique);
+}
+
+gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Marched& technique) {
+  return run(context, inputs, "marched.comp", technique);
+}
+
 }  // namespace umbrameter

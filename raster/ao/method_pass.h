@@ -11,5 +11,7 @@ gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Gtao&
 gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Hbao& technique);
 gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Alchemy& technique);
 gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Crytek& technique);
+gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Bitmask& technique);
+gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Marched& technique);
 
 }  // namespace umbrameter

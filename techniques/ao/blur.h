@@ -5,21 +5,27 @@
 
 namespace umbrameter {
 
-enum class AoBlur : int { none, box };
+enum class AoBlur : int { none, box, gaussian, bilateral };
 
 struct AoBlurParams {
   AoBlur kind = AoBlur::box;
   int size = 4;
+  int passes = 1;
+  double plane_distance = 0.05;
+  double normal_exponent = 8.0;
 };
 Parameters describe(AoBlurParams& params);
 
-/// The blur along one axis: the mean of `count` pixels, of which the first has the offset `first`, positive to the
-/// right or down. The same taps apply to both axes. One tap does not blur. Pixels are clamped to the edge of the image.
+/// The blur along one axis: `count` pixels, of which the first has the offset `first`, positive to the right or down.
+/// The same taps apply to both axes. One tap does not blur. Pixels are clamped to the edge of the image.
 struct AoBlurTaps {
   int first = 0;
   int count = 1;
 };
-/// An even number of taps extends one pixel further to the left and up.
+/// An even number of taps of a box extends one pixel further to the left and up. A Gaussian is symmetric.
 AoBlurTaps taps_of(const AoBlurParams& params);
+
+/// Standard deviation of the Gaussian of a blur of this size, pixels: it is cut at twice that.
+double deviation_of(const AoBlurParams& params);
 
 }  // namespace umbrameter

@@ -9,6 +9,7 @@ namespace umbrameter::shared {
 
 using glm::acos;
 using glm::atan;
+using glm::ceil;
 using glm::cos;
 using glm::cross;
 using glm::dot;

@@ -5,14 +5,16 @@
 namespace umbrameter {
 
 Parameters describe(AoParams& params) {
-  static constexpr std::array<std::string_view, 5> names{"ssao", "gtao", "hbao", "alchemy", "crytek"};
+  static constexpr std::array<std::string_view, 7> names{"ssao",   "gtao",    "hbao",       "alchemy",
+                                                         "crytek", "bitmask", "ray-marched"};
   Parameters technique =
       Description("ao")
           .choice("technique", params.technique, names, {.unit = {}, .meaning = "AO technique", .basic = true})
           .take();
   return concatenate({describe(params.sampling), describe(params.bias), describe(params.noise), technique,
                       describe(params.ssao), describe(params.kernel), describe(params.slices), describe(params.gtao),
-                      describe(params.hbao), describe(params.alchemy), describe(params.blur), describe(params.tone)});
+                      describe(params.hbao), describe(params.alchemy), describe(params.bitmask),
+                      describe(params.marched), describe(params.blur), describe(params.tone)});
 }
 
 AoParams in_metres(AoParams params, double scene_size) {
@@ -33,6 +35,10 @@ AoTechnique make_technique(const AoParams& params) {
       return Alchemy{params.sampling, params.noise, params.alchemy};
     case AoTechniqueName::crytek:
       return Crytek{params.sampling, params.bias, params.noise, params.ssao};
+    case AoTechniqueName::bitmask:
+      return Bitmask{params.sampling, params.noise, params.slices, params.bitmask};
+    case AoTechniqueName::ray_marched:
+      return Marched{params.sampling, params.noise, params.marched};
   }
   return Ssao{params.sampling, params.bias, params.noise, params.ssao, params.kernel};
 }

@@ -11,11 +11,13 @@
 
 #include "core/parameters.h"
 #include "techniques/ao/alchemy.h"
+#include "techniques/ao/bitmask.h"
 #include "techniques/ao/blur.h"
 #include "techniques/ao/crytek.h"
 #include "techniques/ao/gtao.h"
 #include "techniques/ao/hbao.h"
 #include "techniques/ao/kernel.h"
+#include "techniques/ao/marched.h"
 #include "techniques/ao/noise.h"
 #include "techniques/ao/parameters.h"
 #include "techniques/ao/ssao.h"
@@ -24,7 +26,7 @@
 namespace umbrameter {
 
 /// Names of the techniques, in the order of AoTechnique's alternatives.
-enum class AoTechniqueName : int { ssao, gtao, hbao, alchemy, crytek };
+enum class AoTechniqueName : int { ssao, gtao, hbao, alchemy, crytek, bitmask, ray_marched };
 
 /// The ao.* parameters: those that techniques share, those of each technique, and those of what follows.
 struct AoParams {
@@ -38,6 +40,8 @@ struct AoParams {
   GtaoParams gtao;
   HbaoParams hbao;
   AlchemyParams alchemy;
+  BitmaskParams bitmask;
+  MarchedParams marched;
   AoBlurParams blur;
   AoToneParams tone;
 };
@@ -46,7 +50,7 @@ Parameters describe(AoParams& params);
 /// Converts all lengths to metres, as draw_ao() expects. scene_size is the diagonal of the scene's bounds, metres.
 AoParams in_metres(AoParams params, double scene_size);
 
-using AoTechnique = std::variant<Ssao, Gtao, Hbao, Alchemy, Crytek>;
+using AoTechnique = std::variant<Ssao, Gtao, Hbao, Alchemy, Crytek, Bitmask, Marched>;
 
 AoTechnique make_technique(const AoParams& params);
 

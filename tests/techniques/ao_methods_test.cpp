@@ -62,5 +62,42 @@ TEST(Gtao, An_open_hemisphere_is_1_for_every_direction_of_view) {
   }
 }
 
+TEST(Bitmask, Sectors_have_equal_shares_of_the_slice_in_either_weight) {
+  shared::BitmaskMethod method;
+  for (const float n : {-1.4f, -0.5f, 0.0f, 0.3f, 1.2f}) {
+    for (const float angle : {-2.0f, -1.2f, -0.3f, 0.0f, 0.1f, 0.9f, 1.7f}) {
+      // The midpoint rule, over the normal's hemisphere in the slice.
+      constexpr int parts = 20000;
+      double below = 0.0;
+      double all = 0.0;
+      for (int i = 0; i < parts; ++i) {
+        const double theta = static_cast<double>(n) + pi * ((i + 0.5) / parts - 0.5);
+        const double weight = std::cos(theta - static_cast<double>(n)) * std::abs(std::sin(theta));
+        all += weight;
+        if (theta < static_cast<double>(angle)) below += weight;
+      }
+      EXPECT_NEAR(method.sector_position(n, angle, 1), below / all, 2e-4) << n << " " << angle;
+      const double even = (static_cast<double>(angle) - static_cast<double>(n)) / pi + 0.5;
+      EXPECT_NEAR(method.sector_position(n, angle, 0), std::clamp(even, 0.0, 1.0), 1e-6) << n << " " << angle;
+    }
+  }
+}
+
+TEST(Bitmask, A_surface_covers_the_sectors_it_reaches_or_those_whose_centre_it_covers) {
+  shared::BitmaskMethod method;
+  EXPECT_EQ(method.covered_sectors(0.0f, 1.0f, 0), 0xffffffffu);
+  EXPECT_EQ(method.covered_sectors(0.0f, 1.0f, 1), 0xffffffffu);
+  EXPECT_EQ(method.covered_sectors(1.0f, 1.0f, 0), 0u);
+  EXPECT_EQ(method.covered_sectors(1.0f, 1.0f, 1), 0u);
+  // From 0.4 to 1.4 sectors: the centre of the first at 0.5, not that of the second at 1.5.
+  EXPECT_EQ(method.covered_sectors(0.4f / 32, 1.4f / 32, 0), 1u);
+  EXPECT_EQ(method.covered_sectors(0.4f / 32, 1.6f / 32, 0), 3u);
+  EXPECT_EQ(method.covered_sectors(0.6f / 32, 1.4f / 32, 0), 0u);
+  // Rounded up: as many sectors as the surface is wide, from the one in which it begins.
+  EXPECT_EQ(method.covered_sectors(0.4f / 32, 0.5f / 32, 1), 1u);
+  EXPECT_EQ(method.covered_sectors(0.4f / 32, 1.5f / 32, 1), 3u);
+  EXPECT_EQ(method.covered_sectors(31.5f / 32, 1.0f, 1), 0x80000000u);
+}
+
 }  // namespace
 }  // namespace umbrameter

@@ -1,0 +1,46 @@
+// GTAO with a visibility bitmask: surfaces have a thickness, so that light passes behind them (Therrien, Levesque and
+// Gilet 2023). bitmask.glsl has the formulas, for the shader too.
+#pragma once
+
+#include <string_view>
+
+#include "core/parameters.h"
+#include "techniques/ao/gtao.h"
+#include "techniques/ao/noise.h"
+#include "techniques/ao/parameters.h"
+
+namespace umbrameter {
+namespace shared {
+
+struct BitmaskMethod : GtaoMethod {
+#define SHARED
+#include "techniques/ao/bitmask.glsl"
+#undef SHARED
+};
+
+}  // namespace shared
+
+enum class BitmaskWeight : int { angle, cosine };
+enum class BitmaskRounding : int { up, nearest };
+
+/// Weight and rounding are those of the paper's code; the other numbers are our choice.
+struct BitmaskParams {
+  double thickness = 0.25;
+  double distribution = 2.0;
+  BitmaskWeight weight = BitmaskWeight::angle;
+  BitmaskRounding rounding = BitmaskRounding::up;
+};
+Parameters describe(BitmaskParams& params);
+
+struct Bitmask {
+  static constexpr std::string_view title = "Visibility bitmask";
+  AoSamplingParams sampling;
+  AoNoiseParams noise;
+  AoSliceParams slices;
+  BitmaskParams params;
+};
+Parameters describe(Bitmask& technique);
+
+shared::BitmaskMethod::BitmaskSettings settings_of(const Bitmask& technique);
+
+}  // namespace umbrameter
