@@ -1,0 +1,136 @@
+#include "ao_invariants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace umbrameter {
+namespace {
+
+constexpr double degree = pi / 180.0;
+
+Scene endless_plane() {
+  Scene scene;
+  Mesh mesh;
+  mesh.positions = {{0, 0, 4000}, {3500, 0, -2000}, {-3500, 0, -2000}};
+  mesh.triangles = {{0, 1, 2}};
+  scene.materials.push_back({});
+  scene.meshes.push_back(std::move(mesh));
+  scene.objects.push_back({"plane"});
+  scene.instances.push_back({0, 0, dmat4(1.0)});
+  return scene;
+}
+
+View plane_view(double angle) {
+  const double a = angle * degree;
+  View view{480, 160, {}};
+  view.camera.world_from_camera =
+      dmat4(dvec4(1, 0, 0, 0), dvec4(0, std::sin(a), -std::cos(a), 0), dvec4(0, std::cos(a), std::sin(a), 0),
+            dvec4(0, 3 * std::cos(a), 3 * std::sin(a), 1));
+  view.camera.projection = PerspectiveProjection{2 * std::atan(std::tan(25 * degree) * 160 / 480)};
+  return view;
+}
+
+struct Seen {
+  GBuffer surfels;
+  Image<double> mean;   // over the seeds
+  Image<double> noise;  // variance
+};
+
+Seen see(const gl::Context& context, const UploadedScene& scene, const View& view, const AoParams& params, int seeds) {
+  const GpuGBuffer gbuffer = draw_gbuffer(context, scene, view);
+  Seen seen{read_back(context, gbuffer), Image<double>(view.width, view.height, 0.0),
+            Image<double>(view.width, view.height, 0.0)};
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const Image<float> ao = draw_ao(context, gbuffer, view, params, static_cast<std::uint32_t>(seed));
+    for (std::size_t i = 0; i < ao.size(); ++i) {
+      const double value = static_cast<double>(ao[i]);
+      seen.mean[i] += value / seeds;
+      seen.noise[i] += value * value / seeds;
+    }
+  }
+  for (std::size_t i = 0; i < seen.mean.size(); ++i) {
+    seen.noise[i] = std::max(0.0, seen.noise[i] - seen.mean[i] * seen.mean[i]) * seeds / std::max(1, seeds - 1);
+  }
+  return seen;
+}
+
+View rotated(const View& view) {
+  View other{view.height, view.width, view.camera};
+  dmat4& from_camera = other.camera.world_from_camera;
+  const dvec4 right = from_camera[0];
+  from_camera[0] = from_camera[1];
+  from_camera[1] = -right;
+  auto& projection = std::get<PerspectiveProjection>(other.camera.projection);
+  projection.vertical_fov = 2.0 * std::atan(std::tan(0.5 * projection.vertical_fov) * view.width / view.height);
+  return other;
+}
+
+class MeanSquare {
+ public:
+  void add(double square) {
+    sum_ += square;
+    ++count_;
+  }
+  double root() const { return count_ > 0 ? std::sqrt(sum_ / static_cast<double>(count_)) : 0.0; }
+
+ private:
+  double sum_ = 0.0;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+Darkening open_plane_darkening(const gl::Context& context, const AoParams& params, double angle, bool at_edge) {
+  const View view = plane_view(angle);
+  const UploadedScene scene = upload(context, endless_plane());
+  const Seen seen = see(context, scene, view, params, 1);
+  const int center = at_edge ? 464 : 240;
+  Darkening darkening;
+  double count = 0.0;
+  for (int y = 64; y < 96; ++y) {
+    for (int x = center - 16; x < center + 16; ++x) {
+      const std::size_t i = seen.mean.index(x, y);
+      if (!seen.surfels.is_surface(i)) continue;
+      darkening.mean += 1.0 - seen.mean[i];
+      darkening.worst = std::max(darkening.worst, 1.0 - seen.mean[i]);
+      count += 1.0;
+    }
+  }
+  if (count > 0.0) darkening.mean /= count;
+  return darkening;
+}
+
+AoVariation measure_variation(const gl::Context& context, const UploadedScene& scene, const View& view,
+                              const AoParams& params, int seeds) {
+  const Seen full = see(context, scene, view, params, seeds);
+  const Seen turned = see(context, scene, rotated(view), params, seeds);
+  View half_view = view;
+  half_view.width /= 2;
+  half_view.height /= 2;
+  const Seen half = see(context, scene, half_view, params, seeds);
+  MeanSquare rotation, resolution, noise;
+  for (int y = 0; y < view.height; ++y) {
+    for (int x = 0; x < view.width; ++x) {
+      const std::size_t i = full.mean.index(x, y);
+      const std::size_t j = turned.mean.index(view.height - 1 - y, x);
+      if (!full.surfels.is_surface(i) || !turned.surfels.is_surface(j)) continue;
+      rotation.add(std::pow(full.mean[i] - turned.mean[j], 2));
+      noise.add(full.noise[i]);
+    }
+  }
+  for (int y = 0; y < half_view.height; ++y) {
+    for (int x = 0; x < half_view.width; ++x) {
+      double sum = 0.0;
+      bool is_surface = half.surfels.is_surface(half.mean.index(x, y));
+      for (const int k : {0, 1, 2, 3}) {
+        const std::size_t i = full.mean.index(2 * x + k % 2, 2 * y + k / 2);
+        is_surface = is_surface && full.surfels.is_surface(i);
+        sum += 0.25 * full.mean[i];
+      }
+      if (is_surface) resolution.add(std::pow(half.mean.at(x, y) - sum, 2));
+    }
+  }
+  return {rotation.root(), resolution.root(), noise.root()};
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,29 @@
+// What a method of ambient occlusion should not depend on: the angle of view of an open plane, the camera's rotation
+// about its axis, the resolution, and the seed of its noise.
+#pragma once
+
+#include "raster/rasterizer.h"
+#include "scenes/scene.h"
+#include "scenes/view.h"
+
+namespace umbrameter {
+
+struct Darkening {
+  double mean = 0.0;
+  double worst = 0.0;
+};
+
+/// 1 − AO of an endless plane, in the 32² pixels about the axis of the camera, or about the ray 24 degrees to its side.
+/// `angle`: between the axis and the plane's normal, degrees. The camera is 3 m away.
+Darkening open_plane_darkening(const gl::Context& context, const AoParams& params, double angle, bool at_edge);
+
+/// Root mean squares over the pixels that see a surface.
+struct AoVariation {
+  double rotation = 0.0;  ///< camera rotated by 90 degrees about its axis, mean of the seeds
+  double half = 0.0;      ///< half resolution against the mean of 2×2 pixels, mean of the seeds
+  double noise = 0.0;     ///< standard deviation over the seeds
+};
+AoVariation measure_variation(const gl::Context& context, const UploadedScene& scene, const View& view,
+                              const AoParams& params, int seeds);
+
+}  // namespace umbrameter
