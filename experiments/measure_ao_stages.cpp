@@ -33,11 +33,16 @@ Image<float> sum(Image<float> a, const Image<float>& b) {
 AoStages measure_ao_stages(Stages& stages, const Experiment& experiment, const TracedAo& truth,
                            const Image<float>& drawn, const Console& console) {
   const Experiment metric = stages.in_metres(experiment);
-  const std::optional<AoIntegral> integral = integral_of(make_technique(metric.ao));
+  std::optional<AoIntegral> integral = integral_of(make_technique(metric.ao));
   if (!integral) {
-    throw Error(ExitCode::usage, "run.ao-stages", "this AO technique has no integral of its own to compare with",
-                "choose another ao.technique, or leave out run.ao-stages");
+    throw Error(ExitCode::usage, "run.ao-stages",
+                "a visibility bitmask with weights by angle has no integral of its own to compare with",
+                "use ao.bitmask-weight cosine, or leave out run.ao-stages");
   }
+  // Intensity and power are what the method shows, no approximation of it.
+  integral->output = [output = integral->output, tone = metric.ao.tone](double accessibility) {
+    return static_cast<double>(with_tone(static_cast<float>(output(accessibility)), tone));
+  };
   const Surfels& surfels = stages.surfels(experiment);
   const Tracer& tracer = stages.tracer();
   TracedIntegral traced;

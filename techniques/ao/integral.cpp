@@ -106,16 +106,22 @@ AoIntegral integral_of(const Alchemy& technique) {
           "intensity, cut at 0"};
 }
 
+AoIntegral integral_of(const Marched& technique) {
+  const bool is_uniform = technique.params.weight == MarchedWeight::uniform;
+  return {is_uniform ? AoDirections::uniform : AoDirections::cosine, technique.sampling.radius.number,
+          [](const AoHit&) { return 1.0; }, unchanged,
+          is_uniform ? "uniform directions; a hit within the radius occludes in full"
+                     : "cosine-weighted directions; a hit within the radius occludes in full"};
+}
+
+std::optional<AoIntegral> integral_of(const Bitmask& technique) {
+  if (technique.params.weight == BitmaskWeight::angle) return {};
+  return AoIntegral{AoDirections::cosine, technique.sampling.radius.number, [](const AoHit&) { return 1.0; }, unchanged,
+                    "cosine-weighted directions; a hit within the radius occludes in full"};
+}
+
 std::optional<AoIntegral> integral_of(const AoTechnique& technique) {
-  return std::visit(
-      [](const auto& each) -> std::optional<AoIntegral> {
-        if constexpr (requires { integral_of(each).reach; }) {
-          return integral_of(each);
-        } else {
-          return {};
-        }
-      },
-      technique);
+  return std::visit([](const auto& each) -> std::optional<AoIntegral> { return integral_of(each); }, technique);
 }
 
 AoParams with_many_samples(AoParams params) {

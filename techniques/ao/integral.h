@@ -38,6 +38,9 @@ AoIntegral integral_of(const Gtao& technique);
 AoIntegral integral_of(const Hbao& technique);
 AoIntegral integral_of(const Alchemy& technique);
 AoIntegral integral_of(const Crytek& technique);
+AoIntegral integral_of(const Marched& technique);
+/// Nothing with weights by angle: they have no density over the hemisphere that its rays could follow.
+std::optional<AoIntegral> integral_of(const Bitmask& technique);
 
 /// Nothing for a technique that has no integral of its own here. Lengths are in metres: in_metres().
 std::optional<AoIntegral> integral_of(const AoTechnique& technique);

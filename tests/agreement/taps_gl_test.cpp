@@ -18,7 +18,10 @@ class TapsGl : public GlFixture {
     view_ = {96, 54, select_camera(scene_, "", 16.0 / 9.0, notes)};
   }
   void expect_agreement(const std::vector<NamedFilter>& filters, std::size_t judged) {
-    BiasGrid grid{{{-0.01f, 0.02f, 0.3f}, {0.0f, 1.5f}}, {96}, filters};
+    BiasGrid grid;
+    grid.axes = {{-0.01f, 0.02f, 0.3f}, {0.0f, 1.5f}};
+    grid.resolutions = {96};
+    grid.filters = filters;
     grid.judged_filters = judged;
     for (const Light& light : lights_) {
       const Agreement found = compare_ways(context(), scene_, view_, light, grid);

@@ -50,7 +50,7 @@ class TapFlipsGl : public testing::Test {
         std::size_t different = 0;
         for (std::size_t i = 0; i < expected.size(); ++i) {
           const PixelClass found = class_at(flips, k, i, counted.exclusion[i]);
-          different += found != expected[i] ? 1 : 0;
+          if (found != expected[i]) ++different;
           wrong += found != PixelClass::correct && found < PixelClass::not_counted ? 1 : 0;
         }
         EXPECT_EQ(different, 0u) << stages.title(light) << " at " << axes.constant[k];

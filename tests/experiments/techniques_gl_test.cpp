@@ -60,8 +60,8 @@ TEST_F(TechniquesGl, Every_choice_draws_under_every_kind_of_light) {
         try {
           const Image<float> visibility = stages.draw(experiment, light, false).visibility;
           EXPECT_EQ(visibility.size(), 64u * 36u);
-          for (const float value : visibility.pixels) {
-            ASSERT_TRUE(value >= 0.0f && value <= 1.0f) << parameter.key << "=" << name << ": " << value;
+          for (const float seen : visibility.pixels) {
+            ASSERT_TRUE(seen >= 0.0f && seen <= 1.0f) << parameter.key << "=" << name << ": " << seen;
           }
           ++drawn;
         } catch (const Error& error) {

@@ -117,8 +117,17 @@ TEST(AoIntegral, Under_an_endless_ceiling_each_method_has_its_closed_form) {
       ssao_occlusion += (1.0 - c) / (1.0 * steps * steps) * std::max(0.0, 1.0 - c / mu / (0.1 + 0.9 * u * u));
     }
   }
+  Marched uniform{sampling, {}, {}};
+  uniform.params.weight = MarchedWeight::uniform;
+  Bitmask bitmask{sampling, {}, {}, {}};
+  EXPECT_FALSE(integral_of(bitmask)) << "weights by angle";
+  bitmask.params.weight = BitmaskWeight::cosine;
   const std::pair<AoIntegral, double> expected[] = {
-      {integral_of(Ssao{sampling, {}, {}, {}}), 1.0 - ssao_occlusion},
+      // All is met from c on: ∫ 2μ dμ and ∫ dμ.
+      {integral_of(Marched{sampling, {}, {}}), c * c},
+      {*integral_of(bitmask), c * c},
+      {integral_of(uniform), c},
+      {integral_of(Ssao{sampling, {}, {}, {}, {}}), 1.0 - ssao_occlusion},
       // Only the fading part, from x = 0.385 on, is met: ∫ 2μ (1 − c/μ)/0.615 dμ.
       {integral_of(Gtao{sampling, {}, {}, gtao}), 1.0 - (1 - c) * (1 - c) / 0.615},
       // ∫ (1 − c²/μ²) dμ.
