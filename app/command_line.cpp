@@ -194,8 +194,7 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
     command.add_flag("--no-cache", line.no_cache, "trace the reference again and do not cache it");
   }
   command.add_flag("--no-figures", line.no_figures, "draw no figures; the page has no pictures");
-  command.add_flag("--full-images", line.full_images,
-                   "the page's viewer shows every pixel of large images, not every second one");
+  command.add_flag("--full-images", line.full_images, "keep every pixel of large images in the page's viewer");
   add_threads(command, line);
   add_memory(command, line);
   add_output_flags(command, line);

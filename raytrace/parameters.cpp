@@ -35,14 +35,14 @@ Parameters describe(TruthParams& params) {
       .choice("ao-weight", params.ao_weight, weights, {"", "weight of AO directions"})
       .field("ao-distance", params.ao_distance,
              {.unit = "m",
-              .meaning = "max distance of AO occluders; 0: no limit, auto: ao.radius",
+              .meaning = "max distance of AO occluders; 0: none, auto: ao.radius",
               .min = 0.0,
               .units = {.scene_size = true, .automatic = true},
               .basic = true})
       .choice("sampler", params.sampler, samplers, {"", "Owen-scrambled Sobol points, or independent random points"})
       .field("tolerance", params.tolerance,
              {.unit = "1",
-              .meaning = "adaptive sampling: max half width of a pixel's 95 % interval; 0: off",
+              .meaning = "adaptive sampling: max half width of 95 % intervals; 0: off",
               .min = 0.0,
               .max = 1.0,
               .basic = true})

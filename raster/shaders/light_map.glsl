@@ -192,17 +192,16 @@ float bias_unit_of(Receiver receiver, float texel) {
   return float(metres);
 }
 
-// Whether depths are compared as the map stores them, and not in metres. Their difference is then scaled by the unit of
-// the bias, so that critical biases stay in metres at the receiver.
-bool compares_encoded() { return bias_unit == BIAS_IN_MAP_DEPTH && encoded_near > 0.0lf; }
+// With COMPARES_ENCODED depths are compared as the map stores them, and not in metres. Their difference is then scaled by
+// the unit of the bias, so that critical biases stay in metres at the receiver.
 
 // The depth of the surface in a tap's texel, metres.
 double blocker_depth(Receiver receiver, float critical_bias) {
+#if COMPARES_ENCODED
+  precise double depth = receiver.depth * receiver.depth / (receiver.depth + double(critical_bias));
+#else
   precise double depth = receiver.depth - double(critical_bias);
-  if (compares_encoded()) {
-    precise double encoded = receiver.depth * receiver.depth / (receiver.depth + double(critical_bias));
-    depth = encoded;
-  }
+#endif
   return depth;
 }
 
@@ -258,11 +257,11 @@ Tap fetch_tap(Receiver receiver, ivec2 offset) {
   double compared = compared_depth(receiver, tap.texel);
   precise double blocker = double(stored) * far_depth;
   precise double above = compared - blocker;
-  if (compares_encoded()) {
-    // The difference of the reciprocal depths, times the square of the receiver's.
-    precise double scale = receiver.depth * receiver.depth / (max(compared, encoded_near) * max(blocker, encoded_near));
-    above *= scale;
-  }
+#if COMPARES_ENCODED
+  // The difference of the reciprocal depths, times the square of the receiver's.
+  precise double scale = receiver.depth * receiver.depth / (max(compared, encoded_near) * max(blocker, encoded_near));
+  above *= scale;
+#endif
 #if CONE_BIAS
   precise dvec2 away = dvec2(receiver.texel + offset) + 0.5lf - receiver.texels;
   precise double squared = away.x * away.x + away.y * away.y;

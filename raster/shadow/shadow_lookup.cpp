@@ -61,7 +61,8 @@ gl::Pass lookup_pass(const gl::Context& context, const ShadowLookup& lookup, Len
   block.bias_unit = static_cast<int>(bias_unit);
   std::string defines = map_defines(lookup.map.layout) + source.defines +
                         define("RECEIVER_PLANE", lookup.bias.receiver_plane ? 1 : 0) +
-                        define("CONE_BIAS", lookup.bias.cone > 0.0 ? 1 : 0);
+                        define("CONE_BIAS", lookup.bias.cone > 0.0 ? 1 : 0) +
+                        define("COMPARES_ENCODED", compares_encoded(lookup.map.layout, bias_unit) ? 1 : 0);
   if (const FilterKernel* kernel = kernel_of(lookup.technique)) {
     block.tap_count = kernel->tap_count();
     block.filter_radius = kernel->radius;

@@ -8,10 +8,7 @@ namespace umbrameter {
 Parameters describe(AoBlurParams& params) {
   static constexpr std::array<std::string_view, 4> names{"none", "box", "gaussian", "bilateral"};
   return Description("ao")
-      .choice("blur", params.kind, names,
-              {.unit = {},
-               .meaning = "blur of the result; bilateral: a Gaussian that stops at edges of depth and normal",
-               .basic = true})
+      .choice("blur", params.kind, names, {.unit = {}, .meaning = "blur; bilateral keeps edges", .basic = true})
       .field("blur-size", params.size, {.unit = "px", .meaning = "width of the blur", .min = 1, .max = 32})
       .field("blur-passes", params.passes, {.unit = "1", .meaning = "passes of the blur", .min = 1, .max = 16})
       .field("blur-plane-distance", params.plane_distance,

@@ -124,8 +124,12 @@ double metres_per_map_depth(const MapLayout& layout, double depth) {
   return near > 0.0 ? depth * depth * (far - near) / (near * far) : far;
 }
 
+bool compares_encoded(const MapLayout& layout, LengthUnit bias_unit) {
+  return bias_unit == LengthUnit::map_depth && layout.encoded_near > 0.0;
+}
+
 void require_bias_unit(const MapLayout& layout, LengthUnit unit) {
-  if (unit != LengthUnit::map_depth || layout.encoded_near == 0.0 || layout.kind == MapKind::perspective) return;
+  if (!compares_encoded(layout, unit) || layout.kind == MapKind::perspective) return;
   throw Error(ExitCode::usage, "shadow.constant-bias",
               "a cube map with this shadow.depth-encoding stores a depth along each face's axis, not from the light",
               "give the bias in metres or texels, or use the linear encoding");

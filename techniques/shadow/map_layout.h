@@ -105,6 +105,9 @@ double depth_of(const MapLayout& layout, const dvec3& position);
 /// The change of a depth when the number that the map stores for it changes by one, metres.
 double metres_per_map_depth(const MapLayout& layout, double depth);
 
+/// Whether depths are compared as the map stores them, and not in metres.
+bool compares_encoded(const MapLayout& layout, LengthUnit bias_unit);
+
 /// Throws Error (usage) where a constant bias cannot have this unit: the map's depth in a cube whose faces store the
 /// depth of a perspective projection, because a face's depth is not the distance from the light.
 void require_bias_unit(const MapLayout& layout, LengthUnit unit);

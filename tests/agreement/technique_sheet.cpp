@@ -13,9 +13,9 @@ namespace umbrameter {
 namespace {
 
 constexpr int columns = 4;
-constexpr int gap = 6;      // px
+constexpr int gap = 6;       // px
 constexpr int letters = 13;  // px
-constexpr int shrink = 2;   // pixels of the image along a side of one of the picture
+constexpr int shrink = 2;    // pixels of the image along a side of one of the picture
 
 Image<glm::u8vec3> picture(const Image<float>& truth, const Image<float>& visibility) {
   const ColorScale scale{ColorMap::error, -1.0, 1.0, ""};
@@ -56,8 +56,9 @@ std::string technique_sheet(const Image<float>& truth, const std::vector<Techniq
     const int y = gap + (at / columns) * row_height;
     ++at;
     svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", x, y + letters, escape_markup(cell.label));
-    svg += fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" xlink:href=\"{}\"/>\n", x, y + letters + gap,
-                       width, height, data_uri("image/png", to_png(picture(truth, cell.visibility))));
+    svg +=
+        fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" xlink:href=\"{}\"/>\n", x, y + letters + gap,
+                    width, height, data_uri("image/png", to_png(picture(truth, cell.visibility))));
   }
   return svg + "</svg>\n";
 }

@@ -124,7 +124,8 @@ class StagesGl : public testing::Test {
           continue;  // the value makes no sense for this light
         }
         const bool is_base = parameter.value() == require(describe(changed), parameter.key).value();
-        EXPECT_TRUE(again == (is_base ? fresh_base : measure(*make_stages(), changed))) << parameter.key << " = " << value;
+        EXPECT_TRUE(again == (is_base ? fresh_base : measure(*make_stages(), changed)))
+            << parameter.key << " = " << value;
       }
     }
     EXPECT_GT(varied, 30u);

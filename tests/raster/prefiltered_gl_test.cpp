@@ -6,53 +6,19 @@
 #include <string>
 #include <vector>
 
+#include "prefiltered_case.h"
 #include "prefiltered_window.h"
-#include "raster/shadow/technique_passes.h"
 #include "scenes/builtin/scenes.h"
 #include "techniques/shadow/cascades.h"
-#include "test_scenes.h"
 
 namespace umbrameter {
 namespace {
 
 using namespace testing_scenes;
 
-class PrefilteredGl : public GlTest {
- protected:
-  // Mean visibility of surfels over x and z from −1 to 1 on the ground, under a map of texels of 5 cm.
-  double seen(const Scene& scene, const Light& light, const MapLayout& layout, const ShadowParams& params) const {
-    const UploadedScene uploaded = upload(context(), scene);
-    const GpuGBuffer surfels = upload(context(), surfels_on_ground(16, 16, -1, 1, -1, 1));
-    const ShadowMap map = draw_shadow_map(context(), uploaded, light, layout);
-    return mean(see({uploaded, surfels, map, light}, params));
-  }
-
-  struct Drawn {
-    const UploadedScene& scene;
-    const GpuGBuffer& surfels;
-    const ShadowMap& map;
-    const Light& light;
-    const View* view = nullptr;
-  };
-  Image<float> see(const Drawn& drawn, const ShadowParams& params) const {
-    const ShadowTechnique technique = make_technique(params);
-    const FilteredMap filtered = filter_map({context(), drawn.scene, drawn.light, drawn.map}, technique);
-    return draw_visibility(context(), {drawn.scene, drawn.surfels, drawn.map, drawn.light, params.bias, technique,
-                                       nullptr, &filtered, drawn.view})
-        .visibility;
-  }
-};
-
 constexpr std::array<ShadowTechniqueName, 6> all{ShadowTechniqueName::esm,   ShadowTechniqueName::vsm,
                                                  ShadowTechniqueName::evsm2, ShadowTechniqueName::evsm4,
                                                  ShadowTechniqueName::msm,   ShadowTechniqueName::csm};
-
-ShadowParams with(ShadowTechniqueName technique, Length bias = Length{0.01}) {
-  ShadowParams params;
-  params.technique = technique;
-  params.bias.constant = bias;
-  return params;
-}
 
 ShadowParams esm(double exponent, int blur) {
   ShadowParams params;
@@ -106,69 +72,6 @@ TEST_F(PrefilteredGl, A_blurred_edge_passes_one_half_where_the_kernel_is_half_co
   const Image<float> seen = see({uploaded, surfel, map, light}, esm(40.0, 9));
   const double expected = 0.5 * (1.0 + std::exp(-40.0 * 2.0 / layout.far_depth));
   EXPECT_NEAR(static_cast<double>(seen[0]), expected, 1e-3);
-}
-
-// Two depths in a texel, of which a share f is the nearer: Chebyshev's bound is exactly 1 − f at the farther one.
-TEST_F(PrefilteredGl, Samples_of_a_texel_are_averaged) {
-  constexpr double texel = 0.05;
-  constexpr double edge = 0.25 * texel;
-  Scene scene;
-  add_mesh(scene, ground(60));
-  add_mesh(scene,
-           quad({-20, 2, 20}, {static_cast<float>(edge), 2, 20}, {static_cast<float>(edge), 2, -20}, {-20, 2, -20}));
-  const MapLayout layout = exact_layout({0, 1, 1e-9}, 128, texel, 0);
-  const UploadedScene uploaded = upload(context(), scene);
-  const GpuGBuffer surfels = upload(context(), surfels_on_ground(256, 256, -1, 1, -1, 1));
-  const Light light = light_of(layout);
-  const ShadowMap map = draw_shadow_map(context(), uploaded, light, layout);
-  ShadowParams params = with(ShadowTechniqueName::vsm, Length{0.0});
-  params.moment_map.blur = 1;
-  const auto lit = [&](int samples) {
-    params.moment_map.samples = samples;
-    return mean(see({uploaded, surfels, map, light}, params));
-  };
-  // One sample sees the edge at the border of its texel.
-  EXPECT_NEAR(lit(1), 0.5, 5e-4);
-  EXPECT_NEAR(lit(16), 0.5 * (1.0 - edge), 5e-4);
-  EXPECT_THROW(lit(5), Error);
-}
-
-// Exponents end where the sum of the blur is no longer a 32-bit float.
-TEST_F(PrefilteredGl, The_largest_exponents_and_blur_are_where_precision_ends) {
-  constexpr double largest = static_cast<double>(std::numeric_limits<float>::max());
-  constexpr int blur = 63;
-  ShadowParams limits;
-  const double esm_end = require(describe(limits), "shadow.esm-exponent").description.max;
-  const double evsm_end = require(describe(limits), "shadow.evsm-positive-exponent").description.max;
-  EXPECT_EQ(require(describe(limits), "shadow.moment-blur").description.max, blur);
-  EXPECT_LT(std::exp(esm_end) * blur, largest);
-  EXPECT_LT(std::exp(2.0 * evsm_end) * blur, largest);
-  EXPECT_GT(std::exp(2.0 * (evsm_end + 1.0)) * blur, largest) << "EVSM stores the square, too";
-  Scene scene;
-  add_mesh(scene, ground(60));
-  add_mesh(scene, quad({-20, 2, 20}, {20, 2, 20}, {20, 2, -20}, {-20, 2, -20}));
-  const MapLayout layout = exact_layout({0.001, 1, 0.002}, 128, 0.05, 0);
-  for (const ShadowTechniqueName name :
-       {ShadowTechniqueName::esm, ShadowTechniqueName::evsm2, ShadowTechniqueName::evsm4}) {
-    ShadowParams params = with(name, Length{0.0});
-    params.esm = {esm_end, blur};
-    params.moment_map.blur = blur;
-    params.moment_map.positive_exponent = params.moment_map.negative_exponent = evsm_end;
-    double last = 1.0;
-    for (const double part : {0.125, 0.25, 0.5, 1.0}) {
-      params.esm.exponent = part * esm_end;
-      params.moment_map.positive_exponent = params.moment_map.negative_exponent = part * evsm_end;
-      const double visibility = seen(scene, light_of(layout), layout, params);
-      EXPECT_TRUE(std::isfinite(visibility)) << static_cast<int>(name) << " " << part;
-      EXPECT_LE(visibility, last) << "a larger exponent is nearer to the hard shadow";
-      last = visibility;
-    }
-    EXPECT_LT(last, 0.06) << static_cast<int>(name);
-  }
-  ShadowParams halves = with(ShadowTechniqueName::evsm2);
-  halves.moment_map.format = MomentFormat::f16;
-  halves.moment_map.positive_exponent = 5.6;
-  EXPECT_THROW(make_technique(halves), Error) << "the square is above the largest 16-bit float";
 }
 
 // A stair of three heights over the ground.

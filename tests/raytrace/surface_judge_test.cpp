@@ -75,10 +75,10 @@ Scene height_field(int cells, const std::function<double(double, double)>& heigh
 
 const dvec3 oblique(0.3, 1.0, 0.2);
 
-// A roof over the half x < 0 of a bulge, seen from above. The receiver is below the roof, the sample beside it.
+// A roof over the part x < 0.3 of a bulge, seen from above. The receiver is below the roof, the sample beside it.
 TEST(SurfaceJudge, A_blocked_receiver_s_own_layer_goes_on_below_what_blocks_it) {
   Scene scene = height_field(60, [](double x, double z) { return -0.3 * (x * x + z * z); });
-  shapes::add_mesh(scene, shapes::quad({-1, 0.5, 1}, {1, 0, 0}, {0, 0, -2}));
+  shapes::add_mesh(scene, shapes::quad({-1, 0.5, 1}, {1.3, 0, 0}, {0, 0, -2}));
   const Tracer tracer(scene);
   const ReferenceCaster caster(scene);
   for (const Light& light : lights_from({0.0, 1.0, 0.0})) {

@@ -31,7 +31,11 @@ TEST(RasterParameters, Every_field_is_described) {
   expect_all(GtaoParams{});
   expect_all(HbaoParams{});
   expect_all(AlchemyParams{});
+  expect_all(BitmaskParams{});
+  expect_all(MarchedParams{});
+  expect_all(AoKernelParams{});
   expect_all(AoBlurParams{});
+  expect_all(AoToneParams{});
   // All parts, plus one field: the choice of technique.
   ShadowParams shadow;
   EXPECT_EQ(describe(shadow).size(), 1 + describe(shadow.map).size() + describe(shadow.fit).size() +
@@ -43,7 +47,8 @@ TEST(RasterParameters, Every_field_is_described) {
   EXPECT_EQ(describe(ao).size(), describe(ao.sampling).size() + describe(ao.bias).size() + describe(ao.noise).size() +
                                      1 + describe(ao.ssao).size() + describe(ao.slices).size() +
                                      describe(ao.gtao).size() + describe(ao.hbao).size() + describe(ao.alchemy).size() +
-                                     describe(ao.blur).size());
+                                     describe(ao.kernel).size() + describe(ao.bitmask).size() +
+                                     describe(ao.marched).size() + describe(ao.blur).size() + describe(ao.tone).size());
 }
 
 TEST(RasterParameters, Every_default_keeps_to_its_own_limits) {

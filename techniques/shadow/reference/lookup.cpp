@@ -62,14 +62,11 @@ float bias_unit_of(const MapLookup& lookup, const Receiver& receiver, float texe
   }
 }
 
-// As in light_map.glsl.
-bool compares_encoded(const MapLookup& lookup) {
-  return lookup.bias.constant.unit == LengthUnit::map_depth && lookup.layout.encoded_near > 0.0;
-}
-
 double blocker_depth(const MapLookup& lookup, const Receiver& receiver, float critical_bias) {
   const auto bias = static_cast<double>(critical_bias);
-  return compares_encoded(lookup) ? receiver.depth * receiver.depth / (receiver.depth + bias) : receiver.depth - bias;
+  return compares_encoded(lookup.layout, lookup.bias.constant.unit)
+             ? receiver.depth * receiver.depth / (receiver.depth + bias)
+             : receiver.depth - bias;
 }
 
 // compared_depth() of light_map.glsl.
@@ -110,7 +107,7 @@ Tap fetch_tap(const MapLookup& lookup, const Receiver& receiver, const ivec2& of
     const double compared = compared_depth(lookup, receiver, tap.texel, tap.view);
     const double blocker = static_cast<double>(stored) * layout.far_depth;
     double above = compared - blocker;
-    if (compares_encoded(lookup)) {
+    if (compares_encoded(layout, lookup.bias.constant.unit)) {
       const double near = layout.encoded_near;
       above *= receiver.depth * receiver.depth / (std::max(compared, near) * std::max(blocker, near));
     }
