@@ -1,4 +1,4 @@
-// Why a screen-space method of ambient occlusion is wrong: its error as a sum of stages, from the reference asked for
+// Why a screen-space method of ambient occlusion is wrong: its error as a sum of stages, from the requested reference
 // to the blurred result. Knows only images; experiments/measure_ao_stages.h makes them.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace umbrameter {
 
-/// What a stage changes, in order. model: the method's own integral replaces the reference asked for. off_screen,
+/// What a stage changes, in order. model: the method's own integral replaces the requested reference. off_screen,
 /// hidden: occluders outside the view, and those inside it that no pixel sees, vanish. thin: all behind the visible
 /// surface is solid. approximation: the method with very many samples replaces the integral. sampling: with its own
 /// number. blur: its blur and upsampling.
@@ -26,14 +26,14 @@ inline constexpr std::array<std::string_view, ao_stage_count> ao_stage_names = {
 inline constexpr std::array<std::string_view, ao_stage_count> ao_stage_titles = {
     "model", "off-screen", "hidden", "thin", "approximation", "sampling", "blur"};
 
-/// Accessibility before the first stage (the reference asked for) and after each; the last is the method's result.
+/// Accessibility before the first stage (the requested reference) and after each; the last is the method's result.
 struct AoStageImages {
   std::array<Image<float>, ao_stage_count + 1> accessibility;
   /// Unbiased estimates of the variance of each stage's difference; empty if it is exact.
   std::array<Image<float>, ao_stage_count> variance;
   /// Rays behind each stage's difference in a pixel; empty if it is exact.
   std::array<Image<float>, ao_stage_count> samples;
-  Image<float> reference_variance;  ///< of the reference asked for
+  Image<float> reference_variance;  ///< of the requested reference
   Image<float> reference_samples;
   int degrees_of_freedom = 0;  ///< of each pixel's variance
 };
@@ -50,7 +50,7 @@ struct AoStageError {
 
 /// Means are signed and add up: mean_error is the sum of the stages' means.
 struct AoStageStatistics {
-  SampledError total;  ///< method − reference asked for
+  SampledError total;  ///< method − requested reference
   std::array<AoStageError, ao_stage_count> stages;
   double srgb_mean_error = 0.0;
   double srgb_mse = 0.0;   ///< corrected for the variance of the reference, to first order

@@ -20,7 +20,7 @@ struct AoStages {
   TraceStatistics integrals;  ///< cost of the rays of the method's integral
 };
 
-/// The stages from the reference asked for, `truth`, to the result of the technique, `drawn`. Traces truth.spp rays per
+/// The stages from the requested reference, `truth`, to the result of the technique, `drawn`. Traces truth.spp rays per
 /// pixel. Throws Error (usage) if the technique has no integral.
 AoStages measure_ao_stages(Stages& stages, const Experiment& experiment, const TracedAo& truth,
                            const Image<float>& drawn, const Console& console);

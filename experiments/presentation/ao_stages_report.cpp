@@ -10,7 +10,7 @@ namespace umbrameter {
 namespace {
 
 constexpr std::array<const char*, ao_stage_count> meanings = {
-    "The method's own radius, falloff and weight on the full geometry, instead of the reference asked for.",
+    "The method's own radius, falloff and weight on the full geometry, instead of the requested reference.",
     "Occluders outside the view vanish.",
     "Occluders inside the view that no pixel sees vanish.",
     "All behind the visible surface counts as solid.",
