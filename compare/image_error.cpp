@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "compare/metrics/color_space.h"
 #include "core/parallel.h"
 
 namespace umbrameter {
@@ -39,11 +40,9 @@ RowSums sum_row(const ImageErrorInput& input, std::size_t first, std::size_t end
 
 }  // namespace
 
-float luminance(const vec3& color) { return 0.2126f * color.x + 0.7152f * color.y + 0.0722f * color.z; }
-
 Image<float> luminance(const Image<vec3>& image, float exposure) {
   Image<float> values(image.width, image.height);
-  for (std::size_t i = 0; i < image.size(); ++i) values[i] = exposure * luminance(image[i]);
+  for (std::size_t i = 0; i < image.size(); ++i) values[i] = exposure * static_cast<float>(luminance(image[i]));
   return values;
 }
 

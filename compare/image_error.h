@@ -36,8 +36,6 @@ Statistics describe(ImageStatistics& statistics);
 /// How far a shadow edge affects pixels, if texels are as large as pixels: the reach of a 3×3 kernel and a bias.
 inline constexpr double edge_reach_px = 3.0;
 
-/// Rec. 709 weights.
-float luminance(const vec3& color);
 /// Luminance × exposure.
 Image<float> luminance(const Image<vec3>& image, float exposure);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compare/metrics/color_space.h"
 #include "compare/shadow_edges.h"
 #include "compare/visibility.h"
 #include "core/error.h"
@@ -149,7 +150,7 @@ class Images {
   void add_noise(const Image<vec3>& factor, const Image<float>& variance, const Image<float>& samples, int degrees) {
     const auto exposure = static_cast<float>(experiment_.shading.exposure);
     for (std::size_t i = 0; i < variance_.size(); ++i) {
-      const float weight = exposure * luminance(factor[i]);
+      const float weight = exposure * static_cast<float>(luminance(factor[i]));
       variance_[i] += weight * weight * variance[i];
       samples_[i] += samples[i];
     }

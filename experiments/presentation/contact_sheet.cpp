@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "compare/metrics/color_space.h"
 #include "core/error.h"
 #include "raytrace/tracer.h"
 #include "reports/figures/figures.h"
@@ -21,9 +22,6 @@ constexpr std::uint32_t seed = 1;
 // Shares of the work, for the progress bar.
 constexpr double hits_share = 0.1;
 constexpr double shadows_share = 0.3;
-
-// Linear sRGB to luminance (IEC 61966-2-1).
-double luminance(const vec3& color) { return 0.2126 * color.x + 0.7152 * color.y + 0.0722 * color.z; }
 
 double quantile(std::vector<float>& values, double share) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));

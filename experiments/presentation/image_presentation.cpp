@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "compare/metrics/color_space.h"
 #include "experiments/presentation/presentation.h"
 #include "experiments/presentation/presentation_parts.h"
 
@@ -73,7 +74,7 @@ std::string exposure_warning(const ImageMeasurement& image) {
   const auto exposure = static_cast<float>(image.experiment.shading.exposure);
   std::vector<float> values;
   for (const vec3& color : colors.pixels) {
-    if (const float value = luminance(color); value > 0.0f) values.push_back(value);
+    if (const double value = luminance(color); value > 0.0) values.push_back(static_cast<float>(value));
   }
   if (values.empty()) return "the image is black: no light reaches what the camera sees";
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(values.size() - 1));

@@ -71,10 +71,5 @@ TEST(ImageError, Without_a_surface_nothing_is_measured) {
   }
 }
 
-TEST(ImageError, Luminance_weights_add_up_to_one) {
-  EXPECT_FLOAT_EQ(luminance(vec3(1.0f)), 1.0f);
-  EXPECT_GT(luminance(vec3(0, 1, 0)), luminance(vec3(1, 0, 0)));
-}
-
 }  // namespace
 }  // namespace umbrameter

@@ -10,6 +10,9 @@ namespace {
 
 using namespace testing_scenes;
 
+// Radius 2 m, bias 0.1 m.
+AoParams in_a_scene_of_100_m() { return in_metres(AoParams{}, 100.0); }
+
 class SsaoGl : public GlTest {
  protected:
   Image<float> ao(const Scene& scene, const View& view, const AoParams& params, std::uint32_t seed = 1) const {
@@ -20,7 +23,7 @@ class SsaoGl : public GlTest {
 TEST_F(SsaoGl, An_open_plane_is_open) {
   Scene scene;
   add_mesh(scene, ground(500));
-  AoParams params;
+  AoParams params = in_a_scene_of_100_m();
   for (const View& view :
        {perspective_view(160, 90, {0, 4, 3}, {0, 0, 0}), orthographic_view(160, 90, {0, 8, 6}, {0, 0, 0}, 3.0)}) {
     const Image<float> image = ao(scene, view, params);
@@ -35,7 +38,7 @@ TEST_F(SsaoGl, Background_is_open_before_and_after_the_blur) {
   const View view = perspective_view(64, 64, {2, 3, 4}, {0, 0, 0});
   const GBuffer gbuffer = read_back(context(), draw_gbuffer(context(), upload(context(), scene), view));
   for (const AoBlur blur : {AoBlur::none, AoBlur::box}) {
-    AoParams params;
+    AoParams params = in_a_scene_of_100_m();
     params.bias.depth = -1.0;  // everything occludes itself
     params.blur.kind = blur;
     const Image<float> image = ao(scene, view, params);
@@ -51,7 +54,7 @@ TEST_F(SsaoGl, A_corner_is_darker_than_the_open_floor_in_both_projections) {
   Scene scene;
   add_mesh(scene, quad({-10, 0, 10}, {10, 0, 10}, {10, 0, -1}, {-10, 0, -1}));
   add_mesh(scene, quad({-10, 0, -1}, {10, 0, -1}, {10, 10, -1}, {-10, 10, -1}));
-  AoParams params;
+  AoParams params = in_a_scene_of_100_m();
   params.sampling.samples = 256;
   params.sampling.radius = 1.0;
   for (const View& view :
@@ -78,7 +81,7 @@ TEST_F(SsaoGl, Without_the_range_check_a_near_object_darkens_the_far_wall_behind
   add_mesh(scene, quad({-50, -50, -20}, {50, -50, -20}, {50, 50, -20}, {-50, 50, -20}));
   add_mesh(scene, box({-1, -1, -1}, {1, 1, 1}));
   const View view = perspective_view(96, 96, {0, 0, 6}, {0, 0, 0});
-  AoParams params;
+  AoParams params = in_a_scene_of_100_m();
   params.sampling.radius = 3.0;
   params.ssao.range_check = false;
   const double unchecked = mean(ao(scene, view, params));
@@ -92,7 +95,7 @@ TEST_F(SsaoGl, The_box_blur_is_the_mean_of_its_pixels) {
   add_mesh(scene, quad({-10, 0, 10}, {10, 0, 10}, {10, 0, -1}, {-10, 0, -1}));
   add_mesh(scene, quad({-10, -1, -1}, {10, -1, -1}, {10, 10, -1}, {-10, 10, -1}));
   const View view = orthographic_view(64, 48, {0, 6, 8}, {0, 1, 0}, 1.5);
-  AoParams params;
+  AoParams params = in_a_scene_of_100_m();
   params.sampling.samples = 8;
   params.blur.kind = AoBlur::none;
   const Image<float> raw = ao(scene, view, params);
@@ -131,7 +134,7 @@ TEST_F(SsaoGl, One_pass_holds_the_image_of_every_bias_and_number_of_samples_to_t
   add_mesh(scene, ground(20));
   add_mesh(scene, box({-1, 0, -1}, {1, 1, 1}));
   add_mesh(scene, box({-0.1f, 0, 2}, {0.1f, 3, 2.1f}));
-  AoParams params;
+  AoParams params = in_a_scene_of_100_m();
   params.sampling.radius = 1.0;
   params.blur.kind = AoBlur::none;
   params.kernel.kind = AoKernel::progressive;
@@ -169,7 +172,7 @@ TEST_F(SsaoGl, Intensity_and_power_follow_the_blur) {
   add_mesh(scene, ground(20));
   add_mesh(scene, box({-1, 0, -1}, {1, 1, 1}));
   const View view = perspective_view(64, 48, {2, 3, 4}, {0, 0.5, 0});
-  AoParams params;
+  AoParams params = in_a_scene_of_100_m();
   params.sampling.radius = 1.0;
   const Image<float> plain = ao(scene, view, params);
   params.tone = {1.5, 2.0};
