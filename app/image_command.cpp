@@ -54,12 +54,12 @@ void require_utf8(const std::string& path) {
 
 // Where the technique can do nothing for a light.
 void add_technique_notes(Stages& stages, const Experiment& experiment, const std::vector<std::uint32_t>& lights) {
-  if (experiment.shadow.technique != ShadowTechniqueName::pcss) return;
+  if (!capabilities_of(make_technique(experiment.shadow)).reads_light_extent) return;
   for (const std::uint32_t light : lights) {
     const Light lamp = stages.light(experiment, light);
     if (is_area(lamp)) continue;
     const bool is_sun = std::holds_alternative<DirectionalLight>(lamp.shape);
-    stages.add_notes({fmt::format("PCSS: {} has no extent, so that its kernel is one tap; set --light.{}",
+    stages.add_notes({fmt::format("{} has no extent, so that the kernel is one tap; set --light.{}",
                                   stages.title(light), is_sun ? "angle" : "radius")});
   }
 }

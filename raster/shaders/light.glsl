@@ -19,8 +19,8 @@ layout(std140) uniform LightBlock {
   int bias_unit;        // of constant biases, including those of axes: one of BIAS_IN_…
   int view_count;
   float cone_bias;       // bias per distance of a tap's texel centre from the receiver
-  float search_extent;   // PCSS: radius of the light in metres, or tangent of its angular radius
-  float max_radius;      // PCSS: texels
+  float search_extent;   // PCSS and DPCF: radius of the light in metres, or tangent of its angular radius
+  float max_radius;      // PCSS and DPCF: texels
   float min_radius;      // PCSS: texels
   int search_count;      // PCSS: taps of the blocker search
   int search_in_cone;    // PCSS: 1 if only blockers inside the cone from the receiver to the light count

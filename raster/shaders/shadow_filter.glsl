@@ -109,9 +109,7 @@ ivec2 disk_offset(Receiver receiver, vec2 p, vec2 turn, float radius) {
   return ivec2(floor(texels)) - receiver.texel;
 }
 
-#if FILTER_SEARCH
-const vec2 search_points[FILTER_SEARCH] = vec2[](FILTER_SEARCH_LIST);
-
+#if FILTER_SEARCH || FILTER_HARDENS
 // Radius of the cone from the receiver to the light at a depth, as the map shows it at the receiver: metres.
 double penumbra_at(double depth, double blocker) {
   precise double apart = depth - blocker;
@@ -122,6 +120,10 @@ double penumbra_at(double depth, double blocker) {
 #endif
   return radius;
 }
+#endif
+
+#if FILTER_SEARCH
+const vec2 search_points[FILTER_SEARCH] = vec2[](FILTER_SEARCH_LIST);
 
 // BlockerSearch of techniques/shadow/filter.h: the radius of the penumbra, in texels.
 float search_radius(Lookup surfel, vec2 turn) {
@@ -152,9 +154,23 @@ float search_radius(Lookup surfel, vec2 turn) {
 }
 #endif
 
+#if FILTER_HARDENS
+// Radius of the disk of DPCF, in texels: that of the light, as the map shows it from the receiver.
+float light_radius(Receiver receiver) {
+#if MAP_KIND == MAP_ORTHOGRAPHIC
+  double radius = penumbra_at(receiver.depth, 0.0lf);
+#else
+  double radius = double(search_extent);
+#endif
+  return float(min(double(max_radius), radius / double(texel_at(receiver))));
+}
+#endif
+
 Pattern make_pattern(Lookup surfel, ivec2 pixel) {
   vec2 turn = turn_of(pixel);
-#if FILTER_SEARCH
+#if FILTER_HARDENS
+  return Pattern(turn, light_radius(surfel.receiver));
+#elif FILTER_SEARCH
   return Pattern(turn, search_radius(surfel, turn));
 #else
   return Pattern(turn, filter_radius);
@@ -164,4 +180,27 @@ Pattern make_pattern(Lookup surfel, ivec2 pixel) {
 WeightedTap filter_tap(Receiver receiver, Pattern pattern, int i) {
   return WeightedTap(fetch_tap(receiver, disk_offset(receiver, disk_points[i], pattern.turn, pattern.radius)), 1u);
 }
+
+#if FILTER_HARDENS
+#include "hardening.glsl"
+
+// ContactHardening of techniques/shadow/filter.h.
+float hardened_visibility(Lookup surfel, Pattern pattern) {
+  Receiver receiver = surfel.receiver;
+  precise double sum = 0.0lf;
+  int count = 0;
+  for (int i = 0; i < tap_count; ++i) {
+    Tap tap = filter_tap(receiver, pattern, i).tap;
+    if (is_lit(tap.critical_bias, surfel)) continue;
+    sum += blocker_depth(receiver, tap.critical_bias);
+    ++count;
+  }
+  if (count == 0) return 1.0;
+  precise double mean = sum / double(count);
+  precise double disk = double(pattern.radius) * double(texel_at(receiver));
+  precise double softness =
+      mean > 0.0lf && disk > 0.0lf ? clamp(penumbra_at(receiver.depth, mean) / disk, 0.0lf, 1.0lf) : 1.0lf;
+  return 1.0 - float(hardened(double(count) / double(tap_count), softness));
+}
+#endif
 #endif

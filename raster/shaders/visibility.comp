@@ -17,6 +17,9 @@ void main() {
     if (surfel.faces_light) {
       uint lit = 0u;
       Pattern pattern = make_pattern(surfel, pixel);
+#if FILTER_HARDENS
+      visibility = hardened_visibility(surfel, pattern);
+#else
       for (int i = 0; i < tap_count; ++i) {
         WeightedTap tap = filter_tap(surfel.receiver, pattern, i);
         if (is_lit(tap.tap.critical_bias, surfel)) lit += tap.weight;
@@ -24,6 +27,7 @@ void main() {
       visibility = float(double(lit) / double(weight_sum));
 #if HAS_TRUTH
       if (reference_at(pixel) >= 0.0 && lit != (is_lit_in_reference(pixel) ? weight_sum : 0u)) append(pixel);
+#endif
 #endif
     }
   }

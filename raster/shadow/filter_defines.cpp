@@ -30,6 +30,7 @@ std::string filter_defines(const FilterKernel& filter) {
   }
   text += define("FILTER_ROTATION", static_cast<unsigned>(filter.rotation)) +
           define("FILTER_SEARCH", filter.search ? static_cast<unsigned>(filter.search->points.size()) : 0);
+  text += define("FILTER_HARDENS", filter.hardening ? 1 : 0);
   if (filter.search) text += "#define FILTER_SEARCH_LIST " + list_of(filter.search->points) + "\n";
   return text + define("FILTER_ROTATIONS", static_cast<unsigned>(filter.rotations.size())) +
          "#define FILTER_POINT_LIST " + list_of(filter.points) + "\n#define FILTER_ROTATION_LIST " +

@@ -73,6 +73,10 @@ gl::Pass lookup_pass(const gl::Context& context, const ShadowLookup& lookup, Len
       block.search_count = static_cast<int>(kernel->search->points.size());
       block.search_in_cone = kernel->search->is_in_cone ? 1 : 0;
     }
+    if (kernel->hardening) {
+      block.search_extent = kernel->hardening->extent;
+      block.max_radius = kernel->hardening->max_radius;
+    }
     defines += filter_defines(*kernel);
   }
   gl::Pass pass(context, {source.files, defines});

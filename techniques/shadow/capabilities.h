@@ -10,6 +10,8 @@ struct TechniqueCapabilities {
   /// The compared texels and their weights do not depend on the bias, so that one pass over the taps measures every
   /// bias.
   bool taps_independent_of_bias = false;
+  /// The kernel follows the size of the light.
+  bool reads_light_extent = false;
 };
 
 }  // namespace umbrameter

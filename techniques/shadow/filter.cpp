@@ -108,6 +108,11 @@ std::vector<vec2> even_rotations() {
   return rotations;
 }
 
+PcfParams of_disk(PcfParams params) {
+  if (params.filter != ShadowFilter::poisson) params.filter = ShadowFilter::vogel;
+  return params;
+}
+
 }  // namespace
 
 FilterKernel make_filter(const PcfParams& params) {
@@ -156,12 +161,16 @@ FilterKernel make_filter(const PcfParams& params) {
 }
 
 FilterKernel make_pcss_filter(const PcfParams& params, const PcssParams& pcss, double extent) {
-  PcfParams of_disk = params;
-  if (params.filter != ShadowFilter::poisson) of_disk.filter = ShadowFilter::vogel;
-  FilterKernel filter = make_filter(of_disk);
-  filter.search = {disk(of_disk.filter, pcss.blockers), static_cast<float>(extent * pcss.light_scale),
+  FilterKernel filter = make_filter(of_disk(params));
+  filter.search = {disk(of_disk(params).filter, pcss.blockers), static_cast<float>(extent * pcss.light_scale),
                    static_cast<float>(pcss.max_radius), static_cast<float>(std::min(pcss.min_radius, pcss.max_radius)),
                    pcss.search_cone};
+  return filter;
+}
+
+FilterKernel make_dpcf_filter(const PcfParams& params, const PcssParams& pcss, double extent) {
+  FilterKernel filter = make_filter(of_disk(params));
+  filter.hardening = {static_cast<float>(extent * pcss.light_scale), static_cast<float>(pcss.max_radius)};
   return filter;
 }
 

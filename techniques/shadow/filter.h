@@ -22,6 +22,14 @@ struct BlockerSearch {
   bool is_in_cone = false;   ///< a blocker counts only inside the cone from the receiver to the light
 };
 
+/// Contact-hardening PCF (K. Myers, Shadow of Cold War; DPCF in Filament): one disk as wide as the light, extent for a
+/// light at a place and extent · z for a directional one, whose taps also yield the mean depth of the blockers. The
+/// share of blocked taps is hardened() with the softness penumbra / disk, both radii.
+struct ContactHardening {
+  float extent = 0.0f;      ///< as BlockerSearch::extent
+  float max_radius = 0.0f;  ///< texels
+};
+
 /// Positions and weights of a filter's taps. Grid: the weights are the outer product of `kernel` with itself, centred
 /// on the receiver's texel (even sizes: on the nearest texel corner); with linear_taps it is convolved with the
 /// bilinear weights, which adds a row and a column. Area tent: a tent that is centred on the receiver itself; each
@@ -45,8 +53,9 @@ struct FilterKernel {
   std::vector<vec2> points;     ///< of a disk: within the unit disk; empty for a grid
   std::vector<vec2> rotations;  ///< of a disk: cosine and sine
   DiskRotation rotation = DiskRotation::random;
-  float radius = 0.0f;                    ///< of a disk, texels
-  std::optional<BlockerSearch> search{};  ///< PCSS: it finds the radius of the disk
+  float radius = 0.0f;                          ///< of a disk, texels
+  std::optional<BlockerSearch> search{};        ///< PCSS: it finds the radius of the disk
+  std::optional<ContactHardening> hardening{};  ///< DPCF
 
   bool is_grid() const { return points.empty(); }
   /// Texels along a side of a grid.
@@ -78,6 +87,8 @@ FilterKernel make_filter(const PcfParams& params);
 
 /// The disk of PCSS for a light of this extent: see BlockerSearch.
 FilterKernel make_pcss_filter(const PcfParams& params, const PcssParams& pcss, double extent);
+/// The disk of DPCF for a light of this extent: see ContactHardening.
+FilterKernel make_dpcf_filter(const PcfParams& params, const PcssParams& pcss, double extent);
 
 /// Share of the left `x` 1/256 texels of an area tent with `size` texels along a side, in 1/area_sum.
 std::uint32_t area_tent_part(std::uint32_t size, std::uint32_t x);

@@ -68,9 +68,9 @@ Parameters describe(PcssParams& params) {
       .field("pcss-blockers", params.blockers,
              {.unit = "1", .meaning = "PCSS: taps of the blocker search", .min = 1, .max = 64})
       .field("pcss-light-scale", params.light_scale,
-             {.unit = "1", .meaning = "PCSS: assumed size of the light over its size in the scene", .min = 0})
+             {.unit = "1", .meaning = "PCSS and DPCF: assumed size of the light over its size in the scene", .min = 0})
       .field("pcss-max-radius", params.max_radius,
-             {.unit = "texels", .meaning = "PCSS: largest radius of search and filter", .min = 0, .max = 512})
+             {.unit = "texels", .meaning = "PCSS and DPCF: largest radius of search and filter", .min = 0, .max = 512})
       .field("pcss-min-radius", params.min_radius,
              {.unit = "texels", .meaning = "PCSS: smallest radius of the filter", .min = 0, .max = 64})
       .field("pcss-search-cone", params.search_cone,

@@ -1,5 +1,7 @@
 #include "techniques/shadow/technique.h"
 
+#include <type_traits>
+
 #include "core/error.h"
 
 namespace umbrameter {
@@ -15,6 +17,8 @@ MapTechnique make_map_technique(const ShadowParams& params, double light_extent)
       break;
     case ShadowTechniqueName::pcss:
       return Pcss{make_pcss_filter(params.pcf, params.pcss, light_extent)};
+    case ShadowTechniqueName::dpcf:
+      return Dpcf{make_dpcf_filter(params.pcf, params.pcss, light_extent)};
     case ShadowTechniqueName::esm:
       return prefiltered(shared::ESM);
     case ShadowTechniqueName::vsm:
@@ -34,8 +38,8 @@ MapTechnique make_map_technique(const ShadowParams& params, double light_extent)
 }  // namespace
 
 Parameters describe(ShadowParams& params) {
-  static constexpr std::array<std::string_view, 9> names{"pcf", "esm", "vsm",  "evsm2",       "evsm4",
-                                                         "msm", "csm", "pcss", "screen-space"};
+  static constexpr std::array<std::string_view, 10> names{"pcf", "esm", "vsm",  "evsm2", "evsm4",
+                                                          "msm", "csm", "pcss", "dpcf",  "screen-space"};
   Parameters technique =
       Description("shadow")
           .choice("technique", params.technique, names, {.unit = {}, .meaning = "shadow technique", .basic = true})
@@ -58,9 +62,12 @@ ShadowTechnique make_technique(const ShadowParams& params, double light_extent) 
 }
 
 const FilterKernel* kernel_of(const ShadowTechnique& technique) {
-  if (const auto* pcf = std::get_if<Pcf>(&technique)) return &pcf->kernel;
-  const auto* pcss = std::get_if<Pcss>(&technique);
-  return pcss != nullptr ? &pcss->kernel : nullptr;
+  return std::visit(
+      []<class T>(const T& each) -> const FilterKernel* {
+        if constexpr (std::is_base_of_v<Pcf, T>) return &each.kernel;
+        return nullptr;
+      },
+      technique);
 }
 
 const Prefiltered* prefiltered_of(const ShadowTechnique& technique) {

@@ -20,7 +20,7 @@
 
 namespace umbrameter {
 
-enum class ShadowTechniqueName : int { pcf, esm, vsm, evsm2, evsm4, msm, csm, pcss, screen_space };
+enum class ShadowTechniqueName : int { pcf, esm, vsm, evsm2, evsm4, msm, csm, pcss, dpcf, screen_space };
 
 /// The shadow.* parameters, grouped by the stage that reads them.
 struct ShadowParams {
@@ -47,11 +47,16 @@ struct Pcf {
 /// Percentage-closer soft shadows: PCF whose kernel grows with the distance of the blockers. Which texels block depends
 /// on the bias.
 struct Pcss : Pcf {
-  static constexpr TechniqueCapabilities capabilities{.sums_comparisons = true};
+  static constexpr TechniqueCapabilities capabilities{.sums_comparisons = true, .reads_light_extent = true};
+};
+
+/// Contact-hardening PCF: the visibility is no sum, because the share of lit taps is sharpened.
+struct Dpcf : Pcf {
+  static constexpr TechniqueCapabilities capabilities{.reads_light_extent = true};
 };
 
 /// A technique that reads a map.
-using MapTechnique = std::variant<Pcf, Pcss, Prefiltered>;
+using MapTechnique = std::variant<Pcf, Pcss, Dpcf, Prefiltered>;
 
 /// Screen-space shadows combined with a technique that reads a map.
 struct ContactShadows {
@@ -60,7 +65,7 @@ struct ContactShadows {
   ScreenSpace march;
 };
 
-using ShadowTechnique = std::variant<Pcf, Pcss, Prefiltered, ScreenSpace, ContactShadows>;
+using ShadowTechnique = std::variant<Pcf, Pcss, Dpcf, Prefiltered, ScreenSpace, ContactShadows>;
 
 /// light_extent: half the size of the light, as BlockerSearch::extent; 0 for a light without extent. Throws Error
 /// (usage) for parameters that exclude each other.

@@ -69,7 +69,7 @@ TEST_F(TapsGl, Receiver_plane_and_cone_bias_agree) {
   expect_agreement({plane, cone, both}, 1);
 }
 
-TEST_F(TapsGl, Percentage_closer_soft_shadows_agree_in_every_pixel) {
+TEST_F(TapsGl, Shadows_that_follow_the_size_of_the_light_agree_in_every_pixel) {
   const UploadedScene uploaded = upload(context(), scene_);
   const GpuGBuffer surfels = draw_gbuffer(context(), uploaded, view_);
   const GBuffer gbuffer = read_back(context(), surfels);
@@ -78,9 +78,15 @@ TEST_F(TapsGl, Percentage_closer_soft_shadows_agree_in_every_pixel) {
     const MapLayout layout = fit_map(light, bounds_of(scene_), {.resolution = 256}, {gbuffer, view_});
     const ShadowMap map = draw_shadow_map(context(), uploaded, light, layout);
     const ShadowMapImages images = read_back(context(), map);
-    for (const bool in_cone : {false, true}) {
+    struct Variant {
+      ShadowTechniqueName technique;
+      bool in_cone;
+    };
+    for (const auto& [name, in_cone] : {Variant{ShadowTechniqueName::pcss, false},
+                                        {ShadowTechniqueName::pcss, true},
+                                        {ShadowTechniqueName::dpcf, false}}) {
       ShadowParams params;
-      params.technique = ShadowTechniqueName::pcss;
+      params.technique = name;
       params.pcss.search_cone = in_cone;
       params.pcss.min_radius = 0.5;
       params.pcf.rotation = DiskRotation::gradient;
@@ -95,16 +101,11 @@ TEST_F(TapsGl, Percentage_closer_soft_shadows_agree_in_every_pixel) {
       for (std::size_t pixel = 0; pixel < drawn.size(); ++pixel) {
         if (!gbuffer.is_surface(pixel)) continue;
         const SurfelLookup surfel = look_up(lookup, pixel);
-        std::uint32_t lit = 0;
+        float expected = 0.0f;
         if (surfel.faces_light) {
           fetch_taps(lookup, surfel, pixel, taps);
-          const float unit = surfel.bias_unit;
-          for (const Tap& tap : taps) {
-            const float flip = flip_bias(tap.critical_bias, surfel.slope, static_cast<float>(params.bias.slope));
-            if (is_lit_at(static_cast<float>(params.bias.constant.number), unit, flip)) lit += tap.weight;
-          }
+          expected = visibility_of(lookup, surfel, taps);
         }
-        const auto expected = static_cast<float>(static_cast<double>(lit) / lookup.filter.weight_sum());
         if (drawn[pixel] != expected) ++differing;
         if (expected > 0.0f && expected < 1.0f) ++partial;
       }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "techniques/shadow/reference/lookup.h"
 #include "test_scenes.h"
 
 namespace umbrameter {
@@ -70,6 +71,50 @@ TEST_F(PcssGl, A_parallel_occluder_has_the_penumbra_of_similar_triangles) {
   }
 }
 
+// The same occluder through one disk as wide as the sun seems to be at the map's near plane.
+TEST_F(PcssGl, One_disk_has_the_sharpened_profile_of_its_penumbra) {
+  constexpr double texel = 0.02;
+  constexpr double disk = 1.0;  // metres
+  const MapLayout layout = exact_layout({1e-4, 1, 0}, 512, texel, 0.3);
+  const double tangent = disk / project_to_map(layout, dvec3(0.0)).depth;
+  for (const double height : {0.5, 2.0}) {
+    Scene scene;
+    const auto y = static_cast<float>(height);
+    add_mesh(scene, ground(20.0f));
+    add_mesh(scene, quad({-20, y, 20}, {0, y, 20}, {0, y, -20}, {-20, y, -20}));
+    const UploadedScene uploaded = upload(context(), scene);
+    const ShadowMap map = draw_shadow_map(context(), uploaded, light_of(layout), layout);
+    const GBuffer on_ground = surfels_on_ground(256, 256, -1.5 * disk, 1.5 * disk, -1, 1);
+    ShadowParams params;
+    params.technique = ShadowTechniqueName::dpcf;
+    params.pcf.samples = 64;
+    params.pcss.max_radius = 512;
+    params.bias.constant = 0.05;
+    const Image<float> found =
+        draw_visibility(context(), {uploaded, upload(context(), on_ground), map, light_of(layout), params.bias,
+                                    make_technique(params, tangent)})
+            .visibility;
+    std::array<double, 15> sum{};
+    std::array<double, 15> expected{};
+    std::array<int, 15> count{};
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const double u = static_cast<double>(on_ground.position[i].x) / disk;
+      const auto strip = static_cast<std::size_t>(std::clamp((u + 1.5) * 5.0, 0.0, 14.0));
+      const double y_blocked = 1.0 - 2.0 * open_share(u);  // between -1 and 1
+      const double hard = std::copysign(1.0 - std::pow(1.0 - std::abs(y_blocked), 3.0), y_blocked);
+      const double softness = height * tangent / disk;
+      sum[strip] += static_cast<double>(found[i]);
+      expected[strip] += 0.5 - 0.5 * std::lerp(hard, y_blocked, softness);
+      ++count[strip];
+    }
+    for (std::size_t strip = 0; strip < sum.size(); ++strip) {
+      // As above; the sharpened profile is up to three times as steep.
+      EXPECT_NEAR(sum[strip] / count[strip], expected[strip] / count[strip], 3.0 * (0.5 * texel / disk + 1.0 / 64.0))
+          << height << " strip " << strip;
+    }
+  }
+}
+
 // Without extent, and where the search finds nothing, the kernel has its least radius: 0 is one tap.
 TEST_F(PcssGl, A_light_without_extent_gives_the_nearest_tap) {
   const MapLayout layout = exact_layout({0.3, 1, 0}, 128, 0.08, 0.3);
@@ -86,8 +131,10 @@ TEST_F(PcssGl, A_light_without_extent_gives_the_nearest_tap) {
         .visibility;
   };
   const Image<float> nearest = draw();
-  params.technique = ShadowTechniqueName::pcss;
-  EXPECT_EQ(draw().pixels, nearest.pixels);
+  for (const ShadowTechniqueName name : {ShadowTechniqueName::pcss, ShadowTechniqueName::dpcf}) {
+    params.technique = name;
+    EXPECT_EQ(draw().pixels, nearest.pixels);
+  }
 }
 
 }  // namespace

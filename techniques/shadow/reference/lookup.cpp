@@ -10,6 +10,10 @@
 namespace umbrameter {
 namespace {
 
+#define SHARED inline
+#include "techniques/shadow/hardening.glsl"
+#undef SHARED
+
 // The view of a cube or paraboloid map that sees a direction.
 int face_of(MapKind kind, const dvec3& direction) {
   if (kind == MapKind::paraboloid) return direction.z > 0.0 ? 1 : 0;
@@ -184,14 +188,24 @@ ivec2 disk_offset(const Receiver& receiver, const vec2& p, const vec2& turn, flo
   return floor_of(texels) - receiver.texel;
 }
 
+bool is_lit(const MapLookup& lookup, const SurfelLookup& surfel, const Tap& tap) {
+  const float flip = flip_bias(tap.critical_bias, surfel.slope, static_cast<float>(lookup.bias.slope));
+  return is_lit_at(static_cast<float>(lookup.bias.constant.number), surfel.bias_unit, flip);
+}
+
+// As the shader function of the same name, for a light of this extent.
+double penumbra_at(const MapLookup& lookup, const Receiver& receiver, float extent, double blocker) {
+  const double radius = static_cast<double>(extent) * (receiver.depth - blocker);
+  return lookup.layout.kind == MapKind::orthographic ? radius : radius / blocker;
+}
+
 // search_radius() of shadow_filter.glsl.
 float search_radius(const MapLookup& lookup, const SurfelLookup& surfel, const vec2& turn) {
   const BlockerSearch& search = *lookup.filter.search;
   const Receiver& receiver = surfel.receiver;
   const bool is_orthographic = lookup.layout.kind == MapKind::orthographic;
   const auto penumbra_at = [&](double blocker) {
-    const double radius = static_cast<double>(search.extent) * (receiver.depth - blocker);
-    return is_orthographic ? radius : radius / blocker;
+    return umbrameter::penumbra_at(lookup, receiver, search.extent, blocker);
   };
   const auto texel = static_cast<double>(texel_side(lookup.layout, receiver));
   double reach = static_cast<double>(search.max_radius);
@@ -200,9 +214,7 @@ float search_radius(const MapLookup& lookup, const SurfelLookup& surfel, const v
   int count = 0;
   for (const vec2& p : search.points) {
     const Tap tap = fetch_tap(lookup, receiver, disk_offset(receiver, p, turn, static_cast<float>(reach)));
-    const float flip = flip_bias(tap.critical_bias, surfel.slope, static_cast<float>(lookup.bias.slope));
-    if (!tap.has_blocker || is_lit_at(static_cast<float>(lookup.bias.constant.number), surfel.bias_unit, flip))
-      continue;
+    if (!tap.has_blocker || is_lit(lookup, surfel, tap)) continue;
     const double blocker = blocker_depth(lookup, receiver, tap.critical_bias);
     if (!(blocker > 0.0)) continue;
     const dvec2 at(p);
@@ -216,10 +228,46 @@ float search_radius(const MapLookup& lookup, const SurfelLookup& surfel, const v
   return std::clamp(static_cast<float>(radius), search.min_radius, search.max_radius);
 }
 
+// light_radius() of shadow_filter.glsl.
+float light_radius(const MapLookup& lookup, const Receiver& receiver) {
+  const ContactHardening& hardening = *lookup.filter.hardening;
+  const double radius = lookup.layout.kind == MapKind::orthographic
+                            ? penumbra_at(lookup, receiver, hardening.extent, 0.0)
+                            : static_cast<double>(hardening.extent);
+  return static_cast<float>(std::min(static_cast<double>(hardening.max_radius),
+                                     radius / static_cast<double>(texel_side(lookup.layout, receiver))));
+}
+
+float disk_radius(const MapLookup& lookup, const SurfelLookup& surfel, const vec2& turn) {
+  if (lookup.filter.hardening) return light_radius(lookup, surfel.receiver);
+  return lookup.filter.search ? search_radius(lookup, surfel, turn) : lookup.filter.radius;
+}
+
+// hardened_visibility() of shadow_filter.glsl.
+float hardened_visibility(const MapLookup& lookup, const SurfelLookup& surfel, const std::vector<Tap>& taps) {
+  const Receiver& receiver = surfel.receiver;
+  double sum = 0.0;
+  int count = 0;
+  for (const Tap& tap : taps) {
+    if (is_lit(lookup, surfel, tap)) continue;
+    sum += blocker_depth(lookup, receiver, tap.critical_bias);
+    ++count;
+  }
+  if (count == 0) return 1.0f;
+  const double mean = sum / count;
+  const double disk =
+      static_cast<double>(light_radius(lookup, receiver)) * static_cast<double>(texel_side(lookup.layout, receiver));
+  const double softness =
+      mean > 0.0 && disk > 0.0
+          ? std::clamp(penumbra_at(lookup, receiver, lookup.filter.hardening->extent, mean) / disk, 0.0, 1.0)
+          : 1.0;
+  return 1.0f - static_cast<float>(hardened(count / static_cast<double>(taps.size()), softness));
+}
+
 void fetch_disk(const MapLookup& lookup, const SurfelLookup& surfel, std::size_t pixel, std::vector<Tap>& taps) {
   const FilterKernel& filter = lookup.filter;
   const vec2 turn = turn_of(lookup, pixel);
-  const float radius = filter.search ? search_radius(lookup, surfel, turn) : filter.radius;
+  const float radius = disk_radius(lookup, surfel, turn);
   for (const vec2& p : filter.points) {
     taps.emplace_back(fetch_tap(lookup, surfel.receiver, disk_offset(surfel.receiver, p, turn, radius))).weight = 1;
   }
@@ -308,6 +356,13 @@ void fetch_taps(const MapLookup& lookup, const SurfelLookup& surfel, std::size_t
   } else {
     fetch_disk(lookup, surfel, pixel, taps);
   }
+}
+
+float visibility_of(const MapLookup& lookup, const SurfelLookup& surfel, const std::vector<Tap>& taps) {
+  if (lookup.filter.hardening) return hardened_visibility(lookup, surfel, taps);
+  std::uint32_t lit = 0;
+  for (const Tap& tap : taps) lit += is_lit(lookup, surfel, tap) ? tap.weight : 0;
+  return static_cast<float>(static_cast<double>(lit) / lookup.filter.weight_sum());
 }
 
 }  // namespace umbrameter

@@ -72,4 +72,7 @@ SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel);
 /// All taps of the filter at a surfel, including taps of weight 0.
 void fetch_taps(const MapLookup& lookup, const SurfelLookup& surfel, std::size_t pixel, std::vector<Tap>& taps);
 
+/// Visibility at a surfel that faces the light, from the taps of fetch_taps() and the bias of `lookup`.
+float visibility_of(const MapLookup& lookup, const SurfelLookup& surfel, const std::vector<Tap>& taps);
+
 }  // namespace umbrameter
