@@ -212,7 +212,7 @@ int run(int argc, char** argv) {
       "nearest tap, processor time of a software rasteriser, ±20 %;\na GPU orders techniques differently.\n\n"
       "A bias of \"≥ 16\" is the end of the axis. Where hardly anything is too dark, the least error may be no shadow "
       "at all: `long-posts`\nhas posts thinner than a texel, of which a blur leaves nothing.\n\n"
-      "PCSS needs a light with extent: without one it is the nearest tap. [Filters that sum "
+      "PCSS and DPCF need a light with extent: without one they are the nearest tap. [Filters that sum "
       "comparisons](comparing-filters.md) measures it.\n");
   for (const std::string& scene : scenes) print_scene(scene, pictures);
   return 0;
