@@ -30,4 +30,5 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/umbrameter-config-version
 install(FILES ${PROJECT_BINARY_DIR}/umbrameter-config.cmake ${PROJECT_BINARY_DIR}/umbrameter-config-version.cmake
               ${CMAKE_CURRENT_LIST_DIR}/Dependencies.cmake DESTINATION ${package_folder})
 install(EXPORT umbrameter NAMESPACE umbrameter:: FILE umbrameter-targets.cmake DESTINATION ${package_folder})
+install(FILES ${PROJECT_SOURCE_DIR}/docs/summary.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/umbrameter)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
