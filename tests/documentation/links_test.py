@@ -1,5 +1,5 @@
-"""Checks docs/: each relative link and picture resolves, each anchor is a heading, each page is in mkdocs.yml once, and
-each picture is used.
+"""Checks docs/: each relative link and picture resolves, each anchor is a heading, each page is in mkdocs.yml once, each
+picture is used, and the rows of each table have as many cells as its head.
 
 usage: links_test.py ROOT [unittest arguments]
 """
@@ -41,6 +41,23 @@ def links_of(page):
             yield link, (page.parent / path if path else page).resolve(), anchor
 
 
+def cells_of(row):
+    """A bar divides cells even inside code; \\| does not."""
+    return len(re.findall(r"(?<!\\)\|", row.strip())) - 1
+
+
+def ragged_rows(page):
+    """Line numbers of the table rows whose number of cells differs from the row above."""
+    previous = None
+    in_code = False
+    for number, line in enumerate(page.read_text().splitlines(), 1):
+        in_code ^= line.startswith("```")
+        row = line.strip() if not in_code and line.strip().startswith("|") else None
+        if row and previous and cells_of(row) != cells_of(previous):
+            yield number
+        previous = row
+
+
 class Documentation(unittest.TestCase):
     def setUp(self):
         self.docs = root / "docs"
@@ -73,6 +90,11 @@ class Documentation(unittest.TestCase):
             if page.parent.name != "ambient-occlusion":
                 with self.subTest(page=str(page.relative_to(root))):
                     self.assertIn(page.resolve(), linked)
+
+    def test_the_rows_of_a_table_have_equally_many_cells(self):
+        for page in [*self.pages, *root.glob("*.md"), *root.glob("presets/*.md")]:
+            with self.subTest(page=str(page.relative_to(root))):
+                self.assertEqual(list(ragged_rows(page)), [])
 
     def test_every_picture_is_used(self):
         used = {target for page in [*self.pages, *root.glob("*.md")] for _, target, _ in links_of(page)}
