@@ -75,6 +75,16 @@ MetricResult measure_color(const Metric& metric, const ColorInput& input) {
   return result;
 }
 
+MetricResult measure_scalar(const Metric& metric, const MetricInput& input) {
+  if (metric.measure != nullptr) return metric.measure(input);
+  const auto grey = [](const Image<float>& image) {
+    Image<vec3> color(image.width, image.height);
+    std::transform(image.pixels.begin(), image.pixels.end(), color.pixels.begin(), [](float v) { return vec3(v); });
+    return color;
+  };
+  return metric.measure_color({grey(input.test), grey(input.reference), input.is_counted, ImageContent::data});
+}
+
 PooledMap pool(const Image<float>& map) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   PooledMap pooled{nan, nan, nan, ivec2(-1), ivec2(-1), nan, nan, nan, nan, nan, nan};

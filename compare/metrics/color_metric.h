@@ -39,6 +39,9 @@ std::span<const Metric> color_metrics();
 /// The score of any metric and its map. A pixel's value is the mean of its channels where the metric compares each.
 MetricResult measure_color(const Metric& metric, const ColorInput& input);
 
+/// The score of any metric for scalar images, and its map. Metrics of colour see them as grey ImageContent::data.
+MetricResult measure_scalar(const Metric& metric, const MetricInput& input);
+
 /// Factor of the exposure for a display: 1 unless the content is `scene`.
 float exposure_factor(const ColorInput& input);
 

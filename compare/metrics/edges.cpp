@@ -1,6 +1,7 @@
 #include "compare/metrics/edges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -182,9 +183,9 @@ std::vector<std::vector<std::size_t>> connect(std::vector<Crossing>& all, std::s
   return edges;
 }
 
-// Cosine between the edge's normal and the lines, from a line through the places found near one of its crossings; 0
-// where they are too few.
-double cosine_at(const std::vector<Crossing>& all, const std::vector<std::size_t>& edge, std::size_t at) {
+// How far an edge moves along the lines from one line to the next, from a straight line through the places found near
+// one of its crossings; nothing where they are too few.
+std::optional<double> slope_at(const std::vector<Crossing>& all, const std::vector<std::size_t>& edge, std::size_t at) {
   const std::size_t begin = at < fit_lines ? 0 : at - fit_lines;
   const std::size_t end = std::min(edge.size(), at + fit_lines + 1);
   double sum_line = 0.0;
@@ -196,7 +197,7 @@ double cosine_at(const std::vector<Crossing>& all, const std::vector<std::size_t
     sum_place += all[edge[i]].place;
     ++count;
   }
-  if (count < fewest_in_fit) return 0.0;
+  if (count < fewest_in_fit) return {};
   double squares = 0.0;
   double products = 0.0;
   for (std::size_t i = begin; i < end; ++i) {
@@ -205,8 +206,7 @@ double cosine_at(const std::vector<Crossing>& all, const std::vector<std::size_t
     squares += line * line;
     products += line * (all[edge[i]].place - sum_place / count);
   }
-  const double slope = squares > 0.0 ? products / squares : 0.0;
-  return 1.0 / std::sqrt(1.0 + slope * slope);
+  return squares > 0.0 ? products / squares : 0.0;
 }
 
 // A map of a value of the found points, and the details that all metrics of edges report.
@@ -231,44 +231,88 @@ MetricResult measure_points(const MetricInput& input, const std::vector<EdgePoin
   return result;
 }
 
+// The lengths of the points in px, or in another unit by a factor for each.
+using Values = std::vector<double> (*)(const std::vector<EdgePoint>& points, const std::vector<double>& factors);
+
+MetricResult measure_lengths(const MetricInput& input, const std::vector<EdgePoint>& points, Values values_of) {
+  MetricResult result = measure_points(input, points, values_of(points, std::vector<double>(points.size(), 1.0)));
+  if (!input.edge_scale) return result;
+  std::vector<double> texels(points.size(), 0.0);
+  std::vector<double> metres(points.size(), 0.0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].is_found) continue;
+    const LengthFactors factors = input.edge_scale(points[i].pixel, points[i].tangent);
+    texels[i] = factors.texels;
+    metres[i] = factors.metres;
+  }
+  for (const std::vector<double>& factors : {texels, metres}) {
+    result.in_other_units.push_back(measure_points(input, points, values_of(points, factors)).score);
+  }
+  return result;
+}
+
 MetricResult measure_displacement(const MetricInput& input) {
-  const std::vector<EdgePoint> points = find_edge_points(input);
+  return measure_lengths(input, find_edge_points(input), [](const auto& points, const auto& factors) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < points.size(); ++i) values.push_back(factors[i] * points[i].displacement);
+    return values;
+  });
+}
+
+// The squares of the distances from the mean of each edge.
+std::vector<double> squares_about_mean(const std::vector<EdgePoint>& points, const std::vector<double>& factors) {
+  struct Sum {
+    double displacement = 0.0;
+    double count = 0.0;
+  };
+  std::vector<Sum> sums;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (sums.size() <= points[i].edge) sums.resize(points[i].edge + 1);
+    if (!points[i].is_found) continue;
+    sums[points[i].edge].displacement += factors[i] * points[i].displacement;
+    ++sums[points[i].edge].count;
+  }
   std::vector<double> values;
-  for (const EdgePoint& point : points) values.push_back(point.displacement);
-  return measure_points(input, points, values);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Sum& sum = sums[points[i].edge];
+    const double about = factors[i] * points[i].displacement - sum.displacement / std::max(sum.count, 1.0);
+    values.push_back(about * about);
+  }
+  return values;
 }
 
 MetricResult measure_roughness(const MetricInput& input) {
   std::vector<EdgePoint> points = find_edge_points(input);
-  struct Sum {
-    double displacement = 0.0;
-    std::size_t count = 0;
-  };
-  std::vector<Sum> sums;
+  std::vector<std::size_t> counts;
   for (const EdgePoint& point : points) {
-    if (sums.size() <= point.edge) sums.resize(point.edge + 1);
-    if (!point.is_found) continue;
-    sums[point.edge].displacement += point.displacement;
-    ++sums[point.edge].count;
+    if (counts.size() <= point.edge) counts.resize(point.edge + 1);
+    if (point.is_found) ++counts[point.edge];
   }
-  std::vector<double> values;
-  for (EdgePoint& point : points) {
-    const Sum& sum = sums[point.edge];
-    point.is_found = point.is_found && sum.count >= fewest;
-    const double mean = sum.count > 0 ? sum.displacement / static_cast<double>(sum.count) : 0.0;
-    values.push_back((point.displacement - mean) * (point.displacement - mean));
-  }
-  MetricResult result = measure_points(input, points, values);
+  for (EdgePoint& point : points) point.is_found = point.is_found && counts[point.edge] >= fewest;
+  MetricResult result = measure_lengths(input, points, squares_about_mean);
   result.score = std::sqrt(result.score);
+  for (double& score : result.in_other_units) score = std::sqrt(score);
   return result;
 }
 
 MetricResult measure_width(const MetricInput& input) {
-  const std::vector<EdgePoint> points = find_edge_points(input);
-  std::vector<double> values;
-  for (const EdgePoint& point : points) values.push_back(point.width - point.reference_width);
-  return measure_points(input, points, values);
+  return measure_lengths(input, find_edge_points(input), [](const auto& points, const auto& factors) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      values.push_back(factors[i] * (points[i].width - points[i].reference_width));
+    }
+    return values;
+  });
 }
+
+MetricResult measure_found(const MetricInput& input) {
+  Image<float> map(input.reference.width, input.reference.height, std::numeric_limits<float>::quiet_NaN());
+  for (const EdgePoint& point : find_edge_points(input)) map[point.pixel] = point.is_found ? 1.0f : 0.0f;
+  return mean_of_map(std::move(map), [](std::size_t) { return true; });
+}
+
+// In the order of LengthFactors.
+constexpr std::array<std::string_view, 2> edge_units = {"texels", "m"};
 
 }  // namespace
 
@@ -282,10 +326,12 @@ std::vector<EdgePoint> find_edge_points(const MetricInput& input) {
     for (const std::vector<std::size_t>& edge : connected) {
       for (std::size_t i = 0; i < edge.size(); ++i) {
         const Crossing& crossing = all[edge[i]];
-        const double cosine = cosine_at(all, edge, i);
-        const bool is_found = crossing.is_found && cosine > 0.0;
-        points.push_back({lines.index(crossing.line, crossing.before), is_found, cosine * crossing.moved,
-                          cosine * crossing.width, cosine * crossing.reference_width, crossing.edge});
+        const std::optional<double> slope = slope_at(all, edge, i);
+        const double cosine = slope ? 1.0 / std::sqrt(1.0 + *slope * *slope) : 0.0;
+        const dvec2 tangent = are_rows ? dvec2(slope.value_or(0.0), 1.0) : dvec2(1.0, slope.value_or(0.0));
+        points.push_back({lines.index(crossing.line, crossing.before), crossing.is_found && slope.has_value(),
+                          cosine * crossing.moved, cosine * crossing.width, cosine * crossing.reference_width,
+                          cosine * tangent, crossing.edge});
       }
     }
     edges += connected.size();
@@ -301,7 +347,9 @@ const Metric edge_displacement_metric = {"edge-displacement",
                                          "slanted-edge analysis as in ISO 12233, here by the light under each row",
                                          false,
                                          measure_displacement,
-                                         ColorRule::display_luma};
+                                         ColorRule::display_luma,
+                                         nullptr,
+                                         edge_units};
 
 const Metric edge_roughness_metric = {"edge-roughness",
                                       "roughness of edges",
@@ -311,7 +359,9 @@ const Metric edge_roughness_metric = {"edge-roughness",
                                       "line edge roughness as in SEMI P47, about the reference's edge",
                                       false,
                                       measure_roughness,
-                                      ColorRule::display_luma};
+                                      ColorRule::display_luma,
+                                      nullptr,
+                                      edge_units};
 
 const Metric edge_width_metric = {"edge-width",
                                   "change of the width of penumbrae",
@@ -322,6 +372,18 @@ const Metric edge_width_metric = {"edge-width",
                                   "edge width as in ISO 12233's edge spread",
                                   false,
                                   measure_width,
-                                  ColorRule::display_luma};
+                                  ColorRule::display_luma,
+                                  nullptr,
+                                  edge_units};
+
+const Metric edges_found_metric = {.name = "edges-found",
+                                   .title = "share of the reference's edges that were found",
+                                   .unit = "1",
+                                   .range = "0 to 1, 1 is all of them",
+                                   .formula = "edge points at which both images have an edge, of all of the reference",
+                                   .source = "what the other metrics of edges are means over",
+                                   .is_higher_better = true,
+                                   .measure = measure_found,
+                                   .color_rule = ColorRule::display_luma};
 
 }  // namespace umbrameter

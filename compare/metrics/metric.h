@@ -10,8 +10,19 @@
 #include <vector>
 
 #include "core/image.h"
+#include "core/math.h"
 
 namespace umbrameter {
+
+/// By what a length of one pixel across an edge is multiplied to get its other units.
+struct LengthFactors {
+  double texels = 0.0;  ///< of the light's map
+  double metres = 0.0;  ///< along the surface
+};
+
+/// For an edge that passes a pixel. `tangent` is its direction in the image, unit, x to the right and y down. NaN where
+/// the pixel shows no surface.
+using EdgeScale = std::function<LengthFactors(std::size_t pixel, const dvec2& tangent)>;
 
 /// Two images of the same size with values from 0 to 1, and the pixels that count. is_counted() is called from any
 /// thread.
@@ -19,6 +30,7 @@ struct MetricInput {
   const Image<float>& test;
   const Image<float>& reference;
   std::function<bool(std::size_t)> is_counted;
+  EdgeScale edge_scale{};  ///< where a light and its map are known
 };
 
 struct MetricResult {
@@ -26,6 +38,8 @@ struct MetricResult {
   Image<float> map;    ///< the contribution of each pixel; NaN if it does not count
   /// What the metric chose by itself, name and value: the exposures of HDR-FLIP.
   std::vector<std::pair<std::string, double>> details{};
+  /// The score in each of Metric::other_units; empty without MetricInput::edge_scale.
+  std::vector<double> in_other_units{};
 };
 
 /// Which values of colour images a metric of scalar images compares.
@@ -49,7 +63,11 @@ struct Metric {
   MetricResult (*measure)(const MetricInput& input) = nullptr;       ///< null where it needs colour
   ColorRule color_rule = ColorRule::values;                          ///< where measure is given
   MetricResult (*measure_color)(const ColorInput& input) = nullptr;  ///< where measure is null
+  std::span<const std::string_view> other_units{};                   ///< "texels", "m"
 };
+
+/// The name of a metric's score in one of its other units: "edge-roughness-texels".
+std::string name_in_unit(const Metric& metric, std::string_view unit);
 
 /// The metrics of scalar images.
 std::span<const Metric> metrics();
@@ -79,6 +97,7 @@ extern const Metric ms_ssim_metric;
 extern const Metric edge_displacement_metric;
 extern const Metric edge_roughness_metric;
 extern const Metric edge_width_metric;
+extern const Metric edges_found_metric;
 extern const Metric ldr_flip_metric;
 extern const Metric hdr_flip_metric;
 

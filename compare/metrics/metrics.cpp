@@ -12,9 +12,9 @@ namespace {
 // Those of scalar images first.
 const std::vector<Metric>& all_metrics() {
   static const std::vector<Metric> all = {
-      mae_metric,        mse_metric,          rmse_metric,    relative_rmse_metric,     psnr_metric,
-      ssim_metric,       ssim_uniform_metric, ms_ssim_metric, edge_displacement_metric, edge_roughness_metric,
-      edge_width_metric, ldr_flip_metric,     hdr_flip_metric};
+      mae_metric,        mse_metric,          rmse_metric,     relative_rmse_metric,     psnr_metric,
+      ssim_metric,       ssim_uniform_metric, ms_ssim_metric,  edge_displacement_metric, edge_roughness_metric,
+      edge_width_metric, edges_found_metric,  ldr_flip_metric, hdr_flip_metric};
   return all;
 }
 
@@ -27,6 +27,10 @@ std::span<const Metric> metrics() {
 }
 
 std::span<const Metric> color_metrics() { return all_metrics(); }
+
+std::string name_in_unit(const Metric& metric, std::string_view unit) {
+  return std::string(metric.name) + "-" + std::string(unit);
+}
 
 std::string metric_names(std::span<const Metric> all) {
   std::string names;

@@ -109,5 +109,42 @@ TEST(Edges, Details_tell_how_many_edges_were_found) {
   EXPECT_GT(found.details[1].second, 0.9);
 }
 
+// With a pixel of 0.02 m and half a texel.
+TEST(Edges, Lengths_have_other_units_where_the_scale_is_known) {
+  const EdgeScale scale = [](std::size_t, const dvec2&) { return LengthFactors{0.5, 0.02}; };
+  const Image<float> reference = straight(0.4, 0.0, 5.0);
+  const Image<float> test = edge(
+      0.4, [](double along) { return 0.7 + 0.5 * std::sin(along / 3.0); }, 8.0);
+  for (const Metric* metric : {&edge_displacement_metric, &edge_roughness_metric, &edge_width_metric}) {
+    const MetricResult result = metric->measure({test, reference, inside, scale});
+    ASSERT_EQ(result.in_other_units.size(), metric->other_units.size());
+    EXPECT_NEAR(result.in_other_units[0], 0.5 * result.score, 1e-6) << metric->name;
+    EXPECT_NEAR(result.in_other_units[1], 0.02 * result.score, 1e-6) << metric->name;
+    EXPECT_GT(result.score, 0.2) << metric->name;
+    EXPECT_TRUE(metric->measure({test, reference, inside}).in_other_units.empty());
+  }
+}
+
+// The tangent of an edge whose normal is at this angle, y down.
+TEST(Edges, Points_know_the_direction_of_their_edge) {
+  for (const double angle : angles) {
+    const Image<float> reference = straight(angle, 0.2, 4.0);
+    std::size_t found = 0;
+    for (const EdgePoint& point : find_edge_points({reference, reference, inside})) {
+      if (!point.is_found) continue;
+      ++found;
+      EXPECT_NEAR(glm::dot(point.tangent, dvec2(std::cos(angle), std::sin(angle))), 0.0, 0.02) << angle;
+      EXPECT_NEAR(glm::length(point.tangent), 1.0, 1e-9);
+    }
+    EXPECT_GT(found, 30u);
+  }
+}
+
+TEST(Edges, The_share_of_found_edges_is_a_score) {
+  const Image<float> reference = straight(0.3, 0.0);
+  EXPECT_GT(score(edges_found_metric, reference, reference), 0.9);
+  EXPECT_EQ(score(edges_found_metric, Image<float>(side, side, 1.0f), reference), 0.0);
+}
+
 }  // namespace
 }  // namespace umbrameter
