@@ -97,7 +97,7 @@ Experiment make_experiment(const CommandLine& line) {
     experiment.scene = std::filesystem::absolute(experiment.scene).lexically_normal().string();
     require_utf8(experiment.scene);
   }
-  select_metrics(experiment.run.metrics);  // an unknown name is refused before any work
+  select_metrics(experiment.run.metrics, color_metrics());  // an unknown name is refused before any work
   // A side that works alone makes its own surfels.
   if (line.command == "trace") experiment.view.surfels = SurfelSource::traced;
   if (line.command == "raster") experiment.view.surfels = SurfelSource::raster;

@@ -152,6 +152,12 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   }
   const CellStatistics statistics = choose_statistics(stages, experiment, axes, quantity);
 
+  const std::vector<MetricColumn> metrics = swept_metrics(experiment, statistics);
+  if (!metrics.empty() && is_one_pass(stages, experiment, axes, statistics)) {
+    note(console,
+         fmt::format("one pass measures the statistics of a group; the metrics draw each of the {} cells", plan.cells));
+  }
+
   if (line.dry_run) {
     return show_sweep_plan(console, stages, {stages.in_metres(experiment), axes, plan, statistics});
   }
@@ -159,11 +165,12 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   RunFolder& folder = *run_folder;
   const std::string toml = experiment_text(experiment);
   folder.announce(ResultsStore::file_names());
-  ResultsStore store =
-      ResultsStore::open(line.output,
-                         {toml, settings_of(stages, experiment, quantity), experiment.axes,
-                          stored_columns(parameters, plan, columns_of(statistics), row_of(statistics)), plan.cells},
-                         line.force);
+  ResultsStore store = ResultsStore::open(
+      line.output,
+      {toml, settings_of(stages, experiment, quantity), experiment.axes,
+       stored_columns(parameters, plan, measured_columns(experiment, statistics), sample_row(experiment, statistics)),
+       plan.cells},
+      line.force);
   if (store.complete()) {
     note(console, fmt::format("all {} cells are done; --force recomputes them", plan.cells));
   } else {
@@ -190,7 +197,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   };
   const bool is_limit_fixed = quantity == SweptQuantity::ao && !varies_group(axes, "truth.ao-distance");
   const std::string ao_limit = is_limit_fixed ? ao_limit_text(stages.in_metres(experiment).truth) : "";
-  const SweepResults results{parameters, plan, store, statistics, depth_unit, ao_limit};
+  const SweepResults results{parameters, plan, store, statistics, depth_unit, ao_limit, metrics};
   const Table best_of_lines = best_rows(results);
   const std::optional<BiasCurves> curves = read_bias_curves(results);
   const std::vector<Value> least = least_row(results);

@@ -25,8 +25,10 @@ Parameters describe(RunParams& params) {
              {"", "measure shimmer: shadow map and camera move by fractions of a texel or pixel"})
       .field("ao-stages", params.ao_stages,
              {"", "split the error of AO by stage, from the method's model to its blur; costs further rays"})
-      .field("metrics", params.metrics,
-             {"", "image metrics of visibility and AO that compare reports: mae, ssim, ... (docs/metrics.md)"})
+      .field(
+          "metrics", params.metrics,
+          {"",
+           "image metrics of what is measured, also in sweeps: ldr-flip, ssim, edge-roughness, ... (docs/metrics.md)"})
       .field("write-maps", params.write_maps, {"", "write each shadow map with its projection as an EXR file"})
       .field("overlay", params.overlay,
              {"", "debug views in a corner of the image and as figures: all, depth, normal, shadow-map:LIGHT, ..."})

@@ -40,10 +40,12 @@ void add_alternatives(std::vector<KnownStatistic>& all, std::index_sequence<i...
 std::vector<KnownStatistic> make_known() {
   std::vector<KnownStatistic> all;
   add_alternatives(all, std::make_index_sequence<std::variant_size_v<CellStatistics>>{});
-  for (const std::string_view kind : {kinds[0], kinds[1]}) {
-    for (const Metric& metric : metrics()) {
-      add(all, {std::string(kind), std::string(metric.name), std::string(metric.unit), std::string(metric.title), true,
-                metric.is_higher_better, true});
+  for (const std::string_view kind : kinds) {
+    for (const Metric& metric : color_metrics()) {
+      for (const MetricColumn& column : columns_of(metric, kind == kinds[0])) {
+        add(all, {std::string(kind), column.name, column.unit, std::string(metric.title), true, metric.is_higher_better,
+                  std::string(metric.name)});
+      }
     }
   }
   return all;
@@ -67,13 +69,13 @@ StatisticName parse_statistic_name(std::string_view text) {
 
 std::string metric_to_measure(std::string_view statistic) {
   const StatisticName wanted = parse_statistic_name(statistic);
-  bool is_metric = false;
+  std::string metric;
   for (const KnownStatistic& each : known_statistics()) {
     if (each.name != wanted.name || (!wanted.kind.empty() && each.kind != wanted.kind)) continue;
-    if (!each.is_metric) return {};
-    is_metric = true;
+    if (each.metric.empty()) return {};
+    metric = each.metric;
   }
-  return is_metric ? wanted.name : "";
+  return metric;
 }
 
 std::vector<KnownStatistic> require_statistic(const StatisticName& name, const std::string& option,

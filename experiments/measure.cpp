@@ -1,5 +1,7 @@
 #include "experiments/measure.h"
 
+#include <functional>
+
 #include "experiments/measure_biases.h"
 
 namespace umbrameter {
@@ -10,12 +12,10 @@ SampledImage sampled(const TracedVisibility& truth) {
 
 namespace {
 
-std::vector<MetricScore> score(const Experiment& experiment, const MetricInput& input) {
-  std::vector<MetricScore> scores;
-  for (const Metric* metric : select_metrics(experiment.run.metrics)) {
-    scores.push_back({metric, metric->measure(input).score});
-  }
-  return scores;
+std::vector<MetricScore> score_of(const Experiment& experiment, bool is_shadow,
+                                  const std::function<ComparedImages()>& images) {
+  const std::vector<MetricColumn> columns = metric_columns(experiment.run, is_shadow);
+  return columns.empty() ? std::vector<MetricScore>{} : score(columns, images());
 }
 
 void measure_causes(Stages& stages, ShadowMeasurement& measurement) {
@@ -67,9 +67,8 @@ ShadowMeasurement measure_shadow(Stages& stages, const Experiment& experiment, s
   } else {
     measurement.statistics = measure_edges(stages, experiment, light, drawn);
   }
-  measurement.metrics = score(experiment, {drawn, measurement.truth->visibility, [&](std::size_t i) {
-                                             return measurement.counted.exclusion[i] == PixelExclusion::none;
-                                           }});
+  measurement.metrics =
+      score_of(experiment, true, [&] { return compared_visibility(stages, experiment, light, drawn); });
   return measurement;
 }
 
@@ -83,9 +82,8 @@ AoMeasurement measure_ao(Stages& stages, const Experiment& experiment, Sides sid
     measurement.statistics =
         analyze_ao(*measurement.raster, {truth.ao, truth.variance, truth.samples, truth.degrees_of_freedom},
                    stages.surfels(experiment).gbuffer);
-    const GBuffer& gbuffer = stages.surfels(experiment).gbuffer;
     measurement.metrics =
-        score(experiment, {*measurement.raster, truth.ao, [&](std::size_t i) { return gbuffer.is_surface(i); }});
+        score_of(experiment, false, [&] { return compared_ao(stages, experiment, *measurement.raster); });
   }
   return measurement;
 }

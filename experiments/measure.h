@@ -8,11 +8,11 @@
 #include "compare/ao.h"
 #include "compare/by_object.h"
 #include "compare/edge_statistics.h"
-#include "compare/metrics/metric.h"
 #include "compare/soft_visibility.h"
 #include "compare/visibility.h"
 #include "experiments/measure_ao_stages.h"
 #include "experiments/measure_image.h"
+#include "experiments/metric_scores.h"
 #include "experiments/presentation/bias_advice.h"
 #include "experiments/presentation/shadow_shape.h"
 #include "experiments/stages.h"
@@ -31,12 +31,6 @@ using CellStatistics =
 inline Statistics describe(CellStatistics& statistics) {
   return std::visit([](auto& each) { return describe(each); }, statistics);
 }
-
-/// The score of one metric of run.metrics.
-struct MetricScore {
-  const Metric* metric = nullptr;
-  double score = 0.0;
-};
 
 struct ShadowMeasurement {
   Experiment experiment;  ///< the parameters of this measurement

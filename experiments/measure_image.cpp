@@ -204,6 +204,13 @@ ImageMeasurement measure_image(Stages& stages, const Experiment& experiment, std
   Images images(stages, experiment, sides);
   for (const std::uint32_t light : lights) images.add(light);
   ImageMeasurement measurement = images.finish();
+  if (measurement.statistics) {
+    const std::vector<MetricColumn> columns = metric_columns(experiment.run, false);
+    if (!columns.empty()) {
+      measurement.metrics =
+          score(columns, compared_image(stages, experiment, {measurement.raster->radiance, *measurement.truth}));
+    }
+  }
   measurement.lights.assign(lights.begin(), lights.end());
   return measurement;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/image_error.h"
+#include "experiments/metric_scores.h"
 #include "experiments/stages.h"
 #include "raster/shading/shading_pass.h"
 
@@ -19,7 +20,8 @@ struct ImageMeasurement {
   std::optional<Image<vec3>> truth;           ///< linear, without exposure
   Image<float> standard_error;                ///< of the truth's luminance × exposure; empty if nothing was sampled
   std::optional<ImageStatistics> statistics;  ///< if raster and truth are present
-  Image<std::uint8_t> causes;                 ///< classify_image(); if raster and truth are present
+  std::vector<MetricScore> metrics{};  ///< of run.metrics, of the displayed image; if raster and truth are present
+  Image<std::uint8_t> causes;          ///< classify_image(); if raster and truth are present
   /// What the compact G-buffer changes, G-buffer − exact; of the deferred path, if raster and truth are present.
   struct GBufferChange {
     std::vector<Image<float>> visibility;  ///< per light

@@ -14,6 +14,12 @@
 namespace umbrameter {
 namespace {
 
+// The statistics of a cell, and where its images come from.
+struct MeasuredCell {
+  CellStatistics statistics;
+  std::function<ComparedImages()> images;
+};
+
 // Measures one cell. The overload selects the kind of statistics; its argument is not read.
 struct MeasureCell {
   Stages& stages;
@@ -22,39 +28,72 @@ struct MeasureCell {
 
   std::uint32_t light() const { return stages.lights(experiment.view.light).front(); }
 
-  CellStatistics operator()(const VisibilityStatistics&) const {
-    return std::get<VisibilityStatistics>(*measure_shadow(stages, experiment, light(), {}).statistics);
+  MeasuredCell operator()(const VisibilityStatistics&) const {
+    ShadowMeasurement measured = measure_shadow(stages, experiment, light(), {});
+    return {std::get<VisibilityStatistics>(*measured.statistics), of_visibility(measured.raster->visibility)};
   }
-  CellStatistics operator()(const EdgeStatistics&) const {
-    return measure_edges(stages, experiment, light(), draw_visibility());
+  MeasuredCell operator()(const EdgeStatistics&) const {
+    const Image<float> drawn = draw_visibility();
+    return {measure_edges(stages, experiment, light(), drawn), of_visibility(drawn)};
   }
-  CellStatistics operator()(const SoftVisibilityStatistics&) const {
+  MeasuredCell operator()(const SoftVisibilityStatistics&) const {
+    const Image<float> drawn = draw_visibility();
     const TracedVisibility& truth = stages.truth(experiment, light());
-    return analyze_soft_visibility(draw_visibility(), sampled(truth), stages.counted(experiment, light()));
+    return {analyze_soft_visibility(drawn, sampled(truth), stages.counted(experiment, light())), of_visibility(drawn)};
   }
-  CellStatistics operator()(const AoStatistics&) const { return *measure_ao(stages, experiment, {}).statistics; }
-  CellStatistics operator()(const ImageStatistics&) const {
-    return *measure_image(stages, experiment, stages.lights(experiment.view.light), {}).statistics;
+  MeasuredCell operator()(const AoStatistics&) const {
+    AoMeasurement measured = measure_ao(stages, experiment, {});
+    return {*measured.statistics, [this, drawn = *measured.raster] { return compared_ao(stages, experiment, drawn); }};
+  }
+  MeasuredCell operator()(const ImageStatistics&) const {
+    ImageMeasurement measured = measure_image(stages, experiment, stages.lights(experiment.view.light), {});
+    return {*measured.statistics, [this, images = ColorImages{measured.raster->radiance, *measured.truth}] {
+              return compared_image(stages, experiment, images);
+            }};
+  }
+
+ private:
+  std::function<ComparedImages()> of_visibility(Image<float> drawn) const {
+    return [this, drawn = std::move(drawn)] { return compared_visibility(stages, experiment, light(), drawn); };
   }
 };
 
-void measure_cells(Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
-                   const CellStatistics& statistics, LookAhead& look_ahead, const CellGroup& group,
-                   const RowSink& keep) {
-  // Extents may be varied, and not every combination of them makes sense.
-  const Experiment of_group = at_cell(experiment, axes, group.values);
-  const SweptQuantity quantity = quantity_of(statistics);
-  if (quantity != SweptQuantity::ao) {
-    stages.check_is_meaningful(of_group, swept_lights(stages, experiment, axes, quantity));
-  }
-  for (std::size_t place = 0; place < group.size(); ++place) {
-    throw_if_interrupted();
-    const std::vector<Value> values = values_at(group, place);
-    const Experiment cell = at_cell(experiment, axes, values);
-    const std::function<Image<float>()> draw = [&] { return look_ahead.visibility(stages, experiment, axes, values); };
-    keep(place, row_of(std::visit(MeasureCell{stages, cell, draw}, statistics)));
-  }
+void append_scores(std::vector<Value>& row, const std::vector<MetricColumn>& columns, const ComparedImages& images) {
+  for (const MetricScore& scored : score(columns, images)) row.emplace_back(scored.score);
 }
+
+// Measures the cells of a group one by one.
+struct CellByCell {
+  Stages& stages;
+  const Experiment& experiment;
+  const std::vector<SweepAxis>& axes;
+  const CellStatistics& statistics;
+  LookAhead& look_ahead;
+
+  void operator()(const CellGroup& group, const RowSink& keep) const {
+    // Extents may be varied, and not every combination of them makes sense.
+    const Experiment of_group = at_cell(experiment, axes, group.values);
+    const SweptQuantity quantity = quantity_of(statistics);
+    if (quantity != SweptQuantity::ao) {
+      stages.check_is_meaningful(of_group, swept_lights(stages, experiment, axes, quantity));
+    }
+    const std::vector<MetricColumn> metrics = swept_metrics(experiment, statistics);
+    for (std::size_t place = 0; place < group.size(); ++place) {
+      throw_if_interrupted();
+      const std::vector<Value> values = values_at(group, place);
+      Experiment cell = at_cell(experiment, axes, values);
+      cell.run.metrics.clear();
+      const std::function<Image<float>()> draw = [&] {
+        return look_ahead.visibility(stages, experiment, axes, values);
+      };
+      const MeasureCell measure{stages, cell, draw};
+      const MeasuredCell measured = std::visit(measure, statistics);
+      std::vector<Value> row = row_of(measured.statistics);
+      if (!metrics.empty()) append_scores(row, metrics, measured.images());
+      keep(place, row);
+    }
+  }
+};
 
 // Passes rows to the sink in the order of the group's places.
 template <class Struct>
@@ -131,6 +170,24 @@ void for_each_technique(Experiment experiment, const std::vector<SweepAxis>& axe
   }
 }
 
+// Adds the metrics to the rows that one pass has measured, from the image of each cell.
+RowSink with_metrics(Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
+                     const std::vector<MetricColumn>& metrics, SweptQuantity quantity, const CellGroup& group,
+                     const RowSink& keep) {
+  return [&, quantity](std::size_t place, std::span<const Value> statistics) {
+    throw_if_interrupted();
+    const Experiment cell = stages.in_metres(at_cell(experiment, axes, values_at(group, place)));
+    std::vector<Value> row(statistics.begin(), statistics.end());
+    if (quantity == SweptQuantity::ao) {
+      append_scores(row, metrics, compared_ao(stages, cell, stages.draw_ao(cell)));
+    } else {
+      const std::uint32_t light = stages.lights(cell.view.light).front();
+      append_scores(row, metrics, compared_visibility(stages, cell, light, stages.draw(cell, light, false).visibility));
+    }
+    keep(place, row);
+  };
+}
+
 }  // namespace
 
 std::string_view quantity_name(SweptQuantity quantity) {
@@ -199,6 +256,25 @@ CellStatistics choose_statistics(const Stages& stages, const Experiment& experim
   return VisibilityStatistics{};
 }
 
+std::vector<MetricColumn> swept_metrics(const Experiment& experiment, const CellStatistics& statistics) {
+  CellStatistics described = statistics;
+  return metric_columns(experiment.run, quantity_of(statistics) == SweptQuantity::visibility, describe(described));
+}
+
+std::vector<Column> measured_columns(const Experiment& experiment, CellStatistics statistics) {
+  std::vector<Column> columns = columns_of(describe(statistics));
+  for (const MetricColumn& metric : swept_metrics(experiment, statistics)) {
+    columns.push_back({metric.name, metric.unit, metric.meaning()});
+  }
+  return columns;
+}
+
+std::vector<Value> sample_row(const Experiment& experiment, CellStatistics statistics) {
+  std::vector<Value> row = row_of(describe(statistics));
+  row.resize(row.size() + swept_metrics(experiment, statistics).size(), 0.0);
+  return row;
+}
+
 InnerKeys inner_keys(const Experiment& experiment, const std::vector<SweepAxis>& axes, SweptQuantity quantity) {
   if (quantity != SweptQuantity::ao) return {constant_bias_key, slope_bias_key};
   bool is_one_pass = true;
@@ -235,12 +311,17 @@ EvaluateGroup make_evaluator(Stages& stages, const Experiment& experiment, const
   const bool one_pass = is_one_pass(stages, experiment, axes, statistics);
   return [&stages, experiment, axes, statistics, one_pass, look_ahead = std::make_shared<LookAhead>()](
              const CellGroup& group, const RowSink& keep) {
-    if (one_pass && std::holds_alternative<AoStatistics>(statistics)) {
-      measure_ao_group(stages, experiment, axes, group, keep);
-    } else if (one_pass) {
-      measure_bias_group(stages, at_cell(experiment, axes, group.values), group, keep);
+    if (!one_pass) {
+      CellByCell{stages, experiment, axes, statistics, *look_ahead}(group, keep);
+      return;
+    }
+    const std::vector<MetricColumn> metrics = swept_metrics(experiment, statistics);
+    const RowSink sink =
+        metrics.empty() ? keep : with_metrics(stages, experiment, axes, metrics, quantity_of(statistics), group, keep);
+    if (std::holds_alternative<AoStatistics>(statistics)) {
+      measure_ao_group(stages, experiment, axes, group, sink);
     } else {
-      measure_cells(stages, experiment, axes, statistics, *look_ahead, group, keep);
+      measure_bias_group(stages, at_cell(experiment, axes, group.values), group, sink);
     }
   };
 }

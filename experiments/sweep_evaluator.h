@@ -34,11 +34,19 @@ std::vector<std::uint32_t> swept_lights(const Stages& stages, const Experiment& 
 CellStatistics choose_statistics(const Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                                  SweptQuantity quantity);
 
+/// The image metrics of each cell, which run.metrics names and the statistics lack. They need the image of each cell.
+std::vector<MetricColumn> swept_metrics(const Experiment& experiment, const CellStatistics& statistics);
+
+/// The measured columns of a cell: its statistics, then its image metrics.
+std::vector<Column> measured_columns(const Experiment& experiment, CellStatistics statistics);
+/// A row with these columns, of values 0.
+std::vector<Value> sample_row(const Experiment& experiment, CellStatistics statistics);
+
 /// The parameters whose combinations form a group of cells. Shadows: the biases. Ambient occlusion: what one pass
 /// measures, or none if the technique, in any cell, measures each cell alone.
 InnerKeys inner_keys(const Experiment& experiment, const std::vector<SweepAxis>& axes, SweptQuantity quantity);
 
-/// Whether one pass measures every cell of a group.
+/// Whether one pass measures the statistics of every cell of a group.
 bool is_one_pass(const Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                  const CellStatistics& statistics);
 

@@ -20,6 +20,7 @@ struct SweepResults {
   std::function<double(const std::vector<Value>& values)> depth_unit;
   /// Distance limit of an ambient-occlusion reference: "up to 58.6 cm"; empty if it is varied.
   std::string ao_limit{};
+  std::vector<MetricColumn> metrics{};  ///< the image metrics in the rows
 
   SweptQuantity quantity() const { return quantity_of(statistics); }
   bool is_by_cause() const { return std::holds_alternative<VisibilityStatistics>(statistics); }

@@ -18,7 +18,7 @@ Table sweep_table(Stages& stages, const Experiment& given, const std::vector<std
   for (const SweepAxis& axis : axes) {
     table.columns.push_back({axis.key, axis.unit, require(parameters, axis.key).description.meaning});
   }
-  const std::vector<Column> measured = columns_of(statistics);
+  const std::vector<Column> measured = measured_columns(experiment, statistics);
   table.columns.insert(table.columns.end(), measured.begin(), measured.end());
   table.rows.resize(plan.cells);
   for (std::size_t g = 0; g < count_groups(plan); ++g) {

@@ -156,6 +156,7 @@ Presentation present_image(const Stages& stages, const ImageMeasurement& image) 
       "light is shaded from its centre on both sides, and only its visibility is integrated.",
       path_text(experiment));
   section.tables.insert(section.tables.begin(), statistics_table("Error of the image", s));
+  add_metrics_table(section, image.metrics);
   presentation.answers.push_back(fmt::format("image: error {} of white, {} away from shadow edges; by part: {}",
                                              percent(s.error.mae), percent(s.mae_off_edges), parts));
   if (!warning.empty()) {

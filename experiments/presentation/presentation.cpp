@@ -67,9 +67,9 @@ ReportTable statistics_table(std::string title, const Statistics& statistics) {
 void add_metrics_table(ReportSection& section, const std::vector<MetricScore>& scores) {
   if (scores.empty()) return;
   Table table{{{"metric", "", ""}, {"value", "", ""}, {"unit", "", ""}, {"range", "", ""}, {"formula", "", ""}}, {}};
-  for (const auto& [metric, score] : scores) {
-    table.rows.push_back({std::string(metric->title), fmt::format("{:.4g}", score), std::string(metric->unit),
-                          std::string(metric->range), std::string(metric->formula)});
+  for (const auto& [column, score] : scores) {
+    table.rows.push_back({std::string(column.metric->title), fmt::format("{:.4g}", score), column.unit,
+                          std::string(column.metric->range), std::string(column.metric->formula)});
   }
   section.tables.push_back({"Image metrics", std::move(table)});
 }

@@ -88,7 +88,7 @@ void add_stored_depths(Json& map, const StoredDepths& depths) {
 }
 
 void add_metrics(Json& object, const std::vector<MetricScore>& scores) {
-  for (const MetricScore& scored : scores) object["metrics"][std::string(scored.metric->name)] = scored.score;
+  for (const MetricScore& scored : scores) object["metrics"][scored.column.name] = scored.score;
 }
 
 Json shadow_json(const Stages& stages, const ShadowMeasurement& shadow) {
@@ -156,6 +156,7 @@ Json image_json(const Stages& stages, const ImageMeasurement& image) {
     object["statistics"] = statistics_json(*image.statistics);
     object["max_error_at_px"] = place_json(image.statistics->error.max_x, image.statistics->error.max_y);
   }
+  add_metrics(object, image.metrics);
   if (!image.raster || image.raster->counters.empty()) return object;
   for (std::size_t i = 0; i < image.lights.size(); ++i) {
     const LightCounters& c = image.raster->counters[i];

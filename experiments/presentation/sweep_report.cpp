@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <span>
 
@@ -101,6 +102,9 @@ PlotFigure make_plot(const SweepResults& sweep, const Layout& layout, const Plot
     names.push_back(*plot.upper);
   }
   plot.data = sweep.store.rows(cells.cells, names);
+  const bool is_metric = std::any_of(sweep.metrics.begin(), sweep.metrics.end(),
+                                     [&](const MetricColumn& column) { return column.name == statistic.name; });
+  if (is_metric) return plot;
   for (std::vector<Value>& row : plot.data.rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       // The label says per cent.
@@ -110,15 +114,38 @@ PlotFigure make_plot(const SweepResults& sweep, const Layout& layout, const Plot
   return plot;
 }
 
-std::vector<PlotFigure> make_plots(const SweepResults& sweep, const Layout& layout) {
+// The statistics that have a figure. Those of image metrics are in their own units.
+std::vector<Statistic> drawn_metrics(const SweepResults& sweep) {
+  std::vector<Statistic> drawn;
+  for (const MetricColumn& column : sweep.metrics) {
+    const std::string title(column.metric->title);
+    const std::string unit = column.unit == "1" ? "" : " [" + column.unit + "]";
+    drawn.push_back({column.name,
+                     column.unit,
+                     column.meaning(),
+                     {static_cast<char>(std::toupper(title.front())) + title.substr(1) +
+                          (column.other_unit > 0 ? ", " + column.unit : ""),
+                      title + unit + ": " + std::string(column.metric->range)},
+                     static_cast<double*>(nullptr)});
+  }
+  return drawn;
+}
+
+std::vector<Statistic> drawn_statistics(const SweepResults& sweep) {
+  CellStatistics statistics = sweep.statistics;
+  std::vector<Statistic> drawn = describe(statistics);
+  std::erase_if(drawn, [](const Statistic& each) { return each.curve.title.empty(); });
+  return drawn;
+}
+
+std::vector<PlotFigure> make_plots(const SweepResults& sweep, const Layout& layout,
+                                   const std::vector<Statistic>& statistics) {
   std::size_t parts = 1;
   for (const std::size_t a : layout.rest) parts *= count_values(sweep.plan, a);
   std::vector<PlotFigure> plots;
-  CellStatistics statistics = sweep.statistics;
   for (std::size_t part = 0; part < parts; ++part) {
     const PlotCells cells = cells_of_plot(sweep.plan, layout, part);
-    for (const Statistic& statistic : describe(statistics)) {
-      if (statistic.curve.title.empty()) continue;
+    for (const Statistic& statistic : statistics) {
       if (plots.size() >= max_plots) return plots;
       PlotFigure plot = make_plot(sweep, layout, cells, statistic);
       plot.stem = statistic.name + (layout.rest.empty() ? "" : fmt::format("_{}", part));
@@ -193,8 +220,11 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   if (curves && curves->varies_constant) {
     add_bias_figures(presentation, sweep, *curves, max_plots);
   } else {
-    for (PlotFigure& plot : make_plots(sweep, layout)) add_figure(presentation, std::move(plot));
+    for (PlotFigure& plot : make_plots(sweep, layout, drawn_statistics(sweep))) {
+      add_figure(presentation, std::move(plot));
+    }
   }
+  for (PlotFigure& plot : make_plots(sweep, layout, drawn_metrics(sweep))) add_figure(presentation, std::move(plot));
   section.text = "All cells are in sweep.csv.";
   if (!sweep.ao_limit.empty())
     section.text += " The reference looks for occluders " + sweep.ao_limit + " in every cell.";

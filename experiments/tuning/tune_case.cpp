@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "experiments/measure.h"
 #include "experiments/measure_biases.h"
+#include "experiments/metric_scores.h"
 #include "raster/gl/timer.h"
 
 namespace umbrameter {
@@ -61,8 +62,7 @@ class Reader {
 // What is measured: technique and reference, drawn once, and their statistics over the pixels that are not left out.
 struct Drawn {
   std::function<CellStatistics(const std::function<bool(std::size_t)>& is_left_out)> analyze;
-  Image<float> technique, reference;
-  std::function<bool(std::size_t)> is_counted;
+  ComparedImages images;
 };
 
 CountedPixels without(CountedPixels counted, const std::function<bool(std::size_t)>& is_left_out) {
@@ -76,9 +76,7 @@ Drawn draw_shadow(const TuneCase& tuned, const Experiment& experiment) {
   Stages& stages = *tuned.stages;
   auto measured = std::make_shared<ShadowMeasurement>(measure_shadow(stages, experiment, tuned.light, {}));
   Drawn drawn;
-  drawn.technique = measured->raster->visibility;
-  drawn.reference = measured->truth->visibility;
-  drawn.is_counted = [measured](std::size_t i) { return measured->counted.exclusion[i] == PixelExclusion::none; };
+  drawn.images = compared_visibility(stages, experiment, tuned.light, measured->raster->visibility);
   drawn.analyze = [measured, &stages, experiment, light = tuned.light](const auto& is_left_out) -> CellStatistics {
     const auto as_cell = [](const auto& statistics) -> CellStatistics { return statistics; };
     if (!is_left_out) return std::visit(as_cell, *measured->statistics);
@@ -101,9 +99,7 @@ Drawn draw_occlusion(const TuneCase& tuned, const Experiment& experiment) {
   auto measured = std::make_shared<AoMeasurement>(measure_ao(stages, experiment, {}));
   auto gbuffer = std::make_shared<GBuffer>(stages.surfels(experiment).gbuffer);
   Drawn drawn;
-  drawn.technique = *measured->raster;
-  drawn.reference = measured->truth->ao;
-  drawn.is_counted = [gbuffer](std::size_t i) { return gbuffer->is_surface(i); };
+  drawn.images = compared_ao(stages, experiment, *measured->raster);
   drawn.analyze = [measured, gbuffer](const auto& is_left_out) -> CellStatistics {
     if (!is_left_out) return *measured->statistics;
     const Image<std::uint32_t> before = gbuffer->instance;
@@ -121,10 +117,10 @@ Drawn draw_occlusion(const TuneCase& tuned, const Experiment& experiment) {
 
 Drawn draw_image(const TuneCase& tuned, const Experiment& experiment) {
   Stages& stages = *tuned.stages;
-  const ImageStatistics statistics =
-      *measure_image(stages, experiment, stages.lights(experiment.view.light), {}).statistics;
+  const ImageMeasurement measured = measure_image(stages, experiment, stages.lights(experiment.view.light), {});
   Drawn drawn;
-  drawn.analyze = [statistics](const auto&) -> CellStatistics { return statistics; };
+  drawn.images = compared_image(stages, experiment, {measured.raster->radiance, *measured.truth});
+  drawn.analyze = [statistics = *measured.statistics](const auto&) -> CellStatistics { return statistics; };
   return drawn;
 }
 
@@ -152,19 +148,20 @@ double pass_time(const TuneCase& tuned, const Experiment& experiment) {
   return 1000.0 * least;
 }
 
-const Metric* find_metric(const std::string& name) {
-  for (const Metric& metric : metrics()) {
-    if (metric.name == name) return &metric;
+std::optional<MetricColumn> find_metric(const std::string& name, SweptQuantity quantity) {
+  for (const Metric& metric : color_metrics()) {
+    for (const MetricColumn& column : columns_of(metric, quantity == SweptQuantity::visibility)) {
+      if (column.name == name) return column;
+    }
   }
-  return nullptr;
+  return {};
 }
 
 // Image metrics are computed from the images; all else must be described.
 void require_columns(const Reader& reader, const TuneCase& tuned, const TuneGoal& goal) {
   for (std::size_t c = 0; c < goal.columns.size(); ++c) {
     const std::string& name = goal.columns[c].name;
-    if (reader.has(c) || name == pass_time_statistic) continue;
-    if (tuned.quantity != SweptQuantity::image && find_metric(name) != nullptr) continue;
+    if (reader.has(c) || name == pass_time_statistic || find_metric(name, tuned.quantity)) continue;
     std::string names;
     for (const Statistic& each : reader.statistics()) names += (names.empty() ? "" : ", ") + each.name;
     throw Error(ExitCode::usage, tuned.title, fmt::format("this technique and light report no '{}'", name),
@@ -172,17 +169,27 @@ void require_columns(const Reader& reader, const TuneCase& tuned, const TuneGoal
   }
 }
 
-CaseValues values_of(const Drawn& drawn, const TuneCase& tuned, const TuneGoal& goal,
+CaseValues values_of(Drawn& drawn, const TuneCase& tuned, const TuneGoal& goal,
                      const std::function<bool(std::size_t)>& is_left_out) {
   CellStatistics statistics = drawn.analyze(is_left_out);
   const Reader reader(describe(statistics), goal);
   require_columns(reader, tuned, goal);
   CaseValues values = reader.read();
+  std::vector<std::size_t> places;
+  std::vector<MetricColumn> metrics;
   for (std::size_t c = 0; c < values.size(); ++c) {
     if (reader.has(c) || goal.columns[c].name == pass_time_statistic) continue;
-    const auto is_counted = [&](std::size_t i) { return drawn.is_counted(i) && !(is_left_out && is_left_out(i)); };
-    values[c] = find_metric(goal.columns[c].name)->measure({drawn.technique, drawn.reference, is_counted}).score;
+    places.push_back(c);
+    metrics.push_back(*find_metric(goal.columns[c].name, tuned.quantity));
   }
+  if (metrics.empty()) return values;
+  const auto is_counted = drawn.images.is_counted;
+  if (is_left_out) {
+    drawn.images.is_counted = [&](std::size_t i) { return is_counted(i) && !is_left_out(i); };
+  }
+  const std::vector<MetricScore> scores = score(metrics, drawn.images);
+  drawn.images.is_counted = is_counted;
+  for (std::size_t i = 0; i < places.size(); ++i) values[places[i]] = scores[i].score;
   return values;
 }
 
@@ -212,7 +219,8 @@ Experiment at_point(const TuneCase& tuned, const std::vector<TuneAxis>& axes, co
 }
 
 CaseValues measure_case(const TuneCase& tuned, const Experiment& experiment, const TuneGoal& goal) {
-  CaseValues values = values_of(draw(tuned, experiment), tuned, goal, {});
+  Drawn drawn = draw(tuned, experiment);
+  CaseValues values = values_of(drawn, tuned, goal, {});
   if (goal.measures_time) set_time(values, goal, pass_time(tuned, experiment));
   return values;
 }
@@ -247,18 +255,25 @@ std::vector<CaseValues> measure_biases_of(const TuneCase& tuned, const Experimen
 std::vector<CaseValues> measure_without_blocks(const TuneCase& tuned, const Experiment& experiment,
                                                const TuneGoal& goal) {
   std::vector<CaseValues> blocks;
-  if (tuned.quantity == SweptQuantity::image) return blocks;
-  const Drawn drawn = draw(tuned, experiment);
+  if (tuned.quantity == SweptQuantity::image) {
+    ImageStatistics statistics;
+    const Reader reader(describe(statistics), goal);
+    for (std::size_t c = 0; c < goal.columns.size(); ++c) {
+      if (reader.has(c)) return blocks;
+    }
+  }
+  Drawn drawn = draw(tuned, experiment);
   const double time = goal.measures_time ? pass_time(tuned, experiment) : 0.0;
-  const int width = drawn.technique.width, height = drawn.technique.height;
+  const int width = tuned.experiment.view.size.width, height = tuned.experiment.view.size.height;
   const auto block_of = [&](std::size_t i) {
     const int x = static_cast<int>(i % static_cast<std::size_t>(width));
     const int y = static_cast<int>(i / static_cast<std::size_t>(width));
     return y * block_grid / height * block_grid + x * block_grid / width;
   };
   std::vector<bool> is_used(block_grid * block_grid);
-  for (std::size_t i = 0; i < drawn.technique.size(); ++i) {
-    if (drawn.is_counted(i)) is_used[static_cast<std::size_t>(block_of(i))] = true;
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    if (drawn.images.is_counted(i)) is_used[static_cast<std::size_t>(block_of(i))] = true;
   }
   if (std::count(is_used.begin(), is_used.end(), true) < 2) return blocks;
   for (int block = 0; block < block_grid * block_grid; ++block) {

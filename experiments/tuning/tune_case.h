@@ -42,9 +42,9 @@ std::vector<CaseValues> measure_biases_of(const TuneCase& tuned, const Experimen
 /// The image is divided into block_grid² blocks.
 inline constexpr int block_grid = 8;
 
-/// The goal's columns over all pixels but those of one block, for each block that holds a counted pixel. Empty for a
-/// shaded image, whose parts cannot be left out, and where fewer than two blocks are counted. The time of a pass is the
-/// same in all.
+/// The goal's columns over all pixels but those of one block, for each block that holds a counted pixel. Empty where
+/// fewer than two blocks are counted, and for the statistics of a shaded image, of which no part can be left out; its
+/// image metrics can. The time of a pass is the same in all.
 std::vector<CaseValues> measure_without_blocks(const TuneCase& tuned, const Experiment& experiment,
                                                const TuneGoal& goal);
 
