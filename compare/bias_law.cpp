@@ -1,79 +1,16 @@
 #include "compare/bias_law.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
+
+#include "compare/least_squares.h"
 
 namespace umbrameter {
 namespace {
 
-constexpr std::size_t max_coefficients = 3;
-// A column of which less than this share remains after orthogonalization depends on the columns before it.
-constexpr double min_independent_share = 1e-9;
 // A surface with a smaller tan θ counts as perpendicular to the light.
 constexpr double min_tangent = 1e-6;
-
-using Row = std::array<double, max_coefficients>;
-
-// Weighted least squares by modified Gram-Schmidt: Björck, Solving linear least squares problems by Gram-Schmidt
-// orthogonalization, BIT 7, 1967.
-struct Solution {
-  Row value{};
-  std::array<Row, max_coefficients> covariance{};  ///< for residuals of variance 1
-};
-
-double inner(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-double inner(const Row& a, const Row& b, std::size_t count) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < count; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-std::optional<Solution> solve(const std::vector<Row>& rows, const std::vector<double>& right, std::size_t count) {
-  std::array<std::vector<double>, max_coefficients> q;
-  std::array<Row, max_coefficients> r{};
-  Row projected{};
-  std::vector<double> rest = right;
-  for (std::size_t j = 0; j < count; ++j) {
-    for (const Row& row : rows) q[j].push_back(row[j]);
-  }
-  for (std::size_t j = 0; j < count; ++j) {
-    const double whole = std::sqrt(inner(q[j], q[j]));
-    for (std::size_t k = 0; k < j; ++k) {
-      r[k][j] = inner(q[k], q[j]);
-      for (std::size_t i = 0; i < rows.size(); ++i) q[j][i] -= r[k][j] * q[k][i];
-    }
-    r[j][j] = std::sqrt(inner(q[j], q[j]));
-    if (!(r[j][j] > min_independent_share * whole)) return std::nullopt;
-    for (double& value : q[j]) value /= r[j][j];
-    projected[j] = inner(q[j], rest);
-    for (std::size_t i = 0; i < rows.size(); ++i) rest[i] -= projected[j] * q[j][i];
-  }
-  Solution solution;
-  std::array<Row, max_coefficients> inverse{};  // of r, upper triangular
-  for (std::size_t column = 0; column < count; ++column) {
-    for (std::size_t row = column + 1; row-- > 0;) {
-      double value = row == column ? 1.0 : 0.0;
-      for (std::size_t k = row + 1; k <= column; ++k) value -= r[row][k] * inverse[k][column];
-      inverse[row][column] = value / r[row][row];
-    }
-  }
-  for (std::size_t a = 0; a < count; ++a) {
-    for (std::size_t k = a; k < count; ++k) solution.value[a] += inverse[a][k] * projected[k];
-    for (std::size_t b = 0; b < count; ++b) {
-      for (std::size_t k = std::max(a, b); k < count; ++k) {
-        solution.covariance[a][b] += inverse[a][k] * inverse[b][k];
-      }
-    }
-  }
-  return solution;
-}
 
 std::optional<FitPoint> point_at(const BiasCell& cell, double texel, std::span<const double> axis, bool two_sided) {
   const auto place = std::lower_bound(axis.begin(), axis.end(), cell.constant);
@@ -93,7 +30,7 @@ struct Bend {
 
 struct Fit {
   Bend bend;
-  Solution solution;
+  LeastSquares solution;
   std::size_t coefficients = 0;
   double squares = 0.0;  ///< weighted sum of squared residuals
 };
@@ -109,7 +46,7 @@ std::optional<Fit> fit_bend(const Bend& bend) {
   Fit fit{bend, {}, bend.slopes > 1 ? std::size_t{3} : std::size_t{2}};
   if (bend.points.size() < fit.coefficients) return std::nullopt;
   const double first = bend.points.front().slope;
-  std::vector<Row> rows;
+  std::vector<LeastSquaresRow> rows;
   std::vector<double> right;
   for (std::size_t i = 0; i < bend.points.size(); ++i) {
     const FitPoint& point = bend.points[i];
@@ -118,11 +55,11 @@ std::optional<Fit> fit_bend(const Bend& bend) {
     rows.push_back({weight, weight * texel, -weight * (point.slope - first) * texel});
     right.push_back(weight * point.bias);
   }
-  const std::optional<Solution> solution = solve(rows, right, fit.coefficients);
+  const std::optional<LeastSquares> solution = solve_least_squares(rows, right, fit.coefficients);
   if (!solution) return std::nullopt;
   fit.solution = *solution;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double residual = inner(rows[i], fit.solution.value, fit.coefficients) - right[i];
+    const double residual = fit.solution.predict(rows[i], fit.coefficients) - right[i];
     fit.squares += residual * residual;
   }
   if (fit.coefficients < 3) return fit;
@@ -164,7 +101,7 @@ std::optional<BiasFit> fit_law(std::span<const FitPoint> points) {
   }
   if (!best) return std::nullopt;
 
-  const Solution& solution = best->solution;
+  const LeastSquares& solution = best->solution;
   BiasFit law;
   law.points = sorted.size();
   law.first_slope = sorted.front().slope;

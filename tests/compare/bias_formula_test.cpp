@@ -1,0 +1,96 @@
+// Points that follow a formula give it back. Of a plane and a box filter the bias without acne is known: half a texel
+// times tan θ for the centre, and a texel more for each texel that the filter reaches.
+#include "compare/bias_formula.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace umbrameter {
+namespace {
+
+const Fitted& term(const BiasFormula& formula, FormulaTerm which) {
+  return formula.terms[static_cast<std::size_t>(which)].value();
+}
+
+// bias = texel · tan θ · (½ + radius) + 1.5 steps + 1 mm, known to within `noise` of a step of the axis.
+std::vector<FormulaPoint> plane(const std::vector<double>& texels, const std::vector<double>& tangents,
+                                const std::vector<double>& radii, const std::vector<double>& steps,
+                                double noise = 0.0) {
+  std::vector<FormulaPoint> points;
+  for (const double texel : texels) {
+    for (const double tangent : tangents) {
+      for (const double radius : radii) {
+        for (const double step : steps) {
+          const double axis_step = 0.01 * texel;
+          const double wave = std::sin(37.0 * static_cast<double>(points.size()));
+          const double bias = texel * tangent * (0.5 + radius) + 1.5 * step + 0.001 + noise * wave * axis_step;
+          points.push_back({{texel, 0.0, bias, axis_step}, {tangent, radius, step}});
+        }
+      }
+    }
+  }
+  return points;
+}
+
+TEST(BiasFormula, Is_found_from_points_that_follow_it) {
+  const auto formula = fit_formula(plane({0.01, 0.02, 0.05}, {0.5, 1.7}, {0.0, 1.0, 2.0}, {1e-6, 3e-4}));
+  ASSERT_TRUE(formula);
+  EXPECT_EQ(formula->points, 36u);
+  EXPECT_TRUE(formula->refused.empty());
+  EXPECT_NEAR(term(*formula, FormulaTerm::constant).value, 0.001, 1e-9);
+  EXPECT_NEAR(term(*formula, FormulaTerm::slope).value, 0.5, 1e-9);
+  EXPECT_NEAR(term(*formula, FormulaTerm::slope_radius).value, 1.0, 1e-9);
+  EXPECT_NEAR(term(*formula, FormulaTerm::depth_step).value, 1.5, 1e-6);
+  EXPECT_NEAR(formula->per_radius->value, 2.0, 1e-8);
+  EXPECT_LT(formula->residual, 1e-9);
+}
+
+TEST(BiasFormula, Noise_below_a_step_of_the_axis_stays_within_the_standard_errors) {
+  const auto points = plane({0.01, 0.02, 0.03, 0.05}, {0.5, 1.0, 1.7}, {0.0, 1.0, 2.0}, {1e-6}, 0.5);
+  const auto formula = fit_formula(points);
+  ASSERT_TRUE(formula);
+  const Fitted& slope = term(*formula, FormulaTerm::slope);
+  EXPECT_NEAR(slope.value, 0.5, 3.0 * *slope.standard_error);
+  EXPECT_NEAR(formula->per_radius->value, 2.0, 3.0 * *formula->per_radius->standard_error);
+  EXPECT_GT(*slope.standard_error, 0.0);
+  double squares = 0.0;
+  double worst = 0.0;
+  for (const FormulaPoint& point : points) {
+    const double residual = std::abs(point.fit.bias - bias_of(*formula, point));
+    squares += residual * residual;
+    worst = std::max(worst, residual);
+  }
+  EXPECT_NEAR(formula->residual, std::sqrt(squares / static_cast<double>(points.size())), 1e-12);
+  EXPECT_EQ(formula->worst_residual, worst);
+}
+
+TEST(BiasFormula, A_short_axis_is_refused_by_name) {
+  const auto formula = fit_formula(plane({0.01, 0.02, 0.05}, {1.0}, {0.0, 1.0}, {1e-6}));
+  ASSERT_TRUE(formula);
+  EXPECT_FALSE(formula->terms[static_cast<std::size_t>(FormulaTerm::slope_radius)]);
+  EXPECT_FALSE(formula->per_radius);
+  ASSERT_EQ(formula->refused.size(), 2u);
+  EXPECT_EQ(formula->refused[0], "filter radius: 2 values, at least 3 are needed");
+  EXPECT_EQ(formula->refused[1], "step of the stored depth: 1 value, at least 2 are needed");
+}
+
+TEST(BiasFormula, Needs_more_points_than_unknowns_and_an_axis) {
+  EXPECT_FALSE(fit_formula({}));
+  EXPECT_FALSE(fit_formula(plane({0.01}, {1.0}, {0.0}, {1e-6}))) << "nothing varies";
+  EXPECT_FALSE(fit_formula(plane({0.01, 0.02}, {1.0}, {0.0}, {1e-6}))) << "two texel sizes";
+}
+
+TEST(BiasFormula, Leaves_out_points_without_a_tangent_or_a_radius) {
+  auto points = plane({0.01, 0.02, 0.05, 0.1}, {0.5, 1.7}, {0.0}, {1e-6});
+  points.push_back({{0.03, 0.0, 99.0, 1e-6}, {std::nan(""), 0.0, 1e-6}});
+  points.push_back({{0.03, 0.0, 99.0, 1e-6}, {1.0, std::nan(""), 1e-6}});
+  const auto formula = fit_formula(points);
+  ASSERT_TRUE(formula);
+  EXPECT_EQ(formula->points, 8u);
+  EXPECT_NEAR(term(*formula, FormulaTerm::slope).value, 0.5, 1e-9);
+}
+
+}  // namespace
+}  // namespace umbrameter
