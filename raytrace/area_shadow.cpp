@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "core/random.h"
-#include "raytrace/adaptive_sampling.h"
 #include "raytrace/area_light.h"
 #include "raytrace/packet.h"
 #include "raytrace/sampler.h"
 #include "raytrace/surfel.h"
+#include "raytrace/weighted_points.h"
 #include "scenes/light.h"
 
 namespace umbrameter {
@@ -29,36 +29,6 @@ constexpr std::uint32_t purpose = 0x11947u;
 constexpr std::uint32_t pilot_purpose = 0x21947u;
 constexpr std::uint32_t shear_purpose = 0x31947u;
 
-// Sums of the weights of one randomisation's points.
-struct Sums {
-  double lit = 0.0;
-  double all = 0.0;
-  double squares = 0.0;  // of squared weights
-};
-using AllSums = std::array<Sums, max_randomisations>;
-
-// Adds the randomisations from `first` to `last` to an estimate with equal weights: the ratio lit / all, with its
-// scatter by the delta method (Cochran, Sampling Techniques, 1977, section 6.4). The effective sample size of points
-// with unequal weights is (Σ w)²/Σ w² (Kish, Survey Sampling, 1965, section 11.7). With weights of 1 nothing changes.
-void add_randomisations(RandomizedEstimate& estimate, const AllSums& sums, int first, int last) {
-  Sums total;
-  int points = 0;
-  for (int r = first; r < last; ++r) {
-    const Sums& s = sums[static_cast<std::size_t>(r)];
-    total.lit += s.lit;
-    total.all += s.all;
-    total.squares += s.squares;
-    points += estimate.split.size(r);
-  }
-  const double share = total.lit / total.all;
-  for (int r = first; r < last; ++r) {
-    const Sums& s = sums[static_cast<std::size_t>(r)];
-    estimate.open[static_cast<std::size_t>(r)] =
-        share * estimate.split.size(r) + (s.lit - share * s.all) * points / total.all;
-  }
-  estimate.effective_share = std::min(estimate.effective_share, total.all * total.all / (points * total.squares));
-}
-
 struct Pixel {
   std::size_t index = 0;
   vec3 origin{0};
@@ -68,24 +38,7 @@ struct Pixel {
   LightView view;
   vec2 shear_factors{1.0f};
   AdaptiveSampleCount sample_count;
-  AllSums sums{};
-
-  // Call after tracing the points of next(). Returns whether more are needed.
-  bool advance(const TruthParams& params) {
-    RandomizedEstimate estimate;
-    estimate.split = sample_count.next().split;
-    const int count = estimate.split.count;
-    if (params.tolerance > 0.0) {  // the halves must be independent
-      add_randomisations(estimate, sums, 0, count / 2);
-      add_randomisations(estimate, sums, count / 2, count);
-    } else {
-      add_randomisations(estimate, sums, 0, count);
-    }
-    const bool was_pilot = sample_count.is_pilot();
-    const bool goes_on = sample_count.advance(params, estimate);
-    if (was_pilot) sums = {};
-    return goes_on;
-  }
+  AllWeightedSums sums{};
 };
 
 class TileTracer {
@@ -124,7 +77,10 @@ class TileTracer {
         trace_packet(first, last);
         first = last;
       }
-      std::erase_if(pending_, [&](int i) { return !pixels_[static_cast<std::size_t>(i)].advance(sampling_.params); });
+      std::erase_if(pending_, [&](int i) {
+        Pixel& pixel = pixels_[static_cast<std::size_t>(i)];
+        return !advance(pixel.sample_count, pixel.sums, sampling_.params);
+      });
     }
     for (const Pixel& pixel : pixels_) store(pixel, result);
   }
@@ -193,7 +149,7 @@ class TileTracer {
     }
     packet_.trace();
     for (std::size_t l = 0; l < packet_.size(); ++l) {
-      Sums& sums = pending(first + l).sums[randomisation];
+      WeightedSums& sums = pending(first + l).sums[randomisation];
       const double weight = weights[l];
       sums.all += weight;
       sums.squares += weight * weight;

@@ -26,6 +26,8 @@ constexpr std::uint32_t purpose = 0x41947u;
 constexpr std::uint32_t pilot_purpose = 0x51947u;
 constexpr std::uint32_t light_purpose = 0x61947u;
 
+constexpr int fine_pixels = 4096;  // along a pixel's side: the points of a pixel are the centres of these
+
 constexpr double max_sine = 0.5;           // of the angle between a plane and the way to a point of the same surface
 constexpr double min_cosine = 0.70710678;  // between normals of one surface
 constexpr double position_error = 1e-6;    // of a surfel in single precision, relative to its coordinates
@@ -46,7 +48,7 @@ class TileTracer {
              const TruthSampling& sampling)
       : tracer_(tracer),
         gbuffer_(gbuffer),
-        view_(view),
+        fine_view_{view.width * fine_pixels, view.height * fine_pixels, view.camera},
         light_(light),
         sampling_(sampling),
         to_center_(light),
@@ -104,7 +106,8 @@ class TileTracer {
   void trace_point(const ivec2& at, std::size_t i, const Point& point, WeightedSums& sums) {
     const vec2 inside = sampling_.params.sampler == Sampler::owen ? owen_sobol(point.index, point.scramble)
                                                                   : random_point(point.index, point.scramble);
-    const PrimaryHit hit = trace_primary(tracer_, view_, pixel_ray(view_, dvec2(at) + dvec2(inside)));
+    const ivec2 fine = fine_pixels * at + ivec2(static_cast<float>(fine_pixels) * inside);
+    const PrimaryHit hit = trace_primary(tracer_, fine_view_, pixel_ray(fine_view_, fine.x, fine.y));
     if (!is_same_surface(gbuffer_, i, hit)) return;
     surfel_.instance[0] = hit.instance;
     surfel_.triangle[0] = hit.triangle;
@@ -166,7 +169,7 @@ class TileTracer {
 
   const Tracer& tracer_;
   const GBuffer& gbuffer_;
-  const View& view_;
+  View fine_view_;
   const Light& light_;
   const TruthSampling& sampling_;
   ShadowRayGenerator to_center_;

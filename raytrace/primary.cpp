@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "raytrace/primary_ray.h"
 #include "raytrace/tracer_state.h"
 #include "scenes/material.h"
 
@@ -49,18 +50,13 @@ auto interpolate(const std::vector<Attribute>& values, const uvec3& vertices, co
          weight.y * Exact(values[vertices.z]);
 }
 
-void write_surfel(GBuffer& gbuffer, std::size_t i, const Scene& scene, const View& view, const Ray& ray,
-                  const NearestHit& hit) {
+void write_surfel(GBuffer& gbuffer, std::size_t i, const Scene& scene, const View& view, const PrimaryHit& hit) {
   const Instance& placed = scene.instances[hit.instance];
   const Mesh& mesh = scene.meshes[placed.mesh];
   const uvec3 vertices = mesh.triangles[hit.triangle];
-  const Triangle triangle = world_triangle(scene, hit.instance, hit.triangle);
-  const dvec2 weight = weights_at(triangle, ray);
-  const dvec3 position = triangle.a + weight.x * (triangle.b - triangle.a) + weight.y * (triangle.c - triangle.a);
-  const dvec3 viewer = to_viewer(view, position);
-  const dvec3 across = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
-  dvec3 normal = glm::length(across) > 0.0 ? glm::normalize(across) : viewer;
-  if (glm::dot(normal, viewer) < 0.0) normal = -normal;
+  const dvec2& weight = hit.weight;
+  const dvec3& position = hit.position;
+  const dvec3& normal = hit.normal;
   dvec3 smooth = normal;
   if (!mesh.normals.empty()) {
     // Normals transform by the inverse transpose.
@@ -85,6 +81,22 @@ void write_surfel(GBuffer& gbuffer, std::size_t i, const Scene& scene, const Vie
 
 }  // namespace
 
+PrimaryHit trace_primary(const Tracer& tracer, const View& view, const Ray& ray) {
+  const NearestHit nearest = first_hit(tracer.state(), ray, reach(view, ray.direction));
+  PrimaryHit hit;
+  if (nearest.instance == no_id) return hit;
+  hit.instance = nearest.instance;
+  hit.triangle = nearest.triangle;
+  const Triangle triangle = world_triangle(tracer.scene(), hit.instance, hit.triangle);
+  hit.weight = weights_at(triangle, ray);
+  hit.position = triangle.a + hit.weight.x * (triangle.b - triangle.a) + hit.weight.y * (triangle.c - triangle.a);
+  const dvec3 viewer = to_viewer(view, hit.position);
+  const dvec3 across = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
+  hit.normal = glm::length(across) > 0.0 ? glm::normalize(across) : viewer;
+  if (glm::dot(hit.normal, viewer) < 0.0) hit.normal = -hit.normal;
+  return hit;
+}
+
 GBuffer trace_gbuffer(const Tracer& tracer, const View& view, const Progress& progress) {
   GBuffer gbuffer(view.width, view.height);
   parallel_tiles(
@@ -92,10 +104,9 @@ GBuffer trace_gbuffer(const Tracer& tracer, const View& view, const Progress& pr
       [&](const Tile& tile) {
         for (int y = tile.y_begin; y < tile.y_end; ++y) {
           for (int x = tile.x_begin; x < tile.x_end; ++x) {
-            const Ray ray = pixel_ray(view, x, y);
-            const NearestHit hit = first_hit(tracer.state(), ray, reach(view, ray.direction));
+            const PrimaryHit hit = trace_primary(tracer, view, pixel_ray(view, x, y));
             if (hit.instance == no_id) continue;
-            write_surfel(gbuffer, gbuffer.instance.index(x, y), tracer.scene(), view, ray, hit);
+            write_surfel(gbuffer, gbuffer.instance.index(x, y), tracer.scene(), view, hit);
           }
         }
       },
