@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "core/random.h"
 #include "raytrace/ao_integral.h"
-#include "techniques/ao/reference/depth_surface.h"
+#include "raytrace/visible_surface.h"
 
 namespace umbrameter {
 namespace {
@@ -77,7 +77,7 @@ AoStages measure_ao_stages(Stages& stages, const Experiment& experiment, const T
   images.accessibility[at(AoStage::blur) + 1] = drawn;
   const GBuffer& gbuffer = surfels.gbuffer;
   result.statistics = analyze_ao_stages(images, [&](std::size_t i) { return gbuffer.is_surface(i); });
-  const DepthSurface surface(gbuffer, surfels.view);
+  const VisibleSurface surface(gbuffer, surfels.view);
   result.bins = split_ao_stages(images, gbuffer, surfels.view,
                                 [&](std::size_t a, std::size_t b) { return surface.is_joined(a, b); });
   return result;

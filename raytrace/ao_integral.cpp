@@ -10,7 +10,7 @@
 #include "raytrace/ao_samples.h"
 #include "raytrace/packet.h"
 #include "raytrace/surfel.h"
-#include "techniques/ao/reference/depth_surface.h"
+#include "raytrace/visible_surface.h"
 
 namespace umbrameter {
 namespace {
@@ -35,7 +35,7 @@ Output output_at(const AoIntegral& integral, double accessibility, double standa
 
 class IntegralTile {
  public:
-  IntegralTile(const Tracer& tracer, const GBuffer& gbuffer, const DepthSurface& surface, const AoIntegral& integral,
+  IntegralTile(const Tracer& tracer, const GBuffer& gbuffer, const VisibleSurface& surface, const AoIntegral& integral,
                const AoIntegralParams& params)
       : gbuffer_(gbuffer),
         surface_(surface),
@@ -171,7 +171,7 @@ class IntegralTile {
   }
 
   const GBuffer& gbuffer_;
-  const DepthSurface& surface_;
+  const VisibleSurface& surface_;
   const AoIntegral& integral_;
   const AoIntegralParams& params_;
   TruthParams directions_;
@@ -199,7 +199,7 @@ TracedIntegral trace_integral(const Tracer& tracer, const GBuffer& gbuffer, cons
   }
   traced.samples = Image<float>(gbuffer.width, gbuffer.height, 0.0f);
   traced.degrees_of_freedom = split(params.spp).count - 1;
-  const DepthSurface surface(gbuffer, view);
+  const VisibleSurface surface(gbuffer, view);
   std::mutex mutex;
   parallel_tiles(
       gbuffer.width, gbuffer.height, tile_size,

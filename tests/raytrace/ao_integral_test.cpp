@@ -172,9 +172,7 @@ TEST(AoIntegral, Beside_a_wall_in_full_view_all_occluders_give_the_closed_form) 
     for (const std::size_t occluders : {all, in_view, seen, solid}) {
       const Mean mean = mean_over(traced, occluders, near, exact);
       EXPECT_GT(mean.pixels, 150.0);
-      // Where the two planes meet, a facet reaches half a pixel (about 1 cm) too far.
-      EXPECT_NEAR(mean.value, mean.exact, 4.0 * mean.error + (occluders == all || occluders == in_view ? 0.0 : 5e-4))
-          << occluders;
+      EXPECT_NEAR(mean.value, mean.exact, 4.0 * mean.error) << occluders;
     }
   }
 }
