@@ -163,6 +163,8 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
     command.add_option("--vary", line.vary, "axis: first:last:count[:log] or a list a,b,c; repeatable")
         ->type_name("PARAM=AXIS")
         ->take_all();
+    command.add_option("--page-cells", line.page_cells, "max number of cells whose images the page has (6)")
+        ->type_name("N");
   }
   if (is_tune) add_tune_options(command, line);
   command.add_flag("--force", line.force,

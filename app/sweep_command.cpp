@@ -201,31 +201,22 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   const Table best_of_lines = best_rows(results);
   const std::optional<BiasCurves> curves = read_bias_curves(results);
   const std::vector<Value> least = least_row(results);
-  const Experiment best = stages.in_metres(at_cell(
-      stages.in_metres(experiment), axes, {least.begin(), least.begin() + static_cast<std::ptrdiff_t>(axes.size())}));
-  Measurement measurement;
-  measurement.experiment = best;
-  measurement.surfels = stages.surfels(best);
+  PageCells page_cells = choose_page_cells(stages, results, experiment, best_of_lines, line.page_cells);
+  const Measurement measurement = page_cells.measure(page_cells.cells.front());
   RunOutput output;
   output.title = fmt::format("{}: sweep", scene_title(experiment));
   output.subtitle = subtitle_of(stages, measurement.surfels.view);
   const std::vector<OpenEnd> ends = open_ends(results, best_of_lines);
   output.parts.push_back(present_sweep(results, best_of_lines, curves, ends));
-  if (quantity == SweptQuantity::ao) {
-    measurement.ao = measure_ao(stages, best, {});
+  if (measurement.ao) {
     output.parts.push_back(present_ao(*measurement.ao));
-  } else if (quantity == SweptQuantity::image) {
-    measurement.image = measure_image(stages, best, stages.lights(best.view.light), {});
+  } else if (measurement.image) {
     output.parts.push_back(present_image(stages, *measurement.image));
   } else {
-    measurement.shadows.push_back(measure_shadow(stages, best, stages.lights(best.view.light).front(), {}));
-    ShadowMeasurement& shadow = measurement.shadows.front();
+    // Without the advice that the page's bias slider needs: the sweep's own part has recommended a bias.
+    ShadowMeasurement shadow = measurement.shadows.front();
+    shadow.advice.reset();
     output.parts.push_back(present_shadow(stages, shadow));
-    // For the page's bias slider: the sweep's own part has recommended a bias.
-    const VisibilityStatistics* causes = by_cause(shadow);
-    if (causes != nullptr && causes->pixels > 0 && stages.capabilities(best).taps_independent_of_bias) {
-      shadow.advice = advise_bias(stages, best, shadow.light);
-    }
   }
   // The sweep's own part has the answer.
   Presentation& of_cell = output.parts.back();
@@ -245,6 +236,8 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
                     {}};
   output.with_figures = !line.no_figures;
   output.with_full_images = line.full_images;
+  output.rows = report_cells(results, experiment, page_cells);
+  output.cells = std::move(page_cells);
   return write_run(folder, console, std::move(output));
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "experiments/measure_biases.h"
@@ -40,18 +39,13 @@ BiasCell cell_of(double constant, double slope, const VisibilityStatistics& s) {
   return {constant, slope, s.mae, s.acne, s.false_occlusion, s.peter_panning, s.leak};
 }
 
-// Ascending; a bias in use that is one of the axis is listed once.
-void add_cells(BiasAdvice& advice, const std::vector<double>& biases,
-               const std::vector<VisibilityStatistics>& measured) {
-  const auto as_measured = [](double bias) { return static_cast<float>(bias); };
-  const float used = as_measured(advice.used.constant);
-  for (std::size_t i = 0; i < biases.size(); ++i) {
-    const float previous = i > 0 ? as_measured(biases[i - 1]) : -std::numeric_limits<float>::infinity();
-    if (used > previous && used < as_measured(biases[i])) advice.cells.push_back(advice.used);
-    advice.cells.push_back(as_measured(biases[i]) == used ? advice.used
-                                                          : cell_of(biases[i], advice.used.slope, measured[i]));
-  }
-  if (used > as_measured(biases.back())) advice.cells.push_back(advice.used);
+// Ascending; each bias once, as single precision has it.
+void sort_cells(std::vector<BiasCell>& cells) {
+  const auto as_measured = [](const BiasCell& cell) { return static_cast<float>(cell.constant); };
+  std::stable_sort(cells.begin(), cells.end(),
+                   [&](const BiasCell& a, const BiasCell& b) { return as_measured(a) < as_measured(b); });
+  const auto is_same = [&](const BiasCell& a, const BiasCell& b) { return as_measured(a) == as_measured(b); };
+  cells.erase(std::unique(cells.begin(), cells.end(), is_same), cells.end());
 }
 
 std::array<double, cause_count> shares_of(const BiasCell& cell) {
@@ -82,7 +76,14 @@ bool is_best(const BiasAdvice& advice) { return advice.line.least_error->mae >= 
 
 bool is_open_ended(const BiasAdvice& advice) { return advice.line.least_error->constant >= advice.largest; }
 
-BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32_t light) {
+bool has_tap_flips(const Experiment& experiment) {
+  const ShadowTechnique technique = make_technique(experiment.shadow);
+  const auto* pcf = std::get_if<Pcf>(&technique);
+  return pcf != nullptr && pcf->kernel.tap_count() == 1;
+}
+
+BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32_t light,
+                       const std::vector<double>& further) {
   const CountedPixels& counted = stages.counted(experiment, light);
   const Length& used = experiment.shadow.bias.constant;
   BiasAdvice advice;
@@ -97,16 +98,20 @@ BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32
 
   std::vector<double> measured_biases = biases;
   measured_biases.push_back(used.number);
+  measured_biases.insert(measured_biases.end(), further.begin(), further.end());
   const double slope = experiment.shadow.bias.slope;
-  const ShadowTechnique technique = make_technique(experiment.shadow);
   const std::vector<VisibilityStatistics> measured =
       measure_biases(stages, experiment, light, measured_biases, {slope}).front();
   advice.line.slope = slope;
   for (std::size_t i = 0; i < biases.size(); ++i) add(advice.line, cell_of(biases[i], slope, measured[i]));
-  advice.used = cell_of(used.number, slope, measured.back());
+  advice.used = cell_of(used.number, slope, measured[biases.size()]);
   if (used.number >= 0.0) add(advice.line, advice.used);
-  add_cells(advice, biases, measured);
-  if (const auto* pcf = std::get_if<Pcf>(&technique); pcf != nullptr && pcf->kernel.tap_count() == 1) {
+  advice.cells = {advice.used};  // the first of equal ones stays
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    if (i != biases.size()) advice.cells.push_back(cell_of(measured_biases[i], slope, measured[i]));
+  }
+  sort_cells(advice.cells);
+  if (has_tap_flips(experiment)) {
     BiasAxes axes{{}, {static_cast<float>(slope)}, advice.unit};
     for (const BiasCell& cell : advice.cells) axes.constant.push_back(static_cast<float>(cell.constant));
     advice.flips = stages.tap_flips(experiment, light, axes);

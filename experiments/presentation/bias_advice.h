@@ -31,8 +31,13 @@ bool is_best(const BiasAdvice& advice);
 /// Whether the error still falls at the upper end of the axis, so that the least error is not known.
 bool is_open_ended(const BiasAdvice& advice);
 
-/// One light's map and reference. At least one pixel must be counted.
-BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32_t light);
+/// Whether advise_bias() gives flips for this experiment: its technique has one tap per pixel.
+bool has_tap_flips(const Experiment& experiment);
+
+/// One light's map and reference. At least one pixel must be counted. `further` biases, in the unit of the
+/// experiment's own, become cells, too; they do not change what is recommended.
+BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32_t light,
+                       const std::vector<double>& further = {});
 
 /// "acne 8.7 % at 1.5 texels (6.4 cm); use 2.8 texels (12 cm): total error 9.1 % → 1.2 %; free of acne from 3.5
 /// texels".

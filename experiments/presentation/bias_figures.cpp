@@ -93,6 +93,24 @@ Axis constant_axis(const Drawing& drawing) {
           suits_logarithm(drawing.plan().constant_bias.values)};
 }
 
+// Which cell each point of a figure shows. `columns` are those of the figure besides the line.
+ChartCells cells_of(const Drawing& drawing, const std::string& stem,
+                    std::vector<std::pair<std::string, std::string>> columns) {
+  ChartCells cells{stem, std::move(columns), {}};
+  const SweepPlan& plan = drawing.plan();
+  const bool has_slope = std::any_of(cells.columns.begin(), cells.columns.end(),
+                                     [&](const auto& each) { return each.second == drawing.slope_key; });
+  const bool is_front = cells.columns.front().second == cause_names[static_cast<std::size_t>(Cause::acne)];
+  for (const std::size_t a : outer_axes_as_given(plan)) {
+    if (a == drawing.part.line_axis) continue;
+    cells.fixed.emplace_back(plan.axes[a].key, drawing.part.values[a]);
+  }
+  if (plan.slope_bias.axis && !has_slope && !is_front) {
+    cells.fixed.emplace_back(drawing.slope_key, plan.slope_bias.values[drawing.slope]);
+  }
+  return cells;
+}
+
 // Rows of lines of y against the constant bias; columns as asked.
 Table read_lines(const Drawing& drawing, const std::vector<std::string>& columns, std::vector<Value>& lines,
                  std::string& caption) {
@@ -351,17 +369,28 @@ void add_bias_figures(Presentation& presentation, const SweepResults& sweep, con
       drawing.conditions += fmt::format("{}{} = {:g} texels", part.conditions.empty() ? "" : ", ", drawing.slope_key,
                                         slopes[drawing.slope]);
     }
+    const auto chart = [&](const char* stem, std::vector<std::pair<std::string, std::string>> columns,
+                           const char* line_column) {
+      if (line_axis) columns.emplace_back(line_column, drawing.line_key);
+      presentation.section.charts.push_back(cells_of(drawing, stem + part.suffix, std::move(columns)));
+    };
     add_figure(presentation, causes_plot(drawing, "causes", "Acne and peter-panning against bias",
                                          {Cause::acne, Cause::peter_panning}));
+    chart("causes", {{"bias", drawing.constant_key}}, "line");
     if (is_room()) add_figure(presentation, error_plot(drawing));
+    chart("mae", {{"bias", drawing.constant_key}}, "line");
     if (is_room() && curves.varies_slope) add_figure(presentation, heat_map(drawing, HeatRows::slopes));
+    chart("mae_biases", {{"bias", drawing.constant_key}, {"row", drawing.slope_key}}, "panel");
     if (is_room() && drawing.lines() >= least_resolutions) add_figure(presentation, heat_map(drawing, HeatRows::lines));
+    chart("mae_lines", {{"bias", drawing.constant_key}}, "row");
     if (is_room()) add_figure(presentation, front_plot(drawing));
+    chart("front", {{"acne", "acne"}, {"peter_panning", "peter_panning"}}, "line");
     if (std::optional<PlotFigure> law = law_plot(drawing); law && is_room()) add_figure(presentation, *law);
     if (is_room()) {
       add_figure(presentation, causes_plot(drawing, "other_causes", "False occlusion and light leak against bias",
                                            {Cause::false_occlusion, Cause::light_leak}));
     }
+    chart("other_causes", {{"bias", drawing.constant_key}}, "line");
   }
 }
 

@@ -5,6 +5,8 @@
 #include <limits>
 #include <map>
 
+#include "core/quantiles.h"
+#include "experiments/layers.h"
 #include "experiments/presentation/presentation.h"
 #include "experiments/presentation/presentation_parts.h"
 
@@ -14,6 +16,7 @@ namespace {
 constexpr const char* ao_group = "ambient occlusion";
 constexpr const char* image_group = "shaded image";
 constexpr const char* scene_group = "scene";
+constexpr const char* picture_name = "picture";
 
 // Titles, colours and roles of the layers by name.
 using LayerTable = std::map<std::string, ViewerLayer>;
@@ -57,6 +60,13 @@ LayerTable layer_table(const Stages& stages, const Measurement& measurement) {
   };
   for (const ShadowMeasurement& shadow : measurement.shadows) {
     add_light(table, stages.layer(shadow.light), stages.title(shadow.light));
+    if (shadow.truth && has_area_light(shadow)) {
+      table["truth_visibility_standard_error_" + stages.layer(shadow.light)].reach =
+          student_95(shadow.truth->degrees_of_freedom);
+    }
+  }
+  if (measurement.ao && measurement.ao->truth) {
+    table["truth_ao_standard_error"].reach = student_95(measurement.ao->truth->degrees_of_freedom);
   }
   return table;
 }
@@ -65,7 +75,7 @@ LayerTable layer_table(const Stages& stages, const Measurement& measurement) {
 ViewerLayer start_layer(const LayerTable& table, const std::string& name) {
   const auto found = table.find(name);
   ViewerLayer layer = found != table.end() ? found->second : ViewerLayer{{}, name, "further layers"};
-  layer.name = name.empty() ? "picture" : name;
+  layer.name = name.empty() ? picture_name : name;
   return layer;
 }
 
@@ -165,6 +175,13 @@ ViewerData viewer_data(const Stages& stages, const Measurement& measurement, con
   }
   data.objects = viewer_parts(stages.scene(), gbuffer, PartKind::object);
   data.materials = viewer_parts(stages.scene(), gbuffer, PartKind::material);
+  return data;
+}
+
+ViewerData further_viewer_data(const Stages& stages, const Measurement& measurement, bool is_full) {
+  ViewerData data = viewer_data(stages, measurement, layers_of(stages, measurement), is_full);
+  data.rounded = true;
+  std::erase_if(data.layers, [](const ViewerLayer& layer) { return layer.name == picture_name; });
   return data;
 }
 

@@ -11,4 +11,7 @@ namespace umbrameter {
 /// measurement's lights; the objects and materials in view. `is_full`: see ViewerData::full.
 ViewerData viewer_data(const Stages& stages, const Measurement& measurement, const LayeredImage& image, bool is_full);
 
+/// The same for a further cell of a sweep, with rounded numbers and without the picture.
+ViewerData further_viewer_data(const Stages& stages, const Measurement& measurement, bool is_full);
+
 }  // namespace umbrameter

@@ -42,6 +42,7 @@ Report make_report(const RunOutput& output) {
   Experiment experiment = output.summary.experiment;
   if (!output.summary.sweep) experiment.axes.clear();  // an experiment file may have some that this run does not use
   report.settings = settings_table(std::move(experiment));
+  report.cells = output.rows;
   return report;
 }
 
@@ -129,6 +130,27 @@ void write_rows(const std::filesystem::path& path, const ResultsStore& results) 
   write_csv(path, columns, [&](const StoredRowSink& sink) { results.read({}, sink); });
 }
 
+// The page's images: those of the measurement and, in a sweep, of further cells, which are measured now.
+ViewerPack pack_images(const RunOutput& output, const LayeredImage& image, const Console& console) {
+  Stages& stages = *output.summary.stages;
+  ViewerPack pack;
+  ViewerData data = viewer_data(stages, *output.summary.measurement, image, output.with_full_images);
+  const std::vector<PageCell>& cells = output.cells.cells;
+  if (!cells.empty()) {
+    data.cell = cells.front().cell;
+    pack.section = 1;  // after the figures over all cells
+  }
+  add_set(pack, data);
+  ProgressBar bar(console, "images of cells");
+  for (std::size_t i = 1; i < cells.size(); ++i) {
+    bar.show(static_cast<double>(i) / static_cast<double>(cells.size()), fmt::format("{} of {}", i, cells.size()));
+    data = further_viewer_data(stages, output.cells.measure(cells[i]), output.with_full_images);
+    data.cell = cells[i].cell;
+    add_set(pack, data);
+  }
+  return pack;
+}
+
 }  // namespace
 
 std::string subtitle_of(const Stages& stages, const View& view) {
@@ -189,15 +211,9 @@ ExitCode write_run(RunFolder& run_folder, const Console& console, RunOutput outp
   summary.files.push_back("index.html");
   const std::string json = to_summary_json(summary);
   write_text(folder / "summary.json", json);
-  std::optional<ViewerData> viewer;
-  if (output.with_figures && summary.measurement != nullptr) {
-    viewer = viewer_data(*summary.stages, *summary.measurement, image, output.with_full_images);
-    if (summary.sweep) {
-      viewer->title = "Images of the cell of least error";
-      viewer->section = 1;  // after the figures over all cells
-    }
-  }
-  write_page(folder, make_report(output), viewer ? &*viewer : nullptr);
+  ViewerPack viewer;
+  if (output.with_figures && summary.measurement != nullptr) viewer = pack_images(output, image, console);
+  write_page(folder, make_report(output), &viewer);
   add_line(console, fmt::format("report: {}", (folder / "index.html").string()));
   if (console.json) fmt::print("{}", json);
   run_folder.finish(summary.problems.empty());

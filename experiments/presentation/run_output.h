@@ -1,11 +1,13 @@
 // The files of a run, by the contract: experiment.toml, images.exr, sweep.csv, figures, summary.json, index.html.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/error.h"
 #include "experiments/console.h"
+#include "experiments/presentation/page_cells.h"
 #include "experiments/presentation/presentation.h"
 #include "experiments/presentation/summary.h"
 #include "experiments/results_store.h"
@@ -23,6 +25,8 @@ struct RunOutput {
   std::vector<std::uint32_t> maps{};      ///< lights whose shadow maps are written
   bool with_figures = true;               ///< else no figures/ folder, and the page says so
   bool with_full_images = false;          ///< the page's viewer gets every pixel of large images, too
+  PageCells cells{};                      ///< of a sweep; the first cell is that of summary.measurement
+  std::optional<ReportCells> rows{};      ///< of a sweep: the numbers of its cells
 };
 
 /// The complete experiment file.

@@ -138,21 +138,41 @@ std::vector<Statistic> drawn_statistics(const SweepResults& sweep) {
   return drawn;
 }
 
-std::vector<PlotFigure> make_plots(const SweepResults& sweep, const Layout& layout,
-                                   const std::vector<Statistic>& statistics) {
+// Which cell each point of a plot shows.
+ChartCells chart_cells(const SweepResults& sweep, const Layout& layout, const PlotCells& cells,
+                       const std::string& stem) {
+  const std::vector<SweepAxis>& axes = sweep.plan.axes;
+  ChartCells chart{stem, {{axes[layout.x].key, axes[layout.x].key}}, {}};
+  if (layout.series) chart.columns.emplace_back(axes[*layout.series].key, axes[*layout.series].key);
+  const std::vector<Value> values = values_at(sweep.plan, cells.cells.front());
+  for (const std::size_t a : layout.rest) chart.fixed.emplace_back(axes[a].key, values[a]);
+  return chart;
+}
+
+std::vector<std::pair<PlotFigure, ChartCells>> make_plots(const SweepResults& sweep, const Layout& layout,
+                                                          const std::vector<Statistic>& statistics) {
   std::size_t parts = 1;
   for (const std::size_t a : layout.rest) parts *= count_values(sweep.plan, a);
-  std::vector<PlotFigure> plots;
+  std::vector<std::pair<PlotFigure, ChartCells>> plots;
   for (std::size_t part = 0; part < parts; ++part) {
     const PlotCells cells = cells_of_plot(sweep.plan, layout, part);
     for (const Statistic& statistic : statistics) {
       if (plots.size() >= max_plots) return plots;
       PlotFigure plot = make_plot(sweep, layout, cells, statistic);
       plot.stem = statistic.name + (layout.rest.empty() ? "" : fmt::format("_{}", part));
-      plots.push_back(std::move(plot));
+      ChartCells chart = chart_cells(sweep, layout, cells, plot.stem);
+      plots.emplace_back(std::move(plot), std::move(chart));
     }
   }
   return plots;
+}
+
+void add_plots(Presentation& presentation, const SweepResults& sweep, const Layout& layout,
+               const std::vector<Statistic>& statistics) {
+  for (auto& [plot, cells] : make_plots(sweep, layout, statistics)) {
+    add_figure(presentation, std::move(plot));
+    presentation.section.charts.push_back(std::move(cells));
+  }
 }
 
 // Rows of least error are listed for each value of these. Where biases are varied one bias is chosen for each
@@ -220,11 +240,9 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   if (curves && curves->varies_constant) {
     add_bias_figures(presentation, sweep, *curves, max_plots);
   } else {
-    for (PlotFigure& plot : make_plots(sweep, layout, drawn_statistics(sweep))) {
-      add_figure(presentation, std::move(plot));
-    }
+    add_plots(presentation, sweep, layout, drawn_statistics(sweep));
   }
-  for (PlotFigure& plot : make_plots(sweep, layout, drawn_metrics(sweep))) add_figure(presentation, std::move(plot));
+  add_plots(presentation, sweep, layout, drawn_metrics(sweep));
   section.text = "All cells are in sweep.csv.";
   if (!sweep.ao_limit.empty())
     section.text += " The reference looks for occluders " + sweep.ao_limit + " in every cell.";

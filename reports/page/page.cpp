@@ -10,6 +10,7 @@
 #include "reports/files/markup.h"
 #include "reports/files/output.h"
 #include "reports/page/page_figure.h"
+#include "reports/page/script_text.h"
 #include "reports/page/template.h"
 #include "reports/page/viewer_data.h"
 
@@ -140,6 +141,10 @@ Json figures_data(const fs::path& folder, const ReportSection& section, Numbers&
                        {"title", text_at(section.figure_titles, f)},
                        {"caption", text_at(section.captions, f)},
                        {"files", figure_files(folder, stem)}});
+    for (const ChartCells& cells : section.charts) {
+      if (cells.stem == stem)
+        figures.back()["cells"] = chart_cells_json(cells).dump(-1, ' ', true, Json::error_handler_t::replace);
+    }
   }
   return figures;
 }
@@ -176,20 +181,14 @@ Json page_data(const fs::path& folder, const Report& report) {
           {"settings", table_data(report.settings, "Every parameter of this run")}};
 }
 
-// JSON inside of a <script> element: ASCII, and no "<" that could end the element or open a comment.
-std::string script_text(const Json& data) {
-  std::string text = data.dump(-1, ' ', true, Json::error_handler_t::replace);
-  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) text.replace(at, 1, "\\u003c");
-  return text;
-}
-
 }  // namespace
 
-void write_page(const fs::path& folder, const Report& report, const ViewerData* viewer) {
+void write_page(const fs::path& folder, const Report& report, const ViewerPack* viewer) {
   Json page = page_data(folder, report);
   page["data"] = script_text(page);
-  if (viewer != nullptr && !viewer->layers.empty()) {
-    page["viewer"] = script_text(viewer_json(*viewer));
+  if (report.cells) page["cells"] = script_text(cells_json(*report.cells));
+  if (viewer != nullptr && !viewer->sets.empty()) {
+    page["viewer"] = viewer_text(*viewer);
     if (viewer->section < page["sections"].size()) page["sections"][viewer->section]["has_viewer"] = true;
   }
   if (const std::string_view script = page_script(); !script.empty()) {

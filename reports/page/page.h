@@ -2,14 +2,16 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/table.h"
+#include "reports/page/cells.h"
 
 namespace umbrameter {
 
-struct ViewerData;
+struct ViewerPack;
 
 /// A number that the reader should see first.
 struct Headline {
@@ -31,6 +33,7 @@ struct ReportSection {
   std::vector<std::string> captions;  ///< one for each figure
   std::vector<std::string> figure_titles;
   std::vector<ReportTable> tables;
+  std::vector<ChartCells> charts{};  ///< of those figures whose points are cells of a sweep
 };
 
 struct Report {
@@ -41,10 +44,11 @@ struct Report {
   std::vector<std::string> notes;      ///< what was assumed
   std::vector<ReportSection> sections;
   Table settings;  ///< every parameter: name, value, unit, meaning
+  std::optional<ReportCells> cells{};
 };
 
 /// Writes DIR/index.html with the figures of DIR/figures inlined and its data as JSON. Refers to no other file. The
-/// page is complete without its script, which adds the image viewer and sorts tables.
-void write_page(const std::filesystem::path& folder, const Report& report, const ViewerData* viewer = nullptr);
+/// page is complete without its script, which adds the image viewer and the table of all cells, and sorts tables.
+void write_page(const std::filesystem::path& folder, const Report& report, const ViewerPack* viewer = nullptr);
 
 }  // namespace umbrameter

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,34 @@ std::string split_bytes(const std::vector<std::uint16_t>& words) {
   return bytes;
 }
 
+// The bytes of at most 256 different half floats, otherwise nothing.
+std::optional<Json> with_palette(const std::vector<std::uint16_t>& halves) {
+  std::vector<int> place(65536, -1);
+  std::vector<std::uint16_t> palette;
+  std::string bytes;
+  for (const std::uint16_t half : halves) {
+    if (place[half] < 0) {
+      if (palette.size() == 256) return std::nullopt;
+      place[half] = static_cast<int>(palette.size());
+      palette.push_back(half);
+    }
+    bytes += static_cast<char>(static_cast<std::uint8_t>(place[half]));
+  }
+  Json json = packed("pal", bytes);
+  json["palette"] = palette;
+  return json;
+}
+
+// Rounds the fraction to 6 of its 10 bits. A carry goes into the exponent, as it should.
+std::uint16_t with_few_bits(std::uint16_t half) {
+  constexpr unsigned dropped = 4;
+  if ((half & 0x7c00u) == 0x7c00u) return half;  // infinite or no number
+  const unsigned rounded = half + (1u << (dropped - 1));
+  return static_cast<std::uint16_t>(rounded & ~((1u << dropped) - 1u));
+}
+
+bool is_share(float value) { return value >= 0.0f && value <= 1.0f; }
+
 bool is_byte(float value) { return value >= 0.0f && value <= 255.0f && value == std::floor(value); }
 
 }  // namespace
@@ -62,7 +91,7 @@ Json plane_json(const Image<std::uint16_t>& image, int stride) {
   return packed("u16", split_bytes(sampled(image, stride)));
 }
 
-Json plane_json(const Image<float>& image, int stride) {
+Json plane_json(const Image<float>& image, int stride, PlaneDigits digits) {
   const std::vector<float> values = sampled(image, stride);
   if (std::all_of(values.begin(), values.end(), is_byte)) {
     std::string bytes;
@@ -71,6 +100,15 @@ Json plane_json(const Image<float>& image, int stride) {
   }
   std::vector<std::uint16_t> halves;
   for (const float value : values) halves.push_back(glm::packHalf1x16(value));
+  if (const std::optional<Json> json = with_palette(halves)) return *json;
+  if (digits == PlaneDigits::byte && std::all_of(values.begin(), values.end(), is_share)) {
+    std::string bytes;
+    for (const float value : values) bytes += static_cast<char>(static_cast<std::uint8_t>(std::lround(255.0f * value)));
+    return packed("share", bytes);
+  }
+  if (digits != PlaneDigits::half) {
+    for (std::uint16_t& half : halves) half = with_few_bits(half);
+  }
   return packed("f16", split_bytes(halves));
 }
 

@@ -1,11 +1,13 @@
-// What the page's image viewer shows: the layers of a run, the images of causes at every bias, names of objects and
-// materials. The page holds them as JSON, of large images only every second pixel.
+// What the page's image viewer shows: the layers of a run or of some cells of a sweep, the images of causes at every
+// bias, names of objects and materials. The page holds them as JSON, of large images only every second pixel.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "core/image.h"
@@ -33,7 +35,7 @@ struct ViewerLayer {
   std::string group{};  ///< "sun", "ambient occlusion"
   ViewerRole role = ViewerRole::other;
   ViewerKind kind = ViewerKind::number;
-  double reach = 1.0;  ///< of an error: the end of its scale
+  double reach = 1.0;  ///< of an error: the end of its scale; of a standard error: what makes it a 95 % half width
   std::string unit{};
   std::vector<CategoryColor> categories{};
   std::vector<Image<float>> planes{};  ///< one; of colours and vectors three
@@ -59,19 +61,39 @@ struct ViewerParts {
   std::vector<std::string> names;
 };
 
+/// The cell of a sweep that a set of images shows.
+struct ViewerCell {
+  std::size_t number = 0;   ///< its row in sweep.csv
+  std::string reason;       ///< why it was chosen: "least error"
+  std::string bias_axis{};  ///< the column whose every value the bias slider shows; empty if none
+};
+
+/// The images of a run or of one cell.
 struct ViewerData {
-  std::string title = "Images";
-  std::size_t section = 0;  ///< the viewer stands before this section of the page
   int width = 0;
   int height = 0;
-  bool full = false;  ///< every pixel, however large the images are
+  bool full = false;     ///< every pixel, however large the images are
+  bool rounded = false;  ///< fewer digits, and no error that is the difference of technique and reference
   std::vector<ViewerLayer> layers;
   std::vector<ViewerBias> biases{};
   ViewerParts objects{};
   ViewerParts materials{};
+  std::optional<ViewerCell> cell{};
 };
 
-/// The JSON that the viewer reads (viewer/data.ts). Planes are deflated and in base64.
-nlohmann::ordered_json viewer_json(const ViewerData& data);
+/// Sets of images as the page holds them: JSON. What several sets share is held once.
+struct ViewerPack {
+  std::string title = "Images";
+  std::size_t section = 0;                                     ///< the viewer stands before this section of the page
+  std::vector<std::string> sets{};                             ///< the first is shown when the page opens
+  std::vector<std::string> items{};                            ///< planes and names, to which the sets refer by index
+  std::unordered_multimap<std::size_t, std::size_t> places{};  ///< of the items, by their hash
+};
+
+/// Packs a set, so that its images need not stay in memory. Planes are deflated and in base64.
+void add_set(ViewerPack& pack, const ViewerData& data);
+
+/// What the page's script reads (viewer/data.ts), as it may stand in a <script> element.
+std::string viewer_text(const ViewerPack& pack);
 
 }  // namespace umbrameter

@@ -1,7 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -9,6 +13,7 @@
 #include "reports/figures/color_table.h"
 #include "reports/files/markup.h"
 #include "reports/page/plane.h"
+#include "reports/page/script_text.h"
 #include "reports/page/viewer_data.h"
 
 namespace umbrameter {
@@ -40,13 +45,55 @@ std::pair<double, double> range_of(const Image<float>& image) {
   return range.first <= range.second ? range : std::pair(0.0, 1.0);
 }
 
-Json layer_json(const ViewerLayer& layer, int stride) {
+// A number of six significant digits is as good as any to a chart, and shorter.
+double six_digits(double value) {
+  char digits[40];
+  std::snprintf(digits, sizeof digits, "%.6g", value);
+  return std::strtod(digits, nullptr);
+}
+
+// The index of an item; equal ones have the same.
+std::size_t place_of(ViewerPack& pack, const Json& item) {
+  std::string text = script_text(item);
+  const std::size_t hash = std::hash<std::string>()(text);
+  const auto [first, last] = pack.places.equal_range(hash);
+  for (auto known = first; known != last; ++known) {
+    if (pack.items[known->second] == text) return known->second;
+  }
+  pack.items.push_back(std::move(text));
+  pack.places.emplace(hash, pack.items.size() - 1);
+  return pack.items.size() - 1;
+}
+
+bool is_difference(const ViewerData& data, const ViewerLayer& layer) {
+  const auto has = [&](ViewerRole role) {
+    return std::any_of(data.layers.begin(), data.layers.end(), [&](const ViewerLayer& each) {
+      return each.group == layer.group && each.role == role && each.kind == ViewerKind::share;
+    });
+  };
+  return data.rounded && layer.role == ViewerRole::error && has(ViewerRole::reference) && has(ViewerRole::technique);
+}
+
+std::vector<Json> planes_json(const ViewerData& data, const ViewerLayer& layer, int stride) {
+  std::vector<Json> planes;
+  if (is_difference(data, layer)) return planes;
+  // The reference is the same in most cells: in full it is stored once.
+  const bool is_rounded = data.rounded && layer.role != ViewerRole::reference;
+  const PlaneDigits digits = !is_rounded                       ? PlaneDigits::half
+                             : layer.kind == ViewerKind::share ? PlaneDigits::byte
+                                                               : PlaneDigits::few;
+  for (const Image<float>& plane : layer.planes) planes.push_back(plane_json(plane, stride, digits));
+  return planes;
+}
+
+Json layer_json(const ViewerLayer& layer) {
   Json json = {{"name", layer.name},
                {"title", layer.title},
                {"group", layer.group},
                {"role", role_names[static_cast<std::size_t>(layer.role)]},
                {"kind", kind_names[static_cast<std::size_t>(layer.kind)]},
-               {"unit", layer.unit}};
+               {"unit", layer.unit},
+               {"reach", layer.reach}};
   std::pair<double, double> range(0.0, 1.0);
   if (layer.kind == ViewerKind::number) range = range_of(layer.planes.front());
   if (layer.kind == ViewerKind::error || layer.kind == ViewerKind::vector) range = {-layer.reach, layer.reach};
@@ -56,48 +103,61 @@ Json layer_json(const ViewerLayer& layer, int stride) {
     json["categories"].push_back({{"name", each.name}, {"color", {each.color.x, each.color.y, each.color.z}}});
   }
   json["planes"] = Json::array();
-  for (const Image<float>& plane : layer.planes) json["planes"].push_back(plane_json(plane, stride));
   return json;
 }
 
-Json bias_json(const ViewerBias& bias, int stride) {
+Json bias_json(ViewerPack& pack, const ViewerBias& bias, int stride) {
   Json json = {{"group", bias.group},           {"missing", bias.missing}, {"unit", bias.unit},
                {"mean_texel", bias.mean_texel}, {"used", bias.used},       {"axis", bias.axis},
                {"shares", Json::array()}};
   for (const auto& [acne, false_occlusion, peter_panning, leak] : bias.shares) {
-    json["shares"].push_back({acne, false_occlusion, peter_panning, leak});
+    json["shares"].push_back(
+        {six_digits(acne), six_digits(false_occlusion), six_digits(peter_panning), six_digits(leak)});
   }
   if (bias.missing.empty()) {
-    json["bin"] = plane_json(bias.bin, stride);
-    json["cause"] = plane_json(bias.cause, stride);
+    json["bin"] = place_of(pack, plane_json(bias.bin, stride));
+    json["cause"] = place_of(pack, plane_json(bias.cause, stride));
   }
   return json;
 }
 
-Json parts_json(const ViewerParts& parts, int stride) {
+Json parts_json(ViewerPack& pack, const ViewerParts& parts, int stride) {
   if (parts.names.empty()) return {};
-  return {{"names", parts.names}, {"plane", plane_json(parts.index, stride)}};
+  return place_of(pack, {{"names", parts.names}, {"plane", plane_json(parts.index, stride)}});
+}
+
+std::string joined(const std::vector<std::string>& texts) {
+  std::string list;
+  for (const std::string& text : texts) list += (list.empty() ? "" : ",") + text;
+  return list;
 }
 
 }  // namespace
 
-Json viewer_json(const ViewerData& data) {
+void add_set(ViewerPack& pack, const ViewerData& data) {
   const std::size_t pixels = static_cast<std::size_t>(data.width) * static_cast<std::size_t>(data.height);
   const int stride = data.full || pixels <= most_pixels_in_full ? 1 : 2;
-  Json json = {{"title", data.title},
-               {"width", data.width},
-               {"height", data.height},
-               {"stride", stride},
-               {"maps", {{"sequential", table_text(ColorMap::visibility)}, {"diverging", table_text(ColorMap::error)}}},
-               {"layers", Json::array()},
-               {"biases", Json::array()},
-               {"objects", parts_json(data.objects, stride)},
-               {"materials", parts_json(data.materials, stride)}};
-  std::vector<Json> layers(data.layers.size());
-  parallel_for(layers.size(), [&](std::size_t i) { layers[i] = layer_json(data.layers[i], stride); });
-  for (Json& layer : layers) json["layers"].push_back(std::move(layer));
-  for (const ViewerBias& bias : data.biases) json["biases"].push_back(bias_json(bias, stride));
-  return json;
+  Json json = {{"width", data.width},     {"height", data.height},   {"stride", stride},
+               {"rounded", data.rounded}, {"layers", Json::array()}, {"biases", Json::array()}};
+  std::vector<std::vector<Json>> planes(data.layers.size());
+  parallel_for(planes.size(), [&](std::size_t i) { planes[i] = planes_json(data, data.layers[i], stride); });
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    Json& layer = json["layers"].emplace_back(layer_json(data.layers[i]));
+    for (const Json& plane : planes[i]) layer["planes"].push_back(place_of(pack, plane));
+  }
+  for (const ViewerBias& bias : data.biases) json["biases"].push_back(bias_json(pack, bias, stride));
+  json["objects"] = parts_json(pack, data.objects, stride);
+  json["materials"] = parts_json(pack, data.materials, stride);
+  if (data.cell) {
+    json["cell"] = {{"number", data.cell->number}, {"reason", data.cell->reason}, {"bias_axis", data.cell->bias_axis}};
+  }
+  pack.sets.push_back(script_text(json));
+}
+
+std::string viewer_text(const ViewerPack& pack) {
+  const Json maps = {{"sequential", table_text(ColorMap::visibility)}, {"diverging", table_text(ColorMap::error)}};
+  return "{\"title\":" + script_text(pack.title) + ",\"maps\":" + script_text(maps) + ",\"sets\":[" +
+         joined(pack.sets) + "],\"items\":[" + joined(pack.items) + "]}";
 }
 
 }  // namespace umbrameter

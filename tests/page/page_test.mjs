@@ -2,87 +2,22 @@
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import path from 'node:path';
-import test, {after, before} from 'node:test';
+import test from 'node:test';
 import {read_exr} from './exr.mjs';
-import {clean_up, compare, folder, open_page, rename_all, run, size, skip_unless_possible, start_browser} from './runs.mjs';
+import {class_colors, compare, expect_fragment, folder, fragment_of, go, open_page, painted, plain_run, rename_all, run,
+        single, size} from './runs.mjs';
 
-skip_unless_possible();
+const out = plain_run();
 
-let browser;
-let out;  // a run whose page most tests open
-
-before(async () => {
-  out = compare('run', 'courtyard', '--light', 'sun');
-  browser = await start_browser();
-});
-after(async () => {
-  await browser?.close();
-  clean_up();
-});
-
-const fragment_of = (page) => page.evaluate(() => Object.fromEntries(new URLSearchParams(location.hash.slice(1))));
-
-const fits = (found, wanted) => (wanted instanceof RegExp ? wanted.test(found ?? '') : found === wanted);
-
-// Waits until the address says so: the viewer writes it a moment after a change. undefined: it says nothing of that.
-async function expect_fragment(page, expected) {
-  let found;
-  for (let i = 0; i < 60; ++i) {
-    found = await fragment_of(page);
-    if (Object.entries(expected).every(([name, wanted]) => fits(found[name], wanted))) return found;
-    await page.waitForTimeout(50);
-  }
-  assert.fail(`${JSON.stringify(found)} is not ${Object.entries(expected).join('; ')}`);
-}
-
-// The colours of a layer as painted, one for each stored pixel: read in the middle of blocks of four by four.
-async function painted(page) {
-  await page.waitForTimeout(100);
-  return page.evaluate(({width, height}) => {
-    const canvas = document.querySelector('.stage canvas');
-    const copy = document.createElement('canvas');
-    [copy.width, copy.height] = [canvas.width, canvas.height];
-    const context = copy.getContext('2d');
-    context.drawImage(canvas, 0, 0);
-    const {data} = context.getImageData(0, 0, copy.width, copy.height);
-    const left = canvas.width / 2 - 2 * width + 2;
-    const top = canvas.height / 2 - 2 * height + 2;
-    const colors = [];
-    for (let y = 0; y < height; ++y) {
-      for (let x = 0; x < width; ++x) {
-        const at = 4 * (Math.floor(top + 4 * y) * canvas.width + Math.floor(left + 4 * x));
-        colors.push([...data.slice(at, at + 3)].join());
-      }
-    }
-    return colors;
-  }, size);
-}
-
-const single = (layer, more = '') => `#view=single&group=sun&a=${layer}&zoom=4&at=48,27${more}`;
-
-// Follows a link within the page.
-const go = (page, fragment) => page.evaluate((hash) => (location.hash = hash), fragment);
-
-const class_colors = ['240,240,240', '213,94,0', '204,121,167', '0,114,178', '86,180,233', '200,200,200', '255,255,255'];
-
-test('the page loads without a message, without a request and without scrolling sideways, at three widths', async () => {
-  const {page, problems} = await open_page(browser, out);
+test('the page loads without a message and without a request, and paints by WebGL2', async () => {
+  const {page, problems} = await open_page(out);
   assert.equal(await page.locator('#viewer').getAttribute('data-painter'), 'WebGL2');
-  for (const width of [1280, 800, 400]) {
-    for (const colorScheme of ['light', 'dark']) {
-      await page.setViewportSize({width, height: 900});
-      await page.emulateMedia({colorScheme});
-      await page.waitForTimeout(100);
-      const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-      assert.ok(overflow <= 0, `${overflow} px too wide at ${width}`);
-    }
-  }
   assert.deepEqual(problems, []);
   await page.context().close();
 });
 
 test('without a script the page is complete and shows no viewer', async () => {
-  const {page, problems} = await open_page(browser, out, {javaScriptEnabled: false});
+  const {page, problems} = await open_page(out, {javaScriptEnabled: false});
   assert.equal(await page.locator('#viewer').isVisible(), false);
   assert.equal(await page.locator('#viewer-link').isVisible(), false);
   assert.ok(await page.locator('figure').count() > 5);
@@ -91,7 +26,7 @@ test('without a script the page is complete and shows no viewer', async () => {
 });
 
 test('every layout can be chosen with the mouse and by its key', async () => {
-  const {page, problems} = await open_page(browser, out);
+  const {page, problems} = await open_page(out);
   for (const [title, key, mode] of [['Single', 's', 'single'], ['Wipe', 'w', 'wipe'], ['Difference', 'd', 'difference'],
                                     ['Side by side', 'b', 'side'], ['Overview', 'g', 'grid']]) {
     await page.getByRole('button', {name: title, exact: true}).click();
@@ -107,7 +42,7 @@ test('every layout can be chosen with the mouse and by its key', async () => {
 });
 
 test('flip, wipe, zoom, pan, exposure and colours work with the mouse and by keys', async () => {
-  const {page, problems} = await open_page(browser, out);
+  const {page, problems} = await open_page(out);
   const stage = page.locator('.stage');
   await stage.press('f');
   await expect_fragment(page, {view: 'single', flip: '1'});
@@ -150,7 +85,7 @@ test('flip, wipe, zoom, pan, exposure and colours work with the mouse and by key
 });
 
 test('without the focus the wheel scrolls the page', async () => {
-  const {page} = await open_page(browser, out);
+  const {page} = await open_page(out);
   await page.locator('.stage').hover();
   const top = await page.evaluate(() => scrollY);
   await page.mouse.wheel(0, 200);
@@ -162,7 +97,7 @@ test('without the focus the wheel scrolls the page', async () => {
 
 test('the inspector shows the values of images.exr within half precision', async () => {
   const {channels} = read_exr(path.join(out, 'images.exr'));
-  const {page} = await open_page(browser, out);
+  const {page} = await open_page(out);
   const layers = {
     sun: [['Reference', 'truth_visibility_sun.Y'], ['Technique', 'raster_visibility_sun.Y'],
           ['Error', 'error_visibility_sun.Y'], ['Depth', 'Z']],
@@ -189,8 +124,8 @@ test('the inspector shows the values of images.exr within half precision', async
 });
 
 test('WebGL2 and the 2D canvas paint the same colours', async () => {
-  const {page, problems} = await open_page(browser, out, {fragment: single('class_sun')});
-  const {page: plain} = await open_page(browser, out, {fragment: single('class_sun', '&painter=plain')});
+  const {page, problems} = await open_page(out, {fragment: single('class_sun')});
+  const {page: plain} = await open_page(out, {fragment: single('class_sun', '&painter=plain')});
   assert.equal(await plain.locator('#viewer').getAttribute('data-painter'), '2D canvas');
   for (const layer of ['class_sun', 'error_ao', 'truth_ao', 'picture', 'gbuffer_normal', 'Z']) {
     await go(page, single(layer));
@@ -209,7 +144,7 @@ test('WebGL2 and the 2D canvas paint the same colours', async () => {
 });
 
 test('the causes at a bias chosen by the slider are those of a fresh run at that bias, in every pixel', async () => {
-  const {page, problems} = await open_page(browser, out, {fragment: single('class_sun')});
+  const {page, problems} = await open_page(out, {fragment: single('class_sun')});
   const slider = page.getByRole('slider', {name: 'Constant bias of sun'});
   const seen = new Set();
   for (const [k, index] of [0, 150, 190].entries()) {
@@ -237,7 +172,7 @@ test('the causes at a bias chosen by the slider are those of a fresh run at that
 });
 
 test('the bias slider is moved by mouse and keys, and its shares are those of a fresh run', async () => {
-  const {page} = await open_page(browser, out);
+  const {page} = await open_page(out);
   await page.locator('.stage').press('.');
   await expect_fragment(page, {bias: '1.55'});  // after 1.5, that of the run
   await page.locator('.stage').press(',');
@@ -256,7 +191,7 @@ test('the bias slider is moved by mouse and keys, and its shares are those of a 
 
 test('keys go to the largest error and through connected regions', async () => {
   const {channels} = read_exr(path.join(out, 'images.exr'));
-  const {page} = await open_page(browser, out, {fragment: '#view=grid&group=ambient occlusion'});
+  const {page} = await open_page(out, {fragment: '#view=grid&group=ambient occlusion'});
   await page.locator('.stage').press('e');
   const [x, y] = (await expect_fragment(page, {pixel: /,/})).pixel.split(',').map(Number);
   const errors = channels['error_ao.Y'].map(Math.abs);
@@ -274,15 +209,56 @@ test('keys go to the largest error and through connected regions', async () => {
   await page.context().close();
 });
 
+test('the list, a button and keys go through objects, whose errors are those of the table', async () => {
+  const {page} = await open_page(out);
+  const rows = await page.getByRole('region', {name: /Error by object/}).locator('tbody tr').evaluateAll((all) => all.map((row) =>
+    [...row.cells].map((cell) => cell.textContent)));
+  await page.locator('.objects summary').click();
+  const list = page.locator('.objects button');
+  const objects = (await list.allInnerTexts()).map((text) => /^(.*?)\s+([\d.]+) % of (\d+) px$/s.exec(text).slice(1));
+  for (const [name, mean, pixels] of objects.slice(0, 10)) {
+    const row = rows.find(([object, count]) => object === name && count === pixels);
+    if (rows.length < objects.length && !row) continue;
+    assert.ok(row, `${name} of ${pixels} pixels`);
+    assert.ok(Math.abs(row[2] - mean) < 0.006 * mean + 1e-3, `${name}: ${mean}, not ${row[2]}`);
+  }
+  await list.nth(1).click();
+  await page.getByText(`Object 2 of ${objects.length}: ${objects[1][0]}`).waitFor();
+  assert.ok((await page.locator('.inspector').innerText()).includes(objects[1][0]));
+  await page.locator('.stage').press('Shift+O');
+  await page.getByText(/^Object 1 of /).waitFor();
+  await page.getByRole('button', {name: 'Object ▸'}).click();
+  await page.getByText(/^Object 2 of /).waitFor();
+  await page.context().close();
+});
+
+test('the inspector shows the interval of a sampled reference and what blocks a pixel', async () => {
+  const {channels} = read_exr(path.join(out, 'images.exr'));
+  const {page} = await open_page(out, {fragment: '#view=grid&group=ambient occlusion&pixel=40,30'});
+  const text = await page.locator('.inspector tr', {hasText: '95 % interval'}).locator('td').innerText();
+  const [low, high] = text.split(' to ').map(Number);
+  const i = 30 * size.width + 40;
+  // 16 rays in 4 or more randomisations: Student's quantile is between 1.96 and 3.19.
+  const reach = (high - low) / 2 / channels['truth_ao_standard_error.Y'][i];
+  assert.ok(low <= channels['truth_ao.Y'][i] && channels['truth_ao.Y'][i] <= high && (high === 1 || (reach > 1.9 && reach < 3.3)),
+            `${text}: ${reach}`);
+  // The reference says blocked, and so does the map: some bias makes it wrong, which is how far the occluder is away.
+  const blocked = channels['class_sun.Y'].findIndex((value, k) => value === 0 && channels['truth_visibility_sun.Y'][k] === 0);
+  await go(page, `view=grid&group=sun&pixel=${blocked % size.width},${Math.floor(blocked / size.width)}`);
+  await page.locator('.inspector tr', {hasText: 'Critical bias'}).waitFor();
+  await page.locator('.inspector tr', {hasText: 'Material'}).waitFor();
+  await page.context().close();
+});
+
 test('a link opens the same view; a broken one opens the page', async () => {
   const fragment = '#view=wipe&group=sun&a=truth_visibility_sun&b=class_sun&zoom=8&at=40,20&wipe=0.3&pixel=41,22&bias=4';
-  const {page} = await open_page(browser, out, {fragment});
+  const {page} = await open_page(out, {fragment});
   await page.locator('.stage').press('f');
   const found = await expect_fragment(page, {flip: '1'});
   assert.deepEqual(found, {...Object.fromEntries(new URLSearchParams(fragment.slice(1))), flip: '1'});
   await page.context().close();
   const broken = '#view=wipe&group=%3Cscript%3E&a=x&zoom=NaN&at=9e99,-1&pixel=,&bias=x';
-  const {page: other, problems} = await open_page(browser, out, {fragment: broken});
+  const {page: other, problems} = await open_page(out, {fragment: broken});
   for (const each of ['%', 'view=', 'section-1', broken]) await go(other, each);
   assert.equal(await other.locator('.stage').isVisible(), true);
   assert.deepEqual(problems, []);
@@ -290,7 +266,7 @@ test('a link opens the same view; a broken one opens the page', async () => {
 });
 
 test('tables are sorted, filtered and downloaded', async () => {
-  const {page, problems} = await open_page(browser, out);
+  const {page, problems} = await open_page(out);
   const region = page.getByRole('region', {name: /Error by object/});
   const errors = async () => (await region.locator('tbody tr:visible td:nth-child(3)').allInnerTexts()).map(Number);
   const head = region.getByRole('button', {name: 'mae'});
@@ -312,67 +288,13 @@ test('tables are sorted, filtered and downloaded', async () => {
   await page.context().close();
 });
 
-test('charts show values, the same cell elsewhere and its statistics, and are saved', async () => {
-  const sweep = path.join(folder, 'sweep');
-  run('sweep', 'courtyard', '-o', sweep, '--light', 'sun', '--size', '96x54', '--quiet', '--vary',
-      'shadow.constant-bias=0.01:0.2:5:log', '--vary', 'shadow.resolution=512,1024');
-  const rows = readFileSync(path.join(sweep, 'sweep.csv'), 'utf8').trim().split('\r\n').map((line) => line.split(','));
-  const {page, problems} = await open_page(browser, sweep);
-  const figure = page.locator('figure', {has: page.locator('svg text', {hasText: /^Mean absolute error of visibility$/})});
-  const picture = figure.locator('.picture');
-  await picture.focus();
-  for (const key of ['ArrowRight', 'ArrowRight', 'Enter']) await picture.press(key);
-  const tip = await picture.locator('.tip').innerText();
-  const [bias, resolution, mae] = tip.split('\n').filter((_, i) => i % 2 === 1).map(Number);
-  const column = (name) => rows[0].indexOf(name);
-  const cell = rows.find((row) => Math.abs(row[column('shadow.constant-bias')] / bias - 1) < 1e-3 &&
-                                  Number(row[column('shadow.resolution')]) === resolution);
-  assert.ok(cell, tip);
-  assert.ok(Math.abs(100 * cell[column('mae')] / mae - 1) < 1e-3, tip);
-  const panel = page.getByRole('complementary', {name: 'Selected cell'});
-  const acne = panel.locator('tr', {hasText: /^acne: share/}).locator('td');
-  assert.ok(Math.abs(100 * cell[column('acne')] - Number(await acne.innerText())) < 1e-3 + 0.1 * cell[column('acne')]);
-  assert.ok(await page.locator('.rings circle.inner').count() >= 3, 'ringed in the other charts');
-  await picture.press('Escape');
-  assert.equal(await panel.isVisible(), false);
-  const position = await picture.evaluate((element) => {
-    const svg = element.querySelector('svg');
-    const [x, y] = JSON.parse(svg.querySelector('metadata').textContent).points[0];
-    const place = new DOMPoint(x, y).matrixTransform(svg.getScreenCTM());
-    const frame = element.getBoundingClientRect();
-    return {x: place.x - frame.left, y: place.y - frame.top};
-  });
-  await picture.click({position});
-  assert.equal(await panel.isVisible(), true);
-  for (const [kind, start] of [['SVG', /^<svg/], ['PNG', /^.PNG/], ['CSV', /^constant bias \[m\],/]]) {
-    const download = page.waitForEvent('download');
-    await figure.locator('.files').getByText(kind).first().click();
-    assert.match(readFileSync(await (await download).path(), 'latin1'), start);
-  }
-  const slider = page.getByRole('slider', {name: 'Constant bias of sun'});
-  await slider.fill('0');
-  await page.getByText(/^Technique at 0 texels/).or(page.locator('output.reading', {hasText: '0 texels'})).first().waitFor();
-  assert.deepEqual(problems, []);
-  await page.context().close();
-});
-
-test('pictures have texts and controls have names', async () => {
-  const {page} = await open_page(browser, out);
-  const nameless = await page.evaluate(() => [...document.querySelectorAll('button, select, input, [role=img], img')]
-    .filter((each) => each.offsetParent !== null || each.tagName === 'svg')
-    .filter((each) => !(each.getAttribute('aria-label') || each.getAttribute('alt') || each.textContent.trim() ||
-                        each.closest('label')?.textContent.trim())).map((each) => each.outerHTML.slice(0, 120)));
-  assert.deepEqual(nameless, []);
-  await page.context().close();
-});
-
 test('hostile names stay texts', async () => {
   const name = `</script><script>alert(1)</script>"'<img src=x onerror=alert(2)>\u202e\u2066${'x'.repeat(300)}`;
   run('scene', 'contact-box', '-o', path.join(folder, 'plain.glb'));
   const file = path.join(folder, `a"'<b>&amp;\u202e.glb`);
   rename_all(path.join(folder, 'plain.glb'), file, name);
   const hostile = compare('hostile', file);
-  const {page, problems} = await open_page(browser, hostile, {fragment: '#view=grid&pixel=48,40'});
+  const {page, problems} = await open_page(hostile, {fragment: '#view=grid&pixel=48,40'});
   await page.locator('.inspector caption', {hasText: 'pinned'}).waitFor();
   assert.ok((await page.locator('.inspector').innerText()).includes(name.slice(0, 40)));
   await page.locator('.stage').press('n');

@@ -1,4 +1,5 @@
 // Runs of the program for the browser to open, and the browser.
+import assert from 'node:assert/strict';
 import {spawnSync} from 'node:child_process';
 import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
@@ -10,9 +11,10 @@ const program = process.env.UMBRAMETER_PROGRAM;
 const executablePath = process.env.UMBRAMETER_CHROMIUM;
 export const folder = mkdtempSync(path.join(tmpdir(), 'umbrameter-page-'));
 
-export function run(...words) {
+export const run = (...words) => run_in(process.cwd(), ...words);
+export function run_in(cwd, ...words) {
   const {status, stdout, stderr} = spawnSync(program, words, {
-    encoding: 'utf8', env: {...process.env, XDG_CACHE_HOME: path.join(folder, 'cache')}});
+    cwd, encoding: 'utf8', env: {...process.env, XDG_CACHE_HOME: path.join(folder, 'cache')}});
   if (status !== 0) throw new Error(`${words.join(' ')}: ${status} ${stderr}`);
   return stdout;
 }
@@ -29,12 +31,86 @@ export function skip_unless_possible() {
   }
 }
 
+// The one browser of all tests, and the runs that several tests open. Each is made when it is first asked for.
+const shared = new Map();
+function once(name, make) {
+  if (!shared.has(name)) shared.set(name, make());
+  return shared.get(name);
+}
+export const browser_of_all = () => once('browser', start_browser);
+export const plain_run = () => once('run', () => compare('run', 'courtyard', '--light', 'sun'));
+export const sweep_run = () => once('sweep', () => {
+  const out = path.join(folder, 'sweep');
+  run('sweep', 'courtyard', '-o', out, '--light', 'sun', '--size', '96x54', '--quiet', '--page-cells', '4', '--vary',
+      'shadow.constant-bias=0.01:0.2:5:log', '--vary', 'shadow.resolution=512,1024', '--vary', 'shadow.filter=nearest,box');
+  return out;
+});
+// 10,000 cells, 20 of them with images.
+export const large_run = () => once('large', () => {
+  const out = path.join(folder, 'large');
+  run('sweep', 'courtyard', '-o', out, '--light', 'sun', '--size', '320x180', '--quiet', '--page-cells', '20', '--vary',
+      'shadow.constant-bias=0.001:0.2:500:log', '--vary', 'shadow.slope-bias=0:4:20', '--run.classes', 'fast');
+  return out;
+});
+export async function close_all() {
+  await (await shared.get('browser'))?.close();
+  clean_up();
+}
+
 export const size = {width: 96, height: 54};
 export function compare(name, scene, ...words) {
   const out = path.join(folder, name);
   run('compare', scene, '-o', out, '--size', '96x54', '--truth.spp', '16', '--quiet', ...words);
   return out;
 }
+
+// What the address of the page says.
+export const fragment_of = (page) => page.evaluate(() => Object.fromEntries(new URLSearchParams(location.hash.slice(1))));
+
+const fits = (found, wanted) => (wanted instanceof RegExp ? wanted.test(found ?? '') : found === wanted);
+
+// Waits until the address says so: the viewer writes it a moment after a change. undefined: it says nothing of that.
+export async function expect_fragment(page, expected) {
+  let found;
+  for (let i = 0; i < 60; ++i) {
+    found = await fragment_of(page);
+    if (Object.entries(expected).every(([name, wanted]) => fits(found[name], wanted))) return found;
+    await page.waitForTimeout(50);
+  }
+  assert.fail(`${JSON.stringify(found)} is not ${Object.entries(expected).join('; ')}`);
+}
+
+// The colours of a layer as painted, one for each stored pixel: read in the middle of blocks of four by four.
+export async function painted(page) {
+  await page.waitForTimeout(100);
+  return page.evaluate(({width, height}) => {
+    const canvas = document.querySelector('.stage canvas');
+    const copy = document.createElement('canvas');
+    [copy.width, copy.height] = [canvas.width, canvas.height];
+    const context = copy.getContext('2d');
+    context.drawImage(canvas, 0, 0);
+    const {data} = context.getImageData(0, 0, copy.width, copy.height);
+    const left = canvas.width / 2 - 2 * width + 2;
+    const top = canvas.height / 2 - 2 * height + 2;
+    const colors = [];
+    for (let y = 0; y < height; ++y) {
+      for (let x = 0; x < width; ++x) {
+        const at = 4 * (Math.floor(top + 4 * y) * canvas.width + Math.floor(left + 4 * x));
+        colors.push([...data.slice(at, at + 3)].join());
+      }
+    }
+    return colors;
+  }, size);
+}
+
+// The fragment of one layer, four screen pixels for each stored one.
+export const single = (layer, more = '') => `#view=single&group=sun&a=${layer}&zoom=4&at=48,27${more}`;
+
+// Follows a link within the page.
+export const go = (page, fragment) => page.evaluate((hash) => (location.hash = hash), fragment);
+
+// Of the categories in class_sun.
+export const class_colors = ['240,240,240', '213,94,0', '204,121,167', '0,114,178', '86,180,233', '200,200,200', '255,255,255'];
 
 // A binary glTF whose scene, nodes, materials and cameras have the name.
 export function rename_all(from, to, name) {
@@ -54,15 +130,14 @@ export function rename_all(from, to, name) {
   writeFileSync(to, Buffer.concat([head, json, rest]));
 }
 
-export async function start_browser() {
-  const browser = await chromium.launch({executablePath,
-    args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
-  return browser;
+async function start_browser() {
+  return chromium.launch({executablePath, args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
 }
 
 // Opens a run's page and waits until its script is done. `problems` collects what no page may do: write to the console,
 // throw, or ask for another file.
-export async function open_page(browser, out, {fragment = '', width = 700, ...options} = {}) {
+export async function open_page(out, {fragment = '', width = 700, ...options} = {}) {
+  const browser = await browser_of_all();
   const context = await browser.newContext({viewport: {width, height: 700}, ...options});
   const page = await context.newPage();
   page.setDefaultTimeout(20_000);
@@ -83,6 +158,6 @@ export async function open_page(browser, out, {fragment = '', width = 700, ...op
   return {page, problems};
 }
 
-export function clean_up() {
+function clean_up() {
   rmSync(folder, {recursive: true, force: true});
 }

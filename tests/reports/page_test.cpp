@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -37,7 +38,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 }
 
 // The page without the text of its script, which a build without Node does not have.
-std::string page_of(const TemporaryFolder& folder, const Report& report, const ViewerData* viewer = nullptr) {
+std::string page_of(const TemporaryFolder& folder, const Report& report, const ViewerPack* viewer = nullptr) {
   write_page(folder.path(), report, viewer);
   std::string page = text_of(folder / "index.html");
   const std::string script = "<script>" + std::string(page_script()) + "</script>\n";
@@ -221,33 +222,72 @@ TEST(Page, Its_script_cannot_end_its_element) {
 
 ViewerData viewer_sample(const std::string& text) {
   ViewerData data;
-  data.title = text;
   data.width = 2;
   data.height = 1;
   data.layers = {{text, text, text, ViewerRole::error, ViewerKind::error, 0.5, text}};
   data.layers[0].planes = {Image<float>(2, 1, 0.25f)};
   data.layers[0].categories = {{text, {1, 2, 3}}};
   data.objects = {Image<std::uint16_t>(2, 1, 1), {text}};
+  data.cell = {7, text, text};
   return data;
+}
+
+nlohmann::json json_of(const std::string& page, const std::string& id) {
+  const std::string begin = "<script type=\"application/json\" id=\"" + id + "\">";
+  const std::size_t at = page.find(begin) + begin.size();
+  return nlohmann::json::parse(page.substr(at, page.find("</script>", at) - at));
 }
 
 TEST(Page, The_viewer_has_its_data_as_json_whatever_the_names_are) {
   const TemporaryFolder folder;
   for (const std::string& text : {std::string("plain"), hostile}) {
-    const ViewerData viewer = viewer_sample(text);
-    const std::string page = page_of(folder, sample(text), &viewer);
+    ViewerPack pack;
+    pack.title = text;
+    add_set(pack, viewer_sample(text));
+    const std::string page = page_of(folder, sample(text), &pack);
     EXPECT_EQ(unbalanced(page), "");
     EXPECT_EQ(count(page, "<script"), 2u) << "two blocks of data";
-    static const std::string begin = "<script type=\"application/json\" id=\"viewer-data\">";
-    const std::size_t at = page.find(begin) + begin.size();
-    const nlohmann::json data = nlohmann::json::parse(page.substr(at, page.find("</script>", at) - at));
-    const nlohmann::json& layer = data.at("layers").at(0);
+    const nlohmann::json data = json_of(page, "viewer-data");
+    const nlohmann::json& set = data.at("sets").at(0);
+    const nlohmann::json& layer = set.at("layers").at(0);
     EXPECT_EQ(layer["role"], "error");
     EXPECT_EQ(layer["range"], (nlohmann::json{-0.5, 0.5}));
-    EXPECT_EQ(layer["name"], data["objects"]["names"][0]);
-    EXPECT_EQ(layer["planes"][0]["type"], "f16");
-    EXPECT_EQ(data["objects"]["plane"]["type"], "u16");
-    EXPECT_EQ(data["stride"], 1);
+    const nlohmann::json& objects = data["items"][set["objects"].get<std::size_t>()];
+    EXPECT_EQ(layer["name"], objects["names"][0]);
+    EXPECT_EQ(objects["plane"]["type"], "u16");
+    const nlohmann::json& plane = data["items"][layer["planes"][0].get<std::size_t>()];
+    EXPECT_EQ(plane["type"], "pal");
+    EXPECT_EQ(plane["palette"], nlohmann::json{0x3400}) << "0.25 as a half float";
+    EXPECT_EQ(set["stride"], 1);
+    EXPECT_EQ(set["cell"]["number"], 7);
+  }
+}
+
+TEST(Page, What_sets_of_images_share_is_held_once) {
+  ViewerPack pack;
+  add_set(pack, viewer_sample("plain"));
+  const std::size_t items = pack.items.size();
+  add_set(pack, viewer_sample("plain"));
+  EXPECT_EQ(pack.items.size(), items);
+  ViewerData other = viewer_sample("plain");
+  other.layers[0].planes[0][0] = 0.75f;
+  add_set(pack, other);
+  EXPECT_EQ(pack.items.size(), items + 1);
+  EXPECT_EQ(pack.sets.size(), 3u);
+}
+
+TEST(Page, A_rounded_set_leaves_out_the_error_that_is_a_difference) {
+  ViewerData data = viewer_sample("plain");
+  data.layers = {{"t", "t", "g", ViewerRole::reference, ViewerKind::share},
+                 {"r", "r", "g", ViewerRole::technique, ViewerKind::share},
+                 {"e", "e", "g", ViewerRole::error, ViewerKind::error}};
+  for (ViewerLayer& layer : data.layers) layer.planes = {Image<float>(2, 1, 0.25f)};
+  for (const bool is_rounded : {false, true}) {
+    data.rounded = is_rounded;
+    ViewerPack pack;
+    add_set(pack, data);
+    const nlohmann::json set = nlohmann::json::parse(pack.sets[0]);
+    EXPECT_EQ(set["layers"][2]["planes"].size(), is_rounded ? 0u : 1u);
   }
 }
 
@@ -255,9 +295,30 @@ TEST(Page, Of_large_images_the_viewer_has_every_second_pixel_unless_all_are_aske
   ViewerData data = viewer_sample("plain");
   data.width = 1280;
   data.height = 720;
-  EXPECT_EQ(viewer_json(data)["stride"], 2);
+  ViewerPack pack;
+  add_set(pack, data);
   data.full = true;
-  EXPECT_EQ(viewer_json(data)["stride"], 1);
+  add_set(pack, data);
+  EXPECT_EQ(nlohmann::json::parse(pack.sets[0])["stride"], 2);
+  EXPECT_EQ(nlohmann::json::parse(pack.sets[1])["stride"], 1);
+}
+
+TEST(Page, The_cells_of_a_sweep_are_exact_along_the_axes_and_rounded_elsewhere) {
+  const TemporaryFolder folder;
+  Report report = sample(hostile);
+  ReportCells cells;
+  cells.table.columns = {{hostile, "m", hostile}, {"mae", "1", ""}};
+  cells.table.rows = {{0.1234567890123, 0.1234567890123}, {hostile, std::nan("")}};
+  cells.axes = 1;
+  cells.count = 2;
+  report.cells = cells;
+  report.sections[0].charts = {{report.sections[0].figures.at(0), {{"bias", hostile}}, {{hostile, 2.0}}}};
+  const std::string page = page_of(folder, report);
+  EXPECT_EQ(unbalanced(page), "");
+  const nlohmann::json data = json_of(page, "cells-data");
+  EXPECT_EQ(data["rows"][0], (nlohmann::json{0.1234567890123, 0.123457}));
+  EXPECT_TRUE(data["rows"][1][1].is_null());
+  EXPECT_TRUE(contains(page, " data-cells=\"{&quot;columns&quot;:{&quot;bias&quot;:&quot;"));
 }
 
 TEST(Page, Ids_are_used_once_even_when_a_figure_is_shown_twice) {

@@ -58,6 +58,12 @@ export function total_of(shares: number[]): number {
   return shares.reduce((sum, share) => sum + share, 0);
 }
 
+// The mean share of each cause over the biases of the axis from index first to last.
+export function mean_shares(bias: Bias, [first, last]: [number, number]): number[] {
+  const rows = bias.shares.slice(first, last + 1);
+  return rows[0].map((_, c) => rows.reduce((sum, shares) => sum + shares[c], 0) / rows.length);
+}
+
 // The smallest bias of least error.
 export function best_index(bias: Bias): number {
   let best = 0;

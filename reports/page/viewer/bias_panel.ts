@@ -1,5 +1,6 @@
 // The bias slider of a light, with the curve that it moves along and the error at the selected bias.
-import {best_index, bias_text, images_of, total_of} from './bias';
+import {best_index, bias_text, images_of, mean_shares, total_of} from './bias';
+import {cause_bar, cause_names} from './cause_bars';
 import {Curve, Ink} from './curve';
 import {Bias, used_index} from './data';
 import {make, make_svg} from './dom';
@@ -33,7 +34,7 @@ export class BiasPanel {
 
   private inks(bias: Bias): Ink[] {
     const cause = images_of(this.viewer.run, bias.group)?.cause;
-    return ['acne', 'false occlusion', 'peter-panning', 'light leak'].map((name, c) => {
+    return cause_names.map((name, c) => {
       const color = cause?.categories.find((each) => each.name === name)?.color ?? [128, 128, 128];
       return {name, color: `rgb(${color.join(',')})`, dash: dashes[c]};
     });
@@ -59,22 +60,37 @@ export class BiasPanel {
       make('button', {type: 'button', click: () => viewer.select_bias(index)}, title);
     const inks = this.inks(bias);
     const values = inks.map(() => make('td', {class: 'number'}));
+    const bars = inks.map(() => make('td', {class: 'bar-cell'}));
     const total = make('td', {class: 'number'});
+    const caption = make('caption', {});
+    const last = bias.axis.length - 1;
+    const end = (name: string, make_range: (value: number) => [number, number]) => {
+      const slider: HTMLInputElement = make('input', {type: 'range', min: 0, max: last, step: 1, class: 'range-end',
+        'aria-label': `Range of biases of ${bias.group}, ${name}`, input: () => viewer.select_range(make_range(Number(slider.value)))});
+      return slider;
+    };
+    const from = end('from', (value) => [value, Math.max(value, bias.range?.[1] ?? last)]);
+    const to = end('to', (value) => [Math.min(value, bias.range?.[0] ?? 0), value]);
+    const clear = make('button', {type: 'button', click: () => viewer.select_range(null)}, 'Clear range');
+    const brush = make('div', {class: 'row'}, make('label', {class: 'field'}, make('span', {}, 'Range from'), from),
+                       make('label', {class: 'field'}, make('span', {}, 'to'), to), clear);
     const sample = (ink: Ink | null) => make_svg('svg', {class: 'sample', 'aria-hidden': 'true', viewBox: '0 0 30 8'},
       make_svg('line', {x1: 0, x2: 30, y1: 4, y2: 4, class: ink ? 'cause' : 'total', 'stroke-dasharray': ink?.dash ?? '',
                         ...(ink ? {stroke: ink.color} : {})}));
-    this.curve = new Curve(bias, inks, can_move ? (index) => viewer.select_bias(index) : null);
+    this.curve = new Curve(bias, inks, can_move ? (index) => viewer.select_bias(index) : null,
+                           (range) => viewer.select_range(range));
     const jumps = make('div', {class: 'buttons'}, jump('Bias of this run', used_index(bias)),
                        jump('Least error', best_index(bias)));
     const controls = can_move ? [make('div', {class: 'row'}, slider, jumps)] : [];
-    const hint = 'The dashed line is the bias of this run.' + (can_move
+    const hint = 'The dashed line is the bias of this run. Drag below the curve, or with Shift, to select a range of ' +
+      'biases: the bars then show the mean over its biases.' + (can_move
       ? ' The images follow the slider: each wrong tap is stored with the bias at which it flips.' : '');
     this.element.append(make('div', {class: 'panes'},
-      make('div', {class: 'chart'}, ...controls, this.curve.svg),
+      make('div', {class: 'chart'}, ...controls, this.curve.svg, brush),
       make('div', {}, reading,
-           make('table', {class: 'shares'}, make('caption', {}, 'Error, share of the counted pixels'),
-                make('tbody', {}, make('tr', {}, make('th', {scope: 'row'}, sample(null), 'total error'), total),
-                     ...inks.map((ink, c) => make('tr', {}, make('th', {scope: 'row'}, sample(ink), ink.name), values[c])))),
+           make('table', {class: 'shares'}, caption,
+                make('tbody', {}, make('tr', {}, make('th', {scope: 'row'}, sample(null), 'total error'), make('td'), total),
+                     ...inks.map((ink, c) => make('tr', {}, make('th', {scope: 'row'}, sample(ink), ink.name), bars[c], values[c])))),
            make('p', {class: 'hint'}, hint))));
     this.refresh_shown = () => {
       const text = bias_text(bias, bias.axis[bias.index]);
@@ -82,8 +98,18 @@ export class BiasPanel {
       slider.value = String(bias.index);
       slider.setAttribute('aria-valuetext', text);
       reading.textContent = text + (is_used ? ', as in this run' : '');
-      total.textContent = percent(total_of(bias.shares[bias.index]));
-      values.forEach((cell, c) => (cell.textContent = percent(bias.shares[bias.index][c])));
+      const shares: number[] = bias.range ? mean_shares(bias, bias.range) : bias.shares[bias.index];
+      const [first, end] = bias.range ?? [0, last];
+      caption.textContent = 'Error, share of the counted pixels' + (bias.range
+        ? `; mean over ${end - first + 1} biases, ${bias_text(bias, bias.axis[first])} to ${bias_text(bias, bias.axis[end])}` : '');
+      total.textContent = percent(total_of(shares));
+      values.forEach((cell, c) => (cell.textContent = percent(shares[c])));
+      bars.forEach((cell, c) => cell.replaceChildren(cause_bar(c, shares[c], Math.max(...shares))));
+      clear.disabled = !bias.range;
+      [from, to].forEach((slider, k) => {
+        slider.value = String((bias.range ?? [0, last])[k]);
+        slider.setAttribute('aria-valuetext', bias_text(bias, bias.axis[Number(slider.value)]));
+      });
     };
   }
 }

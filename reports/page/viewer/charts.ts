@@ -1,5 +1,7 @@
 // Charts that answer to the pointer and to keys: values of a point, the same cell in the other charts, downloads. The
 // drawings hold their points as metadata (reports/web/render.mjs).
+import {CellPanel} from './cell_panel';
+import {CellValue, Cells, ChartCells, Selection} from './cells';
 import {download, make, make_svg} from './dom';
 import {number_text} from './pixels';
 import {csv_cell} from './tables';
@@ -32,8 +34,8 @@ class Chart {
   private readonly tip = make('div', {class: 'tip', role: 'status', hidden: true});
   private at = -1;
 
-  constructor(readonly picture: HTMLElement, readonly svg: SVGSVGElement, private readonly all: Chart[],
-              private readonly panel: CellPanel) {
+  constructor(readonly picture: HTMLElement, readonly svg: SVGSVGElement, private readonly group: ChartGroup,
+              private readonly cells: ChartCells | null) {
     this.meta = JSON.parse(svg.querySelector('metadata')!.textContent!) as Meta;
     const {columns, keys} = this.meta;
     this.kind = JSON.stringify(columns.slice(0, keys));
@@ -49,7 +51,7 @@ class Chart {
     picture.addEventListener('blur', () => this.show(-1));
     picture.addEventListener('click', (event) => {
       const at = this.nearest(event);
-      if (at >= 0) panel.show(this, this.points[at]);
+      if (at >= 0) group.choose(this, this.points[at]);
     });
     picture.addEventListener('keydown', (event) => this.key(event));
   }
@@ -67,18 +69,29 @@ class Chart {
     return best;
   }
 
-  // Rings the points of a cell.
-  mark(kind: string, key: string | null): void {
-    const found = key !== null && kind === this.kind ? this.points.filter((point) => point.key === key) : [];
+  // Rings the points that `is_same` finds.
+  mark(is_same: (point: Point) => boolean): void {
+    const found = this.points.filter(is_same);
     this.rings.replaceChildren(...found.flatMap(({x, y}) =>
       ['outer', 'inner'].map((name) => make_svg('circle', {cx: x, cy: y, r: 7, class: name}))));
+  }
+
+  // The row of the sweep's cells that the point shows; −1 if none.
+  row_of(point: Point, cells: Cells): number {
+    return this.cells ? cells.find(this.cells, (column) => this.value_of(point, column)) : -1;
+  }
+  is_of_row(point: Point, row: number, cells: Cells): boolean {
+    return this.cells !== null && cells.matches(row, this.cells, (column) => this.value_of(point, column));
+  }
+  private value_of(point: Point, column: string): CellValue {
+    return point.values[this.meta.columns.indexOf(column)] ?? null;
   }
 
   private show(at: number): void {
     if (at === this.at) return;
     this.at = at;
     const point = this.points[at];
-    for (const chart of this.all) chart.mark(this.kind, point?.key ?? this.panel.key_of(this.kind));
+    this.group.mark(this, point ?? null);
     this.tip.hidden = !point;
     if (!point) return;
     this.tip.replaceChildren(...this.rows_of(point).map(([name, value]) =>
@@ -106,8 +119,8 @@ class Chart {
     const steps: Record<string, [number, number]> = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
     const step = steps[event.key];
     const point = this.points[this.at];
-    if (event.key === 'Enter' && point) this.panel.show(this, point);
-    else if (event.key === 'Escape') this.panel.hide();
+    if (event.key === 'Enter' && point) this.group.choose(this, point);
+    else if (event.key === 'Escape') this.group.choose(this, null);
     else if (step) this.show(point ? this.neighbour(point, step) : 0);
     else return;
     event.preventDefault();
@@ -138,43 +151,6 @@ class Chart {
     const copy = this.svg.cloneNode(true) as SVGSVGElement;
     copy.querySelector('.rings')?.remove();
     return new XMLSerializer().serializeToString(copy);
-  }
-}
-
-// The statistics of the clicked cell, from all charts that show it.
-class CellPanel {
-  private readonly body = make('div');
-  private readonly element = make('aside', {class: 'cell', 'aria-label': 'Selected cell', 'aria-live': 'polite', hidden: true},
-                                  make('button', {type: 'button', class: 'close', 'aria-label': 'Close', click: () => this.hide()}, '×'),
-                                  this.body);
-  private shown: {kind: string; key: string} | null = null;
-
-  constructor(private readonly all: Chart[]) {
-    document.querySelector('.page')!.append(this.element);
-  }
-
-  key_of(kind: string): string | null {
-    return this.shown?.kind === kind ? this.shown.key : null;
-  }
-
-  show(from: Chart, point: Point): void {
-    this.shown = {kind: from.kind, key: point.key};
-    const rows = new Map(from.rows_of(point).slice(0, from.meta.keys));
-    for (const chart of this.all.filter((each) => each.kind === from.kind)) {
-      for (const same of chart.points.filter((each) => each.key === point.key)) {
-        chart.rows_of(same).slice(chart.meta.keys).forEach(([name, value]) => rows.set(name, value));
-      }
-    }
-    this.body.replaceChildren(make('table', {}, make('caption', {}, 'Selected cell'), make('tbody', {},
-      ...[...rows].map(([name, value]) => make('tr', {}, make('th', {scope: 'row'}, name), make('td', {class: 'number'}, value))))));
-    this.element.hidden = false;
-    for (const chart of this.all) chart.mark(from.kind, point.key);
-  }
-
-  hide(): void {
-    this.shown = null;
-    this.element.hidden = true;
-    for (const chart of this.all) chart.mark('', null);
   }
 }
 
@@ -209,16 +185,48 @@ function extend_downloads(chart: Chart, figure: HTMLElement): void {
   figure.querySelector('.files')?.append(make('li', {}, csv));
 }
 
-export function extend_charts(): void {
-  const charts: Chart[] = [];
-  let panel: CellPanel | null = null;
+// All charts of the page. Those of a sweep follow its selected cell.
+class ChartGroup {
+  readonly charts: Chart[] = [];
+
+  constructor(private readonly cells: Cells | null, private readonly selection: Selection, private readonly panel: CellPanel) {
+    selection.on(() => this.mark(null, null));
+  }
+
+  // Rings the cell of the point in all charts; without a point that of the selection.
+  mark(from: Chart | null, point: Point | null): void {
+    const {cells} = this;
+    const row = !cells ? -1 : from && point ? from.row_of(point, cells) : this.selection.row;
+    for (const chart of this.charts) {
+      chart.mark((each) => (row >= 0 ? chart.is_of_row(each, row, cells!)
+        : point !== null && chart.kind === from!.kind && each.key === point.key));
+    }
+  }
+
+  choose(from: Chart, point: Point | null): void {
+    const row = point && this.cells ? from.row_of(point, this.cells) : -1;
+    this.selection.select(row);
+    if (row >= 0 || !point) return;
+    const rows = new Map<string, string>();
+    for (const chart of this.charts.filter((each) => each.kind === from.kind)) {
+      for (const same of chart.points.filter((each) => each.key === point.key)) {
+        chart.rows_of(same).forEach(([name, value]) => rows.set(name, value));
+      }
+    }
+    this.panel.show_rows([...rows]);
+    this.mark(from, point);
+  }
+}
+
+export function extend_charts(cells: Cells | null, selection: Selection, panel: CellPanel): void {
+  const group = new ChartGroup(cells, selection, panel);
   for (const figure of document.querySelectorAll<HTMLElement>('figure[data-stem]')) {
     const picture = figure.querySelector<HTMLElement>('.picture');
     const svg = figure.querySelector<SVGSVGElement>('svg');
     if (!picture || !svg?.querySelector('metadata')) continue;
-    panel ??= new CellPanel(charts);
-    const chart = new Chart(picture, svg, charts, panel);
-    charts.push(chart);
+    const of_cells = figure.dataset.cells ? (JSON.parse(figure.dataset.cells) as ChartCells) : null;
+    const chart = new Chart(picture, svg, group, of_cells);
+    group.charts.push(chart);
     extend_downloads(chart, figure);
   }
 }

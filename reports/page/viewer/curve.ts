@@ -9,6 +9,7 @@ export interface Ink {
   dash: string;
 }
 
+const curve_height = 230;
 const margin = {left: 52, right: 12, top: 12, bottom: 40};
 
 // Texts that are at most four characters wide: "0.01", "100".
@@ -24,13 +25,22 @@ export class Curve {
   readonly svg = make_svg('svg', {class: 'curve', role: 'img'});
   private width = 0;
 
-  constructor(private bias: Bias, private inks: Ink[], choose: ((index: number) => void) | null) {
+  // `choose` selects a bias, `brush` a range: with Shift, or below the curve.
+  constructor(private bias: Bias, private inks: Ink[], choose: ((index: number) => void) | null,
+              brush: (range: [number, number]) => void) {
     this.svg.setAttribute('aria-label', `Error of ${bias.group} at every constant bias, by cause`);
-    if (!choose) return;
-    const pick = (event: PointerEvent) => choose(this.index_at(event.clientX - this.svg.getBoundingClientRect().left));
+    let start = -1; // of the range that is being brushed
+    const pick = (event: PointerEvent) => {
+      const index = this.index_at(event.clientX - this.svg.getBoundingClientRect().left);
+      if (start >= 0) brush([start, index]);
+      else choose?.(index);
+    };
     this.svg.classList.add('live');
     this.svg.addEventListener('pointerdown', (event) => {
       this.svg.setPointerCapture(event.pointerId);
+      const {left, top} = this.svg.getBoundingClientRect();
+      const is_below = event.clientY - top > curve_height - margin.bottom;
+      start = event.shiftKey || is_below || !choose ? this.index_at(event.clientX - left) : -1;
       pick(event);
     });
     this.svg.addEventListener('pointermove', (event) => {
@@ -59,7 +69,7 @@ export class Curve {
   draw(width: number, used: number): void {
     this.width = width;
     const {axis, shares} = this.bias;
-    const height = 230;
+    const height = curve_height;
     const largest = Math.max(1e-4, ...shares.map(total_of));
     // The square root spreads small shares and has a place for 0.
     const bottom = height - margin.bottom;
@@ -75,6 +85,11 @@ export class Curve {
     for (const tick of share_ticks(largest)) {
       line(margin.left, y_of(tick / 100), width - margin.right, y_of(tick / 100), 'grid');
       text(margin.left - 6, y_of(tick / 100) + 4, 'end', `${tick} %`);
+    }
+    if (this.bias.range) {
+      const [first, last] = this.bias.range.map((index) => this.x_of(index));
+      this.svg.append(make_svg('rect', {class: 'range', x: first, y: margin.top, width: Math.max(2, last - first),
+                                        height: bottom - margin.top + 6}));
     }
     let decade = NaN;
     let free = -Infinity; // where the next text may begin

@@ -5,8 +5,9 @@ export type Role = 'reference' | 'technique' | 'error' | 'cause' | 'other';
 export type Color = [number, number, number];
 
 interface PackedPlane {
-  type: 'u8' | 'u16' | 'f16';
+  type: 'u8' | 'u16' | 'f16' | 'pal' | 'share';
   data: string;
+  palette?: number[]; // bits of half floats
 }
 interface LayerHead {
   name: string;
@@ -16,6 +17,7 @@ interface LayerHead {
   kind: Kind;
   unit: string;
   range: [number, number];
+  reach: number; // of a standard error: what makes it the half width of the 95 % interval
   categories: {name: string; color: Color}[];
 }
 interface BiasHead {
@@ -31,16 +33,28 @@ interface PackedParts {
   names: string[];
   plane: PackedPlane;
 }
-interface PackedRun {
-  title: string;
+// The cell of a sweep that a set of images shows.
+export interface SetCell {
+  number: number; // its row in sweep.csv
+  reason: string; // why the page has its images
+  bias_axis: string; // the column whose every value the bias slider shows; empty if none
+}
+interface PackedSet {
   width: number;
   height: number;
   stride: number;
+  rounded: boolean;
+  layers: (LayerHead & {planes: number[]})[]; // without planes: technique − reference
+  biases: (BiasHead & {bin?: number; cause?: number})[];
+  objects: number | null;
+  materials: number | null;
+  cell?: SetCell;
+}
+interface PackedPage {
+  title: string;
   maps: {sequential: string; diverging: string};
-  layers: (LayerHead & {planes: PackedPlane[]})[];
-  biases: (BiasHead & {bin?: PackedPlane; cause?: PackedPlane})[];
-  objects: PackedParts | null;
-  materials: PackedParts | null;
+  sets: PackedSet[];
+  items: (PackedPlane | PackedParts)[]; // what the sets refer to by index
 }
 
 export interface Layer extends LayerHead {
@@ -49,6 +63,7 @@ export interface Layer extends LayerHead {
 }
 export interface Bias extends BiasHead {
   index: number; // of the selected bias on the axis
+  range: [number, number] | null; // first and last index of the brushed range
   bin?: Float32Array; // absent if the images cannot follow the bias
   cause?: Float32Array;
 }
@@ -57,7 +72,8 @@ export interface Parts {
   index: Float32Array; // 0 is the background, otherwise 1 + an index into names
 }
 export interface Run {
-  title: string;
+  rounded: boolean; // fewer digits than half floats
+  cell: SetCell | null;
   width: number; // of the rendered images, pixels
   height: number;
   stride: number; // every stride-th pixel is here
@@ -96,7 +112,12 @@ let half_table: Float32Array | undefined;
 async function unpack(plane: PackedPlane): Promise<Float32Array> {
   const bytes = await inflate(bytes_of(plane.data));
   if (plane.type === 'u8') return Float32Array.from(bytes);
+  if (plane.type === 'share') return Float32Array.from(bytes, (byte) => byte / 255);
   half_table ??= Float32Array.from({length: 65536}, (_, bits) => from_half(bits));
+  if (plane.type === 'pal') {
+    const values = Float32Array.from(plane.palette!, (bits) => half_table![bits]);
+    return Float32Array.from(bytes, (byte) => values[byte]);
+  }
   const count = bytes.length / 2;
   const values = new Float32Array(count);
   for (let i = 0; i < count; ++i) {
@@ -106,40 +127,86 @@ async function unpack(plane: PackedPlane): Promise<Float32Array> {
   return values;
 }
 
-async function unpack_parts(parts: PackedParts | null): Promise<Parts | null> {
-  return parts ? {names: parts.names, index: await unpack(parts.plane)} : null;
-}
-
-// The value of the axis that is the run's own bias.
-export function used_index(bias: BiasHead): number {
+export function nearest_index(axis: number[], wanted: number): number {
   let best = 0;
-  bias.axis.forEach((value, i) => {
-    if (Math.abs(value - bias.used) < Math.abs(bias.axis[best] - bias.used)) best = i;
+  axis.forEach((value, i) => {
+    if (Math.abs(value - wanted) < Math.abs(axis[best] - wanted)) best = i;
   });
   return best;
 }
 
-export async function read_run(json: string): Promise<Run> {
-  const packed = JSON.parse(json) as PackedRun;
-  const layers = packed.layers.map(async ({planes, ...head}) => {
-    return {...head, planes: await Promise.all(planes.map(unpack)), version: 0};
-  });
-  const biases = packed.biases.map(async ({bin, cause, ...head}) => {
-    const bias: Bias = {...head, index: used_index(head)};
-    if (bin && cause) [bias.bin, bias.cause] = await Promise.all([unpack(bin), unpack(cause)]);
-    return bias;
-  });
-  return {
-    title: packed.title,
-    width: packed.width,
-    height: packed.height,
-    stride: packed.stride,
-    columns: Math.ceil(packed.width / packed.stride),
-    rows: Math.ceil(packed.height / packed.stride),
-    maps: {sequential: bytes_of(packed.maps.sequential), diverging: bytes_of(packed.maps.diverging)},
-    layers: await Promise.all(layers),
-    biases: await Promise.all(biases),
-    objects: await unpack_parts(packed.objects),
-    materials: await unpack_parts(packed.materials),
-  };
+// The value of the axis that is the run's own bias.
+export const used_index = (bias: BiasHead) => nearest_index(bias.axis, bias.used);
+
+// The sets of images of the page. Each is unpacked when it is first shown.
+export class Pack {
+  readonly title: string;
+  readonly cells: (SetCell | null)[];
+  private readonly packed: PackedPage;
+  private readonly maps: Run['maps'];
+  private readonly planes = new Map<number, Promise<Float32Array>>();
+  private readonly parts = new Map<number, Promise<Parts>>();
+  private readonly runs = new Map<number, Promise<Run>>();
+
+  constructor(json: string) {
+    this.packed = JSON.parse(json) as PackedPage;
+    const {title, maps, sets} = this.packed;
+    this.title = title;
+    this.maps = {sequential: bytes_of(maps.sequential), diverging: bytes_of(maps.diverging)};
+    this.cells = sets.map((set) => set.cell ?? null);
+  }
+
+  read(index: number): Promise<Run> {
+    return once(this.runs, index, () => this.read_set(this.packed.sets[index]));
+  }
+
+  private plane(item: number): Promise<Float32Array> {
+    return once(this.planes, item, () => unpack(this.packed.items[item] as PackedPlane));
+  }
+  private async named(item: number | null): Promise<Parts | null> {
+    if (item === null) return null;
+    return once(this.parts, item, async () => {
+      const {names, plane} = this.packed.items[item] as PackedParts;
+      return {names, index: await unpack(plane)};
+    });
+  }
+
+  private async read_set(set: PackedSet): Promise<Run> {
+    const biases = await Promise.all(set.biases.map(async ({bin, cause, ...head}) => {
+      const bias: Bias = {...head, index: used_index(head), range: null};
+      if (bin !== undefined && cause !== undefined) [bias.bin, bias.cause] = await Promise.all([this.plane(bin), this.plane(cause)]);
+      return bias;
+    }));
+    const layers = await Promise.all(set.layers.map(async ({planes, ...head}): Promise<Layer> => {
+      const values = await Promise.all(planes.map((item) => this.plane(item)));
+      // Several sets may have the same plane, and the bias slider redraws these.
+      const is_redrawn = head.role !== 'other' && biases.some((bias) => bias.bin && bias.group === head.group);
+      return {...head, planes: is_redrawn ? values.map((plane) => plane.slice()) : values, version: 0};
+    }));
+    for (const layer of layers.filter((each) => each.planes.length === 0)) {
+      const plane_of = (role: Role) => layers.find((each) => each.group === layer.group && each.role === role)!.planes[0];
+      const reference = plane_of('reference');
+      layer.planes = [plane_of('technique').map((value, i) => value - reference[i])];
+    }
+    return {
+      rounded: set.rounded,
+      cell: set.cell ?? null,
+      width: set.width,
+      height: set.height,
+      stride: set.stride,
+      columns: Math.ceil(set.width / set.stride),
+      rows: Math.ceil(set.height / set.stride),
+      maps: this.maps,
+      layers,
+      biases,
+      objects: await this.named(set.objects),
+      materials: await this.named(set.materials),
+    };
+  }
+}
+
+function once<T>(known: Map<number, Promise<T>>, key: number, make: () => Promise<T>): Promise<T> {
+  const found = known.get(key) ?? make();
+  known.set(key, found);
+  return found;
 }

@@ -19,6 +19,7 @@ export interface Placement {
 }
 export interface Painter {
   readonly name: string;
+  use(run: Run): void; // the run whose layers are painted from now on
   start(): void;
   // Paints the part of the layer that lies within clip.
   paint(layer: Layer, look: Look, placement: Placement, clip: Rect): void;
@@ -109,7 +110,8 @@ function interleave(planes: Float32Array[]): Float32Array {
 }
 
 // Null where WebGL2 is missing or its textures are too small for the images.
-export function make_gl_painter(canvas: HTMLCanvasElement, run: Run): Painter | null {
+export function make_gl_painter(canvas: HTMLCanvasElement, first: Run): Painter | null {
+  let run = first;
   const gl = canvas.getContext('webgl2', {alpha: true, antialias: false, preserveDrawingBuffer: true});
   if (!gl || gl.getParameter(gl.MAX_TEXTURE_SIZE) < Math.max(run.columns, run.rows)) return null;
   const program = compile(gl);
@@ -150,6 +152,11 @@ export function make_gl_painter(canvas: HTMLCanvasElement, run: Run): Painter | 
 
   return {
     name: 'WebGL2',
+    use(next) {
+      for (const {texture} of textures.values()) gl.deleteTexture(texture);
+      textures.clear();
+      run = next;
+    },
     start() {
       gl.disable(gl.SCISSOR_TEST);
       gl.viewport(0, 0, canvas.width, canvas.height);

@@ -150,13 +150,15 @@ export function handle_key(viewer: Viewer, event: KeyboardEvent): void {
     0: () => viewer.set({zoom: 0}),
     1: () => viewer.zoom_to(1),
     f: () => viewer.flip(),
-    e: () => viewer.go_to_largest(),
-    n: () => viewer.go_to_region(1),
-    p: () => viewer.go_to_region(-1),
+    e: () => viewer.jumps.go_to_largest(),
+    n: () => viewer.jumps.go_to_region(1),
+    p: () => viewer.jumps.go_to_region(-1),
+    o: () => viewer.jumps.next_object(event.shiftKey ? -1 : 1),
     '[': () => move_line(-0.02),
     ']': () => move_line(0.02),
     ',': () => move_bias(-1),
     '.': () => move_bias(1),
+    c: () => viewer.cells.choose_set(viewer.cells.shown_set() + (event.shiftKey ? -1 : 1)),
     Escape: () => viewer.pin(null),
   };
   for (const [mode, [, key]] of Object.entries(mode_titles)) anywhere[key] = () => viewer.set({mode: mode as Mode});

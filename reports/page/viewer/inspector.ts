@@ -1,11 +1,30 @@
 // The values of one pixel, and the legend of the layers in view.
-import {critical_text, images_of} from './bias';
-import {Layer, Parts, Run} from './data';
+import {bias_text, critical_text, images_of} from './bias';
+import {Bias, Layer, Parts, Run} from './data';
 import {make} from './dom';
 import {Look, number_text, scale_of, table_of, value_text} from './pixels';
 
 export function part_of(parts: Parts | null, i: number): string {
   return parts && parts.index[i] > 0 ? parts.names[parts.index[i] - 1] : '';
+}
+
+// The 95 % interval of a sampled reference.
+function interval_rows(run: Run, group: string, i: number): [string, string][] {
+  const find = (test: (layer: Layer) => boolean) => run.layers.find((layer) => layer.group === group && test(layer));
+  const reference = find((layer) => layer.role === 'reference' && layer.planes.length === 1);
+  const error = find((layer) => /^truth_(ao|visibility)_standard_error/.test(layer.name));
+  if (!reference || !error) return [];
+  const [value, reach] = [reference.planes[0][i], error.reach * error.planes[0][i]];
+  if (!Number.isFinite(value + reach)) return [];
+  const [low, high] = [value - reach, value + reach].map((each) => number_text(Number(Math.min(1, Math.max(0, each)).toPrecision(3))));
+  return [['Reference, 95 % interval', `${low} to ${high}`]];
+}
+
+// What blocks the pixel in the map lies this far in front of it: the bias that removes it.
+function occluder_rows(bias: Bias, i: number): [string, string][] {
+  const is_blocked_by_another = bias.cause![i] === 3; // wrong, peter-panning, once the bias is larger
+  if (!is_blocked_by_another || bias.bin![i] < 2 || bias.bin![i] > bias.axis.length) return [];
+  return [['Occluder distance', `${bias_text(bias, bias.axis[bias.bin![i] - 1])} along the light, in the map`]];
 }
 
 // Name and value of all that is known of a pixel: the layers of the group first.
@@ -14,8 +33,9 @@ export function pixel_rows(run: Run, group: string, i: number): [string, string]
     .map((layer): [string, string] => [layer.title, value_text(layer, i)]);
   const bias = run.biases.find((each) => each.group === group);
   const cause = images_of(run, group)?.cause;
+  rows.push(...interval_rows(run, group, i));
   const is_counted = !['not counted', 'background'].includes(cause ? value_text(cause, i) : '');
-  if (bias?.bin && is_counted) rows.push(['Critical bias', critical_text(bias, i)]);
+  if (bias?.bin && is_counted) rows.push(['Critical bias', critical_text(bias, i)], ...occluder_rows(bias, i));
   rows.push(['Object', part_of(run.objects, i) || 'background'], ['Material', part_of(run.materials, i) || '—']);
   const depth = run.layers.find((layer) => layer.name === 'Z');
   if (depth && depth.group !== group) rows.push(['Depth', value_text(depth, i)]);

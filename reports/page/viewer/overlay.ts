@@ -26,7 +26,7 @@ export class Overlay {
   readonly canvas = document.createElement('canvas');
   private readonly context = this.canvas.getContext('2d')!;
 
-  constructor(private readonly run: Run) {}
+  constructor(public run: Run) {}
 
   paint(scene: Scene): void {
     const {context} = this;

@@ -74,5 +74,5 @@ export function difference(a: Layer, b: Layer): Layer {
     return layer.kind === 'number' || layer.kind === 'error' ? Math.max(...layer.range.map(Math.abs)) : 1;
   }));
   return {name: `${a.name} − ${b.name}`, title: `${a.title} − ${b.title}`, group: a.group, role: 'other', kind: 'error',
-          unit: a.unit === b.unit ? a.unit : '', range: [-reach, reach], categories: [], planes: [values], version: 0};
+          unit: a.unit === b.unit ? a.unit : '', range: [-reach, reach], reach, categories: [], planes: [values], version: 0};
 }

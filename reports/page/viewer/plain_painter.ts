@@ -8,7 +8,8 @@ interface Painted {
   key: string;
 }
 
-export function make_plain_painter(canvas: HTMLCanvasElement, run: Run): Painter {
+export function make_plain_painter(canvas: HTMLCanvasElement, first: Run): Painter {
+  let run = first;
   const context = canvas.getContext('2d')!;
   const painted = new Map<Layer, Painted>();
 
@@ -31,6 +32,10 @@ export function make_plain_painter(canvas: HTMLCanvasElement, run: Run): Painter
 
   return {
     name: '2D canvas',
+    use(next) {
+      painted.clear();
+      run = next;
+    },
     start() {
       context.clearRect(0, 0, canvas.width, canvas.height);
     },

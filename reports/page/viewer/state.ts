@@ -59,6 +59,7 @@ export function to_fragment(state: State, run: Run): string {
   if (state.pixel) words.set('pixel', `${state.pixel[0] * run.stride},${state.pixel[1] * run.stride}`);
   const bias = run.biases.find((each) => each.group === state.group);
   if (bias?.bin && bias.axis[bias.index] !== bias.used) words.set('bias', short(bias.axis[bias.index]));
+  if (bias?.range) words.set('range', bias.range.map((index) => short(bias.axis[index])).join());
   return words.toString();
 }
 
@@ -76,6 +77,7 @@ function pair_in(text: string | null, width: number, height: number): [number, n
 export interface Linked {
   state: State;
   bias: number | null;
+  range: [number, number] | null; // of biases
 }
 
 // Null if the fragment is that of a heading. What it does not say, or says wrong, has its default.
@@ -100,5 +102,5 @@ export function from_fragment(fragment: string, run: Run): Linked | null {
   state.wipe = number_in(words.get('wipe'), 0, 1) ?? 0.5;
   const pixel = pair_in(words.get('pixel'), run.width - 1, run.height - 1);
   if (pixel) state.pixel = [Math.floor(pixel[0] / run.stride), Math.floor(pixel[1] / run.stride)];
-  return {state, bias: number_in(words.get('bias'), -Infinity, Infinity)};
+  return {state, bias: number_in(words.get('bias'), -1e9, 1e9), range: pair_in(words.get('range'), 1e9, 1e9)};
 }

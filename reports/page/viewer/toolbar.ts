@@ -19,7 +19,9 @@ const keys: [string, string][] = [
   ['+ − 0 1', 'zoom in, out, fit, one pixel to one pixel'],
   ['e', 'go to the largest error'],
   ['n p', 'next, previous connected error region'],
+  ['o Shift+O', 'next, previous object, the largest summed error first'],
   [', .', 'bias one step down, up'],
+  ['c Shift+C', 'next, previous cell of the sweep with images'],
   ['Esc', 'release the inspected pixel'],
 ];
 
@@ -47,7 +49,9 @@ export interface Toolbar {
 }
 
 export function make_toolbar(viewer: Viewer): Toolbar {
-  const {run, state} = viewer;
+  const {state} = viewer;
+  const cell = make('select', {change: () => viewer.cells.choose_set(Number(cell.value))});
+  const cell_field = field('Cell', cell, 'cells');
   const group = make('select', {change: () => viewer.show_group(group.value)});
   const mode_buttons = (Object.keys(mode_titles) as Mode[]).map((mode) => {
     const [title, key] = mode_titles[mode];
@@ -69,11 +73,13 @@ export function make_toolbar(viewer: Viewer): Toolbar {
     wipe: field('Wipe line', wipe, 'slide'),
   };
   const error_jumps = make('div', {class: 'buttons', role: 'group', 'aria-label': 'Errors'},
-                           button('Largest error', 'e', () => viewer.go_to_largest()),
-                           button('◂ Region', 'p', () => viewer.go_to_region(-1)),
-                           button('Region ▸', 'n', () => viewer.go_to_region(1)));
+                           button('Largest error', 'e', () => viewer.jumps.go_to_largest()),
+                           button('◂ Region', 'p', () => viewer.jumps.go_to_region(-1)),
+                           button('Region ▸', 'n', () => viewer.jumps.go_to_region(1)),
+                           button('Object ▸', 'o', () => viewer.jumps.next_object(1)));
   const element = make(
     'div', {class: 'toolbar'},
+    make('div', {class: 'row'}, cell_field),
     make('div', {class: 'row'}, field('Show', group, 'group'),
          make('div', {class: 'buttons joined', role: 'group', 'aria-label': 'Layout'}, ...mode_buttons), error_jumps),
     make('div', {class: 'row'}, fields.a, fields.b, flip, fields.wipe,
@@ -88,6 +94,10 @@ export function make_toolbar(viewer: Viewer): Toolbar {
     make('dl', {}, ...keys.flatMap(([key, meaning]) => [make('dt', {}, make('kbd', {}, key)), make('dd', {}, meaning)]))));
 
   function refresh(): void {
+    const {run} = viewer;
+    const titles_of_sets = viewer.cells.set_titles();
+    cell_field.parentElement!.hidden = titles_of_sets.length < 2;
+    fill_options(cell, titles_of_sets.map((title, i): [string, string] => [String(i), title]), String(viewer.cells.shown_set()));
     const options = (list: string[]): [string, string][] => list.map((name) => [name, name]);
     fill_options(group, options(groups_of(run)), state.group);
     const layers = run.layers.filter((layer) => layer.group === state.group);

@@ -1,15 +1,17 @@
 // The image viewer: panes of layers that pan and zoom together, above them controls, beside them the inspector.
 import {apply_bias, bias_text} from './bias';
 import {BiasPanel} from './bias_panel';
-import {Layer, Run} from './data';
+import {CellImages} from './cell_images';
+import {Layer, nearest_index, Pack, Run} from './data';
 import {make} from './dom';
 import {make_gl_painter, Painter, Rect} from './gl_painter';
-import {fill_inspector, fill_legend, part_of} from './inspector';
+import {fill_inspector, fill_legend} from './inspector';
 import {handle_key, Pointer} from './input';
 import {Overlay, Pane} from './overlay';
 import {difference, Look} from './pixels';
 import {make_plain_painter} from './plain_painter';
-import {find_regions, largest_error, Region} from './regions';
+import {Jumps} from './jumps';
+import {ObjectList} from './object_list';
 import {default_pair, from_fragment, initial_state, State, to_fragment} from './state';
 import {make_toolbar, Toolbar} from './toolbar';
 
@@ -25,17 +27,19 @@ export class Viewer {
   private readonly toolbar: Toolbar;
   private readonly legend = make('div', {class: 'legend'});
   private readonly inspector = make('div', {class: 'inspector'});
+  private readonly precision = make('p', {class: 'hint'});
   private readonly status = make('p', {class: 'status', role: 'status'});
   private readonly bias_panel: BiasPanel;
   private hovered: [number, number] | null = null;
   private difference: {key: string; layer: Layer} | null = null;
-  private regions: {key: string; list: Region[]} | null = null;
-  private region = -1;
+  readonly cells: CellImages;
+  readonly jumps = new Jumps(this);
+  private readonly object_list = new ObjectList((index) => this.jumps.go_to_object(index));
   private is_due = false;
 
-  constructor(readonly run: Run, mount: HTMLElement) {
+  constructor(pack: Pack, public run: Run, readonly mount: HTMLElement) {
+    this.cells = new CellImages(this, pack);
     this.state = initial_state(run);
-    this.read_fragment(location.hash);
     const wants_plain = new URLSearchParams(location.hash.slice(1)).get('painter') === 'plain';
     const gl_painter = wants_plain ? null : make_gl_painter(this.canvas, run);
     this.painter = gl_painter ?? make_plain_painter(this.canvas, run);
@@ -43,23 +47,50 @@ export class Viewer {
     this.stage.append(this.canvas, this.overlay.canvas);
     this.toolbar = make_toolbar(this);
     this.bias_panel = new BiasPanel(this);
-    const sampling = run.stride > 1
-      ? `Every second pixel of ${run.width}×${run.height}; run with --full-images for all of them.`
-      : `${run.width}×${run.height} pixels.`;
-    mount.append(make('h2', {id: 'images'}, run.title), this.toolbar.element,
+    mount.append(make('h2', {id: 'images'}, pack.title), this.toolbar.element,
                  make('div', {class: 'body'},
                       make('div', {class: 'main'}, this.stage, this.status),
-                      make('div', {class: 'aside'}, this.inspector, this.legend,
-                           make('p', {class: 'hint'}, `${sampling} Values are half floats; images.exr has them in full.`))),
+                      make('div', {class: 'aside'}, this.inspector, this.object_list.element, this.legend,
+                           this.precision)),
                  this.bias_panel.element);
     mount.dataset.painter = this.painter.name;
     mount.addEventListener('keydown', (event) => handle_key(this, event));
     new Pointer(this);
     new ResizeObserver(() => this.request()).observe(this.stage.parentElement!);
     addEventListener('hashchange', (event) => {
-      if (this.read_fragment(new URL(event.newURL).hash)) this.changed();
+      void this.cells.open_link(new URL(event.newURL).hash);
     });
+    this.say_precision();
     this.changed();
+  }
+
+  private say_precision(): void {
+    const {run} = this;
+    const sampling = run.stride > 1
+      ? `Every second pixel of ${run.width}×${run.height}; run with --full-images for all of them.`
+      : `${run.width}×${run.height} pixels.`;
+    this.precision.textContent = sampling + (run.rounded
+      ? ' Values of this cell are rounded: visibility and AO to 1/255 where they have more than 256 values, others to 7 bits.'
+      : ' Values are half floats; images.exr has them in full.');
+  }
+
+  // Shows another set of images; view and layers stay where it has them.
+  show_run(run: Run): void {
+    const {state} = this;
+    const scale = this.run.stride / run.stride;
+    const is_same_size = run.width === this.run.width && run.height === this.run.height;
+    this.run = run;
+    this.painter.use(run);
+    this.overlay.run = run;
+    this.difference = null;
+    this.jumps.restart();
+    if (!run.layers.some((layer) => layer.group === state.group)) state.group = run.layers[0].group;
+    const is_layer = (name: string) => run.layers.some((layer) => layer.name === name);
+    if (!is_layer(state.a) || !is_layer(state.b)) [state.a, state.b] = default_pair(run, state.group);
+    if (!is_same_size) Object.assign(state, {zoom: 0, pixel: null});
+    else [state.x, state.y, state.zoom] = [state.x * scale, state.y * scale, state.zoom / scale];
+    this.hovered = null;
+    this.say_precision();
   }
 
   layer(name: string): Layer {
@@ -134,7 +165,7 @@ export class Viewer {
   }
   show_group(group: string): void {
     const [a, b] = default_pair(this.run, group);
-    this.region = -1;
+    this.jumps.restart();
     this.set({group, a, b, flipped: false});
   }
   flip(): void {
@@ -197,36 +228,13 @@ export class Viewer {
     else this.changed();
   }
 
-  go_to_largest(): void {
-    const error = this.error_layer();
-    const at = error ? largest_error(error) : -1;
-    if (!error || at < 0) {
-      this.say('There is no error in this image.');
-      return;
-    }
-    this.go_to(at, Math.max(this.view().zoom, 16));
-    this.say(`Largest error: ${error.planes[0][at].toPrecision(3)} on ${part_of(this.run.objects, at) || 'background'}.`);
+  select_range(range: [number, number] | null): void {
+    const bias = this.bias();
+    if (!bias) return;
+    const within = (index: number) => Math.min(bias.axis.length - 1, Math.max(0, index));
+    bias.range = range && [within(Math.min(...range)), within(Math.max(...range))];
+    this.changed();
   }
-  go_to_region(step: number): void {
-    const error = this.error_layer();
-    if (!error) return;
-    const key = `${error.name} ${error.version}`;
-    if (this.regions?.key !== key) {
-      this.regions = {key, list: find_regions(error, this.run)};
-      this.region = -1;
-    }
-    const {list} = this.regions;
-    if (list.length === 0) {
-      this.say('There is no connected region with an error of at least half the scale.');
-      return;
-    }
-    this.region = this.region < 0 ? (step > 0 ? 0 : list.length - 1) : (this.region + step + list.length) % list.length;
-    const region = list[this.region];
-    this.go_to(region.worst, Math.max(4, Math.min(24, 160 / Math.sqrt(region.pixels))));
-    this.say(`Region ${this.region + 1} of ${list.length}: ${region.pixels} pixels, summed error ` +
-             `${region.sum.toPrecision(3)}, on ${part_of(this.run.objects, region.worst) || 'background'}.`);
-  }
-
   select_bias(index: number): void {
     const bias = this.bias();
     if (!bias?.bin) return;
@@ -246,28 +254,29 @@ export class Viewer {
     else failed();
   }
 
-  private read_fragment(fragment: string): boolean {
+  read_fragment(fragment: string): boolean {
     const linked = from_fragment(fragment, this.run);
     if (!linked) return false;
     Object.assign(this.state, linked.state);
     const bias = this.bias();
+    if (bias) bias.range = linked.range && (linked.range.map((value) => nearest_index(bias.axis, value)) as [number, number]);
     if (bias?.bin) {
       const wanted = linked.bias ?? bias.used;
-      const distances = bias.axis.map((value) => Math.abs(value - wanted));
-      bias.index = distances.indexOf(Math.min(...distances));
+      bias.index = nearest_index(bias.axis, wanted);
       apply_bias(this.run, bias);
     }
     return true;
   }
   private write_fragment(): void {
-    history.replaceState(null, '', `#${to_fragment(this.state, this.run)}`);
+    history.replaceState(null, '', `#${to_fragment(this.state, this.run)}${this.cells.fragment()}`);
   }
   private save_soon = 0;
 
-  private changed(): void {
+  changed(): void {
     this.toolbar.refresh();
     this.show_pixel();
     this.bias_panel.refresh();
+    this.object_list.refresh(this.jumps.find_objects(), this.jumps.object);
     clearTimeout(this.save_soon);
     const is_first = this.save_soon === 0;
     this.save_soon = setTimeout(() => {

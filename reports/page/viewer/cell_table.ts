@@ -1,0 +1,170 @@
+// The table of all cells of a sweep. Only the rows in view are elements, so that ten thousand rows open at once.
+import {Cells, CellValue, Selection} from './cells';
+import {download, make} from './dom';
+import {compare_cells, csv_cell} from './tables';
+
+const row_height = 30; // CSS pixels, as viewer.css has it
+const spare_rows = 8; // above and below the rows in view
+
+export class CellTable {
+  private readonly body = make('tbody');
+  private readonly above = make('td', {class: 'space'});
+  private readonly below = make('td', {class: 'space'});
+  private readonly region: HTMLElement;
+  private readonly heads: HTMLTableCellElement[];
+  private readonly count = make('span', {class: 'count', role: 'status'});
+  private readonly filter: HTMLInputElement;
+  private order: number[]; // rows of the cells, in the order shown
+  private active = 0; // place in the order
+  private sorted: {column: number; sign: number} | null = null;
+
+  constructor(section: HTMLElement, private readonly cells: Cells, private readonly selection: Selection,
+              private readonly has_images: (row: number) => boolean) {
+    this.order = cells.rows.map((_, row) => row);
+    this.heads = cells.columns.map(({name, meaning}, c) => make('th', {scope: 'col', title: meaning, role: 'columnheader'},
+      make('button', {type: 'button', class: 'sort', click: () => this.sort_by(c)}, name.replace(/_/g, ' '))));
+    const units = cells.columns.map((_, c) => make('td', {class: 'unit', role: 'gridcell'}, cells.unit(c)));
+    const table = make('table', {role: 'grid', 'aria-label': 'All cells', 'aria-rowcount': cells.rows.length + 2},
+      make('thead', {}, make('tr', {role: 'row'}, make('th', {scope: 'col', role: 'columnheader'}, 'cell'), ...this.heads),
+           make('tr', {role: 'row'}, make('td', {class: 'unit', role: 'gridcell'}), ...units)), this.body);
+    this.region = make('div', {class: 'rows', tabindex: 0, role: 'region', 'aria-label': 'All cells: arrow keys move, Enter selects'},
+                       table);
+    this.filter = make('input', {type: 'search', placeholder: 'filter: text, or mae<2', 'aria-label': 'Filter cells',
+                                 input: () => this.apply()});
+    section.append(
+      make('h2', {id: 'all-cells'}, 'All cells'),
+      make('p', {}, `${this.extent()} Click a row, or press Enter on it, for the cell's numbers and images. ● marks cells with images.`),
+      make('div', {class: 'table-tools'}, this.filter, this.count,
+           make('button', {type: 'button', class: 'csv', title: 'Download these rows as CSV',
+                           click: () => download('cells.csv', this.csv(), 'text/csv')}, 'CSV')),
+      this.region);
+    this.region.addEventListener('scroll', () => this.draw());
+    this.region.addEventListener('keydown', (event) => this.key(event));
+    this.region.addEventListener('focus', () => this.draw());
+    this.region.addEventListener('blur', () => this.draw());
+    this.body.addEventListener('click', (event) => {
+      const place = (event.target as HTMLElement).closest('tr')?.dataset.place;
+      if (place !== undefined) this.choose(Number(place));
+    });
+    selection.on((row) => {
+      const place = this.order.indexOf(row);
+      if (place >= 0 && place !== this.active) this.move_to(place);
+      this.draw();
+    });
+    new ResizeObserver(() => this.draw()).observe(this.region);
+    this.apply();
+  }
+
+  private extent(): string {
+    const {cells} = this;
+    return cells.rows.length < cells.packed.count
+      ? `${cells.rows.length} of ${cells.packed.count} cells, at even steps; sweep.csv has all.` : `${cells.rows.length} cells.`;
+  }
+
+  // A text that a row has, or conditions such as "mae<2 resolution=1024".
+  private is_wanted(): (row: number) => boolean {
+    const {cells} = this;
+    const words = this.filter.value.trim().toLowerCase().split(/\s+/).filter((word) => word);
+    const tests = words.map((word): ((row: number) => boolean) => {
+      const [, name, sign, text] = /^([\w.-]+?)(<=|>=|<|>|=)(.+)$/.exec(word) ?? [];
+      const column = name ? cells.columns.findIndex((each) => each.name.toLowerCase().replace(/^.*\./, '') === name ||
+                                                              each.name.toLowerCase() === name) : -1;
+      if (column < 0) return (row) => cells.columns.some((_, c) => cells.text(row, c).toLowerCase().includes(word));
+      return (row) => {
+        const order = compare_cells(String(cells.shown(row, column) ?? ''), text, 1);
+        return sign === '=' ? order === 0 : sign.startsWith('<') ? order < 0 || (sign === '<=' && order === 0)
+          : order > 0 || (sign === '>=' && order === 0);
+      };
+    });
+    return (row) => tests.every((test) => test(row));
+  }
+
+  private apply(): void {
+    const wanted = this.is_wanted();
+    const {cells, sorted} = this;
+    this.order = cells.rows.map((_, row) => row).filter(wanted);
+    if (sorted) {
+      const key = (value: CellValue) => (value === null ? '' : String(value));
+      this.order.sort((a, b) => compare_cells(key(cells.rows[a][sorted.column]), key(cells.rows[b][sorted.column]), sorted.sign) || a - b);
+    }
+    this.count.textContent = `${this.order.length} ${this.order.length === 1 ? 'row' : 'rows'}`;
+    this.active = Math.max(0, this.order.indexOf(this.selection.row));
+    this.region.scrollTop = Math.max(0, (this.active - 2) * row_height);
+    this.draw();
+  }
+
+  private sort_by(column: number): void {
+    const sign = this.sorted?.column === column ? -this.sorted.sign : 1;
+    this.sorted = {column, sign};
+    this.heads.forEach((head, c) => {
+      if (c === column) head.setAttribute('aria-sort', sign > 0 ? 'ascending' : 'descending');
+      else head.removeAttribute('aria-sort');
+    });
+    this.apply();
+  }
+
+  private draw(): void {
+    const {cells} = this;
+    const visible = Math.ceil(this.region.clientHeight / row_height);
+    const first = Math.max(0, Math.floor(this.region.scrollTop / row_height) - spare_rows);
+    const last = Math.min(this.order.length, first + visible + 2 * spare_rows);
+    this.above.style.height = `${first * row_height}px`;
+    this.below.style.height = `${(this.order.length - last) * row_height}px`;
+    const has_focus = document.activeElement === this.region;
+    const rows = this.order.slice(first, last).map((row, k) => {
+      const place = first + k;
+      const classes = `${row === this.selection.row ? 'selected' : ''} ${has_focus && place === this.active ? 'active' : ''}`;
+      const mark = this.has_images(row) ? '● ' : '';
+      return make('tr', {role: 'row', id: `cell-row-${row}`, class: classes, 'data-place': place, 'aria-rowindex': place + 3,
+                         'aria-selected': String(row === this.selection.row)},
+                  make('th', {scope: 'row', role: 'rowheader'}, mark + cells.number_of(row)),
+                  ...cells.columns.map((_, c) => make('td', {role: 'gridcell',
+                    class: typeof cells.rows[row][c] === 'string' ? '' : 'number'}, cells.text(row, c))));
+    });
+    const space = (cell: HTMLTableCellElement) => make('tr', {class: 'space', 'aria-hidden': 'true'}, cell);
+    this.body.replaceChildren(space(this.above), ...rows, space(this.below));
+    const row = this.order[this.active];
+    if (has_focus && row !== undefined && document.getElementById(`cell-row-${row}`)) {
+      this.region.setAttribute('aria-activedescendant', `cell-row-${row}`);
+    } else {
+      this.region.removeAttribute('aria-activedescendant');
+    }
+  }
+
+  private move_to(place: number): void {
+    this.active = Math.min(this.order.length - 1, Math.max(0, place));
+    const {region} = this;
+    const head = region.querySelector('thead')!.offsetHeight;
+    const top = this.active * row_height;
+    if (top < region.scrollTop) region.scrollTop = top;
+    else if (top + row_height > region.scrollTop + region.clientHeight - head) {
+      region.scrollTop = top + row_height - region.clientHeight + head;
+    }
+    this.draw();
+  }
+
+  private choose(place: number): void {
+    this.active = place;
+    const row = this.order[place];
+    if (row !== undefined) this.selection.select(row);
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (event.target !== this.region || event.ctrlKey || event.metaKey || event.altKey) return;
+    const page = Math.max(1, Math.floor(this.region.clientHeight / row_height) - 3);
+    const steps: Record<string, number> = {ArrowUp: -1, ArrowDown: 1, PageUp: -page, PageDown: page, Home: -Infinity, End: Infinity};
+    if (event.key in steps) this.move_to(this.active + steps[event.key]);
+    else if (event.key === 'Enter') this.choose(this.active);
+    else if (event.key === 'Escape') this.selection.select(-1);
+    else return;
+    event.preventDefault();
+  }
+
+  private csv(): string {
+    const {cells} = this;
+    const heads = ['cell', ...cells.columns.map(({name}, c) => csv_cell(name + (cells.unit(c) ? ` [${cells.unit(c)}]` : '')))];
+    const rows = this.order.map((row) => [String(cells.number_of(row)),
+                                          ...cells.columns.map((_, c) => csv_cell(String(cells.shown(row, c) ?? '')))]);
+    return [heads, ...rows].map((line) => `${line.join(',')}\r\n`).join('');
+  }
+}
