@@ -1,8 +1,8 @@
 // umbrameter_technique_table [--pictures DIR] [SCENE...]: every shadow technique on scenes that show failures, as the
 // page docs/techniques/table.md. All settings but those in a row's name are the defaults. The time is that of map,
 // filter and look-up together, in processor time of all threads, over that of the nearest tap in the same turn.
-// --pictures writes the errors of each scene's techniques as techniques-SCENE.png, so that the numbers can be checked
-// by eye.
+// --pictures writes the errors of each scene's techniques as techniques-SCENE.png and links them, so that the numbers can be
+// checked by eye: umbrameter_technique_table --pictures docs/images > docs/techniques/table.md.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -145,6 +145,10 @@ Experiment with_best_bias(Stages& stages, Experiment experiment, double& bias) {
 void print_scene(const std::string& scene, const std::filesystem::path& pictures) {
   Stages stages(load_scene(scene), {}, Console{});
   fmt::print("\n## `{}`, light `{}`\n\n", scene, stages.title(0));
+  if (!pictures.empty()) {
+    fmt::print("![Every technique on {}: errors over the reference's shadow](../images/techniques-{}.png)\n\n", scene,
+               scene);
+  }
   fmt::print(
       "| technique | bias | error | RMSE | too dark away | too dark at edges | too bright at edges | too bright away | "
       "acne | "

@@ -15,8 +15,8 @@ check-jsonschema --schemafile /usr/local/share/umbrameter/summary.schema.json ou
 - Pixels are counted from the top left.
 - *always* means that the key is present in every object of that kind.
 
-`umbrameter compare … --json` prints the same text. The file has no times and no paths but those of the command line,
-so that equal runs give equal bytes.
+`umbrameter compare … --json` prints the same text. The file has no times and no paths, so that equal runs give
+equal bytes.
 """
 
 
