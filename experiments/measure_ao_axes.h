@@ -23,7 +23,7 @@ struct AoCells {
 };
 
 /// Whether one pass measures every bias, intensity and power: the technique's samples flip at the bias, and no blur
-/// follows it.
+/// or upsampling follows it.
 bool is_ao_one_pass(const AoParams& params);
 
 /// The error at every combination; powers vary fastest, then intensities, then numbers of samples. The experiment must

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "raster/gbuffer/gbuffer_pass.h"
 #include "scenes/view.h"
+#include "techniques/ao/resolution.h"
 
 namespace umbrameter {
 
@@ -13,6 +15,16 @@ struct AoInputs {
   const gl::Texture& linear_depth;  ///< R32F: depth along the camera's axis, infinite on background
   const View& view;
   std::uint32_t seed = 1;
+  AoResolution resolution = AoResolution::full;
 };
+
+/// Of the image that technique and blur compute, pixels.
+ivec2 ao_image_size(const AoInputs& inputs);
+
+/// R32F, of that size.
+gl::Texture make_ao_image(const char* label, const AoInputs& inputs);
+
+/// For shaders that include ao_resolution.glsl.
+std::string resolution_defines(AoResolution resolution);
 
 }  // namespace umbrameter

@@ -5,6 +5,7 @@
 
 #include "raster/ao/blur_pass.h"
 #include "raster/ao/technique_passes.h"
+#include "raster/ao/upsample_pass.h"
 #include "raster/gl/pass.h"
 #include "raster/texture_image.h"
 
@@ -28,10 +29,12 @@ Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, cons
                      std::uint32_t seed) {
   assert(params.sampling.radius.unit == LengthUnit::metres && params.bias.depth.unit == LengthUnit::metres);
   const gl::Texture depth = linear_depth_of(context, gbuffer);
-  const AoInputs inputs{gbuffer, depth, view, seed};
+  const AoInputs inputs{gbuffer, depth, view, seed, params.resolution.kind};
   gl::Texture ao =
       std::visit([&](const auto& technique) { return draw(context, inputs, technique); }, make_technique(params));
-  Image<float> image = read_image<float>(blur(context, gbuffer, std::move(ao), params), gl::Format::r32f);
+  ao = blur(context, inputs, std::move(ao), params);
+  if (params.resolution.kind == AoResolution::half) ao = upsample(context, inputs, ao, params);
+  Image<float> image = read_image<float>(ao, gl::Format::r32f);
   // GTAO's estimate exceeds 1 in some pixels, and only its mean over the noise does not.
   for (float& pixel : image.pixels) pixel = with_tone(std::min(pixel, 1.0f), params.tone);
   return image;

@@ -12,8 +12,8 @@
 
 namespace umbrameter {
 
-/// Accessibility by the selected technique, 1 open and on background, after its blur and tone. Lengths of the params
-/// are in metres: in_metres().
+/// Accessibility by the selected technique, 1 open and on background, after its blur, upsampling and tone. Lengths of
+/// the params are in metres: in_metres().
 Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,
                      std::uint32_t seed);
 

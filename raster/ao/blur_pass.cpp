@@ -6,15 +6,16 @@ namespace umbrameter {
 
 namespace {
 
-gl::Texture blur_along(const gl::Context& context, const GpuGBuffer& gbuffer, const gl::Texture& source,
+gl::Texture blur_along(const gl::Context& context, const AoInputs& inputs, const gl::Texture& source,
                        const AoParams& ao, const ivec2& axis) {
   const AoBlurParams& params = ao.blur;
   const AoBlurTaps taps = taps_of(params);
   const bool is_box = params.kind == AoBlur::box;
   const bool is_bilateral = params.kind == AoBlur::bilateral;
-  gl::Texture blurred = gl::make_texture("ao blurred", gl::Format::r32f, gbuffer.width, gbuffer.height);
-  gl::Pass pass(context, {{is_box ? "box_blur.comp" : "weighted_blur.comp"}, {}});
-  bind(pass, gbuffer)
+  gl::Texture blurred = make_ao_image("ao blurred", inputs);
+  gl::Pass pass(context, {{is_box ? "box_blur.comp" : "weighted_blur.comp"}, resolution_defines(inputs.resolution)});
+  const ivec2 size = ao_image_size(inputs);
+  bind(pass, inputs.gbuffer)
       .texture("source", source)
       .image("blurred", blurred, gl::Format::r32f)
       .value("axis", axis.x, axis.y)
@@ -25,18 +26,18 @@ gl::Texture blur_along(const gl::Context& context, const GpuGBuffer& gbuffer, co
       .value("plane_distance",
              is_bilateral ? static_cast<float>(params.plane_distance * ao.sampling.radius.number) : 0.0f)
       .value("normal_exponent", is_bilateral ? static_cast<float>(params.normal_exponent) : 0.0f)
-      .dispatch(gbuffer.width, gbuffer.height);
+      .dispatch(size.x, size.y);
   return blurred;
 }
 
 }  // namespace
 
-gl::Texture blur(const gl::Context& context, const GpuGBuffer& gbuffer, gl::Texture ao, const AoParams& params) {
+gl::Texture blur(const gl::Context& context, const AoInputs& inputs, gl::Texture ao, const AoParams& params) {
   if (taps_of(params.blur).count == 1) return ao;
   for (int i = 0; i < params.blur.passes; ++i) {
-    ao = blur_along(context, gbuffer, ao, params, {1, 0});
+    ao = blur_along(context, inputs, ao, params, {1, 0});
     // Textures have the bottom row first: down is −y.
-    ao = blur_along(context, gbuffer, ao, params, {0, -1});
+    ao = blur_along(context, inputs, ao, params, {0, -1});
   }
   return ao;
 }

@@ -1,13 +1,13 @@
 // The blur of ambient occlusion.
 #pragma once
 
-#include "raster/gbuffer/gbuffer_pass.h"
+#include "raster/ao/ao_inputs.h"
 #include "raster/gl/context.h"
 #include "techniques/ao/technique.h"
 
 namespace umbrameter {
 
 /// All passes along both axes; background stays 1.
-gl::Texture blur(const gl::Context& context, const GpuGBuffer& gbuffer, gl::Texture ao, const AoParams& params);
+gl::Texture blur(const gl::Context& context, const AoInputs& inputs, gl::Texture ao, const AoParams& params);
 
 }  // namespace umbrameter

@@ -16,18 +16,18 @@ struct alignas(16) SettingsBlock {
 
 template <class Technique>
 gl::Texture run(const gl::Context& context, const AoInputs& inputs, const char* shader, const Technique& technique) {
-  const GpuGBuffer& gbuffer = inputs.gbuffer;
   const std::vector<vec4> noise = stratified_tile(technique.noise, inputs.seed);
-  gl::Texture ao = gl::make_texture("ao", gl::Format::r32f, gbuffer.width, gbuffer.height);
-  gl::Pass pass(context, {{shader}, {}});
-  bind(pass, gbuffer)
+  gl::Texture ao = make_ao_image("ao", inputs);
+  const ivec2 size = ao_image_size(inputs);
+  gl::Pass pass(context, {{shader}, resolution_defines(inputs.resolution)});
+  bind(pass, inputs.gbuffer)
       .texture("linear_depth", inputs.linear_depth)
       .block("View", make_view_block(inputs.view))
       .block("Settings", SettingsBlock<decltype(settings_of(technique))>{settings_of(technique)})
       .buffer("Noise", gl::make_buffer("ao noise", std::span<const vec4>(noise)))
       .value("noise_size", technique.noise.size)
       .image("ao_image", ao, gl::Format::r32f)
-      .dispatch(gbuffer.width, gbuffer.height);
+      .dispatch(size.x, size.y);
   return ao;
 }
 

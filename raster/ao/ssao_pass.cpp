@@ -22,7 +22,7 @@ gl::Pass ssao_pass(const gl::Context& context, const AoInputs& inputs, const Ssa
   std::ranges::copy(hemisphere_kernel(ssao.kernel, ssao.sampling.samples, inputs.seed), kernel.begin());
   const std::vector<vec4> rotations = rotation_tile(ssao.noise, inputs.seed);
   SsaoParams params = ssao.params;
-  gl::Pass pass(context, {{shader}, shader_defines(describe(params))});
+  gl::Pass pass(context, {{shader}, shader_defines(describe(params)) + resolution_defines(inputs.resolution)});
   bind(pass, inputs.gbuffer)
       .texture("linear_depth", inputs.linear_depth)
       .block("View", make_view_block(inputs.view))
@@ -37,13 +37,13 @@ gl::Pass ssao_pass(const gl::Context& context, const AoInputs& inputs, const Ssa
 }  // namespace
 
 gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Ssao& ssao) {
-  const GpuGBuffer& gbuffer = inputs.gbuffer;
-  gl::Texture ao = gl::make_texture("ao", gl::Format::r32f, gbuffer.width, gbuffer.height);
+  gl::Texture ao = make_ao_image("ao", inputs);
+  const ivec2 size = ao_image_size(inputs);
   ssao_pass(context, inputs, ssao, "ssao.comp")
       .value("bias", static_cast<float>(ssao.bias.depth.number))
       .value("share", share_of_sample(ssao.sampling.samples))
       .image("ao_image", ao, gl::Format::r32f)
-      .dispatch(gbuffer.width, gbuffer.height);
+      .dispatch(size.x, size.y);
   return ao;
 }
 

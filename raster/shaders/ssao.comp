@@ -7,9 +7,9 @@ uniform float share;  // of one sample; a product rounds alike on every device, 
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(pixel, size))) return;
+  if (any(greaterThanEqual(pixel, ao_image_size(size)))) return;
   precise float ao = 1.0;
-  if (texelFetch(ids, pixel, 0).r != NO_ID) {
+  if (texelFetch(ids, surfel_pixel(pixel, size), 0).r != NO_ID) {
     SsaoSurfel surfel = ssao_surfel(pixel);
     precise float occlusion = 0.0;
     for (int i = 0; i < samples; ++i) {

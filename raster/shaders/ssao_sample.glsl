@@ -2,6 +2,7 @@
 // in metres. Two differences from the source: the hemisphere is oriented by the geometric normal, as in the reference,
 // and the background does not occlude.
 #include "view.glsl"
+#include "ao_resolution.glsl"
 uniform usampler2D ids;
 uniform sampler2D position_depth;
 uniform sampler2D linear_depth;
@@ -23,12 +24,14 @@ struct SsaoSurfel {
   mat3 view_from_tangent;
 };
 
+// Of a pixel of the AO image.
 SsaoSurfel ssao_surfel(ivec2 pixel) {
+  ivec2 at = surfel_pixel(pixel, size);
   SsaoSurfel surfel;
-  surfel.position = vec3(view_from_world * dvec4(dvec3(texelFetch(position_depth, pixel, 0).xyz), 1.0lf));
-  vec3 normal = normalize(vec3(dmat3(view_from_world) * dvec3(texelFetch(geometric_normal, pixel, 0).xyz)));
+  surfel.position = vec3(view_from_world * dvec4(dvec3(texelFetch(position_depth, at, 0).xyz), 1.0lf));
+  vec3 normal = normalize(vec3(dmat3(view_from_world) * dvec3(texelFetch(geometric_normal, at, 0).xyz)));
   // The noise is tiled from the top left corner of the image; row 0 of the texture is the bottom row.
-  ivec2 tile = ivec2(pixel.x, size.y - 1 - pixel.y) % noise_size;
+  ivec2 tile = ivec2(pixel.x, ao_image_size(size).y - 1 - pixel.y) % noise_size;
   vec3 rotation = rotations[tile.y * noise_size + tile.x].xyz;
   vec3 across = rotation - normal * dot(rotation, normal);
   vec3 tangent = dot(across, across) > 1e-12 ? normalize(across) : any_tangent(normal);

@@ -134,6 +134,7 @@ AoParams with_many_samples(AoParams params) {
   // Without a common factor with the number of samples; about as many turns as samples in one turn.
   params.alchemy.turns = 37;
   params.blur.kind = AoBlur::none;
+  params.resolution.kind = AoResolution::full;
   return params;
 }
 

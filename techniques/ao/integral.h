@@ -45,7 +45,7 @@ std::optional<AoIntegral> integral_of(const Bitmask& technique);
 /// Nothing for a technique that has no integral of its own here. Lengths are in metres: in_metres().
 std::optional<AoIntegral> integral_of(const AoTechnique& technique);
 
-/// The technique with as many samples as it takes, and without a blur: what it converges to.
+/// The technique with as many samples as it takes, at full resolution and without a blur: what it converges to.
 AoParams with_many_samples(AoParams params);
 
 }  // namespace umbrameter

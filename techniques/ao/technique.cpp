@@ -14,7 +14,8 @@ Parameters describe(AoParams& params) {
   return concatenate({describe(params.sampling), describe(params.bias), describe(params.noise), technique,
                       describe(params.ssao), describe(params.kernel), describe(params.slices), describe(params.gtao),
                       describe(params.hbao), describe(params.alchemy), describe(params.bitmask),
-                      describe(params.marched), describe(params.blur), describe(params.tone)});
+                      describe(params.marched), describe(params.blur), describe(params.resolution),
+                      describe(params.tone)});
 }
 
 AoParams in_metres(AoParams params, double scene_size) {

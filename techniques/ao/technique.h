@@ -20,6 +20,7 @@
 #include "techniques/ao/marched.h"
 #include "techniques/ao/noise.h"
 #include "techniques/ao/parameters.h"
+#include "techniques/ao/resolution.h"
 #include "techniques/ao/ssao.h"
 #include "techniques/ao/tone.h"
 
@@ -43,6 +44,7 @@ struct AoParams {
   BitmaskParams bitmask;
   MarchedParams marched;
   AoBlurParams blur;
+  AoResolutionParams resolution;
   AoToneParams tone;
 };
 Parameters describe(AoParams& params);

@@ -35,6 +35,7 @@ TEST(RasterParameters, Every_field_is_described) {
   expect_all(MarchedParams{});
   expect_all(AoKernelParams{});
   expect_all(AoBlurParams{});
+  expect_all(AoResolutionParams{});
   expect_all(AoToneParams{});
   // All parts, plus one field: the choice of technique.
   ShadowParams shadow;
@@ -48,7 +49,8 @@ TEST(RasterParameters, Every_field_is_described) {
                                      1 + describe(ao.ssao).size() + describe(ao.slices).size() +
                                      describe(ao.gtao).size() + describe(ao.hbao).size() + describe(ao.alchemy).size() +
                                      describe(ao.kernel).size() + describe(ao.bitmask).size() +
-                                     describe(ao.marched).size() + describe(ao.blur).size() + describe(ao.tone).size());
+                                     describe(ao.marched).size() + describe(ao.blur).size() +
+                                     describe(ao.resolution).size() + describe(ao.tone).size());
 }
 
 TEST(RasterParameters, Every_default_keeps_to_its_own_limits) {
