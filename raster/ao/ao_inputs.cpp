@@ -11,6 +11,12 @@ gl::Texture make_ao_image(const char* label, const AoInputs& inputs) {
   return gl::make_texture(label, gl::Format::r32f, size.x, size.y);
 }
 
+gl::Pass& bind(gl::Pass& pass, const AoInputs& inputs) {
+  return bind(pass, inputs.gbuffer)
+      .texture("geometric_normal", inputs.normals)
+      .texture("linear_depth", inputs.linear_depth);
+}
+
 std::string resolution_defines(AoResolution resolution) {
   AoResolutionParams params{resolution};
   return shader_defines({require(describe(params), "ao.resolution")});

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 
 #include "raster/ao/blur_pass.h"
+#include "raster/ao/normals_pass.h"
 #include "raster/ao/technique_passes.h"
 #include "raster/ao/upsample_pass.h"
 #include "raster/gl/pass.h"
@@ -23,13 +25,32 @@ gl::Texture linear_depth_of(const gl::Context& context, const GpuGBuffer& gbuffe
   return depth;
 }
 
+// What the techniques read besides the G-buffer.
+struct AoTextures {
+  gl::Texture linear_depth;
+  std::optional<gl::Texture> normals;  // if they are not those of the G-buffer
+};
+
+AoTextures prepare(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params) {
+  AoTextures textures{linear_depth_of(context, gbuffer), {}};
+  if (params.inputs.normals != AoNormals::exact) {
+    textures.normals = draw_normals(context, gbuffer, textures.linear_depth, view, params.inputs);
+  }
+  return textures;
+}
+
+AoInputs inputs_of(const GpuGBuffer& gbuffer, const AoTextures& textures, const View& view, std::uint32_t seed) {
+  return {gbuffer, textures.normals ? *textures.normals : gbuffer.geometric_normal, textures.linear_depth, view, seed};
+}
+
 }  // namespace
 
 Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,
                      std::uint32_t seed) {
   assert(params.sampling.radius.unit == LengthUnit::metres && params.bias.depth.unit == LengthUnit::metres);
-  const gl::Texture depth = linear_depth_of(context, gbuffer);
-  const AoInputs inputs{gbuffer, depth, view, seed, params.resolution.kind};
+  const AoTextures textures = prepare(context, gbuffer, view, params);
+  AoInputs inputs = inputs_of(gbuffer, textures, view, seed);
+  inputs.resolution = params.resolution.kind;
   gl::Texture ao =
       std::visit([&](const auto& technique) { return draw(context, inputs, technique); }, make_technique(params));
   ao = blur(context, inputs, std::move(ao), params);
@@ -42,8 +63,9 @@ Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, cons
 
 void draw_ao_response(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,
                       std::uint32_t seed, const AoAxes& axes, const AoResponseSink& sink) {
-  const gl::Texture depth = linear_depth_of(context, gbuffer);
-  list_occluding_samples(context, {gbuffer, depth, view, seed}, std::get<Ssao>(make_technique(params)), axes, sink);
+  const AoTextures textures = prepare(context, gbuffer, view, params);
+  list_occluding_samples(context, inputs_of(gbuffer, textures, view, seed), std::get<Ssao>(make_technique(params)),
+                         axes, sink);
 }
 
 }  // namespace umbrameter

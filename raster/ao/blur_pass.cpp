@@ -15,7 +15,7 @@ gl::Texture blur_along(const gl::Context& context, const AoInputs& inputs, const
   gl::Texture blurred = make_ao_image("ao blurred", inputs);
   gl::Pass pass(context, {{is_box ? "box_blur.comp" : "weighted_blur.comp"}, resolution_defines(inputs.resolution)});
   const ivec2 size = ao_image_size(inputs);
-  bind(pass, inputs.gbuffer)
+  bind(pass, inputs)
       .texture("source", source)
       .image("blurred", blurred, gl::Format::r32f)
       .value("axis", axis.x, axis.y)

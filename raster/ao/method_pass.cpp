@@ -20,8 +20,7 @@ gl::Texture run(const gl::Context& context, const AoInputs& inputs, const char* 
   gl::Texture ao = make_ao_image("ao", inputs);
   const ivec2 size = ao_image_size(inputs);
   gl::Pass pass(context, {{shader}, resolution_defines(inputs.resolution)});
-  bind(pass, inputs.gbuffer)
-      .texture("linear_depth", inputs.linear_depth)
+  bind(pass, inputs)
       .block("View", make_view_block(inputs.view))
       .block("Settings", SettingsBlock<decltype(settings_of(technique))>{settings_of(technique)})
       .buffer("Noise", gl::make_buffer("ao noise", std::span<const vec4>(noise)))

@@ -23,8 +23,7 @@ gl::Pass ssao_pass(const gl::Context& context, const AoInputs& inputs, const Ssa
   const std::vector<vec4> rotations = rotation_tile(ssao.noise, inputs.seed);
   SsaoParams params = ssao.params;
   gl::Pass pass(context, {{shader}, shader_defines(describe(params)) + resolution_defines(inputs.resolution)});
-  bind(pass, inputs.gbuffer)
-      .texture("linear_depth", inputs.linear_depth)
+  bind(pass, inputs)
       .block("View", make_view_block(inputs.view))
       .block("Kernel", kernel)
       .buffer("Rotations", gl::make_buffer("ao rotations", std::span<const vec4>(rotations)))

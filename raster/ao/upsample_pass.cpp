@@ -9,7 +9,7 @@ gl::Texture upsample(const gl::Context& context, const AoInputs& inputs, const g
   const GpuGBuffer& gbuffer = inputs.gbuffer;
   gl::Texture upsampled = gl::make_texture("ao upsampled", gl::Format::r32f, gbuffer.width, gbuffer.height);
   gl::Pass pass(context, {{"upsample.comp"}, resolution_defines(inputs.resolution)});
-  bind(pass, gbuffer)
+  bind(pass, inputs)
       .texture("source", ao)
       .image("upsampled", upsampled, gl::Format::r32f)
       .value("plane_distance", static_cast<float>(params.resolution.plane_distance * params.sampling.radius.number))

@@ -11,9 +11,9 @@ Parameters describe(AoParams& params) {
       Description("ao")
           .choice("technique", params.technique, names, {.unit = {}, .meaning = "AO technique", .basic = true})
           .take();
-  return concatenate({describe(params.sampling), describe(params.bias), describe(params.noise), technique,
-                      describe(params.ssao), describe(params.kernel), describe(params.slices), describe(params.gtao),
-                      describe(params.hbao), describe(params.alchemy), describe(params.bitmask),
+  return concatenate({describe(params.sampling), describe(params.bias), describe(params.noise), describe(params.inputs),
+                      technique, describe(params.ssao), describe(params.kernel), describe(params.slices),
+                      describe(params.gtao), describe(params.hbao), describe(params.alchemy), describe(params.bitmask),
                       describe(params.marched), describe(params.blur), describe(params.resolution),
                       describe(params.tone)});
 }

@@ -16,6 +16,7 @@
 #include "techniques/ao/crytek.h"
 #include "techniques/ao/gtao.h"
 #include "techniques/ao/hbao.h"
+#include "techniques/ao/inputs.h"
 #include "techniques/ao/kernel.h"
 #include "techniques/ao/marched.h"
 #include "techniques/ao/noise.h"
@@ -34,6 +35,7 @@ struct AoParams {
   AoSamplingParams sampling;
   AoBiasParams bias;
   AoNoiseParams noise;
+  AoInputParams inputs;
   AoTechniqueName technique = AoTechniqueName::ssao;
   SsaoParams ssao;
   AoKernelParams kernel;

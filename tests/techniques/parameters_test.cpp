@@ -34,6 +34,7 @@ TEST(RasterParameters, Every_field_is_described) {
   expect_all(BitmaskParams{});
   expect_all(MarchedParams{});
   expect_all(AoKernelParams{});
+  expect_all(AoInputParams{});
   expect_all(AoBlurParams{});
   expect_all(AoResolutionParams{});
   expect_all(AoToneParams{});
@@ -45,12 +46,12 @@ TEST(RasterParameters, Every_field_is_described) {
                                          describe(shadow.esm).size() + describe(shadow.moment_map).size() +
                                          describe(shadow.moment_lookup).size() + describe(shadow.screen_space).size());
   AoParams ao;
-  EXPECT_EQ(describe(ao).size(), describe(ao.sampling).size() + describe(ao.bias).size() + describe(ao.noise).size() +
-                                     1 + describe(ao.ssao).size() + describe(ao.slices).size() +
-                                     describe(ao.gtao).size() + describe(ao.hbao).size() + describe(ao.alchemy).size() +
-                                     describe(ao.kernel).size() + describe(ao.bitmask).size() +
-                                     describe(ao.marched).size() + describe(ao.blur).size() +
-                                     describe(ao.resolution).size() + describe(ao.tone).size());
+  EXPECT_EQ(describe(ao).size(),
+            describe(ao.sampling).size() + describe(ao.bias).size() + describe(ao.noise).size() + 1 +
+                describe(ao.inputs).size() + describe(ao.ssao).size() + describe(ao.slices).size() +
+                describe(ao.gtao).size() + describe(ao.hbao).size() + describe(ao.alchemy).size() +
+                describe(ao.kernel).size() + describe(ao.bitmask).size() + describe(ao.marched).size() +
+                describe(ao.blur).size() + describe(ao.resolution).size() + describe(ao.tone).size());
 }
 
 TEST(RasterParameters, Every_default_keeps_to_its_own_limits) {
