@@ -20,9 +20,10 @@ std::string ao_technique_text(const AoParams& params) {
   const bool has_bias = find(describe(technique), "ao.bias") != nullptr;
   AoBlurParams blur = params.blur;
   const std::string kind = to_string(require(describe(blur), "ao.blur").value());
-  return fmt::format("{} samples, radius {}{}{}.", params.sampling.samples, metres_text(params.sampling.radius.number),
-                     has_bias ? fmt::format(", bias {}", metres_text(params.bias.depth.number)) : "",
-                     params.blur.kind == AoBlur::none ? "" : fmt::format(", {0}×{0} {1} blur", params.blur.size, kind));
+  return fmt::format(
+      "{} samples, radius {}{}{}.", params.sampling.samples, metres_text(params.sampling.radius.number),
+      has_bias ? fmt::format(", bias {}", metres_text(params.bias.depth.number)) : "",
+      params.blur.kind == AoBlur::none ? "" : fmt::format(", {0}×{0} {1} blur", taps_of(params.blur).count, kind));
 }
 
 template <class Figure>

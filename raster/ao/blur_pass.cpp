@@ -30,11 +30,27 @@ gl::Texture blur_along(const gl::Context& context, const AoInputs& inputs, const
   return blurred;
 }
 
+gl::Texture denoise(const gl::Context& context, const AoInputs& inputs, const gl::Texture& source, bool is_last) {
+  gl::Texture denoised = make_ao_image("ao denoised", inputs);
+  const ivec2 size = ao_image_size(inputs);
+  gl::Pass pass(context, {{"xegtao_denoise.comp"}, resolution_defines(inputs.resolution)});
+  bind(pass, inputs)
+      .texture("source", source)
+      .image("blurred", denoised, gl::Format::r32f)
+      .value("center_weight", static_cast<float>(is_last ? denoiser_center_weight : denoiser_center_weight / 5.0))
+      .dispatch(size.x, size.y);
+  return denoised;
+}
+
 }  // namespace
 
 gl::Texture blur(const gl::Context& context, const AoInputs& inputs, gl::Texture ao, const AoParams& params) {
   if (taps_of(params.blur).count == 1) return ao;
   for (int i = 0; i < params.blur.passes; ++i) {
+    if (params.blur.kind == AoBlur::xegtao) {
+      ao = denoise(context, inputs, ao, i + 1 == params.blur.passes);
+      continue;
+    }
     ao = blur_along(context, inputs, ao, params, {1, 0});
     // Textures have the bottom row first: down is −y.
     ao = blur_along(context, inputs, ao, params, {0, -1});

@@ -6,10 +6,12 @@
 namespace umbrameter {
 
 Parameters describe(AoBlurParams& params) {
-  static constexpr std::array<std::string_view, 4> names{"none", "box", "gaussian", "bilateral"};
+  static constexpr std::array<std::string_view, 5> names{"none", "box", "gaussian", "bilateral", "xegtao"};
   return Description("ao")
-      .choice("blur", params.kind, names, {.unit = {}, .meaning = "blur; bilateral keeps edges", .basic = true})
-      .field("blur-size", params.size, {.unit = "px", .meaning = "width of the blur", .min = 1, .max = 32})
+      .choice("blur", params.kind, names,
+              {.unit = {}, .meaning = "blur; bilateral and xegtao keep edges", .basic = true})
+      .field("blur-size", params.size,
+             {.unit = "px", .meaning = "width of the blur; of xegtao: 3", .min = 1, .max = 32})
       .field("blur-passes", params.passes, {.unit = "1", .meaning = "passes of the blur", .min = 1, .max = 16})
       .field("blur-plane-distance", params.plane_distance,
              {.unit = "ao.radius",
@@ -22,6 +24,7 @@ Parameters describe(AoBlurParams& params) {
 
 AoBlurTaps taps_of(const AoBlurParams& params) {
   if (params.kind == AoBlur::none) return {};
+  if (params.kind == AoBlur::xegtao) return {-1, 3};
   const int before = params.size / 2;
   if (params.kind == AoBlur::box) return {-before, params.size};
   return {-before, 2 * before + 1};

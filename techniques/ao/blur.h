@@ -5,7 +5,7 @@
 
 namespace umbrameter {
 
-enum class AoBlur : int { none, box, gaussian, bilateral };
+enum class AoBlur : int { none, box, gaussian, bilateral, xegtao };
 
 struct AoBlurParams {
   AoBlur kind = AoBlur::box;
@@ -22,10 +22,15 @@ struct AoBlurTaps {
   int first = 0;
   int count = 1;
 };
-/// An even number of taps of a box extends one pixel further to the left and up. A Gaussian is symmetric.
+/// An even number of taps of a box extends one pixel further to the left and up. A Gaussian is symmetric. The denoiser
+/// of XeGTAO has 3 taps, whatever the size.
 AoBlurTaps taps_of(const AoBlurParams& params);
 
 /// Standard deviation of the Gaussian of a blur of this size, pixels: it is cut at twice that.
 double deviation_of(const AoBlurParams& params);
+
+/// Of a pixel itself in the last pass of the denoiser of XeGTAO, whose neighbours beside it weigh at most 1; earlier
+/// passes divide it by 5.
+inline constexpr double denoiser_center_weight = 1.2;
 
 }  // namespace umbrameter
