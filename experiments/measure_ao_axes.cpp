@@ -32,7 +32,11 @@ std::vector<AoStatistics> measure_ao_axes(Stages& stages, const Experiment& expe
   assert(is_ao_one_pass(experiment.ao));
   assert(axes.samples.size() == 1 || capabilities_of(make_technique(experiment.ao)).samples_are_prefix);
   for (const double intensity : cells.intensities) {
-    for (const double power : cells.powers) axes.tones.push_back({intensity, power});
+    for (const double power : cells.powers) {
+      AoToneParams& tone = axes.tones.emplace_back(experiment.ao.tone);
+      tone.intensity = intensity;
+      tone.power = power;
+    }
   }
   const TracedAo& truth = stages.ao_truth(experiment);
   AoResponse response({truth.ao, truth.variance, truth.samples, truth.degrees_of_freedom},

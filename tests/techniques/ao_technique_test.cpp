@@ -111,6 +111,24 @@ TEST(AoTone, Intensity_comes_before_power_and_ones_change_no_bit) {
   EXPECT_EQ(with_tone(0.3f, {2.0, 0.5}), 0.0f);
 }
 
+TEST(AoTone, Further_bounces_brighten_all_but_black_surfaces_and_come_before_the_intensity) {
+  for (const float ao : {0.0f, 0.1f, 0.5f, 0.9f, 1.0f}) {
+    // A black surface reflects nothing; the fit is within its rounding of that.
+    EXPECT_NEAR(with_bounces(ao, 0.0), ao, 1e-5f);
+    float before = ao;
+    for (const double albedo : {0.1, 0.5, 0.9, 1.0}) {
+      const float bright = with_bounces(ao, albedo);
+      EXPECT_GE(bright, before) << albedo;
+      EXPECT_LE(bright, 1.0f);
+      before = bright;
+    }
+  }
+  // By hand: albedo 0.5 gives a = 0.6878, b = −1.75585, c = 2.0679; at 0.5: ((0.3439 − 1.75585)·0.5 + 2.0679)·0.5.
+  EXPECT_NEAR(with_bounces(0.5f, 0.5), 0.6809625f, 1e-6f);
+  EXPECT_EQ(with_bounces(0.0f, 0.9), 0.0f);
+  EXPECT_NEAR(with_tone(0.5f, {2.0, 1.0, true, 0.5}), 1.0f - 2.0f * (1.0f - 0.6809625f), 1e-6f);
+}
+
 TEST(AoTechnique, Lengths_become_metres_of_the_scenes_size) {
   AoParams params;  // 2 % and 0.1 %
   params = in_metres(params, 50.0);
