@@ -344,7 +344,7 @@ ExitCode run_tune_command(const CommandLine& line, const Console& console) {
   } else {
     folder.require_free(figure_files(part));
     folder.announce(figure_files(part));
-    problems = write_figures(folder.path() / "figures", {}, part.plots).problems;
+    problems = write_figures(folder.path() / "figures", {{}, part.plots}).problems;
   }
   Report report;
   report.title = fmt::format("{}{}: tuning", scene_title(job.experiments.front()),

@@ -5,14 +5,12 @@
 #include <cmath>
 
 #include "compare/metrics/color_space.h"
+#include "experiments/presentation/image_scales.h"
 #include "experiments/presentation/presentation.h"
 #include "experiments/presentation/presentation_parts.h"
 
 namespace umbrameter {
 namespace {
-
-const ColorScale image_error_scale{ColorMap::error, -0.25, 0.25,
-                                   "technique − reference [luminance, 1 is white]: below 0 is too dark"};
 
 ImageFigure picture_figure(const char* stem, const char* title, std::string caption, const Image<vec3>& image,
                            const Experiment& experiment) {
@@ -93,8 +91,11 @@ std::string exposure_warning(const ImageMeasurement& image) {
 std::vector<CategoryColor> image_cause_colors() {
   constexpr std::array<glm::u8vec3, image_cause_count> inks = {
       {{213, 94, 0}, {0, 114, 178}, {204, 121, 167}, {86, 180, 233}}};
+  constexpr std::array<Hatch, image_cause_count> hatches = {Hatch::none, Hatch::horizontal, Hatch::rising, Hatch::dots};
   std::vector<CategoryColor> colors;
-  for (std::size_t c = 0; c < image_cause_count; ++c) colors.push_back({std::string(image_cause_names[c]), inks[c]});
+  for (std::size_t c = 0; c < image_cause_count; ++c) {
+    colors.push_back({std::string(image_cause_names[c]), inks[c], hatches[c]});
+  }
   colors.push_back({"no visible error, or background", {240, 240, 240}});
   return colors;
 }

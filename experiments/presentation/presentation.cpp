@@ -6,14 +6,12 @@
 #include <cmath>
 
 #include "experiments/layers.h"
+#include "experiments/presentation/image_scales.h"
 #include "experiments/presentation/presentation_parts.h"
 #include "experiments/presentation/scene_report.h"
 
 namespace umbrameter {
 namespace {
-
-const ColorScale ao_scale{ColorMap::visibility, 0.0, 1.0, "accessibility [1]: 1 open"};
-const ColorScale ao_error_scale{ColorMap::error, -0.5, 0.5, "technique − reference [1]: below 0 is too dark"};
 
 std::string ao_technique_text(const AoParams& params) {
   AoTechnique technique = make_technique(params);
@@ -31,6 +29,10 @@ void add_to(ReportSection& section, std::vector<Figure>& figures, Figure figure)
   section.figures.push_back(figure.stem);
   section.figure_titles.push_back(figure.title);
   section.captions.push_back(figure.caption);
+  if constexpr (requires { figure.conditions; }) {
+    std::string& caption = section.captions.back();
+    if (!figure.conditions.empty()) caption += (caption.empty() ? "" : " ") + figure.conditions + ".";
+  }
   figures.push_back(std::move(figure));
 }
 
@@ -115,7 +117,7 @@ Table in_percent(Table table, std::size_t first_column) {
 
 const std::vector<CategoryColor>& class_colors() {
   // The palette of Okabe and Ito without its yellow, which is hard to see on white. Printed in grey, the causes have a
-  // CIE L* of 53, 61, 46 and 70; the other classes are lighter.
+  // CIE L* of 53, 61, 46 and 70; the other classes are lighter. Figures for print are hatched, too.
   static const std::vector<CategoryColor> colors = [] {
     constexpr std::array<glm::u8vec3, 7> inks = {{{240, 240, 240},
                                                   {213, 94, 0},
@@ -124,8 +126,12 @@ const std::vector<CategoryColor>& class_colors() {
                                                   {86, 180, 233},
                                                   {200, 200, 200},
                                                   {255, 255, 255}}};
+    constexpr std::array<Hatch, 7> hatches = {Hatch::none, Hatch::none, Hatch::rising, Hatch::horizontal,
+                                              Hatch::dots, Hatch::none, Hatch::none};
     std::vector<CategoryColor> named;
-    for (std::size_t i = 0; i < inks.size(); ++i) named.push_back({std::string(pixel_class_names[i]), inks[i]});
+    for (std::size_t i = 0; i < inks.size(); ++i) {
+      named.push_back({std::string(pixel_class_names[i]), inks[i], hatches[i]});
+    }
     return named;
   }();
   return colors;

@@ -84,25 +84,22 @@ void print_answer(const Console& console, const RunOutput& output) {
 }
 
 void write_figures_of(const std::filesystem::path& folder, const Console& console, RunOutput& output) {
-  std::vector<ImageFigure> images;
-  std::vector<PlotFigure> plots;
-  std::vector<HeatMapFigure> heat_maps;
-  std::vector<WaterfallFigure> waterfalls;
+  Figures figures;
   for (Presentation& part : output.parts) {
-    std::move(part.images.begin(), part.images.end(), std::back_inserter(images));
-    std::move(part.plots.begin(), part.plots.end(), std::back_inserter(plots));
-    std::move(part.heat_maps.begin(), part.heat_maps.end(), std::back_inserter(heat_maps));
-    std::move(part.waterfalls.begin(), part.waterfalls.end(), std::back_inserter(waterfalls));
+    std::move(part.images.begin(), part.images.end(), std::back_inserter(figures.images));
+    std::move(part.plots.begin(), part.plots.end(), std::back_inserter(figures.plots));
+    std::move(part.heat_maps.begin(), part.heat_maps.end(), std::back_inserter(figures.heat_maps));
+    std::move(part.waterfalls.begin(), part.waterfalls.end(), std::back_inserter(figures.waterfalls));
+  }
+  if (const Measurement* measurement = output.summary.measurement) {
+    const View& view = measurement->surfels.view;
+    output.figure_style.view = {view.width, view.height};
   }
   ProgressBar bar(console, "figures");
   output.summary.problems =
-      write_figures(
-          folder / "figures", images, plots, heat_maps,
-          [&](std::size_t done, std::size_t all) {
-            bar.show(static_cast<double>(done) / static_cast<double>(all), fmt::format("{} of {}", done, all));
-          },
-          waterfalls)
-          .problems;
+      write_figures(folder / "figures", figures, output.figure_style, [&](std::size_t done, std::size_t all) {
+        bar.show(static_cast<double>(done) / static_cast<double>(all), fmt::format("{} of {}", done, all));
+      }).problems;
 }
 
 LayeredImage run_layers(const SummaryInput& summary) {

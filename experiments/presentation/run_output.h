@@ -23,10 +23,11 @@ struct RunOutput {
   SummaryInput summary;
   const ResultsStore* results = nullptr;  ///< of a sweep: sweep.csv is a view of it
   std::vector<std::uint32_t> maps{};      ///< lights whose shadow maps are written
-  bool with_figures = true;               ///< else no figures/ folder, and the page says so
-  bool with_full_images = false;          ///< the page's viewer gets every pixel of large images, too
-  PageCells cells{};                      ///< of a sweep; the first cell is that of summary.measurement
-  std::optional<ReportCells> rows{};      ///< of a sweep: the numbers of its cells
+  FigureStyle figure_style{};
+  bool with_figures = true;           ///< else no figures/ folder, and the page says so
+  bool with_full_images = false;      ///< the page's viewer gets every pixel of large images, too
+  PageCells cells{};                  ///< of a sweep; the first cell is that of summary.measurement
+  std::optional<ReportCells> rows{};  ///< of a sweep: the numbers of its cells
 };
 
 /// The complete experiment file.

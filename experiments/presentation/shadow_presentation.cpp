@@ -3,16 +3,13 @@
 #include <cmath>
 
 #include "compare/bias_units.h"
+#include "experiments/presentation/image_scales.h"
 #include "experiments/presentation/presentation.h"
 #include "experiments/presentation/presentation_parts.h"
 #include "experiments/presentation/scene_report.h"
 
 namespace umbrameter {
 namespace {
-
-// One range for every picture of a kind, so that two runs can be compared.
-const ColorScale visibility_scale{ColorMap::visibility, 0.0, 1.0, "visibility [1]: 0 blocked, 1 lit"};
-const ColorScale visibility_error_scale{ColorMap::error, -1.0, 1.0, "technique − reference [1]: below 0 is too dark"};
 
 ImageFigure class_figure(const std::string& layer, const std::string& title, const ShadowMeasurement& shadow) {
   ImageFigure figure;

@@ -108,7 +108,10 @@ std::string to_png(const Image<glm::u8vec3>& image) {
   return bytes;
 }
 
-Image<glm::u8vec3> from_png(const std::string& bytes) {
+namespace {
+
+template <class Pixel>
+Image<Pixel> read_png(const std::string& bytes, png_uint_32 format) {
   png_image header{};
   header.version = PNG_IMAGE_VERSION;
   const auto fail = [&] {
@@ -117,11 +120,19 @@ Image<glm::u8vec3> from_png(const std::string& bytes) {
     throw Error(ExitCode::partial, "PNG", problem);
   };
   if (png_image_begin_read_from_memory(&header, bytes.data(), bytes.size()) == 0) fail();
-  header.format = PNG_FORMAT_RGB;
-  Image<glm::u8vec3> image(static_cast<int>(header.width), static_cast<int>(header.height));
+  header.format = format;
+  Image<Pixel> image(static_cast<int>(header.width), static_cast<int>(header.height));
   const png_color white{255, 255, 255};
-  if (png_image_finish_read(&header, &white, image.pixels.data(), 3 * image.width, nullptr) == 0) fail();
+  if (png_image_finish_read(&header, &white, image.pixels.data(), 0, nullptr) == 0) fail();
   return image;
+}
+
+}  // namespace
+
+Image<glm::u8vec3> from_png(const std::string& bytes) { return read_png<glm::u8vec3>(bytes, PNG_FORMAT_RGB); }
+
+Image<glm::u8vec4> from_png_with_alpha(const std::string& bytes) {
+  return read_png<glm::u8vec4>(bytes, PNG_FORMAT_RGBA);
 }
 
 void write_png(const std::filesystem::path& path, const Image<glm::u8vec3>& image) {

@@ -9,31 +9,40 @@
 
 namespace umbrameter {
 
-/// An image figure as drawn: everything but the image itself is SVG, the image is pixels.
-struct ImageDrawing {
-  std::string before;         ///< SVG below the image: header, background, title
-  std::string after;          ///< SVG above the image: frame, colour bar or category legend
-  Image<glm::u8vec3> pixels;  ///< the image, enlarged by a whole number where it is small
-  glm::ivec2 corner{0};       ///< of the image's top left pixel in the drawing, px
-
-  /// The drawing without its image.
-  std::string frame() const { return before + after; }
+/// Pixels at their place in a drawing.
+struct PlacedImage {
+  Image<glm::u8vec3> pixels;  ///< enlarged by a whole number where they are small
+  ivec2 corner{0, 0};         ///< of the top left pixel in the drawing [px]
 };
 
-/// Title, the image at its own pixels, colour bar or category legend.
-/// Throws Error (partial) when the figure has no image, an image without pixels, or a category that is not listed.
-ImageDrawing draw(const ImageFigure& figure);
+/// An image figure as drawn: everything but the image and its insets is SVG, these are pixels. One unit is one pixel.
+struct ImageDrawing {
+  std::string before;               ///< SVG below the images: background, title
+  std::string after;                ///< SVG above the images: frames, marks, colour bar or category legend
+  std::vector<PlacedImage> images;  ///< the image, then its insets
+  ivec2 size{0, 0};                 ///< of the drawing [px]
+  double print_width = 0.0;         ///< [mm]; 0: none, a pixel is a pixel
+  std::string font;
 
-/// A self-contained SVG document with the image embedded as PNG.
+  /// All but the images and the background, as SVG.
+  std::string frame() const;
+};
+
+/// The image at its own pixels, its insets, colour bar or category legend, and the title where the style has one.
+/// Throws Error (partial) when the figure has no image, an image without pixels, a category that is not listed, or an
+/// inset too large to be enlarged.
+ImageDrawing draw(const ImageFigure& figure, const FigureStyle& style = {});
+
+/// A self-contained SVG document with the images embedded as PNG.
 std::string to_svg(const ImageDrawing& drawing);
 
-/// The drawing as PNG, one pixel a unit: the image pasted into the frame's PNG, so that each of its pixels keeps its
-/// colour. Throws Error (partial) when `frame_png` is not a PNG that holds the image's place.
+/// The drawing as PNG, one pixel a unit: the images below the frame's PNG, so that each of their pixels keeps its
+/// colour. Throws Error (partial) when `frame_png` is not a PNG that holds the images' places.
 std::string to_png(const ImageDrawing& drawing, const std::string& frame_png);
 
 /// JSON text. Throws Error (partial) when the table lacks a column that the figure names.
-std::string to_plot_specification(const PlotFigure& figure);
-std::string to_plot_specification(const HeatMapFigure& figure);
-std::string to_plot_specification(const WaterfallFigure& figure);
+std::string to_plot_specification(const PlotFigure& figure, const FigureStyle& style = {});
+std::string to_plot_specification(const HeatMapFigure& figure, const FigureStyle& style = {});
+std::string to_plot_specification(const WaterfallFigure& figure, const FigureStyle& style = {});
 
 }  // namespace umbrameter

@@ -22,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* plot_zoom = "2";  // plots have no pixels of their own
+// Plots have no pixels of their own. The converter takes an inch for 96 of its pixels.
+std::string plot_zoom(const FigureStyle& style) { return style.is_print() ? fmt::format("{}", style.dpi / 96.0) : "2"; }
 
 // What became of one figure.
 struct Written {
@@ -66,11 +67,11 @@ bool write_svg_and_pdf(const fs::path& folder, const std::string& stem, const st
   return true;
 }
 
-Written write_image(const fs::path& folder, const ImageFigure& image) {
+Written write_image(const fs::path& folder, const ImageFigure& image, const FigureStyle& style) {
   Written written;
   ImageDrawing drawing;
   try {
-    drawing = draw(image);
+    drawing = draw(image, style);
   } catch (const Error& error) {
     written.drawing_problem = error.what();
     return written;
@@ -90,16 +91,16 @@ Written write_image(const fs::path& folder, const ImageFigure& image) {
   return written;
 }
 
-void write_plot(const fs::path& folder, const std::string& stem, const std::string& svg, Written& written) {
-  if (!write_svg_and_pdf(folder, stem, svg, written)) return;
-  const fs::path png = folder / (stem + ".png");
-  if (const std::optional<std::string> bytes = convert(png, svg, plot_zoom, written)) write_text(png, *bytes);
-}
-
 struct PlotDrawing {
   std::string stem;
   std::string svg;
 };
+
+void write_plot(const fs::path& folder, const PlotDrawing& plot, const std::string& zoom, Written& written) {
+  if (!write_svg_and_pdf(folder, plot.stem, plot.svg, written)) return;
+  const fs::path png = folder / (plot.stem + ".png");
+  if (const std::optional<std::string> bytes = convert(png, plot.svg, zoom.c_str(), written)) write_text(png, *bytes);
+}
 
 struct PlotDrawings {
   std::vector<PlotDrawing> drawings;
@@ -107,14 +108,13 @@ struct PlotDrawings {
 };
 
 // All plots in one run of Node: its start takes longer than a plot.
-PlotDrawings draw_plots(const std::vector<PlotFigure>& plots, const std::vector<HeatMapFigure>& heat_maps,
-                        const std::vector<WaterfallFigure>& waterfalls) {
+PlotDrawings draw_plots(const Figures& figures, const FigureStyle& style) {
   PlotDrawings result;
   std::string specifications;
   std::vector<std::string> stems;
   const auto add = [&](const auto& plot) {
     try {
-      const std::string specification = to_plot_specification(plot);
+      const std::string specification = to_plot_specification(plot, style);
       specifications += stems.empty() ? '[' : ',';
       specifications += specification;
       stems.push_back(plot.stem);
@@ -122,9 +122,9 @@ PlotDrawings draw_plots(const std::vector<PlotFigure>& plots, const std::vector<
       result.problems.emplace_back(error.what());
     }
   };
-  for (const PlotFigure& plot : plots) add(plot);
-  for (const HeatMapFigure& heat_map : heat_maps) add(heat_map);
-  for (const WaterfallFigure& waterfall : waterfalls) add(waterfall);
+  for (const PlotFigure& plot : figures.plots) add(plot);
+  for (const HeatMapFigure& heat_map : figures.heat_maps) add(heat_map);
+  for (const WaterfallFigure& waterfall : figures.waterfalls) add(waterfall);
   if (stems.empty()) return result;
   const fs::path script = data_folder() / "figures.cjs";
   std::error_code error;
@@ -180,13 +180,13 @@ std::vector<std::string> collect_problems(const std::vector<Written>& written, s
 
 }  // namespace
 
-FigureOutcome write_figures(const fs::path& folder, const std::vector<ImageFigure>& images,
-                            const std::vector<PlotFigure>& plots, const std::vector<HeatMapFigure>& heat_maps,
-                            const FigureProgress& progress, const std::vector<WaterfallFigure>& waterfalls) {
+FigureOutcome write_figures(const fs::path& folder, const Figures& figures, const FigureStyle& style,
+                            const FigureProgress& progress) {
+  const std::vector<ImageFigure>& images = figures.images;
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw Error(ExitCode::partial, "cannot make " + folder.string(), error.message());
-  const std::size_t all = images.size() + plots.size() + heat_maps.size() + waterfalls.size();
+  const std::size_t all = images.size() + figures.plots.size() + figures.heat_maps.size() + figures.waterfalls.size();
   std::mutex mutex;
   std::size_t done = 0;
   const auto count_one = [&] {
@@ -194,18 +194,18 @@ FigureOutcome write_figures(const fs::path& folder, const std::vector<ImageFigur
     if (progress) progress(++done, all);
   };
   // Node takes as long to start as several images take to be written.
-  std::future<PlotDrawings> drawn =
-      std::async(std::launch::async, [&] { return draw_plots(plots, heat_maps, waterfalls); });
+  std::future<PlotDrawings> drawn = std::async(std::launch::async, [&] { return draw_plots(figures, style); });
   std::vector<Written> written(images.size());
   parallel_for(images.size(), [&](std::size_t i) {
-    written[i] = write_image(folder, images[i]);
+    written[i] = write_image(folder, images[i], style);
     count_one();
   });
   PlotDrawings of_plots = drawn.get();
+  const std::string zoom = plot_zoom(style);
   written.resize(images.size() + of_plots.drawings.size());
   parallel_for(of_plots.drawings.size(), [&](std::size_t i) {
     const PlotDrawing& plot = of_plots.drawings[i];
-    write_plot(folder, plot.stem, plot.svg, written[images.size() + i]);
+    write_plot(folder, plot, zoom, written[images.size() + i]);
     count_one();
   });
   return {collect_problems(written, images.size(), std::move(of_plots.problems))};

@@ -11,6 +11,8 @@
 #include "core/image.h"
 #include "core/math.h"
 #include "core/table.h"
+#include "reports/figures/hatch.h"
+#include "reports/figures/style.h"
 
 namespace umbrameter {
 
@@ -31,9 +33,10 @@ struct ColorScale {
 struct CategoryColor {
   std::string name;
   glm::u8vec3 color;
+  Hatch hatch = Hatch::none;  ///< of areas in print
 };
 
-/// An image with title, frame and colour bar or category legend.
+/// An image with frame and colour bar or category legend.
 struct ImageFigure {
   std::string stem;
   std::string title;
@@ -57,7 +60,7 @@ struct Axis {
 struct PlotFigure {
   std::string stem;
   std::string title;
-  std::string conditions;  ///< what holds for all of it, drawn below the title: "shadow.filter = nearest"
+  std::string conditions;  ///< what holds for all of it, drawn below a title: "shadow.filter = nearest"
   std::string caption;     ///< what it shows; stands beside it on the page
   Axis x;
   Axis y;
@@ -110,6 +113,14 @@ struct WaterfallFigure {
   WaterfallStep total;
 };
 
+/// All figures of a run.
+struct Figures {
+  std::vector<ImageFigure> images{};
+  std::vector<PlotFigure> plots{};
+  std::vector<HeatMapFigure> heat_maps{};
+  std::vector<WaterfallFigure> waterfalls{};
+};
+
 /// sRGB bytes of a scalar image. NaN is magenta; values outside the scale take its end colours.
 Image<glm::u8vec3> colorize(const Image<float>& values, const ColorScale& scale);
 
@@ -126,8 +137,7 @@ struct FigureOutcome {
   std::vector<std::string> problems;
 };
 /// Draws on all threads at once; the files and the order of the problems do not depend on their number.
-FigureOutcome write_figures(const std::filesystem::path& folder, const std::vector<ImageFigure>& images,
-                            const std::vector<PlotFigure>& plots, const std::vector<HeatMapFigure>& heat_maps = {},
-                            const FigureProgress& progress = {}, const std::vector<WaterfallFigure>& waterfalls = {});
+FigureOutcome write_figures(const std::filesystem::path& folder, const Figures& figures, const FigureStyle& style = {},
+                            const FigureProgress& progress = {});
 
 }  // namespace umbrameter

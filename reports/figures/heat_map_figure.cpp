@@ -7,14 +7,13 @@
 
 #include "reports/figures/figure_parts.h"
 #include "reports/figures/plot_parts.h"
-#include "reports/files/text_layout.h"
 
 namespace umbrameter {
 namespace {
 
 constexpr std::size_t max_panels_in_a_row = 3;
 constexpr int panel_gap = 16;
-constexpr int legend_length = 380;
+constexpr int legend_margin = 60;  // of the colour bar, beside it
 constexpr int row_height = 24;
 constexpr int least_panel_height = 96;
 constexpr int max_panel_height = 300;
@@ -92,8 +91,14 @@ Cells collect_cells(const HeatMapFigure& figure) {
   return cells;
 }
 
-Json x_axis(const HeatMapFigure& figure, const Cells& cells, int width) {
-  Json axis = {{"title", figure.x.label}, {"grid", false}, {"tickCount", width < plot_width / 2 ? 3 : 6}};
+// A panel's width and that of all side by side [units].
+struct PanelLayout {
+  int width = 0;
+  int all_width = 0;
+};
+
+Json x_axis(const HeatMapFigure& figure, const Cells& cells, const PanelLayout& layout) {
+  Json axis = {{"title", figure.x.label}, {"grid", false}, {"tickCount", layout.width < layout.all_width / 2 ? 3 : 6}};
   Json scale = {{"nice", false}};
   if (figure.x.logarithmic) {
     scale["type"] = "log";
@@ -106,7 +111,7 @@ Json x_axis(const HeatMapFigure& figure, const Cells& cells, int width) {
 }
 
 // The legend gives every step the same room.
-Json color_of(const HeatMapFigure& figure) {
+Json color_of(const HeatMapFigure& figure, const PanelLayout& layout) {
   std::vector<int> numbers(figure.steps.size() + 1);
   std::iota(numbers.begin(), numbers.end(), 0);
   const std::string label = fmt::format("['', {:g}][datum.value]", fmt::join(figure.steps, ", "));
@@ -119,7 +124,7 @@ Json color_of(const HeatMapFigure& figure) {
           {"legend",
            {{"type", "gradient"},
             {"title", figure.value.label},
-            {"gradientLength", legend_length},
+            {"gradientLength", layout.all_width - legend_margin},
             {"values", numbers},
             {"labelExpr", label}}}};
 }
@@ -132,7 +137,7 @@ int panel_columns(std::size_t panels) {
   return static_cast<int>(std::clamp<std::size_t>(panels, 1, max_panels_in_a_row));
 }
 
-Json make_panel(const HeatMapFigure& figure, const Cells& cells, int width) {
+Json make_panel(const HeatMapFigure& figure, const Cells& cells, const PanelLayout& layout) {
   std::vector<std::string> rows = different_values(figure.data, column_of(figure.data, figure.stem, figure.y.column));
   if (is_numeric(figure.data, column_of(figure.data, figure.stem, figure.y.column))) {
     std::reverse(rows.begin(), rows.end());
@@ -144,16 +149,18 @@ Json make_panel(const HeatMapFigure& figure, const Cells& cells, int width) {
                   {"axis", {{"title", figure.y.label}, {"labelExpr", short_labels}}}};
   // Cells are outlined in their own colour, which closes the seams between them.
   const Json mark = {{"type", "rect"}, {"strokeWidth", 0.7}, {"stroke", {{"expr", "scale('color', datum.v)"}}}};
-  const Json rectangle = {
-      {"mark", mark},
-      {"encoding",
-       {{"x", x_axis(figure, cells, width)}, {"x2", {{"field", "x2"}}}, {"y", y}, {"color", color_of(figure)}}}};
+  const Json rectangle = {{"mark", mark},
+                          {"encoding",
+                           {{"x", x_axis(figure, cells, layout)},
+                            {"x2", {{"field", "x2"}}},
+                            {"y", y},
+                            {"color", color_of(figure, layout)}}}};
   Json panel;
-  panel["width"] = width;
+  panel["width"] = layout.width;
   panel["height"] = std::clamp(row_height * static_cast<int>(rows.size()), least_panel_height, max_panel_height);
   panel["layer"] = {rectangle};
   if (!figure.mark) return panel;
-  Json middle = x_axis(figure, cells, width);
+  Json middle = x_axis(figure, cells, layout);
   middle["field"] = "xm";
   for (const auto& [ink, stroke, size] : {std::tuple{"black", 4.5, 120}, {"white", 2.0, 120}}) {
     panel["layer"].push_back({{"transform", {{{"filter", "datum.k"}}}},
@@ -171,27 +178,30 @@ Json make_panel(const HeatMapFigure& figure, const Cells& cells, int width) {
 
 }  // namespace
 
-std::string to_plot_specification(const HeatMapFigure& figure) {
+std::string to_plot_specification(const HeatMapFigure& figure, const FigureStyle& style) {
   const Cells cells = collect_cells(figure);
   Json spec;
   spec["$schema"] = "https://vega.github.io/schema/vega-lite/v6.json";
   spec["description"] = figure.title;
-  spec["title"]["text"] = figure.title;
-  std::vector<std::string> subtitle = wrap_lines(figure.conditions, subtitle_characters);
+  std::vector<std::string> notes;
   if (cells.dropped > 0) {
-    subtitle.push_back(fmt::format("Not shown: {} of {} cells {}.", cells.dropped, figure.data.rows.size(),
-                                   figure.x.logarithmic ? "at 0 or without a number" : "without a number"));
+    notes.push_back(fmt::format("Not shown: {} of {} cells {}.", cells.dropped, figure.data.rows.size(),
+                                figure.x.logarithmic ? "at 0 or without a number" : "without a number"));
   }
-  if (cells.rows.empty()) subtitle.emplace_back("No data.");
-  if (!subtitle.empty()) spec["title"]["subtitle"] = subtitle;
+  if (cells.rows.empty()) notes.emplace_back("No data.");
+  add_title(spec, style, figure.title, figure.conditions, notes);
+  const int all_width = plot_width(style);
+  int columns = 1;
+  std::size_t panel_count = 1;
   if (!figure.panel) {
-    const Json panel = make_panel(figure, cells, plot_width);
+    const Json panel = make_panel(figure, cells, {all_width, all_width});
     spec.insert(panel.begin(), panel.end());
   } else {
     const std::vector<std::string> panels =
         different_values(figure.data, column_of(figure.data, figure.stem, *figure.panel));
-    const int columns = panel_columns(panels.size());
-    const int width = (plot_width - panel_gap * (columns - 1)) / columns;
+    panel_count = panels.size();
+    columns = panel_columns(panel_count);
+    const int width = (all_width - panel_gap * (columns - 1)) / columns;
     spec["columns"] = columns;
     spec["spacing"] = panel_gap;
     spec["facet"] = {
@@ -200,7 +210,7 @@ std::string to_plot_specification(const HeatMapFigure& figure) {
         {"sort", panels},
         {"header",
          {{"title", figure.panel_label}, {"labelExpr", short_labels}, {"labelFontSize", 13}, {"titleFontSize", 13}}}};
-    spec["spec"] = make_panel(figure, cells, width);
+    spec["spec"] = make_panel(figure, cells, {width, all_width});
     // A shared axis would stand under places without a panel, too.
     if (panels.size() % static_cast<std::size_t>(columns) != 0) spec["resolve"]["axis"]["x"] = "independent";
   }
@@ -208,8 +218,10 @@ std::string to_plot_specification(const HeatMapFigure& figure) {
   if (figure.panel) fields.push_back({"p", *figure.panel, figure.panel_label});
   fields.push_back({"e", figure.value.column, figure.value.label});
   spec["usermeta"] = plot_fields(fields, fields.size() - 1);
+  const auto rows = (panel_count + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns);
+  add_print_size(spec, style, columns, static_cast<int>(rows));
   spec["data"]["values"] = cells.rows;
-  spec["config"] = plot_look();
+  spec["config"] = plot_look(style);
   return spec.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "reports/figures/figure_parts.h"
+#include "reports/figures/inset.h"
 #include "reports/files/markup.h"
 #include "reports/files/png.h"
 
@@ -14,32 +15,41 @@ namespace {
 constexpr int min_width = 480;    // smaller images are shown with whole-numbered enlargement
 constexpr int max_height = 1600;  // of an enlarged image
 constexpr int bar_ticks = 5;
+constexpr double print_margin = 0.25;  // font sizes
 
-// Lengths follow the width of the image, so that a figure scaled to a column has letters of the same size. Those of a
-// flat image follow its height instead: letters would else take many times the area of the image.
+// Lengths follow the width of the pictures, so that a figure scaled to a column has letters of the same size. Those of
+// a flat image follow its height instead: letters would else take many times the area of the image.
 struct Layout {
-  int width = 0;   // of the image as shown or min_width, px
-  int height = 0;  // of the image as shown, px
+  int width = 0;   // of the image with its insets as shown or min_width, px
+  int height = 0;  // of the same, px
   int unit = 0;    // font size of labels, px
-  int margin() const { return unit; }
-  int image_top() const { return unit * 11 / 4; }
-  int below() const { return image_top() + height + unit; }
+  int margin = 0;
+  int image_top = 0;
+  int below() const { return image_top + height + unit; }
 };
+
+Layout make_layout(int width, int height, const FigureStyle& style) {
+  Layout layout;
+  layout.width = std::max(width, min_width);
+  layout.height = height;
+  if (style.is_print()) {
+    // The drawing is scaled to the width of its place, and its letters then have their size in points.
+    const double share = style.font_size / (style.width * points_per_mm);
+    layout.unit = std::max(1, static_cast<int>(std::lround(layout.width * share / (1.0 - 2.0 * print_margin * share))));
+    layout.margin = std::max(2, static_cast<int>(std::lround(print_margin * layout.unit)));
+  } else {
+    layout.unit = std::max(13, std::min(layout.width / 42, height / 4));
+    layout.margin = layout.unit;
+  }
+  layout.image_top = style.with_title ? layout.unit * 11 / 4 : layout.margin;
+  return layout;
+}
 
 std::string number_text(double value, double range) {
   if (std::abs(value) < 1e-9 * range) return "0";
   std::string text = fmt::format("{:.4g}", value);
   if (text.front() == '-') text.replace(0, 1, "−");
   return text;
-}
-
-Image<glm::u8vec3> enlarge(const Image<glm::u8vec3>& image, int factor) {
-  if (factor == 1) return image;
-  Image<glm::u8vec3> result(image.width * factor, image.height * factor);
-  for (int y = 0; y < result.height; ++y) {
-    for (int x = 0; x < result.width; ++x) result.at(x, y) = image.at(x / factor, y / factor);
-  }
-  return result;
 }
 
 Image<glm::u8vec3> category_colors(const ImageFigure& figure) {
@@ -80,15 +90,29 @@ std::string text_element(double x, double y, int size, const char* anchor, std::
                      anchor, more, escape_markup(text));
 }
 
-std::string swatch(int x, int y, int size, const glm::u8vec3& color) {
-  return fmt::format(
-      "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#{:02x}{:02x}{:02x}\" stroke=\"#777777\"/>\n", x + 0.5,
-      y + 0.5, size - 1, size - 1, color.x, color.y, color.z);
+std::string swatch(int x, int y, int size, const std::string& fill) {
+  return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"#777777\"/>\n", x + 0.5,
+                     y + 0.5, size - 1, size - 1, fill);
+}
+
+std::string hex(const glm::u8vec3& color) { return fmt::format("#{:02x}{:02x}{:02x}", color.x, color.y, color.z); }
+
+// Distance of the lines of hatched areas.
+int hatch_period(const Layout& layout) { return std::max(4, layout.unit / 3); }
+
+// Draws the hatching of each category onto the pixels of a region; `scale` pixels stand for one of the image.
+void hatch(Image<glm::u8vec3>& pixels, const ImageFigure& figure, ivec2 corner, int scale, int period) {
+  for (int y = 0; y < pixels.height; ++y) {
+    for (int x = 0; x < pixels.width; ++x) {
+      const CategoryColor& category = figure.categories[figure.category.at(corner.x + x / scale, corner.y + y / scale)];
+      if (is_hatched(category.hatch, x, y, period)) pixels.at(x, y) = hatch_ink(category.color);
+    }
+  }
 }
 
 // Returns the height used.
 int add_color_bar(std::string& svg, const Layout& layout, const ImageFigure& figure) {
-  const int x = layout.margin();
+  const int x = layout.margin;
   const int y = layout.below();
   const int height = std::max(8, layout.unit * 3 / 4);
   const ColorScale& scale = figure.scale;
@@ -113,77 +137,119 @@ int add_color_bar(std::string& svg, const Layout& layout, const ImageFigure& fig
       std::any_of(figure.values.pixels.begin(), figure.values.pixels.end(), [](float v) { return std::isnan(v); });
   svg += text_element(x + 0.5 * layout.width, label, layout.unit, "middle", scale.label);
   if (has_gaps) {
-    svg += swatch(x, label - layout.unit * 4 / 5, layout.unit, {255, 0, 255});
+    svg += swatch(x, label - layout.unit * 4 / 5, layout.unit, "#ff00ff");
     svg += text_element(x + layout.unit * 1.4, label, layout.unit, "start", "no value");
   }
   return label + layout.unit / 2 - layout.below();
 }
 
 // Swatches with names in columns, as many as fit. Returns the height used.
-int add_categories(std::string& svg, const Layout& layout, const std::vector<CategoryColor>& categories) {
+int add_categories(std::string& svg, const Layout& layout, const std::vector<CategoryColor>& categories,
+                   bool is_hatched) {
   double widest = 0.0;
   for (const CategoryColor& category : categories) widest = std::max(widest, text_width(category.name));
   const int column = static_cast<int>(layout.unit * (2.4 + widest));
   const int columns = std::max(1, (layout.width + layout.unit) / column);
   const int line = layout.unit * 7 / 4;
   for (std::size_t i = 0; i < categories.size(); ++i) {
-    const int x = layout.margin() + static_cast<int>(i) % columns * column;
+    const int x = layout.margin + static_cast<int>(i) % columns * column;
     const int y = layout.below() + static_cast<int>(i) / columns * line;
-    svg += swatch(x, y, layout.unit, categories[i].color);
+    const std::string id = fmt::format("hatch{}", i);
+    const bool has_pattern = is_hatched && categories[i].hatch != Hatch::none;
+    if (has_pattern) svg += hatch_pattern(id, categories[i].hatch, categories[i].color, hatch_period(layout));
+    svg += swatch(x, y, layout.unit, has_pattern ? "url(#" + id + ")" : hex(categories[i].color));
     svg += text_element(x + 1.4 * layout.unit, y + 0.85 * layout.unit, layout.unit, "start", categories[i].name);
   }
   const int lines = (static_cast<int>(categories.size()) + columns - 1) / columns;
   return lines * line;
 }
 
+// The size is that in print, unless the drawing is to be pixels.
+std::string header(const ImageDrawing& drawing, bool in_print) {
+  const ivec2 size = drawing.size;
+  const std::string shown_size = in_print && drawing.print_width > 0.0
+                                     ? fmt::format("width=\"{:.2f}mm\" height=\"{:.2f}mm\"", drawing.print_width,
+                                                   drawing.print_width * size.y / size.x)
+                                     : fmt::format("width=\"{}\" height=\"{}\"", size.x, size.y);
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" version=\"1.1\" {} "
+      "viewBox=\"0 0 {} {}\" font-family=\"{}, sans-serif\" fill=\"#1a1a1a\">\n",
+      shown_size, size.x, size.y, escape_markup(drawing.font));
+}
+
+int inset_gap(int width) { return std::max(8, width / 60); }
+
 }  // namespace
 
-ImageDrawing draw(const ImageFigure& figure) {
+std::string ImageDrawing::frame() const {
+  return header(*this, false) + before.substr(before.find('\n') + 1) + after + "</svg>\n";
+}
+
+ImageDrawing draw(const ImageFigure& figure, const FigureStyle& style) {
   const Image<glm::u8vec3> original = colors_of(figure);
-  const int enlargement = std::min((min_width + original.width - 1) / original.width, max_height / original.height);
+  const ivec2 size(original.width, original.height);
+  const int enlargement = std::max(1, std::min((min_width + size.x - 1) / size.x, max_height / size.y));
+  const std::vector<Inset>& regions = size == style.view ? style.insets : std::vector<Inset>{};
+  const InsetLayout pictures = place_insets(regions, size, enlargement, inset_gap(size.x * enlargement));
+  const Layout layout = make_layout(pictures.size.x, pictures.size.y, style);
   ImageDrawing drawing;
-  drawing.pixels = enlarge(original, std::max(1, enlargement));
-  const Image<glm::u8vec3>& image = drawing.pixels;
-  const int shown_width = std::max(image.width, min_width);
-  const Layout layout{shown_width, image.height, std::max(13, std::min(shown_width / 42, image.height / 4))};
-  drawing.corner = {layout.margin(), layout.image_top()};
-  drawing.after = frame(drawing.corner.x, drawing.corner.y, image.width, image.height);
-  int height = layout.image_top() + image.height + layout.margin();
+  drawing.font = style.font;
+  drawing.print_width = style.width;
+  const ivec2 origin(layout.margin, layout.image_top);
+  const bool is_hatched = style.is_print() && !figure.category.empty() && figure.values.empty();
+  const auto add_picture = [&](const Inset& region, int scale, ivec2 corner) {
+    drawing.images.push_back({crop_enlarged(original, region, scale), corner});
+    if (!is_hatched) return;
+    hatch(drawing.images.back().pixels, figure, {region.x, region.y}, scale, hatch_period(layout));
+  };
+  add_picture({0, 0, size.x, size.y}, pictures.image_scale, origin);
+  for (const PlacedInset& inset : pictures.insets) {
+    add_picture(inset.region, inset.scale, origin + inset.corner);
+  }
+  const Image<glm::u8vec3>& image = drawing.images.front().pixels;
+  drawing.after = frame(origin.x, origin.y, image.width, image.height);
+  drawing.after += inset_marks(pictures, origin, std::max(1.5, layout.unit / 12.0));
+  int height = layout.image_top + layout.height + layout.margin;
   if (!figure.values.empty()) height = layout.below() + add_color_bar(drawing.after, layout, figure);
   if (figure.values.empty() && !figure.category.empty()) {
-    height = layout.below() + add_categories(drawing.after, layout, figure.categories);
+    height = layout.below() + add_categories(drawing.after, layout, figure.categories, is_hatched);
   }
-  drawing.after += "</svg>\n";
-  const int width = layout.width + 2 * layout.margin();
+  drawing.size = {layout.width + 2 * layout.margin, height};
+  drawing.before = fmt::format("<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>\n", drawing.size.x, height);
+  if (!style.with_title) return drawing;
   // A title that is wider than the picture is set smaller, down to half the size; the factor is for bold letters.
   const double fitting_size = layout.width / std::max(1.0, 1.1 * text_width(figure.title));
   const int title_size = static_cast<int>(std::clamp(fitting_size, layout.unit * 0.5, layout.unit * 1.2));
-  drawing.before =
-      fmt::format(
-          "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" version=\"1.1\" "
-          "width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" font-family=\"DejaVu Sans, sans-serif\" "
-          "fill=\"#1a1a1a\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-          width, height) +
-      text_element(layout.margin(), layout.unit * 1.9, title_size, "start", figure.title, " font-weight=\"bold\"");
+  drawing.before +=
+      text_element(layout.margin, layout.unit * 1.9, title_size, "start", figure.title, " font-weight=\"bold\"");
   return drawing;
 }
 
 std::string to_svg(const ImageDrawing& drawing) {
-  const Image<glm::u8vec3>& image = drawing.pixels;
-  return drawing.before + png_element(image, drawing.corner.x, drawing.corner.y, image.width, image.height) +
-         drawing.after;
+  std::string svg = header(drawing, true) + drawing.before;
+  for (const PlacedImage& image : drawing.images) {
+    svg += png_element(image.pixels, image.corner.x, image.corner.y, image.pixels.width, image.pixels.height);
+  }
+  return svg + drawing.after + "</svg>\n";
 }
 
 std::string to_png(const ImageDrawing& drawing, const std::string& frame_png) {
-  Image<glm::u8vec3> page = from_png(frame_png);
-  const Image<glm::u8vec3>& image = drawing.pixels;
-  const glm::ivec2 corner = drawing.corner;
-  if (corner.x + image.width > page.width || corner.y + image.height > page.height) {
-    throw Error(ExitCode::partial, "PNG", "the drawing is smaller than the image in it");
+  const Image<glm::u8vec4> frame = from_png_with_alpha(frame_png);
+  Image<glm::u8vec3> page(frame.width, frame.height, glm::u8vec3(255));
+  for (const auto& [image, corner] : drawing.images) {
+    if (corner.x + image.width > page.width || corner.y + image.height > page.height) {
+      throw Error(ExitCode::partial, "PNG", "the drawing is smaller than the image in it");
+    }
+    for (int y = 0; y < image.height; ++y) {
+      const auto row = image.pixels.begin() + static_cast<std::ptrdiff_t>(y) * image.width;
+      std::copy_n(row, image.width, &page.at(corner.x, corner.y + y));
+    }
   }
-  for (int y = 0; y < image.height; ++y) {
-    const auto row = image.pixels.begin() + static_cast<std::ptrdiff_t>(y) * image.width;
-    std::copy_n(row, image.width, &page.at(corner.x, corner.y + y));
+  for (std::size_t i = 0; i < page.size(); ++i) {
+    const int alpha = frame[i].w;
+    for (int c = 0; c < 3; ++c) {
+      page[i][c] = static_cast<std::uint8_t>((frame[i][c] * alpha + page[i][c] * (255 - alpha) + 127) / 255);
+    }
   }
   return to_png(page);
 }

@@ -12,7 +12,6 @@
 #include "reports/figures/figure_parts.h"
 #include "reports/figures/plot_parts.h"
 #include "reports/files/markup.h"
-#include "reports/files/text_layout.h"
 
 namespace umbrameter {
 namespace {
@@ -61,6 +60,26 @@ std::optional<std::size_t> optional_column(const PlotFigure& figure, const std::
   return column_of(figure.data, figure.stem, *name);
 }
 
+// Where dashes tell something else, markers at a few points of each line (q) tell the series apart in grey; those of
+// different series stand at different points.
+void select_marked(Json& rows, const std::vector<std::string>& series) {
+  constexpr std::size_t markers_of_a_line = 5;
+  const auto line_of = [](const Json& row) {
+    return row.at("s").get<std::string>() + '\n' + row.at("d").get<std::string>();
+  };
+  std::map<std::string, std::size_t> lengths;
+  for (const Json& row : rows) ++lengths[line_of(row)];
+  std::map<std::string, std::size_t> places;
+  for (Json& row : rows) {
+    const std::string line = line_of(row);
+    const std::size_t step = std::max<std::size_t>(1, lengths[line] / markers_of_a_line);
+    const auto index = static_cast<std::size_t>(
+        std::find(series.begin(), series.end(), row.at("s").get<std::string>()) - series.begin());
+    const std::size_t first = step * (2 * index + 1) / (2 * series.size());
+    row["q"] = places[line]++ % step == first;
+  }
+}
+
 Points collect_points(const PlotFigure& figure, bool has_numeric_x) {
   const std::size_t x = column_of(figure.data, figure.stem, figure.x.column);
   const std::size_t y = column_of(figure.data, figure.stem, figure.y.column);
@@ -101,10 +120,11 @@ Points collect_points(const PlotFigure& figure, bool has_numeric_x) {
     points.longest_line = std::max(points.longest_line, ++lengths[styled]);
     points.rows.push_back(std::move(point));
   }
+  if (style && has_series) select_marked(points.rows, different_values(figure.data, series));
   return points;
 }
 
-Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Json& rows) {
+Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Json& rows, const FigureStyle& style) {
   Json result;
   result["field"] = field;
   result["type"] = is_numeric_axis ? "quantitative" : "nominal";
@@ -118,8 +138,8 @@ Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Js
       const std::string name = row.at(field).get<std::string>();
       if (names.insert(name).second) characters += name.size() + 2;
     }
-    constexpr std::size_t characters_in_a_row = 45;
-    const bool fits_in_a_row = characters <= characters_in_a_row;
+    constexpr int units_of_a_character = 10;
+    const bool fits_in_a_row = static_cast<int>(characters) <= plot_width(style) / units_of_a_character;
     result["axis"]["labelAngle"] = fits_in_a_row ? 0 : -40;
     if (!fits_in_a_row) result["axis"]["labelOverlap"] = false;
     return result;
@@ -146,10 +166,10 @@ Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Js
 }
 
 // As many legend entries side by side as fit below the plot.
-int legend_columns(const std::vector<std::string>& names) {
+int legend_columns(const std::vector<std::string>& names, const FigureStyle& style) {
   std::size_t longest = 1;
   for (const std::string& name : names) longest = std::max(longest, count_characters(name));
-  return std::max(1, plot_width / static_cast<int>(50 + 8 * longest));
+  return std::max(1, plot_width(style) / static_cast<int>(50 + 8 * longest));
 }
 
 // How the values of the series column are told apart.
@@ -161,7 +181,7 @@ struct Series {
 
 // Colour and dash tell lines apart, and colour and shape the markers, each alone enough. Markers that stand on lines
 // leave the legend to these.
-Series make_series(const PlotFigure& figure, bool has_lines) {
+Series make_series(const PlotFigure& figure, const FigureStyle& style, bool has_lines) {
   const std::size_t column = column_of(figure.data, figure.stem, *figure.series);
   const std::vector<std::string> domain = different_values(figure.data, column);
   const bool is_ordered = is_numeric(figure.data, column);
@@ -175,7 +195,7 @@ Series make_series(const PlotFigure& figure, bool has_lines) {
     markers.push_back(shapes[i % shapes.size()]);
   }
   Json legend = {{"title", figure.series_label.empty() ? *figure.series : figure.series_label},
-                 {"columns", legend_columns(domain)},
+                 {"columns", legend_columns(domain, style)},
                  {"labelExpr", short_labels}};
   if (!has_lines) legend["symbolSize"] = 110;
   const auto channel = [&](const Json& range) {
@@ -186,7 +206,9 @@ Series make_series(const PlotFigure& figure, bool has_lines) {
                 {"legend", legend}};
   };
   Series series{channel(colors), channel(patterns), channel(markers)};
-  if (has_lines) {
+  if (has_lines && figure.style) {
+    for (Json* each : {&series.color, &series.shape}) (*each)["legend"]["symbolSize"] = 90;
+  } else if (has_lines) {
     // Under its own field name: Vega-Lite joins the legends of one field.
     series.shape["field"] = "m";
     series.shape["legend"] = nullptr;
@@ -195,7 +217,7 @@ Series make_series(const PlotFigure& figure, bool has_lines) {
 }
 
 // Solid and dashed by the style column.
-Json make_style(const PlotFigure& figure) {
+Json make_dashes(const PlotFigure& figure, const FigureStyle& style) {
   Json patterns = Json::array();
   const std::vector<std::string> domain =
       different_values(figure.data, column_of(figure.data, figure.stem, *figure.style));
@@ -204,18 +226,19 @@ Json make_style(const PlotFigure& figure) {
           {"type", "nominal"},
           {"scale", {{"domain", domain}, {"range", patterns}}},
           {"sort", nullptr},
-          {"legend", {{"title", figure.style_label}, {"columns", legend_columns(domain)}}}};
+          {"legend", {{"title", figure.style_label}, {"columns", legend_columns(domain, style)}}}};
 }
 
 // The layers from back to front: zero line, intervals, lines, markers. Categories on the x axis get no lines, since
 // there is nothing between them, and their series stand side by side.
-Json make_layers(const PlotFigure& figure, const Points& points, bool has_numeric_x) {
+Json make_layers(const PlotFigure& figure, const FigureStyle& style, const Points& points, bool has_numeric_x) {
+  const bool has_some_markers = figure.style && figure.series && !figure.mark && has_numeric_x;
   const bool has_markers =
       !figure.style && !figure.mark && (!has_numeric_x || points.longest_line <= max_points_with_markers);
   const bool has_band = has_numeric_x && points.longest_line > 1;
   std::optional<Series> series;
-  if (figure.series) series = make_series(figure, has_numeric_x);
-  const Json y = axis_of("y", figure.y, true, points.rows);
+  if (figure.series) series = make_series(figure, style, has_numeric_x);
+  const Json y = axis_of("y", figure.y, true, points.rows, style);
   const auto layer = [&](Json mark) {
     Json result = {{"mark", std::move(mark)}, {"encoding", {{"y", y}}}};
     if (series) result["encoding"]["color"] = series->color;
@@ -246,7 +269,7 @@ Json make_layers(const PlotFigure& figure, const Points& points, bool has_numeri
   if (has_numeric_x && has_line) {
     Json line = layer({{"type", "line"}, {"strokeWidth", 2.2}});
     if (series && !figure.style) line["encoding"]["strokeDash"] = series->dash;
-    if (figure.style) line["encoding"]["strokeDash"] = make_style(figure);
+    if (figure.style) line["encoding"]["strokeDash"] = make_dashes(figure, style);
     if (figure.mark) line["transform"] = is_joined;
     layers.push_back(std::move(line));
   }
@@ -257,6 +280,12 @@ Json make_layers(const PlotFigure& figure, const Points& points, bool has_numeri
       marker["encoding"]["shape"] = series->shape;
     }
     if (figure.mark) marker["transform"].push_back(is_joined.front());
+    layers.push_back(std::move(marker));
+  }
+  if (has_some_markers) {
+    Json marker = layer({{"type", "point"}, {"filled", true}, {"size", 45}, {"opacity", 1}});
+    marker["transform"] = {{{"filter", "datum.q"}}};
+    marker["encoding"]["shape"] = series->shape;
     layers.push_back(std::move(marker));
   }
   // A layer without points would have no extent, which the drawer calls a mistake.
@@ -284,30 +313,30 @@ Json fields_of(const PlotFigure& figure) {
 
 }  // namespace
 
-std::string to_plot_specification(const PlotFigure& figure) {
+std::string to_plot_specification(const PlotFigure& figure, const FigureStyle& style) {
   const bool has_numeric_x = is_numeric(figure.data, column_of(figure.data, figure.stem, figure.x.column));
   Points points = collect_points(figure, has_numeric_x);
   Json spec;
   spec["$schema"] = "https://vega.github.io/schema/vega-lite/v6.json";
   spec["description"] = figure.title;
-  spec["width"] = plot_width;
+  spec["width"] = plot_width(style);
   spec["height"] = plot_height;
-  spec["title"]["text"] = figure.title;
-  std::vector<std::string> subtitle = wrap_lines(figure.conditions, subtitle_characters);
+  std::vector<std::string> notes;
   if (points.dropped > 0) {
     const bool has_log = figure.x.logarithmic || figure.y.logarithmic;
-    subtitle.push_back(
+    notes.push_back(
         fmt::format("Not shown: {} of {} points {}.", points.dropped, figure.data.rows.size(),
                     has_log ? "that are 0, negative or no number (logarithmic axis)" : "that are no number"));
   }
-  if (points.rows.empty()) subtitle.emplace_back("No data.");
-  if (!subtitle.empty()) spec["title"]["subtitle"] = subtitle;
+  if (points.rows.empty()) notes.emplace_back("No data.");
+  add_title(spec, style, figure.title, figure.conditions, notes);
 
-  spec["encoding"]["x"] = axis_of("x", figure.x, has_numeric_x, points.rows);
-  spec["layer"] = make_layers(figure, points, has_numeric_x);
+  spec["encoding"]["x"] = axis_of("x", figure.x, has_numeric_x, points.rows, style);
+  spec["layer"] = make_layers(figure, style, points, has_numeric_x);
   spec["usermeta"] = fields_of(figure);
+  add_print_size(spec, style);
   spec["data"]["values"] = std::move(points.rows);
-  spec["config"] = plot_look();
+  spec["config"] = plot_look(style);
   return spec.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

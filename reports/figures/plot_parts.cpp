@@ -1,11 +1,52 @@
 #include "reports/figures/plot_parts.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/error.h"
-#include "reports/files/markup.h"
+#include "reports/files/text_layout.h"
 
 namespace umbrameter {
+namespace {
+
+constexpr int screen_width = 440;
+constexpr double labels_width = 75.0;  // about what labels and title of the value axis take
+constexpr double characters_per_unit = 72.0 / screen_width;
+
+}  // namespace
+
+int plot_width(const FigureStyle& style) {
+  if (!style.is_print()) return screen_width;
+  return std::max(80, static_cast<int>(style.width * plot_units_per_mm(style) - labels_width));
+}
+
+void add_title(Json& specification, const FigureStyle& style, const std::string& title, const std::string& conditions,
+               const std::vector<std::string>& notes) {
+  const auto characters = static_cast<std::size_t>(plot_width(style) * characters_per_unit);
+  std::vector<std::string> lines;
+  if (style.with_title) lines = wrap_lines(conditions, characters);
+  for (const std::string& note : notes) {
+    for (std::string& line : wrap_lines(note, characters)) lines.push_back(std::move(line));
+  }
+  if (style.with_title) {
+    specification["title"]["text"] = title;
+    if (!lines.empty()) specification["title"]["subtitle"] = lines;
+  } else if (!lines.empty()) {
+    // A subtitle without a title is not drawn.
+    specification["title"] = {{"text", lines}, {"fontSize", 12}, {"fontWeight", "normal"}, {"color", "#444444"}};
+  }
+}
+
+void add_print_size(Json& specification, const FigureStyle& style, int columns, int rows) {
+  if (!style.is_print()) return;
+  const double units = plot_units_per_mm(style);
+  specification["usermeta"]["print"] = {{"units_per_mm", units},
+                                        {"width", style.width * units},
+                                        {"height", style.height * units},
+                                        {"columns", columns},
+                                        {"rows", rows}};
+}
+
 std::optional<double> number(const Value& value) {
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
   if (const auto* real = std::get_if<double>(&value)) return *real;
@@ -50,12 +91,11 @@ Json plot_fields(const std::vector<PlotField>& fields, std::size_t keys) {
   return meta;
 }
 
-Json plot_look() {
-  const char* font = "DejaVu Sans";
+Json plot_look(const FigureStyle& style) {
   const char* ink = "#1a1a1a";
-  return {{"font", font},
+  return {{"font", style.font},
           {"background", "white"},
-          {"padding", 8},
+          {"padding", style.is_print() ? 2 : 8},
           {"view", {{"stroke", nullptr}}},
           {"mark", {{"color", "#0072b2"}}},
           {"title",
@@ -70,8 +110,8 @@ Json plot_look() {
             {"subtitleLineHeight", 15},
             {"offset", 12}}},
           {"axis",
-           {{"labelFontSize", 13},
-            {"titleFontSize", 14},
+           {{"labelFontSize", plot_font_size},
+            {"titleFontSize", style.is_print() ? plot_font_size : 14},
             {"titleFontWeight", "normal"},
             {"titleColor", ink},
             {"labelColor", ink},
@@ -85,8 +125,8 @@ Json plot_look() {
           {"legend",
            {{"orient", "bottom"},
             {"direction", "horizontal"},
-            {"labelFontSize", 13},
-            {"titleFontSize", 13},
+            {"labelFontSize", plot_font_size},
+            {"titleFontSize", plot_font_size},
             {"titleFontWeight", "normal"},
             {"titleColor", ink},
             {"labelColor", ink},

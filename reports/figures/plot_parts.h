@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "core/table.h"
+#include "reports/figures/style.h"
 
 namespace umbrameter {
 
 using Json = nlohmann::ordered_json;
 
-inline constexpr int plot_width = 440;
+/// Of a plot without its axis labels [units].
+int plot_width(const FigureStyle& style);
 
 /// Nothing for a value that is no number.
 std::optional<double> number(const Value& value);
@@ -26,8 +28,12 @@ bool is_numeric(const Table& table, std::size_t column);
 /// The different values of a column as text: numbers by size, all else in the order of the rows.
 std::vector<std::string> different_values(const Table& table, std::size_t column);
 
-/// Of a line below a title.
-inline constexpr std::size_t subtitle_characters = 72;
+/// Sets the title and the conditions below it where the style has titles, and the notes in any case.
+void add_title(Json& specification, const FigureStyle& style, const std::string& title, const std::string& conditions,
+               const std::vector<std::string>& notes = {});
+
+/// Tells the drawer how wide a drawing for print is, so that it can fit the plot; `columns` and `rows` of panels.
+void add_print_size(Json& specification, const FigureStyle& style, int columns = 1, int rows = 1);
 
 /// For axes, legends and headers of values that are texts: numbers with four significant digits, all else as it is.
 /// The parentheses belong to it: in a header Vega-Lite replaces "datum.label" by an expression with operators in it.
@@ -45,6 +51,6 @@ struct PlotField {
 Json plot_fields(const std::vector<PlotField>& fields, std::size_t keys);
 
 /// Fonts, inks, axes and legends.
-Json plot_look();
+Json plot_look(const FigureStyle& style);
 
 }  // namespace umbrameter

@@ -5,27 +5,34 @@
 
 #include "reports/figures/figure_parts.h"
 #include "reports/figures/plot_parts.h"
-#include "reports/files/text_layout.h"
 
 namespace umbrameter {
 namespace {
 
-constexpr int step_width = 74;
+constexpr int screen_step_width = 74;
 constexpr int waterfall_height = 280;
-// CIE L* 46, 70 and 36: readable in grey, and the label of a step has its sign.
-constexpr const char* below_color = "#0072b2";
-constexpr const char* above_color = "#e69f00";
-constexpr const char* sum_color = "#555555";
+constexpr double bar_share = 0.6;  // of the width of a step
+constexpr int hatch_period = 6;    // [units]
+// CIE L* 46, 72 and 36; besides, the bars differ in hatching, and the label of a step has its sign.
+constexpr glm::u8vec3 below_color{0, 114, 178};
+constexpr glm::u8vec3 above_color{230, 159, 0};
+constexpr glm::u8vec3 sum_color{85, 85, 85};
 constexpr const char* sum_name = "total";
 
-std::string signed_text(double value) { return fmt::format("{}{:.4f}", value < 0.0 ? "−" : "+", std::abs(value)); }
+std::string signed_text(double value, int decimals) {
+  return fmt::format("{}{:.{}f}", value < 0.0 ? "−" : "+", std::abs(value), decimals);
+}
 
 // Under a step: its name and its note.
 std::string category(const WaterfallStep& step) { return step.name + "|" + step.note; }
 
 }  // namespace
 
-std::string to_plot_specification(const WaterfallFigure& figure) {
+std::string to_plot_specification(const WaterfallFigure& figure, const FigureStyle& style) {
+  const int steps = static_cast<int>(figure.steps.size()) + 1;
+  const int step_width = style.is_print() ? plot_width(style) / steps : screen_step_width;
+  // In a column there is no room for the notes, and names are slanted.
+  const bool is_narrow = step_width < screen_step_width - 10;
   Json rows = Json::array();
   Json links = Json::array();
   double sum = 0.0;
@@ -33,9 +40,12 @@ std::string to_plot_specification(const WaterfallFigure& figure) {
   double highest = 0.0;
   const auto add = [&](const WaterfallStep& step, double from, const std::string& kind) {
     const double to = from + step.value;
-    Json row = {
-        {"step", category(step)},          {"from", from}, {"to", to}, {"kind", kind}, {"top", std::max(from, to)},
-        {"label", signed_text(step.value)}};
+    Json row = {{"step", category(step)},
+                {"from", from},
+                {"to", to},
+                {"kind", kind},
+                {"top", std::max(from, to)},
+                {"label", signed_text(step.value, is_narrow ? 3 : 4)}};
     if (step.upper > step.lower) {
       row["lo"] = from + step.lower;
       row["hi"] = from + step.upper;
@@ -64,9 +74,9 @@ std::string to_plot_specification(const WaterfallFigure& figure) {
                   {"scale", {{"domain", order}}},
                   {"axis",
                    {{"title", nullptr},
-                    {"labelAngle", 0},
+                    {"labelAngle", is_narrow ? -40 : 0},
                     {"labelOverlap", false},
-                    {"labelExpr", "split(datum.label, '|')"},
+                    {"labelExpr", is_narrow ? "split(datum.label, '|')[0]" : "split(datum.label, '|')"},
                     {"labelFontSize", 11},
                     {"ticks", false}}}};
   const auto y = [&](const char* field) {
@@ -78,15 +88,18 @@ std::string to_plot_specification(const WaterfallFigure& figure) {
   const Json color = {
       {"field", "kind"},
       {"type", "nominal"},
-      {"scale", {{"domain", {figure.below, figure.above, sum_name}}, {"range", {below_color, above_color, sum_color}}}},
+      {"scale",
+       {{"domain", {figure.below, figure.above, sum_name}}, {"range", {"url(#below)", "url(#above)", "url(#sum)"}}}},
       {"legend", {{"title", nullptr}, {"symbolType", "square"}, {"symbolSize", 160}}}};
   Json spec;
   spec["$schema"] = "https://vega.github.io/schema/vega-lite/v6.json";
   spec["description"] = figure.title;
-  spec["title"]["text"] = figure.title;
-  const std::vector<std::string> subtitle = wrap_lines(figure.conditions, subtitle_characters);
-  if (!subtitle.empty()) spec["title"]["subtitle"] = subtitle;
-  spec["width"] = step_width * static_cast<int>(order.size());
+  add_title(spec, style, figure.title, figure.conditions);
+  spec["width"] = step_width * steps;
+  spec["usermeta"]["patterns"] = hatch_pattern("below", Hatch::falling, below_color, hatch_period) +
+                                 hatch_pattern("above", Hatch::rising, above_color, hatch_period) +
+                                 hatch_pattern("sum", Hatch::none, sum_color, hatch_period);
+  add_print_size(spec, style);
   spec["height"] = waterfall_height;
   spec["data"]["values"] = rows;
   Json next = x;
@@ -97,14 +110,14 @@ std::string to_plot_specification(const WaterfallFigure& figure) {
                    {{"mark", {{"type", "rule"}, {"color", "#999999"}, {"strokeDash", {2, 2}}}},
                     {"data", {{"values", links}}},
                     {"encoding", {{"x", next}, {"x2", {{"field", "next"}}}, {"y", y("at")}}}},
-                   {{"mark", {{"type", "bar"}, {"size", 44}}},
+                   {{"mark", {{"type", "bar"}, {"size", std::lround(bar_share * step_width)}}},
                     {"encoding", {{"x", x}, {"y", y("from")}, {"y2", {{"field", "to"}}}, {"color", color}}}},
                    {{"mark", {{"type", "rule"}, {"color", "#1a1a1a"}, {"strokeWidth", 1.5}}},
                     {"transform", {{{"filter", "isValid(datum.lo)"}}}},
                     {"encoding", {{"x", x}, {"y", y("lo")}, {"y2", {{"field", "hi"}}}}}},
-                   {{"mark", {{"type", "text"}, {"dy", -8}, {"fontSize", 12}, {"color", "#1a1a1a"}}},
+                   {{"mark", {{"type", "text"}, {"dy", -8}, {"fontSize", is_narrow ? 10 : 12}, {"color", "#1a1a1a"}}},
                     {"encoding", {{"x", x}, {"y", y("top")}, {"text", {{"field", "label"}, {"type", "nominal"}}}}}}};
-  spec["config"] = plot_look();
+  spec["config"] = plot_look(style);
   return spec.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -53,12 +53,19 @@ const tenths = (value) => Math.round(10 * value) / 10;
 
 const escaped = (text) => text.replace(/[&<>]/g, (c) => ({'&': '&amp;', '<': '&lt;', '>': '&gt;'})[c]);
 
-// usermeta and "points", each [x, y, a value for each field], as the drawing's metadata.
-function with_points(svg, view, meta) {
-  if (!meta?.fields) return svg;
-  const data = {...meta, points: points_of(view, meta.fields)};
+// The drawing with `text` in front of its first element.
+function with_first(svg, text) {
   const end = svg.indexOf('>', svg.indexOf('<svg')) + 1;
-  return `${svg.slice(0, end)}<metadata>${escaped(JSON.stringify(data))}</metadata>${svg.slice(end)}`;
+  return svg.slice(0, end) + text + svg.slice(end);
+}
+
+// usermeta's fields and "points", each [x, y, a value for each field], as the drawing's metadata; its hatching.
+function with_additions(svg, view, meta) {
+  if (meta?.patterns) svg = with_first(svg, `<defs>${meta.patterns}</defs>`);
+  if (!meta?.fields) return svg;
+  const {fields, columns, labels, keys} = meta;
+  const data = {fields, columns, labels, keys, points: points_of(view, fields)};
+  return with_first(svg, `<metadata>${escaped(JSON.stringify(data))}</metadata>`);
 }
 
 async function draw(spec) {
@@ -67,10 +74,35 @@ async function draw(spec) {
   const logger = {level: () => logger, error: keep, warn: keep, info: () => logger, debug: () => logger};
   const runtime = vega.parse(compile(spec, {logger}).spec);
   const view = new vega.View(runtime, {renderer: 'none', loader, logger});
-  const svg = with_points(await view.toSVG(), view, spec.usermeta);
+  const svg = with_additions(await view.toSVG(), view, spec.usermeta);
   view.finalize();
   if (problems.length > 0) throw new Error(problems.join('; '));
   return svg;
+}
+
+const size_of = (svg) => /<svg[^>]* viewBox="0 0 ([\d.]+) ([\d.]+)"/.exec(svg).slice(1).map(Number);
+
+// A drawing for print: its plot is made narrower or wider until all of it, labels included, has the width of its place,
+// and the height where one is given. Then it gets its size in millimetres.
+async function draw_to_size(spec) {
+  let svg = await draw(spec);
+  const print = spec.usermeta?.print;
+  if (!print) return svg;
+  const panel = spec.spec ?? spec;
+  const least = 40;
+  for (let tries = 0; tries < 4; ++tries) {
+    const [width, height] = size_of(svg);
+    const too_wide = width - print.width;
+    const too_high = print.height > 0 ? height - print.height : 0;
+    if (Math.abs(too_wide) < 1 && Math.abs(too_high) < 1) break;
+    panel.width = Math.max(least, panel.width - too_wide / print.columns);
+    panel.height = Math.max(least, panel.height - too_high / print.rows);
+    svg = await draw(spec);
+  }
+  const [width, height] = size_of(svg);
+  const mm_wide = print.width / print.units_per_mm;
+  const size = `width="${mm_wide.toFixed(2)}mm" height="${((mm_wide * height) / width).toFixed(2)}mm"`;
+  return svg.replace(/(<svg[^>]*?) width="[\d.]+" height="[\d.]+"/, `$1 ${size}`);
 }
 
 function write_all(text) {
@@ -86,7 +118,7 @@ async function main() {
   const results = [];
   for (const spec of JSON.parse(readFileSync(0, 'utf8'), clean)) {
     try {
-      results.push({svg: await draw(spec)});
+      results.push({svg: await draw_to_size(spec)});
     } catch (error) {
       results.push({error: String(error?.message ?? error).replace(/\s+/g, ' ')});
     }

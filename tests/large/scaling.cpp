@@ -186,7 +186,7 @@ int run(const std::vector<std::string>& arguments) {
   write_text(folder / "large-scenes.csv", to_csv(to_table(rows)));
   const std::vector<PlotFigure> figures = {times_figure(rows, "forest", "instances"),
                                            times_figure(rows, "city", "nothing shared"), memory_figure(rows)};
-  const FigureOutcome outcome = write_figures(folder, {}, figures);
+  const FigureOutcome outcome = write_figures(folder, {{}, figures});
   for (const PlotFigure& figure : figures) fs::remove(folder / (figure.stem + ".pdf"));
   print_markdown(rows);
   for (const std::string& problem : outcome.problems) fmt::print(stderr, "{}\n", problem);

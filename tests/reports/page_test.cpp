@@ -355,7 +355,7 @@ TEST(Page, A_figure_is_drawn_or_shown_as_pixels_or_said_to_be_missing) {
   put_text(folder / "secret.svg", "<svg>secret</svg>");
   const std::string drawn = page_of(folder, with_figure("drawn", "Title", "Caption."));
   EXPECT_TRUE(contains(drawn, "role=\"img\" aria-label=\"Title. Caption.\"")) << drawn;
-  EXPECT_TRUE(contains(drawn, "<strong>Figure 1.</strong> Caption.\n")) << drawn;
+  EXPECT_TRUE(contains(drawn, "<strong>Figure 1.</strong> Title. Caption.\n")) << drawn;
   EXPECT_TRUE(contains(drawn, "href=\"figures/drawn.svg\">SVG<"));
   EXPECT_FALSE(contains(drawn, "href=\"figures/drawn.pdf\""));
   const std::string untitled = page_of(folder, with_figure("drawn", "", "Caption."));

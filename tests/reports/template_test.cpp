@@ -61,7 +61,7 @@ TEST(Template, A_figure_says_one_thing_about_its_picture) {
     with_picture[key] = value;
     return fill_template("figure.html", with_picture);
   };
-  const std::string caption = "<figcaption><strong>Figure 3.</strong> C\n</figcaption>\n</figure>\n";
+  const std::string caption = "<figcaption><strong>Figure 3.</strong> T. C\n</figcaption>\n</figure>\n";
   EXPECT_EQ(filled("drawing", "<svg></svg>"),
             "<figure data-stem=\"a\">\n<div class=\"picture\" role=\"img\" aria-label=\"T. C\"><svg></svg></div>\n" +
                 caption);

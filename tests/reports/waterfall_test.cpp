@@ -45,7 +45,7 @@ TEST(Waterfall, Each_bar_starts_where_the_one_before_ends_and_the_total_at_0) {
 
 TEST(Waterfall, A_waterfall_becomes_the_three_files_of_a_figure) {
   const TemporaryFolder folder;
-  const FigureOutcome outcome = write_figures(folder / "figures", {}, {}, {}, {}, {three_steps()});
+  const FigureOutcome outcome = write_figures(folder / "figures", {{}, {}, {}, {three_steps()}});
   if (!outcome.problems.empty() && outcome.problems.front().find("plots not drawn") != std::string::npos) {
     GTEST_SKIP() << outcome.problems.front();
   }
