@@ -1,0 +1,107 @@
+#include "reports/files/latex.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "reports/files/markup.h"
+
+namespace umbrameter {
+namespace {
+
+// Longer ones first where one starts another. Brackets and stars are put in braces because the end of a row, \\, would
+// read them as its option; hyphens because two of them become a dash.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 27> replacements = {{
+    {"\\", "\\textbackslash{}"},
+    {"{", "\\{"},
+    {"}", "\\}"},
+    {"_", "\\_"},
+    {"%", "\\%"},
+    {"&", "\\&"},
+    {"#", "\\#"},
+    {"$", "\\$"},
+    {"~", "\\textasciitilde{}"},
+    {"^", "\\textasciicircum{}"},
+    {"<", "\\textless{}"},
+    {">", "\\textgreater{}"},
+    {"|", "\\textbar{}"},
+    {"\"", "\\textquotedbl{}"},
+    {"`", "\\textasciigrave{}"},
+    {"[", "{[}"},
+    {"]", "{]}"},
+    {"*", "{*}"},
+    {"--", "-{}-{}"},
+    {"±", "$\\pm$"},
+    {"−", "$-$"},
+    {"×", "$\\times$"},
+    {"·", "$\\cdot$"},
+    {"²", "$^2$"},
+    {"°", "$^\\circ$"},
+    {"—", "---"},
+    {"\xEF\xBF\xBD", "?"},
+}};
+
+std::string row_text(const std::vector<std::string>& cells) {
+  std::string text = "  ";
+  for (std::size_t i = 0; i < cells.size(); ++i) text += (i > 0 ? " & " : "") + cells[i];
+  return text + " \\\\\n";
+}
+
+// A text that starts like a number stands in a column of numbers.
+bool is_number_text(const Value& value) {
+  const std::string text = to_string(value);
+  const std::string_view sign = "−";
+  std::string_view rest = text;
+  if (rest.starts_with('(')) rest.remove_prefix(1);
+  if (rest.starts_with(sign)) rest.remove_prefix(sign.size());
+  if (rest.starts_with('-') || rest.starts_with('+')) rest.remove_prefix(1);
+  return text.empty() || text == "—" || (!rest.empty() && rest.front() >= '0' && rest.front() <= '9');
+}
+
+}  // namespace
+
+std::string escape_latex(std::string_view text) {
+  const std::string plain = plain_text(text);
+  std::string result;
+  for (std::size_t i = 0; i < plain.size();) {
+    const auto starts_here = [&](const auto& pair) {
+      return std::string_view(plain).substr(i).starts_with(pair.first);
+    };
+    const auto found = std::find_if(replacements.begin(), replacements.end(), starts_here);
+    if (found == replacements.end()) {
+      result += plain[i++];
+    } else {
+      result += found->second;
+      i += found->first.size();
+    }
+  }
+  return result;
+}
+
+std::string to_latex(const Table& table) {
+  std::string alignment;
+  std::vector<std::string> names;
+  std::vector<std::string> units;
+  bool has_units = false;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const bool is_number = !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(),
+                                                              [&](const auto& row) { return is_number_text(row[c]); });
+    alignment += is_number ? 'r' : 'l';
+    const Column& column = table.columns[c];
+    names.push_back(escape_latex(column.name));
+    units.push_back(column.unit.empty() ? "" : escape_latex("[" + column.unit + "]"));
+    has_units = has_units || !column.unit.empty();
+  }
+  std::string text = "% Needs \\usepackage{booktabs}.\n\\begin{tabular}{" + alignment + "}\n  \\toprule\n";
+  text += row_text(names);
+  if (has_units) text += row_text(units);
+  text += "  \\midrule\n";
+  for (const std::vector<Value>& row : table.rows) {
+    std::vector<std::string> cells;
+    for (const Value& value : row) cells.push_back(escape_latex(to_string(value)));
+    text += row_text(cells);
+  }
+  return text + "  \\bottomrule\n\\end{tabular}\n";
+}
+
+}  // namespace umbrameter
