@@ -10,10 +10,11 @@
 #include "compare/edge_statistics.h"
 #include "compare/image_error.h"
 #include "compare/map_views.h"
-#include "compare/metrics/metric.h"
+#include "compare/metrics/color_metric.h"
 #include "compare/soft_visibility.h"
 #include "compare/visibility.h"
 #include "experiments/experiment.h"
+#include "experiments/metric_scores.h"
 
 namespace umbrameter {
 namespace {
@@ -46,12 +47,13 @@ Json all_statistics() {
           group<FitShimmer>("fit_shimmer", "Shimmer of a map that follows the camera")};
 }
 
+// Metrics of scalar images and those of colour, a column for each of their units.
 Json all_metrics() {
   Json list = Json::array();
-  for (const Metric& metric : metrics()) {
-    list.push_back({{"name", metric.name},
-                    {"unit", metric.unit},
-                    {"meaning", std::string(metric.title) + ", " + std::string(metric.range)}});
+  for (const Metric& metric : color_metrics()) {
+    for (const MetricColumn& column : columns_of(metric, true)) {
+      list.push_back({{"name", column.name}, {"unit", column.unit}, {"meaning", column.meaning()}});
+    }
   }
   return list;
 }

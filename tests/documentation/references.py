@@ -60,6 +60,7 @@ def generated_definitions(quantities):
     of_any_cell = {}
     for name in cell_groups:
         of_any_cell.update(definitions[f"statistics_{name}"]["properties"])
+    of_statistics = set(of_any_cell)
     of_any_cell.update(metrics)
     definitions["metrics"] = closed(
         {"description": "image metrics by name, null where one is undefined", "type": "object", "properties": metrics})
@@ -78,6 +79,7 @@ def generated_definitions(quantities):
     definitions["sweep_row"] = {
         "description": "values of the axes, then the statistics of one kind", "type": "object",
         "propertyNames": {"anyOf": [name, {"pattern": "^[^.]+$"}]}, "patternProperties": {"[.]": value},
+        "properties": {each: one for each, one in metrics.items() if each not in of_statistics},
         "anyOf": [{"$ref": f"#/$defs/statistics_{each}"} for each in cell_groups], "unevaluatedProperties": False}
     definitions["tune_statistics"] = {
         "description": "the statistics that cost and constraints name; `pass_time` is the time of the technique's pass, with read-back",

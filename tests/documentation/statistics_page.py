@@ -36,7 +36,7 @@ def statistics_page(quantities):
             lines.append(f"| `{each['name']}` | {each['unit']} | {interval} | {escape(each['meaning'])} |")
         lines.append("")
     lines += ["## Image metrics", "",
-              "`shadows[].metrics` and `ao.metrics`, if `--run.metrics` names them. Formulas and papers: "
+              "`shadows[].metrics`, `ao.metrics` and `image.metrics`, and columns of a sweep, if `--run.metrics` names them. Formulas and papers: "
               "[Image metrics](metrics.md).", "", "| name | unit | meaning |", "| --- | --- | --- |"]
     for each in quantities["metrics"]:
         lines.append(f"| `{each['name']}` | {each['unit']} | {escape(each['meaning'])} |")

@@ -34,7 +34,7 @@ RUNS = {
     "sweep of techniques": ["sweep", "courtyard", "--light", "sun", "--vary", "shadow.technique=pcf,vsm"],
     "sweep of a soft shadow": ["sweep", "courtyard", "--light", "sun", "--light.angle", "2", "--vary", "shadow.slope-bias=0,1"],
     "sweep of AO": ["sweep", "courtyard", "--vary", "ao.radius=1%:4%:3"],
-    "sweep of images": ["sweep", "courtyard", "--measure", "image", "--vary", "shadow.constant-bias=0.01,0.02"],
+    "sweep of images": ["sweep", "courtyard", "--measure", "image", "--vary", "shadow.constant-bias=0.01,0.02", "--run.metrics", "ssim"],
     "tune": ["tune", "courtyard", "--light", "sun", "--minimize", "acne+peter_panning", "--vary",
              "shadow.constant-bias=0.5texels:8texels:9"],
 }
@@ -73,7 +73,9 @@ class SummarySchema(unittest.TestCase):
         cls.summaries = {}
         with tempfile.TemporaryDirectory() as folder:
             environment = {**os.environ, "XDG_CACHE_HOME": folder}
-            metrics = ",".join(cls.schema["$defs"]["metrics"]["properties"])
+            # The other units of a metric come with it.
+            names = cls.schema["$defs"]["metrics"]["properties"]
+            metrics = ",".join(name for name in names if not name.endswith(("-texels", "-m")))
             for name, arguments in RUNS.items():
                 arguments = [metrics if each == "all of the schema" else each for each in arguments]
                 out = pathlib.Path(folder) / name.replace(" ", "-")
