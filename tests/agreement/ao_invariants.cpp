@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace umbrameter {
 namespace {
@@ -131,6 +132,63 @@ AoVariation measure_variation(const gl::Context& context, const UploadedScene& s
     }
   }
   return {rotation.root(), resolution.root(), noise.root()};
+}
+
+double measure_period(const gl::Context& context, const UploadedScene& scene, const View& view, const AoParams& params,
+                      int seeds) {
+  const Seen mean = see(context, scene, view, params, seeds);
+  const int tile = params.noise.size;
+  const GpuGBuffer gbuffer = draw_gbuffer(context, scene, view);
+  double covariance = 0.0;
+  double count = 0.0;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const Image<float> ao = draw_ao(context, gbuffer, view, params, static_cast<std::uint32_t>(seed));
+    // Less the mean of the tile about the pixel: a seed that darkens evenly shows no pattern.
+    Image<double> pattern(view.width, view.height, 0.0);
+    for (int y = 0; y < view.height; ++y) {
+      for (int x = 0; x < view.width; ++x) {
+        double sum = 0.0;
+        double pixels = 0.0;
+        for (int v = std::max(0, y - tile / 2); v < std::min(view.height, y - tile / 2 + tile); ++v) {
+          for (int u = std::max(0, x - tile / 2); u < std::min(view.width, x - tile / 2 + tile); ++u) {
+            const std::size_t j = ao.index(u, v);
+            if (!mean.surfels.is_surface(j)) continue;
+            sum += static_cast<double>(ao[j]) - mean.mean[j];
+            pixels += 1.0;
+          }
+        }
+        const std::size_t i = ao.index(x, y);
+        if (mean.surfels.is_surface(i)) pattern[i] = static_cast<double>(ao[i]) - mean.mean[i] - sum / pixels;
+      }
+    }
+    for (int y = 0; y + tile < view.height; ++y) {
+      for (int x = 0; x + tile < view.width; ++x) {
+        const double here = pattern.at(x, y);
+        if (!mean.surfels.is_surface(ao.index(x, y))) continue;
+        covariance += 0.5 * here * (pattern.at(x + tile, y) + pattern.at(x, y + tile));
+        count += 1.0;
+      }
+    }
+  }
+  // The mean over the seeds has their share of the variance.
+  return std::sqrt(std::max(0.0, covariance / count) * seeds / std::max(1, seeds - 1));
+}
+
+std::vector<double> measure_changes(const gl::Context& context, const UploadedScene& scene, const View& view,
+                                    const AoParams& params, int seeds, const std::vector<AoSetting>& settings) {
+  const Seen before = see(context, scene, view, params, seeds);
+  std::vector<double> changes;
+  for (const AoSetting& setting : settings) {
+    AoParams other = params;
+    require(describe(other), setting.key).set_text(std::string(setting.value));
+    const Seen after = see(context, scene, view, other, seeds);
+    MeanSquare square;
+    for (std::size_t i = 0; i < after.mean.size(); ++i) {
+      if (after.surfels.is_surface(i)) square.add(std::pow(after.mean[i] - before.mean[i], 2));
+    }
+    changes.push_back(square.root());
+  }
+  return changes;
 }
 
 }  // namespace umbrameter

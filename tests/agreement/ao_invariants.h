@@ -1,6 +1,9 @@
 // What a method of ambient occlusion should not depend on: the angle of view of an open plane, the camera's rotation
-// about its axis, the resolution, and the seed of its noise.
+// about its axis, the resolution, and the seed of its noise; and how much other settings change it.
 #pragma once
+
+#include <string_view>
+#include <vector>
 
 #include "raster/rasterizer.h"
 #include "scenes/scene.h"
@@ -25,5 +28,18 @@ struct AoVariation {
 };
 AoVariation measure_variation(const gl::Context& context, const UploadedScene& scene, const View& view,
                               const AoParams& params, int seeds);
+
+/// Root mean square of the part of the noise that repeats with the noise tile: of each pixel's deviation from its mean
+/// over the seeds and from the deviations about it, as far as it agrees with that of the pixel one tile further.
+double measure_period(const gl::Context& context, const UploadedScene& scene, const View& view, const AoParams& params,
+                      int seeds);
+
+struct AoSetting {
+  std::string_view key;
+  std::string_view value;
+};
+/// What each setting alone changes, mean of the seeds: root mean squares over the pixels that see a surface.
+std::vector<double> measure_changes(const gl::Context& context, const UploadedScene& scene, const View& view,
+                                    const AoParams& params, int seeds, const std::vector<AoSetting>& settings);
 
 }  // namespace umbrameter

@@ -76,23 +76,37 @@ void print_variations(const gl::Context& context) {
   const UploadedScene uploaded = upload(context, scene);
   const View view{320, 180, scene.cameras.front()};
   fmt::print(
-      "\n## Rotation, resolution and noise\n\n"
-      "`courtyard`, first camera, 320×180 pixels, R = 0.5 m, in thousandths: root mean squares over all surfels. "
-      "Rotation: the\nimage of a camera rotated by 90° about its axis, rotated back, less the image. Half: the image "
-      "of half the resolution less\nthe mean of 2×2 pixels. Both are without blur, and differences of means over {} "
-      "seeds: "
-      "noise adds about half of the last\ncolumn. Noise: the standard deviation of a pixel over the seeds, after the "
-      "4×4 "
-      "box blur, and without blur.\n\n"
-      "| method | rotation | half | noise | noise without blur |\n| --- | --- | --- | --- | --- |\n",
+      "\n## Rotation, resolution, inputs and noise\n\n"
+      "`courtyard`, first camera, 320×180 pixels, R = 0.5 m, in thousandths: root mean squares over all surfels, "
+      "without blur\nexcept in one column. All but the noise are differences of means over {} seeds: where the noise "
+      "of both differs, it adds\nabout half of the noise without blur.\n\n"
+      "- Rotation: the image of a camera rotated by 90° about its axis, rotated back, less the image.\n"
+      "- Half view: the image of a view of half the resolution less the mean of 2×2 pixels.\n"
+      "- `half`: `--ao.resolution half`, upsampled, less the image ([resolution](resolution.md)).\n"
+      "- `rgb8`, `depth`: the image with these `ao.normals` less that with exact ones ([inputs](inputs.md)).\n"
+      "- Noise: the standard deviation of a pixel over the seeds, after the 4×4 box blur, and without blur.\n"
+      "- Period: the part of this noise that repeats with the tile of 4×4 pixels, likewise: each pixel's deviation "
+      "from the "
+      "mean of\n  the seeds, less the mean deviation of the 4×4 pixels about it, as far as it agrees with that of the "
+      "pixel "
+      "one tile further.\n\n"
+      "| method | rotation | half view | `half` | `rgb8` | `depth` | noise | noise without blur | period | period "
+      "without blur |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
       seeds);
   for (const Row& row : rows()) {
     AoParams params = params_of(row);
     const AoVariation blurred = measure_variation(context, uploaded, view, params, seeds);
+    const double period = measure_period(context, uploaded, view, params, seeds);
     params.blur.kind = AoBlur::none;
     const AoVariation raw = measure_variation(context, uploaded, view, params, seeds);
-    fmt::print("| {} | {:.0f} | {:.0f} | {:.0f} | {:.0f} |\n", row.name, 1000.0 * raw.rotation, 1000.0 * raw.half,
-               1000.0 * blurred.noise, 1000.0 * raw.noise);
+    const std::vector<double> changes =
+        measure_changes(context, uploaded, view, params, seeds,
+                        {{"ao.resolution", "half"}, {"ao.normals", "rgb8"}, {"ao.normals", "depth"}});
+    fmt::print("| {} | {:.0f} | {:.0f} | {:.0f} | {:.1f} | {:.0f} | {:.0f} | {:.0f} | {:.1f} | {:.0f} |\n", row.name,
+               1000.0 * raw.rotation, 1000.0 * raw.half, 1000.0 * changes[0], 1000.0 * changes[1], 1000.0 * changes[2],
+               1000.0 * blurred.noise, 1000.0 * raw.noise, 1000.0 * period,
+               1000.0 * measure_period(context, uploaded, view, params, seeds));
     std::fflush(stdout);
   }
 }
@@ -118,6 +132,11 @@ int run() {
       "  `ao.slice-spacing angle` leaves 0.001.\n"
       "- The bitmask rounds up to whole sectors by default, as in the authors' code: 0.05 too dark at every angle.\n"
       "  `ao.bitmask-rounding nearest` removes this; the rest at 85° comes from the weight by angle.\n"
+      "- Normals rebuilt from depth are wrong where faces are about as narrow as a pixel ([inputs](inputs.md)). "
+      "Full-sphere SSAO\n  reads no normals.\n"
+      "- A period of 0 means a covariance of 0 or less between pixels one tile apart: after a box blur of the tile's "
+      "size "
+      "nothing\n  repeats. Other blurs leave some ([blur](blur.md)).\n"
       "- Alchemy AO and ray marching measure heights above the tangent plane: exactly open at every angle.\n");
   return 0;
 }
