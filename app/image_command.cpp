@@ -56,7 +56,7 @@ void require_utf8(const std::string& path) {
 void add_technique_notes(Stages& stages, const Experiment& experiment, const std::vector<std::uint32_t>& lights) {
   if (!capabilities_of(make_technique(experiment.shadow)).reads_light_extent) return;
   for (const std::uint32_t light : lights) {
-    const Light lamp = stages.light(experiment, light);
+    const Light lamp = with_extent(stages.scene().lights[light], experiment.light);
     if (is_area(lamp)) continue;
     const bool is_sun = std::holds_alternative<DirectionalLight>(lamp.shape);
     stages.add_notes({fmt::format("{} has no extent, so that the kernel is one tap; set --light.{}",

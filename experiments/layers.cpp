@@ -9,7 +9,7 @@ namespace {
 
 void add_shadow(LayeredImage& image, const std::string& light, const ShadowMeasurement& shadow) {
   if (shadow.truth) add_layer(image, "truth_visibility_" + light, shadow.truth->visibility);
-  if (shadow.truth && has_area_light(shadow)) {
+  if (shadow.truth && shadow.is_sampled) {
     add_layer(image, "truth_visibility_standard_error_" + light, shadow.truth->standard_error);
     add_layer(image, "truth_visibility_samples_" + light, shadow.truth->samples);
   }

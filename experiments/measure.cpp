@@ -45,7 +45,8 @@ EdgeStatistics measure_edges(Stages& stages, const Experiment& experiment, std::
 
 ShadowMeasurement measure_shadow(Stages& stages, const Experiment& experiment, std::uint32_t light, Sides sides) {
   const Light lamp = stages.light(experiment, light);
-  const bool has_causes = !is_area(lamp) && stages.capabilities(experiment).sums_comparisons;
+  const bool is_sampled = stages.is_sampled(experiment, light);
+  const bool has_causes = !is_sampled && stages.capabilities(experiment).sums_comparisons;
   ShadowMeasurement measurement;
   measurement.experiment = experiment;
   measurement.light = light;
@@ -53,6 +54,7 @@ ShadowMeasurement measure_shadow(Stages& stages, const Experiment& experiment, s
   measurement.depth_unit = mean_depth_unit(stages, experiment, light);
   measurement.counted = stages.counted(experiment, light);
   measurement.emitter = lamp.emitter;
+  measurement.is_sampled = is_sampled;
   if (sides.truth) measurement.truth = stages.truth(experiment, light);
   if (sides.raster) {
     measurement.raster = stages.draw(experiment, light, sides.truth && has_causes);
@@ -62,7 +64,7 @@ ShadowMeasurement measure_shadow(Stages& stages, const Experiment& experiment, s
   const Image<float>& drawn = measurement.raster->visibility;
   if (has_causes) {
     measure_causes(stages, measurement);
-  } else if (is_area(lamp)) {
+  } else if (is_sampled) {
     measurement.statistics = analyze_soft_visibility(drawn, sampled(*measurement.truth), measurement.counted);
   } else {
     measurement.statistics = measure_edges(stages, experiment, light, drawn);

@@ -21,7 +21,7 @@ namespace umbrameter {
 
 /// Statistics of a shadow error. VisibilityStatistics: by cause, for a binary reference and a technique that sums
 /// comparisons. EdgeStatistics: by distance to the reference's edges, for a binary reference and any other technique.
-/// SoftVisibilityStatistics: by sign, with intervals, for an area light.
+/// SoftVisibilityStatistics: by sign, with intervals, for an area light and for a reference over the pixel.
 using ShadowStatistics = std::variant<VisibilityStatistics, EdgeStatistics, SoftVisibilityStatistics>;
 
 /// Statistics of a cell of a sweep: a shadow error, ambient occlusion or the shaded image.
@@ -41,6 +41,8 @@ struct ShadowMeasurement {
   std::optional<RasterVisibility> raster;
   std::optional<TracedVisibility> truth;
   Emitter emitter;
+  /// Whether the reference is sampled and takes values between 0 and 1: of an area light, or over the pixel.
+  bool is_sampled = false;
   std::optional<StoredDepths> stored_depths{};  ///< if raster is present
   std::optional<ShadowStatistics> statistics;   ///< if raster and truth are present
   std::vector<MetricScore> metrics{};           ///< if raster and truth are present
@@ -51,11 +53,6 @@ struct ShadowMeasurement {
   std::optional<BiasAdvice> advice{};  ///< set by the compare command, if any pixel is counted
   std::optional<ShadowShape> shape;    ///< set by the compare command
 };
-
-/// Whether it is an area light, so that the reference is sampled and takes values between 0 and 1.
-inline bool has_area_light(const ShadowMeasurement& shadow) {
-  return !std::holds_alternative<std::monostate>(shadow.emitter);
-}
 
 /// The statistics by cause; nullptr if the error has no causes.
 inline const VisibilityStatistics* by_cause(const ShadowMeasurement& shadow) {

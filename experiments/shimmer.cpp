@@ -62,12 +62,12 @@ Shimmer measure_shimmer(Stages& stages, const ShadowMeasurement& shadow) {
         is_traced ? trace_gbuffer(stages.tracer(), view) : read_back(context, draw_gbuffer(context, scene, view));
     const Image<float> after = draw_visibility_with(stages, shadow, shadow.layout, upload(context, moved), view);
     add(drawn, count_flips(before, after, shadow.counted, surfels.gbuffer, moved));
-    if (has_area_light(shadow)) continue;
+    if (shadow.is_sampled) continue;
     const Image<float> truth = trace_visibility(stages.tracer(), moved, light).visibility;
     add(traced, count_flips(shadow.truth->visibility, truth, shadow.counted, surfels.gbuffer, moved));
   }
   shimmer.camera = mean_of(drawn);
-  if (!has_area_light(shadow)) shimmer.camera_truth = mean_of(traced);
+  if (!shadow.is_sampled) shimmer.camera_truth = mean_of(traced);
   return shimmer;
 }
 

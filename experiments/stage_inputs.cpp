@@ -42,6 +42,17 @@ Parameters ao_parameters(Experiment& experiment) {
   return concatenate({all, run_parameter(experiment, "run.seed")});
 }
 
+// Whether lights have extent for reference and statistics.
+Parameters emitter_parameters(Experiment& experiment) {
+  return concatenate({describe(experiment.light), {require(describe(experiment.truth), "truth.shadow")}});
+}
+
+Parameters ao_sampling_parameters(Experiment& experiment) {
+  Parameters all = concatenate({describe(experiment.truth), run_parameter(experiment, "run.seed")});
+  std::erase_if(all, [](const Parameter& parameter) { return parameter.key == "truth.shadow"; });
+  return all;
+}
+
 Parameters sampling_parameters(Experiment& experiment) {
   return concatenate({describe(experiment.truth), run_parameter(experiment, "run.seed")});
 }
@@ -50,7 +61,7 @@ const std::array<StageInputs, stage_count>& stages() {
   static const std::array<StageInputs, stage_count> all = {{
       {"surfels", view_parameters, {}, 10.0},
       {"light", [](Experiment& e) { return Parameters{require(describe(e.view), "view.light")}; }, {}, 0.0},
-      {"emitter", [](Experiment& e) { return describe(e.light); }, {Stage::light}, 0.0},
+      {"emitter", emitter_parameters, {Stage::light}, 0.0},
       {"layout",
        [](Experiment& e) {
          return concatenate({describe(e.shadow.map),
@@ -68,6 +79,7 @@ const std::array<StageInputs, stage_count>& stages() {
       {"visibility", visibility_parameters, {Stage::surfels, Stage::filtered_map, Stage::emitter}, 2.0},
       {"reference", [](Experiment&) { return Parameters{}; }, {Stage::surfels, Stage::light}, 100.0},
       {"reference of an area light", sampling_parameters, {Stage::surfels, Stage::emitter}, 1000.0},
+      {"reference over the pixel", sampling_parameters, {Stage::surfels, Stage::emitter}, 1000.0},
       {"stored G-buffer", [](Experiment& e) { return gbuffer_parameters(e.shading); }, {Stage::surfels}, 3.0},
       {"shading",
        [](Experiment& e) { return describe(e.shading); },
@@ -75,7 +87,7 @@ const std::array<StageInputs, stage_count>& stages() {
        5.0},
       {"ambient occlusion", ao_parameters, {Stage::surfels}, 2.0},
       {"finished ambient occlusion", [](Experiment& e) { return describe(e.ao.tone); }, {Stage::ao}, 0.1},
-      {"reference of ambient occlusion", sampling_parameters, {Stage::surfels}, 1000.0},
+      {"reference of ambient occlusion", ao_sampling_parameters, {Stage::surfels}, 1000.0},
   }};
   return all;
 }

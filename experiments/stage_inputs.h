@@ -21,6 +21,7 @@ enum class Stage {
   visibility,        ///< the technique's visibility
   binary_reference,  ///< shadow rays to a light without extent
   area_reference,    ///< shadow rays to an area light
+  pixel_reference,   ///< shadow rays from all of a pixel
   stored_gbuffer,    ///< the G-buffer of the deferred path
   shading,           ///< the technique's image
   ao,                ///< the technique's ambient occlusion after its blur

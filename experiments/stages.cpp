@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "raster/shadow/polygon_offset.h"
+#include "raytrace/pixel_shadow.h"
 
 namespace umbrameter {
 namespace {
@@ -169,10 +170,13 @@ ReferenceKey Stages::reference_key(const Experiment& experiment, Stage stage, co
 }
 
 Light Stages::light(const Experiment& experiment, std::uint32_t light) const {
-  return with_extent(scene_.lights[light], experiment.light);
+  Light lamp = with_extent(scene_.lights[light], experiment.light);
+  if (experiment.truth.shadow == ShadowReference::point) lamp.emitter = std::monostate{};
+  return lamp;
 }
 
 Stage Stages::reference_stage(const Experiment& experiment, std::uint32_t light) const {
+  if (experiment.truth.shadow == ShadowReference::pixel) return Stage::pixel_reference;
   return is_area(this->light(experiment, light)) ? Stage::area_reference : Stage::binary_reference;
 }
 
@@ -182,11 +186,17 @@ const TracedVisibility& Stages::truth(const Experiment& experiment, std::uint32_
     const Light lamp = this->light(experiment, light);
     ReferenceKey key = reference_key(experiment, stage, "visibility");
     key.light = light_content(lamp);
+    const Surfels& seen = surfels(experiment);
+    const bool is_over_pixel = stage == Stage::pixel_reference;
+    if (is_over_pixel) key.surfels += camera_content(seen.view.camera);
     const std::function<TracedVisibility()> trace = [&] {
       const Tracer& rays = tracer();
       ProgressBar progress = tracing_bar("shadow rays", [&] { return rays.rays_traced(); });
-      return trace_visibility(rays, surfels(experiment).gbuffer, lamp,
-                              {experiment.truth, static_cast<std::uint32_t>(experiment.run.seed)}, progress.callback());
+      const TruthSampling sampling{experiment.truth, static_cast<std::uint32_t>(experiment.run.seed)};
+      if (is_over_pixel) {
+        return trace_pixel_visibility(rays, seen.gbuffer, seen.view, lamp, sampling, progress.callback());
+      }
+      return trace_visibility(rays, seen.gbuffer, lamp, sampling, progress.callback());
     };
     TracedVisibility traced = cache_.get(key, {scene_title(experiment), "visibility of " + title(light)}, trace);
     add(costs_.shadow, traced.statistics);
@@ -294,7 +304,7 @@ ShadowLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t l
     });
   }
   const ShadowTechnique technique =
-      make_technique(experiment.shadow, half_size(this->light(experiment, light).emitter));
+      make_technique(experiment.shadow, half_size(with_extent(scene_.lights[light], experiment.light).emitter));
   const FilteredMap& filtered = filtered_map_.get(key(Stage::filtered_map, experiment, light), [&] {
     return filter_map({context(), uploaded(), scene_.lights[light], map, experiment.shadow.map_depth}, technique);
   });

@@ -132,8 +132,12 @@ class Stages {
   const std::string& layer(std::uint32_t light) const { return layers_[light]; }
   /// The light's name for people; "light 2" if it has none, "lamp (2)" if several lights have the same name.
   std::string title(std::uint32_t light) const;
-  /// The light with the extent that the experiment gives it.
+  /// The light with the extent that the experiment gives it; without extent if truth.shadow is point.
   Light light(const Experiment& experiment, std::uint32_t light) const;
+  /// Whether the reference of the light's shadow is sampled and takes values between 0 and 1, so that it has no causes.
+  bool is_sampled(const Experiment& experiment, std::uint32_t light) const {
+    return reference_stage(experiment, light) != Stage::binary_reference;
+  }
   /// Throws Error (usage) if the light.* parameters, or those of cascades, make no sense for these lights.
   void check_is_meaningful(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const;
   /// Indices of the lights that a name or index selects; all when empty.

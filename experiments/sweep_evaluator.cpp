@@ -213,7 +213,9 @@ SweptQuantity choose_quantity(SweepMeasure given, const std::vector<SweepAxis>& 
   if (given == SweepMeasure::visibility) return SweptQuantity::visibility;
   if (given == SweepMeasure::ao) return SweptQuantity::ao;
   if (given == SweepMeasure::image || varies_group(axes, "shading.")) return SweptQuantity::image;
-  const bool ao = varies_group(axes, "ao.") || varies_group(axes, "truth.");
+  const bool ao = std::any_of(axes.begin(), axes.end(), [](const SweepAxis& axis) {
+    return axis.key.starts_with("ao.") || (axis.key.starts_with("truth.") && axis.key != "truth.shadow");
+  });
   if (ao && (varies_group(axes, "shadow.") || varies_group(axes, "light."))) {
     throw Error(ExitCode::usage, "sweep", "the axes vary both shadows and ambient occlusion",
                 "choose what to measure: --measure visibility, ao or image");
@@ -243,11 +245,11 @@ CellStatistics choose_statistics(const Stages& stages, const Experiment& experim
   if (quantity == SweptQuantity::ao) return AoStatistics{};
   if (quantity == SweptQuantity::image) return ImageStatistics{};
   const std::vector<std::uint32_t> lights = swept_lights(stages, experiment, axes, quantity);
-  const bool has_area_lights =
-      varies_group(axes, "light.") || std::any_of(lights.begin(), lights.end(), [&](std::uint32_t light) {
-        return is_area(stages.light(experiment, light));
-      });
-  if (has_area_lights) return SoftVisibilityStatistics{};
+  const bool has_sampled_reference = varies_group(axes, "light.") || varies_group(axes, "truth.shadow") ||
+                                     std::any_of(lights.begin(), lights.end(), [&](std::uint32_t light) {
+                                       return stages.is_sampled(experiment, light);
+                                     });
+  if (has_sampled_reference) return SoftVisibilityStatistics{};
   bool all_sum_comparisons = true;
   for_each_technique(experiment, axes, [&](const Experiment& cell) {
     all_sum_comparisons = all_sum_comparisons && stages.capabilities(cell).sums_comparisons;

@@ -29,7 +29,7 @@ std::vector<std::uint32_t> swept_lights(const Stages& stages, const Experiment& 
                                         const std::vector<SweepAxis>& axes, SweptQuantity quantity);
 
 /// The kind of statistics that suits every cell, with all values 0. For shadows: SoftVisibilityStatistics if any cell
-/// may have an area light; otherwise EdgeStatistics if any cell's technique does not sum comparisons; otherwise
+/// may have a sampled reference; otherwise EdgeStatistics if any cell's technique does not sum comparisons; otherwise
 /// VisibilityStatistics.
 CellStatistics choose_statistics(const Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                                  SweptQuantity quantity);

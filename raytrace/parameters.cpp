@@ -25,6 +25,7 @@ Parameters describe(TruthParams& params) {
   static constexpr std::array<std::string_view, 2> normals = {"geometric", "shading"};
   static constexpr std::array<std::string_view, 4> layers = {"none", "bent-normal", "hit-distance", "all"};
   static constexpr std::array<std::string_view, 2> samplings = {"area", "solid-angle"};
+  static constexpr std::array<std::string_view, 3> shadows = {"point", "pixel", "light"};
   return Description("truth")
       .field("spp", params.spp,
              {.unit = "rays",
@@ -59,6 +60,9 @@ Parameters describe(TruthParams& params) {
               {"", "further AO images: mean unoccluded direction, mean hit distance"})
       .choice("light-sampling", params.light_sampling, samplings,
               {"", "visibility of an area light: visible share of its area or of its solid angle"})
+      .choice(
+          "shadow", params.shadow, shadows,
+          {"", "reference of shadows: 0 or 1 at the pixel's centre, mean over the pixel, or share of an area light"})
       .take();
 }
 

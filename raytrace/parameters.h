@@ -24,6 +24,11 @@ enum class AoLayers : int { none, bent_normal, hit_distance, all };
 /// the solid angle that it spans at the surfel.
 enum class LightSampling : int { area, solid_angle };
 
+/// What the reference of a shadow is. `light`: at the pixel's centre, the visible share of an area light, and 0 or 1 of
+/// a light without extent. `point`: at the pixel's centre, 0 or 1, as if no light had extent. `pixel`: the mean over
+/// the pixel's footprint, and over an area light.
+enum class ShadowReference : int { point, pixel, light };
+
 /// The truth.* parameters.
 struct TruthParams {
   int spp = 256;
@@ -37,6 +42,7 @@ struct TruthParams {
   AoNormal ao_normal = AoNormal::geometric;
   AoLayers ao_layers = AoLayers::none;
   LightSampling light_sampling = LightSampling::area;
+  ShadowReference shadow = ShadowReference::light;
 };
 Parameters describe(TruthParams& params);
 

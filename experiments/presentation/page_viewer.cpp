@@ -99,8 +99,11 @@ std::string missing_text(const ShadowMeasurement& shadow) {
   if (const std::string reason = nothing_counted_text(shadow.counted); !reason.empty()) {
     return "There is no bias slider: " + reason + ".";
   }
-  if (has_area_light(shadow)) {
-    return "An area light has a soft shadow, so that no single tap is right or wrong; there is no bias slider.";
+  if (shadow.is_sampled) {
+    return shadow.experiment.truth.shadow == ShadowReference::pixel
+               ? "The reference is a mean over each pixel, so that no single tap is right or wrong; there is no bias "
+                 "slider."
+               : "An area light has a soft shadow, so that no single tap is right or wrong; there is no bias slider.";
   }
   const TechniqueCapabilities can = capabilities_of(make_technique(shadow.experiment.shadow));
   if (!can.sums_comparisons) {

@@ -36,11 +36,15 @@ std::string counted_text(const CountedPixels& counted, bool is_soft) {
 // What one light's shadow rays went to.
 std::string truth_caption(const ShadowMeasurement& shadow) {
   const std::string common = "Shadow rays against the exact geometry. Back-facing pixels are 0.";
-  if (!has_area_light(shadow)) return common;
+  if (!shadow.is_sampled) return common;
+  const double samples = shadow.truth->precision.mean_samples;
+  if (shadow.experiment.truth.shadow == ShadowReference::pixel) {
+    return fmt::format("{} Mean over the part of each pixel that shows the surface of its centre, of {:.0f} rays.",
+                       common, samples);
+  }
   return fmt::format("{} The light is {}{}; {:.0f} samples per pixel measure the visible share of its {}.", common,
                      std::holds_alternative<DistantEmitter>(shadow.emitter) ? "" : "a ", extent_text(shadow.emitter),
-                     shadow.truth->precision.mean_samples,
-                     shadow.experiment.truth.light_sampling == LightSampling::area ? "area" : "solid angle");
+                     samples, shadow.experiment.truth.light_sampling == LightSampling::area ? "area" : "solid angle");
 }
 
 void add_error_figure(Presentation& presentation, const Stages& stages, const ShadowMeasurement& shadow) {
@@ -84,9 +88,12 @@ void present_soft_error(Presentation& presentation, const Stages& stages, const 
   const std::string title = stages.title(shadow.light);
   ReportSection& section = presentation.section;
   add_error_figure(presentation, stages, shadow);
+  const bool is_over_pixel = shadow.experiment.truth.shadow == ShadowReference::pixel;
+  section.text += is_over_pixel ? "\n\nThe reference is the mean over each pixel (truth.shadow pixel)"
+                                : "\n\nThis is an area light. Its reference is the visible share of the light";
   section.text +=
-      "\n\nThis is an area light. Its reference is the visible share of the light, so a single tap is neither right "
-      "nor wrong and has no cause of error. The error is split into too dark and too bright instead.";
+      ", so a single tap is neither right nor wrong and has no cause of error. The error is split into too dark and "
+      "too bright instead. Causes need a binary reference: truth.shadow point.";
   if (s.error.max_x >= 0) {
     section.text += fmt::format(" The largest error is {:.3g}, for example at pixel ({}, {}).", s.error.max_error,
                                 s.error.max_x, s.error.max_y);
@@ -100,9 +107,10 @@ void present_soft_error(Presentation& presentation, const Stages& stages, const 
   };
   section.tables = {statistics_table("Visibility error: " + title, s), bias_table(shadow)};
   presentation.answers.push_back(fmt::format(
-      "{}: error {} against its soft shadow ({}); too dark {}, too bright {}; penumbra {} of the counted pixels", title,
-      percent(s.error.mae), extent_text(shadow.emitter), percent(s.error.too_dark), percent(s.error.too_bright),
-      percent(s.penumbra)));
+      "{}: error {} against {}; too dark {}, too bright {}; penumbra {} of the counted pixels", title,
+      percent(s.error.mae),
+      is_over_pixel ? "the mean over each pixel" : fmt::format("its soft shadow ({})", extent_text(shadow.emitter)),
+      percent(s.error.too_dark), percent(s.error.too_bright), percent(s.penumbra)));
 }
 
 std::string agreement_text(const ClassAgreement& agreement) {
@@ -150,12 +158,12 @@ Presentation present_shadow_error(const Stages& stages, const ShadowMeasurement&
   Presentation presentation;
   ReportSection& section = presentation.section;
   section.title = "Shadow of " + title;
-  section.text = counted_text(shadow.counted, has_area_light(shadow));
+  section.text = counted_text(shadow.counted, !std::holds_alternative<std::monostate>(shadow.emitter));
   if (shadow.truth) {
     add_figure(presentation, scalar_figure("truth_visibility_" + layer, "Reference: " + title, truth_caption(shadow),
                                            shadow.truth->visibility, visibility_scale));
     presentation.details.push_back(title + ": " + offset_text(shadow.truth->statistics));
-    if (has_area_light(shadow)) section.text += "\n\n" + precision_text(shadow.truth->precision, experiment.truth);
+    if (shadow.is_sampled) section.text += "\n\n" + precision_text(shadow.truth->precision, experiment.truth);
   }
   if (shadow.raster) {
     add_figure(presentation,
@@ -176,7 +184,7 @@ Presentation present_shadow_error(const Stages& stages, const ShadowMeasurement&
     const double pixels = static_cast<double>(shadow.counted.totals[0]);
     std::string line = fmt::format("{}: {:.0f} counted pixels", title, pixels);
     if (shadow.raster) line += fmt::format(", mean texel {}", metres_text(shadow.counted.mean_texel));
-    if (shadow.truth && has_area_light(shadow)) line += "; " + precision_line(shadow.truth->precision);
+    if (shadow.truth && shadow.is_sampled) line += "; " + precision_line(shadow.truth->precision);
     presentation.answers.push_back(std::move(line));
     return presentation;
   }

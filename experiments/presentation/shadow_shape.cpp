@@ -82,7 +82,7 @@ ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow) {
   const VisibilityStatistics* causes = by_cause(shadow);
   if (causes == nullptr) {
     ShadowShape shape{analyze_error_shape(input, shadow.raster->visibility)};
-    if (!has_area_light(shadow)) shape.error.outside_penumbra.reset();
+    if (!shadow.is_sampled) shape.error.outside_penumbra.reset();
     shape.views = measure_map_views(stages, shadow);
     return shape;
   }

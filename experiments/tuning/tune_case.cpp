@@ -85,7 +85,7 @@ Drawn draw_shadow(const TuneCase& tuned, const Experiment& experiment) {
     if (by_cause(*measured) != nullptr) {
       return analyze_visibility(measured->raster->wrong, measured->truth->visibility, counted);
     }
-    if (has_area_light(*measured)) return analyze_soft_visibility(technique, sampled(*measured->truth), counted);
+    if (measured->is_sampled) return analyze_soft_visibility(technique, sampled(*measured->truth), counted);
     const Light lamp = stages.light(experiment, light);
     const ShapeInput input{stages.surfels(experiment).gbuffer, measured->truth->visibility, counted, lamp,
                            measured->layout};
@@ -157,6 +157,12 @@ std::optional<MetricColumn> find_metric(const std::string& name, SweptQuantity q
   return {};
 }
 
+bool is_of_causes(const std::string& name) {
+  VisibilityStatistics statistics;
+  const Statistics described = describe(statistics);
+  return std::any_of(described.begin(), described.end(), [&](const Statistic& each) { return each.name == name; });
+}
+
 // Image metrics are computed from the images; all else must be described.
 void require_columns(const Reader& reader, const TuneCase& tuned, const TuneGoal& goal) {
   for (std::size_t c = 0; c < goal.columns.size(); ++c) {
@@ -164,8 +170,12 @@ void require_columns(const Reader& reader, const TuneCase& tuned, const TuneGoal
     if (reader.has(c) || name == pass_time_statistic || find_metric(name, tuned.quantity)) continue;
     std::string names;
     for (const Statistic& each : reader.statistics()) names += (names.empty() ? "" : ", ") + each.name;
-    throw Error(ExitCode::usage, tuned.title, fmt::format("this technique and light report no '{}'", name),
-                "choose from: " + names);
+    const bool needs_binary = tuned.quantity == SweptQuantity::visibility && is_of_causes(name) &&
+                              tuned.stages->is_sampled(tuned.experiment, tuned.light);
+    throw Error(ExitCode::usage, tuned.title,
+                needs_binary ? fmt::format("'{}' needs a binary reference", name)
+                             : fmt::format("this technique and light report no '{}'", name),
+                needs_binary ? "set --truth.shadow point" : "choose from: " + names);
   }
 }
 
