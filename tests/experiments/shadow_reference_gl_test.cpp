@@ -1,0 +1,75 @@
+// truth.shadow: what the reference of a shadow is, and which statistics it has.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "core/error.h"
+#include "experiments/measure.h"
+#include "experiments/sweep_table.h"
+#include "scenes/builtin.h"
+
+namespace umbrameter {
+namespace {
+
+class ShadowReferenceGl : public testing::Test {
+ protected:
+  void SetUp() override {
+    try {
+      StageOptions options;
+      options.context = std::make_shared<gl::Context>(gl::Context::make());
+      stages_ = std::make_unique<Stages>(load_scene("two-occluders"), options, Console{.quiet = true});
+    } catch (const Error& error) {
+      GTEST_SKIP() << error.what();
+    }
+    experiment_.view.size = {96, 54};
+    experiment_.shadow.map.resolution = 512;
+    experiment_.truth.spp = 64;
+  }
+  std::unique_ptr<Stages> stages_;
+  Experiment experiment_;
+};
+
+TEST_F(ShadowReferenceGl, Over_the_pixel_is_sampled_and_has_no_causes) {
+  const ShadowMeasurement point = measure_shadow(*stages_, experiment_, 0, {});
+  ASSERT_TRUE(by_cause(point) != nullptr);
+  experiment_.truth.shadow = ShadowReference::pixel;
+  const ShadowMeasurement pixel = measure_shadow(*stages_, experiment_, 0, {});
+  EXPECT_TRUE(pixel.is_sampled);
+  ASSERT_TRUE(std::holds_alternative<SoftVisibilityStatistics>(*pixel.statistics));
+  EXPECT_GT(std::get<SoftVisibilityStatistics>(*pixel.statistics).penumbra, 0.0) << "edges are partly lit";
+  double difference = 0.0;
+  double counted = 0.0;
+  for (std::size_t i = 0; i < pixel.truth->visibility.size(); ++i) {
+    if (pixel.counted.exclusion[i] != PixelExclusion::none) continue;
+    EXPECT_GE(pixel.truth->visibility[i], 0.0f);
+    EXPECT_LE(pixel.truth->visibility[i], 1.0f);
+    difference += std::abs(static_cast<double>(pixel.truth->visibility[i] - point.truth->visibility[i]));
+    ++counted;
+  }
+  EXPECT_GT(difference, 0.0);
+  EXPECT_LT(difference / counted, 0.05) << "away from edges both are the same";
+}
+
+TEST_F(ShadowReferenceGl, At_a_point_no_light_has_extent) {
+  const ShadowMeasurement without = measure_shadow(*stages_, experiment_, 0, {});
+  experiment_.light.angle = 3.0;
+  experiment_.light.radius = 0.2;
+  EXPECT_TRUE(stages_->is_sampled(experiment_, 0));
+  experiment_.truth.shadow = ShadowReference::point;
+  const ShadowMeasurement point = measure_shadow(*stages_, experiment_, 0, {});
+  ASSERT_TRUE(by_cause(point) != nullptr);
+  EXPECT_EQ(point.truth->visibility.pixels, without.truth->visibility.pixels);
+  EXPECT_EQ(by_cause(point)->acne, by_cause(without)->acne);
+}
+
+TEST_F(ShadowReferenceGl, Is_an_axis_of_a_sweep_of_shadows) {
+  const Table table = sweep_table(*stages_, experiment_, {"truth.shadow=point,pixel"});
+  ASSERT_EQ(table.rows.size(), 2u);
+  const std::size_t penumbra = column_index(table, "penumbra");
+  EXPECT_EQ(to_number(table.rows[0][penumbra]), 0.0);
+  EXPECT_GT(to_number(table.rows[1][penumbra]), 0.0);
+}
+
+}  // namespace
+}  // namespace umbrameter
