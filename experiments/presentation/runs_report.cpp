@@ -1,0 +1,171 @@
+#include "experiments/presentation/runs_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace umbrameter {
+namespace {
+
+// Shares are shown in per cent.
+double scale_of(const std::string& unit) { return unit == "1" ? 100.0 : 1.0; }
+std::string shown_unit(const std::string& unit) { return unit == "1" ? "%" : unit; }
+
+std::string with_minus(std::string text) {
+  if (text.starts_with('-')) text.replace(0, 1, "−");
+  return text;
+}
+
+double half_width_of(const Estimate& estimate) { return 0.5 * (estimate.upper - estimate.lower); }
+
+std::string value_text(const ComparedValue& value) {
+  const double scale = scale_of(value.measured.unit);
+  return with_half_width(scale * value.measured.value, scale * value.measured.half_width);
+}
+
+std::string difference_text(const ComparedValue& value) {
+  if (value.verdict == Verdict::base) return "—";
+  const double scale = scale_of(value.measured.unit);
+  const std::string text = with_half_width(scale * value.difference.value, scale * half_width_of(value.difference));
+  return value.verdict == Verdict::not_significant ? "(" + text + ")" : text;
+}
+
+std::string verdict_text(const ComparedValue& value) {
+  const std::string test = value.blocks > 0 ? fmt::format("paired over {} blocks", value.blocks) : "from the intervals";
+  switch (value.verdict) {
+    case Verdict::base:
+      return "—";
+    case Verdict::equal:
+      return "equal";
+    case Verdict::significant:
+      return "significant, " + test;
+    case Verdict::not_significant:
+      return "not significant, " + test;
+    case Verdict::no_interval:
+      return "no interval";
+  }
+  return "";
+}
+
+bool are_of_one_part(const ComparedStatistic& a, const ComparedStatistic& b) {
+  return a.kind == b.kind && a.light == b.light;
+}
+
+std::string part_title(const ComparedStatistic& compared) {
+  if (compared.kind == "shadow") return "Shadow of " + compared.light;
+  return compared.kind == "ao" ? "Ambient occlusion" : "The shaded image";
+}
+
+// A name of a light may hold anything.
+std::string file_stem(const ComparedStatistic& compared, std::size_t number) {
+  std::string stem = compared.kind;
+  if (compared.light.empty()) return stem;
+  stem += '_';
+  bool is_plain = true;
+  for (const char c : compared.light) {
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+    is_plain = is_plain && is_letter;
+    if (is_letter && stem.size() < 60) stem += c;
+  }
+  return is_plain && stem.size() < 60 ? stem : stem + fmt::format("_{}", number);
+}
+
+// One row for each run, one column for each statistic that is an error. `text` makes a cell.
+template <class Text>
+Table rows_of_runs(const std::vector<StoredRun>& runs, const std::vector<const ComparedStatistic*>& errors,
+                   std::size_t first_run, const Text& text) {
+  Table table{{{"run", "", ""}}, {}};
+  for (const ComparedStatistic* each : errors) table.columns.push_back({each->name, shown_unit(each->unit), ""});
+  for (std::size_t run = first_run; run < runs.size(); ++run) {
+    std::vector<Value> row = {runs[run].name};
+    for (const ComparedStatistic* each : errors) {
+      const auto found = std::find_if(each->values.begin(), each->values.end(),
+                                      [&](const ComparedValue& value) { return value.run == run; });
+      row.emplace_back(found == each->values.end() ? "—" : text(*found));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace
+
+std::string with_half_width(double value, double half_width) {
+  if (!std::isfinite(value)) return "—";
+  if (!(half_width > 0.0)) return with_minus(fmt::format("{:.{}g}", value, std::abs(value) >= 1e4 ? 12 : 4));
+  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(half_width))), 0, 9);
+  return with_minus(fmt::format("{:.{}f} ± {:.{}f}", value, decimals, half_width, decimals));
+}
+
+std::vector<PartTables> part_tables(const std::vector<StoredRun>& runs,
+                                    const std::vector<ComparedStatistic>& compared) {
+  std::vector<PartTables> parts;
+  for (auto first = compared.begin(); first != compared.end();) {
+    const auto last = std::find_if(first, compared.end(),
+                                   [&](const ComparedStatistic& each) { return !are_of_one_part(*first, each); });
+    std::vector<const ComparedStatistic*> errors;
+    PartTables part{file_stem(*first, parts.size()), part_title(*first), {}, {}, {}};
+    part.all.columns = {{"statistic", "", ""}, {"unit", "", ""},       {"run", "", ""},
+                        {"value", "", ""},     {"difference", "", ""}, {"verdict", "", ""}};
+    for (auto each = first; each != last; ++each) {
+      if (each->is_error) errors.push_back(&*each);
+      for (const ComparedValue& value : each->values) {
+        part.all.rows.push_back({each->name, shown_unit(each->unit), runs[value.run].name, value_text(value),
+                                 difference_text(value), verdict_text(value)});
+      }
+    }
+    part.values = rows_of_runs(runs, errors, 0, value_text);
+    part.differences = rows_of_runs(runs, errors, 1, difference_text);
+    parts.push_back(std::move(part));
+    first = last;
+  }
+  return parts;
+}
+
+Table comparison_rows(const std::vector<StoredRun>& runs, const std::vector<ComparedStatistic>& compared) {
+  Table table{{{"kind", "", ""},
+               {"light", "", ""},
+               {"statistic", "", ""},
+               {"unit", "", ""},
+               {"run", "", ""},
+               {"value", "", ""},
+               {"half_width", "", ""},
+               {"difference", "", ""},
+               {"difference_lo", "", ""},
+               {"difference_hi", "", ""},
+               {"blocks", "", ""},
+               {"verdict", "", ""}},
+              {}};
+  constexpr const char* verdicts[] = {"base", "equal", "significant", "not significant", "no interval"};
+  for (const ComparedStatistic& each : compared) {
+    for (const ComparedValue& value : each.values) {
+      table.rows.push_back({each.kind, each.light, each.name, each.unit, runs[value.run].name, value.measured.value,
+                            value.measured.half_width, value.difference.value, value.difference.lower,
+                            value.difference.upper, static_cast<std::int64_t>(value.blocks),
+                            std::string(verdicts[static_cast<std::size_t>(value.verdict)])});
+    }
+  }
+  return table;
+}
+
+std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
+                                            const std::vector<ComparedStatistic>& compared) {
+  std::vector<std::string> answers;
+  for (const ComparedStatistic& each : compared) {
+    if (each.name != error_statistic) continue;
+    const std::string what = each.light.empty() ? each.kind : each.light;
+    for (const ComparedValue& value : each.values) {
+      std::string line = fmt::format("{}, {}: error {} %", what, runs[value.run].name, value_text(value));
+      if (value.verdict != Verdict::base) {
+        line += fmt::format("; difference {} % ({})",
+                            with_half_width(100.0 * value.difference.value, 100.0 * half_width_of(value.difference)),
+                            verdict_text(value));
+      }
+      answers.push_back(std::move(line));
+    }
+  }
+  return answers;
+}
+
+}  // namespace umbrameter

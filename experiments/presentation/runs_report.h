@@ -1,0 +1,33 @@
+// A comparison of finished runs as tables for the page, for LaTeX and for programs.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/run_comparison.h"
+#include "reports/page/page.h"
+
+namespace umbrameter {
+
+/// The errors of one light, of ambient occlusion or of the image: one row for each run.
+struct PartTables {
+  std::string stem;   ///< file name of its LaTeX tables: "shadow_sun"
+  std::string title;  ///< "Shadow of sun"
+  Table values;       ///< value ± half width of its 95 % interval, with the digits that the interval justifies
+  Table differences;  ///< to the first run; in parentheses where it is not significant; no rows for a single run
+  Table all;          ///< every statistic of every run, errors or not, with the kind of the test
+};
+std::vector<PartTables> part_tables(const std::vector<StoredRun>& runs, const std::vector<ComparedStatistic>& compared);
+
+/// One row for each statistic and run, in SI units and shares.
+Table comparison_rows(const std::vector<StoredRun>& runs, const std::vector<ComparedStatistic>& compared);
+
+/// The answer: for each light, AO and image how the mean absolute error of each run differs from the first's.
+std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
+                                            const std::vector<ComparedStatistic>& compared);
+
+/// "2.180 ± 0.037": two significant digits of the half width; four of the value if it has none.
+std::string with_half_width(double value, double half_width);
+
+}  // namespace umbrameter
