@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/command_help.h"
+#include "app/command_options.h"
 #include "core/error.h"
 #include "core/suggestion.h"
 #include "experiments/experiment.h"
@@ -196,6 +197,7 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
     command.add_flag("--no-cache", line.no_cache, "trace the reference again and do not cache it");
   }
   command.add_flag("--no-figures", line.no_figures, "draw no figures; the page has no pictures");
+  if (&description == &compare_command || &description == &sweep_command) add_figure_options(command, line.figures);
   command.add_flag("--full-images", line.full_images, "keep every pixel of large images in the page's viewer");
   add_threads(command, line);
   add_memory(command, line);
@@ -266,27 +268,8 @@ Information generated(const CLI::App& app, const std::string& kind, const std::f
 }
 
 void add_diff_command(CLI::App& app, CommandLine& line) {
-  DiffOptions& diff = line.diff;
   CLI::App& command = add_command(app, diff_command);
-  command.add_option("TEST", diff.test, "image to judge: EXR, PNG, Radiance HDR or PFM")->required();
-  command.add_option("REFERENCE", diff.reference, "image to compare with, of the same size")->required();
-  const auto text = [&](const char* names, auto& value, const char* placeholder, const char* meaning) {
-    return command.add_option(names, value, meaning)->type_name(placeholder);
-  };
-  text("-o,--output", line.output, "FILE", "write an error map, .png, with a fixed colour scale");
-  text("--metrics", diff.metrics, "LIST", "metrics to measure, comma-separated; all by default");
-  text("--map", diff.map, "NAME", "metric of the error map (hdr-flip for linear files, else ldr-flip)");
-  text("--layer", diff.layer, "NAME", "layer of EXR files: truth_ao, truth_ao.Y");
-  text("--reference-layer", diff.reference_layer, "NAME", "layer of the reference, if it has another name");
-  text("--mask", diff.mask, "FILE", "count only the pixels where this image is not black");
-  text("--crop", diff.crop, "X,Y,W,H", "compare only this rectangle [px]");
-  text("--pixels-per-degree", diff.pixels_per_degree, "X", "resolution seen by the viewer, for FLIP (67.02)")
-      ->check(CLI::Range(1.0, 1000.0));
-  text("--exposure", diff.exposure, "EV", "exposure of linear files for metrics of displayed images [EV] (0)")
-      ->check(CLI::Range(-100.0, 100.0));
-  text("--exposures", diff.exposures, "RANGE", "exposures of HDR-FLIP [EV], START:STOP[:COUNT]; automatic by default");
-  command.add_flag("--data", diff.data, "the values are data from 0 to 1 (visibility, AO), compared as they are");
-  command.add_flag("--exit-code", diff.exit_code, "exit with 1 if a counted pixel differs");
+  add_diff_options(command, line);
   add_threads(command, line);
   add_output_flags(command, line);
 }

@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "reports/figures/style.h"
+
 namespace umbrameter {
 
 /// What `diff` compares and how; texts as given.
@@ -48,8 +50,8 @@ struct TuneOptions {
 };
 
 struct CommandLine {
-  std::string command;  ///< "compare", "sweep", "tune", "trace", "raster", "diff", "check", "scenes", "scene", "cache",
-                        ///< "info" or "parameters"
+  std::string command;  ///< "compare", "sweep", "tune", "trace", "raster", "diff", "check", "scenes",
+                        ///< "scene", "cache", "info" or "parameters"
   std::string scene;    ///< file or name of a built-in scene; empty when not given
   std::filesystem::path output;
   std::filesystem::path experiment_file;
@@ -73,6 +75,7 @@ struct CommandLine {
   std::filesystem::path sheet;     ///< contact sheet to draw; empty for none
   std::string tile_size;           ///< of each picture on it, "WxH"; empty for the usual one
   bool measure_memory = false;
+  FigureOptions figures;
   DiffOptions diff;
   CheckOptions check;
   TuneOptions tune;

@@ -111,6 +111,8 @@ std::optional<CacheFolder> chosen_cache(const CommandLine& line, const Console& 
 
 ExitCode run_image_command(const CommandLine& line, const Console& console) {
   Experiment given = make_experiment(line);
+  const FigureStyle style = make_figure_style(line.figures);
+  check_insets(style, given.view.size.width, given.view.size.height);
   const std::vector<BudgetEntry> conditions = budgets_of(line.fail_if);
   add_metrics(given, conditions);
   std::optional<RunFolder> run_folder;
@@ -179,6 +181,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   output.summary = {line.command, given, &stages, &measurement, {}, {}, {}, {}};
   if (sides.raster) output.summary.gl_renderer = stages.context().device().renderer;
   if (sides.raster && experiment.run.write_maps) output.maps = lights;
+  output.figure_style = style;
   output.with_figures = !line.no_figures;
   output.with_full_images = line.full_images;
   const ExitCode code = write_run(folder, console, std::move(output));

@@ -128,6 +128,8 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   Experiment experiment = make_experiment(line);
   const std::vector<SweepAxis> axes = parse_axes(describe(experiment), experiment.axes);
   check_axes(axes, experiment);
+  const FigureStyle style = make_figure_style(line.figures);
+  check_insets(style, experiment.view.size.width, experiment.view.size.height);
   const SweptQuantity quantity = choose_quantity(experiment.run.measure, axes);
   const Parameters parameters = describe(experiment);
   const SweepPlan plan = plan_sweep(parameters, axes, cost_of_change, inner_keys(experiment, axes, quantity));
@@ -234,6 +236,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
                     stages.context().device().renderer,
                     {},
                     {}};
+  output.figure_style = style;
   output.with_figures = !line.no_figures;
   output.with_full_images = line.full_images;
   output.rows = report_cells(results, experiment, page_cells);

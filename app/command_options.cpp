@@ -1,0 +1,43 @@
+#include "app/command_options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace umbrameter {
+
+void add_diff_options(CLI::App& command, CommandLine& line) {
+  DiffOptions& diff = line.diff;
+  command.add_option("TEST", diff.test, "image to judge: EXR, PNG, Radiance HDR or PFM")->required();
+  command.add_option("REFERENCE", diff.reference, "image to compare with, of the same size")->required();
+  const auto text = [&](const char* names, auto& value, const char* placeholder, const char* meaning) {
+    return command.add_option(names, value, meaning)->type_name(placeholder);
+  };
+  text("-o,--output", line.output, "FILE", "write an error map, .png, with a fixed colour scale");
+  text("--metrics", diff.metrics, "LIST", "metrics to measure, comma-separated; all by default");
+  text("--map", diff.map, "NAME", "metric of the error map (hdr-flip for linear files, else ldr-flip)");
+  text("--layer", diff.layer, "NAME", "layer of EXR files: truth_ao, truth_ao.Y");
+  text("--reference-layer", diff.reference_layer, "NAME", "layer of the reference, if it has another name");
+  text("--mask", diff.mask, "FILE", "count only the pixels where this image is not black");
+  text("--crop", diff.crop, "X,Y,W,H", "compare only this rectangle [px]");
+  text("--pixels-per-degree", diff.pixels_per_degree, "X", "resolution seen by the viewer, for FLIP (67.02)")
+      ->check(CLI::Range(1.0, 1000.0));
+  text("--exposure", diff.exposure, "EV", "exposure of linear files for metrics of displayed images [EV] (0)")
+      ->check(CLI::Range(-100.0, 100.0));
+  text("--exposures", diff.exposures, "RANGE", "exposures of HDR-FLIP [EV], START:STOP[:COUNT]; automatic by default");
+  command.add_flag("--data", diff.data, "the values are data from 0 to 1 (visibility, AO), compared as they are");
+  command.add_flag("--exit-code", diff.exit_code, "exit with 1 if a counted pixel differs");
+}
+
+void add_figure_options(CLI::App& command, FigureOptions& figures) {
+  const auto add = [&](const char* name, auto& value, const char* placeholder, const char* meaning) {
+    return command.add_option(name, value, meaning)->type_name(placeholder)->group("Figures");
+  };
+  add("--figure-style", figures.style, "STYLE", "figures for print: column (84 mm), page (176 mm) or slide (300 mm)");
+  add("--figure-size", figures.size, "W[xH]", "width of figures in print, and height of plots [mm]");
+  add("--figure-font", figures.font, "NAME", "font family of figures (DejaVu Sans)");
+  add("--figure-font-size", figures.font_size, "PT", "size of labels in print [pt] (8; slide 20)")
+      ->check(CLI::Range(4.0, 72.0));
+  command.add_flag("--figure-title", figures.title, "draw titles into the figures")->group("Figures");
+  add("--inset", figures.insets, "X,Y,W,H", "draw this region enlarged beside each image [px]; repeatable")->take_all();
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,16 @@
+// Groups of options of single commands, for app/command_line.cpp.
+#pragma once
+
+#include "app/command_line.h"
+
+namespace CLI {
+class App;
+}
+
+namespace umbrameter {
+
+void add_diff_options(CLI::App& command, CommandLine& line);
+/// Of every command that draws figures.
+void add_figure_options(CLI::App& command, FigureOptions& figures);
+
+}  // namespace umbrameter
