@@ -49,6 +49,10 @@ constexpr CommandDescription check_command = {
     "check", "Hold finished runs against a budget; exit code 1 if they break it",
     "Example: umbrameter check out --budget budget.toml --junit report.xml\n"
     "'umbrameter check out --budget budget.toml --update' writes the budget."};
+constexpr CommandDescription report_command = {
+    "report", "Set finished runs side by side: differences, figures, LaTeX tables",
+    "Example: umbrameter report before after -o both --latex --figure-style column\n"
+    "Then open both/index.html; both/comparison.csv has all differences."};
 constexpr CommandDescription scenes_command = {"scenes", "List the built-in scenes, or draw them on a contact sheet",
                                                "Example: umbrameter scenes --sheet scenes.pdf"};
 constexpr CommandDescription scene_command = {"scene", "Write a built-in scene as a .glb file",
@@ -286,6 +290,23 @@ void add_check_command(CLI::App& app, CommandLine& line) {
   add_output_flags(command, line);
 }
 
+void add_report_command(CLI::App& app, CommandLine& line) {
+  CLI::App& command = add_command(app, report_command);
+  command
+      .add_option("DIR", line.report.folders,
+                  "folder of a finished compare or sweep; the first is the base of all differences")
+      ->required();
+  command.add_option("-o,--output", line.output, "folder for the report, created if missing")
+      ->type_name("DIR")
+      ->required();
+  command.add_flag("--latex", line.report.latex, "write the tables as LaTeX (booktabs) to figures/*.tex, too");
+  command.add_flag("--force", line.force, "replace an earlier report in the folder");
+  command.add_flag("--no-figures", line.no_figures, "draw no figures");
+  add_figure_options(command, line.figures);
+  add_threads(command, line);
+  add_output_flags(command, line);
+}
+
 void add_other_commands(CLI::App& app, CommandLine& line) {
   CLI::App& scenes = add_command(app, scenes_command);
   scenes.add_option("NAME", line.names, "list only these scenes");
@@ -335,6 +356,7 @@ std::variant<CommandLine, Information> parse_command_line(int argc, const char* 
   }
   add_diff_command(app, line);
   add_check_command(app, line);
+  add_report_command(app, line);
   add_other_commands(app, line);
   std::string topic;
   add_command(app, help_command).add_option("COMMAND", topic, "command to explain");

@@ -49,8 +49,14 @@ struct TuneOptions {
   double minutes = 0.0;         ///< 0: no limit
 };
 
+/// What `report` reads.
+struct ReportOptions {
+  std::vector<std::filesystem::path> folders;  ///< finished runs; the first is what the others are compared with
+  bool latex = false;
+};
+
 struct CommandLine {
-  std::string command;  ///< "compare", "sweep", "tune", "trace", "raster", "diff", "check", "scenes",
+  std::string command;  ///< "compare", "sweep", "tune", "trace", "raster", "diff", "check", "report", "scenes",
                         ///< "scene", "cache", "info" or "parameters"
   std::string scene;    ///< file or name of a built-in scene; empty when not given
   std::filesystem::path output;
@@ -79,6 +85,7 @@ struct CommandLine {
   DiffOptions diff;
   CheckOptions check;
   TuneOptions tune;
+  ReportOptions report;
   std::vector<std::string> fail_if;  ///< conditions under which compare ends with exit code 1
 };
 

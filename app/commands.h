@@ -36,6 +36,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console);  //
 ExitCode run_sweep_command(const CommandLine& line, const Console& console);
 ExitCode run_tune_command(const CommandLine& line, const Console& console);
 ExitCode run_diff(const CommandLine& line, const Console& console);
+ExitCode run_report(const CommandLine& line, const Console& console);
 ExitCode run_check(const CommandLine& line, const Console& console);
 ExitCode run_scenes(const CommandLine& line, const Console& console);
 ExitCode run_scene(const CommandLine& line, const Console& console);

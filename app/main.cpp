@@ -29,6 +29,7 @@ ExitCode run(int argc, const char* const* argv) {
   if (line.command == "tune") return run_tune_command(line, console);
   if (line.command == "diff") return run_diff(line, console);
   if (line.command == "check") return run_check(line, console);
+  if (line.command == "report") return run_report(line, console);
   if (line.command == "scenes") return run_scenes(line, console);
   if (line.command == "scene") return run_scene(line, console);
   if (line.command == "cache") return run_cache(line, console);

@@ -1,0 +1,183 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "core/parallel.h"
+#include "experiments/presentation/runs_report.h"
+#include "experiments/presentation/stored_figures.h"
+#include "experiments/run_folder.h"
+#include "reports/files/data.h"
+#include "reports/files/latex.h"
+#include "reports/files/output.h"
+
+namespace umbrameter {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<StoredRun> read_runs(const CommandLine& line) {
+  std::vector<StoredRun> runs;
+  for (const fs::path& folder : line.report.folders) {
+    std::error_code error;
+    if (fs::equivalent(folder, line.output, error)) {
+      throw Error(ExitCode::usage, line.output.string(), "it holds a run that the report reads",
+                  "write the report to another folder");
+    }
+    runs.push_back(read_stored_run(folder));
+  }
+  // Folders of one name in different places are told apart by their paths.
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto is_other = [&](const StoredRun& run) { return &run != &runs[i] && run.name == runs[i].name; };
+    if (std::any_of(runs.begin(), runs.end(), is_other)) runs[i].name = line.report.folders[i].string();
+  }
+  return runs;
+}
+
+// The figures of all runs, ordered so that those of one image stand side by side.
+std::vector<ImageFigure> figures_of(const std::vector<StoredRun>& runs) {
+  std::vector<ImageFigure> figures;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    for (ImageFigure& figure : stored_figures(runs[i])) {
+      if (runs.size() > 1) {
+        figure.stem += fmt::format("_{}", i + 1);
+        figure.title += ", " + runs[i].name;
+      }
+      figures.push_back(std::move(figure));
+    }
+  }
+  if (runs.size() < 2) return figures;
+  const auto image_of = [](const ImageFigure& figure) { return figure.stem.substr(0, figure.stem.rfind('_')); };
+  std::vector<ImageFigure> sorted;
+  for (const ImageFigure& first : figures) {
+    const auto is_same = [&](const ImageFigure& figure) { return image_of(figure) == image_of(first); };
+    if (std::any_of(sorted.begin(), sorted.end(), is_same)) continue;
+    std::copy_if(figures.begin(), figures.end(), std::back_inserter(sorted), is_same);
+  }
+  return sorted;
+}
+
+std::vector<std::string> planned_files(const CommandLine& line, const std::vector<ImageFigure>& figures,
+                                       const std::vector<PartTables>& parts) {
+  std::vector<std::string> files = {"index.html", "comparison.csv"};
+  for (const ImageFigure& figure : figures) {
+    for (const char* format : {".svg", ".pdf", ".png"}) files.push_back("figures/" + figure.stem + format);
+  }
+  if (!line.report.latex) return files;
+  for (const PartTables& part : parts) {
+    files.push_back("figures/" + part.stem + ".tex");
+    if (!part.differences.rows.empty()) files.push_back("figures/" + part.stem + "_difference.tex");
+  }
+  return files;
+}
+
+void write_latex(const fs::path& folder, const std::vector<PartTables>& parts) {
+  for (const PartTables& part : parts) {
+    write_text(folder / "figures" / (part.stem + ".tex"), to_latex(part.values));
+    if (part.differences.rows.empty()) continue;
+    write_text(folder / "figures" / (part.stem + "_difference.tex"), to_latex(part.differences));
+  }
+}
+
+Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTables>& parts,
+                   const std::vector<ImageFigure>& figures) {
+  Report report;
+  std::string names;
+  for (const StoredRun& run : runs) names += (names.empty() ? "" : ", ") + run.name;
+  report.title = fmt::format("{}: {}", runs.front().scene, runs.size() > 1 ? "runs side by side" : "a run");
+  report.subtitle = names;
+  report.command = "umbrameter report DIR... -o OUT";
+  if (runs.size() > 1) {
+    ReportSection section;
+    section.title = "Parameters that differ";
+    const Table table = differing_parameters(runs);
+    section.text = table.rows.empty() ? "All parameters are equal." : "";
+    if (!table.rows.empty()) section.tables.push_back({"Parameters that differ", table});
+    report.sections.push_back(std::move(section));
+  }
+  for (const PartTables& part : parts) {
+    ReportSection section;
+    section.title = part.title;
+    section.tables.push_back({"Errors, with 95 % intervals", part.values});
+    if (!part.differences.rows.empty()) {
+      section.text = fmt::format("Differences are to {}; those in parentheses are not significant.", runs.front().name);
+      section.tables.push_back({"Difference to " + runs.front().name, part.differences});
+    }
+    section.tables.push_back({"All statistics", part.all});
+    report.sections.push_back(std::move(section));
+  }
+  if (figures.empty()) return report;
+  ReportSection section;
+  section.title = "Images";
+  for (const ImageFigure& figure : figures) {
+    section.figures.push_back(figure.stem);
+    section.figure_titles.push_back(figure.title);
+    section.captions.push_back(figure.caption);
+  }
+  report.sections.push_back(std::move(section));
+  return report;
+}
+
+void check_insets_of(FigureStyle& style, const std::vector<ImageFigure>& figures) {
+  if (figures.empty()) return;
+  const ImageFigure& figure = figures.front();
+  style.view = figure.values.empty() ? ivec2(figure.category.width, figure.category.height)
+                                     : ivec2(figure.values.width, figure.values.height);
+  check_insets(style, style.view.x, style.view.y);
+}
+
+}  // namespace
+
+ExitCode run_report(const CommandLine& line, const Console& console) {
+  FigureStyle style = make_figure_style(line.figures);
+  const ThreadLimit threads(line.threads);
+  const std::vector<StoredRun> runs = read_runs(line);
+  const std::vector<std::string> limits = limits_of_comparison(runs);
+  const std::vector<ComparedStatistic> compared = compare_runs(runs);
+  const std::vector<PartTables> parts = part_tables(runs, compared);
+  const std::vector<ImageFigure> figures = line.no_figures ? std::vector<ImageFigure>{} : figures_of(runs);
+  check_insets_of(style, figures);
+  const std::vector<std::string> answers = comparison_answers(runs, compared);
+
+  std::string plan = "report";
+  for (const StoredRun& run : runs) plan += " " + run.name;
+  const std::vector<std::string> files = planned_files(line, figures, parts);
+  RunFolder folder(line.output, RunPlan{line.command, plan, files}, line.force);
+  folder.begin();
+  for (const std::string& text : answers) print_line(console, text);
+  for (const std::string& text : limits) note(console, text);
+  std::fflush(stdout);
+  const Table rows = comparison_rows(runs, compared);
+  write_text(folder.path() / "comparison.csv", to_csv(rows));
+  const std::vector<std::string> problems = write_figures(folder.path() / "figures", {figures}, style).problems;
+  if (line.report.latex) write_latex(folder.path(), parts);
+  Report report = make_report(runs, parts, figures);
+  report.answers = answers;
+  report.notes = limits;
+  for (const StoredRun& run : runs) {
+    if (run.command != "sweep" || line.no_figures) continue;
+    report.notes.push_back(fmt::format(
+        "{} is a sweep: rerun its command with other figure options to redraw its plots; no cell is measured again.",
+        run.name));
+  }
+  write_page(folder.path(), report);
+  add_line(console, fmt::format("report: {}", (folder.path() / "index.html").string()));
+  if (console.json) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const auto& row : rows.rows) {
+      nlohmann::ordered_json object;
+      for (std::size_t c = 0; c < row.size(); ++c) {
+        std::visit([&](const auto& value) { object[rows.columns[c].name] = value; }, row[c]);
+      }
+      json.push_back(std::move(object));
+    }
+    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  }
+  folder.finish(problems.empty());
+  for (const std::string& problem : problems) fmt::print(stderr, "umbrameter: {}\n", problem);
+  return problems.empty() ? ExitCode::ok : ExitCode::partial;
+}
+
+}  // namespace umbrameter

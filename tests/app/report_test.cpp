@@ -1,0 +1,200 @@
+// `report` on runs that are written here: differences whose size and interval are known, tables, and how it refuses.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "core/error.h"
+#include "experiments/presentation/presentation.h"
+#include "experiments/presentation/runs_report.h"
+#include "reports/files/exr.h"
+#include "tests/app/run_program.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int side = 64;
+
+// A run of one light whose error is `error`; every pixel is counted.
+struct MadeRun {
+  std::string scene = "court";
+  std::string size = "64x64";
+  double bias = 0.05;
+  Image<float> error = Image<float>(side, side, 0.0f);
+  double mae_offset = 0.0;  // makes the reported value another than that of the images
+
+  double mae() const {
+    double sum = 0.0;
+    for (const float e : error.pixels) sum += std::abs(static_cast<double>(e));
+    return sum / static_cast<double>(error.size()) + mae_offset;
+  }
+};
+
+Image<float> noise(unsigned seed, float scale) {
+  std::mt19937 random(seed);
+  Image<float> image(side, side);
+  for (float& value : image.pixels) value = scale * static_cast<float>(random() % 1000) / 1000.0f;
+  return image;
+}
+
+class RunsReport : public testing::Test {
+ protected:
+  std::string write(const std::string& name, const MadeRun& made) const {
+    std::filesystem::create_directories(folder_ / name);
+    const Json statistics = {{"pixels", side * side}, {"mae", made.mae()}, {"lit", 0.5}};
+    const Json shadow = {{"light", "sun_1 & 50%"}, {"layer", "sun"}, {"index", 0}, {"statistics", statistics}};
+    const Json parameters = {{"view.size", made.size}, {"shadow.constant-bias", made.bias}, {"shadow.filter", "box"}};
+    const Json summary = {{"program", {{"version", "1"}}},
+                          {"command", "compare"},
+                          {"scene", {{"name", made.scene}}},
+                          {"parameters", parameters},
+                          {"shadows", Json::array({shadow})}};
+    folder_.write(name + "/summary.json", summary.dump());
+    LayeredImage images;
+    add_layer(images, "error_visibility_sun", made.error);
+    add_layer(images, "class_sun", Image<float>(side, side, 0.0f));
+    add_layer(images, "gbuffer_position", Image<vec3>(side, side, vec3(1.0f)));
+    write_exr(folder_ / (name + "/images.exr"), images);
+    return folder_ / name;
+  }
+  ComparedValue mae_of(const MadeRun& a, const MadeRun& b) const {
+    const std::vector<StoredRun> runs = {read_stored_run(write("a", a)), read_stored_run(write("b", b))};
+    for (const ComparedStatistic& each : compare_runs(runs)) {
+      if (each.name == "mae") return each.values.at(1);
+    }
+    throw std::runtime_error("no mae");
+  }
+  std::string output() const { return folder_ / "out"; }
+
+  TemporaryFolder folder_;
+};
+
+// Both runs share an error of 0.25 ± 0.14 a pixel; the second has 0.001 ± 0.0003 more. Unpaired, the interval of Wilson
+// is ± 0.013 for each, 19 times the difference.
+TEST_F(RunsReport, A_small_difference_is_significant_where_both_runs_share_their_error) {
+  MadeRun a, b;
+  a.error = noise(1, 0.5f);
+  b.error = a.error;
+  const Image<float> more = noise(2, 0.001f);
+  for (std::size_t i = 0; i < b.error.size(); ++i) b.error[i] += 0.0005f + more[i];
+  const ComparedValue value = mae_of(a, b);
+  EXPECT_EQ(value.verdict, Verdict::significant);
+  EXPECT_EQ(value.blocks, 64u) << "8 × 8 blocks of 8 × 8 pixels";
+  EXPECT_NEAR(value.difference.value, 0.001, 2e-5);
+  // The standard error of a mean of 4096 uniform numbers of width 0.001: 0.001/√12/64 = 4.5e-6.
+  EXPECT_NEAR(0.5 * (value.difference.upper - value.difference.lower), 1.96 * 4.5e-6, 2e-6);
+}
+
+TEST_F(RunsReport, Two_draws_of_one_noise_are_no_significant_difference) {
+  MadeRun a, b;
+  a.error = noise(3, 0.5f);
+  b.error = noise(4, 0.5f);
+  const ComparedValue value = mae_of(a, b);
+  EXPECT_EQ(value.verdict, Verdict::not_significant);
+  // √2 · 0.5/√12/64 = 0.00319
+  EXPECT_NEAR(0.5 * (value.difference.upper - value.difference.lower), 1.96 * 0.00319, 0.0012);
+}
+
+TEST_F(RunsReport, Without_images_that_give_the_statistic_the_intervals_decide) {
+  MadeRun a, b;
+  a.error = noise(5, 0.2f);
+  b.error = a.error;
+  b.mae_offset = 0.05;
+  const ComparedValue value = mae_of(a, b);
+  EXPECT_EQ(value.blocks, 0u);
+  EXPECT_EQ(value.verdict, Verdict::significant);
+  // Wilson's half widths of 10 % and 15 % of 4096 pixels are 0.0092 and 0.0109: √(0.0092² + 0.0109²) = 0.0143.
+  EXPECT_NEAR(value.difference.upper - value.difference.value, 0.0143, 2e-4);
+}
+
+TEST_F(RunsReport, Equal_runs_are_equal) {
+  MadeRun a;
+  a.error = noise(6, 0.3f);
+  EXPECT_EQ(mae_of(a, a).verdict, Verdict::equal);
+}
+
+TEST_F(RunsReport, Writes_page_rows_figures_and_tables_and_names_only_the_parameters_that_differ) {
+  MadeRun a, b;
+  a.error = noise(7, 0.5f);
+  b.error = noise(8, 0.1f);
+  b.bias = 0.1;
+  const ProgramResult result = run_program(
+      {"report", write("before", a), write("after", b), "-o", output(), "--latex", "--figure-style", "column"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("after: error"), std::string::npos) << result.out;
+  const std::string page = text_of(output() + "/index.html");
+  EXPECT_NE(page.find("shadow.constant-bias"), std::string::npos);
+  EXPECT_EQ(page.find("shadow.filter"), std::string::npos) << "it is the same in both";
+  EXPECT_NE(text_of(output() + "/comparison.csv").find("significant"), std::string::npos);
+  for (const char* file : {"error_visibility_sun_1.pdf", "error_visibility_sun_2.svg", "class_sun_1.png"}) {
+    EXPECT_TRUE(std::filesystem::exists(output() + "/figures/" + file)) << file;
+  }
+  const std::string table = text_of(output() + "/figures/shadow_sun150_0.tex");
+  EXPECT_NE(table.find("\\toprule"), std::string::npos) << table;
+  EXPECT_NE(table.find("{[}\\%{]}"), std::string::npos) << table;
+  EXPECT_NE(table.find("before & "), std::string::npos) << table;
+}
+
+TEST_F(RunsReport, Two_reports_of_the_same_runs_are_equal) {
+  MadeRun a, b;
+  a.error = noise(9, 0.5f);
+  b.error = noise(10, 0.5f);
+  const std::string first = write("a", a), second = write("b", b);
+  for (const char* out : {"one", "two"}) {
+    ASSERT_EQ(run_program({"report", first, second, "-o", folder_ / out, "--latex"}).exit_code, 0);
+  }
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / "one")) {
+    if (!entry.is_regular_file() || entry.path().filename().string().starts_with(".")) continue;
+    const std::filesystem::path other = folder_ / "two" / std::filesystem::relative(entry.path(), folder_ / "one");
+    EXPECT_TRUE(text_of(entry.path()) == text_of(other)) << entry.path();
+  }
+}
+
+TEST_F(RunsReport, Refuses_what_cannot_be_compared_and_says_what) {
+  MadeRun a, other_scene, other_size;
+  other_scene.scene = "forest";
+  other_size.size = "32x32";
+  const std::string base = write("a", a);
+  const ProgramResult scenes = run_program({"report", base, write("scene", other_scene), "-o", output()});
+  EXPECT_EQ(scenes.exit_code, 2);
+  EXPECT_NE(scenes.err.find("'forest'"), std::string::npos) << scenes.err;
+  EXPECT_TRUE(is_one_line(scenes.err)) << scenes.err;
+  const ProgramResult none = run_program({"report", base, folder_.path().string(), "-o", output()});
+  EXPECT_EQ(none.exit_code, 4);
+  EXPECT_TRUE(is_one_line(none.err)) << none.err;
+  EXPECT_EQ(run_program({"report", base, "-o", base}).exit_code, 2);
+  EXPECT_EQ(run_program({"report", base, "-o", output(), "--inset", "60,60,8,8"}).exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(output())) << "nothing is written";
+  const ProgramResult sizes = run_program({"report", base, write("size", other_size), "-o", output()});
+  EXPECT_EQ(sizes.exit_code, 0) << sizes.err;
+  EXPECT_NE((sizes.out + sizes.err).find("no difference is paired"), std::string::npos) << sizes.out << sizes.err;
+}
+
+TEST(ReportText, Values_have_the_digits_that_their_interval_justifies) {
+  EXPECT_EQ(with_half_width(2.17704, 0.0372), "2.177 ± 0.037");
+  EXPECT_EQ(with_half_width(-12.3, 1.26), "−12.3 ± 1.3");
+  EXPECT_EQ(with_half_width(1234.5, 56.0), "1234 ± 56") << "rounded to even";
+  EXPECT_EQ(with_half_width(0.026831, 0.0), "0.02683");
+  EXPECT_EQ(with_half_width(189110.0, 0.0), "189110");
+  EXPECT_EQ(with_half_width(std::nan(""), 0.0), "—");
+}
+
+// Printed in grey, causes differ in lightness and in hatching; 5 steps of CIE L* can be seen side by side.
+TEST(ClassPalette, Classes_differ_in_lightness_and_causes_in_hatching) {
+  for (const std::vector<CategoryColor>& palette : {class_colors(), image_cause_colors()}) {
+    for (std::size_t i = 0; i < palette.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        EXPECT_GE(std::abs(lightness(palette[i].color) - lightness(palette[j].color)), 5.0)
+            << palette[i].name << " and " << palette[j].name;
+        const bool are_dark = lightness(palette[i].color) < 75.0 && lightness(palette[j].color) < 75.0;
+        if (are_dark) EXPECT_NE(palette[i].hatch, palette[j].hatch) << palette[i].name << " and " << palette[j].name;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace umbrameter
