@@ -60,7 +60,7 @@ LayerTable layer_table(const Stages& stages, const Measurement& measurement) {
   };
   for (const ShadowMeasurement& shadow : measurement.shadows) {
     add_light(table, stages.layer(shadow.light), stages.title(shadow.light));
-    if (shadow.truth && has_area_light(shadow)) {
+    if (shadow.truth && shadow.is_sampled) {
       table["truth_visibility_standard_error_" + stages.layer(shadow.light)].reach =
           student_95(shadow.truth->degrees_of_freedom);
     }

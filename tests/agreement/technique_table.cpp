@@ -1,8 +1,8 @@
 // umbrameter_technique_table [--pictures DIR] [SCENE...]: every shadow technique on scenes that show failures, as the
 // page docs/techniques/table.md. All settings but those in a row's name are the defaults. The time is that of map,
 // filter and look-up together, in processor time of all threads, over that of the nearest tap in the same turn.
-// --pictures writes the errors of each scene's techniques as techniques-SCENE.png and links them, so that the numbers can be
-// checked by eye: umbrameter_technique_table --pictures docs/images > docs/techniques/table.md.
+// --pictures writes the errors of each scene's techniques as techniques-SCENE.png and links them, so that the numbers
+// can be checked by eye: umbrameter_technique_table --pictures docs/images > docs/techniques/table.md.
 #include <fmt/format.h>
 
 #include <algorithm>

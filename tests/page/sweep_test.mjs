@@ -31,7 +31,7 @@ async function repeat(page, name) {
 test('a selected cell shows its images and numbers, which are those of the command that repeats it', async () => {
   const rows = csv_of(sweep);
   const {page, problems} = await open_page(sweep, {fragment: single('class_sun')});
-  const images = await page.getByLabel('Cell', {exact: true}).locator('option').allInnerTexts();
+  const images = await page.locator('.field.cells select').locator('option').allInnerTexts();
   assert.equal(images.length, 4);
   assert.match(images[0], /^least error: /);
   // The cells of the smallest bias: 512 and 1024 texels with one tap each, whose images at every bias are exact.
@@ -58,7 +58,7 @@ test('a selected cell shows its images and numbers, which are those of the comma
   await page.keyboard.press('Escape');
   assert.equal(await page.locator('aside.cell').isVisible(), false);
   // From the list and by key; a link opens the same cell.
-  await page.getByLabel('Cell', {exact: true}).selectOption({index: 1});
+  await page.locator('.field.cells select').selectOption({index: 1});
   const first = (await expect_fragment(page, {cell: /\d/})).cell;
   await page.locator('.stage').press('c');
   await expect_fragment(page, {cell: new RegExp(`^(?!${first}$)\\d+$`)});
@@ -113,10 +113,7 @@ test('a brushed range of biases, by mouse and by keys, shows the mean over its b
 });
 
 test('charts show values, the same cell elsewhere and its statistics, and are saved', async () => {
-  const sweep = path.join(folder, 'sweep');
-  run('sweep', 'courtyard', '-o', sweep, '--light', 'sun', '--size', '96x54', '--quiet', '--vary',
-      'shadow.constant-bias=0.01:0.2:5:log', '--vary', 'shadow.resolution=512,1024');
-  const rows = readFileSync(path.join(sweep, 'sweep.csv'), 'utf8').trim().split('\r\n').map((line) => line.split(','));
+  const rows = csv_of(sweep);
   const {page, problems} = await open_page(sweep);
   const figure = page.locator('figure', {has: page.locator('svg text', {hasText: /^Mean absolute error of visibility$/})}).first();
   const picture = figure.locator('.picture');
@@ -159,7 +156,7 @@ test('a page of 10,000 cells and 20 sets of images stays small, and all of it ca
   const out = large_run();
   assert.ok(statSync(path.join(out, 'index.html')).size < 40e6);
   const {page, problems} = await open_page(out, {width: 1280});
-  assert.equal(await page.getByLabel('Cell', {exact: true}).locator('option').count(), 20);
+  assert.equal(await page.locator('.field.cells select').locator('option').count(), 20);
   const rows = page.locator('.cells .rows');
   assert.ok(await rows.locator('tr').count() < 100);
   await rows.focus();

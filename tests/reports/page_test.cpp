@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -244,9 +243,12 @@ TEST(Page, The_viewer_has_its_data_as_json_whatever_the_names_are) {
     ViewerPack pack;
     pack.title = text;
     add_set(pack, viewer_sample(text));
-    const std::string page = page_of(folder, sample(text), &pack);
+    Report report = sample(text);
+    report.cells = ReportCells{{{{text, text, text}}, {{text}}}, 1, {}, 1, text, {text}, text};
+    report.sections[0].charts = {{report.sections[0].figures.at(0), {{text, text}}, {{text, text}}}};
+    const std::string page = page_of(folder, report, &pack);
     EXPECT_EQ(unbalanced(page), "");
-    EXPECT_EQ(count(page, "<script"), 2u) << "two blocks of data";
+    EXPECT_EQ(count(page, "<script"), 3u) << "three blocks of data";
     const nlohmann::json data = json_of(page, "viewer-data");
     const nlohmann::json& set = data.at("sets").at(0);
     const nlohmann::json& layer = set.at("layers").at(0);
@@ -260,65 +262,9 @@ TEST(Page, The_viewer_has_its_data_as_json_whatever_the_names_are) {
     EXPECT_EQ(plane["palette"], nlohmann::json{0x3400}) << "0.25 as a half float";
     EXPECT_EQ(set["stride"], 1);
     EXPECT_EQ(set["cell"]["number"], 7);
+    EXPECT_EQ(json_of(page, "cells-data")["rows"][0][0], layer["name"]);
+    EXPECT_TRUE(contains(page, " data-cells=\"{&quot;columns&quot;:{&quot;"));
   }
-}
-
-TEST(Page, What_sets_of_images_share_is_held_once) {
-  ViewerPack pack;
-  add_set(pack, viewer_sample("plain"));
-  const std::size_t items = pack.items.size();
-  add_set(pack, viewer_sample("plain"));
-  EXPECT_EQ(pack.items.size(), items);
-  ViewerData other = viewer_sample("plain");
-  other.layers[0].planes[0][0] = 0.75f;
-  add_set(pack, other);
-  EXPECT_EQ(pack.items.size(), items + 1);
-  EXPECT_EQ(pack.sets.size(), 3u);
-}
-
-TEST(Page, A_rounded_set_leaves_out_the_error_that_is_a_difference) {
-  ViewerData data = viewer_sample("plain");
-  data.layers = {{"t", "t", "g", ViewerRole::reference, ViewerKind::share},
-                 {"r", "r", "g", ViewerRole::technique, ViewerKind::share},
-                 {"e", "e", "g", ViewerRole::error, ViewerKind::error}};
-  for (ViewerLayer& layer : data.layers) layer.planes = {Image<float>(2, 1, 0.25f)};
-  for (const bool is_rounded : {false, true}) {
-    data.rounded = is_rounded;
-    ViewerPack pack;
-    add_set(pack, data);
-    const nlohmann::json set = nlohmann::json::parse(pack.sets[0]);
-    EXPECT_EQ(set["layers"][2]["planes"].size(), is_rounded ? 0u : 1u);
-  }
-}
-
-TEST(Page, Of_large_images_the_viewer_has_every_second_pixel_unless_all_are_asked_for) {
-  ViewerData data = viewer_sample("plain");
-  data.width = 1280;
-  data.height = 720;
-  ViewerPack pack;
-  add_set(pack, data);
-  data.full = true;
-  add_set(pack, data);
-  EXPECT_EQ(nlohmann::json::parse(pack.sets[0])["stride"], 2);
-  EXPECT_EQ(nlohmann::json::parse(pack.sets[1])["stride"], 1);
-}
-
-TEST(Page, The_cells_of_a_sweep_are_exact_along_the_axes_and_rounded_elsewhere) {
-  const TemporaryFolder folder;
-  Report report = sample(hostile);
-  ReportCells cells;
-  cells.table.columns = {{hostile, "m", hostile}, {"mae", "1", ""}};
-  cells.table.rows = {{0.1234567890123, 0.1234567890123}, {hostile, std::nan("")}};
-  cells.axes = 1;
-  cells.count = 2;
-  report.cells = cells;
-  report.sections[0].charts = {{report.sections[0].figures.at(0), {{"bias", hostile}}, {{hostile, 2.0}}}};
-  const std::string page = page_of(folder, report);
-  EXPECT_EQ(unbalanced(page), "");
-  const nlohmann::json data = json_of(page, "cells-data");
-  EXPECT_EQ(data["rows"][0], (nlohmann::json{0.1234567890123, 0.123457}));
-  EXPECT_TRUE(data["rows"][1][1].is_null());
-  EXPECT_TRUE(contains(page, " data-cells=\"{&quot;columns&quot;:{&quot;bias&quot;:&quot;"));
 }
 
 TEST(Page, Ids_are_used_once_even_when_a_figure_is_shown_twice) {
