@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/command_options.h"
 #include "experiments/experiment.h"
 
 namespace umbrameter {
@@ -89,6 +90,11 @@ std::vector<OptionHelp> options_help(const CLI::App& command) {
   std::vector<OptionHelp> options;
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_group().empty()) options.push_back(option_help(*option, parameters));
+  }
+  // Beside parameters, --help lists no options of figures.
+  const bool has_parameters = std::ranges::any_of(options, &OptionHelp::is_parameter);
+  for (OptionHelp& option : options) {
+    if (has_parameters && option.group == figure_group) option.is_basic = false;
   }
   // Arguments first, then the command's own options, then parameters.
   const auto place = [](const OptionHelp& option) { return option.is_positional ? 0 : option.is_parameter ? 2 : 1; };

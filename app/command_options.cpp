@@ -29,14 +29,14 @@ void add_diff_options(CLI::App& command, CommandLine& line) {
 
 void add_figure_options(CLI::App& command, FigureOptions& figures) {
   const auto add = [&](const char* name, auto& value, const char* placeholder, const char* meaning) {
-    return command.add_option(name, value, meaning)->type_name(placeholder)->group("Figures");
+    return command.add_option(name, value, meaning)->type_name(placeholder)->group(figure_group);
   };
   add("--figure-style", figures.style, "STYLE", "figures for print: column (84 mm), page (176 mm) or slide (300 mm)");
   add("--figure-size", figures.size, "W[xH]", "width of figures in print, and height of plots [mm]");
   add("--figure-font", figures.font, "NAME", "font family of figures (DejaVu Sans)");
   add("--figure-font-size", figures.font_size, "PT", "size of labels in print [pt] (8; slide 20)")
       ->check(CLI::Range(4.0, 72.0));
-  command.add_flag("--figure-title", figures.title, "draw titles into the figures")->group("Figures");
+  command.add_flag("--figure-title", figures.title, "draw titles into the figures")->group(figure_group);
   add("--inset", figures.insets, "X,Y,W,H", "draw this region enlarged beside each image [px]; repeatable")->take_all();
 }
 

@@ -22,7 +22,7 @@ StoredRun read_stored_run(const std::filesystem::path& folder) {
   run.name = std::filesystem::absolute(folder / ".").lexically_normal().parent_path().filename().string();
   const Json summary = Json::parse(*text_of_file(folder / "summary.json"), nullptr, false);
   try {
-    run.scene = summary["scene"].value("name", "");
+    run.scene = summary.value("/scene/name"_json_pointer, "");
     run.command = summary.value("command", "");
     for (const auto& [key, value] : summary.value("parameters", Json::object()).items()) {
       run.parameters.emplace_back(key, text_of(value));

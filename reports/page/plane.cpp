@@ -73,7 +73,9 @@ std::uint16_t with_few_bits(std::uint16_t half) {
   constexpr unsigned dropped = 4;
   if ((half & 0x7c00u) == 0x7c00u) return half;  // infinite or no number
   const unsigned rounded = half + (1u << (dropped - 1));
-  return static_cast<std::uint16_t>(rounded & ~((1u << dropped) - 1u));
+  // The largest numbers are rounded down, because rounded up they were infinite.
+  const unsigned kept = (rounded & 0x7c00u) == 0x7c00u ? half : rounded;
+  return static_cast<std::uint16_t>(kept & ~((1u << dropped) - 1u));
 }
 
 bool is_share(float value) { return value >= 0.0f && value <= 1.0f; }

@@ -117,7 +117,7 @@ TEST(CommandLine, A_hint_names_the_whole_parameter) {
   };
   EXPECT_NE(hint("--bias").find("did you mean '--shadow.constant-bias'"), std::string::npos) << hint("--bias");
   EXPECT_EQ(hint("--bias").find("--size"), std::string::npos) << hint("--bias");
-  EXPECT_NE(hint("--resolutoin").find("did you mean '--shadow.resolution'?"), std::string::npos);
+  EXPECT_NE(hint("--cascaeds").find("did you mean '--shadow.cascades'?"), std::string::npos);
   const std::string axis = run_program({"sweep", "corner", "-o", "out", "--vary", "bias=0,1"}).err;
   EXPECT_NE(axis.find("did you mean 'shadow.constant-bias'"), std::string::npos) << axis;
 }

@@ -123,7 +123,7 @@ TEST(HeatMap, Cells_meet_half_way_and_the_first_begins_at_zero) {
   EXPECT_NEAR(specification["data"]["values"][0]["x"].get<double>(), 0.1, 1e-12);
   EXPECT_NEAR(specification["data"]["values"][0]["x2"].get<double>(), 0.4, 1e-12);
   EXPECT_NEAR(specification["data"]["values"][1]["x2"].get<double>(), 1.6, 1e-12);
-  EXPECT_EQ(specification["title"]["subtitle"].back(), "Not shown: 1 of 3 cells at 0 or without a number.");
+  EXPECT_EQ(specification["title"]["text"].back(), "Not shown: 1 of 3 cells at 0 or without a number.");
 }
 
 TEST(HeatMap, Colours_mean_the_same_in_every_run) {
