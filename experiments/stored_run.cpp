@@ -24,7 +24,8 @@ StoredRun read_stored_run(const std::filesystem::path& folder) {
   try {
     run.scene = summary.value("/scene/name"_json_pointer, "");
     run.command = summary.value("command", "");
-    for (const auto& [key, value] : summary.value("parameters", Json::object()).items()) {
+    const Json parameters = summary.value("parameters", Json::object());
+    for (const auto& [key, value] : parameters.items()) {
       run.parameters.emplace_back(key, text_of(value));
     }
     run.environment.emplace_back("version", summary.value("/program/version"_json_pointer, ""));

@@ -134,9 +134,13 @@ PageCells choose_page_cells(Stages& stages, const SweepResults& sweep, const Exp
   for (const std::vector<Value>& row : best.rows) {
     if (const auto indices = choice.indices_of(row)) choice.add(*indices, "least error of a line");
   }
-  for (std::size_t k = 0; k < most && !choice.is_full(); ++k) {
-    const std::size_t number = most > 1 ? k * (sweep.plan.cells - 1) / (most - 1) : 0;
-    choice.add(choice.indices_of(values_at(sweep.plan, number)).value(), "even step");
+  // Cells at even steps may share their images with earlier ones; finer steps find others, if there are any.
+  constexpr std::size_t finest = 16;
+  for (std::size_t steps = most; steps <= finest * most && !choice.is_full(); steps *= 2) {
+    for (std::size_t k = 0; k < steps && !choice.is_full(); ++k) {
+      const std::size_t number = steps > 1 ? k * (sweep.plan.cells - 1) / (steps - 1) : 0;
+      choice.add(choice.indices_of(values_at(sweep.plan, number)).value(), "even step");
+    }
   }
   return {choice.take(), [&stages, &sweep](const PageCell& cell) { return measure_cell(stages, sweep, cell); }};
 }
