@@ -8,8 +8,7 @@ namespace umbrameter {
 Parameters describe(AoBlurParams& params) {
   static constexpr std::array<std::string_view, 5> names{"none", "box", "gaussian", "bilateral", "xegtao"};
   return Description("ao")
-      .choice("blur", params.kind, names,
-              {.unit = {}, .meaning = "blur", .basic = true})
+      .choice("blur", params.kind, names, {.unit = {}, .meaning = "blur", .basic = true})
       .field("blur-size", params.size,
              {.unit = "px", .meaning = "width of the blur; of xegtao: 3", .min = 1, .max = 32})
       .field("blur-passes", params.passes, {.unit = "1", .meaning = "passes of the blur", .min = 1, .max = 16})

@@ -140,7 +140,7 @@ export async function open_page(out, {fragment = '', width = 700, ...options} = 
   const browser = await browser_of_all();
   const context = await browser.newContext({viewport: {width, height: 700}, ...options});
   const page = await context.newPage();
-  page.setDefaultTimeout(60_000);  // for machines that do much else
+  page.setDefaultTimeout(20_000);  // for machines that do much else
   const problems = [];
   const address = pathToFileURL(path.join(out, 'index.html')).href;
   page.on('console', (message) => problems.push(`console: ${message.text()}`));

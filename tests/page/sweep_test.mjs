@@ -57,6 +57,7 @@ test('a selected cell shows its images and numbers, which are those of the comma
   assert.match(await page.locator('aside.cell code.command').textContent(), /--shadow\.filter box/);
   await page.keyboard.press('Escape');
   assert.equal(await page.locator('aside.cell').isVisible(), false);
+  await expect_fragment(page, {cell: undefined});
   // From the list and by key; a link opens the same cell.
   await page.locator('.field.cells select').selectOption({index: 1});
   const first = (await expect_fragment(page, {cell: /\d/})).cell;
