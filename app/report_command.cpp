@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
@@ -28,10 +29,11 @@ std::vector<StoredRun> read_runs(const CommandLine& line) {
     }
     runs.push_back(read_stored_run(folder));
   }
-  // Folders of one name in different places are told apart by their paths.
+  // Runs whose folders have the same name are called by their paths.
+  std::map<std::string, int> uses;
+  for (const StoredRun& run : runs) ++uses[run.name];
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const auto is_other = [&](const StoredRun& run) { return &run != &runs[i] && run.name == runs[i].name; };
-    if (std::any_of(runs.begin(), runs.end(), is_other)) runs[i].name = line.report.folders[i].string();
+    if (uses[runs[i].name] > 1) runs[i].name = line.report.folders[i].string();
   }
   return runs;
 }

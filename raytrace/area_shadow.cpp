@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
-#include <mutex>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -14,6 +12,7 @@
 #include "raytrace/packet.h"
 #include "raytrace/sampler.h"
 #include "raytrace/surfel.h"
+#include "raytrace/visibility_tiles.h"
 #include "raytrace/weighted_points.h"
 #include "scenes/light.h"
 
@@ -184,25 +183,8 @@ class TileTracer {
 
 TracedVisibility trace_area_visibility(const Tracer& tracer, const GBuffer& gbuffer, const Light& light,
                                        const TruthSampling& sampling, const Progress& progress) {
-  check(sampling.params);
-  const auto start = std::chrono::steady_clock::now();
-  const Image<float> none(gbuffer.width, gbuffer.height, 0.0f);
-  TracedVisibility traced{
-      Image<float>(gbuffer.width, gbuffer.height, 1.0f), {}, none, none, none, degrees_of_freedom(sampling.params)};
-  std::mutex mutex;
-  parallel_tiles(
-      gbuffer.width, gbuffer.height, tile_size,
-      [&](const Tile& tile) {
-        TileTracer tracing(tracer, gbuffer, light, sampling);
-        tracing.trace(tile, traced);
-        tracer.state().rays_traced += tracing.statistics().rays;
-        const std::lock_guard lock(mutex);
-        traced.statistics.add(tracing.statistics());
-      },
-      progress);
-  traced.precision = precision_of(traced.standard_error, traced.samples, sampling.params);
-  traced.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return traced;
+  return trace_tiles(tracer, gbuffer, sampling.params, tile_size, progress,
+                     [&] { return TileTracer(tracer, gbuffer, light, sampling); });
 }
 
 }  // namespace umbrameter

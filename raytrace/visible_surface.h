@@ -3,8 +3,8 @@
 //
 // The surface: each pixel is a facet, the part that the pixel's square sees of the plane of the triangle at its centre.
 // Planes are exact, also between pixels. Where the planes of two neighbouring pixels meet between their centres, the
-// facets end at that crease. A facet that meets none of its neighbours along an axis tilts at most as far as to one of
-// their depths, because nothing is known beyond its pixel.
+// facets end at that crease. Where a facet meets neither neighbour along an axis, the depth buffer does not show how
+// far it tilts: its tilt is limited to what reaches the depth of one of them.
 #pragma once
 
 #include <cstdint>

@@ -47,7 +47,7 @@ std::string row_text(const std::vector<std::string>& cells) {
   return text + " \\\\\n";
 }
 
-// A text that starts like a number stands in a column of numbers.
+// A column whose texts begin like numbers is aligned as numbers.
 bool is_number_text(const Value& value) {
   const std::string text = to_string(value);
   const std::string_view sign = "−";
