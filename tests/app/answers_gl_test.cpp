@@ -69,27 +69,32 @@ TEST_F(Answers, An_axis_that_ends_too_early_is_said_to_and_its_end_is_not_called
 }
 
 TEST_F(Answers, Compare_begins_with_the_bias_to_use_and_a_run_with_it_has_that_error) {
-  const std::string out = run({"compare", "courtyard", "--light", "lantern", "--shadow.constant-bias", "2mm"});
+  const std::string out =
+      run({"compare", "courtyard", "--light", "lantern", "--no-figures", "--shadow.constant-bias", "2mm"});
   EXPECT_TRUE(first_line(out).starts_with("lantern: acne ")) << out;
   EXPECT_NE(first_line(out).find("; use "), std::string::npos) << out;
   const Json advice = summary["shadows"][0]["recommended_bias"];
   const double best = advice["least_error"]["constant_bias"]["m"];
   EXPECT_LT(advice["least_error"]["mae"], advice["used"]["mae"]);
   EXPECT_DOUBLE_EQ(advice["used"]["mae"].get<double>(), summary["shadows"][0]["statistics"]["mae"].get<double>());
-  run({"compare", "courtyard", "--light", "lantern", "--shadow.constant-bias", std::to_string(best)}, "best");
+  run({"compare", "courtyard", "--light", "lantern", "--no-figures", "--shadow.constant-bias", std::to_string(best)},
+      "best");
   EXPECT_DOUBLE_EQ(summary["shadows"][0]["statistics"]["mae"].get<double>(),
                    advice["least_error"]["mae"].get<double>());
   const double acne_free = advice["acne_free"]["constant_bias"]["m"];
-  run({"compare", "courtyard", "--light", "lantern", "--shadow.constant-bias", std::to_string(acne_free)}, "free");
+  run({"compare", "courtyard", "--light", "lantern", "--no-figures", "--shadow.constant-bias",
+       std::to_string(acne_free)},
+      "free");
   EXPECT_EQ(summary["shadows"][0]["statistics"]["acne"], 0.0);
 }
 
 TEST_F(Answers, A_bias_in_texels_is_the_same_in_a_single_run_a_sweep_and_in_metres_of_a_directional_map) {
-  run({"compare", "courtyard", "--light", "sun", "--shadow.constant-bias", "1.5texels"}, "texels");
+  run({"compare", "courtyard", "--light", "sun", "--no-figures", "--shadow.constant-bias", "1.5texels"}, "texels");
   const Json texels = summary["shadows"][0];
   EXPECT_DOUBLE_EQ(texels["constant_bias"]["texels"].get<double>(), 1.5);
   EXPECT_DOUBLE_EQ(texels["constant_bias"]["m"].get<double>(), 1.5 * texels["map"]["mean_texel_m"].get<double>());
-  run({"sweep", "courtyard", "--light", "sun", "--vary", "shadow.constant-bias=0.5texels,1.5texels"}, "sweep");
+  run({"sweep", "courtyard", "--light", "sun", "--no-figures", "--vary", "shadow.constant-bias=0.5texels,1.5texels"},
+      "sweep");
   const Json& curve = summary["curves"]["biases"][0]["least_error"];
   EXPECT_DOUBLE_EQ(curve["mae"].get<double>(), texels["statistics"]["mae"].get<double>());
   EXPECT_DOUBLE_EQ(curve["constant_bias"]["texels"].get<double>(), 1.5);
@@ -98,7 +103,7 @@ TEST_F(Answers, A_bias_in_texels_is_the_same_in_a_single_run_a_sweep_and_in_metr
   std::ostringstream metres;
   metres.precision(17);
   metres << texels["constant_bias"]["m"].get<double>();
-  run({"compare", "courtyard", "--light", "sun", "--shadow.constant-bias", metres.str()}, "metres");
+  run({"compare", "courtyard", "--light", "sun", "--no-figures", "--shadow.constant-bias", metres.str()}, "metres");
   EXPECT_NEAR(summary["shadows"][0]["statistics"]["mae"].get<double>(), texels["statistics"]["mae"].get<double>(),
               2e-3);
 }

@@ -145,7 +145,7 @@ TEST_F(Run, The_error_layer_is_raster_less_truth_in_every_pixel) {
 TEST_F(Run, Equal_runs_give_equal_bytes_at_any_number_of_threads) {
   const auto run = [&](const std::string& name, const std::string& threads) {
     const ProgramResult result =
-        run_program(words({"compare", "courtyard", "-o", folder_ / name, "--threads", threads}, small));
+        run_program(words({"compare", "courtyard", "-o", folder_ / name, "--threads", threads, "--no-figures"}, small));
     ASSERT_EQ(result.exit_code, 0) << result.err;
   };
   run("one", "1");
@@ -245,9 +245,9 @@ TEST_F(Run, Acne_on_the_tilted_plane_follows_its_formula) {
   constexpr double degree = 3.14159265358979323846 / 180.0;
   for (const Sun& sun : {Sun{"sun-30", 30 * degree, 0}, Sun{"sun-60", 60 * degree, 0}, Sun{"sun-75", 75 * degree, 0},
                          Sun{"sun-60-azimuth-45", 60 * degree, 45 * degree}}) {
-    const ProgramResult result =
-        run_program({"sweep", "tilted-plane", "-o", folder_ / sun.light, "--light", sun.light, "--size", "640x360",
-                     "--quiet", "--vary", "shadow.constant-bias=0:0.12:7", "--vary", "shadow.resolution=256,400,1024"});
+    const ProgramResult result = run_program(
+        {"sweep", "tilted-plane", "-o", folder_ / sun.light, "--light", sun.light, "--size", "640x360", "--quiet",
+         "--no-figures", "--vary", "shadow.constant-bias=0:0.12:7", "--vary", "shadow.resolution=256,400,1024"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const double p = std::max(std::cos(sun.psi), std::sin(sun.psi));
     const double q = std::min(std::cos(sun.psi), std::sin(sun.psi));

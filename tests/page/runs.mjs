@@ -80,9 +80,15 @@ export async function expect_fragment(page, expected) {
   assert.fail(`${JSON.stringify(found)} is not ${Object.entries(expected).join('; ')}`);
 }
 
-// The colours of a layer as painted, one for each stored pixel: read in the middle of blocks of four by four.
+// The colours of a layer as painted, one for each stored pixel: read in the middle of blocks of four by four. Waits
+// until the viewer has painted what the address says.
 export async function painted(page) {
-  await page.waitForTimeout(100);
+  await page.waitForFunction(() => {
+    const has = new URLSearchParams(document.querySelector('.stage').dataset.painted);
+    const wanted = new URLSearchParams(location.hash.slice(1));
+    wanted.delete('painter');
+    return [...wanted].every(([name, value]) => has.get(name) === value);
+  });
   return page.evaluate(({width, height}) => {
     const canvas = document.querySelector('.stage canvas');
     const copy = document.createElement('canvas');

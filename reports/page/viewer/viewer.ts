@@ -267,8 +267,11 @@ export class Viewer {
     }
     return true;
   }
+  private fragment(): string {
+    return to_fragment(this.state, this.run) + this.cells.fragment();
+  }
   private write_fragment(): void {
-    history.replaceState(null, '', `#${to_fragment(this.state, this.run)}${this.cells.fragment()}`);
+    history.replaceState(null, '', `#${this.fragment()}`);
   }
   private save_soon = 0;
 
@@ -339,5 +342,6 @@ export class Viewer {
                         hovered: this.hovered});
     fill_legend(this.legend, panes.flatMap(({layers}) => layers), this.look(), this.run);
     this.stage.setAttribute('aria-label', `${this.state.group}: ${titles.flat().join(', ')}`);
+    this.stage.dataset.painted = this.fragment(); // for tests
   }
 }
