@@ -104,6 +104,16 @@ std::string to_plot_specification(const WaterfallFigure& figure, const FigureSty
   spec["data"]["values"] = rows;
   Json next = x;
   next["field"] = "step";
+  const auto number_layer = [&](const char* ink, int outline) {
+    const Json mark = {{"type", "text"},
+                       {"dy", -8},
+                       {"fontSize", is_narrow ? 10 : 12},
+                       {"color", ink},
+                       {"stroke", outline > 0 ? Json(ink) : Json()},
+                       {"strokeWidth", outline}};
+    return Json{{"mark", mark},
+                {"encoding", {{"x", x}, {"y", y("top")}, {"text", {{"field", "label"}, {"type", "nominal"}}}}}};
+  };
   spec["layer"] = {{{"mark", {{"type", "rule"}, {"color", "#666666"}}},
                     {"data", {{"values", Json::array({{{"zero", 0.0}}})}}},
                     {"encoding", {{"y", y("zero")}}}},
@@ -115,8 +125,9 @@ std::string to_plot_specification(const WaterfallFigure& figure, const FigureSty
                    {{"mark", {{"type", "rule"}, {"color", "#1a1a1a"}, {"strokeWidth", 1.5}}},
                     {"transform", {{{"filter", "isValid(datum.lo)"}}}},
                     {"encoding", {{"x", x}, {"y", y("lo")}, {"y2", {{"field", "hi"}}}}}},
-                   {{"mark", {{"type", "text"}, {"dy", -8}, {"fontSize", is_narrow ? 10 : 12}, {"color", "#1a1a1a"}}},
-                    {"encoding", {{"x", x}, {"y", y("top")}, {"text", {{"field", "label"}, {"type", "nominal"}}}}}}};
+                   // A white outline keeps the numbers apart from lines behind them.
+                   number_layer("#ffffff", 3),
+                   number_layer("#1a1a1a", 0)};
   spec["config"] = plot_look(style);
   return spec.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

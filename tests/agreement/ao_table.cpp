@@ -1,28 +1,40 @@
 // umbrameter_ao_table [SCENE...]: every ambient-occlusion method on scenes that show failures, its error by stage, as
-// the page docs/ambient-occlusion/table.md. All settings but the method are the defaults. The time is that of the
-// method with its blur, in processor time of all threads, over that of the G-buffer pass in the same turn.
+// the page docs/ambient-occlusion/table.md. SCENE: a file or a built-in scene. All settings but the method are the
+// defaults. The time is that of the method with its blur, in processor time of all threads, over that of the G-buffer
+// pass in the same turn.
+// umbrameter_ao_table --pictures DIR: instead one sheet of pictures per method, DIR/ao-METHOD.png, on the scenes that
+// its page names: reference, result, error and the stage of largest RMS.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/error.h"
 #include "experiments/measure.h"
+#include "experiments/presentation/image_scales.h"
 #include "raster/ao/ao_pass.h"
 #include "raster/gbuffer/gbuffer_pass.h"
 #include "raster/gl/timer.h"
+#include "reports/figures/drawing.h"
 #include "scenes/builtin.h"
+#include "techniques/ao/integral.h"
+#include "tests/agreement/labelled_sheet.h"
 
 namespace umbrameter {
 namespace {
 
 constexpr int turns = 5;
 
+using Settings = std::vector<std::string>;  // "ao.technique=gtao"
+
 struct Row {
   const char* name;
-  std::vector<std::string> settings;  // "ao.technique=gtao"
+  Settings settings;
 };
 
 const std::vector<Row>& rows() {
@@ -34,17 +46,46 @@ const std::vector<Row>& rows() {
       {"HBAO", {"ao.technique=hbao"}},
       {"GTAO", {"ao.technique=gtao"}},
       {"GTAO, power 1", {"ao.technique=gtao", "ao.gtao-power=1", "ao.gtao-radius-multiplier=1"}},
+      {"bitmask", {"ao.technique=bitmask"}},
+      {"bitmask, cosine weight", {"ao.technique=bitmask", "ao.bitmask-weight=cosine"}},
+      {"ray-marched SSAO", {"ao.technique=ray-marched"}},
   };
   return all;
 }
 
-Experiment experiment_of(const std::string& scene, const Row& row) {
+struct Pictured {
+  const char* scene;
+  Settings settings;  // of the view
+};
+
+// One sheet: a method on scenes that show its known failures.
+struct Sheet {
+  const char* page;
+  Settings settings;
+  std::vector<Pictured> scenes;
+};
+
+const std::vector<Sheet>& sheets() {
+  const Pictured arcade = {"courtyard", {"view.camera=arcade"}};
+  static const std::vector<Sheet> all = {
+      {"ssao", {"ao.technique=ssao"}, {{"room", {}}, {"trench", {}}}},
+      {"full-sphere-ssao", {"ao.technique=crytek"}, {{"corner", {}}, {"room", {}}}},
+      {"alchemy", {"ao.technique=alchemy"}, {{"room", {}}, {"courtyard", {}}}},
+      {"hbao", {"ao.technique=hbao"}, {{"corner", {}}, {"room", {}}}},
+      {"gtao", {"ao.technique=gtao"}, {{"room", {}}, arcade}},
+      {"bitmask", {"ao.technique=bitmask", "ao.bitmask-weight=cosine"}, {{"trench", {}}, {"foliage", {}}}},
+      {"ray-marched", {"ao.technique=ray-marched"}, {arcade, {"foliage", {}}}},
+  };
+  return all;
+}
+
+Experiment experiment_of(const std::string& scene, const Settings& settings) {
   Experiment experiment;
   experiment.scene = scene;
   experiment.view.size = {480, 270};
   experiment.truth.spp = 32;
   const Parameters parameters = describe(experiment);
-  for (const std::string& setting : row.settings) {
+  for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     require(parameters, setting.substr(0, equals)).set_text(setting.substr(equals + 1));
   }
@@ -70,7 +111,7 @@ std::string signed_text(double value) { return fmt::format("{:+.4f}", value); }
 
 void print_scene(const std::string& scene) {
   Stages stages(load_scene(scene), {}, Console{});
-  const Experiment first = stages.in_metres(experiment_of(scene, rows().front()));
+  const Experiment first = stages.in_metres(experiment_of(scene, rows().front().settings));
   fmt::print("\n## `{}`, camera `{}`, radius {:.2f} m\n\n| method |", scene, stages.surfels(first).view.camera.name,
              first.ao.sampling.radius.number);
   for (const std::string_view stage : ao_stage_titles) fmt::print(" {} |", stage);
@@ -78,20 +119,78 @@ void print_scene(const std::string& scene) {
   for (std::size_t i = 0; i < ao_stage_count + 6; ++i) fmt::print(" --- |");
   fmt::print("\n");
   for (const Row& row : rows()) {
-    const Experiment experiment = stages.in_metres(experiment_of(scene, row));
+    const Experiment experiment = stages.in_metres(experiment_of(scene, row.settings));
     const AoMeasurement ao = measure_ao(stages, experiment, {});
-    const AoStages measured = measure_ao_stages(stages, experiment, *ao.truth, *ao.raster, Console{});
-    const AoStageStatistics& s = measured.statistics;
+    const SampledError& error = ao.statistics->error;
+    const std::string totals = fmt::format("{} | {:.4f} | {:.4f}", signed_text(error.mean_error.value),
+                                           0.5 * (error.mean_error.upper - error.mean_error.lower), error.rmse.value);
     fmt::print("| {} |", row.name);
-    for (const AoStageError& stage : s.stages) fmt::print(" {} |", signed_text(stage.mean.value));
-    fmt::print(" {} | {:.4f} | {:.4f} | {:.5f} | {:.2f} | {:.1f} |\n", signed_text(s.total.mean_error.value),
-               0.5 * (s.total.mean_error.upper - s.total.mean_error.lower), s.total.rmse.value, s.srgb_mse, s.srgb_psnr,
-               time_ratio(stages, experiment));
+    if (integral_of(make_technique(experiment.ao))) {
+      const AoStageStatistics s = measure_ao_stages(stages, experiment, *ao.truth, *ao.raster, Console{}).statistics;
+      for (const AoStageError& stage : s.stages) fmt::print(" {} |", signed_text(stage.mean.value));
+      fmt::print(" {} | {:.5f} | {:.2f} |", totals, s.srgb_mse, s.srgb_psnr);
+    } else {
+      for (std::size_t i = 0; i < ao_stage_count; ++i) fmt::print(" – |");
+      fmt::print(" {} | – | – |", totals);
+    }
+    fmt::print(" {:.1f} |\n", time_ratio(stages, experiment));
     std::fflush(stdout);
   }
 }
 
+// The mean of each square of four pixels.
+Image<float> half(const Image<float>& image) {
+  Image<float> small(image.width / 2, image.height / 2);
+  for (int y = 0; y < small.height; ++y) {
+    for (int x = 0; x < small.width; ++x) {
+      small.at(x, y) = 0.25f * (image.at(2 * x, 2 * y) + image.at(2 * x + 1, 2 * y) + image.at(2 * x, 2 * y + 1) +
+                                image.at(2 * x + 1, 2 * y + 1));
+    }
+  }
+  return small;
+}
+
+Image<float> difference(const Image<float>& a, const Image<float>& b) {
+  Image<float> result = a;
+  for (std::size_t i = 0; i < a.size(); ++i) result[i] -= b[i];
+  return result;
+}
+
+void add_cells(std::vector<SheetCell>& cells, const Sheet& sheet, const Pictured& pictured) {
+  Stages stages(load_scene(pictured.scene), {}, Console{});
+  Settings settings = sheet.settings;
+  settings.insert(settings.end(), pictured.settings.begin(), pictured.settings.end());
+  const Experiment experiment = stages.in_metres(experiment_of(pictured.scene, settings));
+  const AoMeasurement ao = measure_ao(stages, experiment, {});
+  const AoStages measured = measure_ao_stages(stages, experiment, *ao.truth, *ao.raster, Console{});
+  const AoStageStatistics& s = measured.statistics;
+  const auto largest = static_cast<std::size_t>(
+      std::ranges::max_element(s.stages, {}, [](const AoStageError& stage) { return stage.rms.value; }) -
+      s.stages.begin());
+  const Image<float>& reference = ao.truth->ao;
+  const Image<float>& drawn = *ao.raster;
+  cells.push_back({fmt::format("{}: reference", pictured.scene), colorize(half(reference), ao_scale)});
+  cells.push_back({"result", colorize(half(drawn), ao_scale)});
+  cells.push_back({fmt::format("error: RMS {:.3f}, mean {:+.3f}", s.total.rmse.value, s.total.mean_error.value),
+                   colorize(half(difference(drawn, reference)), ao_error_scale)});
+  cells.push_back({fmt::format("{}: RMS {:.3f}", ao_stage_titles[largest], s.stages[largest].rms.value),
+                   colorize(half(stage_difference(measured.images, static_cast<AoStage>(largest))), ao_error_scale)});
+}
+
+void draw_sheets(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  for (const Sheet& sheet : sheets()) {
+    std::vector<SheetCell> cells;
+    for (const Pictured& pictured : sheet.scenes) add_cells(cells, sheet, pictured);
+    write_drawing(folder / fmt::format("ao-{}.png", sheet.page), labelled_sheet(cells, 4));
+  }
+}
+
 int run(int argc, char** argv) {
+  if (argc == 3 && std::string_view(argv[1]) == "--pictures") {
+    draw_sheets(argv[2]);
+    return 0;
+  }
   std::vector<std::string> scenes(argv + 1, argv + argc);
   if (scenes.empty()) scenes = {"courtyard", "room", "corner", "trench", "foliage"};
   fmt::print(
@@ -99,6 +198,7 @@ int run(int argc, char** argv) {
       "Made by `umbrameter_ao_table`: 480×270 pixels, first camera, default settings but for the method. The "
       "reference\n"
       "is traced with cosine weight up to the radius, 32 rays per pixel.\n\n"
+      "A `–` stands where a method has no integral of its own ([bitmask](bitmask.md)).\n\n"
       "The columns from model to blur are the signed means of the [stages](stages.md), in units of accessibility: "
       "below\n"
       "0 the stage darkens. They add up to the mean error, whose 95 % interval has the half width in the column ±. "

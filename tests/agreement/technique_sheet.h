@@ -1,21 +1,14 @@
-// One labelled picture of the errors of many techniques on one scene.
+// The errors of a shadow technique over the reference's shadow, for a sheet of many techniques on one scene.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "core/image.h"
+#include "core/math.h"
 
 namespace umbrameter {
 
-struct TechniqueCell {
-  std::string label;
-  Image<float> visibility;
-};
-
-/// An SVG of all cells in rows. Light grey is lit in the reference and dark grey blocked; over it stand the errors in
-/// the colours of the error maps: blue too dark, red too bright. truth: the reference's visibility, below 0 where
-/// nothing is compared.
-std::string technique_sheet(const Image<float>& truth, const std::vector<TechniqueCell>& cells);
+/// Half as wide and high. Light grey is lit in the reference and dark grey blocked; over it stand the errors in the
+/// colours of the error maps: blue too dark, red too bright. truth: the reference's visibility, below 0 where nothing
+/// is compared.
+Image<glm::u8vec3> picture_of_errors(const Image<float>& truth, const Image<float>& visibility);
 
 }  // namespace umbrameter

@@ -23,6 +23,7 @@
 #include "reports/figures/drawing.h"
 #include "scenes/builtin.h"
 #include "scenes/emitter.h"
+#include "tests/agreement/labelled_sheet.h"
 #include "tests/agreement/technique_sheet.h"
 
 namespace umbrameter {
@@ -155,8 +156,7 @@ void print_scene(const std::string& scene, const std::filesystem::path& pictures
       "false occlusion | peter-panning | leak | time |\n| --- |");
   for (int i = 0; i < 12; ++i) fmt::print(" --- |");
   fmt::print("\n");
-  std::vector<TechniqueCell> cells;
-  Image<float> truth;
+  std::vector<SheetCell> cells;
   for (const Row& row : rows()) {
     const Experiment nearest = experiment_of(scene, rows().front(), stages.bounds());
     Experiment experiment = stages.in_metres(experiment_of(scene, row, stages.bounds()));
@@ -178,14 +178,15 @@ void print_scene(const std::string& scene, const std::filesystem::path& pictures
     fmt::print("{}\n", line_of(row, cell));
     std::fflush(stdout);
     if (!pictures.empty()) {
-      truth = shadow.truth->visibility;
+      Image<float> truth = shadow.truth->visibility;
       for (std::size_t i = 0; i < truth.size(); ++i) {
         if (shadow.counted.exclusion[i] != PixelExclusion::none) truth[i] = -1.0f;
       }
-      cells.push_back({fmt::format("{}: {} %", row.name, per_cent(cell.edges.mae)), shadow.raster->visibility});
+      cells.push_back({fmt::format("{}: {} %", row.name, per_cent(cell.edges.mae)),
+                       picture_of_errors(truth, shadow.raster->visibility)});
     }
   }
-  if (!pictures.empty()) write_drawing(pictures / ("techniques-" + scene + ".png"), technique_sheet(truth, cells));
+  if (!pictures.empty()) write_drawing(pictures / ("techniques-" + scene + ".png"), labelled_sheet(cells, 4));
 }
 
 int run(int argc, char** argv) {
