@@ -73,7 +73,7 @@ struct CommandLine {
   bool no_figures = false;         ///< no figures/ folder, and a page without pictures
   bool full_images = false;        ///< the page holds every pixel of large images
   std::size_t page_cells = 6;      ///< of a sweep: cells whose images the page has
-  bool no_cache = false;           ///< references are traced anew and not kept
+  bool no_cache = false;           ///< references are traced again and not kept
   bool force = false;              ///< an earlier run's results in the folder are replaced
   bool dry_run = false;            ///< show what would be measured, write nothing
   bool clear = false;              ///< empty the cache of references

@@ -27,7 +27,7 @@ struct Chosen {
   std::string name;
 };
 
-// What only making the scene tells.
+// What is known only after the scene has been built.
 struct Listed {
   const BuiltinScene* description = nullptr;
   std::string name;
@@ -144,7 +144,7 @@ Size tile_size(const std::string& given) {
 
 void write_sheet(const CommandLine& line, const Console& console, const std::vector<Chosen>& scenes) {
   require_drawing_name(line.sheet);
-  // Told now, not after minutes of drawing.
+  // A bad path fails now, not after minutes of drawing.
   prepare_output_folder(line.sheet.has_parent_path() ? line.sheet.parent_path() : ".");
   const Size size = tile_size(line.tile_size);
   const ThreadLimit threads(line.threads);

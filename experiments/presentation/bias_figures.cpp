@@ -21,7 +21,8 @@ constexpr std::size_t least_resolutions = 3;  // that make a heat map of their o
 constexpr const char* error_label = "mean absolute error [% of counted pixels]";
 constexpr const char* no_zero = " A bias of 0 is not on this log axis.";
 
-// What a set of figures is about: the line axis tells lines and panels apart, the other axes stand still.
+// The cells of one set of figures: they differ along the line axis, which separates lines and panels; the other axes
+// are fixed.
 struct Part {
   std::optional<std::size_t> line_axis;
   std::size_t first_cell = 0;

@@ -26,7 +26,7 @@ std::string setting_text(const std::vector<Column>& columns, const std::vector<V
   return text;
 }
 
-// A bias that is worth a name, of one curve.
+// One recommended bias of one curve.
 struct Choice {
   const char* name;
   std::optional<BiasCell> cell;

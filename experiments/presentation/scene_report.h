@@ -1,4 +1,4 @@
-// What `umbrameter info SCENE` tells: everything that a file holds, and what it costs in memory.
+// The text of `umbrameter info SCENE`: everything that a file holds, and what it costs in memory.
 #pragma once
 
 #include <cstdint>

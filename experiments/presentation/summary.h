@@ -14,7 +14,7 @@
 
 namespace umbrameter {
 
-/// What is told of a sweep's rows.
+/// The summary of a sweep's rows.
 struct SweepSummary {
   std::size_t cells = 0;
   Table best;  ///< the rows of least error

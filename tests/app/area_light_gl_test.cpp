@@ -1,4 +1,4 @@
-// Whole runs with lights that have extent: what is written, and what a sweep tells.
+// Whole runs with lights that have extent: the files they write and what a sweep reports.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What `info` tells of a scene, as text and as JSON, and which scene of a file is read.
+// The scene as `info` reports it, as text and as JSON, and which scene of a file is read.
 #include <gtest/gtest.h>
 
 #include <algorithm>
