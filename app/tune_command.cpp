@@ -12,6 +12,7 @@
 #include "experiments/presentation/tune_report.h"
 #include "experiments/presentation/tune_text.h"
 #include "experiments/reference_key.h"
+#include "experiments/summary_version.h"
 #include "experiments/tuning/tune_cases.h"
 #include "reports/files/data.h"
 #include "reports/files/output.h"
@@ -366,11 +367,10 @@ ExitCode run_tune_command(const CommandLine& line, const Console& console) {
   Experiment experiment = job.experiments.front();
   for (const TuneAxis& axis : job.axes) experiment.axes.emplace_back(axis.key(), axis.axis.text);
   report.settings = settings_table(std::move(experiment));
-  nlohmann::ordered_json json = {{"program", {{"name", "umbrameter"}, {"version", UMBRAMETER_VERSION}}},
-                                 {"command", line.command},
-                                 {"scene", {{"name", scene_title(job.experiments.front())}}},
-                                 {"tuning", to_json(summary)},
-                                 {"problems", problems}};
+  nlohmann::ordered_json json = summary_head(line.command);
+  json["scene"] = {{"name", scene_title(job.experiments.front())}};
+  json["tuning"] = to_json(summary);
+  json["problems"] = problems;
   const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   write_text(folder.path() / "summary.json", text);
   write_page(folder.path(), report);

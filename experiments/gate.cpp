@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "experiments/known_statistics.h"
 #include "experiments/run_record.h"
+#include "experiments/summary_version.h"
 
 namespace umbrameter {
 namespace {
@@ -152,6 +153,7 @@ std::vector<MeasuredStatistic> read_statistics(const std::string& text, const st
   const auto refuse = [&](const char* why) {
     throw Error(ExitCode::unreadable_input, file, why, "give the folder of a finished compare or sweep");
   };
+  require_known_schema(summary, file);
   if (!summary.is_object() || !summary.contains("scene") || !summary["scene"].is_object()) refuse("is no summary");
   std::vector<MeasuredStatistic> all;
   try {

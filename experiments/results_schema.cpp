@@ -125,7 +125,9 @@ bool is_empty_store(SQLite::Database& database, const fs::path& path) {
   const int version = database.execAndGet("PRAGMA user_version").getInt();
   if (version != format_version) {
     throw Error(ExitCode::usage, path.string(),
-                fmt::format("its format is {}, this program's is {}", version, format_version), store_remedy);
+                fmt::format("{} version of umbrameter wrote it: schema version {}, this program's is {}",
+                            version > format_version ? "a later" : "an earlier", version, format_version),
+                store_remedy);
   }
   return false;
 }

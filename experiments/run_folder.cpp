@@ -10,11 +10,14 @@
 #include <cerrno>
 #include <exception>
 #include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <system_error>
 #include <utility>
 
 #include "core/error.h"
 #include "experiments/results_store.h"
+#include "experiments/summary_version.h"
 #include "reports/files/output.h"
 
 namespace umbrameter {
@@ -112,6 +115,9 @@ void RunFolder::lock() {
 // Throws unless this run may take the folder from the earlier one.
 void RunFolder::require_own() const {
   if (!earlier_) return;
+  if (const std::optional<std::string> text = text_of_file(folder_ / "summary.json")) {
+    require_known_schema(nlohmann::ordered_json::parse(*text, nullptr, false), folder_ / "summary.json");
+  }
   const bool is_same_command = earlier_->command == plan_.command;
   if (is_same_command && plan_.resumes_store && any_there(folder_, ResultsStore::file_names())) return;
   if (is_same_command && !earlier_->complete && text_of_file(folder_ / "experiment.toml") == plan_.experiment) return;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/presentation/scene_report.h"
+#include "experiments/summary_version.h"
 #include "raytrace/tracer.h"
 
 namespace umbrameter {
@@ -182,9 +183,7 @@ Json row_json(const std::vector<Column>& columns, const std::vector<Value>& row)
 }
 
 std::string to_summary_json(const SummaryInput& input) {
-  Json summary;
-  summary["program"] = {{"name", "umbrameter"}, {"version", UMBRAMETER_VERSION}};
-  summary["command"] = input.command;
+  Json summary = summary_head(input.command);
   const Scene& scene = input.stages->scene();
   summary["scene"] = {{"name", scene_title(input.experiment)},
                       {"triangles", count(scene).triangles},

@@ -171,6 +171,12 @@ TEST_F(RunsReport, Refuses_what_cannot_be_compared_and_says_what) {
   const ProgramResult none = run_program({"report", base, folder_.path().string(), "-o", output()});
   EXPECT_EQ(none.exit_code, 4);
   EXPECT_TRUE(is_one_line(none.err)) << none.err;
+  std::filesystem::create_directories(folder_ / "newer");
+  folder_.write("newer/summary.json", R"({"schema_version": 2})");
+  const ProgramResult newer = run_program({"report", base, folder_ / "newer", "-o", output()});
+  EXPECT_EQ(newer.exit_code, 4);
+  EXPECT_NE(newer.err.find("a later version of umbrameter"), std::string::npos) << newer.err;
+  EXPECT_TRUE(is_one_line(newer.err)) << newer.err;
   EXPECT_EQ(run_program({"report", base, "-o", base}).exit_code, 2);
   EXPECT_EQ(run_program({"report", base, "-o", output(), "--inset", "60,60,8,8"}).exit_code, 2);
   EXPECT_FALSE(std::filesystem::exists(output())) << "nothing is written";

@@ -15,6 +15,7 @@
 #include "compare/visibility.h"
 #include "experiments/experiment.h"
 #include "experiments/metric_scores.h"
+#include "experiments/summary_version.h"
 
 namespace umbrameter {
 namespace {
@@ -82,7 +83,8 @@ Json all_parameters() {
 }  // namespace umbrameter
 
 int main() {
-  const nlohmann::ordered_json all = {{"parameters", umbrameter::all_parameters()},
+  const nlohmann::ordered_json all = {{"schema_version", umbrameter::summary_schema_version},
+                                      {"parameters", umbrameter::all_parameters()},
                                       {"statistics", umbrameter::all_statistics()},
                                       {"metrics", umbrameter::all_metrics()}};
   std::puts(all.dump(1).c_str());

@@ -95,6 +95,7 @@ def updated_schema(text, quantities):
     kept = {name: each for name, each in schema["$defs"].items()
             if name not in generated and not name.startswith("statistics_")}
     schema["$defs"] = {**kept, **generated}
+    schema["properties"]["schema_version"]["const"] = quantities["schema_version"]
     return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
 
 

@@ -1,5 +1,7 @@
 """The reference page of summary.json, from its schema."""
 
+import json
+
 INTRODUCTION = """# Reference of `summary.json`
 
 Generated from [summary.schema.json](summary.schema.json) by `scripts/docs --references`; do not edit. The schema is
@@ -13,6 +15,8 @@ check-jsonschema --schemafile /usr/local/share/umbrameter/summary.schema.json ou
 - A number is `null` if it is undefined, for example an error over no pixels.
 - `name_lo` and `name_hi` are the ends of the 95 % interval of `name`.
 - Pixels are counted from the top left.
+- `schema_version` is the version of this schema. `check`, `report` and a rerun refuse a file of a later version; they read
+  older ones, which have no version.
 - *always* means that the key is present in every object of that kind.
 
 `umbrameter compare … --json` prints the same text. The file has no times and no paths, so that equal runs give
@@ -37,7 +41,7 @@ def type_names(node):
     if target(node):
         return [f"[{target(node)}](#{target(node)})"]
     if "const" in node:
-        return [f'`"{node["const"]}"`']
+        return [f"`{json.dumps(node['const'], ensure_ascii=False)}`"]
     if "enum" in node:
         return [" or ".join(f"`{each}`" for each in node["enum"])]
     if "items" in node and "type" in node and "array" in node["type"]:

@@ -275,6 +275,21 @@ TEST(ResultsStore, A_damaged_file_is_told_and_left_alone) {
   expect_error([&] { ResultsStore::open(folder.path(), description()); }, ExitCode::unreadable_input, {"empty"});
 }
 
+TEST(ResultsStore, A_file_of_a_later_version_is_refused) {
+  const TemporaryFolder folder;
+  {
+    ResultsStore store = ResultsStore::open(folder.path(), description());
+    add(store, {0, 1, 2, 3});
+    store.finish();
+  }
+  std::string bytes = text_of(folder / "results.sqlite");
+  ASSERT_EQ(bytes.substr(60, 4), std::string("\0\0\0\1", 4)) << "PRAGMA user_version: SQLite's file format, 1.3.13";
+  bytes[63] = 2;
+  put_text(folder / "results.sqlite", bytes);
+  expect_error([&] { ResultsStore::open(folder.path(), description()); }, ExitCode::usage,
+               {"a later version of umbrameter wrote it: schema version 2, this program's is 1"});
+}
+
 TEST(ResultsStore, A_folder_that_cannot_hold_it_is_a_usage_error) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "results.partial.sqlite");
