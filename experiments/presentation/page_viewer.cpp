@@ -124,8 +124,14 @@ ViewerBias viewer_bias(const Stages& stages, const ShadowMeasurement& shadow) {
   if (!shadow.advice || !shadow.advice->flips) bias.missing = missing_text(shadow);
   if (!shadow.advice) return bias;
   const BiasAdvice& advice = *shadow.advice;
-  bias.unit = advice.unit == LengthUnit::texels ? "texels" : "m";
   bias.mean_texel = advice.mean_texel;
+  if (advice.unit == LengthUnit::texels) {
+    bias.unit = "texels";
+    bias.unit_length = advice.mean_texel;
+  } else if (advice.unit == LengthUnit::map_depth) {
+    bias.unit = "depth";
+    bias.unit_length = advice.depth_unit;
+  }
   bias.used = advice.used.constant;
   for (const BiasCell& cell : advice.cells) {
     bias.axis.push_back(cell.constant);

@@ -43,10 +43,11 @@ struct ViewerLayer {
 
 /// One light's error at every constant bias of an axis, and the pixels that are wrong at each of them.
 struct ViewerBias {
-  std::string group;    ///< that of the light's layers
-  std::string missing;  ///< why the images cannot follow the bias; empty if they can
-  std::string unit;     ///< of the axis: "m" or "texels"
-  double mean_texel = 0.0;
+  std::string group;                          ///< that of the light's layers
+  std::string missing;                        ///< why the images cannot follow the bias; empty if they can
+  std::string unit = "m";                     ///< of the axis: "m", "texels" or "depth"
+  double unit_length = 1.0;                   ///< of one such unit, mean over the counted pixels [m]
+  double mean_texel = 0.0;                    ///< [m]
   double used = 0.0;                          ///< the bias of this run, a value of the axis
   std::vector<double> axis;                   ///< ascending
   std::vector<std::array<double, 4>> shares;  ///< at each bias the shares of acne, false occlusion, peter-panning, leak

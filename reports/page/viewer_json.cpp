@@ -107,8 +107,13 @@ Json layer_json(const ViewerLayer& layer) {
 }
 
 Json bias_json(ViewerPack& pack, const ViewerBias& bias, int stride) {
-  Json json = {{"group", bias.group},           {"missing", bias.missing}, {"unit", bias.unit},
-               {"mean_texel", bias.mean_texel}, {"used", bias.used},       {"axis", bias.axis},
+  Json json = {{"group", bias.group},
+               {"missing", bias.missing},
+               {"unit", bias.unit},
+               {"unit_length", bias.unit_length},
+               {"mean_texel", bias.mean_texel},
+               {"used", bias.used},
+               {"axis", bias.axis},
                {"shares", Json::array()}};
   for (const auto& [acne, false_occlusion, peter_panning, leak] : bias.shares) {
     json["shares"].push_back(

@@ -188,6 +188,19 @@ test('the bias slider is moved by mouse and keys, and its shares are those of a 
   await page.context().close();
 });
 
+test('a bias in the depth of the map is read in its own unit, in texels and as a length', async () => {
+  const deep = compare('deep', 'courtyard', '--light', 'sun', '--shadow.constant-bias', '0.001depth');
+  const {shadows: [shadow]} = JSON.parse(readFileSync(path.join(deep, 'summary.json')));
+  const {page} = await open_page(deep);
+  const reading = await page.locator('.bias .reading').innerText();
+  const [, texels, length] = /^0\.001 depth \(([\d.]+) texels, ([\d.]+) cm\), as in this run$/.exec(reading);
+  // Three digits are shown.
+  assert.ok(Math.abs(texels / shadow.constant_bias.texels - 1) < 0.005, `${texels}, not ${shadow.constant_bias.texels}`);
+  assert.ok(Math.abs(length / (100 * shadow.constant_bias.m) - 1) < 0.005, `${length} cm, not ${shadow.constant_bias.m} m`);
+  assert.ok((await page.locator('svg.curve').innerHTML()).includes('constant bias [depth]'));
+  await page.context().close();
+});
+
 test('keys go to the largest error and through connected regions', async () => {
   const {channels} = read_exr(path.join(out, 'images.exr'));
   const {page} = await open_page(out, {fragment: '#view=grid&group=ambient occlusion'});

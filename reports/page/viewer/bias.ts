@@ -36,11 +36,12 @@ export function apply_bias(run: Run, bias: Bias): void {
 }
 
 export function bias_text(bias: Bias, value: number): string {
-  const metres = bias.unit === 'm' ? value : value * bias.mean_texel;
-  const texels = bias.unit === 'm' ? value / bias.mean_texel : value;
+  const metres = value * bias.unit_length;
+  const texels = bias.unit === 'texels' ? value : metres / bias.mean_texel;
   const short = (number: number) => number_text(Number(number.toPrecision(3)));
   const length = Math.abs(metres) < 0.01 ? `${short(1000 * metres)} mm`
     : Math.abs(metres) < 1 ? `${short(100 * metres)} cm` : `${short(metres)} m`;
+  if (bias.unit === 'depth') return `${short(value)} depth (${short(texels)} texels, ${length})`;
   return `${short(texels)} texels (${length})`;
 }
 

@@ -12,8 +12,11 @@ export interface Ink {
 const curve_height = 230;
 const margin = {left: 52, right: 12, top: 12, bottom: 40};
 
-// Texts that are at most four characters wide: "0.01", "100".
-const tick_text = (value: number) => String(Number(value.toPrecision(1)));
+// Texts that are at most five characters wide: "0.01", "100", "2e-5".
+function tick_text(value: number): string {
+  const text = String(Number(value.toPrecision(1)));
+  return text.length > 5 ? value.toExponential(0) : text;
+}
 
 // Steps of 1, 2 and 5 times a power of ten: shares below the largest, in per cent.
 function share_ticks(largest: number): number[] {

@@ -23,8 +23,9 @@ interface LayerHead {
 interface BiasHead {
   group: string;
   missing: string;
-  unit: 'm' | 'texels';
-  mean_texel: number;
+  unit: 'm' | 'texels' | 'depth';
+  unit_length: number; // of one unit, in metres
+  mean_texel: number; // metres
   used: number;
   axis: number[];
   shares: [number, number, number, number][];
