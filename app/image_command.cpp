@@ -7,6 +7,7 @@
 #include "app/dry_run.h"
 #include "compare/metrics/metric.h"
 #include "core/parallel.h"
+#include "experiments/experiment_file.h"
 #include "experiments/gate.h"
 #include "experiments/known_statistics.h"
 #include "experiments/presentation/ao_stages_report.h"
@@ -26,23 +27,6 @@ Sides sides_of(const std::string& command) {
   if (command == "trace") return {false, true};
   if (command == "raster") return {true, false};
   return {true, true};
-}
-
-// What the file says wrong is reported with its line.
-void set_values(const Parameters& parameters, const ExperimentFile& file, const std::filesystem::path& path) {
-  const auto at_line = [&](const std::string& key, const auto& action) {
-    try {
-      action();
-    } catch (const Error& error) {
-      throw Error(error.code(), path.string() + ":" + std::to_string(file.lines.at(key)), error.what());
-    }
-  };
-  for (const auto& [key, value] : file.values) {
-    at_line(key, [&, &k = key, &v = value] { require(parameters, k).set(v); });
-  }
-  for (const auto& [key, text] : file.axes) {
-    at_line("vary." + key, [&, &k = key, &t = text] { parse_axis(parameters, k, t); });
-  }
 }
 
 // TOML is UTF-8: another path could not be read back from experiment.toml.
@@ -77,13 +61,8 @@ void add_metrics(Experiment& experiment, const std::vector<BudgetEntry>& conditi
 
 Experiment make_experiment(const CommandLine& line) {
   Experiment experiment;
+  if (!line.experiment_file.empty()) experiment = load_experiment(line.experiment_file);
   const Parameters parameters = describe(experiment);
-  if (!line.experiment_file.empty()) {
-    const ExperimentFile file = read_experiment(line.experiment_file);
-    experiment.scene = file.scene;
-    experiment.axes = file.axes;
-    set_values(parameters, file, line.experiment_file);
-  }
   if (!line.vary.empty()) experiment.axes.clear();
   for (const std::string& assignment : line.vary) experiment.axes.push_back(split_assignment(assignment));
   for (const auto& [key, text] : line.settings) require(parameters, key).set_text(text);

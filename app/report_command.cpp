@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "experiments/presentation/runs_report.h"
 #include "experiments/presentation/stored_figures.h"
+#include "experiments/presentation/stored_sweep_figures.h"
 #include "experiments/run_folder.h"
 #include "reports/files/data.h"
 #include "reports/files/latex.h"
@@ -38,34 +39,90 @@ std::vector<StoredRun> read_runs(const CommandLine& line) {
   return runs;
 }
 
-// The figures of all runs, ordered so that those of one image stand side by side.
-std::vector<ImageFigure> figures_of(const std::vector<StoredRun>& runs) {
-  std::vector<ImageFigure> figures;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    for (ImageFigure& figure : stored_figures(runs[i])) {
-      if (runs.size() > 1) {
-        figure.stem += fmt::format("_{}", i + 1);
-        figure.title += ", " + runs[i].name;
-      }
-      figures.push_back(std::move(figure));
+// Those of a sweep that kept its cells.
+bool has_stored_cells(const StoredRun& run, const fs::path& folder) {
+  std::error_code error;
+  return run.command == "sweep" && fs::is_regular_file(folder / "results.sqlite", error);
+}
+
+// Adds the figures of one of several runs; number 0 is that of a run alone.
+template <class Figure>
+void add_figures(std::vector<Figure>& all, std::vector<Figure> of_run, const std::string& run, std::size_t number) {
+  for (Figure& figure : of_run) {
+    if (number > 0) {
+      figure.stem += fmt::format("_{}", number);
+      figure.title += ", " + run;
     }
+    all.push_back(std::move(figure));
   }
-  if (runs.size() < 2) return figures;
-  const auto image_of = [](const ImageFigure& figure) { return figure.stem.substr(0, figure.stem.rfind('_')); };
-  std::vector<ImageFigure> sorted;
-  for (const ImageFigure& first : figures) {
-    const auto is_same = [&](const ImageFigure& figure) { return image_of(figure) == image_of(first); };
+}
+
+// Figures that show the same of several runs stand side by side, in the order in which the first of them comes.
+template <class Figure>
+void sort_by_content(std::vector<Figure>& figures) {
+  const auto content_of = [](const Figure& figure) { return figure.stem.substr(0, figure.stem.rfind('_')); };
+  std::vector<Figure> sorted;
+  for (const Figure& first : figures) {
+    const auto is_same = [&](const Figure& figure) { return content_of(figure) == content_of(first); };
     if (std::any_of(sorted.begin(), sorted.end(), is_same)) continue;
     std::copy_if(figures.begin(), figures.end(), std::back_inserter(sorted), is_same);
   }
-  return sorted;
+  figures = std::move(sorted);
 }
 
-std::vector<std::string> planned_files(const CommandLine& line, const std::vector<ImageFigure>& figures,
+Figures figures_of(const std::vector<StoredRun>& runs, const std::vector<fs::path>& folders) {
+  Figures all;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    Figures figures = stored_figures(runs[i]);
+    if (has_stored_cells(runs[i], folders[i])) {
+      Figures of_sweep = stored_sweep_figures(folders[i]);
+      figures.plots = std::move(of_sweep.plots);
+      figures.heat_maps = std::move(of_sweep.heat_maps);
+    }
+    const std::size_t number = runs.size() > 1 ? i + 1 : 0;
+    add_figures(all.images, std::move(figures.images), runs[i].name, number);
+    add_figures(all.plots, std::move(figures.plots), runs[i].name, number);
+    add_figures(all.heat_maps, std::move(figures.heat_maps), runs[i].name, number);
+    add_figures(all.waterfalls, std::move(figures.waterfalls), runs[i].name, number);
+  }
+  if (runs.size() < 2) return all;
+  sort_by_content(all.images);
+  sort_by_content(all.plots);
+  sort_by_content(all.heat_maps);
+  sort_by_content(all.waterfalls);
+  return all;
+}
+
+template <class Figure>
+void add_to(ReportSection& section, const std::vector<Figure>& figures) {
+  for (const Figure& figure : figures) {
+    section.figures.push_back(figure.stem);
+    section.figure_titles.push_back(figure.title);
+    section.captions.push_back(figure.caption);
+  }
+}
+
+std::vector<ReportSection> figure_sections(const Figures& figures) {
+  ReportSection plots;
+  plots.title = "Plots";
+  add_to(plots, figures.plots);
+  add_to(plots, figures.heat_maps);
+  add_to(plots, figures.waterfalls);
+  ReportSection images;
+  images.title = "Images";
+  add_to(images, figures.images);
+  std::vector<ReportSection> sections = {std::move(plots), std::move(images)};
+  std::erase_if(sections, [](const ReportSection& section) { return section.figures.empty(); });
+  return sections;
+}
+
+std::vector<std::string> planned_files(const CommandLine& line, const std::vector<ReportSection>& figures,
                                        const std::vector<PartTables>& parts) {
   std::vector<std::string> files = {"index.html", "comparison.csv"};
-  for (const ImageFigure& figure : figures) {
-    for (const char* format : {".svg", ".pdf", ".png"}) files.push_back("figures/" + figure.stem + format);
+  for (const ReportSection& section : figures) {
+    for (const std::string& stem : section.figures) {
+      for (const char* format : {".svg", ".pdf", ".png"}) files.push_back("figures/" + stem + format);
+    }
   }
   if (!line.report.latex) return files;
   for (const PartTables& part : parts) {
@@ -84,7 +141,7 @@ void write_latex(const fs::path& folder, const std::vector<PartTables>& parts) {
 }
 
 Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTables>& parts,
-                   const std::vector<ImageFigure>& figures) {
+                   const std::vector<ReportSection>& figures) {
   Report report;
   std::string names;
   for (const StoredRun& run : runs) names += (names.empty() ? "" : ", ") + run.name;
@@ -110,15 +167,7 @@ Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTab
     section.tables.push_back({"All statistics", part.all});
     report.sections.push_back(std::move(section));
   }
-  if (figures.empty()) return report;
-  ReportSection section;
-  section.title = "Images";
-  for (const ImageFigure& figure : figures) {
-    section.figures.push_back(figure.stem);
-    section.figure_titles.push_back(figure.title);
-    section.captions.push_back(figure.caption);
-  }
-  report.sections.push_back(std::move(section));
+  report.sections.insert(report.sections.end(), figures.begin(), figures.end());
   return report;
 }
 
@@ -139,13 +188,14 @@ ExitCode run_report(const CommandLine& line, const Console& console) {
   const std::vector<std::string> limits = limits_of_comparison(runs);
   const std::vector<ComparedStatistic> compared = compare_runs(runs);
   const std::vector<PartTables> parts = part_tables(runs, compared);
-  const std::vector<ImageFigure> figures = line.no_figures ? std::vector<ImageFigure>{} : figures_of(runs);
-  check_insets_of(style, figures);
+  const Figures figures = line.no_figures ? Figures{} : figures_of(runs, line.report.folders);
+  const std::vector<ReportSection> sections = figure_sections(figures);
+  check_insets_of(style, figures.images);
   const std::vector<std::string> answers = comparison_answers(runs, compared);
 
   std::string plan = "report";
   for (const StoredRun& run : runs) plan += " " + run.name;
-  const std::vector<std::string> files = planned_files(line, figures, parts);
+  const std::vector<std::string> files = planned_files(line, sections, parts);
   RunFolder folder(line.output, RunPlan{line.command, plan, files}, line.force);
   folder.begin();
   for (const std::string& text : answers) print_line(console, text);
@@ -153,16 +203,14 @@ ExitCode run_report(const CommandLine& line, const Console& console) {
   std::fflush(stdout);
   const Table rows = comparison_rows(runs, compared);
   write_text(folder.path() / "comparison.csv", to_csv(rows));
-  const std::vector<std::string> problems = write_figures(folder.path() / "figures", {figures}, style).problems;
+  const std::vector<std::string> problems = write_figures(folder.path() / "figures", figures, style).problems;
   if (line.report.latex) write_latex(folder.path(), parts);
-  Report report = make_report(runs, parts, figures);
+  Report report = make_report(runs, parts, sections);
   report.answers = answers;
   report.notes = limits;
-  for (const StoredRun& run : runs) {
-    if (run.command != "sweep" || line.no_figures) continue;
-    report.notes.push_back(fmt::format(
-        "{} is a sweep: rerun its command with other figure options to redraw its plots; no cell is measured again.",
-        run.name));
+  for (std::size_t i = 0; i < runs.size() && !line.no_figures; ++i) {
+    if (runs[i].command != "sweep" || has_stored_cells(runs[i], line.report.folders[i])) continue;
+    report.notes.push_back(fmt::format("{} has no plots: its results.sqlite is missing.", runs[i].name));
   }
   write_page(folder.path(), report);
   add_line(console, fmt::format("report: {}", (folder.path() / "index.html").string()));

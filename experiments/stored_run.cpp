@@ -1,6 +1,7 @@
 #include "experiments/stored_run.h"
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
@@ -10,6 +11,24 @@ namespace umbrameter {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+// The values by the names of the statistics' columns. A number that is undefined is null.
+AoStageStatistics ao_stages_of(const Json& values) {
+  AoStageStatistics statistics;
+  std::vector<std::string> names;
+  std::vector<Value> row;
+  for (const Column& column : columns_of(statistics)) {
+    const Json& value = values.at(column.name);
+    names.push_back(column.name);
+    if (column.name == pixels_statistic) {
+      row.emplace_back(value.get<std::int64_t>());
+    } else {
+      row.emplace_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>());
+    }
+  }
+  RowReader(describe(statistics), names).read(row);
+  return statistics;
+}
 
 std::string text_of(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
@@ -36,6 +55,8 @@ StoredRun read_stored_run(const std::filesystem::path& folder) {
     for (const Json& shadow : summary.value("shadows", Json::array())) {
       run.layers[shadow.value("light", "")] = shadow.value("layer", "");
     }
+    const auto ao_stages = "/ao/stages/statistics"_json_pointer;
+    if (summary.contains(ao_stages)) run.ao_stages = ao_stages_of(summary.at(ao_stages));
   } catch (const Json::exception&) {
     throw Error(ExitCode::unreadable_input, (folder / "summary.json").string(), "is damaged");
   }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "compare/ao_stages.h"
 #include "experiments/gate.h"
 #include "reports/files/exr.h"
 
@@ -20,8 +21,9 @@ struct StoredRun {
   std::vector<MeasuredStatistic> statistics;
   std::vector<std::pair<std::string, std::string>> parameters;   ///< full name, value as in summary.json
   std::vector<std::pair<std::string, std::string>> environment;  ///< "OpenGL", "Mesa llvmpipe"
-  std::map<std::string, std::string> layers;  ///< of each light, by its name: part of its layers' names
-  std::optional<LayeredImage> images;         ///< nothing if the run has no images.exr
+  std::map<std::string, std::string> layers;     ///< of each light, by its name: part of its layers' names
+  std::optional<LayeredImage> images;            ///< nothing if the run has no images.exr
+  std::optional<AoStageStatistics> ao_stages{};  ///< if the run measured the stages of ambient occlusion
 };
 
 /// Throws Error (unreadable_input) if the folder holds no finished run that compared something, or a damaged one.

@@ -108,6 +108,12 @@ WaterfallFigure ao_stages_waterfall(const AoStageStatistics& statistics) {
   return figure;
 }
 
+ImageFigure ao_stage_figure(AoStage stage, const Image<float>& change) {
+  const auto k = static_cast<std::size_t>(stage);
+  return scalar_figure("ao_stage_" + std::string(ao_stage_names[k]), "AO stage: " + std::string(ao_stage_titles[k]),
+                       std::string(meanings[k]) + " Blue darkens, red brightens.", change, stage_scale);
+}
+
 Presentation present_ao_stages(const AoMeasurement& ao) {
   const AoStages& stages = *ao.stages;
   const AoStageStatistics& statistics = stages.statistics;
@@ -130,10 +136,7 @@ Presentation present_ao_stages(const AoMeasurement& ao) {
   add_figure(presentation, std::move(waterfall));
   for (std::size_t k = 0; k < ao_stage_count; ++k) {
     const auto stage = static_cast<AoStage>(k);
-    add_figure(presentation, scalar_figure("ao_stage_" + std::string(ao_stage_names[k]),
-                                           "AO stage: " + std::string(ao_stage_titles[k]),
-                                           std::string(meanings[k]) + " Blue darkens, red brightens.",
-                                           stage_difference(stages.images, stage), stage_scale));
+    add_figure(presentation, ao_stage_figure(stage, stage_difference(stages.images, stage)));
   }
   section.headlines = {
       {"mean error", signed_text(statistics.total.mean_error.value), "sum of the stages"},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/presentation/ao_stages_report.h"
 #include "experiments/presentation/image_scales.h"
 #include "experiments/presentation/presentation.h"
 
@@ -40,8 +41,9 @@ void add_classes(std::vector<ImageFigure>& figures, const StoredRun& run, const 
 
 }  // namespace
 
-std::vector<ImageFigure> stored_figures(const StoredRun& run) {
-  std::vector<ImageFigure> figures;
+Figures stored_figures(const StoredRun& run) {
+  Figures all;
+  std::vector<ImageFigure>& figures = all.images;
   for (const auto& [light, layer] : run.layers) {
     add_scalar(figures, run, "truth_visibility_" + layer, "Reference: " + light, "Visibility of the reference.",
                visibility_scale);
@@ -58,7 +60,12 @@ std::vector<ImageFigure> stored_figures(const StoredRun& run) {
   add_classes(figures, run, "cause_image", "Cause of the image's error",
               "The input whose replacement by the reference's changes the pixel most, where the error is visible.",
               image_cause_colors());
-  return figures;
+  for (std::size_t k = 0; k < ao_stage_count; ++k) {
+    const Image<float>* change = find_channel(run, "ao_stage_" + std::string(ao_stage_names[k]) + ".Y");
+    if (change != nullptr) figures.push_back(ao_stage_figure(static_cast<AoStage>(k), *change));
+  }
+  if (run.ao_stages && run.ao_stages->total.pixels > 0) all.waterfalls.push_back(ao_stages_waterfall(*run.ao_stages));
+  return all;
 }
 
 }  // namespace umbrameter

@@ -1,15 +1,14 @@
-// The image figures of a finished run, drawn again from its images.exr.
+// The figures of a finished run, drawn again from what it stored.
 #pragma once
-
-#include <vector>
 
 #include "experiments/stored_run.h"
 #include "reports/figures/figures.h"
 
 namespace umbrameter {
 
-/// Reference, technique, error and causes of each light and of ambient occlusion, and the error of the shaded image,
-/// as compare draws them. Empty if the run has no images.exr.
-std::vector<ImageFigure> stored_figures(const StoredRun& run);
+/// Of images.exr, as compare draws them: reference, technique, error and causes of each light, ambient occlusion and
+/// its stages, the error of the shaded image. Of summary.json: the stages as a sum. Empty for a run that stored
+/// neither. For the plots of a sweep see stored_sweep_figures().
+Figures stored_figures(const StoredRun& run);
 
 }  // namespace umbrameter

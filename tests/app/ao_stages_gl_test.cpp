@@ -15,9 +15,9 @@ using Json = nlohmann::json;
 struct AoStagesRun : GlRun {};
 
 TEST_F(AoStagesRun, Compare_writes_stages_that_add_up_and_their_images) {
-  const ProgramResult result = run_program(words({"compare", "corner", "-o", folder_ / "out", "--light", "sun",
-                                                  "--ao-stages", "--ao.technique", "gtao", "--no-figures", "--json"},
-                                                 small));
+  const ProgramResult result = run_program(words(
+      {"compare", "corner", "-o", folder_ / "out", "--light", "sun", "--ao-stages", "--ao.technique", "gtao", "--json"},
+      small));
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Json summary = Json::parse(result.out);
   const Json& statistics = summary["ao"]["stages"]["statistics"];
@@ -35,6 +35,7 @@ TEST_F(AoStagesRun, Compare_writes_stages_that_add_up_and_their_images) {
   for (std::string line; std::getline(csv, line);) ++lines;
   EXPECT_EQ(lines, 23u);
   EXPECT_NE(summary["files"].dump().find("ao_stages.csv"), std::string::npos);
+  expect_same_figures_in_report(folder_ / "out", folder_ / "again", {"ao_stages.svg", "ao_stage_hidden.png"});
 }
 
 TEST_F(AoStagesRun, Without_the_flag_nothing_of_it_is_measured) {
