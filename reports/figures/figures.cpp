@@ -4,6 +4,7 @@
 
 #include <future>
 #include <iterator>
+#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -40,10 +41,37 @@ bool is_plain_name(const std::string& stem) {
          stem.find('\0') == std::string::npos;
 }
 
+// The PNG of each frame, drawn once: figures of one size and scale have the same frame, and starting the converter
+// takes longer than drawing it.
+class Frames {
+ public:
+  FilterResult png_of(const std::string& svg) {
+    std::promise<FilterResult> promise;
+    std::shared_future<FilterResult> found;
+    bool is_first = false;
+    {
+      const std::lock_guard lock(mutex_);
+      const auto [place, is_new] = drawn_.try_emplace(svg);
+      if (is_new) place->second = promise.get_future().share();
+      found = place->second;
+      is_first = is_new;
+    }
+    if (!is_first) return found.get();
+    try {
+      promise.set_value(run_filters({conversion(svg, "png", "1")}, 1).front());
+    } catch (...) {
+      promise.set_exception(std::current_exception());
+    }
+    return found.get();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, std::shared_future<FilterResult>> drawn_;
+};
+
 // The program's output, or nothing after it noted in `written` why there is none.
-std::optional<std::string> convert(const fs::path& file, const std::string& svg, const char* zoom, Written& written) {
-  const std::string format = file.extension().string().substr(1);
-  FilterResult result = run_filters({conversion(svg, format.c_str(), zoom)}, 1).front();
+std::optional<std::string> checked(const fs::path& file, FilterResult result, Written& written) {
   if (result.problem.empty()) return std::move(result.output);
   const std::string problem = with_package(result.problem, "rsvg-convert", "librsvg2-bin");
   if (problem == result.problem) {
@@ -53,6 +81,11 @@ std::optional<std::string> convert(const fs::path& file, const std::string& svg,
     ++written.without_program;
   }
   return {};
+}
+
+std::optional<std::string> convert(const fs::path& file, const std::string& svg, const char* zoom, Written& written) {
+  const std::string format = file.extension().string().substr(1);
+  return checked(file, run_filters({conversion(svg, format.c_str(), zoom)}, 1).front(), written);
 }
 
 // Checks the figure's name; writes the SVG and, from it, the PDF.
@@ -67,7 +100,7 @@ bool write_svg_and_pdf(const fs::path& folder, const std::string& stem, const st
   return true;
 }
 
-Written write_image(const fs::path& folder, const ImageFigure& image, const FigureStyle& style) {
+Written write_image(const fs::path& folder, const ImageFigure& image, const FigureStyle& style, Frames& frames) {
   Written written;
   ImageDrawing drawing;
   try {
@@ -78,7 +111,7 @@ Written write_image(const fs::path& folder, const ImageFigure& image, const Figu
   }
   if (!write_svg_and_pdf(folder, image.stem, to_svg(drawing), written)) return written;
   const fs::path png = folder / (image.stem + ".png");
-  const std::optional<std::string> frame = convert(png, drawing.frame(), "1", written);
+  const std::optional<std::string> frame = checked(png, frames.png_of(drawing.frame()), written);
   if (!frame) return written;
   std::string bytes;
   try {
@@ -196,8 +229,9 @@ FigureOutcome write_figures(const fs::path& folder, const Figures& figures, cons
   // Node takes as long to start as several images take to be written.
   std::future<PlotDrawings> drawn = std::async(std::launch::async, [&] { return draw_plots(figures, style); });
   std::vector<Written> written(images.size());
+  Frames frames;
   parallel_for(images.size(), [&](std::size_t i) {
-    written[i] = write_image(folder, images[i], style);
+    written[i] = write_image(folder, images[i], style, frames);
     count_one();
   });
   PlotDrawings of_plots = drawn.get();

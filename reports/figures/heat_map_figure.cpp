@@ -7,6 +7,7 @@
 
 #include "reports/figures/figure_parts.h"
 #include "reports/figures/plot_parts.h"
+#include "reports/files/text_layout.h"
 
 namespace umbrameter {
 namespace {
@@ -99,6 +100,12 @@ struct PanelLayout {
 
 Json x_axis(const HeatMapFigure& figure, const Cells& cells, const PanelLayout& layout) {
   Json axis = {{"title", figure.x.label}, {"grid", false}, {"tickCount", layout.width < layout.all_width / 2 ? 3 : 6}};
+  // Titles and end labels of panels side by side stay within their panel.
+  if (layout.width < layout.all_width) {
+    constexpr double units_of_a_character = 8.0;
+    axis["title"] = wrap_lines(figure.x.label, static_cast<std::size_t>(layout.width / units_of_a_character));
+    axis["labelFlush"] = true;
+  }
   Json scale = {{"nice", false}};
   if (figure.x.logarithmic) {
     scale["type"] = "log";
@@ -204,12 +211,15 @@ std::string to_plot_specification(const HeatMapFigure& figure, const FigureStyle
     const int width = (all_width - panel_gap * (columns - 1)) / columns;
     spec["columns"] = columns;
     spec["spacing"] = panel_gap;
-    spec["facet"] = {
-        {"field", "p"},
-        {"type", "nominal"},
-        {"sort", panels},
-        {"header",
-         {{"title", figure.panel_label}, {"labelExpr", short_labels}, {"labelFontSize", 13}, {"titleFontSize", 13}}}};
+    spec["facet"] = {{"field", "p"},
+                     {"type", "nominal"},
+                     {"sort", panels},
+                     {"header",
+                      {{"title", figure.panel_label},
+                       {"labelExpr", short_labels},
+                       {"labelFontSize", 13},
+                       {"titleFontSize", 13},
+                       {"titleFontWeight", "normal"}}}};
     spec["spec"] = make_panel(figure, cells, {width, all_width});
     // A shared axis would stand under places without a panel, too.
     if (panels.size() % static_cast<std::size_t>(columns) != 0) spec["resolve"]["axis"]["x"] = "independent";

@@ -12,8 +12,10 @@
 namespace umbrameter {
 namespace {
 
-constexpr int min_width = 480;    // smaller images are shown with whole-numbered enlargement
-constexpr int max_height = 1600;  // of an enlarged image
+constexpr int min_width = 480;        // smaller images are shown with whole-numbered enlargement
+constexpr int max_height = 1600;      // of an enlarged image
+constexpr double min_dpi = 150.0;     // of an image in print, by whole-numbered enlargement, too
+constexpr int max_print_side = 4096;  // of an image enlarged for print
 constexpr int bar_ticks = 5;
 constexpr double print_margin = 0.25;  // font sizes
 
@@ -27,6 +29,18 @@ struct Layout {
   int image_top = 0;
   int below() const { return image_top + height + unit; }
 };
+
+// How many pixels of the drawing, along a side, stand for one of the image.
+int enlargement_of(ivec2 size, const FigureStyle& style) {
+  int width = min_width;
+  int limit = max_height;
+  if (style.is_print()) {
+    width =
+        std::max(width, static_cast<int>(std::min<double>(max_print_side, std::ceil(style.width / 25.4 * min_dpi))));
+    limit = max_print_side;
+  }
+  return std::max(1, std::min((width + size.x - 1) / size.x, limit / size.y));
+}
 
 Layout make_layout(int width, int height, const FigureStyle& style) {
   Layout layout;
@@ -188,7 +202,7 @@ std::string ImageDrawing::frame() const {
 ImageDrawing draw(const ImageFigure& figure, const FigureStyle& style) {
   const Image<glm::u8vec3> original = colors_of(figure);
   const ivec2 size(original.width, original.height);
-  const int enlargement = std::max(1, std::min((min_width + size.x - 1) / size.x, max_height / size.y));
+  const int enlargement = enlargement_of(size, style);
   const std::vector<Inset>& regions = size == style.view ? style.insets : std::vector<Inset>{};
   const InsetLayout pictures = place_insets(regions, size, enlargement, inset_gap(size.x * enlargement));
   const Layout layout = make_layout(pictures.size.x, pictures.size.y, style);

@@ -128,7 +128,8 @@ Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Js
   Json result;
   result["field"] = field;
   result["type"] = is_numeric_axis ? "quantitative" : "nominal";
-  result["axis"]["title"] = axis.label;
+  const bool is_x = std::string_view(field) == "x";
+  result["axis"]["title"] = is_x ? Json(axis.label) : value_axis_title(axis.label, style);
   if (!is_numeric_axis) {
     result["sort"] = nullptr;
     // Every name is drawn: where they do not fit beside each other, they are slanted.
@@ -144,7 +145,6 @@ Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Js
     if (!fits_in_a_row) result["axis"]["labelOverlap"] = false;
     return result;
   }
-  const bool is_x = std::string_view(field) == "x";
   result["axis"]["tickCount"] = axis.logarithmic ? 5 : 6;
   result["scale"] = {{"nice", !is_x}};
   if (axis.logarithmic) {
@@ -167,9 +167,11 @@ Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Js
 
 // As many legend entries side by side as fit below the plot.
 int legend_columns(const std::vector<std::string>& names, const FigureStyle& style) {
-  std::size_t longest = 1;
-  for (const std::string& name : names) longest = std::max(longest, count_characters(name));
-  return std::max(1, plot_width(style) / static_cast<int>(50 + 8 * longest));
+  constexpr double sample = 30.0;   // the drawn line, and the space before its name
+  constexpr double padding = 16.0;  // between columns, see plot_look()
+  double longest = 0.0;
+  for (const std::string& name : names) longest = std::max(longest, plot_font_size * text_width(name));
+  return std::max(1, static_cast<int>((plot_width(style) + padding) / (sample + longest + padding)));
 }
 
 // How the values of the series column are told apart.

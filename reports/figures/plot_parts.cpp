@@ -37,6 +37,15 @@ void add_title(Json& specification, const FigureStyle& style, const std::string&
   }
 }
 
+Json value_axis_title(const std::string& label, const FigureStyle& style) {
+  if (!style.is_print() || style.height <= 0.0) return label;
+  constexpr double others_height = 110.0;  // about what the other axis and a legend of two lines take
+  constexpr double units_of_a_character = 6.8;
+  const double height = std::max(80.0, style.height * plot_units_per_mm(style) - others_height);
+  const std::vector<std::string> lines = wrap_lines(label, static_cast<std::size_t>(height / units_of_a_character));
+  return lines.size() > 1 ? Json(lines) : Json(label);
+}
+
 void add_print_size(Json& specification, const FigureStyle& style, int columns, int rows) {
   if (!style.is_print()) return;
   const double units = plot_units_per_mm(style);

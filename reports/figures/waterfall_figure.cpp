@@ -82,7 +82,7 @@ std::string to_plot_specification(const WaterfallFigure& figure, const FigureSty
   const auto y = [&](const char* field) {
     return Json{{"field", field},
                 {"type", "quantitative"},
-                {"title", figure.label},
+                {"title", value_axis_title(figure.label, style)},
                 {"scale", {{"domain", {lowest - margin, highest + margin}}, {"nice", false}}}};
   };
   const Json color = {

@@ -127,6 +127,30 @@ TEST(FigureStyle, Labels_have_their_size_in_points) {
   }
 }
 
+// 300 mm at 150 pixels per inch are 1772 pixels: six times 320, and twice 960. 84 mm are 497, which 640 exceed.
+TEST(FigureStyle, An_image_in_print_has_at_least_150_pixels_per_inch) {
+  const auto pixels_of = [](int width, const char* style) {
+    return draw(checker(width, width * 9 / 16), style_of(style)).images.front().pixels.width;
+  };
+  EXPECT_EQ(pixels_of(320, "slide"), 6 * 320);
+  EXPECT_EQ(pixels_of(960, "slide"), 2 * 960);
+  EXPECT_EQ(pixels_of(640, "column"), 640);
+  EXPECT_EQ(draw(checker(100, 1000), style_of("slide")).images.front().pixels.height, 4 * 1000) << "at most 4096";
+}
+
+// Upright, "mean absolute error of all of the counted pixels, in per cent of them" is longer than this plot is high.
+TEST(FigureStyle, A_long_title_of_the_value_axis_does_not_shrink_a_plot_of_given_height) {
+  FigureStyle style = style_of("slide");
+  PlotFigure figure = lines(2);
+  figure.y.label = "mean absolute error of all of the counted pixels, in per cent of them";
+  const Json title = Json::parse(to_plot_specification(figure, style))["layer"][0]["encoding"]["y"]["axis"]["title"];
+  ASSERT_TRUE(title.is_array()) << title;
+  // 145 mm at 72/25.4 points, 20 of which are 13 units: 267 units, less 110 for what stands below the plot.
+  for (const Json& line : title) EXPECT_LE(6.8 * line.get<std::string>().size(), 157.0) << line;
+  style.height = 0.0;
+  EXPECT_TRUE(Json::parse(to_plot_specification(figure, style)).dump().find(figure.y.label) != std::string::npos);
+}
+
 TEST(FigureStyle, A_title_is_drawn_only_if_asked_for) {
   EXPECT_EQ(to_svg(draw(checker(64, 36))).find("A checkerboard"), std::string::npos);
   EXPECT_FALSE(Json::parse(to_plot_specification(lines(2))).contains("title"));
