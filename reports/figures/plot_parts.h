@@ -32,8 +32,8 @@ std::vector<std::string> different_values(const Table& table, std::size_t column
 void add_title(Json& specification, const FigureStyle& style, const std::string& title, const std::string& conditions,
                const std::vector<std::string>& notes = {});
 
-/// The title of the value axis. Where the height is given, it is in lines that fit beside the plot: a longer one would take
-/// the height from the plot.
+/// The title of the value axis. Where the height is given, it is in lines that fit beside the plot: a longer one would
+/// take the height from the plot.
 Json value_axis_title(const std::string& label, const FigureStyle& style);
 
 /// Tells the drawer how wide a drawing for print is, so that it can fit the plot; `columns` and `rows` of panels.
