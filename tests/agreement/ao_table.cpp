@@ -100,7 +100,7 @@ double time_ratio(Stages& stages, const Experiment& experiment) {
     gl::PassTime of_gbuffer;
     gl::run_timed(&of_gbuffer, [&] { draw_gbuffer(stages.context(), stages.uploaded(), view); });
     gl::PassTime of_method;
-    gl::run_timed(&of_method, [&] { stages.draw_ao(experiment); });
+    gl::run_timed(&of_method, [&] { stages.draw_ao_of(stages.gpu_surfels(experiment), experiment); });
     ratios.push_back(of_method.processor / of_gbuffer.processor);
   }
   std::sort(ratios.begin(), ratios.end());

@@ -202,7 +202,9 @@ TEST(ClassPalette, Classes_differ_in_lightness_and_causes_in_hatching) {
         EXPECT_GE(std::abs(lightness(palette[i].color) - lightness(palette[j].color)), 5.0)
             << palette[i].name << " and " << palette[j].name;
         const bool are_dark = lightness(palette[i].color) < 75.0 && lightness(palette[j].color) < 75.0;
-        if (are_dark) EXPECT_NE(palette[i].hatch, palette[j].hatch) << palette[i].name << " and " << palette[j].name;
+        if (are_dark) {
+          EXPECT_NE(palette[i].hatch, palette[j].hatch) << palette[i].name << " and " << palette[j].name;
+        }
       }
     }
   }

@@ -146,7 +146,7 @@ TEST(FigureStyle, A_long_title_of_the_value_axis_does_not_shrink_a_plot_of_given
   const Json title = Json::parse(to_plot_specification(figure, style))["layer"][0]["encoding"]["y"]["axis"]["title"];
   ASSERT_TRUE(title.is_array()) << title;
   // 145 mm at 72/25.4 points, 20 of which are 13 units: 267 units, less 110 for what stands below the plot.
-  for (const Json& line : title) EXPECT_LE(6.8 * line.get<std::string>().size(), 157.0) << line;
+  for (const Json& line : title) EXPECT_LE(6.8 * static_cast<double>(line.get<std::string>().size()), 157.0) << line;
   style.height = 0.0;
   EXPECT_TRUE(Json::parse(to_plot_specification(figure, style)).dump().find(figure.y.label) != std::string::npos);
 }
