@@ -91,10 +91,11 @@ std::vector<OptionHelp> options_help(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_group().empty()) options.push_back(option_help(*option, parameters));
   }
-  // Beside parameters, --help lists no options of figures.
+  // Beside parameters, --help lists no options of figures and no further files.
   const bool has_parameters = std::ranges::any_of(options, &OptionHelp::is_parameter);
   for (OptionHelp& option : options) {
-    if (has_parameters && option.group == figure_group) option.is_basic = false;
+    const bool is_advanced = option.group == figure_group || option.group == files_group;
+    if (has_parameters && is_advanced) option.is_basic = false;
   }
   // Arguments first, then the command's own options, then parameters.
   const auto place = [](const OptionHelp& option) { return option.is_positional ? 0 : option.is_parameter ? 2 : 1; };

@@ -108,6 +108,13 @@ void add_parameters(CLI::App& command, CommandLine& line, std::string_view only 
   }
 }
 
+// --NAME for --run.NAME true.
+CLI::Option* add_switch(CLI::App& command, CommandLine& line, const std::string& name) {
+  const std::string key = "run." + name;
+  return command.add_flag_callback(
+      "--" + name, [&line, key] { line.settings.emplace_back(key, "true"); }, "same as --" + key + " true");
+}
+
 void add_output_flags(CLI::App& command, CommandLine& line) {
   CLI::Option* quiet = command.add_flag("--quiet", line.quiet, "print only the answer");
   command.add_flag("--verbose", line.verbose, "print diagnostics too: rays, times, reclassified taps")->excludes(quiet);
@@ -177,21 +184,15 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
                                                   : "replace an earlier run's results in the folder");
   if (!is_tune) command.add_flag("--dry-run", line.dry_run, "show what would be measured, and stop");
   if (&description == &compare_command) {
-    command.add_flag_callback(
-        "--shimmer", [&line] { line.settings.emplace_back("run.shimmer", "true"); }, "same as --run.shimmer true");
-    command.add_flag_callback(
-        "--ao-stages", [&line] { line.settings.emplace_back("run.ao-stages", "true"); },
-        "same as --run.ao-stages true");
-  }
-  if (&description == &compare_command) {
+    add_switch(command, line, "shimmer");
+    add_switch(command, line, "ao-stages");
     command.add_option("--fail-if", line.fail_if, "exit with 1 if a statistic is so: 'acne>0.1%'; repeatable")
         ->type_name("CONDITION")
         ->take_all();
   }
   if (&description == &compare_command || &description == &raster_command) {
-    command.add_flag_callback(
-        "--write-maps", [&line] { line.settings.emplace_back("run.write-maps", "true"); },
-        "same as --run.write-maps true");
+    add_switch(command, line, "write-maps")->group(files_group);
+    add_switch(command, line, "write-ao-inputs")->group(files_group);
   }
   if (&description != &trace_command) {
     command.add_option("--gl-device", line.gl_device, "OpenGL device: index, part of its name, or 'software'")

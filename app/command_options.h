@@ -9,8 +9,10 @@ class App;
 
 namespace umbrameter {
 
-/// Heading of the options of add_figure_options() in help.
+/// Headings in help, of options that the short help of a command with parameters leaves out: those of
+/// add_figure_options(), and those that write further files.
 inline constexpr const char* figure_group = "Figures";
+inline constexpr const char* files_group = "Files";
 
 void add_diff_options(CLI::App& command, CommandLine& line);
 /// Of every command that draws figures.

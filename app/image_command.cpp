@@ -160,6 +160,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   output.summary = {line.command, given, &stages, &measurement, {}, {}, {}, {}};
   if (sides.raster) output.summary.gl_renderer = stages.context().device().renderer;
   if (sides.raster && experiment.run.write_maps) output.maps = lights;
+  output.with_ao_inputs = sides.raster && experiment.run.write_ao_inputs;
   output.figure_style = style;
   output.with_figures = !line.no_figures;
   output.with_full_images = line.full_images;

@@ -49,6 +49,9 @@ void check_axes(const std::vector<SweepAxis>& axes, const Experiment& experiment
   if (experiment.run.write_maps) {
     throw Error(ExitCode::usage, "--write-maps", "a sweep writes no maps", "use compare or raster");
   }
+  if (experiment.run.write_ao_inputs) {
+    throw Error(ExitCode::usage, "--write-ao-inputs", "a sweep writes no inputs", "use compare or raster");
+  }
 }
 
 // How far a light reaches decides which pixels are counted, and how its map is fitted.

@@ -30,6 +30,8 @@ Parameters describe(RunParams& params) {
           {"",
            "image metrics of what is measured, also in sweeps: ldr-flip, ssim, edge-roughness, ... (docs/metrics.md)"})
       .field("write-maps", params.write_maps, {"", "write each shadow map with its projection as an EXR file"})
+      .field("write-ao-inputs", params.write_ao_inputs,
+             {"", "write what the AO technique reads: depth, normals, matrices, kernel and noise, as EXR and JSON"})
       .field("overlay", params.overlay,
              {"", "debug views in a corner of the image and as figures: all, depth, normal, shadow-map:LIGHT, ..."})
       .take();

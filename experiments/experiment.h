@@ -34,6 +34,7 @@ struct RunParams {
   bool ao_stages = false;
   std::string metrics;  ///< names of image metrics, comma-separated
   bool write_maps = false;
+  bool write_ao_inputs = false;
   std::string overlay;  ///< names of debug views, comma-separated
 };
 Parameters describe(RunParams& params);

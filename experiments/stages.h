@@ -182,6 +182,9 @@ class Stages {
   /// bias and number of samples.
   void draw_ao_response(const Experiment& experiment, const AoAxes& axes, const AoResponseSink& sink);
 
+  /// What the technique of ambient occlusion reads of surfels().
+  AoSurfelImages read_ao_surfels(const Experiment& experiment);
+
   ShadingSurfels shading_surfels(const Experiment& experiment);
   /// The technique's results at these surfels instead of surfels().
   Image<float> draw_visibility_of(const GpuGBuffer& surfels, const Experiment& experiment, std::uint32_t light);

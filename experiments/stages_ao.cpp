@@ -18,6 +18,11 @@ void Stages::draw_ao_response(const Experiment& experiment, const AoAxes& axes, 
                                static_cast<std::uint32_t>(experiment.run.seed), axes, sink);
 }
 
+AoSurfelImages Stages::read_ao_surfels(const Experiment& experiment) {
+  return umbrameter::read_ao_surfels(context(), gpu_surfels(experiment), surfels(experiment).view,
+                                     in_metres(experiment).ao);
+}
+
 Image<float> Stages::draw_ao_of(const GpuGBuffer& surfels, const Experiment& experiment) {
   return umbrameter::draw_ao(context(), surfels, this->surfels(experiment).view, in_metres(experiment).ao,
                              static_cast<std::uint32_t>(experiment.run.seed));

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "experiments/layers.h"
+#include "experiments/presentation/ao_input_files.h"
 #include "experiments/presentation/map_files.h"
 #include "experiments/presentation/page_viewer.h"
 #include "reports/files/data.h"
@@ -121,6 +122,13 @@ std::vector<std::string> map_files(const RunOutput& output) {
   return files;
 }
 
+void write_ao_inputs(const std::filesystem::path& folder, SummaryInput& summary) {
+  const Experiment& experiment = summary.measurement->experiment;
+  write_exr(folder / ao_input_image_file, ao_input_layers(*summary.stages, experiment));
+  write_text(folder / ao_input_values_file, ao_input_values(*summary.stages, experiment));
+  summary.files.insert(summary.files.end(), {ao_input_image_file, ao_input_values_file});
+}
+
 void write_rows(const std::filesystem::path& path, const ResultsStore& results) {
   std::vector<Column> columns;
   for (const StoredColumn& stored : results.description().columns) columns.push_back(stored.column);
@@ -173,6 +181,7 @@ ExitCode write_run(RunFolder& run_folder, const Console& console, RunOutput outp
   further.insert(further.end(), maps.begin(), maps.end());
   const AoStages* ao_stages = ao_stages_of(output);
   if (ao_stages != nullptr) further.emplace_back(ao_stages_file);
+  if (output.with_ao_inputs) further.insert(further.end(), {ao_input_image_file, ao_input_values_file});
   run_folder.require_free(further);
   run_folder.begin();
   run_folder.announce(further);
@@ -202,6 +211,7 @@ ExitCode write_run(RunFolder& run_folder, const Console& console, RunOutput outp
     write_exr(folder / maps[i], map_layers(*summary.stages, summary.measurement->experiment, output.maps[i]));
     summary.files.push_back(maps[i]);
   }
+  if (output.with_ao_inputs) write_ao_inputs(folder, summary);
   if (output.with_figures) write_figures_of(folder, console, output);
   if (layers.valid()) layers.get();
   summary.files.push_back("summary.json");

@@ -23,6 +23,7 @@ struct RunOutput {
   SummaryInput summary;
   const ResultsStore* results = nullptr;  ///< of a sweep: sweep.csv is a view of it
   std::vector<std::uint32_t> maps{};      ///< lights whose shadow maps are written
+  bool with_ao_inputs = false;            ///< writes what the technique of ambient occlusion reads
   FigureStyle figure_style{};
   bool with_figures = true;           ///< else no figures/ folder, and the page says so
   bool with_full_images = false;      ///< the page's viewer gets every pixel of large images, too

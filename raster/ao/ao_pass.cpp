@@ -61,6 +61,17 @@ Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, cons
   return image;
 }
 
+AoSurfelImages read_ao_surfels(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view,
+                               const AoParams& params) {
+  const AoTextures textures = prepare(context, gbuffer, view, params);
+  const AoInputs inputs = inputs_of(gbuffer, textures, view, 0);
+  AoSurfelImages images{read_image<float>(inputs.linear_depth, gl::Format::r32f),
+                        Image<vec3>(gbuffer.width, gbuffer.height)};
+  const auto normals = read_image<vec4>(inputs.normals, gl::Format::rgba32f);
+  for (std::size_t i = 0; i < normals.size(); ++i) images.normals[i] = vec3(normals[i]);
+  return images;
+}
+
 void draw_ao_response(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,
                       std::uint32_t seed, const AoAxes& axes, const AoResponseSink& sink) {
   const AoTextures textures = prepare(context, gbuffer, view, params);

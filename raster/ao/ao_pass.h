@@ -17,6 +17,14 @@ namespace umbrameter {
 Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,
                      std::uint32_t seed);
 
+/// What every technique reads of the surfels.
+struct AoSurfelImages {
+  Image<float> depth;   ///< along the camera's axis, metres; infinite on background
+  Image<vec3> normals;  ///< unit, world space: those that params.inputs selects; 0 on background
+};
+AoSurfelImages read_ao_surfels(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view,
+                               const AoParams& params);
+
 /// Calls the sink with the samples of hemisphere SSAO that occlude at the axes' first bias or more (ssao_pass.h). The
 /// technique must be one whose samples flip at the bias.
 void draw_ao_response(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,

@@ -16,7 +16,7 @@ struct alignas(16) SettingsBlock {
 
 template <class Technique>
 gl::Texture run(const gl::Context& context, const AoInputs& inputs, const char* shader, const Technique& technique) {
-  const std::vector<vec4> noise = stratified_tile(technique.noise, inputs.seed);
+  const std::vector<vec4> noise = noise_of(technique, inputs.seed);
   gl::Texture ao = make_ao_image("ao", inputs);
   const ivec2 size = ao_image_size(inputs);
   gl::Pass pass(context, {{shader}, resolution_defines(inputs.resolution)});

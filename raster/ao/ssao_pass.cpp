@@ -7,7 +7,7 @@
 #include "raster/gbuffer/view_block.h"
 #include "raster/gl/pass.h"
 #include "raster/shader_interface.h"
-#include "techniques/ao/kernel.h"
+#include "techniques/ao/technique.h"
 
 namespace umbrameter {
 namespace {
@@ -19,8 +19,8 @@ static_assert(sizeof(OccludingSample) == 2 * sizeof(std::uint32_t));
 
 gl::Pass ssao_pass(const gl::Context& context, const AoInputs& inputs, const Ssao& ssao, const char* shader) {
   std::array<vec4, constant("MAX_SAMPLES")> kernel{};
-  std::ranges::copy(hemisphere_kernel(ssao.kernel, ssao.sampling.samples, inputs.seed), kernel.begin());
-  const std::vector<vec4> rotations = rotation_tile(ssao.noise, inputs.seed);
+  std::ranges::copy(kernel_of(ssao, inputs.seed), kernel.begin());
+  const std::vector<vec4> rotations = noise_of(ssao, inputs.seed);
   SsaoParams params = ssao.params;
   gl::Pass pass(context, {{shader}, shader_defines(describe(params)) + resolution_defines(inputs.resolution)});
   bind(pass, inputs)

@@ -54,6 +54,18 @@ AoCapabilities capabilities_of(const AoTechnique& technique) {
   return {true, ssao->kernel.kind == AoKernel::progressive};
 }
 
+std::vector<vec4> kernel_of(const AoTechnique& technique, std::uint32_t seed) {
+  const auto* ssao = std::get_if<Ssao>(&technique);
+  if (ssao == nullptr) return {};
+  return hemisphere_kernel(ssao->kernel, ssao->sampling.samples, seed);
+}
+
+std::vector<vec4> noise_of(const AoTechnique& technique, std::uint32_t seed) {
+  const AoNoiseParams& noise =
+      std::visit([](const auto& each) -> const AoNoiseParams& { return each.noise; }, technique);
+  return std::holds_alternative<Ssao>(technique) ? rotation_tile(noise, seed) : stratified_tile(noise, seed);
+}
+
 std::string_view title_of(const AoTechnique& technique) {
   return std::visit([](const auto& each) { return each.title; }, technique);
 }

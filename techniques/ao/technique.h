@@ -6,8 +6,10 @@
 // to raster/ao/technique_passes.h.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "core/parameters.h"
 #include "techniques/ao/alchemy.h"
@@ -66,6 +68,13 @@ struct AoCapabilities {
   bool samples_are_prefix = false;  ///< n samples are the first n of more samples
 };
 AoCapabilities capabilities_of(const AoTechnique& technique);
+
+/// The points of the technique's kernel, in the unit hemisphere around +z; none if it has no such kernel.
+std::vector<vec4> kernel_of(const AoTechnique& technique, std::uint32_t seed);
+
+/// The technique's noise: a tile of noise.size × noise.size texels, row by row from the top left. Rotation vectors of
+/// hemisphere SSAO, else pairs of numbers from 0 to 1 (noise.h).
+std::vector<vec4> noise_of(const AoTechnique& technique, std::uint32_t seed);
 
 /// The technique's name in titles.
 std::string_view title_of(const AoTechnique& technique);
