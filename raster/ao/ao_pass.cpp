@@ -15,24 +15,33 @@ namespace umbrameter {
 
 namespace {
 
-gl::Texture linear_depth_of(const gl::Context& context, const GpuGBuffer& gbuffer) {
-  gl::Texture depth = gl::make_texture("ao linear depth", gl::Format::r32f, gbuffer.width, gbuffer.height);
+// Levels beyond the first: a depth pyramid.
+gl::Texture linear_depth_of(const gl::Context& context, const GpuGBuffer& gbuffer, int further_levels) {
+  const int levels = std::min(1 + further_levels, gl::mipmap_levels(gbuffer.width, gbuffer.height));
+  gl::Texture depth = gl::make_texture("ao linear depth", gl::Format::r32f, gbuffer.width, gbuffer.height, 0, levels);
   gl::Pass(context, {{"linear_depth.comp"}, {}})
       .texture("ids", gbuffer.ids)
       .texture("position_depth", gbuffer.position_depth)
       .image("linear_depth", depth, gl::Format::r32f)
       .dispatch(gbuffer.width, gbuffer.height);
+  for (int level = 1; level < levels; ++level) {
+    gl::Pass(context, {{"depth_pyramid.comp"}, {}})
+        .texture("finer_levels", depth)
+        .image("level_image", depth, gl::Format::r32f, false, level)
+        .value("level", level)
+        .dispatch(std::max(gbuffer.width >> level, 1), std::max(gbuffer.height >> level, 1));
+  }
   return depth;
 }
 
 // What the techniques read besides the G-buffer.
 struct AoTextures {
-  gl::Texture linear_depth;
+  gl::Texture linear_depth;            // with the levels that the technique reads
   std::optional<gl::Texture> normals;  // if they are not those of the G-buffer
 };
 
 AoTextures prepare(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params) {
-  AoTextures textures{linear_depth_of(context, gbuffer), {}};
+  AoTextures textures{linear_depth_of(context, gbuffer, capabilities_of(make_technique(params)).depth_levels), {}};
   if (params.inputs.normals != AoNormals::exact) {
     textures.normals = draw_normals(context, gbuffer, textures.linear_depth, view, params.inputs);
   }

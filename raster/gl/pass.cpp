@@ -28,8 +28,8 @@ int Pass::location(const char* name) {
 
 const Buffer& Pass::keep(Buffer buffer) { return kept_.emplace_back(std::move(buffer)); }
 
-Pass& Pass::image(const char* name, const Texture& texture, Format format, bool layered) {
-  return bind(name, {Bound::image, texture.name(), format, layered});
+Pass& Pass::image(const char* name, const Texture& texture, Format format, bool layered, int level) {
+  return bind(name, {Bound::image, texture.name(), format, layered, level});
 }
 
 Pass& Pass::value(const char* name, float number) {
@@ -86,7 +86,7 @@ void Pass::use() const {
         break;
       case Bound::image:
         glProgramUniform1i(program, input.location, static_cast<int>(point));
-        glBindImageTexture(point, bound.name, 0, bound.layered ? GL_TRUE : GL_FALSE, 0, GL_WRITE_ONLY,
+        glBindImageTexture(point, bound.name, bound.level, bound.layered ? GL_TRUE : GL_FALSE, 0, GL_WRITE_ONLY,
                            internal_format(bound.format));
         break;
       case Bound::buffer:

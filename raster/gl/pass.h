@@ -22,8 +22,8 @@ class Pass {
   Pass(const Context& context, const ProgramSource& source);
 
   Pass& texture(const char* name, const Texture& texture) { return bind(name, {Bound::texture, texture.name()}); }
-  /// An image that the shader writes. layered: binds all layers of an array.
-  Pass& image(const char* name, const Texture& texture, Format format, bool layered = false);
+  /// An image that the shader writes: a level of the texture. layered: binds all layers of an array.
+  Pass& image(const char* name, const Texture& texture, Format format, bool layered = false, int level = 0);
   Pass& buffer(const char* name, const Buffer& storage) { return bind(name, {Bound::buffer, storage.name()}); }
   Pass& buffer(const char* name, Buffer&& storage) { return buffer(name, keep(std::move(storage))); }
   /// A uniform block in layout std140.
@@ -52,6 +52,7 @@ class Pass {
     unsigned name = 0;
     Format format = Format::r32f;  // images only
     bool layered = false;          // images only
+    int level = 0;                 // images only
   };
   Pass& bind(const char* name, const Bound& bound);
   // The location of a uniform, or -1 if the program does not read it. Marks it as bound.

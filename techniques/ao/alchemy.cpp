@@ -15,6 +15,18 @@ Parameters describe(AlchemyParams& params) {
              {.unit = "ao.radius", .meaning = "Alchemy AO: height above the tangent plane that does not occlude"})
       .field("alchemy-intensity", params.intensity,
              {.unit = "1", .meaning = "Alchemy AO: factor on the occlusion", .min = 0.0})
+      .field("alchemy-mip-chain", params.mip_chain,
+             {.unit = {}, .meaning = "Alchemy AO: far samples read a depth pyramid, as in Scalable Ambient Obscurance"})
+      .field("alchemy-mip-offset", params.mip_offset,
+             {.unit = "1",
+              .meaning = "Alchemy AO: a sample p pixels away reads level floor(log2(p)) less this",
+              .min = 0,
+              .max = 16})
+      .field("alchemy-mip-levels", params.mip_levels,
+             {.unit = "1",
+              .meaning = "Alchemy AO: levels of the depth pyramid beyond the depth buffer",
+              .min = 1,
+              .max = 14})
       .take();
 }
 
@@ -25,9 +37,14 @@ Parameters describe(Alchemy& technique) {
 shared::AlchemyMethod::AlchemySettings settings_of(const Alchemy& technique) {
   const AlchemyParams& params = technique.params;
   const double radius = technique.sampling.radius.number;
-  return {technique.sampling.samples,           params.turns,
-          static_cast<float>(radius),           static_cast<float>(params.bias * radius),
-          static_cast<float>(params.intensity), params.estimator == AlchemyEstimator::sao ? 1 : 0};
+  return {technique.sampling.samples,
+          params.turns,
+          static_cast<float>(radius),
+          static_cast<float>(params.bias * radius),
+          static_cast<float>(params.intensity),
+          params.estimator == AlchemyEstimator::sao ? 1 : 0,
+          params.mip_chain ? params.mip_levels : 0,
+          params.mip_offset};
 }
 
 }  // namespace umbrameter

@@ -1,4 +1,4 @@
-// Alchemy AO and Scalable Ambient Obscurance (McGuire et al. 2011, 2012), without mip chain.
+// Alchemy AO and Scalable Ambient Obscurance (McGuire et al. 2011, 2012), with or without its depth pyramid.
 // alchemy.glsl has the formulas, for the shader too.
 #pragma once
 
@@ -14,6 +14,12 @@ namespace shared {
 
 struct AlchemyMethod : AoScreen {
 #define SHARED
+#include "techniques/ao/depth_pyramid.glsl"
+  // Finds the depth that the pyramid holds without building it.
+  float depth_at_level(ivec2 texel, int level) {
+    for (; level > 0; --level) texel = source_texel(texel, level_size(size, level - 1));
+    return depth_at(texel);
+  }
 #include "techniques/ao/alchemy.glsl"
 #undef SHARED
 };
@@ -27,6 +33,9 @@ struct AlchemyParams {
   int turns = 7;
   double bias = 0.01;
   double intensity = 1.0;
+  bool mip_chain = false;
+  int mip_offset = 3;  ///< q′ of the paper; levels as in the code published with it
+  int mip_levels = 5;
 };
 Parameters describe(AlchemyParams& params);
 

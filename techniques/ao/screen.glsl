@@ -21,19 +21,27 @@ struct AoSlice {
   float normal_length;  // of the projected normal
 };
 
-SHARED bool has_surface(ivec2 pixel) {
-  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y) return false;
-  return depth_at(pixel) < 1e30f;
+SHARED bool is_in_image(ivec2 pixel) {
+  return pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.x && pixel.y < size.y;
 }
 
-/// The surface at the centre of a pixel.
-SHARED vec3 seen_position(ivec2 pixel) {
-  float z = -depth_at(pixel);
+SHARED bool has_surface(ivec2 pixel) {
+  return is_in_image(pixel) && depth_at(pixel) < 1e30f;
+}
+
+/// The point at the centre of a pixel, at that distance along the camera's axis.
+SHARED vec3 position_at(ivec2 pixel, float distance) {
+  float z = -distance;
   float w = clip_from_view[2][3] * z + clip_from_view[3][3];
   float x = (2.0f * (float(pixel.x) + 0.5f) / float(size.x) - 1.0f) * w;
   float y = (2.0f * (float(pixel.y) + 0.5f) / float(size.y) - 1.0f) * w;
   return vec3((x - clip_from_view[2][0] * z - clip_from_view[3][0]) / clip_from_view[0][0],
               (y - clip_from_view[2][1] * z - clip_from_view[3][1]) / clip_from_view[1][1], z);
+}
+
+/// The surface at the centre of a pixel.
+SHARED vec3 seen_position(ivec2 pixel) {
+  return position_at(pixel, depth_at(pixel));
 }
 
 SHARED vec3 direction_to_viewer(vec3 position) {

@@ -49,9 +49,11 @@ Parameters describe(AoTechnique& technique) {
 }
 
 AoCapabilities capabilities_of(const AoTechnique& technique) {
-  const auto* ssao = std::get_if<Ssao>(&technique);
-  if (ssao == nullptr) return {};
-  return {true, ssao->kernel.kind == AoKernel::progressive};
+  if (const auto* ssao = std::get_if<Ssao>(&technique)) {
+    return {true, ssao->kernel.kind == AoKernel::progressive, 0};
+  }
+  if (const auto* alchemy = std::get_if<Alchemy>(&technique)) return {false, false, settings_of(*alchemy).mip_levels};
+  return {};
 }
 
 std::vector<vec4> kernel_of(const AoTechnique& technique, std::uint32_t seed) {

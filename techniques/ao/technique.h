@@ -66,6 +66,7 @@ Parameters describe(AoTechnique& technique);
 struct AoCapabilities {
   bool flips_at_bias = false;       ///< each sample occludes up to a critical value of ao.bias, and adds to a sum
   bool samples_are_prefix = false;  ///< n samples are the first n of more samples
+  int depth_levels = 0;             ///< of the depth pyramid that it reads, beyond the depth buffer
 };
 AoCapabilities capabilities_of(const AoTechnique& technique);
 

@@ -43,6 +43,7 @@ const std::vector<Row>& rows() {
       {"full-sphere SSAO", {"ao.technique=crytek"}},
       {"Alchemy AO", {"ao.technique=alchemy", "ao.alchemy-estimator=alchemy"}},
       {"SAO", {"ao.technique=alchemy"}},
+      {"SAO, mip chain", {"ao.technique=alchemy", "ao.alchemy-mip-chain=true"}},
       {"HBAO", {"ao.technique=hbao"}},
       {"GTAO", {"ao.technique=gtao"}},
       {"GTAO, power 1", {"ao.technique=gtao", "ao.gtao-power=1", "ao.gtao-radius-multiplier=1"}},

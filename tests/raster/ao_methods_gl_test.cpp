@@ -93,6 +93,22 @@ TEST_F(AoMethodsGl, Alchemy_AO_meets_its_integral_beside_a_step) {
   }
 }
 
+TEST_F(AoMethodsGl, A_mip_chain_of_depth_changes_far_samples_only) {
+  AoParams params = method(AoTechniqueName::alchemy);
+  params.sampling.radius = 0.2;  // at most 12 pixels wide
+  const auto draw = [&](bool mip_chain) {
+    params.alchemy.mip_chain = mip_chain;
+    Scene scene;
+    add_mesh(scene, ground(20));
+    add_mesh(scene, box({-1, 0, -1}, {1, 1, 1}));
+    return see(scene, perspective_view(160, 120, {2, 3, 4}, {0, 0.5, 0}), params).ao;
+  };
+  const Image<float> plain = draw(false);
+  EXPECT_EQ(draw(true), plain);
+  params.sampling.radius = 1.0;
+  EXPECT_NE(draw(true), draw(false));
+}
+
 TEST_F(AoMethodsGl, Full_sphere_SSAO_is_the_share_of_the_ball_above_the_step) {
   AoParams params = method(AoTechniqueName::crytek);
   params.sampling.radius = 2.0;
@@ -120,6 +136,10 @@ TEST_F(AoMethodsGl, HBAO_Alchemy_AO_and_full_sphere_SSAO_are_those_of_the_proces
     params.alchemy.estimator = estimator;
     expect_as_on_cpu(params, shared::AlchemyMethod{}, settings_of(std::get<Alchemy>(make_technique(params))));
   }
+  // At 48×32 pixels, with a radius of up to 15 pixels: with an offset of 0 samples read levels 0 to 3.
+  params.alchemy.mip_chain = true;
+  params.alchemy.mip_offset = 0;
+  expect_as_on_cpu(params, shared::AlchemyMethod{}, settings_of(std::get<Alchemy>(make_technique(params))));
   params.technique = AoTechniqueName::crytek;
   expect_as_on_cpu(params, shared::CrytekMethod{}, settings_of(std::get<Crytek>(make_technique(params))));
 }

@@ -62,6 +62,40 @@ TEST(Gtao, An_open_hemisphere_is_1_for_every_direction_of_view) {
   }
 }
 
+TEST(DepthPyramid, Each_texel_is_one_of_four_on_a_rotated_grid) {
+  shared::AlchemyMethod method;
+  method.size = {5, 4};
+  method.depth = Image<float>(5, 4);
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 0; x < 5; ++x) method.depth.at(x, 3 - y) = static_cast<float>(10 * y + x);
+  }
+  EXPECT_EQ(method.depth_at_level({4, 3}, 0), 34.0f);
+  // Level 1 has 2×2 texels. Texel (x, y) holds (2x + (y & 1 ^ 1), 2y + (x & 1 ^ 1)) of level 0 (McGuire et al. 2012).
+  EXPECT_EQ(method.depth_at_level({0, 0}, 1), 11.0f);
+  EXPECT_EQ(method.depth_at_level({1, 0}, 1), 3.0f);
+  EXPECT_EQ(method.depth_at_level({0, 1}, 1), 30.0f);
+  EXPECT_EQ(method.depth_at_level({1, 1}, 1), 22.0f);
+  // Level 2 has one texel: it holds (1, 1) of level 1.
+  EXPECT_EQ(method.depth_at_level({0, 0}, 2), 22.0f);
+}
+
+TEST(DepthPyramid, The_level_is_the_floor_of_the_logarithm_of_the_distance_less_the_offset) {
+  shared::AlchemyMethod method;
+  method.size = {1280, 720};
+  Alchemy technique;
+  technique.params.mip_chain = true;
+  const shared::AlchemyMethod::AlchemySettings settings = settings_of(technique);
+  // The paper's offset is 3, so that the first level serves from 2^4 pixels on; there are five.
+  const std::vector<std::pair<float, int>> cases = {{1.0f, 0},   {15.99f, 0}, {16.0f, 1},  {31.99f, 1}, {32.0f, 2},
+                                                    {255.0f, 4}, {256.0f, 5}, {512.0f, 5}, {1e30f, 5}};
+  for (const auto& [pixels, level] : cases) EXPECT_EQ(method.mip_level(pixels, settings), level) << pixels;
+  technique.params.mip_chain = false;
+  EXPECT_EQ(method.mip_level(512.0f, settings_of(technique)), 0);
+  // An image of 7×3 pixels has the levels 3×1 and 1×1.
+  method.size = {7, 3};
+  EXPECT_EQ(method.mip_level(512.0f, settings), 2);
+}
+
 TEST(Bitmask, Sectors_have_equal_shares_of_the_slice_in_either_weight) {
   shared::BitmaskMethod method;
   for (const float n : {-1.4f, -0.5f, 0.0f, 0.3f, 1.2f}) {
