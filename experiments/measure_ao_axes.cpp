@@ -24,7 +24,7 @@ std::size_t index_in(const std::vector<T>& ascending, T value) {
 
 bool is_ao_one_pass(const AoParams& params) {
   return params.blur.kind == AoBlur::none && params.resolution.kind == AoResolution::full &&
-         capabilities_of(make_technique(params)).flips_at_bias;
+         !reads_surface(params.tone) && capabilities_of(make_technique(params)).flips_at_bias;
 }
 
 std::vector<AoStatistics> measure_ao_axes(Stages& stages, const Experiment& experiment, const AoCells& cells) {

@@ -39,11 +39,11 @@ AoStages measure_ao_stages(Stages& stages, const Experiment& experiment, const T
                 "a visibility bitmask with weights by angle has no integral of its own to compare with",
                 "use ao.bitmask-weight cosine, or leave out run.ao-stages");
   }
-  // Intensity and power are what the method shows, no approximation of it.
-  integral->output = [output = integral->output, tone = metric.ao.tone](double accessibility) {
-    return static_cast<double>(with_tone(static_cast<float>(output(accessibility)), tone));
-  };
   const Surfels& surfels = stages.surfels(experiment);
+  // Intensity and power are what the method shows, no approximation of it.
+  integral->shown = [&, tone = metric.ao.tone](double output, std::size_t pixel) {
+    return static_cast<double>(with_tone(static_cast<float>(output), at_surface(tone, surfels.gbuffer, pixel)));
+  };
   const Tracer& tracer = stages.tracer();
   TracedIntegral traced;
   {

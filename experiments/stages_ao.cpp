@@ -9,7 +9,8 @@ Image<float> Stages::draw_ao(const Experiment& experiment) {
     without_tone.ao.tone = {};
     return draw_ao_of(gpu_surfels(experiment), without_tone);
   });
-  for (float& pixel : ao.pixels) pixel = with_tone(pixel, experiment.ao.tone);
+  const GBuffer& gbuffer = surfels(experiment).gbuffer;
+  for (std::size_t i = 0; i < ao.size(); ++i) ao[i] = with_tone(ao[i], at_surface(experiment.ao.tone, gbuffer, i));
   return ao;
 }
 

@@ -25,11 +25,15 @@ struct Output {
   double value = 0.0;
   double slope = 0.0;
 };
-Output output_at(const AoIntegral& integral, double accessibility, double standard_error) {
+Output output_at(const AoIntegral& integral, std::size_t pixel, double accessibility, double standard_error) {
+  const auto shown = [&](double at) {
+    const double output = integral.output(at);
+    return integral.shown ? integral.shown(output, pixel) : output;
+  };
   const double h = std::max(standard_error, 1e-4);
-  const double value = integral.output(accessibility);
-  const double before = integral.output(accessibility - h);
-  const double after = integral.output(accessibility + h);
+  const double value = shown(accessibility);
+  const double before = shown(accessibility - h);
+  const double after = shown(accessibility + h);
   return {2.0 * value - 0.5 * (before + after), (after - before) / (2.0 * h)};
 }
 
@@ -154,7 +158,7 @@ class IntegralTile {
         const double off = open[r][k] - mean[k];
         variance[k] += off * off * scale;
       }
-      output[k] = output_at(integral_, mean[k], std::sqrt(variance[k]));
+      output[k] = output_at(integral_, pixel, mean[k], std::sqrt(variance[k]));
     }
     for (std::size_t k = 0; k < occluder_kinds; ++k) {
       double of_step = 0.0;

@@ -66,7 +66,12 @@ Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, cons
   if (params.resolution.kind == AoResolution::half) ao = upsample(context, inputs, ao, params);
   Image<float> image = read_image<float>(ao, gl::Format::r32f);
   // GTAO's estimate exceeds 1 in some pixels, and only its mean over the noise does not.
-  for (float& pixel : image.pixels) pixel = with_tone(std::min(pixel, 1.0f), params.tone);
+  Image<vec4> albedo;
+  if (reads_surface(params.tone)) albedo = read_image<vec4>(gbuffer.albedo, gl::Format::rgba32f);
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    const AoToneParams tone = albedo.empty() ? params.tone : at_surface(params.tone, vec3(albedo[i]), albedo[i].w);
+    image[i] = with_tone(std::min(image[i], 1.0f), tone);
+  }
   return image;
 }
 

@@ -31,6 +31,8 @@ struct AoIntegral {
   std::function<double(const AoHit&)> occlusion;
   std::function<double(double)> output;
   std::string formula;  ///< for people: the weight of a hit and the output
+  /// What the method shows for an output at a pixel; the output itself if empty.
+  std::function<double(double, std::size_t)> shown{};
 };
 
 AoIntegral integral_of(const Ssao& technique);

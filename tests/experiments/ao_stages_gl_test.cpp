@@ -53,6 +53,30 @@ TEST_F(AoStagesGl, The_signed_stages_of_every_technique_add_up_to_its_error) {
   }
 }
 
+TEST_F(AoStagesGl, Further_bounces_with_the_albedo_of_each_surface_are_part_of_the_model) {
+  Stages stages(load_scene("corner"), {}, Console{});
+  Experiment plain = experiment(AoTechniqueName::hbao, "overview");
+  plain.ao.blur.kind = AoBlur::none;
+  const Measured before = measure(stages, plain);
+  Experiment bounces = plain;
+  bounces.ao.tone = {.multi_bounce = true, .albedo_source = AoAlbedo::surface};
+  const Measured after = measure(stages, bounces);
+  const GBuffer& gbuffer = stages.surfels(stages.in_metres(plain)).gbuffer;
+  float largest = 0.0f;
+  for (std::size_t i = 0; i < gbuffer.albedo.size(); ++i) {
+    const double luminance = glm::dot(dvec3(0.2126, 0.7152, 0.0722), dvec3(gbuffer.albedo[i]));
+    const double albedo = luminance * (1.0 - static_cast<double>(gbuffer.metallic[i]));
+    const float raw = (*before.ao.raster)[i];
+    EXPECT_NEAR((*after.ao.raster)[i], with_bounces(raw, albedo), 1e-5f);
+    largest = std::max(largest, (*after.ao.raster)[i] - raw);
+  }
+  EXPECT_GT(largest, 0.05f);
+  EXPECT_GT(of(after, AoStage::model).mean.value, of(before, AoStage::model).mean.value);
+  double sum = 0.0;
+  for (const AoStageError& stage : after.stages.statistics.stages) sum += stage.mean.value;
+  EXPECT_NEAR(sum, after.ao.statistics->error.mean_error.value, 1e-6);
+}
+
 TEST_F(AoStagesGl, Seen_from_above_a_trench_is_as_solid_as_the_depth_buffer_assumes) {
   Stages stages(load_scene("trench"), {}, Console{});
   Experiment above = experiment(AoTechniqueName::ssao, "above");

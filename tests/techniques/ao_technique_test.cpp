@@ -129,6 +129,18 @@ TEST(AoTone, Further_bounces_brighten_all_but_black_surfaces_and_come_before_the
   EXPECT_NEAR(with_tone(0.5f, {2.0, 1.0, true, 0.5}), 1.0f - 2.0f * (1.0f - 0.6809625f), 1e-6f);
 }
 
+TEST(AoTone, Further_bounces_have_the_diffuse_albedo_of_the_surface_on_request) {
+  AoToneParams params{.albedo = 0.5};
+  const vec3 color(0.2f, 0.4f, 0.6f);
+  EXPECT_EQ(at_surface(params, color, 0.25f).albedo, 0.5);
+  params.albedo_source = AoAlbedo::surface;
+  EXPECT_EQ(at_surface(params, color, 0.25f).albedo, 0.5) << "without further bounces";
+  params.multi_bounce = true;
+  // Luminance 0.2126 · 0.2 + 0.7152 · 0.4 + 0.0722 · 0.6; a metal reflects three quarters of it diffusely.
+  EXPECT_NEAR(at_surface(params, color, 0.25f).albedo, 0.75 * 0.37192, 1e-7);
+  EXPECT_EQ(at_surface(params, color, 1.0f).albedo, 0.0);
+}
+
 TEST(AoTechnique, Lengths_become_metres_of_the_scenes_size) {
   AoParams params;  // 2 % and 0.1 %
   params = in_metres(params, 50.0);
