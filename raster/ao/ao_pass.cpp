@@ -52,6 +52,12 @@ AoInputs inputs_of(const GpuGBuffer& gbuffer, const AoTextures& textures, const 
   return {gbuffer, textures.normals ? *textures.normals : gbuffer.geometric_normal, textures.linear_depth, view, seed};
 }
 
+Image<vec3> directions_of(const Image<vec4>& texels) {
+  Image<vec3> directions(texels.width, texels.height);
+  for (std::size_t i = 0; i < texels.size(); ++i) directions[i] = vec3(texels[i]);
+  return directions;
+}
+
 }  // namespace
 
 Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,
@@ -75,15 +81,28 @@ Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, cons
   return image;
 }
 
+std::optional<Image<vec3>> draw_bent_normals(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view,
+                                             const AoParams& params, std::uint32_t seed) {
+  const AoTextures textures = prepare(context, gbuffer, view, params);
+  const AoInputs inputs = inputs_of(gbuffer, textures, view, seed);
+  const auto draw_of = [&](const auto& technique) -> std::optional<gl::Texture> {
+    if constexpr (requires { draw_bent_normals(context, inputs, technique); }) {
+      return draw_bent_normals(context, inputs, technique);
+    } else {
+      return {};
+    }
+  };
+  const std::optional<gl::Texture> drawn = std::visit(draw_of, make_technique(params));
+  if (!drawn) return {};
+  return directions_of(read_image<vec4>(*drawn, gl::Format::rgba32f));
+}
+
 AoSurfelImages read_ao_surfels(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view,
                                const AoParams& params) {
   const AoTextures textures = prepare(context, gbuffer, view, params);
   const AoInputs inputs = inputs_of(gbuffer, textures, view, 0);
-  AoSurfelImages images{read_image<float>(inputs.linear_depth, gl::Format::r32f),
-                        Image<vec3>(gbuffer.width, gbuffer.height)};
-  const auto normals = read_image<vec4>(inputs.normals, gl::Format::rgba32f);
-  for (std::size_t i = 0; i < normals.size(); ++i) images.normals[i] = vec3(normals[i]);
-  return images;
+  return {read_image<float>(inputs.linear_depth, gl::Format::r32f),
+          directions_of(read_image<vec4>(inputs.normals, gl::Format::rgba32f))};
 }
 
 void draw_ao_response(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,

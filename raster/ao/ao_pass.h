@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "core/image.h"
 #include "raster/ao/ssao_pass.h"
@@ -16,6 +17,11 @@ namespace umbrameter {
 /// the params are in metres: in_metres().
 Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view, const AoParams& params,
                      std::uint32_t seed);
+
+/// The mean open direction of each surfel by the technique: unit, world space; 0 on background and if no direction is
+/// open. At full resolution, without blur. Nothing if the technique yields none.
+std::optional<Image<vec3>> draw_bent_normals(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view,
+                                             const AoParams& params, std::uint32_t seed);
 
 /// What every technique reads of the surfels.
 struct AoSurfelImages {

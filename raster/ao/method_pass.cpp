@@ -1,6 +1,8 @@
 #include "raster/ao/method_pass.h"
 
 #include <span>
+#include <string>
+#include <utility>
 
 #include "raster/gbuffer/view_block.h"
 #include "raster/gl/pass.h"
@@ -14,20 +16,42 @@ struct alignas(16) SettingsBlock {
   Settings settings;
 };
 
+// A texture and the name and format of the image in the shader that writes it.
+struct Drawn {
+  gl::Texture texture;
+  const char* name;
+  gl::Format format;
+  std::string defines{};
+};
+
 template <class Technique>
-gl::Texture run(const gl::Context& context, const AoInputs& inputs, const char* shader, const Technique& technique) {
+gl::Texture run(const gl::Context& context, const AoInputs& inputs, const char* shader, const Technique& technique,
+                Drawn drawn) {
   const std::vector<vec4> noise = noise_of(technique, inputs.seed);
-  gl::Texture ao = make_ao_image("ao", inputs);
   const ivec2 size = ao_image_size(inputs);
-  gl::Pass pass(context, {{shader}, resolution_defines(inputs.resolution)});
+  gl::Pass pass(context, {{shader}, resolution_defines(inputs.resolution) + drawn.defines});
   bind(pass, inputs)
       .block("View", make_view_block(inputs.view))
       .block("Settings", SettingsBlock<decltype(settings_of(technique))>{settings_of(technique)})
       .buffer("Noise", gl::make_buffer("ao noise", std::span<const vec4>(noise)))
       .value("noise_size", technique.noise.size)
-      .image("ao_image", ao, gl::Format::r32f)
+      .image(drawn.name, drawn.texture, drawn.format)
       .dispatch(size.x, size.y);
-  return ao;
+  return std::move(drawn.texture);
+}
+
+template <class Technique>
+gl::Texture run(const gl::Context& context, const AoInputs& inputs, const char* shader, const Technique& technique) {
+  return run(context, inputs, shader, technique, {make_ao_image("ao", inputs), "ao_image", gl::Format::r32f});
+}
+
+template <class Technique>
+gl::Texture run_bent(const gl::Context& context, const AoInputs& inputs, const char* shader,
+                     const Technique& technique) {
+  const ivec2 size = ao_image_size(inputs);
+  return run(context, inputs, shader, technique,
+             {gl::make_texture("bent normals", gl::Format::rgba32f, size.x, size.y), "bent_normals",
+              gl::Format::rgba32f, "#define AO_BENT_NORMAL\n"});
 }
 
 }  // namespace
@@ -54,6 +78,14 @@ gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Bitma
 
 gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Marched& technique) {
   return run(context, inputs, "marched.comp", technique);
+}
+
+gl::Texture draw_bent_normals(const gl::Context& context, const AoInputs& inputs, const Gtao& technique) {
+  return run_bent(context, inputs, "gtao.comp", technique);
+}
+
+gl::Texture draw_bent_normals(const gl::Context& context, const AoInputs& inputs, const Bitmask& technique) {
+  return run_bent(context, inputs, "bitmask.comp", technique);
 }
 
 }  // namespace umbrameter

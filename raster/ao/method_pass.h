@@ -14,4 +14,8 @@ gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Cryte
 gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Bitmask& technique);
 gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Marched& technique);
 
+/// The mean open direction by the technique: unit, world space; 0 on background and if no direction is open. RGBA32F.
+gl::Texture draw_bent_normals(const gl::Context& context, const AoInputs& inputs, const Gtao& technique);
+gl::Texture draw_bent_normals(const gl::Context& context, const AoInputs& inputs, const Bitmask& technique);
+
 }  // namespace umbrameter

@@ -91,3 +91,48 @@ SHARED float accessibility(AoSurfel surfel, BitmaskSettings settings) {
   }
   return sum / float(settings.slices);
 }
+
+/// The angle of a share of the slice: the inverse of sector_position().
+SHARED float sector_angle(float n, float position, int is_cosine) {
+  float low = n - 1.57079633f;
+  if (is_cosine == 0) return low + 3.14159265f * position;
+  float high = n + 1.57079633f;
+  for (int i = 0; i < 20; ++i) {
+    float middle = 0.5f * (low + high);
+    if (sector_position(n, middle, 1) < position) {
+      low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  return 0.5f * (low + high);
+}
+
+/// ∫ cos(θ − n) |sin θ| (cos θ, sin θ) dθ from 0 to an angle.
+SHARED vec2 directions_up_to(float n, float angle) {
+  vec2 sum = inner_direction(n, angle);
+  return angle < 0.0f ? -sum : sum;
+}
+
+/// The mean direction of the open sectors, weighted by the cosine to the normal whatever the weight of the sectors; 0 if
+/// none is open.
+SHARED vec3 bent_normal(AoSurfel surfel, BitmaskSettings settings) {
+  vec3 viewer = direction_to_viewer(surfel.position);
+  vec3 sum = vec3(0.0f);
+  for (int i = 0; i < settings.slices; ++i) {
+    float azimuth = 3.14159265f * (float(i) + surfel.noise.x) / float(settings.slices);
+    AoSlice slice = make_slice(surfel, viewer, azimuth, settings.is_even_in_angle);
+    uint covered = side_sectors(surfel, viewer, slice, i, 1.0f, settings) |
+                   side_sectors(surfel, viewer, slice, i, -1.0f, settings);
+    float n = slice.normal_angle;
+    vec2 open = vec2(0.0f);
+    vec2 before = directions_up_to(n, n - 1.57079633f);
+    for (int k = 0; k < 32; ++k) {
+      vec2 after = directions_up_to(n, sector_angle(n, float(k + 1) / 32.0f, settings.is_cosine));
+      if (((covered >> uint(k)) & 1u) == 0u) open += after - before;
+      before = after;
+    }
+    sum += slice.normal_length * (open.x * viewer + open.y * slice.towards);
+  }
+  return dot(sum, sum) > 0.0f ? normalize(sum) : vec3(0.0f);
+}

@@ -27,6 +27,23 @@ SHARED float slice_visibility(float n, float low, float high) {
   return inner_integral(n, max(low, n - quarter)) + inner_integral(n, min(high, n + quarter));
 }
 
+/// ∫ cos(θ − n) sin θ (cos θ, sin θ) dθ from 0 to h.
+SHARED vec2 inner_direction(float n, float h) {
+  float c = cos(h);
+  float s = sin(h);
+  float across = s * s * s / 3.0f;
+  return vec2(cos(n) * (1.0f - c * c * c) / 3.0f + sin(n) * across,
+              cos(n) * across + sin(n) * (2.0f / 3.0f - c + c * c * c / 3.0f));
+}
+
+/// The directions that slice_visibility() sees, with the same weight, summed as vectors.
+SHARED vec3 slice_direction(AoSlice slice, vec3 viewer, float low, float high) {
+  const float quarter = 1.57079633f;
+  vec2 sum = inner_direction(slice.normal_angle, max(low, slice.normal_angle - quarter)) +
+             inner_direction(slice.normal_angle, min(high, slice.normal_angle + quarter));
+  return sum.x * viewer + sum.y * slice.towards;
+}
+
 /// The cosine of the horizon's angle from the viewer's direction, on one side of a slice.
 SHARED float horizon_cosine(AoSurfel surfel, vec3 viewer, AoSlice slice, int index, float side, GtaoSettings settings) {
   float lowest = cos(slice.normal_angle + side * 1.57079633f);
@@ -47,6 +64,20 @@ SHARED float horizon_cosine(AoSurfel surfel, vec3 viewer, AoSlice slice, int ind
     horizon = max(horizon, lowest + weight * (cosine - lowest));
   }
   return min(max(horizon, -1.0f), 1.0f);
+}
+
+/// The mean open direction, weighted by the cosine to the normal; 0 if no direction is open.
+SHARED vec3 bent_normal(AoSurfel surfel, GtaoSettings settings) {
+  vec3 viewer = direction_to_viewer(surfel.position);
+  vec3 sum = vec3(0.0f);
+  for (int i = 0; i < settings.slices; ++i) {
+    float azimuth = 3.14159265f * (float(i) + surfel.noise.x) / float(settings.slices);
+    AoSlice slice = make_slice(surfel, viewer, azimuth, settings.is_even_in_angle);
+    float high = acos(horizon_cosine(surfel, viewer, slice, i, 1.0f, settings));
+    float low = -acos(horizon_cosine(surfel, viewer, slice, i, -1.0f, settings));
+    sum += slice.normal_length * slice_direction(slice, viewer, low, high);
+  }
+  return dot(sum, sum) > 0.0f ? normalize(sum) : vec3(0.0f);
 }
 
 /// Above 1 in some slices of an open plane; the mean over the noise is not.

@@ -191,4 +191,27 @@ std::vector<double> measure_changes(const gl::Context& context, const UploadedSc
   return changes;
 }
 
+std::optional<BentNormalError> measure_bent_normals(const gl::Context& context, const GpuGBuffer& gbuffer,
+                                                    const View& view, const AoParams& params, int seeds,
+                                                    const Image<vec3>& reference) {
+  const GBuffer surfels = read_back(context, gbuffer);
+  const auto angle = [](const vec3& a, const vec3& b) {
+    const dvec3 exact(a);
+    return std::atan2(glm::length(glm::cross(exact, dvec3(b))), glm::dot(exact, dvec3(b))) / degree;
+  };
+  BentNormalError error;
+  double count = 0.0;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const auto bent = draw_bent_normals(context, gbuffer, view, params, static_cast<std::uint32_t>(seed));
+    if (!bent) return {};
+    for (std::size_t i = 0; i < bent->size(); ++i) {
+      if (!surfels.is_surface(i) || (*bent)[i] == vec3(0) || reference[i] == vec3(0)) continue;
+      error.method += angle((*bent)[i], reference[i]);
+      error.normal += angle(surfels.geometric_normal[i], reference[i]);
+      count += 1.0;
+    }
+  }
+  return BentNormalError{error.method / count, error.normal / count};
+}
+
 }  // namespace umbrameter

@@ -2,6 +2,7 @@
 // about its axis, the resolution, and the seed of its noise; and how much other settings change it.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -33,6 +34,17 @@ AoVariation measure_variation(const gl::Context& context, const UploadedScene& s
 /// over the seeds and from the deviations about it, as far as it agrees with that of the pixel one tile further.
 double measure_period(const gl::Context& context, const UploadedScene& scene, const View& view, const AoParams& params,
                       int seeds);
+
+/// Mean angles in degrees between bent normals and those of the reference, over the pixels where both exist and seeds.
+struct BentNormalError {
+  double method = 0.0;
+  double normal = 0.0;  ///< of the geometric normal instead
+};
+/// `reference`: the mean open direction of each surfel, cosine-weighted, up to the method's radius. Nothing if the
+/// method yields no bent normal.
+std::optional<BentNormalError> measure_bent_normals(const gl::Context& context, const GpuGBuffer& gbuffer,
+                                                    const View& view, const AoParams& params, int seeds,
+                                                    const Image<vec3>& reference);
 
 struct AoSetting {
   std::string_view key;

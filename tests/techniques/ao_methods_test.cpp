@@ -45,6 +45,23 @@ TEST(Gtao, The_inner_integral_is_that_of_the_cosine_to_the_normal) {
   }
 }
 
+TEST(Gtao, The_inner_integral_of_directions_is_that_of_the_cosine_to_the_normal) {
+  shared::BitmaskMethod method;
+  for (const double n : {-1.4, -0.7, 0.0, 0.3, 1.2}) {
+    for (const double angle : {-1.5, -0.4, 0.02, 0.9, 1.5}) {
+      constexpr int parts = 20000;
+      dvec2 expected(0);
+      for (int i = 0; i < parts; ++i) {
+        const double theta = angle * (i + 0.5) / parts;
+        expected += std::cos(theta - n) * std::abs(std::sin(theta)) * dvec2(std::cos(theta), std::sin(theta)) * angle;
+      }
+      const vec2 sum = method.directions_up_to(static_cast<float>(n), static_cast<float>(angle));
+      EXPECT_NEAR(sum.x, expected.x / parts, 2e-6) << n << " " << angle;
+      EXPECT_NEAR(sum.y, expected.y / parts, 2e-6) << n << " " << angle;
+    }
+  }
+}
+
 TEST(Gtao, An_open_hemisphere_is_1_for_every_direction_of_view) {
   shared::GtaoMethod method;
   for (const float tilt : {0.0f, 0.5f, 1.0f, 1.5f}) {
@@ -113,6 +130,17 @@ TEST(Bitmask, Sectors_have_equal_shares_of_the_slice_in_either_weight) {
       EXPECT_NEAR(method.sector_position(n, angle, 1), below / all, 2e-4) << n << " " << angle;
       const double even = (static_cast<double>(angle) - static_cast<double>(n)) / pi + 0.5;
       EXPECT_NEAR(method.sector_position(n, angle, 0), std::clamp(even, 0.0, 1.0), 1e-6) << n << " " << angle;
+    }
+  }
+}
+
+TEST(Bitmask, The_angle_of_a_share_of_the_slice_has_that_share_below_it) {
+  shared::BitmaskMethod method;
+  for (const float n : {-1.2f, 0.0f, 0.6f}) {
+    for (const int is_cosine : {0, 1}) {
+      for (const float position : {0.0f, 0.03125f, 0.5f, 0.9f, 1.0f}) {
+        EXPECT_NEAR(method.sector_position(n, method.sector_angle(n, position, is_cosine), is_cosine), position, 1e-5);
+      }
     }
   }
 }
