@@ -37,11 +37,12 @@ bool is_number(const Value& value) {
   return !text->empty() && result.ec == std::errc{} && result.ptr == text->data() + text->size();
 }
 
-// Whether a column is set flush right: it has a number and nothing else but empty cells.
+// Whether a column is set flush right: it has a number and nothing else but cells without a value.
 bool is_numeric(const Table& table, std::size_t column) {
   bool any = false;
   for (const std::vector<Value>& row : table.rows) {
-    if (column >= row.size() || cell_text(row[column]).empty()) continue;
+    if (column >= row.size()) continue;
+    if (const std::string text = cell_text(row[column]); text.empty() || text == "—") continue;
     if (!is_number(row[column])) return false;
     any = true;
   }
