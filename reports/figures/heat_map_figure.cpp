@@ -104,7 +104,7 @@ Json x_axis(const HeatMapFigure& figure, const Cells& cells, const PanelLayout& 
   if (layout.width < layout.all_width) {
     constexpr double units_of_a_character = 8.0;
     axis["title"] = wrap_lines(figure.x.label, static_cast<std::size_t>(layout.width / units_of_a_character));
-    axis["labelFlush"] = true;
+    axis["labelFlush"] = 16;  // of labels so near to an end
   }
   Json scale = {{"nice", false}};
   if (figure.x.logarithmic) {
