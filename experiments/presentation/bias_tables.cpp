@@ -173,6 +173,16 @@ Table laws_table(const BiasCurves& curves) {
   return table;
 }
 
+// No axis of biases and no interval justifies more digits. The values of the axes, in front, stay as they are.
+Table in_four_digits(Table table, std::size_t first_column) {
+  for (std::vector<Value>& row : table.rows) {
+    for (std::size_t c = first_column; c < row.size(); ++c) {
+      if (double* const number = std::get_if<double>(&row[c])) *number = std::stod(fmt::format("{:.4g}", *number));
+    }
+  }
+  return table;
+}
+
 std::string explanation(const BiasCurves& curves) {
   std::string text =
       "\n\nThe table 'Recommended biases' gives each constant bias in metres along the light, in texels of mean size "
@@ -232,10 +242,14 @@ std::string residual_text(const BiasFit& law) {
 void present_bias(Presentation& presentation, const BiasCurves& curves) {
   ReportSection& section = presentation.section;
   section.text += explanation(curves);
-  section.tables.push_back({"Recommended biases", choices_table(curves)});
+  section.tables.push_back({"Recommended biases", in_four_digits(choices_table(curves), curves.others.size())});
   if (curves.varies_slope && curves.varies_constant)
-    section.tables.push_back({"Constant biases by slope-scaled bias", slopes_table(curves)});
-  if (!curves.laws.empty()) section.tables.push_back({"Fits of bias against texel size", laws_table(curves)});
+    section.tables.push_back(
+        {"Constant biases by slope-scaled bias", in_four_digits(slopes_table(curves), curves.others.size() + 1)});
+  if (!curves.laws.empty()) {
+    section.tables.push_back(
+        {"Fits of bias against texel size", in_four_digits(laws_table(curves), curves.of_a_law.size())});
+  }
 
   std::size_t printed = 0;
   for (const BiasCurve& curve : curves.curves) {
