@@ -132,31 +132,6 @@ void add_memory(CLI::App& command, CommandLine& line) {
       ->type_name("SIZE");
 }
 
-void add_tune_options(CLI::App& command, CommandLine& line) {
-  TuneOptions& tune = line.tune;
-  command.add_option("--vary", line.vary, "parameter to tune: first:last[:log], or an axis of sweep; repeatable")
-      ->type_name("PARAM=AXIS")
-      ->take_all();
-  command.add_option("--minimize", tune.minimize, "cost: a statistic, or a sum like 'acne + 0.5*rmse' (mae)")
-      ->type_name("COST");
-  command.add_option("--constraint", tune.constraints, "condition that every case must keep: 'acne<0.1%'; repeatable")
-      ->type_name("CONDITION")
-      ->take_all();
-  command.add_option("--over", tune.over, "go over these values: view.camera=all, light.angle=0,0.5; repeatable")
-      ->type_name("PARAM=LIST")
-      ->take_all();
-  command.add_flag("--worst-case", tune.worst_case, "minimize the largest cost of all cases, not their mean");
-  command.add_option("--held-out", tune.held_out, "check the result on view.camera=LIST or scene=NAME; repeatable")
-      ->type_name("PARAM=LIST")
-      ->take_all();
-  command.add_option("--evaluations", tune.evaluations, "max evaluations of all cases (30 for each searched axis)")
-      ->check(CLI::Range(1, 1000000))
-      ->type_name("N");
-  command.add_option("--minutes", tune.minutes, "end the search after this time")
-      ->check(CLI::Range(0.001, 1e6))
-      ->type_name("X");
-}
-
 void add_image_command(CLI::App& app, CommandLine& line, const CommandDescription& description) {
   CLI::App& command = add_command(app, description);
   const bool is_tune = &description == &tune_command;

@@ -15,6 +15,7 @@ inline constexpr const char* figure_group = "Figures";
 inline constexpr const char* files_group = "Files";
 
 void add_diff_options(CLI::App& command, CommandLine& line);
+void add_tune_options(CLI::App& command, CommandLine& line);
 /// Of every command that draws figures.
 void add_figure_options(CLI::App& command, FigureOptions& figures);
 
