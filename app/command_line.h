@@ -45,6 +45,7 @@ struct TuneOptions {
   std::vector<std::string> over;      ///< "view.camera=all"
   std::vector<std::string> held_out;  ///< "view.camera=1", "scene=forest"
   bool worst_case = false;
+  bool relative = false;
   std::size_t evaluations = 0;  ///< 0: by the number of axes
   double minutes = 0.0;         ///< 0: no limit
 };

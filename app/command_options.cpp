@@ -54,6 +54,7 @@ void add_tune_options(CLI::App& command, CommandLine& line) {
       ->type_name("PARAM=LIST")
       ->take_all();
   command.add_flag("--worst-case", tune.worst_case, "minimize the largest cost of all cases, not their mean");
+  command.add_flag("--relative", tune.relative, "minimize each case's cost in multiples of its cost at the default");
   command.add_option("--held-out", tune.held_out, "check the result on view.camera=LIST or scene=NAME; repeatable")
       ->type_name("PARAM=LIST")
       ->take_all();

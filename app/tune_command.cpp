@@ -106,6 +106,8 @@ struct Job {
   std::vector<Experiment> experiments;  ///< one for each scene
   std::vector<TuneAxis> axes;
   TuneGoal goal;
+  TuneGoal shown;       ///< the goal, with the metrics that are only shown
+  std::string metrics;  ///< these, as given
   SweptQuantity quantity = SweptQuantity::visibility;
   CaseAxes over, held_out;
 };
@@ -131,6 +133,9 @@ Job make_job(const CommandLine& line) {
                            : job.quantity == SweptQuantity::image ? "image"
                                                                   : "shadow";
   job.goal = make_goal(options.minimize, options.constraints, kind, job.axes, options.worst_case);
+  job.goal.is_relative = options.relative;
+  job.shown = with_metrics(job.goal, first.run, kind);
+  job.metrics = first.run.metrics;
   for (Experiment& experiment : job.experiments) {
     fix_reference(experiment, job.axes);
     experiment.axes.clear();
@@ -210,9 +215,11 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Job& job, con
 std::string experiment_of(const Job& job, const CommandLine& line) {
   std::string text = "# umbrameter tune\n";
   for (const Experiment& experiment : job.experiments) text += "#   " + experiment.scene + "\n";
-  text += "#   --minimize '" + line.tune.minimize + "'" + (line.tune.worst_case ? " --worst-case" : "") + "\n";
+  text += "#   --minimize '" + line.tune.minimize + "'" + (line.tune.worst_case ? " --worst-case" : "") +
+          (line.tune.relative ? " --relative" : "") + "\n";
   for (const std::string& each : line.tune.constraints) text += "#   --constraint '" + each + "'\n";
   for (const std::string& each : line.tune.over) text += "#   --over " + each + "\n";
+  if (!job.metrics.empty()) text += "#   --run.metrics " + job.metrics + "\n";
   for (const TuneAxis& axis : job.axes) text += "#   --vary " + axis.key() + "=" + axis.axis.text + "\n";
   return text + experiment_text(job.experiments.front());
 }
@@ -223,7 +230,7 @@ std::string tuned_text(const Job& job, const TuneSummary& summary) {
   for (std::size_t a = 0; a < job.axes.size(); ++a) {
     set_value(describe(tuned), job.axes[a].axis, summary.result.best.values[a]);
   }
-  return fmt::format("# The best point of `umbrameter tune`: {} = {}, {} of {} cases.\n", summary.goal.text,
+  return fmt::format("# The best point of `umbrameter tune`: {} = {}, {} of {} cases.\n", cost_name(summary.goal),
                      cost_text(summary.goal, summary.result.best.score.cost),
                      summary.goal.is_worst_case ? "the worst" : "the mean", summary.cases.size()) +
          experiment_text(tuned);
@@ -232,7 +239,9 @@ std::string tuned_text(const Job& job, const TuneSummary& summary) {
 TuneResult search(const Job& job, const std::vector<TuneCase>& cases, const TuneOptions& options, TuneJournal& journal,
                   const std::filesystem::path& folder, const Console& console) {
   if (journal.count() > 0) note(console, fmt::format("{} evaluations are done; resuming", journal.count()));
-  const TuneInput input{job.axes, cases, job.goal, {options.evaluations, options.minutes}};
+  TuneInput input{job.axes, cases, job.goal, {options.evaluations, options.minutes}, {}};
+  Experiment given = job.experiments.front();
+  for (const TuneAxis& axis : job.axes) input.given.push_back(present_value(describe(given), axis));
   for (const TuneCase& each : cases) each.stages->report_tracing([](double) {});
   try {
     ProgressBar bar(console, "evaluations");
@@ -282,7 +291,7 @@ ExitCode run_tune_command(const CommandLine& line, const Console& console) {
     cases.insert(cases.end(), by_scene.back().begin(), by_scene.back().end());
   }
   const std::vector<TuneCase> unseen = held_out_cases(job, scenes, by_scene);
-  for (const TuneCase& each : cases) require_statistics(each, job.goal);
+  for (const TuneCase& each : cases) require_statistics(each, job.shown);
   for (const TuneCase& each : cases) prepare(each);
 
   if (line.force) std::filesystem::remove(journal_path);
@@ -292,43 +301,11 @@ ExitCode run_tune_command(const CommandLine& line, const Console& console) {
   write_text(folder.path() / "experiment.toml", experiment_of(job, line));
   const TuneResult result = search(job, cases, line.tune, journal, folder.path(), console);
 
-  const auto at = [&](const std::vector<Value>& values) {
-    return [&](const TuneCase& each) { return at_point(each, job.axes, values); };
-  };
-  const auto given = [](const TuneCase& each) { return each.experiment; };
-  TuneJudgement judgement;
-  std::optional<HeldOut> held_out;
-  {
+  const TuneJudgement judgement = [&] {
     ProgressBar bar(console, "significance");
-    const LeftOutBlocks of_best = leave_out_blocks(cases, job.goal, at(result.best.values));
-    judgement.best = cost_interval(job.goal, result.best.cases, of_best);
-    bar.show(0.25);
-    judgement.against_before = cost_difference(job.goal, result.best.cases, of_best, result.before.cases,
-                                               leave_out_blocks(cases, job.goal, given));
-    bar.show(0.5);
-    if (result.runner_up) {
-      judgement.against_runner_up = cost_difference(job.goal, result.best.cases, of_best, result.runner_up->cases,
-                                                    leave_out_blocks(cases, job.goal, at(result.runner_up->values)));
-    }
-    bar.show(0.75);
-    if (!unseen.empty()) {
-      held_out = HeldOut{unseen, {}, {}, {}};
-      for (const TuneCase& each : unseen) {
-        throw_if_interrupted();
-        held_out->before.cases.push_back(measure_case(each, each.experiment, job.goal));
-        held_out->best.cases.push_back(measure_case(each, at(result.best.values)(each), job.goal));
-      }
-      held_out->before.values = result.before.values;
-      held_out->best.values = result.best.values;
-      for (TunePoint* point : {&held_out->before, &held_out->best}) {
-        point->score = score_of(job.goal, point->values, point->cases);
-      }
-      held_out->difference =
-          cost_difference(job.goal, held_out->best.cases, leave_out_blocks(unseen, job.goal, at(result.best.values)),
-                          held_out->before.cases, leave_out_blocks(unseen, job.goal, given));
-    }
-  }
-  const TuneSummary summary{job.axes, cases, job.goal, result, judgement, held_out};
+    return judge({job.axes, cases, unseen, result.goal, job.shown, result}, [&](double share) { bar.show(share); });
+  }();
+  const TuneSummary summary{job.axes, cases, result.goal, job.shown, result, judgement};
 
   Presentation part = present_tuning(summary);
   for (const std::string& text : part.answers) print_line(console, text);

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "experiments/presentation/tune_comparison.h"
 #include "experiments/presentation/tune_report.h"
 #include "experiments/presentation/tune_text.h"
 
@@ -46,12 +47,26 @@ Json point_json(const TuneSummary& summary, const std::vector<TuneCase>& cases, 
           {"cases", cases_json(summary, cases, point)}};
 }
 
+Json compared_json(const TuneSummary& summary) {
+  Json list = Json::array();
+  for (const ComparedPoint& compared : summary.judgement.compared) {
+    Json object = {
+        {"name", title_of(summary, compared)},        {"values", values_json(summary, compared.point.values)},
+        {"cost", compared.point.score.cost},          {"keeps_constraints", compared.point.score.is_kept()},
+        {"minus_best", to_json(compared.difference)}, {"statistics", Json::object()}};
+    const std::vector<double> values = shown_values(summary, compared);
+    for (std::size_t c = 0; c < values.size(); ++c) object["statistics"][summary.shown.columns[c].name] = values[c];
+    list.push_back(std::move(object));
+  }
+  return list;
+}
+
 }  // namespace
 
 Table evaluation_table(const TuneSummary& summary) {
   Table table{{{"evaluation", "1", "number, in order"}}, {}};
   for (const TuneAxis& axis : summary.axes) table.columns.push_back({axis.key(), axis.axis.unit, "value"});
-  table.columns.push_back({"cost", cost_unit(summary.goal), summary.goal.text});
+  table.columns.push_back({"cost", cost_unit(summary.goal), cost_name(summary.goal)});
   table.columns.push_back({"violation", "1", "relative excess over the constraints, summed; 0 if all are kept"});
   for (std::size_t c = 0; c < summary.cases.size(); ++c) {
     for (const Column& column : summary.goal.columns) {
@@ -74,7 +89,7 @@ Table evaluation_table(const TuneSummary& summary) {
 Json to_json(const TuneSummary& summary) {
   const TuneResult& result = summary.result;
   Json json;
-  json["minimized"] = summary.goal.text;
+  json["minimized"] = cost_name(summary.goal);
   json["over_cases"] = summary.goal.is_worst_case ? "worst" : "mean";
   json["constraints"] = Json::array();
   for (const TuneConstraint& constraint : summary.goal.constraints) {
@@ -95,11 +110,13 @@ Json to_json(const TuneSummary& summary) {
     json["runner_up"] = point_json(summary, summary.cases, *result.runner_up);
     json["best_minus_runner_up"] = to_json(summary.judgement.against_runner_up);
   }
-  if (summary.held_out) {
-    json["held_out"] = {{"default", point_json(summary, summary.held_out->cases, summary.held_out->before)},
-                        {"best", point_json(summary, summary.held_out->cases, summary.held_out->best)},
-                        {"best_minus_default", to_json(summary.held_out->difference)}};
+  if (summary.judgement.held_out) {
+    json["held_out"] = {
+        {"default", point_json(summary, summary.judgement.held_out->cases, summary.judgement.held_out->before)},
+        {"best", point_json(summary, summary.judgement.held_out->cases, summary.judgement.held_out->best)},
+        {"best_minus_default", to_json(summary.judgement.held_out->difference)}};
   }
+  json["compared"] = compared_json(summary);
   json["sensitivity"] = Json::array();
   for (const AxisScan& scan : result.scans) {
     Json points = Json::array();

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "experiments/presentation/axis_ends.h"
 #include "experiments/presentation/plot_axes.h"
+#include "experiments/presentation/tune_comparison.h"
+#include "experiments/presentation/tune_figures.h"
 #include "experiments/presentation/tune_text.h"
 #include "reports/files/text_layout.h"
 
@@ -15,15 +16,6 @@ namespace umbrameter {
 namespace {
 
 std::string column_title(const Column& column) { return column.name; }
-
-std::vector<std::size_t> objectives_of(const TuneGoal& goal) {
-  std::set<std::size_t> columns;
-  for (const TuneTerm& term : goal.terms) columns.insert(term.column);
-  for (const TuneConstraint& constraint : goal.constraints) {
-    if (!constraint.axis) columns.insert(constraint.column);
-  }
-  return {columns.begin(), columns.end()};
-}
 
 // Signed so that smaller is better.
 double objective(const TuneGoal& goal, std::size_t column, const std::vector<CaseValues>& cases) {
@@ -80,7 +72,7 @@ Table case_table(const TuneSummary& summary) {
     }
   };
   add(summary.cases, summary.result.before, summary.result.best, "");
-  if (summary.held_out) add(summary.held_out->cases, summary.held_out->before, summary.held_out->best, "held out: ");
+  if (const auto& held = summary.judgement.held_out) add(held->cases, held->before, held->best, "held out: ");
   return table;
 }
 
@@ -141,83 +133,6 @@ std::vector<std::string> lines_of(const Table& table) {
     for (const Value& value : row) cells.push_back(to_string(value));
   }
   return aligned(rows);
-}
-
-double shown(const TuneGoal& goal, double cost) { return cost_unit(goal) == "1" ? 100.0 * cost : cost; }
-
-std::string cost_label(const TuneGoal& goal) {
-  const std::string unit = cost_unit(goal) == "1" ? "%" : cost_unit(goal);
-  return fmt::format("{}{}{}", goal.text, goal.is_worst_case ? ", worst case" : "",
-                     unit.empty() ? "" : " [" + unit + "]");
-}
-
-// One line through the costs along an axis.
-PlotFigure scan_figure(const TuneSummary& summary, const AxisScan& scan) {
-  const TuneAxis& axis = summary.axes[scan.axis];
-  PlotFigure plot;
-  plot.stem = fmt::format("cost_{}", scan.axis);
-  plot.title = "Cost along " + axis.key();
-  plot.caption =
-      "Cost along " + axis.key() + ", the other parameters at their best values. The ring is the best point.";
-  plot.x = {"value", label_of(axis.axis), axis.is_logarithmic};
-  plot.y = {"cost", cost_label(summary.goal)};
-  plot.mark = "best";
-  plot.data.columns = {{"value", axis.axis.unit, "value"}, {"cost", "1", "cost"}, {"best", "", "best point"}};
-  for (const TunePoint& point : scan.points) {
-    const Value& value = point.values[scan.axis];
-    plot.data.rows.push_back({to_number(value), shown(summary.goal, point.score.cost), false});
-  }
-  plot.data.rows.push_back(
-      {to_number(summary.result.best.values[scan.axis]), shown(summary.goal, summary.result.best.score.cost), true});
-  return plot;
-}
-
-PlotFigure search_figure(const TuneSummary& summary) {
-  PlotFigure plot;
-  plot.stem = "search";
-  plot.title = "Least cost during the search";
-  plot.caption = "The least cost so far, after each evaluation. Points that break a constraint do not count.";
-  plot.x = {"evaluation", "evaluation"};
-  plot.y = {"cost", cost_label(summary.goal)};
-  plot.data.columns = {{"evaluation", "1", "number"}, {"cost", "1", "least cost so far"}};
-  std::optional<TuneScore> best;
-  std::int64_t number = 0;
-  for (const TunePoint& point : summary.result.points) {
-    ++number;
-    if (!best || is_better(point.score, *best)) best = point.score;
-    if (best->is_kept()) plot.data.rows.push_back({number, shown(summary.goal, best->cost)});
-  }
-  return plot;
-}
-
-PlotFigure front_figure(const TuneSummary& summary, const std::vector<TunePoint>& front) {
-  const TuneGoal& goal = summary.goal;
-  const std::vector<std::size_t> objectives = objectives_of(goal);
-  const Column& x = goal.columns[objectives[0]];
-  const Column& y = goal.columns[objectives[1]];
-  const auto label = [](const Column& column) {
-    return fmt::format("{} [{}]", column.name, column.unit == "1" ? "%" : column.unit);
-  };
-  const auto number = [](const Column& column, double value) { return column.unit == "1" ? 100.0 * value : value; };
-  PlotFigure plot;
-  plot.stem = "pareto_front";
-  plot.title = "Pareto front";
-  plot.caption = fmt::format(
-      "Points of which none is better in every objective, {} against {}. The ring is the best point by the cost and "
-      "the "
-      "constraints.",
-      y.name, x.name);
-  plot.x = {"x", label(x)};
-  plot.y = {"y", label(y)};
-  plot.mark = "best";
-  plot.data.columns = {{"x", "1", x.meaning}, {"y", "1", y.meaning}, {"best", "", "best point"}};
-  const auto add = [&](const TunePoint& point, bool best) {
-    plot.data.rows.push_back({number(x, aggregate(goal, objectives[0], point.cases)),
-                              number(y, aggregate(goal, objectives[1], point.cases)), best});
-  };
-  for (const TunePoint& point : front) add(point, false);
-  add(summary.result.best, true);
-  return plot;
 }
 
 Table front_table(const TuneSummary& summary, const std::vector<TunePoint>& front) {
@@ -321,7 +236,7 @@ Presentation present_tuning(const TuneSummary& summary) {
   Presentation shown_part;
   std::vector<std::string>& answers = shown_part.answers;
   answers.push_back(fmt::format(
-      "best: {}: {} {}{}", point_text(summary.axes, result.best.values), goal.text,
+      "best: {}: {} {}{}", point_text(summary.axes, result.best.values), cost_name(goal),
       cost_text(goal, result.best.score.cost, summary.judgement.best),
       summary.cases.size() == 1
           ? ""
@@ -333,16 +248,18 @@ Presentation present_tuning(const TuneSummary& summary) {
                                  fmt::format("runner-up {}", point_text(summary.axes, result.runner_up->values)),
                                  *result.runner_up, result.best, summary.judgement.against_runner_up));
   }
-  if (summary.held_out) {
-    const HeldOut& held = *summary.held_out;
+  if (summary.judgement.held_out) {
+    const HeldOut& held = *summary.judgement.held_out;
+    const TuneGoal absolute = not_relative(goal);
     answers.push_back(
         fmt::format("held out, {}: {} → {}; {}",
                     held.cases.size() == 1 ? held.cases.front().title : fmt::format("{} cases", held.cases.size()),
-                    cost_text(goal, held.before.score.cost), cost_text(goal, held.best.score.cost),
-                    judged(goal, held.difference, held.best.score.cost - held.before.score.cost)));
+                    cost_text(absolute, held.before.score.cost), cost_text(absolute, held.best.score.cost),
+                    judged(absolute, held.difference, held.best.score.cost - held.before.score.cost)));
   } else {
     answers.emplace_back("held out: nothing; the scenes have no camera left, name one with --held-out");
   }
+  for (std::string& line : ranking_lines(summary)) answers.push_back(std::move(line));
   for (const std::string& warning : end_warnings(summary)) answers.push_back("warning: " + warning);
 
   std::vector<TunePoint> candidates = result.points;
@@ -356,6 +273,11 @@ Presentation present_tuning(const TuneSummary& summary) {
       method_text(summary) +
       "\n\nIntervals are 95 % over the choice of pixels: each of up to 64 blocks of the image is left out in "
       "turn (jackknife). Differences are paired: both points lose the same block.";
+  if (const Table compared = comparison_table(summary); !compared.rows.empty()) {
+    const std::vector<std::string> lines = lines_of(compared);
+    shown_part.lines.insert(shown_part.lines.end(), lines.begin(), lines.end());
+    section.tables.push_back({"The best point with each value", compared});
+  }
   section.tables.push_back({"Sensitivity to each parameter", sensitivity});
   section.tables.push_back({"Each case", case_table(summary)});
   if (objectives_of(goal).size() > 1) {

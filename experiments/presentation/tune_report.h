@@ -7,31 +7,17 @@
 #include <vector>
 
 #include "experiments/presentation/presentation.h"
-#include "experiments/tuning/tune_significance.h"
+#include "experiments/tuning/tune_judgement.h"
 
 namespace umbrameter {
-
-/// What the significance of a tuning is judged by.
-struct TuneJudgement {
-  std::optional<Estimate> best;               ///< cost, with its interval
-  std::optional<Estimate> against_before;     ///< best − default
-  std::optional<Estimate> against_runner_up;  ///< best − runner-up
-};
-
-/// The check on cases that the search did not see.
-struct HeldOut {
-  std::vector<TuneCase> cases;
-  TunePoint before, best;
-  std::optional<Estimate> difference;  ///< best − default
-};
 
 struct TuneSummary {
   const std::vector<TuneAxis>& axes;
   const std::vector<TuneCase>& cases;
   const TuneGoal& goal;
+  const TuneGoal& shown;  ///< the goal, with the columns that are only shown
   const TuneResult& result;
   const TuneJudgement& judgement;
-  const std::optional<HeldOut>& held_out;
 };
 
 /// Points of which none is better in every objective: each statistic of the cost, and each constrained one. Ordered by

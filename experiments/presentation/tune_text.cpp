@@ -24,6 +24,7 @@ std::string statistic_text(double value, const std::string& unit) {
 }
 
 std::string cost_unit(const TuneGoal& goal) {
+  if (goal.is_relative) return "1";
   std::string unit;
   for (const TuneTerm& term : goal.terms) {
     const std::string& of_term = goal.columns[term.column].unit;

@@ -12,7 +12,7 @@ namespace umbrameter {
 /// A value in its unit: shares in per cent.
 std::string statistic_text(double value, const std::string& unit);
 
-/// The unit of the cost: that of its statistics if they have one, else "1".
+/// The unit of the cost: that of its statistics if they have one; "1" if the goal is relative; empty if they differ.
 std::string cost_unit(const TuneGoal& goal);
 /// The cost, or a difference of costs, with its interval.
 std::string cost_text(const TuneGoal& goal, double value, const std::optional<Estimate>& interval = {});

@@ -6,10 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 
 #include "core/error.h"
-#include "experiments/experiment.h"
 #include "experiments/known_statistics.h"
+#include "experiments/metric_scores.h"
 
 namespace umbrameter {
 namespace {
@@ -94,6 +95,36 @@ TuneGoal make_goal(const std::string& cost, const std::vector<std::string>& cons
   return goal;
 }
 
+TuneGoal relative_to(TuneGoal goal, const std::vector<CaseValues>& of_default) {
+  if (!goal.is_relative) return goal;
+  for (const CaseValues& values : of_default) {
+    const double cost = cost_of(goal, values);
+    if (!(cost > 0.0)) {
+      throw Error(ExitCode::usage, "--relative",
+                  fmt::format("the default has {} of {} in a case", goal.text,
+                              std::isnan(cost) ? "no value" : fmt::format("{:g}", cost)),
+                  "minimise the cost itself, without --relative");
+    }
+    goal.of_default.push_back(cost);
+  }
+  return goal;
+}
+
+TuneGoal not_relative(TuneGoal goal) {
+  goal.is_relative = false;
+  goal.of_default.clear();
+  return goal;
+}
+
+std::string cost_name(const TuneGoal& goal) { return goal.text + (goal.is_relative ? " / default" : ""); }
+
+TuneGoal with_metrics(TuneGoal goal, const RunParams& run, const std::string& kind) {
+  for (const MetricColumn& column : metric_columns(run, kind == "shadow")) {
+    add_column(goal, {kind, column.name, column.unit, column.meaning()});
+  }
+  return goal;
+}
+
 bool is_better(const TuneScore& a, const TuneScore& b) {
   if (std::isnan(a.cost) || std::isnan(b.cost)) return !std::isnan(a.cost);
   return a.violation < b.violation || (a.violation == b.violation && a.cost < b.cost);
@@ -103,6 +134,15 @@ double to_number(const TuneScore& score) {
   if (std::isnan(score.cost)) return 3.0;
   if (!score.is_kept()) return 1.0 + score.violation / (1.0 + score.violation);
   return 0.5 + std::atan(score.cost) / std::numbers::pi;
+}
+
+std::vector<std::size_t> objectives_of(const TuneGoal& goal) {
+  std::set<std::size_t> columns;
+  for (const TuneTerm& term : goal.terms) columns.insert(term.column);
+  for (const TuneConstraint& constraint : goal.constraints) {
+    if (!constraint.axis) columns.insert(constraint.column);
+  }
+  return {columns.begin(), columns.end()};
 }
 
 double cost_of(const TuneGoal& goal, const CaseValues& values) {
@@ -117,8 +157,8 @@ double cost_of(const TuneGoal& goal, const CaseValues& values) {
 double total_cost(const TuneGoal& goal, const std::vector<CaseValues>& cases) {
   double sum = 0.0;
   double largest = -std::numeric_limits<double>::infinity();
-  for (const CaseValues& values : cases) {
-    const double cost = cost_of(goal, values);
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    const double cost = cost_of(goal, cases[c]) / (goal.of_default.empty() ? 1.0 : goal.of_default[c]);
     sum += cost / static_cast<double>(cases.size());
     largest = std::max(largest, cost);
   }

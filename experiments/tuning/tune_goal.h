@@ -8,6 +8,7 @@
 
 #include "core/condition.h"
 #include "core/table.h"
+#include "experiments/experiment.h"
 #include "experiments/tuning/tune_axis.h"
 
 namespace umbrameter {
@@ -36,6 +37,8 @@ struct TuneGoal {
   std::vector<TuneConstraint> constraints;
   bool is_worst_case = false;  ///< the largest cost over the cases counts, not their mean
   bool measures_time = false;
+  bool is_relative = false;        ///< the cost of each case counts in multiples of its cost at the default
+  std::vector<double> of_default;  ///< these costs, one for each case; empty until they are measured
 };
 
 /// `kind` is "shadow", "ao" or "image". Throws Error (usage) for unknown names, wrong units, a metric that is better
@@ -45,6 +48,17 @@ TuneGoal make_goal(const std::string& cost, const std::vector<std::string>& cons
 
 /// Values of the goal's columns in one case.
 using CaseValues = std::vector<double>;
+
+/// The goal with the default's costs, if it is relative. Throws Error (usage) unless they are above 0.
+TuneGoal relative_to(TuneGoal goal, const std::vector<CaseValues>& of_default);
+/// The goal in the unit of its cost, for other cases.
+TuneGoal not_relative(TuneGoal goal);
+/// "rmse", or "rmse / default" of a relative goal.
+std::string cost_name(const TuneGoal& goal);
+
+/// The goal with more columns, which it neither minimises nor constrains: the image metrics that run.metrics names.
+/// Throws Error (usage) for an unknown name.
+TuneGoal with_metrics(TuneGoal goal, const RunParams& run, const std::string& kind);
 
 /// How good a point is: first by how far it breaks the constraints, then by cost.
 struct TuneScore {
@@ -56,8 +70,11 @@ bool is_better(const TuneScore& a, const TuneScore& b);
 /// A number that orders scores as is_better() does, for optimisers.
 double to_number(const TuneScore& score);
 
+/// The columns of the cost and of the constraints on statistics, each once, in order.
+std::vector<std::size_t> objectives_of(const TuneGoal& goal);
+
 double cost_of(const TuneGoal& goal, const CaseValues& values);
-/// The mean of the cases' costs, or the largest.
+/// The mean of the cases' costs, or the largest; of a relative goal, in multiples of the default's.
 double total_cost(const TuneGoal& goal, const std::vector<CaseValues>& cases);
 TuneScore score_of(const TuneGoal& goal, const std::vector<Value>& point, const std::vector<CaseValues>& cases);
 /// The mean of a column over the cases, or the largest with the goal's worst case.

@@ -16,7 +16,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t evaluations_per_axis = 30;
 constexpr std::size_t max_curve_points = 200;
 constexpr double least_difference = 0.05;  // between a runner-up and the best, as a share of an axis
 
@@ -44,7 +43,7 @@ std::vector<double> dense_values(const Parameters& parameters, const TuneAxis& a
 class Tuner {
  public:
   Tuner(const TuneInput& input, TuneJournal& journal, const TuneProgress& progress)
-      : in_(input), journal_(journal), progress_(progress), start_(Clock::now()) {
+      : in_(input), goal_(input.goal), journal_(journal), progress_(progress), start_(Clock::now()) {
     for (std::size_t a = 0; a < in_.axes.size(); ++a) {
       if (in_.axes[a].key() == constant_bias_key && is_exact()) {
         exact_ = a;
@@ -53,7 +52,9 @@ class Tuner {
       }
     }
     limit_ = in_.budget.evaluations;
-    if (limit_ == 0) limit_ = evaluations_per_axis * std::max<std::size_t>(1, words_.size() + numbers_.size());
+    if (limit_ == 0) {
+      limit_ = default_evaluations(words_.size() + numbers_.size(), numbers_.size(), combinations_of_words());
+    }
     if (exact_) {
       Experiment experiment;
       constants_ = dense_values(describe(experiment), in_.axes[*exact_]);
@@ -63,6 +64,8 @@ class Tuner {
   TuneResult run() {
     result_.is_exact = exact_.has_value();
     result_.before = measure_before();
+    result_.goal = goal_ = relative_to(goal_, result_.before.cases);
+    result_.before.score = score_of(goal_, result_.before.values, result_.before.cases);
     try {
       search();
     } catch (const BudgetSpent&) {
@@ -78,6 +81,7 @@ class Tuner {
     }
     if (exact_) result_.curve = curve_at(result_.best.values);
     find_runner_up();
+    find_best_of_words();
     for (std::size_t a = 0; a < in_.axes.size(); ++a) scan(a);
     return std::move(result_);
   }
@@ -85,7 +89,7 @@ class Tuner {
  private:
   bool is_exact() const {
     return std::all_of(in_.cases.begin(), in_.cases.end(),
-                       [&](const TuneCase& each) { return has_exact_bias(each, in_.axes, in_.goal); });
+                       [&](const TuneCase& each) { return has_exact_bias(each, in_.axes, goal_); });
   }
 
   static std::string key_of(const char* kind, const std::vector<Value>& values, std::optional<std::size_t> left_out) {
@@ -97,7 +101,7 @@ class Tuner {
   }
 
   TunePoint scored(const TuneRecord& record) const {
-    return {record.point, record.cases, score_of(in_.goal, record.point, record.cases)};
+    return {record.point, record.cases, score_of(goal_, record.point, record.cases)};
   }
 
   // Of every case at one point.
@@ -107,7 +111,7 @@ class Tuner {
     TuneRecord record{values, {}};
     for (const TuneCase& each : in_.cases) {
       throw_if_interrupted();
-      record.cases.push_back(measure_case(each, at_point(each, in_.axes, values), in_.goal));
+      record.cases.push_back(measure_case(each, at_point(each, in_.axes, values), goal_));
     }
     return scored(journal_.add(key, std::move(record)));
   }
@@ -115,14 +119,10 @@ class Tuner {
   // The experiments as given; their values may lie outside the axes.
   TunePoint measure_before() {
     if (const TuneRecord* known = journal_.find("before")) return scored(*known);
-    TuneRecord record;
-    for (const TuneAxis& axis : in_.axes) {
-      Experiment experiment = in_.cases.front().experiment;
-      record.point.push_back(present_value(describe(experiment), axis));
-    }
+    TuneRecord record{in_.given, {}};
     for (const TuneCase& each : in_.cases) {
       throw_if_interrupted();
-      record.cases.push_back(measure_case(each, each.experiment, in_.goal));
+      record.cases.push_back(measure_case(each, each.experiment, goal_));
     }
     return scored(journal_.add("before", std::move(record)));
   }
@@ -137,10 +137,10 @@ class Tuner {
     for (const TuneCase& each : in_.cases) {
       throw_if_interrupted();
       const Experiment experiment = at_point(each, in_.axes, curve.front().values);
-      std::vector<CaseValues> measured = measure_biases_of(each, experiment, in_.goal, constants_);
+      std::vector<CaseValues> measured = measure_biases_of(each, experiment, goal_, constants_);
       for (std::size_t i = 0; i < curve.size(); ++i) curve[i].cases.push_back(std::move(measured[i]));
     }
-    for (TunePoint& point : curve) point.score = score_of(in_.goal, point.values, point.cases);
+    for (TunePoint& point : curve) point.score = score_of(goal_, point.values, point.cases);
     return curve;
   }
 
@@ -239,32 +239,48 @@ class Tuner {
     return values;
   }
 
-  // The global search in each combination of words, then the local one in the best of them.
-  void search_numbers() {
-    result_.method = fmt::format("{}DIRECT-L, then subplex", words_.empty() ? "" : "for each combination of words ");
+  std::size_t combinations_of_words() const {
     std::size_t combinations = 1;
     for (const std::size_t a : words_) combinations *= in_.axes[a].count();
+    return combinations;
+  }
+
+  // The best of the points from `first` on.
+  const TunePoint& best_since(std::size_t first) const {
+    return *std::min_element(result_.points.begin() + static_cast<std::ptrdiff_t>(first), result_.points.end(),
+                             [](const TunePoint& a, const TunePoint& b) { return is_better(a.score, b.score); });
+  }
+
+  // Minimises over the numbers from the position of `start`, with the words of `words`, until there are `most` points.
+  void search_from(const std::vector<Value>& words, std::vector<Value> start, bool is_global, std::size_t most) {
+    struct Share {};
+    const auto at = [&](const std::vector<double>& position) {
+      if (result_.points.size() >= most) throw Share{};
+      return to_number(evaluate(values_from(words, position)));
+    };
     // Rounded values repeat; a repeated point costs nothing, so that the optimiser may ask more often.
-    const std::size_t global = std::max<std::size_t>(2 * numbers_.size() + 1, limit_ * 6 / 10 / combinations);
+    const std::size_t calls = 20 * limit_;
+    try {
+      minimize({numbers_.size(), is_global ? calls : 0, is_global ? 0 : calls, positions_of(start)}, at);
+    } catch (const Share&) {
+      // The next search has its turn.
+    }
+  }
+
+  // In each combination of words the global search and then the local one, with equal shares, so that no word wins
+  // because it was searched better; then the local one from the best point of all.
+  void search_numbers() {
+    const std::size_t combinations = combinations_of_words();
+    result_.method = fmt::format("{}DIRECT-L, then subplex", words_.empty() ? "" : "for each combination of words ");
+    const std::size_t share = combinations == 1 ? limit_ : limit_ * 8 / 10 / combinations;
+    const std::size_t global = std::max<std::size_t>(2 * numbers_.size() + 1, share * 6 / 10);
     for_each_combination(words_, first_values(), [&](const std::vector<Value>& words) {
       const std::size_t before = result_.points.size();
-      struct Share {};
-      const auto at = [&](const std::vector<double>& position) {
-        if (result_.points.size() >= before + global) throw Share{};
-        return to_number(evaluate(values_from(words, position)));
-      };
-      try {
-        minimize({numbers_.size(), 20 * global, 0, positions_of(result_.before.values)}, at);
-      } catch (const Share&) {
-        // The next combination has its turn.
-      }
+      search_from(words, in_.given, true, before + global);
+      if (combinations > 1) search_from(words, best_since(before).values, false, before + std::max(share, global + 1));
     });
-    const TunePoint& best =
-        *std::min_element(result_.points.begin(), result_.points.end(),
-                          [](const TunePoint& a, const TunePoint& b) { return is_better(a.score, b.score); });
-    const std::vector<Value> start = best.values;
-    minimize({numbers_.size(), 0, 20 * limit_, positions_of(start)},
-             [&](const std::vector<double>& position) { return to_number(evaluate(values_from(start, position))); });
+    const std::vector<Value> start = best_since(0).values;
+    search_from(start, start, false, limit_ + 1);
   }
 
   std::vector<TunePoint> curve_at(const std::vector<Value>& values) {
@@ -291,6 +307,18 @@ class Tuner {
       for (const TunePoint& point : *points) {
         if (!differs(point.values, result_.best.values)) continue;
         if (!result_.runner_up || is_better(point.score, result_.runner_up->score)) result_.runner_up = point;
+      }
+    }
+  }
+
+  void find_best_of_words() {
+    for (const std::size_t a : words_) {
+      for (const Value& word : in_.axes[a].axis.values) {
+        const TunePoint* best = nullptr;
+        for (const TunePoint& point : result_.points) {
+          if (point.values[a] == word && (best == nullptr || is_better(point.score, best->score))) best = &point;
+        }
+        if (best != nullptr) result_.of_words.push_back({a, *best});
       }
     }
   }
@@ -323,6 +351,7 @@ class Tuner {
   }
 
   const TuneInput& in_;
+  TuneGoal goal_;
   TuneJournal& journal_;
   const TuneProgress& progress_;
   std::size_t limit_ = 0;
@@ -336,6 +365,10 @@ class Tuner {
 };
 
 }  // namespace
+
+std::size_t default_evaluations(std::size_t axes, std::size_t axes_of_numbers, std::size_t combinations_of_words) {
+  return std::max(30 * std::max<std::size_t>(1, axes), 15 * axes_of_numbers * combinations_of_words);
+}
 
 TuneResult tune(const TuneInput& input, TuneJournal& journal, const TuneProgress& progress) {
   return Tuner(input, journal, progress).run();

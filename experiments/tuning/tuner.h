@@ -12,7 +12,7 @@
 namespace umbrameter {
 
 struct TuneBudget {
-  std::size_t evaluations = 0;  ///< 0: 30 for each axis that is searched
+  std::size_t evaluations = 0;  ///< 0: default_evaluations()
   double minutes = 0.0;         ///< 0: no limit
 };
 
@@ -29,14 +29,22 @@ struct AxisScan {
   std::vector<TunePoint> points;  ///< in the order of the axis
 };
 
+/// The best point that was found with one value of an axis of words.
+struct WordPoint {
+  std::size_t axis = 0;
+  TunePoint point;
+};
+
 struct TuneResult {
+  TuneGoal goal;  ///< of a relative one, with the default's costs
   TunePoint best;
   TunePoint before;                    ///< the experiment's values as given: the default
   std::optional<TunePoint> runner_up;  ///< the best point that differs by a twentieth of an axis, or in a word
   std::vector<TunePoint> points;       ///< every evaluated point, in order; with an exact bias the best for each
   std::vector<TunePoint> curve;        ///< with an exact bias: along it, thinned
   std::vector<AxisScan> scans;
-  std::string method;  ///< "all 12 combinations", "DIRECT-L, then subplex"
+  std::vector<WordPoint> of_words;  ///< for each axis of words and each of its values that was evaluated
+  std::string method;               ///< "all 12 combinations", "DIRECT-L, then subplex"
   std::size_t evaluations = 0;
   bool is_exact = false;     ///< the constant bias is measured at all values at once
   std::string stopped_by{};  ///< "2.0 minutes"; empty if the search ended by itself or by evaluations
@@ -50,7 +58,11 @@ struct TuneInput {
   const std::vector<TuneCase>& cases;
   const TuneGoal& goal;
   TuneBudget budget;
+  std::vector<Value> given;  ///< the experiments' value of each axis, in its unit: where the search starts
 };
+
+/// 30 for each axis that is searched, and at least 15 for each axis of numbers in each combination of words.
+std::size_t default_evaluations(std::size_t axes, std::size_t axes_of_numbers, std::size_t combinations_of_words);
 
 /// Throws Error (usage) if no point can be measured. Deterministic unless the budget is in minutes or a time is
 /// measured.

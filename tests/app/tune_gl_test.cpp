@@ -85,6 +85,43 @@ TEST_F(Tune, Of_ambient_occlusion_goes_through_all_combinations_where_these_are_
   EXPECT_EQ(tuned["best"]["values"]["ao.samples"], 4);
 }
 
+TEST_F(Tune, Search_starts_at_the_default_although_its_unit_depends_on_the_scene) {
+  const Json tuned = tuning("start", {"--vary", "ao.radius=0.5%:8%:log", "--vary", "ao.power=0.5:4:log", "--minimize",
+                                      "rmse", "--evaluations", "1"});
+  EXPECT_EQ(tuned["default"]["values"]["ao.radius"], 2.0);
+  EXPECT_EQ(tuned["best"]["values"], tuned["default"]["values"]);
+  EXPECT_EQ(tuned["best"]["cost"], tuned["default"]["cost"]);
+}
+
+// A texel is 2.5 pixels, and the reference is antialiased: a staircase costs roughness, a blurred edge mean error.
+TEST_F(Tune, Of_the_filter_chooses_nearest_by_mean_error_and_a_blur_by_roughness) {
+  const auto tuned = [&](const std::string& output, const std::vector<std::string>& more) {
+    const ProgramResult result = run_program(
+        words({"tune", "contact-box", "-o", folder_ / output, "--light", "sun", "--size", "240x135", "--no-figures",
+               "--truth.shadow", "pixel", "--truth.spp", "16", "--shadow.resolution", "64", "--vary",
+               "shadow.filter=nearest,bilinear", "--vary", "shadow.constant-bias=1texels:2texels:3"},
+              more));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return Json::parse(text_of(folder_ / (output + "/summary.json")))["tuning"];
+  };
+  const Json by_error = tuned("mae", {"--minimize", "mae"});
+  EXPECT_EQ(by_error["best"]["values"]["shadow.filter"], "nearest");
+  const Json by_roughness = tuned("roughness", {"--minimize", "edge-roughness", "--constraint", "|edge-displacement|<1",
+                                                "--run.metrics", "mae,edge-width"});
+  EXPECT_EQ(by_roughness["best"]["values"]["shadow.filter"], "bilinear");
+  EXPECT_TRUE(by_roughness["best"]["keeps_constraints"]);
+
+  // The table says why: bilinear is smoother, wider, and farther off in the mean.
+  const Json& rows = by_roughness["compared"];
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0]["name"], "default");
+  EXPECT_EQ(rows[1]["name"], "filter nearest");
+  EXPECT_GT(rows[1]["minus_best"]["value"], 0.0);
+  EXPECT_EQ(rows[2]["minus_best"], nullptr);
+  EXPECT_GT(rows[2]["statistics"]["edge-width"], rows[1]["statistics"]["edge-width"]);
+  EXPECT_GT(rows[2]["statistics"]["mae"], rows[1]["statistics"]["mae"]);
+}
+
 TEST_F(Tune, Refuses_in_one_line_what_it_cannot_tune) {
   const auto expect = [&](const std::vector<std::string>& more, const std::string& part) {
     const ProgramResult result = run_program(arguments("refused", more));

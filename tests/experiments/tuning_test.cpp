@@ -85,6 +85,34 @@ TEST(TuneGoal, Constraint_holds_in_every_case_and_comes_before_the_cost) {
   EXPECT_FALSE(score_of(goal("mae", {"shadow.slope-bias<=1"}), {1.5}, {{0.1}}).is_kept());
 }
 
+TEST(TuneGoal, Relative_cost_counts_each_case_in_multiples_of_the_default) {
+  for (const bool is_worst : {false, true}) {
+    TuneGoal relative = goal("mae", {}, is_worst);
+    relative.is_relative = true;
+    const TuneGoal known = relative_to(relative, {{0.2}, {0.4}});
+    // 0.1/0.2 = 0.5 and 0.4/0.4 = 1
+    EXPECT_DOUBLE_EQ(total_cost(known, {{0.1}, {0.4}}), is_worst ? 1.0 : 0.75);
+    EXPECT_DOUBLE_EQ(total_cost(not_relative(known), {{0.1}, {0.4}}), is_worst ? 0.4 : 0.25);
+    EXPECT_EQ(cost_name(known), "mae / default");
+    EXPECT_NE(refusal([&] { relative_to(relative, {{0.2}, {0.0}}); }).find("without --relative"), std::string::npos);
+  }
+}
+
+TEST(TuneGoal, Metrics_that_are_only_shown_are_no_objectives) {
+  RunParams run;
+  run.metrics = "edge-width,mae";
+  const TuneGoal shown = with_metrics(goal("mae", {"acne<10%"}), run, "shadow");
+  // mae and acne, then the width in pixels, texels and metres; mae only once.
+  EXPECT_EQ(shown.columns.size(), 5u);
+  EXPECT_EQ(objectives_of(shown), (std::vector<std::size_t>{0, 1}));
+}
+
+TEST(TuneBudget, Grows_with_the_combinations_of_words) {
+  EXPECT_EQ(default_evaluations(0, 0, 1), 30u);
+  EXPECT_EQ(default_evaluations(3, 3, 1), 90u);   // 30 · 3
+  EXPECT_EQ(default_evaluations(3, 2, 6), 180u);  // 15 · 2 · 6
+}
+
 TEST(TuneGoal, Unknown_names_and_senseless_weights_are_refused) {
   EXPECT_NE(refusal([] { goal("acn"); }).find("did you mean 'acne'"), std::string::npos);
   EXPECT_NE(refusal([] { goal("ssim"); }).find("write -1*ssim"), std::string::npos);
