@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "experiments/presentation/tune_text.h"
 
@@ -11,14 +10,6 @@ namespace umbrameter {
 namespace {
 
 std::string name_of(const TuneAxis& axis) { return axis.key().substr(axis.key().find('.') + 1); }
-
-bool is_magnitude(const TuneGoal& goal, std::size_t column) {
-  return std::any_of(goal.terms.begin(), goal.terms.end(),
-                     [&](const TuneTerm& term) { return term.column == column && term.is_magnitude; }) ||
-         std::any_of(goal.constraints.begin(), goal.constraints.end(), [&](const TuneConstraint& constraint) {
-           return !constraint.axis && constraint.column == column && constraint.condition.is_magnitude;
-         });
-}
 
 // Where the cost is one statistic, its column is the cost's.
 bool is_the_cost(const TuneGoal& goal, std::size_t column) {
@@ -45,11 +36,7 @@ std::string title_of(const TuneSummary& summary, const ComparedPoint& compared) 
 std::vector<double> shown_values(const TuneSummary& summary, const ComparedPoint& compared) {
   std::vector<double> values;
   for (std::size_t c = 0; c < summary.shown.columns.size(); ++c) {
-    std::vector<CaseValues> cases = compared.shown;
-    if (is_magnitude(summary.goal, c)) {
-      for (CaseValues& each : cases) each[c] = std::abs(each[c]);
-    }
-    values.push_back(aggregate(summary.goal, c, cases));
+    values.push_back(aggregate(summary.shown, c, compared.shown));
   }
   return values;
 }
@@ -66,7 +53,7 @@ Table comparison_table(const TuneSummary& summary) {
     const Column& column = summary.shown.columns[c];
     if (is_the_cost(goal, c)) continue;
     shown.push_back(c);
-    table.columns.push_back({is_magnitude(goal, c) ? "|" + column.name + "|" : column.name, "", column.meaning});
+    table.columns.push_back({shown_name(summary.shown, c), "", column.meaning});
   }
   for (const TuneAxis& axis : summary.axes) table.columns.push_back({name_of(axis), "", "value"});
   for (const ComparedPoint& compared : summary.judgement.compared) {

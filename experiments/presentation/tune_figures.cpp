@@ -81,8 +81,9 @@ PlotFigure front_figure(const TuneSummary& summary, const std::vector<TunePoint>
   const std::vector<std::size_t> objectives = objectives_of(goal);
   const Column& x = goal.columns[objectives[0]];
   const Column& y = goal.columns[objectives[1]];
-  const auto label = [](const Column& column) {
-    return fmt::format("{} [{}]", column.name, column.unit == "1" ? "%" : column.unit);
+  const auto label = [&](std::size_t column) {
+    const std::string& unit = goal.columns[column].unit;
+    return fmt::format("{} [{}]", shown_name(goal, column), unit == "1" ? "%" : unit);
   };
   const auto number = [](const Column& column, double value) { return column.unit == "1" ? 100.0 * value : value; };
   PlotFigure plot;
@@ -92,9 +93,9 @@ PlotFigure front_figure(const TuneSummary& summary, const std::vector<TunePoint>
       "Points of which none is better in every objective, {} against {}. The ring is the best point by the cost and "
       "the "
       "constraints.",
-      y.name, x.name);
-  plot.x = {"x", label(x)};
-  plot.y = {"y", label(y)};
+      shown_name(goal, objectives[1]), shown_name(goal, objectives[0]));
+  plot.x = {"x", label(objectives[0])};
+  plot.y = {"y", label(objectives[1])};
   plot.mark = "best";
   plot.data.columns = {{"x", "1", x.meaning}, {"y", "1", y.meaning}, {"best", "", "best point"}};
   const auto add = [&](const TunePoint& point, bool best) {

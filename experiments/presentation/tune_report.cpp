@@ -22,12 +22,10 @@ double objective(const TuneGoal& goal, std::size_t column, const std::vector<Cas
   double value = aggregate(goal, column, cases);
   for (const TuneTerm& term : goal.terms) {
     if (term.column != column) continue;
-    if (term.is_magnitude) value = std::abs(value);
     if (term.weight < 0.0) value = -value;
   }
   for (const TuneConstraint& constraint : goal.constraints) {
     if (constraint.axis || constraint.column != column) continue;
-    if (constraint.condition.is_magnitude) value = std::abs(value);
     const Relation relation = constraint.condition.bound.relation;
     if (relation == Relation::greater || relation == Relation::at_least) value = -value;
   }
@@ -139,7 +137,7 @@ Table front_table(const TuneSummary& summary, const std::vector<TunePoint>& fron
   Table table;
   for (const TuneAxis& axis : summary.axes) table.columns.push_back({axis.key(), "", "value"});
   for (const std::size_t c : objectives_of(summary.goal)) {
-    table.columns.push_back({summary.goal.columns[c].name, "", summary.goal.columns[c].meaning});
+    table.columns.push_back({shown_name(summary.goal, c), "", summary.goal.columns[c].meaning});
   }
   constexpr std::size_t max_rows = 30;
   for (const std::size_t i : thin(front.size(), max_rows).indices) {

@@ -177,12 +177,27 @@ TuneScore score_of(const TuneGoal& goal, const std::vector<Value>& point, const 
   return score;
 }
 
+bool is_magnitude(const TuneGoal& goal, std::size_t column) {
+  return std::any_of(goal.terms.begin(), goal.terms.end(),
+                     [&](const TuneTerm& term) { return term.column == column && term.is_magnitude; }) ||
+         std::any_of(goal.constraints.begin(), goal.constraints.end(), [&](const TuneConstraint& constraint) {
+           return !constraint.axis && constraint.column == column && constraint.condition.is_magnitude;
+         });
+}
+
+std::string shown_name(const TuneGoal& goal, std::size_t column) {
+  const std::string& name = goal.columns[column].name;
+  return is_magnitude(goal, column) ? "|" + name + "|" : name;
+}
+
 double aggregate(const TuneGoal& goal, std::size_t column, const std::vector<CaseValues>& cases) {
+  const bool takes_magnitude = is_magnitude(goal, column);
   double sum = 0.0;
   double largest = -std::numeric_limits<double>::infinity();
   for (const CaseValues& values : cases) {
-    sum += values[column] / static_cast<double>(cases.size());
-    largest = std::max(largest, values[column]);
+    const double value = takes_magnitude ? std::abs(values[column]) : values[column];
+    sum += value / static_cast<double>(cases.size());
+    largest = std::max(largest, value);
   }
   return goal.is_worst_case ? largest : sum;
 }

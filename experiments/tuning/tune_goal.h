@@ -77,7 +77,12 @@ double cost_of(const TuneGoal& goal, const CaseValues& values);
 /// The mean of the cases' costs, or the largest; of a relative goal, in multiples of the default's.
 double total_cost(const TuneGoal& goal, const std::vector<CaseValues>& cases);
 TuneScore score_of(const TuneGoal& goal, const std::vector<Value>& point, const std::vector<CaseValues>& cases);
-/// The mean of a column over the cases, or the largest with the goal's worst case.
+/// Whether the cost or a constraint takes the magnitude of a column.
+bool is_magnitude(const TuneGoal& goal, std::size_t column);
+/// "acne", or "|mean_error|" where is_magnitude().
+std::string shown_name(const TuneGoal& goal, std::size_t column);
+/// The mean of a column over the cases, or the largest with the goal's worst case; of the magnitude where
+/// is_magnitude().
 double aggregate(const TuneGoal& goal, std::size_t column, const std::vector<CaseValues>& cases);
 
 }  // namespace umbrameter

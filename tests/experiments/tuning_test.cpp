@@ -149,6 +149,16 @@ TEST(Minimize, Passes_on_what_the_function_throws) {
 
 TunePoint point(double acne, double mae) { return {{0.0}, {{mae, acne}}, {}}; }
 
+TEST(TuneGoal, Column_whose_magnitude_is_bounded_is_shown_as_a_magnitude) {
+  const TuneGoal bounded = goal("mae", {"|mean_error|<10%"});
+  // mean of 0.3 and 0.1, and of −0.2 and 0.4 by magnitude
+  const std::vector<CaseValues> cases = {{0.3, -0.2}, {0.1, 0.4}};
+  EXPECT_DOUBLE_EQ(aggregate(bounded, 0, cases), 0.2);
+  EXPECT_DOUBLE_EQ(aggregate(bounded, 1, cases), 0.3);
+  EXPECT_EQ(shown_name(bounded, 0), "mae");
+  EXPECT_EQ(shown_name(bounded, 1), "|mean_error|");
+}
+
 TEST(ParetoFront, Holds_the_points_of_which_none_is_better_in_both) {
   const TuneGoal both = goal("mae", {"acne<10%"});
   const std::vector<TunePoint> front =
