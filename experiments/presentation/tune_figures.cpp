@@ -59,14 +59,14 @@ PlotFigure search_figure(const TuneSummary& summary) {
     plot.series = "word";
     plot.series_label = words->key().substr(words->key().find('.') + 1);
   }
-  struct Progress {
+  struct Search {
     std::int64_t number = 0;
     std::optional<TuneScore> best{};
   };
-  std::map<std::string, Progress> by_word;
+  std::map<std::string, Search> by_word;
   for (const TunePoint& point : summary.result.points) {
     const std::string word = has_words ? to_string(point.values[axis]) : "";
-    Progress& progress = by_word[word];
+    Search& progress = by_word[word];
     ++progress.number;
     if (!progress.best || is_better(point.score, *progress.best)) progress.best = point.score;
     if (progress.best->is_kept()) {
