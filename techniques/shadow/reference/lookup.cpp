@@ -76,12 +76,7 @@ double blocker_depth(const MapLookup& lookup, const Receiver& receiver, float cr
 // compared_depth() of light_map.glsl.
 double compared_depth(const MapLookup& lookup, const Receiver& receiver, const ivec2& texel, int view) {
   if (!lookup.bias.receiver_plane) return receiver.depth;
-  const TexelRay ray = texel_ray(lookup.layout, texel, view);
-  const double facing = dot_of(receiver.plane, ray.direction);
-  if (!(facing < 0.0)) return receiver.depth;
-  double along = dot_of(receiver.plane, receiver.in_light - ray.origin) / facing;
-  if (is_omnidirectional(lookup.layout.kind)) along *= length_of(ray.direction);
-  return lookup.layout.kind != MapKind::orthographic && along <= 0.0 ? receiver.depth : along;
+  return plane_depth(lookup.layout, receiver, texel, view).value_or(receiver.depth);
 }
 
 Tap fetch_tap(const MapLookup& lookup, const Receiver& receiver, const ivec2& offset) {
@@ -324,6 +319,16 @@ TexelRay texel_ray(const MapLayout& layout, const ivec2& texel, int face) {
   }
   const dmat3 basis = cube_face(face);
   return {dvec3(0.0), basis[0] * c.x + basis[1] * c.y + basis[2]};
+}
+
+std::optional<double> plane_depth(const MapLayout& layout, const Receiver& receiver, const ivec2& texel, int view) {
+  const TexelRay ray = texel_ray(layout, texel, view);
+  const double facing = dot_of(receiver.plane, ray.direction);
+  if (!(facing < 0.0)) return std::nullopt;
+  double along = dot_of(receiver.plane, receiver.in_light - ray.origin) / facing;
+  if (is_omnidirectional(layout.kind)) along *= length_of(ray.direction);
+  if (layout.kind != MapKind::orthographic && along <= 0.0) return std::nullopt;
+  return along;
 }
 
 SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel) {

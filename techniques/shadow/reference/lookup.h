@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/gbuffer.h"
@@ -53,6 +54,10 @@ struct TexelRay {
   dvec3 direction{0.0, 0.0, -1.0};
 };
 TexelRay texel_ray(const MapLayout& layout, const ivec2& texel, int view);
+
+/// Depth at which the light's ray through a texel's centre meets the plane of a receiver, metres. Empty if it does not
+/// meet its front. The texel may lie outside the map.
+std::optional<double> plane_depth(const MapLayout& layout, const Receiver& receiver, const ivec2& texel, int view);
 
 /// Index of a texel in an image of ShadowMapImages, which has the top row first.
 inline std::size_t texel_index(const MapLayout& layout, const ivec2& texel) {
