@@ -8,63 +8,73 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::size_t min_depth_steps = 2;
-constexpr double min_radius_share = 0.05;  // of a, below which a·b / a is noise
+constexpr double min_slope_share = 0.05;  // of b, below which b / a is noise
+constexpr double same_value = 1e-3;       // relative difference of values that count once
 
-// Values that differ by less than a thousandth count once.
-std::size_t count_values(std::span<const FormulaPoint> points, double (*value)(const FormulaPoint&)) {
+using Fact = double (*)(const FormulaPoint&);
+double texel_of(const FormulaPoint& point) { return point.fit.texel; }
+double depth_per_texel_of(const FormulaPoint& point) { return point.facts.depth_per_texel; }
+double radius_of(const FormulaPoint& point) { return point.facts.radius; }
+double depth_step_of(const FormulaPoint& point) { return point.facts.depth_step; }
+
+FormulaRange range_of(std::span<const FormulaPoint> points, Fact fact) {
   std::vector<double> values;
-  for (const FormulaPoint& point : points) values.push_back(value(point));
+  for (const FormulaPoint& point : points) values.push_back(fact(point));
+  if (values.empty()) return {};
   std::sort(values.begin(), values.end());
-  std::size_t count = values.empty() ? 0 : 1;
+  FormulaRange range{values.front(), values.back(), 1};
   for (std::size_t i = 1; i < values.size(); ++i)
-    if (values[i] - values[i - 1] > 1e-3 * std::abs(values[i])) ++count;
-  return count;
+    if (values[i] - values[i - 1] > same_value * std::abs(values[i])) ++range.values;
+  return range;
+}
+
+double median_step(std::span<const FormulaPoint> points) {
+  std::vector<double> steps;
+  for (const FormulaPoint& point : points) steps.push_back(point.fit.step);
+  if (steps.empty()) return 0.0;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
 }
 
 double length_of(FormulaTerm term, const FormulaPoint& point) {
-  const double slope = point.fit.texel * point.facts.tangent;
   switch (term) {
     case FormulaTerm::constant:
       return 1.0;
     case FormulaTerm::slope:
-      return slope;
+      return point.facts.depth_per_texel;
     case FormulaTerm::slope_radius:
-      return slope * point.facts.radius;
+      return point.facts.depth_per_texel * point.facts.radius;
     case FormulaTerm::depth_step:
       return point.facts.depth_step;
   }
   return 0.0;
 }
 
-std::string refusal(const char* axis, std::size_t values, std::size_t needed) {
-  return std::string(axis) + ": " + std::to_string(values) + (values == 1 ? " value" : " values") + ", at least " +
-         std::to_string(needed) + " are needed";
+// The terms that the points determine; the others go into `refused`.
+std::vector<FormulaTerm> choose_terms(BiasFormula& formula) {
+  std::vector<FormulaTerm> used = {FormulaTerm::constant};
+  const auto choose = [&](FormulaTerm term, const char* fact, const FormulaRange& range) {
+    if (range.values >= min_formula_values) return used.push_back(term);
+    formula.refused.push_back(std::string(fact) + ": " + std::to_string(range.values) +
+                              (range.values == 1 ? " value" : " values") + ", at least " +
+                              std::to_string(min_formula_values) + " are needed");
+  };
+  choose(FormulaTerm::slope, "depth per texel", formula.depth_per_texel);
+  choose(FormulaTerm::slope_radius, "filter radius", formula.radius);
+  const FormulaRange& step = formula.depth_step;
+  if (step.values >= min_formula_values && step.max - step.min < formula.axis_step) {
+    formula.refused.emplace_back(
+        "step of the stored depth: its values differ by less than one step of the bias axis, too little to matter");
+  } else {
+    choose(FormulaTerm::depth_step, "step of the stored depth", step);
+  }
+  return used;
 }
 
-struct Terms {
-  std::vector<FormulaTerm> used = {FormulaTerm::constant};
-  std::vector<std::string> refused;
-};
-
-Terms choose_terms(std::span<const FormulaPoint> points) {
-  Terms terms;
-  const auto choose = [&](FormulaTerm term, const char* axis, std::size_t needed,
-                          double (*value)(const FormulaPoint&)) {
-    const std::size_t values = count_values(points, value);
-    if (values >= needed) {
-      terms.used.push_back(term);
-    } else {
-      terms.refused.push_back(refusal(axis, values, needed));
-    }
-  };
-  choose(FormulaTerm::slope, "texel size times tan θ", min_formula_values,
-         [](const FormulaPoint& p) { return p.fit.texel * p.facts.tangent; });
-  choose(FormulaTerm::slope_radius, "filter radius", min_formula_values,
-         [](const FormulaPoint& p) { return p.facts.radius; });
-  choose(FormulaTerm::depth_step, "step of the stored depth", min_depth_steps,
-         [](const FormulaPoint& p) { return p.facts.depth_step; });
-  return terms;
+bool is_within(const FormulaRange& range, double value) {
+  const double margin = same_value * std::max(std::abs(range.min), std::abs(range.max));
+  return value >= range.min - margin && value <= range.max + margin;
 }
 
 }  // namespace
@@ -77,19 +87,33 @@ double bias_of(const BiasFormula& formula, const FormulaPoint& point) {
   return bias;
 }
 
+bool is_outside(const BiasFormula& formula, const FormulaPoint& point) {
+  const bool uses_slope = formula.term(FormulaTerm::slope) || formula.term(FormulaTerm::slope_radius);
+  return (uses_slope && !is_within(formula.depth_per_texel, point.facts.depth_per_texel)) ||
+         (formula.term(FormulaTerm::slope_radius) && !is_within(formula.radius, point.facts.radius)) ||
+         (formula.term(FormulaTerm::depth_step) && !is_within(formula.depth_step, point.facts.depth_step));
+}
+
 std::optional<BiasFormula> fit_formula(std::span<const FormulaPoint> all) {
   std::vector<FormulaPoint> points;
   for (const FormulaPoint& point : all) {
-    if (std::isfinite(point.facts.tangent) && std::isfinite(point.facts.radius)) points.push_back(point);
+    if (std::isfinite(point.facts.depth_per_texel) && std::isfinite(point.facts.radius)) points.push_back(point);
   }
-  const Terms terms = choose_terms(points);
-  const std::size_t count = terms.used.size();
+  BiasFormula formula;
+  formula.points = points.size();
+  formula.axis_step = median_step(points);
+  formula.texel = range_of(points, texel_of);
+  formula.depth_per_texel = range_of(points, depth_per_texel_of);
+  formula.radius = range_of(points, radius_of);
+  formula.depth_step = range_of(points, depth_step_of);
+  const std::vector<FormulaTerm> terms = choose_terms(formula);
+  const std::size_t count = terms.size();
   if (count < 2 || points.size() <= count) return std::nullopt;
   std::vector<LeastSquaresRow> rows;
   std::vector<double> right;
   for (const FormulaPoint& point : points) {
     LeastSquaresRow& row = rows.emplace_back();
-    for (std::size_t t = 0; t < count; ++t) row[t] = length_of(terms.used[t], point) / point.fit.step;
+    for (std::size_t t = 0; t < count; ++t) row[t] = length_of(terms[t], point) / point.fit.step;
     right.push_back(point.fit.bias / point.fit.step);
   }
   const std::optional<LeastSquares> solved = solve_least_squares(rows, right, count);
@@ -98,16 +122,13 @@ std::optional<BiasFormula> fit_formula(std::span<const FormulaPoint> all) {
   for (std::size_t i = 0; i < rows.size(); ++i) squares += std::pow(solved->predict(rows[i], count) - right[i], 2);
   const double variance = squares / static_cast<double>(points.size() - count);
 
-  BiasFormula formula;
-  formula.points = points.size();
-  formula.refused = terms.refused;
   for (std::size_t t = 0; t < count; ++t) {
-    formula.terms[static_cast<std::size_t>(terms.used[t])] =
+    formula.terms[static_cast<std::size_t>(terms[t])] =
         Fitted{solved->value[t], std::sqrt(std::max(solved->covariance[t][t], 0.0) * variance)};
   }
-  const std::optional<Fitted>& slope = formula.terms[static_cast<std::size_t>(FormulaTerm::slope)];
-  const std::optional<Fitted>& radius = formula.terms[static_cast<std::size_t>(FormulaTerm::slope_radius)];
-  if (slope && radius && std::abs(slope->value) > min_radius_share * std::abs(radius->value)) {
+  const std::optional<Fitted>& slope = formula.term(FormulaTerm::slope);
+  const std::optional<Fitted>& radius = formula.term(FormulaTerm::slope_radius);
+  if (slope && radius && std::abs(slope->value) > min_slope_share * std::abs(radius->value)) {
     // The slope's term is the second and the radius's the third of those that are used.
     const auto& covariance = solved->covariance;
     const double b = radius->value / slope->value;

@@ -1,5 +1,5 @@
-// Points that follow a formula give it back. Of a plane and a box filter the bias without acne is known: half a texel
-// times tan θ for the centre, and a texel more for each texel that the filter reaches.
+// The fit recovers the formula that its points follow. For a plane and a box filter the least bias without acne is
+// known: half the depth per texel for the centre, and once more that depth for each texel that the filter reaches.
 #include "compare/bias_formula.h"
 
 #include <gtest/gtest.h>
@@ -10,9 +10,7 @@
 namespace umbrameter {
 namespace {
 
-const Fitted& term(const BiasFormula& formula, FormulaTerm which) {
-  return formula.terms[static_cast<std::size_t>(which)].value();
-}
+const Fitted& term(const BiasFormula& formula, FormulaTerm which) { return formula.term(which).value(); }
 
 // bias = texel · tan θ · (½ + radius) + 1.5 steps + 1 mm, known to within `noise` of a step of the axis.
 std::vector<FormulaPoint> plane(const std::vector<double>& texels, const std::vector<double>& tangents,
@@ -26,7 +24,7 @@ std::vector<FormulaPoint> plane(const std::vector<double>& texels, const std::ve
           const double axis_step = 0.01 * texel;
           const double wave = std::sin(37.0 * static_cast<double>(points.size()));
           const double bias = texel * tangent * (0.5 + radius) + 1.5 * step + 0.001 + noise * wave * axis_step;
-          points.push_back({{texel, 0.0, bias, axis_step}, {tangent, radius, step}});
+          points.push_back({{texel, 0.0, bias, axis_step}, {texel * tangent, radius, step}});
         }
       }
     }
@@ -67,13 +65,42 @@ TEST(BiasFormula, Noise_below_a_step_of_the_axis_stays_within_the_standard_error
 }
 
 TEST(BiasFormula, A_short_axis_is_refused_by_name) {
-  const auto formula = fit_formula(plane({0.01, 0.02, 0.05}, {1.0}, {0.0, 1.0}, {1e-6}));
+  const auto formula = fit_formula(plane({0.01, 0.02, 0.05}, {1.0}, {1.0}, {1e-6}));
   ASSERT_TRUE(formula);
-  EXPECT_FALSE(formula->terms[static_cast<std::size_t>(FormulaTerm::slope_radius)]);
+  EXPECT_FALSE(formula->term(FormulaTerm::slope_radius));
   EXPECT_FALSE(formula->per_radius);
   ASSERT_EQ(formula->refused.size(), 2u);
-  EXPECT_EQ(formula->refused[0], "filter radius: 2 values, at least 3 are needed");
+  EXPECT_EQ(formula->refused[0], "filter radius: 1 value, at least 2 are needed");
   EXPECT_EQ(formula->refused[1], "step of the stored depth: 1 value, at least 2 are needed");
+}
+
+TEST(BiasFormula, A_depth_step_below_the_step_of_the_axis_is_refused) {
+  // The steps of the bias axis are 0.1 mm or more; the stored depths' steps differ by 0.01 mm.
+  const auto formula = fit_formula(plane({0.01, 0.02, 0.05}, {1.0}, {0.0, 1.0}, {1e-6, 1.1e-5}));
+  ASSERT_TRUE(formula);
+  EXPECT_FALSE(formula->term(FormulaTerm::depth_step));
+  ASSERT_EQ(formula->refused.size(), 1u);
+  EXPECT_NE(formula->refused[0].find("less than one step of the bias axis"), std::string::npos);
+}
+
+TEST(BiasFormula, Knows_the_range_that_it_was_fitted_to) {
+  const auto formula = fit_formula(plane({0.01, 0.02, 0.05}, {0.5, 1.7}, {0.0, 1.0, 2.0}, {1e-6}));
+  ASSERT_TRUE(formula);
+  EXPECT_EQ(formula->texel.values, 3u);
+  EXPECT_DOUBLE_EQ(formula->depth_per_texel.min, 0.01 * 0.5);
+  EXPECT_DOUBLE_EQ(formula->depth_per_texel.max, 0.05 * 1.7);
+  EXPECT_DOUBLE_EQ(formula->radius.max, 2.0);
+  EXPECT_DOUBLE_EQ(formula->axis_step, 0.01 * 0.02) << "steps are a hundredth of a texel";
+  const auto is_outside_at = [&](double depth_per_texel, double radius) {
+    return is_outside(*formula, {{}, {depth_per_texel, radius, 1e-6}});
+  };
+  EXPECT_FALSE(is_outside_at(0.05, 1.5));
+  EXPECT_TRUE(is_outside_at(0.1, 1.5));
+  EXPECT_TRUE(is_outside_at(0.05, 3.0));
+  // Without a term of the filter its radius does not matter.
+  const auto one_radius = fit_formula(plane({0.01, 0.02, 0.05}, {0.5, 1.7}, {1.0}, {1e-6}));
+  ASSERT_TRUE(one_radius);
+  EXPECT_FALSE(is_outside(*one_radius, {{}, {0.05, 3.0, 1e-6}}));
 }
 
 TEST(BiasFormula, Needs_more_points_than_unknowns_and_an_axis) {
