@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "compare/alignment.h"
 #include "compare/metrics/color_metric.h"
 #include "reports/figures/figures.h"
 #include "reports/files/image_file.h"
@@ -172,6 +173,35 @@ Json to_json(const Measured& each) {
   return json;
 }
 
+// "warning: TEST lies 2 px right and 1 px down of REFERENCE: …".
+std::string to_text(const Misalignment& found) {
+  std::string where;
+  if (found.flips_x || found.flips_y) {
+    where = std::string("is upside down");
+    if (found.flips_x) where = found.flips_y ? "is turned by 180°" : "has left and right exchanged";
+  } else {
+    const auto along = [&](int pixels, const char* positive, const char* negative) {
+      if (pixels == 0) return;
+      where += fmt::format("{}{} px {}", where.empty() ? "lies " : " and ", std::abs(pixels),
+                           pixels > 0 ? positive : negative);
+    };
+    along(found.shift.x, "to the right", "to the left");
+    along(found.shift.y, "down", "up");
+  }
+  return fmt::format(
+      "warning: TEST {} relative to REFERENCE: without this, {:.0f} % of the squared difference disappears; check how "
+      "both images were written",
+      where, 100.0 * (1.0 - found.remaining));
+}
+
+Json to_json(const std::optional<Misalignment>& found) {
+  if (!found) return nullptr;
+  return {{"shift_px", {found->shift.x, found->shift.y}},
+          {"left_right_flip", found->flips_x},
+          {"top_bottom_flip", found->flips_y},
+          {"remaining_difference", found->remaining}};
+}
+
 const char* content_text(ImageContent content) {
   if (content == ImageContent::data) return "data, compared as they are";
   return content == ImageContent::display ? "sRGB" : "linear";
@@ -211,10 +241,12 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
   };
   for (const Metric* metric : chosen_metrics(diff, pair.content)) measured(metric);
 
+  const std::optional<Misalignment> misaligned = find_misalignment(input.test, input.reference, is_counted);
   Json json = {{"test", diff.test.string()},  {"reference", diff.reference.string()},
                {"width", input.test.width},   {"height", input.test.height},
                {"counted_pixels", counted},   {"values", content_text(pair.content)},
                {"exposure", params.exposure}, {"pixels_per_degree", params.pixels_per_degree}};
+  json["misalignment"] = to_json(misaligned);
   for (const Measured& each : all) json["metrics"][std::string(each.metric->name)] = to_json(each);
   print_line(
       console,
@@ -222,6 +254,7 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
                   content_text(pair.content),
                   pair.content == ImageContent::scene ? fmt::format(", shown at {:+g} EV", params.exposure) : ""));
   for (const std::string& text : table_lines(all)) print_line(console, text);
+  if (misaligned) print_line(console, to_text(*misaligned));
   for (const Measured& each : all) {
     for (const auto& [name, value] : each.result.details) {
       add_line(console, fmt::format("{}: {} {:.4g}", each.metric->name, name, value));

@@ -109,6 +109,39 @@ TEST(Diff, Of_a_black_reference_and_of_equal_images_ends) {
   EXPECT_EQ(run_program({"diff", white, black, "--exit-code"}).exit_code, 1);
 }
 
+// Stripes of random width and value, moved to the right.
+std::string stripes_png(int shift, bool upside_down = false) {
+  Image<glm::u8vec3> image(96, 64);
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 96; ++x) {
+      const int row = upside_down ? 63 - y : y;
+      const int block = (x - shift + 50) / 5 + 100 * (row / 7);
+      image.at(x, y) = glm::u8vec3((block * 2654435761u >> 13) % 256u);
+    }
+  }
+  return to_png(image);
+}
+
+TEST(Diff, Warns_where_the_test_image_is_moved_or_upside_down) {
+  const TemporaryFolder folder;
+  const std::string reference = folder.write("reference.png", stripes_png(0));
+  const std::string moved = folder.write("moved.png", stripes_png(2));
+  const std::string flipped = folder.write("flipped.png", stripes_png(0, true));
+  EXPECT_EQ(diff_json({reference, reference})["misalignment"], nullptr);
+  const Json shift = diff_json({moved, reference})["misalignment"];
+  EXPECT_EQ(shift["shift_px"], (Json{2, 0}));
+  EXPECT_EQ(shift["top_bottom_flip"], false);
+  EXPECT_NEAR(shift["remaining_difference"].get<double>(), 0.0, 1e-6);
+  const Json flip = diff_json({flipped, reference})["misalignment"];
+  EXPECT_EQ(flip["shift_px"], (Json{0, 0}));
+  EXPECT_EQ(flip["top_bottom_flip"], true);
+  EXPECT_NE(
+      run_program({"diff", moved, reference}).out.find("warning: TEST lies 2 px to the right relative to REFERENCE"),
+      std::string::npos);
+  EXPECT_NE(run_program({"diff", flipped, reference}).out.find("warning: TEST is upside down"), std::string::npos);
+  EXPECT_EQ(run_program({"diff", reference, reference}).out.find("warning"), std::string::npos);
+}
+
 TEST(Diff, Refuses_what_it_cannot_compare_in_one_line) {
   const TemporaryFolder folder;
   const std::string a = constant_exr(folder, "a.exr", 1.0f);
