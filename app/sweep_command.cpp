@@ -200,9 +200,13 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
     cell.view = experiment.view;
     return mean_depth_unit(stages, cell, light);
   };
+  const auto bias_facts = [&](const std::vector<Value>& values) {
+    const Experiment cell = stages.in_metres(at_cell(experiment, axes, values));
+    return measure_bias_facts(stages, cell, stages.lights(cell.view.light).front());
+  };
   const bool is_limit_fixed = quantity == SweptQuantity::ao && !varies_group(axes, "truth.ao-distance");
   const std::string ao_limit = is_limit_fixed ? ao_limit_text(stages.in_metres(experiment).truth) : "";
-  const SweepResults results{parameters, plan, store, statistics, depth_unit, ao_limit, metrics};
+  const SweepResults results{parameters, plan, store, statistics, depth_unit, bias_facts, ao_limit, metrics};
   const Table best_of_lines = best_rows(results);
   const std::optional<BiasCurves> curves = read_bias_curves(results);
   const std::vector<Value> least = least_row(results);

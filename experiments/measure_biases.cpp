@@ -43,4 +43,12 @@ double mean_depth_unit(Stages& stages, const Experiment& experiment, std::uint32
   return pixels > 0 ? sum / static_cast<double>(pixels) : 0.0;
 }
 
+BiasFacts measure_bias_facts(Stages& stages, const Experiment& experiment, std::uint32_t light) {
+  const ShadowTechnique technique = make_technique(experiment.shadow);
+  const FilterKernel* kernel = kernel_of(technique);
+  if (kernel == nullptr) return {};
+  return measure_facts(stages.surfels(experiment).gbuffer, stages.layout(experiment, light),
+                       stages.counted(experiment, light), experiment.shadow.map_depth, *kernel);
+}
+
 }  // namespace umbrameter

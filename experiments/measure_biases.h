@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "compare/bias_facts.h"
 #include "compare/visibility.h"
 #include "experiments/stages.h"
 
@@ -18,5 +19,9 @@ std::vector<std::vector<VisibilityStatistics>> measure_biases(Stages& stages, co
 
 /// Metres per unit of the depth that the light's map stores: mean over the counted pixels, 0 if there is none.
 double mean_depth_unit(Stages& stages, const Experiment& experiment, std::uint32_t light);
+
+/// What the light's bias depends on besides the scene. NaN where a fact is not known: without counted pixels, or
+/// without a kernel of its own radius.
+BiasFacts measure_bias_facts(Stages& stages, const Experiment& experiment, std::uint32_t light);
 
 }  // namespace umbrameter

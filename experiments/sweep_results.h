@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/bias_facts.h"
 #include "experiments/results_store.h"
 #include "experiments/sweep_evaluator.h"
 #include "experiments/sweep_plan.h"
@@ -18,6 +19,8 @@ struct SweepResults {
   const CellStatistics& statistics;  ///< the kind of statistics in the rows
   /// mean_depth_unit() at these values of the axes, metres; empty for ambient occlusion.
   std::function<double(const std::vector<Value>& values)> depth_unit;
+  /// measure_bias_facts() at these values of the axes; empty for ambient occlusion.
+  std::function<BiasFacts(const std::vector<Value>& values)> bias_facts;
   /// Distance limit of an ambient-occlusion reference: "up to 58.6 cm"; empty if it is varied.
   std::string ao_limit{};
   std::vector<MetricColumn> metrics{};  ///< the image metrics in the rows

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "experiments/presentation/bias_formulas.h"
 #include "experiments/presentation/summary.h"
 
 namespace umbrameter {
@@ -35,11 +36,6 @@ Json curve_json(const BiasCurves& curves, const BiasCurve& curve) {
   return object;
 }
 
-Json fitted_json(const Fitted& fitted) {
-  return {{"value", fitted.value},
-          {"standard_error", fitted.standard_error ? Json(*fitted.standard_error) : Json(nullptr)}};
-}
-
 void add_law(Json& object, const BiasFit& law) {
   object["points"] = law.points;
   object["c0_m"] = fitted_json(law.constant);
@@ -69,10 +65,16 @@ Json law_json(const BiasCurves& curves, const CurveLaw& law) {
 
 }  // namespace
 
+nlohmann::ordered_json fitted_json(const Fitted& fitted) {
+  return {{"value", fitted.value},
+          {"standard_error", fitted.standard_error ? Json(*fitted.standard_error) : Json(nullptr)}};
+}
+
 nlohmann::ordered_json to_json(const BiasCurves& curves) {
   Json object = {{"combinations", curves.combinations}, {"biases", Json::array()}, {"laws", Json::array()}};
   for (const BiasCurve& curve : curves.curves) object["biases"].push_back(curve_json(curves, curve));
   for (const CurveLaw& law : curves.laws) object["laws"].push_back(law_json(curves, law));
+  if (!curves.formulas.empty()) object["formulas"] = formulas_json(curves);
   return object;
 }
 

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <span>
 
+#include "experiments/presentation/bias_formulas.h"
+
 namespace umbrameter {
 namespace {
 
-constexpr std::string_view resolution_key = "shadow.resolution";
 constexpr std::size_t max_curves = 200;
 constexpr std::size_t max_slopes = 4096;
 constexpr std::size_t max_lines = 16'384;
@@ -48,6 +49,9 @@ void fill(BiasCurves& curves, const SweepResults& sweep, const std::vector<std::
     if (curve.optima.mean_texel == 0.0) {
       curve.optima.mean_texel = statistics.mean_texel;
       if (sweep.depth_unit) curve.depth_unit = sweep.depth_unit(values_at(plan, at));
+      if (sweep.bias_facts && curves.varies_constant && may_have_formula(curves.others)) {
+        curve.facts = sweep.bias_facts(values_at(plan, at));
+      }
     }
     const InnerAxis& constant = plan.constant_bias;
     const InnerAxis& slope = plan.slope_bias;
@@ -155,6 +159,7 @@ std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep) {
   curves.unit = plan.constant_unit;
   std::sort(curves.constants.begin(), curves.constants.end());
   if (resolution && curves.varies_constant) add_laws(curves, *resolution);
+  if (sweep.bias_facts && curves.varies_constant && may_have_formula(curves.others)) add_formulas(curves);
   return curves;
 }
 

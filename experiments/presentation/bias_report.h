@@ -7,9 +7,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compare/bias_curves.h"
+#include "compare/bias_formula.h"
 #include "compare/bias_law.h"
 #include "compare/bias_units.h"
 #include "experiments/presentation/presentation.h"
@@ -17,11 +19,14 @@
 
 namespace umbrameter {
 
+inline constexpr std::string_view resolution_key = "shadow.resolution";
+
 /// All biases at one combination of the other axes.
 struct BiasCurve {
   std::vector<Value> others;  ///< values of the other axes
   BiasOptima optima;
   double depth_unit = 0.0;  ///< mean_depth_unit()
+  BiasFacts facts{};        ///< known if may_have_formula()
 };
 
 /// The bias of a BiasLine to which a law is fitted.
@@ -37,6 +42,17 @@ struct CurveLaw {
   std::optional<BiasFit> over_slopes;  ///< at all slope-scaled biases; empty if they are not varied
 };
 
+/// A formula over all axes along which a fact of the bias changes, at one combination of the remaining axes.
+struct CurveFormula {
+  LawOf of = LawOf::least_error;
+  std::vector<Value> others;           ///< values of BiasCurves::of_a_formula
+  std::optional<BiasFormula> formula;  ///< at the slope-scaled bias nearest to 0
+  std::vector<FormulaPoint> points;    ///< what it is fitted to
+  double slope = 0.0;                  ///< slope-scaled bias of the points, texels
+  std::size_t left_out = 0;            ///< combinations of the formula's axes that have no point
+  std::vector<std::string> warnings;   ///< why it may be poorly determined: sentences without a full stop
+};
+
 struct BiasCurves {
   std::vector<Column> others;    ///< the axes other than biases
   std::vector<Column> of_a_law;  ///< the axes other than biases and the resolution
@@ -44,6 +60,9 @@ struct BiasCurves {
   bool varies_slope = false;
   std::vector<BiasCurve> curves;         ///< in the order of cells
   std::vector<CurveLaw> laws;            ///< empty unless resolution and constant bias are varied
+  std::vector<Column> formula_axes;      ///< the axes that enter the formulas through the facts that they change
+  std::vector<Column> of_a_formula;      ///< the axes other than biases that do not
+  std::vector<CurveFormula> formulas;    ///< empty unless may_have_formula() and the constant bias is varied
   std::vector<double> constants;         ///< the axis of constant biases, ascending, in `unit`
   LengthUnit unit = LengthUnit::metres;  ///< of all constant biases
   std::size_t combinations = 0;          ///< number of curves in the sweep; only the first ones are read
@@ -63,6 +82,8 @@ std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep);
 /// Adds the tables, a paragraph and lines for the console.
 void present_bias(Presentation& presentation, const BiasCurves& curves);
 
+/// "resolution 512, filter nearest".
+std::string setting_text(const std::vector<Column>& columns, const std::vector<Value>& values);
 /// A bias for people: "12.5 mm (0.43 texels)", with the slope-scaled bias if that is varied.
 std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell);
 /// "1.2 mm + 0.87 texels".
@@ -70,6 +91,8 @@ std::string law_text(const BiasFit& law);
 /// "RMS residual 3.9 mm (0.2 texels)", or a note that the fit passes through its points.
 std::string residual_text(const BiasFit& law);
 
+/// A coefficient in summary.json: value and standard error.
+nlohmann::ordered_json fitted_json(const Fitted& fitted);
 /// "curves" of summary.json.
 nlohmann::ordered_json to_json(const BiasCurves& curves);
 

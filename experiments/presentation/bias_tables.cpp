@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "experiments/presentation/bias_report.h"
+#include "experiments/presentation/bias_formulas.h"
 #include "experiments/presentation/plot_axes.h"
 
 namespace umbrameter {
@@ -17,14 +17,6 @@ constexpr std::size_t max_rows_by_slope = 400;
 const Value nothing = std::string();
 
 Value known(double number) { return std::isfinite(number) ? Value(number) : nothing; }
-
-std::string setting_text(const std::vector<Column>& columns, const std::vector<Value>& values) {
-  std::string text;
-  for (std::size_t i = 0; i < columns.size() && i < values.size(); ++i) {
-    text += (i > 0 ? ", " : "") + columns[i].name.substr(columns[i].name.find('.') + 1) + " " + short_text(values[i]);
-  }
-  return text;
-}
 
 // One recommended bias of one curve.
 struct Choice {
@@ -200,6 +192,14 @@ std::string explanation(const BiasCurves& curves) {
 
 }  // namespace
 
+std::string setting_text(const std::vector<Column>& columns, const std::vector<Value>& values) {
+  std::string text;
+  for (std::size_t i = 0; i < columns.size() && i < values.size(); ++i) {
+    text += (i > 0 ? ", " : "") + columns[i].name.substr(columns[i].name.find('.') + 1) + " " + short_text(values[i]);
+  }
+  return text;
+}
+
 std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
   const BiasInUnits bias = in_units(curves, curve, cell);
   const std::vector<double>& axis = curves.constants;
@@ -250,6 +250,7 @@ void present_bias(Presentation& presentation, const BiasCurves& curves) {
     section.tables.push_back(
         {"Fits of bias against texel size", in_four_digits(laws_table(curves), curves.of_a_law.size())});
   }
+  present_formulas(presentation, curves);
 
   std::size_t printed = 0;
   for (const BiasCurve& curve : curves.curves) {

@@ -50,7 +50,7 @@ Figures stored_sweep_figures(const std::filesystem::path& folder) {
   if (!statistics) refuse(store.path(), "another version of umbrameter with other statistics wrote it");
   std::vector<MetricColumn> metrics = swept_metrics(experiment, *statistics);
   std::erase_if(metrics, [&](const MetricColumn& metric) { return !has_column(description, metric.name); });
-  const SweepResults results{parameters, plan, store, *statistics, {}, {}, metrics};
+  const SweepResults results{parameters, plan, store, *statistics, {}, {}, {}, metrics};
   std::optional<BiasCurves> curves = read_bias_curves(results);
   if (curves && curves->unit == LengthUnit::map_depth) curves->laws.clear();
   Presentation presentation = present_sweep(results, best_rows(results), curves, {});

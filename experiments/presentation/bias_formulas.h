@@ -1,0 +1,30 @@
+// Formulas of the bias over the axes of a sweep besides biases, for engines: from the bias curves, as text, table,
+// figure and JSON.
+#pragma once
+
+#include "experiments/presentation/bias_report.h"
+
+namespace umbrameter {
+
+/// Whether a sweep that varies these axes besides biases may have a formula. The resolution alone has its law.
+bool may_have_formula(const std::vector<Column>& others);
+
+/// Fits the formulas to the curves, whose facts are known. An axis along which a fact changes belongs to the formula;
+/// each combination of the values of the remaining axes has separate ones.
+void add_formulas(BiasCurves& curves);
+
+/// "bias ≈ 0.31 mm + (0.502 + 1.003·r)·Δz".
+std::string formula_text(const BiasFormula& formula);
+
+/// The meaning of the symbols in formula_text().
+inline constexpr const char* formula_symbols =
+    "Δz: change of the surface's depth from texel to texel, texel size · tan θ · (|cos ψ| + |sin ψ|) for a direction "
+    "whose azimuth on the map is ψ; r: reach of the filter in texels; δ: step of the stored depth";
+
+/// Adds table, text, lines for the console, and figures of the bias that each formula gives against the measured one.
+void present_formulas(Presentation& presentation, const BiasCurves& curves);
+
+/// "formulas" of the curves in summary.json.
+nlohmann::ordered_json formulas_json(const BiasCurves& curves);
+
+}  // namespace umbrameter
