@@ -8,8 +8,9 @@
 namespace umbrameter {
 namespace {
 
-constexpr double min_slope_share = 0.05;  // of b, below which b / a is noise
-constexpr double same_value = 1e-3;       // relative difference of values that count once
+constexpr double min_slope_share = 0.05;      // of b, below which b / a is noise
+constexpr double axis_variance = 1.0 / 12.0;  // of a place anywhere within a step of the axis, in steps²
+constexpr double same_value = 1e-3;           // relative difference of values that count once
 
 using Fact = double (*)(const FormulaPoint&);
 double texel_of(const FormulaPoint& point) { return point.fit.texel; }
@@ -120,7 +121,7 @@ std::optional<BiasFormula> fit_formula(std::span<const FormulaPoint> all) {
   if (!solved) return std::nullopt;
   double squares = 0.0;
   for (std::size_t i = 0; i < rows.size(); ++i) squares += std::pow(solved->predict(rows[i], count) - right[i], 2);
-  const double variance = squares / static_cast<double>(points.size() - count);
+  const double variance = std::max(squares / static_cast<double>(points.size() - count), axis_variance);
 
   for (std::size_t t = 0; t < count; ++t) {
     formula.terms[static_cast<std::size_t>(terms[t])] =

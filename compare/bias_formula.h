@@ -63,7 +63,8 @@ bool is_outside(const BiasFormula& formula, const FormulaPoint& point);
 inline constexpr std::size_t min_formula_values = 2;
 
 /// Least squares with each point weighted by 1/step². Terms whose fact takes fewer than min_formula_values values are
-/// refused, as is that of the depth step if its values differ by less than the median step of the bias axis. Points of
+/// refused, as is that of the depth step if its values differ by less than the median step of the bias axis. Standard
+/// errors come from the scatter, which counts as no less than that of biases anywhere within their step. Points of
 /// which a fact is not finite are left out. Empty without a term besides c0, or with no more points than unknowns.
 std::optional<BiasFormula> fit_formula(std::span<const FormulaPoint> points);
 

@@ -172,7 +172,8 @@ std::string formula_text(const BiasFormula& formula) {
   const std::optional<Fitted>& radius = formula.term(FormulaTerm::slope_radius);
   const std::optional<Fitted>& step = formula.term(FormulaTerm::depth_step);
   const Fitted& constant = *formula.term(FormulaTerm::constant);
-  std::string text = "bias ≈ " + metres_text(constant.value, digits_of(constant));
+  const bool is_zero = std::abs(constant.value) < formula_rounding * formula.axis_step;
+  std::string text = "bias ≈ " + (is_zero ? "0" : metres_text(constant.value, digits_of(constant)));
   if (slope && radius) {
     text += fmt::format(" + ({}{}{}{}·r)·Δz", slope->value < 0.0 ? "−" : "", factor_text(*slope), sign_of(*radius),
                         factor_text(*radius));

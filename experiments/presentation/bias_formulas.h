@@ -13,6 +13,9 @@ bool may_have_formula(const std::vector<Column>& others);
 /// each combination of the values of the remaining axes has separate ones.
 void add_formulas(BiasCurves& curves);
 
+/// Share of a step of the bias axis below which a length is the rounding of 0.
+inline constexpr double formula_rounding = 1e-6;
+
 /// "bias ≈ 0.31 mm + (0.502 + 1.003·r)·Δz".
 std::string formula_text(const BiasFormula& formula);
 

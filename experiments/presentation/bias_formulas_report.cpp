@@ -34,6 +34,7 @@ std::string radius_range(const FormulaRange& range) {
 }
 
 std::string residual_text(const BiasFormula& formula) {
+  if (formula.residual < formula_rounding * formula.axis_step) return "exact through its points";
   return fmt::format("RMS residual {} ({:.2g} texels), largest {}", metres_text(formula.residual, 2),
                      formula.residual_texels, metres_text(formula.worst_residual, 2));
 }
@@ -88,11 +89,17 @@ Table formulas_table(const BiasCurves& curves) {
   return table;
 }
 
-// Each different warning of these formulas once, with the formulas that it is about.
-std::vector<std::string> warning_lines(std::span<const CurveFormula* const> formulas) {
-  std::vector<std::pair<std::string, std::string>> lines;  // warning, names
+std::vector<std::string> warnings_of(const CurveFormula& of) { return of.warnings; }
+std::vector<std::string> refused_of(const CurveFormula& of) {
+  return of.formula ? of.formula->refused : std::vector<std::string>();
+}
+
+// Each different remark on these formulas once, with the formulas that it is about.
+std::vector<std::string> remarks_on(std::span<const CurveFormula* const> formulas,
+                                    std::vector<std::string> (*remarks_of)(const CurveFormula&)) {
+  std::vector<std::pair<std::string, std::string>> lines;  // remark, names
   for (const CurveFormula* of : formulas) {
-    for (const std::string& warning : of->warnings) {
+    for (const std::string& warning : remarks_of(*of)) {
       const auto found =
           std::find_if(lines.begin(), lines.end(), [&](const auto& line) { return line.first == warning; });
       if (found == lines.end()) {
@@ -228,18 +235,18 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
     const BiasFormula* any = nullptr;
     for (const CurveFormula* of : formulas) {
       if (!of->formula) continue;
-      any = &*of->formula;
+      if (any == nullptr) any = &*of->formula;
       const std::string slope = of->slope != 0.0 ? fmt::format(", slope-scaled bias {:g} texels", of->slope) : "";
       const std::string line = fmt::format("formula ({}{}{}): {}, {}, {} points", at, name_of(*of), slope,
                                            formula_text(*of->formula), residual_text(*of->formula), of->points.size());
       section.text += "\n\n" + line + "; " + ranges_text(*of->formula) + ".";
       if (is_first) presentation.lines.push_back(line);
     }
+    for (const std::string& reason : remarks_on(formulas, refused_of)) section.text += "\n\nNot in the " + reason + ".";
     if (any != nullptr) {
-      for (const std::string& reason : any->refused) section.text += "\n\nNot in the formula: " + reason + ".";
       if (is_first) presentation.lines.push_back(fmt::format("  {}; {}", formula_symbols, ranges_text(*any)));
     }
-    for (const std::string& warning : warning_lines(formulas)) {
+    for (const std::string& warning : remarks_on(formulas, warnings_of)) {
       section.text += "\n\nWarning: " + at + warning + ".";
       if (is_first) presentation.lines.push_back("warning: " + warning);
     }

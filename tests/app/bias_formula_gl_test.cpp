@@ -18,7 +18,7 @@ double value_of(const Json& formula, const char* key) { return formula.at(key).a
 // the slope on the map, p = |cos ψ| and q = |sin ψ|: (r + ½) · t · (p + q) · tan θ for (2r+1)² nearest taps, and (r +
 // 1) times that length for bilinear ones, which reach half a texel farther. So bias = (½ + 1 · radius) · Δz.
 TEST_F(BiasFormulaRun, Of_a_plane_is_half_the_depth_per_texel_and_once_more_for_each_texel_of_the_filter) {
-  std::vector<std::string> words = {"sweep",   "tilted-plane", "-o",           folder_ / "out",   "--size", "320x180",
+  std::vector<std::string> words = {"sweep",   "tilted-plane", "-o",           folder_ / "out",   "--size", "160x90",
                                     "--quiet", "--json",       "--no-figures", "--shadow.filter", "box"};
   for (const char* axis : {"shadow.constant-bias=0.02texels:8texels:400", "view.light=sun-30,sun-60,sun-60-azimuth-45",
                            "shadow.filter-size=1,5", "shadow.filter-taps=nearest,linear", "shadow.resolution=256,1024"})
@@ -47,23 +47,21 @@ TEST_F(BiasFormulaRun, Of_a_plane_is_half_the_depth_per_texel_and_once_more_for_
 TEST_F(BiasFormulaRun, Warns_of_optima_at_the_end_of_the_axis_and_of_extrapolation) {
   // With 5 × 5 taps at 60° the bias needed is 2.5 · 1.73 = 4.3 texels, beyond the axis.
   const std::filesystem::path out = folder_ / "out";
-  const ProgramResult result =
-      run_program({"sweep", "tilted-plane", "-o", out, "--size", "64x36", "--light", "sun-60", "--shadow.filter", "box",
-                   "--vary", "shadow.constant-bias=0.05texels:4texels:80", "--vary", "shadow.filter-size=1,3,5",
-                   "--vary", "shadow.resolution=256,512,1024", "--vary", "shadow.normal-offset=0,0.1"});
+  const ProgramResult result = run_program(
+      {"sweep", "tilted-plane", "-o", out, "--size", "64x36", "--light", "sun-60", "--no-figures", "--shadow.filter",
+       "box", "--vary", "shadow.constant-bias=0.05texels:4texels:80", "--vary", "shadow.filter-size=1,3,5", "--vary",
+       "shadow.resolution=256,512", "--vary", "shadow.normal-offset=0,0.1"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.out.find("formula (normal-offset 0, no acne): bias ≈ "), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("3 of 9 combinations are left out"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("extrapolated for filter-size 5, resolution 256 and 2 more"), std::string::npos)
+  EXPECT_NE(result.out.find("formula (normal-offset 0, no acne): bias ≈ 0 + ("), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("2 of 6 combinations are left out"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("extrapolated for filter-size 5, resolution 256 and 1 more"), std::string::npos)
       << result.out;
   EXPECT_NE(result.out.find("the filter radius takes only 2 values"), std::string::npos) << result.out;
   // The normal offset changes no length of the formula, so that each value of it has one.
   const Json formulas = Json::parse(text_of(out / "summary.json")).at("curves").at("formulas");
   ASSERT_EQ(formulas.size(), 6u);
   EXPECT_EQ(formulas.at(3).at("at").at("shadow.normal-offset"), 0.1);
-  const std::string page = text_of(out / "index.html");
-  EXPECT_NE(page.find("Formulas of the bias over several axes"), std::string::npos);
-  EXPECT_TRUE(std::filesystem::exists(out / "figures/formula_0.svg"));
+  EXPECT_NE(text_of(out / "index.html").find("Formulas of the bias over several axes"), std::string::npos);
 }
 
 TEST_F(BiasFormulaRun, The_resolution_alone_has_a_law_and_no_formula) {

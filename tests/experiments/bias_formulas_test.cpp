@@ -1,0 +1,107 @@
+// The report of formulas, from curves whose facts and biases are known: (½ + r) · Δz on a plane.
+#include "experiments/presentation/bias_formulas.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace umbrameter {
+namespace {
+
+// A curve on an axis of whole millimetres that is free of acne from `bias` on; least error is there, too.
+BiasCurve curve_at(std::vector<Value> others, double texel, double depth_per_texel, double radius, double bias) {
+  BiasCurve curve;
+  curve.others = std::move(others);
+  curve.optima.mean_texel = texel;
+  BiasLine line;
+  line.least_error = line.acne_free = line.little_acne = BiasCell{bias, 0.0, 0.01};
+  curve.optima.lines.push_back(line);
+  curve.facts = {depth_per_texel, radius, 1e-6};
+  return curve;
+}
+
+// Resolution × filter size × normal offset. Texels are 20 m / resolution, at tan θ = 2.
+BiasCurves make_curves() {
+  BiasCurves curves;
+  curves.others = {
+      {"shadow.resolution", "texels", ""}, {"shadow.filter-size", "", ""}, {"shadow.normal-offset", "", ""}};
+  curves.varies_constant = true;
+  for (int mm = 0; mm <= 600; ++mm) curves.constants.push_back(0.001 * mm);
+  for (const int resolution : {200, 400, 1000}) {
+    for (const int size : {1, 3, 5}) {
+      for (const double offset : {0.0, 1.0}) {
+        const double texel = 20.0 / resolution;
+        const double radius = (size - 1) / 2.0;
+        const auto bias = static_cast<std::size_t>(std::lround(1000.0 * (0.5 + radius) * 2.0 * texel));
+        curves.curves.push_back(curve_at({std::int64_t{resolution}, std::int64_t{size}, offset}, texel, 2.0 * texel,
+                                         radius, curves.constants[bias]));
+      }
+    }
+  }
+  curves.combinations = curves.curves.size();
+  return curves;
+}
+
+TEST(BiasFormulas, Axes_that_change_a_fact_are_in_the_formula_and_others_separate_formulas) {
+  BiasCurves curves = make_curves();
+  add_formulas(curves);
+  ASSERT_EQ(curves.formula_axes.size(), 2u);
+  EXPECT_EQ(curves.formula_axes[1].name, "shadow.filter-size");
+  ASSERT_EQ(curves.of_a_formula.size(), 1u);
+  EXPECT_EQ(curves.of_a_formula[0].name, "shadow.normal-offset");
+  ASSERT_EQ(curves.formulas.size(), 6u) << "three biases at each of two offsets";
+  for (const CurveFormula& of : curves.formulas) {
+    ASSERT_TRUE(of.formula);
+    // 5 × 5 taps in texels of 0.1 m need 0.5 m, within the axis; all biases are whole millimetres.
+    EXPECT_EQ(of.points.size(), 9u);
+    EXPECT_NEAR(of.formula->term(FormulaTerm::slope)->value, 0.5, 1e-9);
+    EXPECT_NEAR(of.formula->term(FormulaTerm::slope_radius)->value, 1.0, 1e-9);
+    EXPECT_TRUE(of.warnings.empty()) << of.warnings.front();
+  }
+  EXPECT_EQ(formula_text(*curves.formulas.front().formula).find("bias ≈ 0 + (0.50"), 0u)
+      << formula_text(*curves.formulas.front().formula);
+}
+
+TEST(BiasFormulas, The_figure_has_a_ring_for_each_point_and_the_line_of_equality) {
+  BiasCurves curves = make_curves();
+  add_formulas(curves);
+  Presentation presentation;
+  present_formulas(presentation, curves);
+  ASSERT_EQ(presentation.plots.size(), 2u) << "one for each normal offset";
+  const PlotFigure& plot = presentation.plots.front();
+  const auto rings = std::count_if(plot.data.rows.begin(), plot.data.rows.end(),
+                                   [](const std::vector<Value>& row) { return std::get<bool>(row[3]); });
+  EXPECT_EQ(rings, 3 * 9);
+  EXPECT_EQ(plot.data.rows.size(), 3u * 9u + 2u);
+  for (const std::vector<Value>& row : plot.data.rows) {
+    EXPECT_NEAR(to_number(row[0]), to_number(row[1]), 1e-9) << "the fit is exact";
+  }
+  EXPECT_EQ(plot.x.label, "measured bias [m]");
+  EXPECT_EQ(presentation.section.tables.back().table.rows.size(), 6u);
+}
+
+TEST(BiasFormulas, A_bias_at_the_end_of_the_axis_is_left_out_and_extrapolated) {
+  BiasCurves curves = make_curves();
+  for (BiasCurve& curve : curves.curves) {
+    if (curve.facts.radius == 2.0) curve.optima.lines[0].least_error->constant = curves.constants.back();
+  }
+  add_formulas(curves);
+  const CurveFormula& of = curves.formulas.front();
+  EXPECT_EQ(of.of, LawOf::least_error);
+  EXPECT_EQ(of.left_out, 3u);
+  ASSERT_EQ(of.warnings.size(), 3u);
+  EXPECT_EQ(of.warnings[0].find("3 of 9 combinations are left out"), 0u) << of.warnings[0];
+  EXPECT_EQ(of.warnings[1], "the formula is extrapolated for resolution 200, filter-size 5 and 2 more");
+  EXPECT_EQ(of.warnings[2].find("the filter radius takes only 2 values"), 0u) << of.warnings[2];
+}
+
+TEST(BiasFormulas, The_resolution_alone_has_none) {
+  BiasCurves curves = make_curves();
+  std::erase_if(curves.curves, [](const BiasCurve& curve) { return curve.facts.radius != 0.0; });
+  add_formulas(curves);
+  EXPECT_TRUE(curves.formulas.empty());
+}
+
+}  // namespace
+}  // namespace umbrameter
