@@ -32,7 +32,7 @@ RUNS = {
     "sweep of biases": ["sweep", "courtyard", "--light", "sun", "--vary", BIASES, "--vary", "shadow.slope-bias=0,0.5,1",
                         "--vary", "shadow.resolution=64,128,256"],
     "sweep with a formula": ["sweep", "tilted-plane", "--light", "sun-60", "--shadow.filter", "box", "--vary",
-                             "shadow.constant-bias=0.05texels:9texels:180", "--vary", "shadow.resolution=2048,4096",
+                             "shadow.constant-bias=0.02texels:9texels:450", "--vary", "shadow.resolution=2048,4096",
                              "--vary", "shadow.filter-size=1,3", "--vary", "shadow.depth-format=24,16"],
     "sweep of techniques": ["sweep", "courtyard", "--light", "sun", "--vary", "shadow.technique=pcf,vsm"],
     "sweep of a soft shadow": ["sweep", "courtyard", "--light", "sun", "--light.angle", "2", "--vary", "shadow.slope-bias=0,1"],
