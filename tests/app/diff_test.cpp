@@ -116,7 +116,7 @@ std::string stripes_png(int shift, bool upside_down = false) {
     for (int x = 0; x < 96; ++x) {
       const int row = upside_down ? 63 - y : y;
       const int block = (x - shift + 50) / 5 + 100 * (row / 7);
-      image.at(x, y) = glm::u8vec3((block * 2654435761u >> 13) % 256u);
+      image.at(x, y) = glm::u8vec3((static_cast<unsigned>(block) * 2654435761u >> 13) % 256u);
     }
   }
   return to_png(image);
