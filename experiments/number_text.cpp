@@ -43,7 +43,8 @@ std::string metres_text(double metres, int digits) {
   if (!std::isfinite(metres)) return "—";
   const double size = std::abs(metres);
   if (size >= 1000.0) return fmt::format("{:.{}g} km", metres / 1000.0, digits);
-  if (size >= 1.0 || size == 0.0) return fmt::format("{:.{}g} m", metres, digits);
+  if (size < 1e-9) return "0 m";
+  if (size >= 1.0) return fmt::format("{:.{}g} m", metres, digits);
   if (size >= 0.01) return fmt::format("{:.{}g} cm", metres * 100.0, digits);
   return fmt::format("{:.{}g} mm", metres * 1000.0, digits);
 }

@@ -12,7 +12,8 @@ namespace umbrameter {
 std::string percent(double share);
 /// "4.12 % [4.09, 4.15]": value and 95 % interval, with decimals so that the half width has two significant digits.
 std::string percent(const Estimate& share);
-/// A length with a suitable unit and this number of significant digits: "12.5 mm", "1.2 m".
+/// A length with a suitable unit and this number of significant digits: "12.5 mm", "1.2 m". Less than a nanometre is
+/// rounding: "0 m".
 std::string metres_text(double metres, int digits = 3);
 /// metres_text() for a length in metres; "1.5 texels" for one in texels.
 std::string length_text(const Length& any);
