@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "compare/metrics/color_space.h"
 #include "core/parallel.h"
 
 namespace umbrameter {
@@ -38,16 +39,15 @@ std::vector<Candidate> all_candidates() {
   return all;
 }
 
-// Luminance (ITU-R BT.709), compressed so that no value outweighs all others: √(L / (1 + L)), odd in L.
+// Luminance, compressed so that no value outweighs all others: √(L / (1 + L)), odd in L.
 Image<float> compressed_luminance(const Image<vec3>& image) {
   Image<float> result(image.width, image.height);
   parallel_for(static_cast<std::size_t>(image.height), [&](std::size_t row) {
     const std::size_t first = row * static_cast<std::size_t>(image.width);
     for (std::size_t i = first; i < first + static_cast<std::size_t>(image.width); ++i) {
-      const vec3& color = image[i];
-      const float luminance = 0.2126f * color.x + 0.7152f * color.y + 0.0722f * color.z;
-      const float size = std::abs(luminance);
-      result[i] = std::copysign(std::sqrt(size / (1.0f + size)), luminance);
+      const auto linear = static_cast<float>(luminance(image[i]));
+      const float size = std::abs(linear);
+      result[i] = std::copysign(std::sqrt(size / (1.0f + size)), linear);
     }
   });
   return result;

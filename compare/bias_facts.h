@@ -28,8 +28,8 @@ double reach_of(const FilterKernel& kernel);
 /// front of the plane. The normal and the position are in world space.
 double depth_per_texel_at(const MapLayout& layout, const dvec3& position, const dvec3& normal);
 
-/// Lengths are those of at most 65,536 counted pixels, evenly spaced. The layout is that of the G-buffer's size or any
-/// other map of the same light.
+/// Facts of a light's map at the counted pixels, of which at most 65,536, evenly spaced, are read. NaN without counted
+/// pixels.
 BiasFacts measure_facts(const GBuffer& gbuffer, const MapLayout& layout, const CountedPixels& counted,
                         const MapDepthParams& depth, const FilterKernel& kernel);
 

@@ -36,7 +36,8 @@ AoStages measure_ao_stages(Stages& stages, const Experiment& experiment, const T
   std::optional<AoIntegral> integral = integral_of(make_technique(metric.ao));
   if (!integral) {
     throw Error(ExitCode::usage, "run.ao-stages",
-                "a visibility bitmask with weights by angle has no integral of its own to compare with",
+                "the stages need the integral that the technique approximates, which is not known for a bitmask with "
+                "weights by angle",
                 "use ao.bitmask-weight cosine, or leave out run.ao-stages");
   }
   const Surfels& surfels = stages.surfels(experiment);

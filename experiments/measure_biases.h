@@ -21,7 +21,7 @@ std::vector<std::vector<VisibilityStatistics>> measure_biases(Stages& stages, co
 double mean_depth_unit(Stages& stages, const Experiment& experiment, std::uint32_t light);
 
 /// What the light's bias depends on besides the scene. NaN where a fact is not known: without counted pixels, or
-/// without a kernel of its own radius.
+/// if a search finds the filter's radius in each pixel (PCSS).
 BiasFacts measure_bias_facts(Stages& stages, const Experiment& experiment, std::uint32_t light);
 
 }  // namespace umbrameter

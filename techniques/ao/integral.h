@@ -44,7 +44,7 @@ AoIntegral integral_of(const Marched& technique);
 /// Nothing with weights by angle: they have no density over the hemisphere that its rays could follow.
 std::optional<AoIntegral> integral_of(const Bitmask& technique);
 
-/// Nothing for a technique that has no integral of its own here. Lengths are in metres: in_metres().
+/// Nothing for a technique whose integral is not known. Lengths are in metres: in_metres().
 std::optional<AoIntegral> integral_of(const AoTechnique& technique);
 
 /// The technique with as many samples as it takes, at full resolution and without a blur: what it converges to.

@@ -199,7 +199,7 @@ int run(int argc, char** argv) {
       "Made by `umbrameter_ao_table`: 480×270 pixels, first camera, default settings but for the method. The "
       "reference\n"
       "is traced with cosine weight up to the radius, 32 rays per pixel.\n\n"
-      "A `–` stands where a method has no integral of its own ([bitmask](bitmask.md)).\n\n"
+      "`–`: the method's stages are not measured, because its integral is not known ([bitmask](bitmask.md)).\n\n"
       "The columns from model to blur are the signed means of the [stages](stages.md), in units of accessibility: "
       "below\n"
       "0 the stage darkens. They add up to the mean error, whose 95 % interval has the half width in the column ±. "
