@@ -109,8 +109,10 @@ double passes(const std::vector<float>& from_dark, float level, bool from_lit) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
+// The middle third of a ramp, because a pixel beside its ends holds a part of them: with the levels ¼ and ¾ a ramp of
+// 4 px would be 0.01 px too wide.
 double ramp_width(const std::vector<float>& from_dark) {
-  return std::max(0.0, 2.0 * (passes(from_dark, 0.75f, true) - passes(from_dark, 0.25f, false)));
+  return std::max(0.0, 3.0 * (passes(from_dark, 2.0f / 3.0f, true) - passes(from_dark, 1.0f / 3.0f, false)));
 }
 
 void read_profile(const Lines& lines, Crossing& crossing) {
@@ -363,18 +365,19 @@ const Metric edge_roughness_metric = {"edge-roughness",
                                       nullptr,
                                       edge_units};
 
-const Metric edge_width_metric = {"edge-width",
-                                  "change of the width of penumbrae",
-                                  "px",
-                                  "any; 0 is as wide as the reference, above 0 is softer",
-                                  "mean over the reference's edges of the width (twice the distance from 25 to 75 %) "
-                                  "less the reference's",
-                                  "edge width as in ISO 12233's edge spread",
-                                  false,
-                                  measure_width,
-                                  ColorRule::display_luma,
-                                  nullptr,
-                                  edge_units};
+const Metric edge_width_metric = {
+    "edge-width",
+    "change of the width of penumbrae",
+    "px",
+    "any; 0 is as wide as the reference, above 0 is softer",
+    "mean over the reference's edges of the width (three times the distance from a third to two thirds) "
+    "less the reference's",
+    "edge width as in ISO 12233's edge spread",
+    false,
+    measure_width,
+    ColorRule::display_luma,
+    nullptr,
+    edge_units};
 
 const Metric edges_found_metric = {.name = "edges-found",
                                    .title = "share of the reference's edges that were found",
