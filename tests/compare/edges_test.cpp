@@ -1,21 +1,22 @@
 // Edges whose displacement, roughness and penumbra are known, to a hundredth of a pixel.
-#include "compare/metrics/edges.h"
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
+#include "compare/metrics/edge_points.h"
 #include "core/math.h"
 
 namespace umbrameter {
 namespace {
 
 constexpr int side = 80;
-constexpr int samples = 10;  // along a pixel's side
+constexpr int many = 10;
 
-// Each pixel is the mean of a function over its area. x and y from the image's centre, px, y down.
-Image<float> drawn(const std::function<double(double x, double y)>& lit) {
+// Each pixel is the mean of a function at this many places along each of its sides. x and y from the image's centre,
+// px, y down.
+Image<float> drawn(const std::function<double(double x, double y)>& lit, int samples = many) {
   Image<float> image(side, side);
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
@@ -29,15 +30,16 @@ Image<float> drawn(const std::function<double(double x, double y)>& lit) {
   return image;
 }
 
+double ramp(double beyond, double width) { return std::clamp(0.5 + beyond / width, 0.0, 1.0); }
+
 // Lit beyond a straight edge through the centre whose normal has this angle; moved by `bend` of the place along it, and
 // a linear ramp of `width`.
 Image<float> edge(double angle, const std::function<double(double)>& bend, double width = 0.0) {
   return drawn([&](double x, double y) {
     const double across = x * std::cos(angle) + y * std::sin(angle);
     const double along = y * std::cos(angle) - x * std::sin(angle);
-    const double beyond = across - bend(along);
     // A hard edge is as soft as a sample, so that it is not seen where the samples are.
-    return std::clamp(0.5 + beyond / (width == 0.0 ? 1.0 / samples : width), 0.0, 1.0);
+    return ramp(across - bend(along), width == 0.0 ? 1.0 / many : width);
   });
 }
 
@@ -116,11 +118,23 @@ TEST(Edges, A_roughness_is_found_at_any_angle) {
 
 TEST(Edges, The_width_of_a_penumbra_is_found_at_any_angle) {
   for (const double angle : angles) {
-    for (const double width : {4.0, 6.5, 12.0}) {
+    for (const double width : {3.0, 3.5, 4.0, 6.5, 12.0}) {
       const Image<float> reference = straight(angle, 0.2, 5.0);
       const Image<float> test = straight(angle, 0.5, width);
       EXPECT_NEAR(score(edge_width_metric, test, reference), width - 5.0, 0.01) << angle << " " << width;
       EXPECT_NEAR(score(edge_displacement_metric, test, reference), 0.3, 0.01) << angle;
+    }
+  }
+}
+
+// One sample at a pixel's centre has no width of its own.
+TEST(Edges, The_width_of_a_penumbra_without_antialiasing_is_found_from_two_pixels_on) {
+  for (const double angle : angles) {
+    const auto sampled = [&](double width) {
+      return drawn([&](double x, double y) { return ramp(x * std::cos(angle) + y * std::sin(angle) - 0.2, width); }, 1);
+    };
+    for (const double width : {2.0, 2.5, 3.0, 3.7, 8.0}) {
+      EXPECT_NEAR(score(edge_width_metric, sampled(width), sampled(5.0)), width - 5.0, 0.01) << angle << " " << width;
     }
   }
 }

@@ -21,7 +21,7 @@ struct EdgePoint {
   std::size_t pixel = 0;  ///< index in the images, of the pixel before the crossing
   bool is_found = false;
   double displacement = 0.0;     ///< px across the edge; above 0 the dark side is larger in the test image
-  double width = 0.0;            ///< px: width of a linear ramp with the same distance from a third to two thirds
+  double width = 0.0;            ///< px: width of a linear ramp with the slope of the penumbra's middle
   double reference_width = 0.0;  ///< px
   dvec2 tangent{0.0};            ///< of the edge, unit, px, y down; 0 if not found
   std::size_t edge = 0;          ///< points of one connected edge, crossed in one direction, have the same number
