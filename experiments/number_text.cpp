@@ -11,7 +11,15 @@ namespace {
 // Decimals with which a number shows that many significant digits.
 int decimals_of(double number, int digits) {
   if (number == 0.0 || !std::isfinite(number)) return 0;
-  return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(number)))), 0, 9);
+  constexpr double rounding = 1e-9;  // 0.1 may have become 0.0999999999999
+  const double power = std::floor(std::log10(std::abs(number) * (1.0 + rounding)));
+  return std::clamp(digits - 1 - static_cast<int>(power), 0, 9);
+}
+
+// Without the sign of a number that is rounded to 0.
+std::string rounded(double number, int decimals) {
+  const std::string text = fmt::format("{:.{}f}", number, decimals);
+  return text.find_first_not_of("-0.") == std::string::npos ? fmt::format("{:.{}f}", 0.0, decimals) : text;
 }
 
 }  // namespace
@@ -27,11 +35,14 @@ std::string percent(double share) {
 
 std::string percent(const Estimate& share) {
   if (!std::isfinite(share.value)) return "—";
-  const double half_width = 50.0 * (share.upper - share.lower);
-  if (!(half_width > 0.0)) return percent(share.value);
-  const int decimals = decimals_of(half_width, 2);
-  return fmt::format("{:.{}f} % [{:.{}f}, {:.{}f}]", 100.0 * share.value, decimals, 100.0 * share.lower, decimals,
-                     100.0 * share.upper, decimals);
+  if (!(share.upper > share.lower)) return percent(share.value);
+  return estimate_text({100.0 * share.value, 100.0 * share.lower, 100.0 * share.upper}, "%");
+}
+
+std::string estimate_text(const Estimate& estimate, std::string_view unit) {
+  const int decimals = decimals_of(0.5 * (estimate.upper - estimate.lower), 2);
+  return fmt::format("{}{}{} [{}, {}]", rounded(estimate.value, decimals), unit.empty() ? "" : " ", unit,
+                     rounded(estimate.lower, decimals), rounded(estimate.upper, decimals));
 }
 
 std::string length_text(const Length& any) {

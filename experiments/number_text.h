@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "compare/sampled_error.h"
 #include "core/parameters.h"
@@ -10,8 +11,10 @@ namespace umbrameter {
 
 /// "8.71 %", "0.0123 %": three significant digits; "—" if the share was not measured.
 std::string percent(double share);
-/// "4.12 % [4.09, 4.15]": value and 95 % interval, with decimals so that the half width has two significant digits.
+/// estimate_text() of a share, in per cent; without the interval if that has no width.
 std::string percent(const Estimate& share);
+/// "4.12 px [4.09, 4.15]": value and 95 % interval, with decimals so that the half width has two significant digits.
+std::string estimate_text(const Estimate& estimate, std::string_view unit);
 /// A length with a suitable unit and this number of significant digits: "12.5 mm", "1.2 m". Less than a nanometre is
 /// rounding: "0 m".
 std::string metres_text(double metres, int digits = 3);

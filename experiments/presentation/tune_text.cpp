@@ -2,25 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "experiments/number_text.h"
 
 namespace umbrameter {
-namespace {
-
-int decimals_for(double size) {
-  return size > 0.0 && std::isfinite(size) ? std::clamp(1 - static_cast<int>(std::floor(std::log10(size))), 0, 9) : 0;
-}
-
-}  // namespace
 
 std::string statistic_text(double value, const std::string& unit) {
   if (!std::isfinite(value)) return "—";
   if (unit == "1") return percent(value);
   if (unit == "m") return metres_text(value);
-  return fmt::format("{:.4g} {}", value, unit);
+  return fmt::format("{:.3g} {}", value, unit);
 }
 
 std::string cost_unit(const TuneGoal& goal) {
@@ -37,11 +29,7 @@ std::string cost_unit(const TuneGoal& goal) {
 std::string cost_text(const TuneGoal& goal, double value, const std::optional<Estimate>& interval) {
   const std::string unit = cost_unit(goal);
   if (!interval || !(interval->upper > interval->lower)) return statistic_text(value, unit);
-  const double scale = unit == "1" ? 100.0 : 1.0;
-  const int decimals = decimals_for(scale * 0.5 * (interval->upper - interval->lower));
-  const std::string shown = unit == "1" ? " %" : unit.empty() ? "" : " " + unit;
-  return fmt::format("{:.{}f}{} [{:.{}f}, {:.{}f}]", scale * interval->value, decimals, shown, scale * interval->lower,
-                     decimals, scale * interval->upper, decimals);
+  return unit == "1" ? percent(*interval) : estimate_text(*interval, unit);
 }
 
 std::string value_text(const TuneAxis& axis, const Value& value) {

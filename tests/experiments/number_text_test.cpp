@@ -20,6 +20,8 @@ TEST(NumberText, An_interval_decides_how_many_decimals_its_value_has) {
   EXPECT_EQ(percent(Estimate{0.105432, 0.104, 0.106}), "10.54 % [10.40, 10.60]");  // half width 0.10 %
   EXPECT_EQ(percent(Estimate{0.105432, 0.0854, 0.1254}), "10.5 % [8.5, 12.5]");    // half width 2.0 %
   EXPECT_EQ(percent(Estimate{0.25, 0.25, 0.25}), "25.0 %");
+  EXPECT_EQ(estimate_text({0.1759, 0.121, 0.231}, "px"), "0.176 px [0.121, 0.231]");
+  EXPECT_EQ(estimate_text({-1e-5, -0.039, 0.039}, ""), "0.000 [-0.039, 0.039]") << "0 has no sign";
 }
 
 TEST(NumberText, A_length_is_in_the_unit_that_suits) {
