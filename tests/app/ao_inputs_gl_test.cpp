@@ -16,22 +16,6 @@ using Json = nlohmann::json;
 
 struct AoInputsRun : GlRun {};
 
-const Image<float>& channel(const LayeredImage& file, const std::string& name) {
-  const auto found = std::ranges::find(file.channels, name, &Channel::name);
-  if (found == file.channels.end()) throw std::out_of_range(name);
-  return found->values;
-}
-
-Image<dvec3> vectors(const LayeredImage& file, const std::string& layer) {
-  const Image<float>& first = channel(file, layer + ".X");
-  Image<dvec3> values(first.width, first.height, dvec3(0));
-  for (int c = 0; c < 3; ++c) {
-    const Image<float>& component = channel(file, layer + "." + "XYZ"[c]);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i][c] = static_cast<double>(component[i]);
-  }
-  return values;
-}
-
 dvec3 vector_of(const Json& numbers) {
   return {numbers[0].get<double>(), numbers[1].get<double>(), numbers.size() > 2 ? numbers[2].get<double>() : 0.0};
 }

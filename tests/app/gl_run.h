@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "core/math.h"
 #include "reports/files/exr.h"
 #include "tests/app/run_program.h"
 
@@ -24,6 +27,23 @@ inline std::set<std::string> channel_names(const std::filesystem::path& exr) {
   std::set<std::string> names;
   for (const Channel& channel : read_exr(exr).channels) names.insert(channel.name);
   return names;
+}
+
+inline const Image<float>& channel(const LayeredImage& file, const std::string& name) {
+  const auto found = std::ranges::find(file.channels, name, &Channel::name);
+  if (found == file.channels.end()) throw std::out_of_range(name);
+  return found->values;
+}
+
+/// The channels X, Y and Z of a layer.
+inline Image<dvec3> vectors(const LayeredImage& file, const std::string& layer) {
+  const Image<float>& first = channel(file, layer + ".X");
+  Image<dvec3> values(first.width, first.height, dvec3(0));
+  for (int c = 0; c < 3; ++c) {
+    const Image<float>& component = channel(file, layer + "." + "XYZ"[c]);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i][c] = static_cast<double>(component[i]);
+  }
+  return values;
 }
 
 /// Draws the figures of a finished run again, by `report`, and requires that each is the run's own, to the byte.
