@@ -24,7 +24,7 @@ inline constexpr const char* formula_symbols =
     "Δz: change of the surface's depth from texel to texel, texel size · tan θ · (|cos ψ| + |sin ψ|) for a direction "
     "whose azimuth on the map is ψ; r: reach of the filter in texels; δ: step of the stored depth";
 
-/// Adds table, text, lines for the console, and figures of the bias that each formula gives against the measured one.
+/// Adds table, text, lines for the console, and figures of what each formula misses at its points.
 void present_formulas(Presentation& presentation, const BiasCurves& curves);
 
 /// "formulas" of the curves in summary.json.

@@ -138,37 +138,36 @@ std::string ranges_text(const BiasFormula& formula) {
   return text;
 }
 
-// The bias that each formula gives against the measured one.
+// What each formula misses at each of its points.
 PlotFigure formula_plot(const BiasCurves& curves, const std::vector<Value>& setting) {
   PlotFigure plot;
   plot.stem = "formula";
-  plot.title = "Bias by the formula against measured bias";
+  plot.title = "Bias by the formula less the measured bias";
   plot.conditions = setting_text(curves.of_a_formula, setting);
-  plot.caption = fmt::format("Rings: one for each combination of {}. Line: equal.", names_of(curves.formula_axes));
-  plot.series = "line";
+  plot.caption = fmt::format("Points: one for each combination of {}. Above 0 the formula's bias is larger.",
+                             names_of(curves.formula_axes));
+  plot.series = "formula";
   plot.series_label = "formula of";
-  plot.mark = "is_point";
-  for (const char* name : {"measured", "fitted", "line", "is_point"}) plot.data.columns.push_back({name, "", ""});
+  plot.is_scatter = true;
+  for (const char* name : {"measured", "missed", "formula"}) plot.data.columns.push_back({name, "", ""});
   double least = std::numeric_limits<double>::infinity();
   double largest = -least;
   for (const CurveFormula* of : formulas_at(curves, setting)) {
     if (!of->formula) continue;
     for (const FormulaPoint& point : of->points) {
-      const double fitted = bias_of(*of->formula, point);
-      if (!std::isfinite(fitted)) continue;
-      least = std::min({least, point.fit.bias, fitted});
-      largest = std::max({largest, point.fit.bias, fitted});
-      plot.data.rows.push_back({point.fit.bias, fitted, std::string(name_of(*of)), true});
+      const double missed = bias_of(*of->formula, point) - point.fit.bias;
+      if (!std::isfinite(missed)) continue;
+      const bool is_rounding = std::abs(missed) < formula_rounding * of->formula->axis_step;
+      least = std::min(least, point.fit.bias);
+      largest = std::max(largest, point.fit.bias);
+      plot.data.rows.push_back(
+          {point.fit.bias, is_rounding ? 0.0 : missed / point.fit.texel, std::string(name_of(*of))});
     }
     plot.caption += fmt::format(" {}: {}, {}.", name_of(*of), formula_text(*of->formula), residual_text(*of->formula));
   }
   plot.caption += fmt::format(" {}.", formula_symbols);
-  const bool is_logarithmic = least > 0.0 && largest > 10.0 * least;
-  plot.x = {"measured", "measured bias [m]", is_logarithmic};
-  plot.y = {"fitted", "bias by the formula [m]", is_logarithmic};
-  for (const double end : {least, largest}) {
-    if (!plot.data.rows.empty()) plot.data.rows.push_back({end, end, std::string("equal"), false});
-  }
+  plot.x = {"measured", "measured bias [m]", least > 0.0 && largest > 10.0 * least};
+  plot.y = {"missed", "formula less measured bias [texels]"};
   return plot;
 }
 

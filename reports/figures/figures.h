@@ -71,6 +71,7 @@ struct PlotFigure {
   std::optional<std::string> style;  ///< column that tells solid from dashed lines; colour then tells the series
   std::string style_label;           ///< legend title
   std::optional<std::string> mark;   ///< column of truths: these rows are rings and no part of a line
+  bool is_scatter = false;           ///< points that no line joins
   Table data;
 };
 

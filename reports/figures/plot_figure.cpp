@@ -235,11 +235,12 @@ Json make_dashes(const PlotFigure& figure, const FigureStyle& style) {
 // there is nothing between them, and their series stand side by side.
 Json make_layers(const PlotFigure& figure, const FigureStyle& style, const Points& points, bool has_numeric_x) {
   const bool has_some_markers = figure.style && figure.series && !figure.mark && has_numeric_x;
-  const bool has_markers =
-      !figure.style && !figure.mark && (!has_numeric_x || points.longest_line <= max_points_with_markers);
+  const bool has_markers = !figure.style && !figure.mark &&
+                           (!has_numeric_x || figure.is_scatter || points.longest_line <= max_points_with_markers);
+  const bool has_lines = has_numeric_x && !figure.is_scatter;
   const bool has_band = has_numeric_x && points.longest_line > 1;
   std::optional<Series> series;
-  if (figure.series) series = make_series(figure, style, has_numeric_x);
+  if (figure.series) series = make_series(figure, style, has_lines);
   const Json y = axis_of("y", figure.y, true, points.rows, style);
   const auto layer = [&](Json mark) {
     Json result = {{"mark", std::move(mark)}, {"encoding", {{"y", y}}}};
@@ -268,7 +269,7 @@ Json make_layers(const PlotFigure& figure, const FigureStyle& style, const Point
   const Json is_joined = {{{"filter", "!datum.k"}}};
   const auto is_of_line = [](const Json& row) { return !row.contains("k") || !row.at("k").get<bool>(); };
   const bool has_line = points.rows.empty() || std::any_of(points.rows.begin(), points.rows.end(), is_of_line);
-  if (has_numeric_x && has_line) {
+  if (has_lines && has_line) {
     Json line = layer({{"type", "line"}, {"strokeWidth", 2.2}});
     if (series && !figure.style) line["encoding"]["strokeDash"] = series->dash;
     if (figure.style) line["encoding"]["strokeDash"] = make_dashes(figure, style);
@@ -276,7 +277,10 @@ Json make_layers(const PlotFigure& figure, const FigureStyle& style, const Point
     layers.push_back(std::move(line));
   }
   if (has_markers) {
-    Json marker = layer({{"type", "point"}, {"filled", true}, {"size", has_numeric_x ? 55 : 80}, {"opacity", 1}});
+    Json mark = {{"type", "point"}, {"filled", true}, {"size", has_numeric_x ? 55 : 80}, {"opacity", 1}};
+    // Outlines, so that points on each other can be told.
+    if (figure.is_scatter) mark.update({{"filled", false}, {"strokeWidth", 1.6}});
+    Json marker = layer(std::move(mark));
     if (series) {
       marker["transform"] = {{{"calculate", "datum.s"}, {"as", "m"}}};
       marker["encoding"]["shape"] = series->shape;

@@ -63,22 +63,24 @@ TEST(BiasFormulas, Axes_that_change_a_fact_are_in_the_formula_and_others_separat
       << formula_text(*curves.formulas.front().formula);
 }
 
-TEST(BiasFormulas, The_figure_has_a_ring_for_each_point_and_the_line_of_equality) {
+TEST(BiasFormulas, The_figure_has_a_point_for_each_combination_and_what_the_formula_misses_there) {
   BiasCurves curves = make_curves();
   add_formulas(curves);
-  Presentation presentation;
-  present_formulas(presentation, curves);
-  ASSERT_EQ(presentation.plots.size(), 2u) << "one for each normal offset";
-  const PlotFigure& plot = presentation.plots.front();
-  const auto rings = std::count_if(plot.data.rows.begin(), plot.data.rows.end(),
-                                   [](const std::vector<Value>& row) { return std::get<bool>(row[3]); });
-  EXPECT_EQ(rings, 3 * 9);
-  EXPECT_EQ(plot.data.rows.size(), 3u * 9u + 2u);
-  for (const std::vector<Value>& row : plot.data.rows) {
-    EXPECT_NEAR(to_number(row[0]), to_number(row[1]), 1e-9) << "the fit is exact";
-  }
-  EXPECT_EQ(plot.x.label, "measured bias [m]");
-  EXPECT_EQ(presentation.section.tables.back().table.rows.size(), 6u);
+  const auto figure_of = [](const BiasCurves& of) {
+    Presentation presentation;
+    present_formulas(presentation, of);
+    EXPECT_EQ(presentation.plots.size(), 2u) << "one for each normal offset";
+    EXPECT_EQ(presentation.section.tables.back().table.rows.size(), 6u);
+    return presentation.plots.at(0);
+  };
+  const PlotFigure exact = figure_of(curves);
+  EXPECT_EQ(exact.data.rows.size(), 3u * 9u);
+  for (const std::vector<Value>& row : exact.data.rows) EXPECT_EQ(to_number(row[1]), 0.0) << "the fit is exact";
+  EXPECT_EQ(exact.x.label, "measured bias [m]");
+
+  FormulaPoint& point = curves.formulas.front().points.front();
+  point.fit.bias += 0.25 * point.fit.texel;
+  EXPECT_NEAR(to_number(figure_of(curves).data.rows.front()[1]), -0.25, 1e-6);
 }
 
 TEST(BiasFormulas, A_bias_at_the_end_of_the_axis_is_left_out_and_extrapolated) {

@@ -348,9 +348,13 @@ TEST(PlotFigure, No_rows_one_row_and_a_choice_as_abscissa_are_drawn) {
   EXPECT_TRUE(contains(text_of(folder / "figures/choice.svg"), ">box<"));
 }
 
-TEST(PlotFigure, Few_points_get_markers_and_many_do_not) {
-  EXPECT_TRUE(contains(to_plot_specification(curve_figure(12)), "\"type\":\"point\""));
-  EXPECT_FALSE(contains(to_plot_specification(curve_figure(13)), "\"type\":\"point\""));
+TEST(PlotFigure, A_scatter_plot_has_any_number_of_points_and_no_line) {
+  PlotFigure figure = curve_figure(40);
+  figure.is_scatter = true;
+  const std::string specification = to_plot_specification(figure);
+  EXPECT_TRUE(contains(specification, "\"type\":\"point\""));
+  EXPECT_FALSE(contains(specification, "\"type\":\"line\""));
+  EXPECT_FALSE(contains(specification, "\"strokeDash\"")) << "the legend shows what is drawn";
 }
 
 TEST(PlotFigure, Choices_are_not_joined_by_lines) {
