@@ -160,8 +160,13 @@ Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTab
     ReportSection section;
     section.title = part.title;
     section.tables.push_back({"Errors, with 95 % intervals", part.values});
+    section.text =
+        "Intervals are those of the reference's sampling; where nothing was sampled, of the choice of pixels, over "
+        "blocks "
+        "that are left out in turn.";
     if (!part.differences.rows.empty()) {
-      section.text = fmt::format("Differences are to {}; those in parentheses are not significant.", runs.front().name);
+      section.text +=
+          fmt::format(" Differences are to {}; those in parentheses are not significant.", runs.front().name);
       section.tables.push_back({"Difference to " + runs.front().name, part.differences});
     }
     section.tables.push_back({"All statistics", part.all});

@@ -19,7 +19,7 @@ Statistics describe(AoStatistics& statistics) {
              {"RMS error of accessibility", "RMS error [%], 95 % interval"})
       .field("mean_error", s.mean_error, "1", "mean of technique − reference",
              {"Mean error of accessibility", "technique − reference [%], 95 % interval"})
-      .field("mean_raster", s.mean_raster, "1", "mean accessibility of the technique")
+      .share("mean_raster", s.mean_raster, "mean accessibility of the technique")
       .field("mean_truth", s.mean_truth, "1", "mean accessibility of the reference")
       .field("max_error", s.max_error, "1", "largest absolute error, including the noise of the reference")
       .take();

@@ -54,19 +54,19 @@ Statistics describe(EdgeStatistics& s) {
   };
   return StatisticsDescription()
       .field("pixels", s.pixels, "px", "counted pixels: they face the light and lie inside its map, cone and range")
-      .field("lit", s.lit, "1", "share lit in the reference")
-      .field("blocked", s.blocked, "1", "share blocked in the reference")
-      .field("mae", s.mae, "1", "mean absolute error of visibility",
+      .share("lit", s.lit, "share lit in the reference")
+      .share("blocked", s.blocked, "share blocked in the reference")
+      .share("mae", s.mae, "mean absolute error of visibility",
              {"Mean absolute error of visibility", "mean absolute error [% of counted pixels]", true})
       .field("rmse", s.rmse, "1", "root mean square error of visibility")
-      .field("too_dark_away", s.too_dark_away, "1", "too dark, more than 2 texels from a shadow edge: like acne",
+      .share("too_dark_away", s.too_dark_away, "too dark, more than 2 texels from a shadow edge: like acne",
              curve("Too dark away from edges"))
-      .field("too_dark_at_edge", s.too_dark_at_edge, "1", "too dark, at most 2 texels from a shadow edge",
+      .share("too_dark_at_edge", s.too_dark_at_edge, "too dark, at most 2 texels from a shadow edge",
              curve("Too dark at edges"))
-      .field("too_bright_at_edge", s.too_bright_at_edge, "1", "too bright, at most 2 texels from a shadow edge",
+      .share("too_bright_at_edge", s.too_bright_at_edge, "too bright, at most 2 texels from a shadow edge",
              curve("Too bright at edges"))
-      .field("too_bright_away", s.too_bright_away, "1",
-             "too bright, more than 2 texels from a shadow edge: light bleeding", curve("Too bright away from edges"))
+      .share("too_bright_away", s.too_bright_away, "too bright, more than 2 texels from a shadow edge: light bleeding",
+             curve("Too bright away from edges"))
       .field("mean_error", s.mean_error, "1", "mean of technique − reference")
       .field("max_error", s.max_error, "1", "largest absolute error")
       .field("mean_texel", s.mean_texel, "m", mean_texel_meaning)

@@ -96,7 +96,7 @@ Statistics describe(ImageStatistics& s) {
       .field("mean_error", s.error.mean_error, "1", "mean of technique − reference")
       .field("mae_off_edges", s.mae_off_edges, "1",
              "mean absolute error of the pixels farther than 3 px from every shadow edge of the reference")
-      .field("near_edges", s.near_edges, "1", "share of the pixels within 3 px of a shadow edge")
+      .share("near_edges", s.near_edges, "share of the pixels within 3 px of a shadow edge")
       .field("shadows", s.parts[0], "1", "error that goes when the reference's visibility replaces the technique's",
              {"Error from shadows", "mean absolute error from shadows [% of white]"})
       .field("ao", s.parts[1], "1", "error that goes when the reference's ambient occlusion replaces the technique's",

@@ -25,7 +25,7 @@ Statistics describe(SoftVisibilityStatistics& s) {
       .field("pixels", s.error.pixels, "px",
              "counted pixels: they face part of the light and lie inside its map, cone and range")
       .field("lit", s.error.mean_truth, "1", "mean visibility of the reference")
-      .field("penumbra", s.penumbra, "1", "share in the penumbra: neither lit nor blocked in the reference")
+      .share("penumbra", s.penumbra, "share in the penumbra: neither lit nor blocked in the reference")
       .field("mae", s.error.mae, "1", "mean absolute error of visibility",
              {"Mean absolute error of visibility", "mean absolute error [%], 95 % interval"})
       .field("rmse", s.error.rmse, "1", "root mean square error, corrected for the variance of the reference")
@@ -36,7 +36,7 @@ Statistics describe(SoftVisibilityStatistics& s) {
       .field("false_lit", s.error.too_bright, "1",
              "part of the mean absolute error where the technique is too bright" + conservative,
              {"Too bright", "too bright [% of counted pixels], 95 % interval"})
-      .field("mean_raster", s.error.mean_raster, "1", "mean visibility of the technique")
+      .share("mean_raster", s.error.mean_raster, "mean visibility of the technique")
       .field("max_error", s.error.max_error, "1", "largest absolute error, including the noise of the reference")
       .field("mean_texel", s.mean_texel, "m", mean_texel_meaning)
       .field("penumbra_mae", s.penumbra_mae, "1", "mean absolute error of visibility in the penumbra",

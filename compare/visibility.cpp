@@ -130,21 +130,21 @@ Statistics describe(VisibilityStatistics& s) {
   const auto meaning = [](Cause cause) { return std::string(cause_meaning(cause)); };
   return StatisticsDescription()
       .field("pixels", s.pixels, "px", "counted pixels: they face the light and lie inside its map, cone and range")
-      .field("lit", s.lit, "1", "share lit in the reference")
-      .field("blocked", s.blocked, "1", "share blocked in the reference")
-      .field("mae", s.mae, "1", "mean absolute error of visibility",
+      .share("lit", s.lit, "share lit in the reference")
+      .share("blocked", s.blocked, "share blocked in the reference")
+      .share("mae", s.mae, "mean absolute error of visibility",
              {"Mean absolute error of visibility", "mean absolute error [% of counted pixels]", true})
       .field("rmse", s.rmse, "1", "root mean square error of visibility")
-      .field("acne", s.acne, "1", meaning(Cause::acne), {"Acne", "acne [% of counted pixels]"})
-      .field("false_occlusion", s.false_occlusion, "1", meaning(Cause::false_occlusion),
+      .share("acne", s.acne, meaning(Cause::acne), {"Acne", "acne [% of counted pixels]"})
+      .share("false_occlusion", s.false_occlusion, meaning(Cause::false_occlusion),
              {"False occlusion", "false occlusion [% of counted pixels]"})
-      .field("peter_panning", s.peter_panning, "1", meaning(Cause::peter_panning),
+      .share("peter_panning", s.peter_panning, meaning(Cause::peter_panning),
              {"Peter-panning", "peter-panning [% of counted pixels]"})
-      .field("leak", s.leak, "1", meaning(Cause::light_leak), {"Light leak", "light leak [% of counted pixels]"})
+      .share("leak", s.leak, meaning(Cause::light_leak), {"Light leak", "light leak [% of counted pixels]"})
       .field("mean_error", s.mean_error, "1", "mean of technique − reference")
       .field("max_error", s.max_error, "1", "largest absolute error")
-      .field("false_blocked", s.false_blocked, "1", "reference lit, technique blocked")
-      .field("false_lit", s.false_lit, "1", "reference blocked, technique lit")
+      .share("false_blocked", s.false_blocked, "reference lit, technique blocked")
+      .share("false_lit", s.false_lit, "reference blocked, technique lit")
       .field("mean_texel", s.mean_texel, "m", mean_texel_meaning)
       .take();
 }

@@ -5,6 +5,9 @@
 
 namespace umbrameter {
 
+/// 97.5 % quantile of the normal distribution: 95 in 100 values are at most as many standard deviations from the mean.
+inline constexpr double normal_975 = 1.959963984540054;
+
 /// Two-sided 95 % quantile of Student's t distribution: |T| is below it in 95 of 100 cases. Between whole degrees of
 /// freedom that of the next lower, which is wider. Without a degree of freedom a scatter is unknown: then 2, so that
 /// the largest standard error of a value in [0, 1], ½, gives an interval that holds all of it.
@@ -17,7 +20,7 @@ inline double student_95(double degrees_of_freedom) {
                               2.063899, 2.059539,  2.055529, 2.051831, 2.048407, 2.045230, 2.042272};
   constexpr double largest = 30.0;
   if (degrees_of_freedom < largest + 1.0) return table[static_cast<int>(std::max(degrees_of_freedom, 0.0))];
-  constexpr double z = 1.959963984540054;
+  constexpr double z = normal_975;
   constexpr double z2 = z * z;
   const double v = degrees_of_freedom;
   return z + z * (z2 + 1.0) / (4.0 * v) + z * ((5.0 * z2 + 16.0) * z2 + 3.0) / (96.0 * v * v) +

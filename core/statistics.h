@@ -38,6 +38,7 @@ struct Statistic {
   std::string meaning;  ///< one sentence, no full stop
   CurveDescription curve{};
   std::variant<std::uint64_t*, double*, Estimate*> field;
+  bool is_share = false;  ///< a mean over the counted pixels of values from 0 to 1, such as the share that is so
 
   bool has_interval() const { return std::holds_alternative<Estimate*>(field); }
 };
@@ -51,6 +52,11 @@ class StatisticsDescription {
   StatisticsDescription& field(const char* name, Field& member, const char* unit, std::string meaning,
                                CurveDescription curve = {}) {
     statistics_.push_back({name, unit, std::move(meaning), std::move(curve), &member});
+    return *this;
+  }
+  template <class Field>
+  StatisticsDescription& share(const char* name, Field& member, std::string meaning, CurveDescription curve = {}) {
+    statistics_.push_back({name, "1", std::move(meaning), std::move(curve), &member, true});
     return *this;
   }
   Statistics take() { return std::move(statistics_); }

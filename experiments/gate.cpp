@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/quantiles.h"
 #include "experiments/known_statistics.h"
 #include "experiments/run_record.h"
 #include "experiments/summary_version.h"
@@ -17,8 +18,6 @@ namespace umbrameter {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double normal_975 = 1.959963984540054;  // 97.5 % quantile of the normal distribution
 
 // Half width of Wilson's score interval of a share of N (Wilson 1927, "Probable inference").
 double wilson_half_width(double share, double pixels) {
@@ -58,8 +57,8 @@ void read_part(const Json& part, MeasuredStatistic of_part, std::vector<Measured
       measured.value = number_of(value);
       if (values.contains(name + "_lo") && values.contains(name + "_hi")) {
         measured.half_width = 0.5 * (number_of(values[name + "_hi"]) - number_of(values[name + "_lo"]));
-      } else if (measured.unit == "1" && pixels > 0.0 && measured.value >= 0.0 && measured.value <= 1.0) {
-        measured.half_width = wilson_half_width(measured.value, pixels);
+      } else if (known != nullptr && known->is_share && pixels > 0.0) {
+        measured.choice_half_width = wilson_half_width(measured.value, pixels);
       }
     }
   }
@@ -102,8 +101,7 @@ GateCheck check(const BudgetEntry& entry, const MeasuredStatistic& measured) {
   const double value = value_for(entry, measured);
   result.is_kept = holds(value, entry.bound.relation, result.bound);  // false for NaN
   result.excess = is_upper(entry.bound.relation) ? value - result.bound : result.bound - value;
-  result.intervals =
-      measured.half_width > 0.0 ? result.excess / measured.half_width : std::numeric_limits<double>::quiet_NaN();
+  result.intervals = measured.room() > 0.0 ? result.excess / measured.room() : std::numeric_limits<double>::quiet_NaN();
   return result;
 }
 
@@ -122,7 +120,7 @@ void set_bound(BudgetEntry& entry, const std::vector<const MeasuredStatistic*>& 
         return up ? value_for(entry, *a) < value_for(entry, *b) : value_for(entry, *a) > value_for(entry, *b);
       });
   const double value = value_for(entry, worst);
-  const double room = worst.half_width > 0.0 ? worst.half_width : 0.01 * std::abs(value);
+  const double room = worst.room() > 0.0 ? worst.room() : 0.01 * std::abs(value);
   const double scale = worst.unit == "1" ? 100.0 : 1.0;
   const double bound = rounded_out(scale * (up ? value + room : value - room), scale * room, up);
   entry.bound.relation = up ? Relation::at_most : Relation::at_least;

@@ -19,11 +19,14 @@ struct MeasuredStatistic {
   std::string light;  ///< name; empty unless of a shadow
   int light_index = -1;
   std::string name;
-  std::string unit;    ///< empty if it is not a known statistic
-  double value = 0.0;  ///< NaN if nothing was measured
-  /// Half width of the 95 % interval: of the reference's sampling where the run reports one; else, of a share, of the
-  /// choice of N pixels (Wilson 1927); 0 if there is none.
-  double half_width = 0.0;
+  std::string unit;         ///< empty if it is not a known statistic
+  double value = 0.0;       ///< NaN if nothing was measured
+  double half_width = 0.0;  ///< of the 95 % interval of the reference's sampling; 0 where nothing was sampled
+  /// Of a share without that: of the choice of N pixels as if they were independent (Wilson 1927); else 0. Neighbouring
+  /// pixels are alike, so it is a scale for head room and no test.
+  double choice_half_width = 0.0;
+  /// The one that there is.
+  double room() const { return half_width > 0.0 ? half_width : choice_half_width; }
 };
 
 /// The statistics in a summary. `file` is for messages. Throws Error (unreadable_input) if it is no summary of a run.

@@ -14,6 +14,7 @@ struct KnownStatistic {
   std::string meaning;
   bool is_error = false;          ///< has a curve or is an image metric: smaller is better unless is_higher_better
   bool is_higher_better = false;  ///< an image metric such as PSNR
+  bool is_share = false;          ///< Statistic::is_share
   std::string metric{};           ///< the image metric, measured only if run.metrics names it; empty if described
 };
 

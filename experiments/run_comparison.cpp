@@ -18,9 +18,15 @@ const MeasuredStatistic* find_same(const StoredRun& run, const MeasuredStatistic
   return found == run.statistics.end() ? nullptr : &*found;
 }
 
+double half_width_of(const StoredRun& run, const MeasuredStatistic& measured) {
+  if (measured.half_width > 0.0) return measured.half_width;
+  const std::optional<BlockEstimate> over_blocks = estimate_over_blocks(run, measured);
+  return over_blocks ? 0.5 * (over_blocks->estimate.upper - over_blocks->estimate.lower) : 0.0;
+}
+
 ComparedValue compare_value(const std::vector<StoredRun>& runs, std::size_t index, const MeasuredStatistic& base,
                             const MeasuredStatistic& measured) {
-  ComparedValue result{index, measured};
+  ComparedValue result{index, measured, half_width_of(runs[index], measured)};
   const double difference = measured.value - base.value;
   result.difference = {difference, difference, difference};
   if (index == 0) return result;
@@ -31,10 +37,10 @@ ComparedValue compare_value(const std::vector<StoredRun>& runs, std::size_t inde
     return result;
   }
   if (const auto paired = paired_difference(runs.front(), base, runs[index], measured)) {
-    result.difference = paired->difference;
+    result.difference = paired->estimate;
     result.blocks = paired->blocks;
-  } else if (base.half_width > 0.0 && measured.half_width > 0.0) {
-    const double half_width = std::hypot(base.half_width, measured.half_width);
+  } else if (const double of_base = half_width_of(runs.front(), base); of_base > 0.0 && result.half_width > 0.0) {
+    const double half_width = std::hypot(of_base, result.half_width);
     result.difference = {difference, difference - half_width, difference + half_width};
   } else {
     return result;

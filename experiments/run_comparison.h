@@ -17,6 +17,9 @@ enum class Verdict : int { base, equal, significant, not_significant, no_interva
 struct ComparedValue {
   std::size_t run = 0;  ///< index
   MeasuredStatistic measured;
+  /// Of the value's 95 % interval: of the reference's sampling where it is sampled, else over blocks of pixels; 0 if
+  /// there is none.
+  double half_width = 0.0;
   Estimate difference{};   ///< to the first run, with its 95 % interval where there is one
   std::size_t blocks = 0;  ///< of pixels over which the difference is paired; 0: its interval is that of both values
   Verdict verdict = Verdict::base;
@@ -35,7 +38,7 @@ struct ComparedStatistic {
 /// Differences are paired over blocks of pixels where both runs store the images and see the same surfels: each block
 /// is left out in turn (jackknife), so that what both runs have in common cancels. Otherwise the intervals of both
 /// values are combined as if they were independent, which can only hide a difference that the runs share their noise
-/// of.
+/// of. No interval treats neighbouring pixels as independent.
 std::vector<ComparedStatistic> compare_runs(const std::vector<StoredRun>& runs);
 
 /// What is not comparable, one line each. Throws Error (usage) if the runs show different scenes.
@@ -44,12 +47,16 @@ std::vector<std::string> limits_of_comparison(const std::vector<StoredRun>& runs
 /// The parameters whose values differ, and these only: name, then a column for each run.
 Table differing_parameters(const std::vector<StoredRun>& runs);
 
-/// b − a of a statistic that is a mean over pixels; nothing if the images do not give both values.
-struct PairedDifference {
-  Estimate difference;
+/// A statistic, or the difference of two runs, with its 95 % interval over the choice of pixels: up to 16 × 16 blocks
+/// are left out in turn (jackknife_variance()).
+struct BlockEstimate {
+  Estimate estimate;
   std::size_t blocks = 0;
 };
-std::optional<PairedDifference> paired_difference(const StoredRun& a, const MeasuredStatistic& of_a, const StoredRun& b,
-                                                  const MeasuredStatistic& of_b);
+/// Nothing if the statistic is no mean over pixels, or the run's images do not give its value.
+std::optional<BlockEstimate> estimate_over_blocks(const StoredRun& run, const MeasuredStatistic& statistic);
+/// b − a, paired: both lose the same block. Nothing also if the runs do not see the same surfels.
+std::optional<BlockEstimate> paired_difference(const StoredRun& a, const MeasuredStatistic& of_a, const StoredRun& b,
+                                               const MeasuredStatistic& of_b);
 
 }  // namespace umbrameter

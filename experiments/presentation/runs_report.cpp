@@ -21,7 +21,7 @@ double half_width_of(const Estimate& estimate) { return 0.5 * (estimate.upper - 
 
 std::string value_text(const ComparedValue& value) {
   const double scale = scale_of(value.measured.unit);
-  return with_half_width(scale * value.measured.value, scale * value.measured.half_width);
+  return with_half_width(scale * value.measured.value, scale * value.half_width);
 }
 
 std::string difference_text(const ComparedValue& value) {
@@ -141,8 +141,8 @@ Table comparison_rows(const std::vector<StoredRun>& runs, const std::vector<Comp
   for (const ComparedStatistic& each : compared) {
     for (const ComparedValue& value : each.values) {
       table.rows.push_back({each.kind, each.light, each.name, each.unit, runs[value.run].name, value.measured.value,
-                            value.measured.half_width, value.difference.value, value.difference.lower,
-                            value.difference.upper, static_cast<std::int64_t>(value.blocks),
+                            value.half_width, value.difference.value, value.difference.lower, value.difference.upper,
+                            static_cast<std::int64_t>(value.blocks),
                             std::string(verdicts[static_cast<std::size_t>(value.verdict)])});
     }
   }

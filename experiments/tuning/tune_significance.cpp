@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/interrupt.h"
+#include "core/jackknife.h"
 
 namespace umbrameter {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 constexpr double t_975 = 2.0;
 
 // value_without(case, block) is the whole value with that block of that case left out. Cases are independent, so that
-// their variances add up: for B blocks (B − 1)/B Σ (θ_b − mean)².
+// their variances add up.
 std::optional<Estimate> jackknife(double value, const LeftOutBlocks& blocks,
                                   const std::function<double(std::size_t, std::size_t)>& value_without) {
   double variance = 0.0;
@@ -19,14 +20,8 @@ std::optional<Estimate> jackknife(double value, const LeftOutBlocks& blocks,
     const std::size_t count = blocks[c].size();
     if (count < 2) return std::nullopt;
     std::vector<double> values;
-    double mean = 0.0;
-    for (std::size_t b = 0; b < count; ++b) {
-      values.push_back(value_without(c, b));
-      mean += values.back() / static_cast<double>(count);
-    }
-    for (const double each : values) {
-      variance += (each - mean) * (each - mean) * static_cast<double>(count - 1) / static_cast<double>(count);
-    }
+    for (std::size_t b = 0; b < count; ++b) values.push_back(value_without(c, b));
+    variance += jackknife_variance(values);
   }
   if (!std::isfinite(variance) || !std::isfinite(value)) return std::nullopt;
   const double half_width = t_975 * std::sqrt(variance);

@@ -12,10 +12,11 @@ using Json = nlohmann::json;
 
 /// A run of one light and of AO. A share of 1 % of 10,000 pixels has a Wilson half width of 0.196 %.
 std::string summary(double acne, double psnr = 30.0) {
-  const Json shadow = {{"light", "sun"},
-                       {"index", 0},
-                       {"statistics", {{"pixels", 10000}, {"mae", 0.02}, {"acne", acne}, {"mean_error", -0.01}}},
-                       {"metrics", {{"psnr", psnr}}}};
+  const Json shadow = {
+      {"light", "sun"},
+      {"index", 0},
+      {"statistics", {{"pixels", 10000}, {"mae", 0.02}, {"acne", acne}, {"mean_error", -0.01}, {"max_error", 1.0}}},
+      {"metrics", {{"psnr", psnr}}}};
   const Json ao = {{"statistics", {{"pixels", 5000}, {"mae", 0.1}, {"mae_lo", 0.09}, {"mae_hi", 0.11}}}};
   return Json({{"scene", {{"name", "court"}}}, {"shadows", {shadow}}, {"ao", ao}}).dump();
 }
@@ -48,6 +49,15 @@ TEST_F(Check, Passes_within_the_bounds_and_fails_beyond_them_by_the_right_number
   // Wilson: 1.95996·√(0.02·0.98/10⁴ + 1.95996²/4·10⁸)/(1 + 1.95996²/10⁴) = 0.0027495
   EXPECT_NEAR(check["half_width_95"], 0.0027495, 1e-6);
   EXPECT_NEAR(check["excess_in_intervals"], 0.008 / 0.0027495, 1e-3);
+}
+
+// Of a share of 100 % Wilson's interval is not empty.
+TEST_F(Check, A_maximum_has_no_interval_although_it_lies_between_0_and_1) {
+  const ProgramResult result =
+      run_program({"check", run("good", summary(0.01)), "--budget",
+                   budget("[[budget]]\nstatistic = \"max_error\"\nbound = \"<= 0.5\"\n"), "--json"});
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_EQ(Json::parse(result.out)["checks"][0]["half_width_95"], 0.0);
 }
 
 TEST_F(Check, Writes_junit_and_appends_to_the_step_summary) {

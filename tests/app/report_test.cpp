@@ -25,6 +25,7 @@ struct MadeRun {
   double bias = 0.05;
   Image<float> error = Image<float>(side, side, 0.0f);
   double mae_offset = 0.0;  // makes the reported value another than that of the images
+  double sampling_half_width = 0.0;
 
   double mae() const {
     double sum = 0.0;
@@ -44,7 +45,11 @@ class RunsReport : public testing::Test {
  protected:
   std::string write(const std::string& name, const MadeRun& made) const {
     std::filesystem::create_directories(folder_ / name);
-    const Json statistics = {{"pixels", side * side}, {"mae", made.mae()}, {"lit", 0.5}};
+    Json statistics = {{"pixels", side * side}, {"mae", made.mae()}, {"lit", 0.5}, {"max_error", 1.0}};
+    if (made.sampling_half_width > 0.0) {
+      statistics["mae_lo"] = made.mae() - made.sampling_half_width;
+      statistics["mae_hi"] = made.mae() + made.sampling_half_width;
+    }
     const Json shadow = {{"light", "sun_1 & 50%"}, {"layer", "sun"}, {"index", 0}, {"statistics", statistics}};
     const Json parameters = {{"view.size", made.size}, {"shadow.constant-bias", made.bias}, {"shadow.filter", "box"}};
     const Json summary = {{"program", {{"version", "1"}}},
@@ -72,8 +77,8 @@ class RunsReport : public testing::Test {
   TemporaryFolder folder_;
 };
 
-// Both runs share an error of 0.25 ± 0.14 a pixel; the second has 0.001 ± 0.0003 more. Unpaired, the interval of Wilson
-// is ± 0.013 for each, 19 times the difference.
+// Both runs share an error of 0.25 ± 0.14 a pixel; the second has 0.001 ± 0.0003 more. Unpaired, the interval of each
+// is ± 1.96 · 0.14 / 64 = 0.0044, four times the difference.
 TEST_F(RunsReport, A_small_difference_is_significant_where_both_runs_share_their_error) {
   MadeRun a, b;
   a.error = noise(1, 0.5f);
@@ -104,16 +109,33 @@ TEST_F(RunsReport, Two_draws_of_one_noise_differ_significantly_once_in_twenty) {
   EXPECT_LE(significant, 8u);
 }
 
-TEST_F(RunsReport, Without_images_that_give_the_statistic_the_intervals_decide) {
+TEST_F(RunsReport, Without_images_that_give_the_statistic_the_intervals_of_sampling_decide) {
   MadeRun a, b;
   a.error = noise(5, 0.2f);
   b.error = a.error;
   b.mae_offset = 0.05;
+  EXPECT_EQ(mae_of(a, b).verdict, Verdict::no_interval);
+  a.sampling_half_width = 0.03;
+  b.sampling_half_width = 0.04;
   const ComparedValue value = mae_of(a, b);
   EXPECT_EQ(value.blocks, 0u);
-  EXPECT_EQ(value.verdict, Verdict::significant);
-  // Wilson's half widths of 10 % and 15 % of 4096 pixels are 0.0092 and 0.0109: √(0.0092² + 0.0109²) = 0.0143.
-  EXPECT_NEAR(value.difference.upper - value.difference.value, 0.0143, 2e-4);
+  EXPECT_EQ(value.verdict, Verdict::not_significant);
+  EXPECT_NEAR(value.difference.upper - value.difference.value, 0.05, 1e-9) << "√(0.03² + 0.04²)";
+}
+
+// An error in patches of 8 × 8 pixels has 64 independent values, not 4096.
+TEST_F(RunsReport, An_interval_does_not_take_neighbouring_pixels_for_independent) {
+  MadeRun a;
+  std::mt19937 random(11);
+  std::vector<float> patches(64);
+  for (float& patch : patches) patch = random() % 2 == 0 ? 1.0f : 0.0f;
+  for (std::size_t i = 0; i < a.error.size(); ++i) a.error[i] = patches[i / (8 * side) * 8 + i % side / 8];
+  const std::vector<StoredRun> runs = {read_stored_run(write("a", a))};
+  for (const ComparedStatistic& each : compare_runs(runs)) {
+    // √(p (1 − p) / 64) with p near ½ is 0.0625; of 4096 pixels it would be 0.0078.
+    if (each.name == "mae") EXPECT_NEAR(each.values.at(0).half_width, 2.0 * 0.0625, 0.005);
+    if (each.name == "max_error") EXPECT_EQ(each.values.at(0).half_width, 0.0) << "a maximum is no mean";
+  }
 }
 
 TEST_F(RunsReport, Equal_runs_are_equal) {

@@ -1,0 +1,177 @@
+#include <algorithm>
+#include <cmath>
+
+#include "compare/visibility.h"
+#include "core/jackknife.h"
+#include "core/quantiles.h"
+#include "experiments/run_comparison.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr int max_blocks_of_a_side = 16;
+constexpr int min_block_side = 8;           // [px]
+constexpr std::size_t fewest_blocks = 20;   // with fewer, their variance is too uncertain
+constexpr double most_moved_pixels = 0.01;  // share of pixels that may see another surface and still be the same view
+
+// The images of which a statistic is a mean; null where a run has none.
+struct StoredImages {
+  const Image<float>* error = nullptr;
+  const Image<float>* classes = nullptr;
+  const Image<float>* position = nullptr;  // NaN on background
+};
+
+StoredImages images_of(const StoredRun& run, const MeasuredStatistic& statistic) {
+  StoredImages images;
+  images.position = find_channel(run, "gbuffer_position.X");
+  if (statistic.kind == "shadow") {
+    const auto layer = run.layers.find(statistic.light);
+    if (layer == run.layers.end()) return images;
+    images.error = find_channel(run, "error_visibility_" + layer->second + ".Y");
+    images.classes = find_channel(run, "class_" + layer->second + ".Y");
+  } else {
+    images.error = find_channel(run, "error_" + statistic.kind + ".Y");
+  }
+  return images;
+}
+
+// A statistic as a mean over pixels.
+struct PixelMean {
+  double (*term)(double error, PixelClass pixel) = nullptr;  // what a pixel adds; null: it is no such mean
+  bool is_root = false;                                      // the statistic is the root of the mean
+};
+
+template <PixelClass cause>
+double error_of_cause(double error, PixelClass pixel) {
+  return pixel == cause ? std::abs(error) : 0.0;
+}
+
+PixelMean mean_of(const std::string& name) {
+  const auto too_dark = [](double e, PixelClass) { return std::max(0.0, -e); };
+  const auto too_bright = [](double e, PixelClass) { return std::max(0.0, e); };
+  const std::pair<const char*, PixelMean> means[] = {{"mae", {[](double e, PixelClass) { return std::abs(e); }}},
+                                                     {"rmse", {[](double e, PixelClass) { return e * e; }, true}},
+                                                     {"mean_error", {[](double e, PixelClass) { return e; }}},
+                                                     {"too_dark", {too_dark}},
+                                                     {"too_bright", {too_bright}},
+                                                     {"false_blocked", {too_dark}},
+                                                     {"false_lit", {too_bright}},
+                                                     {"acne", {error_of_cause<PixelClass::acne>}},
+                                                     {"false_occlusion", {error_of_cause<PixelClass::false_occlusion>}},
+                                                     {"peter_panning", {error_of_cause<PixelClass::peter_panning>}},
+                                                     {"leak", {error_of_cause<PixelClass::light_leak>}}};
+  for (const auto& [known, mean] : means) {
+    if (name == known) return mean;
+  }
+  return {};
+}
+
+struct BlockSum {
+  double sum = 0.0;
+  double count = 0.0;
+};
+
+struct BlockSums {
+  std::vector<BlockSum> blocks;
+  BlockSum all;
+  bool is_root = false;
+
+  double value() const { return value_of(all.sum, all.count); }
+  double value_without(std::size_t block) const {
+    return value_of(all.sum - blocks[block].sum, all.count - blocks[block].count);
+  }
+
+ private:
+  double value_of(double sum, double count) const {
+    return is_root ? std::sqrt(std::max(0.0, sum) / count) : sum / count;
+  }
+};
+
+BlockSums sum_blocks(const StoredImages& images, const PixelMean& of) {
+  const Image<float>& error = *images.error;
+  const int columns = std::clamp(error.width / min_block_side, 1, max_blocks_of_a_side);
+  const int rows = std::clamp(error.height / min_block_side, 1, max_blocks_of_a_side);
+  BlockSums sums{
+      std::vector<BlockSum>(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)), {}, of.is_root};
+  for (int y = 0; y < error.height; ++y) {
+    for (int x = 0; x < error.width; ++x) {
+      const std::size_t i = error.index(x, y);
+      const auto pixel = images.classes != nullptr ? static_cast<PixelClass>(std::lround((*images.classes)[i]))
+                         : std::isnan((*images.position)[i]) ? PixelClass::background
+                                                             : PixelClass::correct;
+      if (pixel == PixelClass::not_counted || pixel == PixelClass::background) continue;
+      const auto block = static_cast<std::size_t>(y * rows / error.height * columns + x * columns / error.width);
+      const double value = of.term(error[i], pixel);
+      for (BlockSum* each : {&sums.blocks[block], &sums.all}) {
+        each->sum += value;
+        each->count += 1.0;
+      }
+    }
+  }
+  return sums;
+}
+
+bool see_the_same(const Image<float>& a, const Image<float>& b) {
+  if (a.width != b.width || a.height != b.height) return false;
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const bool is_same = std::isnan(a[i]) || std::isnan(b[i])
+                             ? std::isnan(a[i]) && std::isnan(b[i])
+                             : std::abs(a[i] - b[i]) <= 1e-3f * std::max(1.0f, std::abs(a[i]));
+    moved += is_same ? 0u : 1u;
+  }
+  return static_cast<double>(moved) <= most_moved_pixels * static_cast<double>(a.size());
+}
+
+bool gives(const BlockSums& sums, double reported) {
+  return sums.all.count > 0.0 && std::abs(sums.value() - reported) <= 1e-6 + 1e-4 * std::abs(reported);
+}
+
+// The sums of a statistic, if the run's images give its value. Weighted causes of a filter, or pixels that images do
+// not tell to be counted, give another one.
+std::optional<BlockSums> sums_of(const StoredRun& run, const MeasuredStatistic& statistic) {
+  const PixelMean mean = mean_of(statistic.name);
+  const StoredImages images = images_of(run, statistic);
+  if (mean.term == nullptr || images.error == nullptr || images.position == nullptr) return std::nullopt;
+  BlockSums sums = sum_blocks(images, mean);
+  if (!gives(sums, statistic.value)) return std::nullopt;
+  return sums;
+}
+
+// The interval about `value` from the values without each block.
+std::optional<BlockEstimate> jackknife(double value, const std::vector<double>& without) {
+  if (without.size() < fewest_blocks) return std::nullopt;
+  const double half_width =
+      student_95(static_cast<double>(without.size() - 1)) * std::sqrt(jackknife_variance(without));
+  return BlockEstimate{{value, value - half_width, value + half_width}, without.size()};
+}
+
+}  // namespace
+
+std::optional<BlockEstimate> estimate_over_blocks(const StoredRun& run, const MeasuredStatistic& statistic) {
+  const std::optional<BlockSums> sums = sums_of(run, statistic);
+  if (!sums) return std::nullopt;
+  std::vector<double> without;
+  for (std::size_t i = 0; i < sums->blocks.size(); ++i) {
+    if (sums->blocks[i].count > 0.0 && std::isfinite(sums->value_without(i))) without.push_back(sums->value_without(i));
+  }
+  return jackknife(statistic.value, without);
+}
+
+std::optional<BlockEstimate> paired_difference(const StoredRun& a, const MeasuredStatistic& of_a, const StoredRun& b,
+                                               const MeasuredStatistic& of_b) {
+  const std::optional<BlockSums> sums_a = sums_of(a, of_a);
+  const std::optional<BlockSums> sums_b = sums_of(b, of_b);
+  if (!sums_a || !sums_b || !see_the_same(*images_of(a, of_a).position, *images_of(b, of_b).position)) {
+    return std::nullopt;
+  }
+  std::vector<double> without;
+  for (std::size_t i = 0; i < sums_a->blocks.size(); ++i) {
+    if (sums_a->blocks[i].count + sums_b->blocks[i].count == 0.0) continue;
+    const double difference = sums_b->value_without(i) - sums_a->value_without(i);
+    if (std::isfinite(difference)) without.push_back(difference);
+  }
+  return jackknife(of_b.value - of_a.value, without);
+}
+
+}  // namespace umbrameter
