@@ -101,7 +101,8 @@ GateCheck check(const BudgetEntry& entry, const MeasuredStatistic& measured) {
   const double value = value_for(entry, measured);
   result.is_kept = holds(value, entry.bound.relation, result.bound);  // false for NaN
   result.excess = is_upper(entry.bound.relation) ? value - result.bound : result.bound - value;
-  result.intervals = measured.room() > 0.0 ? result.excess / measured.room() : std::numeric_limits<double>::quiet_NaN();
+  result.intervals =
+      measured.head_room() > 0.0 ? result.excess / measured.head_room() : std::numeric_limits<double>::quiet_NaN();
   return result;
 }
 
@@ -120,7 +121,7 @@ void set_bound(BudgetEntry& entry, const std::vector<const MeasuredStatistic*>& 
         return up ? value_for(entry, *a) < value_for(entry, *b) : value_for(entry, *a) > value_for(entry, *b);
       });
   const double value = value_for(entry, worst);
-  const double room = worst.room() > 0.0 ? worst.room() : 0.01 * std::abs(value);
+  const double room = worst.head_room() > 0.0 ? worst.head_room() : 0.01 * std::abs(value);
   const double scale = worst.unit == "1" ? 100.0 : 1.0;
   const double bound = rounded_out(scale * (up ? value + room : value - room), scale * room, up);
   entry.bound.relation = up ? Relation::at_most : Relation::at_least;

@@ -25,8 +25,8 @@ struct MeasuredStatistic {
   /// Of a share without that: of the choice of N pixels as if they were independent (Wilson 1927); else 0. Neighbouring
   /// pixels are alike, so it is a scale for head room and no test.
   double choice_half_width = 0.0;
-  /// The one that there is.
-  double room() const { return half_width > 0.0 ? half_width : choice_half_width; }
+  /// The half width that a bound allows: the one of these that is known; 0 if neither is.
+  double head_room() const { return half_width > 0.0 ? half_width : choice_half_width; }
 };
 
 /// The statistics in a summary. `file` is for messages. Throws Error (unreadable_input) if it is no summary of a run.

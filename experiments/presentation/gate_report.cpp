@@ -20,7 +20,7 @@ std::string number_text(double value, const MeasuredStatistic& measured) {
   const bool is_share = measured.unit == "1";
   const double scale = is_share ? 100.0 : 1.0;
   const std::string unit = is_share ? "%" : measured.unit;
-  const double half_width = scale * measured.room();
+  const double half_width = scale * measured.head_room();
   const double size = half_width > 0.0 ? half_width : 0.01 * std::abs(scale * value);
   const int decimals = size > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(size))), 0, 9) : 0;
   return fmt::format("{:.{}f}{}{}", scale * value, decimals, unit.empty() ? "" : " ", unit);
@@ -158,7 +158,7 @@ Json to_json(const std::vector<GateCheck>& checks) {
                      {"light", measured.light},
                      {"unit", measured.unit},
                      {"value", measured.value},
-                     {"half_width_95", measured.room()},
+                     {"half_width_95", measured.head_room()},
                      {"excess", check.excess},
                      {"excess_in_intervals", check.intervals}});
     }
