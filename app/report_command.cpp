@@ -161,12 +161,11 @@ Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTab
     section.title = part.title;
     section.tables.push_back({"Errors, with 95 % intervals", part.values});
     section.text =
-        "Intervals are those of the reference's sampling; where nothing was sampled, of the choice of pixels, over "
-        "blocks "
-        "that are left out in turn.";
+        "Intervals are those of the reference's sampling or, where nothing was sampled, of the choice of pixels: over "
+        "blocks that are left out in turn.";
     if (!part.differences.rows.empty()) {
-      section.text +=
-          fmt::format(" Differences are to {}; those in parentheses are not significant.", runs.front().name);
+      section.text += fmt::format(
+          " Differences are to {}; those in parentheses are not significant or have no interval.", runs.front().name);
       section.tables.push_back({"Difference to " + runs.front().name, part.differences});
     }
     section.tables.push_back({"All statistics", part.all});

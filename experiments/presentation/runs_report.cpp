@@ -28,7 +28,8 @@ std::string difference_text(const ComparedValue& value) {
   if (value.verdict == Verdict::base) return "—";
   const double scale = scale_of(value.measured.unit);
   const std::string text = with_half_width(scale * value.difference.value, scale * half_width_of(value.difference));
-  return value.verdict == Verdict::not_significant ? "(" + text + ")" : text;
+  const bool is_shown = value.verdict == Verdict::significant || value.verdict == Verdict::equal;
+  return is_shown ? text : "(" + text + ")";
 }
 
 std::string verdict_text(const ComparedValue& value) {

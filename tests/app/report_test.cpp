@@ -138,6 +138,21 @@ TEST_F(RunsReport, An_interval_does_not_take_neighbouring_pixels_for_independent
   }
 }
 
+TEST_F(RunsReport, A_difference_that_is_not_shown_to_be_significant_is_in_parentheses) {
+  MadeRun a, b;
+  a.error = noise(5, 0.2f);
+  b.error = a.error;
+  b.mae_offset = 0.05;
+  const auto difference = [&](double half_width) {
+    a.sampling_half_width = b.sampling_half_width = half_width;
+    const std::vector<StoredRun> runs = {read_stored_run(write("a", a)), read_stored_run(write("b", b))};
+    return to_string(part_tables(runs, compare_runs(runs)).at(0).differences.rows.at(0).at(1));
+  };
+  EXPECT_EQ(difference(0.0), "(5)");
+  EXPECT_EQ(difference(0.1), "(5 ± 14)");
+  EXPECT_EQ(difference(0.01), "5.0 ± 1.4");
+}
+
 TEST_F(RunsReport, Equal_runs_are_equal) {
   MadeRun a;
   a.error = noise(6, 0.3f);
