@@ -76,8 +76,11 @@ Table formulas_table(const BiasCurves& curves) {
     if (of.formula) {
       const BiasFormula& formula = *of.formula;
       for (const std::optional<Fitted>& fitted : formula.terms) {
-        row.push_back(fitted ? Value(fitted->value) : nothing);
-        row.push_back(fitted ? Value(*fitted->standard_error) : nothing);
+        if (fitted) {
+          row.insert(row.end(), {fitted->value, *fitted->standard_error});
+        } else {
+          row.insert(row.end(), 2, nothing);
+        }
       }
       row.insert(row.end(), {formula.residual, formula.residual_texels, formula.worst_residual,
                              length_range(formula.texel), length_range(formula.depth_per_texel),
