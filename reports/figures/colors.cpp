@@ -1,5 +1,3 @@
-#include <png.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -86,53 +84,6 @@ Image<glm::u8vec3> tone_map(const Image<vec3>& linear, float exposure) {
                           : not_a_number_color;
   }
   return colors;
-}
-
-std::string to_png(const Image<glm::u8vec3>& image) {
-  if (image.empty()) throw Error(ExitCode::partial, "PNG", "the image has no pixels");
-  png_image header{};
-  header.version = PNG_IMAGE_VERSION;
-  header.width = static_cast<png_uint_32>(image.width);
-  header.height = static_cast<png_uint_32>(image.height);
-  header.format = PNG_FORMAT_RGB;  // 8-bit sRGB, said so by the file's sRGB chunk
-  // No row filter and zlib level 3. Maps of errors, causes and accessibility repeat few colours, which filters hide
-  // from zlib: against the default such files are smaller, and written four times as fast.
-  header.flags = PNG_IMAGE_FLAG_FAST;
-  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
-  std::string bytes(size, '\0');
-  const int stride = 3 * image.width;
-  if (png_image_write_to_memory(&header, bytes.data(), &size, 0, image.pixels.data(), stride, nullptr) == 0) {
-    throw Error(ExitCode::partial, "PNG", header.message);
-  }
-  bytes.resize(size);
-  return bytes;
-}
-
-namespace {
-
-template <class Pixel>
-Image<Pixel> read_png(const std::string& bytes, png_uint_32 format) {
-  png_image header{};
-  header.version = PNG_IMAGE_VERSION;
-  const auto fail = [&] {
-    const std::string problem = header.message;
-    png_image_free(&header);
-    throw Error(ExitCode::partial, "PNG", problem);
-  };
-  if (png_image_begin_read_from_memory(&header, bytes.data(), bytes.size()) == 0) fail();
-  header.format = format;
-  Image<Pixel> image(static_cast<int>(header.width), static_cast<int>(header.height));
-  const png_color white{255, 255, 255};
-  if (png_image_finish_read(&header, &white, image.pixels.data(), 0, nullptr) == 0) fail();
-  return image;
-}
-
-}  // namespace
-
-Image<glm::u8vec3> from_png(const std::string& bytes) { return read_png<glm::u8vec3>(bytes, PNG_FORMAT_RGB); }
-
-Image<glm::u8vec4> from_png_with_alpha(const std::string& bytes) {
-  return read_png<glm::u8vec4>(bytes, PNG_FORMAT_RGBA);
 }
 
 void write_png(const std::filesystem::path& path, const Image<glm::u8vec3>& image) {

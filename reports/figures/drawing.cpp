@@ -1,19 +1,11 @@
 #include "reports/figures/drawing.h"
 
 #include "core/error.h"
+#include "reports/figures/svg_drawing.h"
 #include "reports/files/output.h"
+#include "reports/files/png.h"
 
 namespace umbrameter {
-
-Filter conversion(const std::string& svg, const char* format, const char* zoom) {
-  // SOURCE_DATE_EPOCH: the PDF's date, so that equal drawings are equal files.
-  return {{"rsvg-convert", "--unlimited", "--format", format, "--zoom", zoom}, {"SOURCE_DATE_EPOCH=0"}, svg};
-}
-
-std::string with_package(const std::string& problem, const char* program, const char* package) {
-  const std::string start = std::string("cannot run ") + program + ":";
-  return problem.rfind(start, 0) == 0 ? problem + "; install " + package : problem;
-}
 
 void require_drawing_name(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
@@ -23,14 +15,15 @@ void require_drawing_name(const std::filesystem::path& path) {
 
 void write_drawing(const std::filesystem::path& path, const std::string& svg) {
   require_drawing_name(path);
-  const std::string format = path.extension().string().substr(1);
-  if (format == "svg") return write_text(path, svg);
-  const FilterResult result = run_filters({conversion(svg, format.c_str(), "1")}, 1).front();
-  if (!result.problem.empty()) {
-    throw Error(ExitCode::partial, "cannot write " + path.string(),
-                with_package(result.problem, "rsvg-convert", "librsvg2-bin"));
+  if (path.extension() == ".svg") return write_text(path, svg);
+  std::string bytes;
+  try {
+    const SvgDrawing drawing(svg);
+    bytes = path.extension() == ".pdf" ? drawing.to_pdf() : to_png(drawing.pixels(1.0));
+  } catch (const Error& error) {
+    throw Error(ExitCode::partial, "cannot write " + path.string(), error.what());
   }
-  write_text(path, result.output);
+  write_text(path, bytes);
 }
 
 }  // namespace umbrameter

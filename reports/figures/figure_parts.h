@@ -6,12 +6,15 @@
 #include "core/image.h"
 #include "core/math.h"
 #include "reports/figures/figures.h"
+#include "reports/figures/svg_drawing.h"
+#include "reports/files/png.h"
 
 namespace umbrameter {
 
 /// Pixels at their place in a drawing.
 struct PlacedImage {
   Image<glm::u8vec3> pixels;  ///< enlarged by a whole number where they are small
+  DeflatedImage deflated;     ///< the same, as SVG and PDF hold them
   ivec2 corner{0, 0};         ///< of the top left pixel in the drawing [px]
 };
 
@@ -36,9 +39,10 @@ ImageDrawing draw(const ImageFigure& figure, const FigureStyle& style = {});
 /// A self-contained SVG document with the images embedded as PNG.
 std::string to_svg(const ImageDrawing& drawing);
 
-/// The drawing as PNG, one pixel a unit: the images below the frame's PNG, so that each of their pixels keeps its
-/// colour. Throws Error (partial) when `frame_png` is not a PNG that holds the images' places.
-std::string to_png(const ImageDrawing& drawing, const std::string& frame_png);
+/// The drawing as PDF and as PNG, one pixel a unit: the images below its frame(), so that each of their pixels keeps
+/// its colour. Throws Error (partial) when the frame cannot be drawn.
+std::string to_pdf(const ImageDrawing& drawing, const SvgDrawing& frame);
+std::string to_png(const ImageDrawing& drawing, const SvgDrawing& frame);
 
 /// JSON text. Throws Error (partial) when the table lacks a column that the figure names.
 std::string to_plot_specification(const PlotFigure& figure, const FigureStyle& style = {});

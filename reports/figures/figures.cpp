@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <future>
 #include <iterator>
-#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,10 +12,11 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "reports/figures/drawing.h"
 #include "reports/figures/figure_parts.h"
+#include "reports/figures/svg_drawing.h"
 #include "reports/files/data_folder.h"
 #include "reports/files/output.h"
+#include "reports/files/png.h"
 #include "reports/files/process.h"
 
 namespace umbrameter {
@@ -23,16 +24,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Plots have no pixels of their own. The converter takes an inch for 96 of its pixels.
-std::string plot_zoom(const FigureStyle& style) { return style.is_print() ? fmt::format("{}", style.dpi / 96.0) : "2"; }
+// Pixels of a plot's PNG for each of its own.
+double plot_zoom(const FigureStyle& style) { return style.is_print() ? style.dpi / 96.0 : 2.0; }
 
 // What became of one figure.
 struct Written {
   std::string drawing_problem;
   std::string name_problem;
-  std::vector<std::string> conversion_problems;
-  std::size_t without_program = 0;  ///< files that were not made because rsvg-convert is missing
-  std::string missing_program;      ///< which, and what to install
+  std::vector<std::string> file_problems;
 };
 
 // A stem becomes a file name: no separators, no leading dot.
@@ -41,66 +40,47 @@ bool is_plain_name(const std::string& stem) {
          stem.find('\0') == std::string::npos;
 }
 
-// The PNG of each frame, drawn once: figures of one size and scale have the same frame, and starting the converter
-// takes longer than drawing it.
-class Frames {
- public:
-  FilterResult png_of(const std::string& svg) {
-    std::promise<FilterResult> promise;
-    std::shared_future<FilterResult> found;
-    bool is_first = false;
-    {
-      const std::lock_guard lock(mutex_);
-      const auto [place, is_new] = drawn_.try_emplace(svg);
-      if (is_new) place->second = promise.get_future().share();
-      found = place->second;
-      is_first = is_new;
-    }
-    if (!is_first) return found.get();
-    try {
-      promise.set_value(run_filters({conversion(svg, "png", "1")}, 1).front());
-    } catch (...) {
-      promise.set_exception(std::current_exception());
-    }
-    return found.get();
+// Writes the file, or notes why it cannot be drawn.
+void write_drawn(const fs::path& file, const std::function<std::string()>& draw_bytes, Written& written) {
+  std::string bytes;
+  try {
+    bytes = draw_bytes();
+  } catch (const Error& error) {
+    written.file_problems.push_back(fmt::format("{} not made: {}", file.string(), error.what()));
+    return;
   }
+  write_text(file, bytes);
+}
 
- private:
-  std::mutex mutex_;
-  std::map<std::string, std::shared_future<FilterResult>> drawn_;
+// What the files of a figure hold.
+struct FigureFiles {
+  std::string svg;
+  std::string drawing;  ///< SVG that is read once for both of the others
+  std::function<std::string(const SvgDrawing&)> to_pdf;
+  std::function<std::string(const SvgDrawing&)> to_png;
 };
 
-// The program's output, or nothing after it noted in `written` why there is none.
-std::optional<std::string> checked(const fs::path& file, FilterResult result, Written& written) {
-  if (result.problem.empty()) return std::move(result.output);
-  const std::string problem = with_package(result.problem, "rsvg-convert", "librsvg2-bin");
-  if (problem == result.problem) {
-    written.conversion_problems.push_back(fmt::format("{} not made: {}", file.string(), problem));
-  } else {
-    written.missing_program = problem;
-    ++written.without_program;
-  }
-  return {};
-}
-
-std::optional<std::string> convert(const fs::path& file, const std::string& svg, const char* zoom, Written& written) {
-  const std::string format = file.extension().string().substr(1);
-  return checked(file, run_filters({conversion(svg, format.c_str(), zoom)}, 1).front(), written);
-}
-
-// Checks the figure's name; writes the SVG and, from it, the PDF.
-bool write_svg_and_pdf(const fs::path& folder, const std::string& stem, const std::string& svg, Written& written) {
+void write_files(const fs::path& folder, const std::string& stem, const FigureFiles& files, Written& written) {
   if (!is_plain_name(stem)) {
     written.name_problem = fmt::format("figure '{}': not a name for a file", stem);
-    return false;
+    return;
   }
-  write_text(folder / (stem + ".svg"), svg);
-  const fs::path pdf = folder / (stem + ".pdf");
-  if (const std::optional<std::string> bytes = convert(pdf, svg, "1", written)) write_text(pdf, *bytes);
-  return true;
+  write_text(folder / (stem + ".svg"), files.svg);
+  std::optional<SvgDrawing> drawing;
+  try {
+    drawing.emplace(files.drawing);
+  } catch (const Error& error) {
+    written.file_problems.push_back(
+        fmt::format("PDF and PNG of {} not made: {}", (folder / (stem + ".svg")).string(), error.what()));
+    return;
+  }
+  write_drawn(
+      folder / (stem + ".pdf"), [&] { return files.to_pdf(*drawing); }, written);
+  write_drawn(
+      folder / (stem + ".png"), [&] { return files.to_png(*drawing); }, written);
 }
 
-Written write_image(const fs::path& folder, const ImageFigure& image, const FigureStyle& style, Frames& frames) {
+Written write_image(const fs::path& folder, const ImageFigure& image, const FigureStyle& style) {
   Written written;
   ImageDrawing drawing;
   try {
@@ -109,18 +89,10 @@ Written write_image(const fs::path& folder, const ImageFigure& image, const Figu
     written.drawing_problem = error.what();
     return written;
   }
-  if (!write_svg_and_pdf(folder, image.stem, to_svg(drawing), written)) return written;
-  const fs::path png = folder / (image.stem + ".png");
-  const std::optional<std::string> frame = checked(png, frames.png_of(drawing.frame()), written);
-  if (!frame) return written;
-  std::string bytes;
-  try {
-    bytes = to_png(drawing, *frame);
-  } catch (const Error& error) {
-    written.conversion_problems.push_back(fmt::format("{} not made: {}", png.string(), error.what()));
-    return written;
-  }
-  write_text(png, bytes);
+  write_files(folder, image.stem,
+              {to_svg(drawing), drawing.frame(), [&](const SvgDrawing& frame) { return to_pdf(drawing, frame); },
+               [&](const SvgDrawing& frame) { return to_png(drawing, frame); }},
+              written);
   return written;
 }
 
@@ -129,10 +101,11 @@ struct PlotDrawing {
   std::string svg;
 };
 
-void write_plot(const fs::path& folder, const PlotDrawing& plot, const std::string& zoom, Written& written) {
-  if (!write_svg_and_pdf(folder, plot.stem, plot.svg, written)) return;
-  const fs::path png = folder / (plot.stem + ".png");
-  if (const std::optional<std::string> bytes = convert(png, plot.svg, zoom.c_str(), written)) write_text(png, *bytes);
+void write_plot(const fs::path& folder, const PlotDrawing& plot, double zoom, Written& written) {
+  write_files(folder, plot.stem,
+              {plot.svg, plot.svg, [](const SvgDrawing& drawing) { return drawing.to_pdf(); },
+               [&](const SvgDrawing& drawing) { return to_png(drawing.pixels(zoom)); }},
+              written);
 }
 
 struct PlotDrawings {
@@ -168,8 +141,9 @@ PlotDrawings draw_plots(const Figures& figures, const FigureStyle& style) {
   }
   const FilterResult drawn = run_filters({{{"node", script.string()}, {}, specifications + "]"}}, 1).front();
   if (!drawn.problem.empty()) {
+    const bool is_missing = drawn.problem.starts_with("cannot run node:");
     result.problems.push_back(
-        fmt::format("{} plots not drawn: {}", stems.size(), with_package(drawn.problem, "node", "nodejs")));
+        fmt::format("{} plots not drawn: {}{}", stems.size(), drawn.problem, is_missing ? "; install nodejs" : ""));
     return result;
   }
   const nlohmann::json answers = nlohmann::json::parse(drawn.output, nullptr, false);
@@ -198,15 +172,8 @@ std::vector<std::string> collect_problems(const std::vector<Written>& written, s
   for (const Written& one : written) {
     if (!one.name_problem.empty()) problems.push_back(one.name_problem);
   }
-  std::size_t without_program = 0;
-  std::string missing_program;
   for (const Written& one : written) {
-    problems.insert(problems.end(), one.conversion_problems.begin(), one.conversion_problems.end());
-    without_program += one.without_program;
-    if (!one.missing_program.empty()) missing_program = one.missing_program;
-  }
-  if (without_program > 0) {
-    problems.push_back(fmt::format("{} PDF and PNG figures not made: {}", without_program, missing_program));
+    problems.insert(problems.end(), one.file_problems.begin(), one.file_problems.end());
   }
   return problems;
 }
@@ -229,13 +196,12 @@ FigureOutcome write_figures(const fs::path& folder, const Figures& figures, cons
   // Node takes as long to start as several images take to be written.
   std::future<PlotDrawings> drawn = std::async(std::launch::async, [&] { return draw_plots(figures, style); });
   std::vector<Written> written(images.size());
-  Frames frames;
   parallel_for(images.size(), [&](std::size_t i) {
-    written[i] = write_image(folder, images[i], style, frames);
+    written[i] = write_image(folder, images[i], style);
     count_one();
   });
   PlotDrawings of_plots = drawn.get();
-  const std::string zoom = plot_zoom(style);
+  const double zoom = plot_zoom(style);
   written.resize(images.size() + of_plots.drawings.size());
   parallel_for(of_plots.drawings.size(), [&](std::size_t i) {
     const PlotDrawing& plot = of_plots.drawings[i];

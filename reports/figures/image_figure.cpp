@@ -85,7 +85,7 @@ Image<glm::u8vec3> colors_of(const ImageFigure& figure) {
   throw Error(ExitCode::partial, "figure " + figure.stem, "it has no image or one without pixels");
 }
 
-std::string png_element(const Image<glm::u8vec3>& image, int x, int y, int width, int height) {
+std::string png_element(const DeflatedImage& image, int x, int y, int width, int height) {
   return fmt::format(
       "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" "
       "xlink:href=\"{}\"/>\n",
@@ -135,7 +135,7 @@ int add_color_bar(std::string& svg, const Layout& layout, const ImageFigure& fig
   for (int i = 0; i < ramp.width; ++i) {
     ramp.at(i, 0) = static_cast<float>(scale.first + range * i / std::max(1, ramp.width - 1));
   }
-  svg += png_element(colorize(ramp, scale), x, y, layout.width, height);
+  svg += png_element(DeflatedImage(colorize(ramp, scale)), x, y, layout.width, height);
   svg += frame(x, y, layout.width, height);
   const int tick_end = y + height + layout.unit / 4;
   for (int i = 0; i < bar_ticks; ++i) {
@@ -178,10 +178,10 @@ int add_categories(std::string& svg, const Layout& layout, const std::vector<Cat
   return lines * line;
 }
 
-// The size is that in print, unless the drawing is to be pixels.
-std::string header(const ImageDrawing& drawing, bool in_print) {
+// The size is that in print where there is one.
+std::string header(const ImageDrawing& drawing) {
   const ivec2 size = drawing.size;
-  const std::string shown_size = in_print && drawing.print_width > 0.0
+  const std::string shown_size = drawing.print_width > 0.0
                                      ? fmt::format("width=\"{:.2f}mm\" height=\"{:.2f}mm\"", drawing.print_width,
                                                    drawing.print_width * size.y / size.x)
                                      : fmt::format("width=\"{}\" height=\"{}\"", size.x, size.y);
@@ -196,7 +196,7 @@ int inset_gap(int width) { return std::max(8, width / 60); }
 }  // namespace
 
 std::string ImageDrawing::frame() const {
-  return header(*this, false) + before.substr(before.find('\n') + 1) + after + "</svg>\n";
+  return header(*this) + before.substr(before.find('\n') + 1) + after + "</svg>\n";
 }
 
 ImageDrawing draw(const ImageFigure& figure, const FigureStyle& style) {
@@ -212,9 +212,11 @@ ImageDrawing draw(const ImageFigure& figure, const FigureStyle& style) {
   const ivec2 origin(layout.margin, layout.image_top);
   const bool is_hatched = style.is_print() && !figure.category.empty() && figure.values.empty();
   const auto add_picture = [&](const Inset& region, int scale, ivec2 corner) {
-    drawing.images.push_back({crop_enlarged(original, region, scale), corner});
-    if (!is_hatched) return;
-    hatch(drawing.images.back().pixels, figure, {region.x, region.y}, scale, hatch_period(layout));
+    PlacedImage& picture = drawing.images.emplace_back();
+    picture.corner = corner;
+    picture.pixels = crop_enlarged(original, region, scale);
+    if (is_hatched) hatch(picture.pixels, figure, {region.x, region.y}, scale, hatch_period(layout));
+    picture.deflated = DeflatedImage(picture.pixels);
   };
   add_picture({0, 0, size.x, size.y}, pictures.image_scale, origin);
   for (const PlacedInset& inset : pictures.insets) {
@@ -240,31 +242,29 @@ ImageDrawing draw(const ImageFigure& figure, const FigureStyle& style) {
 }
 
 std::string to_svg(const ImageDrawing& drawing) {
-  std::string svg = header(drawing, true) + drawing.before;
+  std::string svg = header(drawing) + drawing.before;
   for (const PlacedImage& image : drawing.images) {
-    svg += png_element(image.pixels, image.corner.x, image.corner.y, image.pixels.width, image.pixels.height);
+    svg += png_element(image.deflated, image.corner.x, image.corner.y, image.pixels.width, image.pixels.height);
   }
   return svg + drawing.after + "</svg>\n";
 }
 
-std::string to_png(const ImageDrawing& drawing, const std::string& frame_png) {
-  const Image<glm::u8vec4> frame = from_png_with_alpha(frame_png);
-  Image<glm::u8vec3> page(frame.width, frame.height, glm::u8vec3(255));
-  for (const auto& [image, corner] : drawing.images) {
-    if (corner.x + image.width > page.width || corner.y + image.height > page.height) {
-      throw Error(ExitCode::partial, "PNG", "the drawing is smaller than the image in it");
-    }
-    for (int y = 0; y < image.height; ++y) {
-      const auto row = image.pixels.begin() + static_cast<std::ptrdiff_t>(y) * image.width;
-      std::copy_n(row, image.width, &page.at(corner.x, corner.y + y));
+std::string to_pdf(const ImageDrawing& drawing, const SvgDrawing& frame) {
+  std::vector<ImageBelow> images;
+  for (const PlacedImage& image : drawing.images) {
+    images.push_back({&image.deflated, image.corner, {image.pixels.width, image.pixels.height}});
+  }
+  return frame.to_pdf(images);
+}
+
+std::string to_png(const ImageDrawing& drawing, const SvgDrawing& frame) {
+  Image<glm::u8vec3> page(drawing.size.x, drawing.size.y, glm::u8vec3(255));
+  for (const PlacedImage& image : drawing.images) {
+    for (int y = 0; y < image.pixels.height; ++y) {
+      std::copy_n(&image.pixels.at(0, y), image.pixels.width, &page.at(image.corner.x, image.corner.y + y));
     }
   }
-  for (std::size_t i = 0; i < page.size(); ++i) {
-    const int alpha = frame[i].w;
-    for (int c = 0; c < 3; ++c) {
-      page[i][c] = static_cast<std::uint8_t>((frame[i][c] * alpha + page[i][c] * (255 - alpha) + 127) / 255);
-    }
-  }
+  frame.draw_over(page);
   return to_png(page);
 }
 

@@ -8,12 +8,21 @@
 
 namespace umbrameter {
 
-/// The bytes of a PNG file with an sRGB chunk. Throws Error (partial) when the image has no pixels.
+/// An image compressed once, for a PNG and for a PDF. Throws Error (partial) when it has no pixels.
+struct DeflatedImage {
+  int width = 0;
+  int height = 0;
+  std::string rows;  ///< zlib stream (RFC 1950) of the rows: the number of a PNG filter, then RGB triples
+
+  DeflatedImage() = default;
+  explicit DeflatedImage(const Image<glm::u8vec3>& image);
+};
+
+/// The bytes of a PNG file with an sRGB chunk.
+std::string to_png(const DeflatedImage& image);
 std::string to_png(const Image<glm::u8vec3>& image);
 
 /// The pixels of a PNG file, laid over white. Throws Error (partial) when the bytes are no PNG.
 Image<glm::u8vec3> from_png(const std::string& bytes);
-/// With alpha, which does not multiply the colours.
-Image<glm::u8vec4> from_png_with_alpha(const std::string& bytes);
 
 }  // namespace umbrameter

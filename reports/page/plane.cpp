@@ -1,7 +1,5 @@
 #include "reports/page/plane.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
@@ -10,16 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "core/error.h"
+#include "reports/files/deflate.h"
 #include "reports/files/markup.h"
 
 namespace umbrameter {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// The higher levels save a few per cent and take a multiple of the time.
-constexpr int compression_level = 3;
 
 template <class T>
 std::vector<T> sampled(const Image<T>& image, int stride) {
@@ -31,13 +26,7 @@ std::vector<T> sampled(const Image<T>& image, int stride) {
 }
 
 Json packed(const char* type, const std::string& bytes) {
-  uLongf size = compressBound(bytes.size());
-  std::string deflated(size, '\0');
-  const int status = compress2(reinterpret_cast<Bytef*>(deflated.data()), &size,
-                               reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), compression_level);
-  if (status != Z_OK) throw Error(ExitCode::partial, "page", "cannot compress an image");
-  deflated.resize(size);
-  return {{"type", type}, {"data", to_base64(deflated)}};
+  return {{"type", type}, {"data", to_base64(deflate(bytes))}};
 }
 
 // All low bytes, then all high ones: similar bytes stand together, which deflates better.

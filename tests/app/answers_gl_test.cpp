@@ -35,6 +35,24 @@ TEST_F(Answers, Both_sides_of_ambient_occlusion_look_equally_far_unless_told_oth
             std::string::npos);
 }
 
+// write_figures() starts with the plots, which node draws.
+TEST_F(Answers, Are_printed_before_any_figure_is_drawn) {
+  namespace fs = std::filesystem;
+  const fs::path programs = folder_ / "programs";
+  fs::create_directories(programs);
+  const std::string answer = (folder_ / "answer").string();
+  // Before the node that is meant: notes whether the answer is in the file by now.
+  put_text(programs / "node", "#!/bin/sh\ngrep -c '^AO' '" + answer + "' >>'" + (folder_ / "seen").string() +
+                                  "'\nPATH=${PATH#*:} exec node \"$@\"\n");
+  fs::permissions(programs / "node", fs::perms::owner_all);
+  ProgramOptions options;
+  options.wrapper = {"sh", "-c", "PATH='" + programs.string() + "':$PATH exec \"$@\" >'" + answer + "'", "sh"};
+  const ProgramResult result = run_program(words({"compare", "corner", "-o", folder_ / "out"}, small), options);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(text_of(folder_ / "seen"), "1\n");
+  EXPECT_EQ(text_of(folder_ / "out/figures/truth_ao.png").substr(0, 4), "\x89PNG");
+}
+
 TEST_F(Answers, A_sweep_over_the_radius_keeps_the_reference_and_says_how_far_it_looks) {
   const std::string out = run({"sweep", "corner", "--vary", "ao.radius=0.2,0.4,0.8", "--ao.radius", "0.5"});
   EXPECT_NE(first_line(out).find("(reference up to 50 cm)"), std::string::npos) << out;

@@ -1,4 +1,4 @@
-// When a run draws its figures, and that it need not. The reference alone: no driver is needed.
+// That a run need not draw its figures. The reference alone: no driver is needed.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -12,30 +12,6 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> trace_into(const fs::path& folder) {
   return {"trace", "corner", "-o", folder.string(), "--size", "64x36", "--light", "sun", "--truth.spp", "4"};
-}
-
-TEST(FiguresOfARun, Are_drawn_after_the_answer_is_printed) {
-  const TemporaryFolder folder;
-  const fs::path programs = folder / "programs";
-  fs::create_directories(programs);
-  // Before the program that writes PDF and PNG: notes whether the answer is in the file by now.
-  put_text(programs / "rsvg-convert", "#!/bin/sh\ngrep -q '^AO' '" + (folder / "answer").string() +
-                                          "' && echo answered >>'" + (folder / "seen").string() +
-                                          "'\nPATH=${PATH#*:} exec rsvg-convert \"$@\"\n");
-  fs::permissions(programs / "rsvg-convert", fs::perms::owner_all);
-  ProgramOptions options;
-  options.wrapper = {
-      "sh", "-c", "PATH='" + programs.string() + "':$PATH exec \"$@\" >'" + (folder / "answer").string() + "'", "sh"};
-  const ProgramResult result = run_program(trace_into(folder / "out"), options);
-  ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(text_of(folder / "out/figures/truth_ao.png").substr(0, 4), "\x89PNG");
-  std::size_t files = 0;
-  for (const auto& entry : fs::directory_iterator(folder / "out/figures")) {
-    files += static_cast<std::size_t>(entry.path().extension() != ".svg");
-  }
-  std::string expected;
-  for (std::size_t i = 0; i < files; ++i) expected += "answered\n";
-  EXPECT_EQ(text_of(folder / "seen"), expected);
 }
 
 TEST(FiguresOfARun, Can_be_left_out_and_the_page_says_so) {

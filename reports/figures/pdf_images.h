@@ -1,0 +1,22 @@
+// Images in a PDF as the PNG has them compressed. cairo would compress each again, which takes longer than all the rest
+// of a figure. It draws small markers instead, and these are replaced.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/math.h"
+#include "reports/files/png.h"
+
+namespace umbrameter {
+
+/// Pixels of the image that stands for images[index] in with_images(). Nothing else in a drawing is so narrow.
+ivec2 marker_size(std::size_t index);
+
+/// cairo's PDF with images[i] in place of the marker of index i. The PDF must have a table of references, as up to
+/// PDF 1.4. Throws Error (partial) when it has none, or not one marker for each image.
+std::string with_images(std::string_view pdf, const std::vector<const DeflatedImage*>& images);
+
+}  // namespace umbrameter
