@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <deque>
 #include <exception>
 #include <string>
 
@@ -36,17 +37,27 @@ struct Line {
   std::vector<Point> points;
 };
 
-Point measure(Sampler sampler, int rays, int pixels) {
+// What takes longer to make than a few rays to trace, and serves all points.
+struct Prepared {
+  explicit Prepared(const ao_cases::Case& c) : of(c), scene(ao_cases::scene_of(of)), tracer(scene) {}
+  Prepared(const Prepared&) = delete;  // the tracer refers to the scene
+  Prepared& operator=(const Prepared&) = delete;
+
+  ao_cases::Case of;
+  Scene scene;
+  Tracer tracer;
+};
+
+Point measure(const std::deque<Prepared>& cases, Sampler sampler, int rays, int pixels) {
   Point point{rays};
   std::size_t count = 0;
-  for (const ao_cases::Case& c : ao_cases::all()) {
-    const Scene scene = ao_cases::scene_of(c);
-    TruthParams params = ao_cases::params_of(c);
+  for (const Prepared& c : cases) {
+    TruthParams params = ao_cases::params_of(c.of);
     params.sampler = sampler;
     params.spp = rays;
-    const TracedAo traced = trace_ao(Tracer(scene), ao_cases::surfels_of(c, pixels), params, 1);
+    const TracedAo traced = trace_ao(c.tracer, ao_cases::surfels_of(c.of, pixels), params, 1);
     for (std::size_t i = 0; i < traced.ao.size(); ++i) {
-      const double off = traced.ao[i] - c.accessibility;
+      const double off = traced.ao[i] - c.of.accessibility;
       const double half_width = student_95(traced.degrees_of_freedom) * static_cast<double>(traced.standard_error[i]);
       point.error += off * off;
       point.coverage += std::abs(off) <= half_width ? 1.0 : 0.0;
@@ -132,10 +143,12 @@ int run(const std::vector<std::string>& arguments) {
   }
   const fs::path folder = arguments[0];
   prepare_output_folder(folder);
+  std::deque<Prepared> cases;
+  for (const ao_cases::Case& c : ao_cases::all()) cases.emplace_back(c);
   std::vector<Line> lines = {{Sampler::owen, "owen", {}}, {Sampler::random, "random", {}}};
   for (Line& line : lines) {
     for (int rays = first_rays; rays <= last_rays; rays *= 2) {
-      line.points.push_back(measure(line.sampler, rays, pixels));
+      line.points.push_back(measure(cases, line.sampler, rays, pixels));
       const Point& p = line.points.back();
       fmt::print("{:<7} {:5} rays: RMSE {:.6f}, interval holds {:.1f} %\n", line.name, p.rays, p.error,
                  100.0 * p.coverage);
@@ -146,7 +159,7 @@ int run(const std::vector<std::string>& arguments) {
   const double ratio = 1024.0 / rays_for(lines[0].points, random_1024);
   fmt::print("at the error of 1024 random rays, owen needs 1/{:.2f} of them\n", ratio);
   write_text(folder / "convergence.csv", to_csv(table_of(lines)));
-  const FigureOutcome outcome = write_figures(folder, {{}, {figure_of(lines, ao_cases::all().size(), ratio)}});
+  const FigureOutcome outcome = write_figures(folder, {{}, {figure_of(lines, cases.size(), ratio)}});
   for (const std::string& problem : outcome.problems) fmt::print(stderr, "{}\n", problem);
   return outcome.problems.empty() ? 0 : 5;
 }
