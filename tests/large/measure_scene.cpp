@@ -27,10 +27,10 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double least_seconds_of(const std::function<void()>& work) {
+double least_seconds_of(const std::function<void()>& work, int repeats) {
   double least = seconds_of(work);
   double sum = least;
-  for (int i = 1; i < 2 || (i < 5 && sum < 4.0); ++i) {
+  for (int i = 1; i < std::min(repeats, 2) || (i < repeats && sum < 4.0); ++i) {
     const double seconds = seconds_of(work);
     least = std::min(least, seconds);
     sum += seconds;
@@ -57,8 +57,9 @@ Measurements write_scene(const std::string& scene, const std::filesystem::path& 
           {"file MiB", static_cast<double>(bytes.size()) / (1024.0 * 1024.0)}};
 }
 
-Measurements measure_scene(const std::filesystem::path& file) {
+Measurements measure_scene(const std::filesystem::path& file, int repeats) {
   Measurements found;
+  const auto least_seconds = [&](const std::function<void()>& work) { return least_seconds_of(work, repeats); };
   std::optional<Scene> scene;
   const auto load = [&] {
     scene.reset();
@@ -66,7 +67,7 @@ Measurements measure_scene(const std::filesystem::path& file) {
   };
   double seconds = seconds_of(load);
   found.emplace_back(stage_names[0], peak_mebibytes());
-  seconds = std::min(seconds, least_seconds_of(load));
+  if (repeats > 1) seconds = std::min(seconds, least_seconds(load));
   found.emplace_back(step_names[0], seconds);
 
   std::vector<std::string> notes;
@@ -78,23 +79,23 @@ Measurements measure_scene(const std::filesystem::path& file) {
   // Reading back waits until everything is drawn.
   const gl::Context context = gl::Context::make();
   std::optional<UploadedScene> uploaded;
-  found.emplace_back(step_names[1], least_seconds_of([&] {
+  found.emplace_back(step_names[1], least_seconds([&] {
                        uploaded.reset();
                        uploaded = upload(context, *scene);
                        read_back(context, draw_gbuffer(context, *uploaded, view));
                      }));
   found.emplace_back(step_names[2],
-                     least_seconds_of([&] { read_back(context, draw_shadow_map(context, *uploaded, light, layout)); }));
+                     least_seconds([&] { read_back(context, draw_shadow_map(context, *uploaded, light, layout)); }));
   found.emplace_back(stage_names[1], peak_mebibytes());
 
   std::optional<Tracer> tracer;
-  found.emplace_back(step_names[3], least_seconds_of([&] {
+  found.emplace_back(step_names[3], least_seconds([&] {
                        tracer.reset();
                        tracer.emplace(*scene);
                      }));
   GBuffer gbuffer;
-  found.emplace_back(step_names[4], least_seconds_of([&] { gbuffer = trace_gbuffer(*tracer, view); }));
-  found.emplace_back(step_names[5], least_seconds_of([&] { trace_visibility(*tracer, gbuffer, light); }));
+  found.emplace_back(step_names[4], least_seconds([&] { gbuffer = trace_gbuffer(*tracer, view); }));
+  found.emplace_back(step_names[5], least_seconds([&] { trace_visibility(*tracer, gbuffer, light); }));
   found.emplace_back(stage_names[2], peak_mebibytes());
   return found;
 }

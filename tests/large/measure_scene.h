@@ -19,7 +19,7 @@ inline constexpr const char* stage_names[] = {"loaded", "drawn", "traced"};
 Measurements write_scene(const std::string& scene, const std::filesystem::path& file);
 
 /// Loads the file and goes through all steps at 1280×720, with the first camera, the first light and a map of 2048².
-/// Each step is done twice, and short ones up to five times; the least time counts.
-Measurements measure_scene(const std::filesystem::path& file);
+/// Each step is done `repeats` times, of which the least time counts, but those that take long only twice.
+Measurements measure_scene(const std::filesystem::path& file, int repeats);
 
 }  // namespace umbrameter

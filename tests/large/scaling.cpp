@@ -1,6 +1,7 @@
-// umbrameter_scaling DIR [SIZE...]: how time and memory of every step grow with the triangles of the built-in scenes
-// `forest` (instances) and `city` (nothing shared). Writes DIR/large-scenes.csv and the figures of
-// docs/large-scenes.md. Each scene of each size is made, and measured, in a process of its own.
+// umbrameter_scaling DIR [SIZE...] [--quick]: how time and memory of every step grow with the triangles of the built-in
+// scenes `forest` (instances) and `city` (nothing shared). Writes DIR/large-scenes.csv and the figures of
+// docs/large-scenes.md. Each scene of each size is made, and measured, in a process of its own. --quick does each step
+// once, which shows that it works and measures little.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -62,10 +63,10 @@ struct ScratchFile {
   }
 };
 
-Row measure(const std::string& scene, const std::string& size, const fs::path& folder) {
+Row measure(const std::string& scene, const std::string& size, const fs::path& folder, int repeats) {
   const ScratchFile file{folder / fmt::format("{}-{}-{}.glb", scene, size, getpid())};
   Row row{scene, run_self({"--write", scene + ":" + size, file.path.string()})};
-  const Measurements measured = run_self({"--measure", file.path.string()});
+  const Measurements measured = run_self({"--measure", file.path.string(), std::to_string(repeats)});
   row.values.insert(row.values.end(), measured.begin(), measured.end());
   fmt::print(stderr, "{}:{}", scene, size);
   for (const auto& [name, value] : row.values) fmt::print(stderr, "  {} {:.4g}", name, value);
@@ -167,21 +168,23 @@ int run(const std::vector<std::string>& arguments) {
     print(write_scene(arguments[1], arguments[2]));
     return 0;
   }
-  if (arguments.size() == 2 && arguments[0] == "--measure") {
-    print(measure_scene(arguments[1]));
+  if (arguments.size() == 3 && arguments[0] == "--measure") {
+    print(measure_scene(arguments[1], std::stoi(arguments[2])));
     return 0;
   }
   if (arguments.empty() || arguments[0].starts_with("-")) {
-    fmt::print(stderr, "usage: umbrameter_scaling DIR [SIZE...]   sizes as in forest:SIZE, by default 100k to 20M\n");
+    fmt::print(stderr,
+               "usage: umbrameter_scaling DIR [SIZE...] [--quick]   sizes as in forest:SIZE, by default 100k to 20M\n");
     return 2;
   }
   const fs::path folder = arguments[0];
   std::vector<std::string> sizes(arguments.begin() + 1, arguments.end());
+  const int repeats = std::erase(sizes, "--quick") > 0 ? 1 : 5;
   if (sizes.empty()) sizes.assign(std::begin(default_sizes), std::end(default_sizes));
   prepare_output_folder(folder);
   std::vector<Row> rows;
   for (const char* scene : {"forest", "city"}) {
-    for (const std::string& size : sizes) rows.push_back(measure(scene, size, folder));
+    for (const std::string& size : sizes) rows.push_back(measure(scene, size, folder, repeats));
   }
   write_text(folder / "large-scenes.csv", to_csv(to_table(rows)));
   const std::vector<PlotFigure> figures = {times_figure(rows, "forest", "instances"),
