@@ -16,12 +16,13 @@ namespace fs = std::filesystem;
 
 struct SweepResume : GlRun {};
 
-// 4 cells a group, a map of its own for each group; not quiet: notes say what is there already.
+// 4 cells a group, a map of its own for each group, as small as a map can be: what is stored and kept does not depend
+// on its texels. Not quiet: notes say what is there already.
 std::vector<std::string> sweep(const fs::path& output, int groups, const std::vector<std::string>& more = {}) {
-  return words(
-      {"sweep", "corner", "-o", output, "--size", "32x18", "--light", "0", "--vary", "shadow.constant-bias=0:0.1:4",
-       "--vary", "shadow.resolution=16:" + std::to_string(15 + groups) + ":" + std::to_string(groups)},
-      more);
+  return words({"sweep", "corner", "-o", output, "--size", "32x18", "--light", "0", "--shadow.fit", "bounds",
+                "--shadow.resolution", "16", "--vary", "shadow.constant-bias=0:0.1:4", "--vary",
+                "shadow.fit-size=4:8:" + std::to_string(groups)},
+               more);
 }
 
 // Without plots, which take longest and are not what is tested: a run that is done says that they are missing.
