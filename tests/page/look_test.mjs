@@ -82,7 +82,7 @@ async function show_all(page) {
 
 test('texts and controls have contrast and nothing is cut off, at three widths, light and dark, and in print', async () => {
   for (const out of [plain_run(), sweep_run()]) {
-    const {page, problems} = await open_page(out, {width: 1280});
+    const {page, problems, close} = await open_page(out, {width: 1280});
     await show_all(page);
     for (const width of [1280, 800, 400]) {
       await page.setViewportSize({width, height: 900});
@@ -108,12 +108,12 @@ test('texts and controls have contrast and nothing is cut off, at three widths, 
     const pdf = await page.pdf({format: 'A4'});
     assert.equal(pdf.subarray(0, 5).toString(), '%PDF-');
     assert.deepEqual(problems, []);
-    await page.context().close();
+    await close();
   }
 });
 
 test('the Tab key reaches every control in the order of the page, and shows where it is', async () => {
-  const {page} = await open_page(sweep_run(), {width: 1280});
+  const {page, close} = await open_page(sweep_run(), {width: 1280});
   const expected = await page.evaluate(() => {
     const can = 'a[href], button, input, select, summary, [tabindex="0"]';
     const all = [...document.querySelectorAll(can)].filter((each) => !each.disabled && each.checkVisibility());
@@ -138,12 +138,12 @@ test('the Tab key reaches every control in the order of the page, and shows wher
   }
   assert.deepEqual(seen.map(({order}) => order), [...Array(expected).keys()]);
   assert.deepEqual(seen.filter(({is_shown}) => !is_shown), []);
-  await page.context().close();
+  await close();
 });
 
 test('pictures have texts and controls have names', async () => {
   for (const out of [plain_run(), sweep_run(), large_run()]) {
-    const {page} = await open_page(out);
+    const {page, close} = await open_page(out);
     await show_all(page);
     const nameless = await page.evaluate(() => [...document.querySelectorAll('button, select, input, [role=img], img, [role=region], [role=grid]')]
       .filter((each) => each.offsetParent !== null || each.tagName === 'svg')
@@ -153,6 +153,6 @@ test('pictures have texts and controls have names', async () => {
     const pictures = await page.locator('figure .picture').evaluateAll((all) => all.map((each) =>
       each.getAttribute('aria-label') ?? each.querySelector('img')?.alt ?? ''));
     assert.ok(pictures.length > 2 && pictures.every((text) => text.length > 20));
-    await page.context().close();
+    await close();
   }
 });

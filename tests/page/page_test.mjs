@@ -10,23 +10,23 @@ import {class_colors, compare, expect_fragment, folder, fragment_of, go, open_pa
 const out = plain_run();
 
 test('the page loads without a message and without a request, and paints by WebGL2', async () => {
-  const {page, problems} = await open_page(out);
+  const {page, problems, close} = await open_page(out);
   assert.equal(await page.locator('#viewer').getAttribute('data-painter'), 'WebGL2');
   assert.deepEqual(problems, []);
-  await page.context().close();
+  await close();
 });
 
 test('without a script the page is complete and shows no viewer', async () => {
-  const {page, problems} = await open_page(out, {javaScriptEnabled: false});
+  const {page, problems, close} = await open_page(out, {javaScriptEnabled: false});
   assert.equal(await page.locator('#viewer').isVisible(), false);
   assert.equal(await page.locator('#viewer-link').isVisible(), false);
   assert.ok(await page.locator('figure').count() > 5);
   assert.deepEqual(problems, []);
-  await page.context().close();
+  await close();
 });
 
 test('every layout can be chosen with the mouse and by its key', async () => {
-  const {page, problems} = await open_page(out);
+  const {page, problems, close} = await open_page(out);
   for (const [title, key, mode] of [['Single', 's', 'single'], ['Wipe', 'w', 'wipe'], ['Difference', 'd', 'difference'],
                                     ['Side by side', 'b', 'side'], ['Overview', 'g', 'grid']]) {
     await page.getByRole('button', {name: title, exact: true}).click();
@@ -38,11 +38,11 @@ test('every layout can be chosen with the mouse and by its key', async () => {
     await expect_fragment(page, {view: mode});
   }
   assert.deepEqual(problems, []);
-  await page.context().close();
+  await close();
 });
 
 test('flip, wipe, zoom, pan, exposure and colours work with the mouse and by keys', async () => {
-  const {page, problems} = await open_page(out);
+  const {page, problems, close} = await open_page(out);
   const stage = page.locator('.stage');
   await stage.press('f');
   await expect_fragment(page, {view: 'single', flip: '1'});
@@ -81,22 +81,22 @@ test('flip, wipe, zoom, pan, exposure and colours work with the mouse and by key
   await page.getByLabel('Show').selectOption('ambient occlusion');
   await expect_fragment(page, {group: 'ambient occlusion', a: 'truth_ao', b: 'raster_ao'});
   assert.deepEqual(problems, []);
-  await page.context().close();
+  await close();
 });
 
 test('without the focus the wheel scrolls the page', async () => {
-  const {page} = await open_page(out);
+  const {page, close} = await open_page(out);
   await page.locator('.stage').hover();
   const top = await page.evaluate(() => scrollY);
   await page.mouse.wheel(0, 200);
   await page.waitForFunction((before) => scrollY > before, top);
   assert.equal((await fragment_of(page)).zoom, undefined);
-  await page.context().close();
+  await close();
 });
 
 test('the inspector shows the values of images.exr within half precision', async () => {
   const {channels} = read_exr(path.join(out, 'images.exr'));
-  const {page} = await open_page(out);
+  const {page, close} = await open_page(out);
   const layers = {
     sun: [['Reference', 'truth_visibility_sun.Y'], ['Technique', 'raster_visibility_sun.Y'],
           ['Error', 'error_visibility_sun.Y'], ['Depth', 'Z']],
@@ -119,12 +119,12 @@ test('the inspector shows the values of images.exr within half precision', async
       }
     }
   }
-  await page.context().close();
+  await close();
 });
 
 test('WebGL2 and the 2D canvas paint the same colours', async () => {
-  const {page, problems} = await open_page(out, {fragment: single('class_sun')});
-  const {page: plain} = await open_page(out, {fragment: single('class_sun', '&painter=plain')});
+  const {page, problems, close} = await open_page(out, {fragment: single('class_sun')});
+  const {page: plain, close: close_plain} = await open_page(out, {fragment: single('class_sun', '&painter=plain')});
   assert.equal(await plain.locator('#viewer').getAttribute('data-painter'), '2D canvas');
   for (const layer of ['class_sun', 'error_ao', 'truth_ao', 'picture', 'gbuffer_normal', 'Z']) {
     await go(page, single(layer));
@@ -138,12 +138,12 @@ test('WebGL2 and the 2D canvas paint the same colours', async () => {
     assert.ok(new Set(by_gl).size > 2, layer);
   }
   assert.deepEqual(problems, []);
-  await page.context().close();
-  await plain.context().close();
+  await close();
+  await close_plain();
 });
 
 test('the causes at a bias chosen by the slider are those of a fresh run at that bias, in every pixel', async () => {
-  const {page, problems} = await open_page(out, {fragment: single('class_sun')});
+  const {page, problems, close} = await open_page(out, {fragment: single('class_sun')});
   const slider = page.getByRole('slider', {name: 'Constant bias of sun'});
   const seen = new Set();
   for (const [k, index] of [0, 150, 190].entries()) {
@@ -167,11 +167,11 @@ test('the causes at a bias chosen by the slider are those of a fresh run at that
   }
   assert.equal(seen.size, 3, 'three biases, three images');
   assert.deepEqual(problems, []);
-  await page.context().close();
+  await close();
 });
 
 test('the bias slider is moved by mouse and keys, and its shares are those of a fresh run', async () => {
-  const {page} = await open_page(out);
+  const {page, close} = await open_page(out);
   await page.locator('.stage').press('.');
   await expect_fragment(page, {bias: '1.55'});  // after 1.5, that of the run
   await page.locator('.stage').press(',');
@@ -185,25 +185,25 @@ test('the bias slider is moved by mouse and keys, and its shares are those of a 
   await expect_fragment(page, {bias: /^[5-9]|^[1-5]\d/});
   await page.getByRole('button', {name: 'Bias of this run'}).click();
   await expect_fragment(page, {bias: undefined});
-  await page.context().close();
+  await close();
 });
 
 test('a bias in the depth of the map is read in its own unit, in texels and as a length', async () => {
   const deep = compare('deep', 'courtyard', '--light', 'sun', '--shadow.constant-bias', '0.001depth');
   const {shadows: [shadow]} = JSON.parse(readFileSync(path.join(deep, 'summary.json')));
-  const {page} = await open_page(deep);
+  const {page, close} = await open_page(deep);
   const reading = await page.locator('.bias .reading').innerText();
   const [, texels, length] = /^0\.001 depth \(([\d.]+) texels, ([\d.]+) cm\), as in this run$/.exec(reading);
   // Three digits are shown.
   assert.ok(Math.abs(texels / shadow.constant_bias.texels - 1) < 0.005, `${texels}, not ${shadow.constant_bias.texels}`);
   assert.ok(Math.abs(length / (100 * shadow.constant_bias.m) - 1) < 0.005, `${length} cm, not ${shadow.constant_bias.m} m`);
   assert.ok((await page.locator('svg.curve').innerHTML()).includes('constant bias [depth]'));
-  await page.context().close();
+  await close();
 });
 
 test('keys go to the largest error and through connected regions', async () => {
   const {channels} = read_exr(path.join(out, 'images.exr'));
-  const {page} = await open_page(out, {fragment: '#view=grid&group=ambient occlusion'});
+  const {page, close} = await open_page(out, {fragment: '#view=grid&group=ambient occlusion'});
   await page.locator('.stage').press('e');
   const [x, y] = (await expect_fragment(page, {pixel: /,/})).pixel.split(',').map(Number);
   const errors = channels['error_ao.Y'].map(Math.abs);
@@ -218,11 +218,11 @@ test('keys go to the largest error and through connected regions', async () => {
   await page.locator('.stage').press('Shift+ArrowDown');
   await page.locator('.stage').press('Escape');
   await expect_fragment(page, {view: 'grid', pixel: undefined});
-  await page.context().close();
+  await close();
 });
 
 test('the list, a button and keys go through objects, whose errors are those of the table', async () => {
-  const {page} = await open_page(out);
+  const {page, close} = await open_page(out);
   const rows = await page.getByRole('region', {name: /Error by object/}).locator('tbody tr').evaluateAll((all) => all.map((row) =>
     [...row.cells].map((cell) => cell.textContent)));
   await page.locator('.objects summary').click();
@@ -242,12 +242,12 @@ test('the list, a button and keys go through objects, whose errors are those of 
   await page.getByText(/^Object 1 of \d+: /).waitFor();
   await page.getByRole('button', {name: 'Object ▸'}).click();
   await page.getByText(/^Object 2 of \d+: /).waitFor();
-  await page.context().close();
+  await close();
 });
 
 test('the inspector shows the interval of a sampled reference and what blocks a pixel', async () => {
   const {channels} = read_exr(path.join(out, 'images.exr'));
-  const {page} = await open_page(out, {fragment: '#view=grid&group=ambient occlusion&pixel=40,30'});
+  const {page, close} = await open_page(out, {fragment: '#view=grid&group=ambient occlusion&pixel=40,30'});
   const text = await page.locator('.inspector tr', {hasText: '95 % interval'}).locator('td').innerText();
   const [low, high] = text.split(' to ').map(Number);
   const i = 30 * size.width + 40;
@@ -260,26 +260,26 @@ test('the inspector shows the interval of a sampled reference and what blocks a 
   await go(page, `view=grid&group=sun&pixel=${blocked % size.width},${Math.floor(blocked / size.width)}`);
   await page.locator('.inspector tr', {hasText: 'Critical bias'}).waitFor();
   await page.locator('.inspector tr', {hasText: 'Material'}).waitFor();
-  await page.context().close();
+  await close();
 });
 
 test('a link opens the same view; a broken one opens the page', async () => {
   const fragment = '#view=wipe&group=sun&a=truth_visibility_sun&b=class_sun&zoom=8&at=40,20&wipe=0.3&pixel=41,22&bias=4';
-  const {page} = await open_page(out, {fragment});
+  const {page, close} = await open_page(out, {fragment});
   await page.locator('.stage').press('f');
   const found = await expect_fragment(page, {flip: '1'});
   assert.deepEqual(found, {...Object.fromEntries(new URLSearchParams(fragment.slice(1))), flip: '1'});
-  await page.context().close();
+  await close();
   const broken = '#view=wipe&group=%3Cscript%3E&a=x&zoom=NaN&at=9e99,-1&pixel=,&bias=x';
-  const {page: other, problems} = await open_page(out, {fragment: broken});
+  const {page: other, problems, close: close_other} = await open_page(out, {fragment: broken});
   for (const each of ['%', 'view=', 'section-1', broken]) await go(other, each);
   assert.equal(await other.locator('.stage').isVisible(), true);
   assert.deepEqual(problems, []);
-  await other.context().close();
+  await close_other();
 });
 
 test('tables are sorted, filtered and downloaded', async () => {
-  const {page, problems} = await open_page(out);
+  const {page, problems, close} = await open_page(out);
   const region = page.getByRole('region', {name: /Error by object/});
   const errors = async () => (await region.locator('tbody tr:visible td:nth-child(3)').allInnerTexts()).map(Number);
   const head = region.getByRole('button', {name: 'mae'});
@@ -298,7 +298,7 @@ test('tables are sorted, filtered and downloaded', async () => {
   assert.match(lines[0], /^object,pixels \[px\],mae \[%\],acne \[%\]/);
   assert.equal(lines[1].split(',')[0], name);
   assert.deepEqual(problems, []);
-  await page.context().close();
+  await close();
 });
 
 test('hostile names stay texts', async () => {
@@ -307,7 +307,7 @@ test('hostile names stay texts', async () => {
   const file = path.join(folder, `a"'<b>&amp;\u202e.glb`);
   rename_all(path.join(folder, 'plain.glb'), file, name);
   const hostile = compare('hostile', file);
-  const {page, problems} = await open_page(hostile, {fragment: '#view=grid&pixel=48,40'});
+  const {page, problems, close} = await open_page(hostile, {fragment: '#view=grid&pixel=48,40'});
   await page.locator('.inspector caption', {hasText: 'pinned'}).waitFor();
   assert.ok((await page.locator('.inspector').innerText()).includes(name.slice(0, 40)));
   await page.locator('.stage').press('n');
@@ -317,5 +317,5 @@ test('hostile names stay texts', async () => {
   assert.equal(await page.locator('.stage').isVisible(), true);
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth) <= 0);
   assert.deepEqual(problems, []);
-  await page.context().close();
+  await close();
 });

@@ -136,20 +136,36 @@ export function rename_all(from, to, name) {
   writeFileSync(to, Buffer.concat([head, json, rest]));
 }
 
+// The page's own OpenGL is software; to compose the window by it, too, would take twice the time.
 async function start_browser() {
-  return chromium.launch({executablePath, args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
+  return chromium.launch({executablePath, args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+                                                 '--disable-gpu-compositing']});
+}
+// What chromium says of composing a canvas that way: it reads it back. The viewer itself reads nothing back.
+const is_of_composing = (text) => text.endsWith('GPU stall due to ReadPixels') ||
+                                  text.endsWith('GPU stall due to ReadPixels (this message will no longer repeat)');
+
+// Pages that no test has open. To load one again takes half the time of a new context, which has processes of its own.
+const idle_pages = [];
+
+async function new_page(options) {
+  const browser = await browser_of_all();
+  const page = await (await browser.newContext(options)).newPage();
+  page.setDefaultTimeout(20_000);  // for machines that do much else
+  return page;
 }
 
 // Opens a run's page and waits until its script is done. `problems` collects what no page may do: write to the console,
-// throw, or ask for another file.
+// throw, or ask for another file. Without further options of a context the page is one that an earlier test has closed.
 export async function open_page(out, {fragment = '', width = 700, ...options} = {}) {
-  const browser = await browser_of_all();
-  const context = await browser.newContext({viewport: {width, height: 700}, ...options});
-  const page = await context.newPage();
-  page.setDefaultTimeout(20_000);  // for machines that do much else
+  const is_special = Object.keys(options).length > 0;
+  const page = (is_special ? undefined : idle_pages.pop()) ?? await new_page(options);
+  await page.setViewportSize({width, height: 700});
   const problems = [];
   const address = pathToFileURL(path.join(out, 'index.html')).href;
-  page.on('console', (message) => problems.push(`console: ${message.text()}`));
+  page.on('console', (message) => {
+    if (!is_of_composing(message.text())) problems.push(`console: ${message.text()}`);
+  });
   page.on('pageerror', (error) => problems.push(`error: ${error.message}`));
   page.on('dialog', (dialog) => {
     problems.push(`dialog: ${dialog.message()}`);
@@ -161,7 +177,15 @@ export async function open_page(out, {fragment = '', width = 700, ...options} = 
   });
   await page.goto(address + fragment);
   if (options.javaScriptEnabled !== false) await page.locator('html[data-ready="yes"]').waitFor({state: 'attached'});
-  return {page, problems};
+  const close = async () => {
+    for (const event of ['console', 'pageerror', 'dialog', 'request']) page.removeAllListeners(event);
+    if (is_special) return page.context().close();
+    await page.emulateMedia({media: null, colorScheme: null});
+    await page.mouse.move(0, 0);
+    await page.goto('about:blank');
+    idle_pages.push(page);
+  };
+  return {page, problems, close};
 }
 
 function clean_up() {

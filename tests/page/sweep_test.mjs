@@ -30,7 +30,7 @@ async function repeat(page, name) {
 
 test('a selected cell shows its images and numbers, which are those of the command that repeats it', async () => {
   const rows = csv_of(sweep);
-  const {page, problems} = await open_page(sweep, {fragment: single('class_sun')});
+  const {page, problems, close} = await open_page(sweep, {fragment: single('class_sun')});
   const images = await page.locator('.field.cells select').locator('option').allInnerTexts();
   assert.equal(images.length, 4);
   assert.match(images[0], /^least error: /);
@@ -65,16 +65,16 @@ test('a selected cell shows its images and numbers, which are those of the comma
   await expect_fragment(page, {cell: new RegExp(`^(?!${first}$)\\d+$`)});
   await page.locator('.stage').press('Shift+C');
   await expect_fragment(page, {cell: first});
-  const {page: linked} = await open_page(sweep, {fragment: await page.evaluate(() => location.hash)});
+  const {page: linked, close: close_linked} = await open_page(sweep, {fragment: await page.evaluate(() => location.hash)});
   await expect_fragment(linked, await fragment_of(page));
   assert.deepEqual(await painted(linked), await painted(page));
   assert.deepEqual(problems, []);
-  await page.context().close();
-  await linked.context().close();
+  await close();
+  await close_linked();
 });
 
 test('a brushed range of biases, by mouse and by keys, shows the mean over its biases', async () => {
-  const {page, problems} = await open_page(sweep);
+  const {page, problems, close} = await open_page(sweep);
   const shares = await page.evaluate(() => JSON.parse(document.getElementById('viewer-data').textContent).sets[0].biases[0].shares);
   const shown = async () => (await page.locator('.shares .number').allInnerTexts()).map((text) => parseFloat(text) / 100);
   const expect_mean = async (first, last) => {
@@ -110,12 +110,12 @@ test('a brushed range of biases, by mouse and by keys, shows the mean over its b
   assert.equal(new Set(await page.locator('.shares .cause-bar pattern path').evaluateAll((all) =>
     all.map((each) => each.getAttribute('d')))).size, 4, 'a hatch for each cause');
   assert.deepEqual(problems, []);
-  await page.context().close();
+  await close();
 });
 
 test('charts show values, the same cell elsewhere and its statistics, and are saved', async () => {
   const rows = csv_of(sweep);
-  const {page, problems} = await open_page(sweep);
+  const {page, problems, close} = await open_page(sweep);
   const figure = page.locator('figure', {has: page.locator('figcaption', {hasText: 'Mean absolute error of visibility'})}).first();
   const picture = figure.locator('.picture');
   await picture.focus();
@@ -149,14 +149,14 @@ test('charts show values, the same cell elsewhere and its statistics, and are sa
     assert.match(readFileSync(await (await download).path(), 'latin1'), start);
   }
   assert.deepEqual(problems, []);
-  await page.context().close();
+  await close();
 });
 
 
 test('a page of 10,000 cells and 20 sets of images stays small, and all of it can be reached', async () => {
   const out = large_run();
   assert.ok(statSync(path.join(out, 'index.html')).size < 40e6);
-  const {page, problems} = await open_page(out, {width: 1280});
+  const {page, problems, close} = await open_page(out, {width: 1280});
   assert.equal(await page.locator('.field.cells select').locator('option').count(), 20);
   const rows = page.locator('.cells .rows');
   assert.ok(await rows.locator('tr').count() < 100);
@@ -180,5 +180,5 @@ test('a page of 10,000 cells and 20 sets of images stays small, and all of it ca
   await page.locator('.stage').press('o');
   await page.getByText(/^Object 1 of \d+: /).waitFor();
   assert.deepEqual(problems, []);
-  await page.context().close();
+  await close();
 });
