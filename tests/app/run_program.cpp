@@ -30,7 +30,7 @@ ProgramResult run_program(const std::vector<std::string>& arguments, const Progr
   const TemporaryFolder folder;
   // Never the user's own cache of references.
   std::string command = "exec env " + quoted("XDG_CACHE_HOME=" + (folder / "cache").string()) + " ";
-  // Compiled shaders are shared by all runs: Mesa takes two seconds for those of one.
+  // Compiled shaders are shared by all runs.
   command += quoted(std::string("MESA_SHADER_CACHE_DIR=") + UMBRAMETER_SHADER_CACHE) + " ";
   for (const std::string& setting : options.environment) command += quoted(setting) + " ";
   for (const std::string& word : options.wrapper) command += quoted(word) + " ";
