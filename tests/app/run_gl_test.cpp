@@ -144,8 +144,9 @@ TEST_F(Run, The_error_layer_is_raster_less_truth_in_every_pixel) {
 
 TEST_F(Run, Equal_runs_give_equal_bytes_at_any_number_of_threads) {
   const auto run = [&](const std::string& name, const std::string& threads) {
-    const ProgramResult result =
-        run_program(words({"compare", "courtyard", "-o", folder_ / name, "--threads", threads, "--no-figures"}, small));
+    const ProgramResult result = run_program(words({"compare", "courtyard", "-o", folder_ / name, "--threads", threads,
+                                                    "--shadow.resolution", "256", "--no-figures"},
+                                                   small));
     ASSERT_EQ(result.exit_code, 0) << result.err;
   };
   run("one", "1");

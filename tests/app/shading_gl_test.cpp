@@ -22,7 +22,8 @@ struct Shading : GlRun {
 };
 
 TEST_F(Shading, Compare_reports_the_error_by_input_and_writes_both_images) {
-  const ProgramResult result = run({"compare", "courtyard", "--measure", "image", "--no-figures"});
+  const ProgramResult result =
+      run({"compare", "courtyard", "--measure", "image", "--shadow.resolution", "256", "--no-figures"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.out.find("image: error "), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("by part: shadows "), std::string::npos) << result.out;
@@ -83,7 +84,7 @@ TEST_F(Shading, An_area_light_gives_the_traced_image_a_standard_error) {
 
 TEST_F(Shading, Overlays_become_figures_and_light_volumes_are_counted) {
   const ProgramResult result = run({"raster", "courtyard:4", "--shading.path", "deferred", "--overlay",
-                                    "normal,light-buffer,shadow-map:0,light-view:1"});
+                                    "normal,light-buffer,shadow-map:0,light-view:1", "--shadow.resolution", "256"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   for (const char* stem : {"overlay", "view_normal", "view_light_buffer", "raster_image"}) {
     EXPECT_TRUE(std::filesystem::exists(folder_ / "out/figures" / (std::string(stem) + ".png"))) << stem;
