@@ -52,7 +52,7 @@ TEST_F(TechniquesGl, Every_choice_draws_under_every_kind_of_light) {
       for (const std::string& name : names_of(parameter)) {
         Experiment experiment;
         experiment.view.size = {64, 36};
-        experiment.shadow.map.resolution = 128;
+        experiment.shadow.map.resolution = 64;
         experiment.shadow.map.cascades = 3;
         const auto [key, value] = user_of(parameter.key);
         require(describe(experiment.shadow), key).set_text(value);
