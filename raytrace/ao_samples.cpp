@@ -1,6 +1,7 @@
 #include "raytrace/ao_samples.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 
@@ -136,8 +137,8 @@ void HemisphereSamples::order(std::size_t strata) {
   }
 }
 
-void HemisphereSamples::make(const TruthParams& params, const Hemisphere& hemisphere,
-                             std::span<const PixelRays> pixels) {
+void HemisphereSamples::make(const TruthParams& params, const Hemisphere& hemisphere, std::span<const PixelRays> pixels,
+                             RayOrder ray_order) {
   hemisphere_ = hemisphere;
   weight_ = params.ao_weight;
   std::size_t size = 0;
@@ -145,10 +146,13 @@ void HemisphereSamples::make(const TruthParams& params, const Hemisphere& hemisp
   made_points_.resize(size + widest_vector);
   made_stratum_.resize(size + widest_vector);
   made_source_.resize(size);
-  const Strata strata = strata_of(size);
+  // Sorting is stable: by the strata of one pixel alone, each pixel's rays come in the order that they have alone.
+  const bool is_as_alone = ray_order == RayOrder::as_alone;
+  const Strata strata = strata_of(is_as_alone ? static_cast<std::size_t>(pixels.front().range.size()) : size);
   std::size_t first = 0;
   for (std::size_t p = 0; p < pixels.size(); ++p) {
     const PixelRays& pixel = pixels[p];
+    assert(!is_as_alone || pixel.range.size() == pixels.front().range.size());
     const Randomisations& all = pixel.range.split;
     const Randomisations before{all.count, pixel.range.begin};
     origins_[p] = pixel.origin;

@@ -37,6 +37,11 @@ struct LiftedLanes {
   bool are_clear = false;                  ///< none can hit its own triangle
 };
 
+/// The order of the rays of several pixels. by_direction: consecutive rays are as close in direction as can be.
+/// as_alone: each pixel's rays keep the order that they have without the other pixels. All pixels must then have the
+/// same number of rays, and consecutive rays are less close.
+enum class RayOrder { by_direction, as_alone };
+
 /// The rays of several pixels, sorted by position on the disk below the hemisphere: consecutive rays, of whichever
 /// pixel, have similar directions and hit similar geometry. A pixel's rays do not depend on the other pixels.
 class HemisphereSamples {
@@ -44,16 +49,17 @@ class HemisphereSamples {
   static constexpr std::size_t max_pixels = 64;
   static constexpr std::size_t sources = max_pixels * max_randomisations;
 
-  void make(const TruthParams& params, const Hemisphere& hemisphere, std::span<const PixelRays> pixels);
+  void make(const TruthParams& params, const Hemisphere& hemisphere, std::span<const PixelRays> pixels,
+            RayOrder ray_order = RayOrder::by_direction);
 
   std::size_t size() const { return points_.size() - packet_width; }
-  /// The ray's pixel and randomisation in one number: see source_of().
+  /// The ray's pixel and randomisation in one number.
   std::size_t source(std::size_t ray) const { return source_[ray]; }
   static std::size_t source_of(std::size_t pixel, std::size_t randomisation) {
     return pixel * max_randomisations + randomisation;
   }
-
   static std::size_t pixel_of(std::size_t source) { return source / max_randomisations; }
+  static std::size_t randomisation_of(std::size_t source) { return source % max_randomisations; }
 
   /// Writes packet_width rays from `first` on. Lanes after the last ray get the direction of the axis from the first
   /// pixel.

@@ -4,21 +4,30 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "core/parallel.h"
 #include "core/random.h"
+#include "raytrace/ao_integral.h"
 #include "raytrace/ao_samples.h"
 #include "raytrace/tracer.h"
 #include "scenes/builtin.h"
 #include "scenes/view.h"
+#include "techniques/ao/integral.h"
 
 namespace umbrameter {
 namespace {
 
-GBuffer surfels_of(const Tracer& tracer, int width, int height) {
+View view_of(const Scene& scene, int width, int height) {
   std::vector<std::string> notes;
-  return trace_gbuffer(tracer,
-                       {width, height, select_camera(tracer.scene(), "", static_cast<double>(width) / height, notes)});
+  return {width, height, select_camera(scene, "", static_cast<double>(width) / height, notes)};
+}
+
+GBuffer surfels_of(const Tracer& tracer, int width, int height) {
+  return trace_gbuffer(tracer, view_of(tracer.scene(), width, height));
 }
 
 GBuffer two_thirds_of(GBuffer surfels) {
@@ -37,27 +46,68 @@ TEST_P(Packets, Do_not_carry_occlusion_from_pixel_to_pixel) {
   const GBuffer surfels = surfels_of(tracer, 64, 36);
   const GBuffer some = two_thirds_of(surfels);
   for (const bool is_adaptive : {false, true}) {
-    for (const AoLayers layers : {AoLayers::none, AoLayers::all}) {
+    for (const auto& [falloff, layers] :
+         {std::pair(AoFalloff::none, AoLayers::none), std::pair(AoFalloff::none, AoLayers::all),
+          std::pair(AoFalloff::gtao, AoLayers::none), std::pair(AoFalloff::sao, AoLayers::all)}) {
       TruthParams params;
       params.spp = 77;
       params.tolerance = is_adaptive ? 0.05 : 0.0;
       params.max_spp = 512;
+      params.ao_distance = {1.5, LengthUnit::metres};
+      params.ao_falloff = falloff;
       params.ao_layers = layers;
       const TracedAo with_all = trace_ao(tracer, surfels, params, 3);
       const TracedAo with_some = trace_ao(tracer, some, params, 3);
+      const bool has_layers = layers == AoLayers::all;
       int wrong = 0;
       for (std::size_t i = 0; i < some.instance.size(); ++i) {
         if (!some.is_surface(i)) continue;
-        wrong += with_all.ao[i] == with_some.ao[i] && with_all.variance[i] == with_some.variance[i] &&
-                         with_all.samples[i] == with_some.samples[i] &&
-                         (layers == AoLayers::none || with_all.bent_normal[i] == with_some.bent_normal[i])
-                     ? 0
-                     : 1;
+        const bool is_same = with_all.ao[i] == with_some.ao[i] && with_all.variance[i] == with_some.variance[i] &&
+                             with_all.samples[i] == with_some.samples[i] &&
+                             (!has_layers || (with_all.bent_normal[i] == with_some.bent_normal[i] &&
+                                              with_all.hit_distance[i] == with_some.hit_distance[i]));
+        wrong += is_same ? 0 : 1;
       }
       EXPECT_EQ(wrong, 0);
       EXPECT_LT(with_some.statistics.rays, with_all.statistics.rays);
     }
   }
+}
+
+TEST_P(Packets, Do_not_carry_a_methods_integral_from_pixel_to_pixel_or_from_thread_to_thread) {
+  const Scene scene = load_scene(GetParam());
+  const Tracer tracer(scene);
+  const View view = view_of(scene, 64, 36);
+  const GBuffer surfels = trace_gbuffer(tracer, view);
+  const GBuffer some = two_thirds_of(surfels);
+  AoSamplingParams sampling;
+  sampling.radius = 1.5;
+  const AoIntegral integral = integral_of(Hbao{sampling, {}, {}});
+  const auto trace = [&](const GBuffer& gbuffer, int threads) {
+    const ThreadLimit limit(threads);
+    return trace_integral(tracer, gbuffer, view, integral, {77, 3});
+  };
+  const TracedIntegral with_all = trace(surfels, 1);
+  const TracedIntegral on_two_threads = trace(surfels, 2);
+  for (std::size_t k = 0; k < occluder_kinds; ++k) {
+    EXPECT_EQ(with_all.accessibility[k].pixels, on_two_threads.accessibility[k].pixels);
+    EXPECT_EQ(with_all.step_variance[k].pixels, on_two_threads.step_variance[k].pixels);
+  }
+  // The other occluders are surfaces of the image's other pixels.
+  const TracedIntegral with_some = trace(some, 1);
+  for (const Occluders occluders : {Occluders::all, Occluders::in_view}) {
+    const auto k = static_cast<std::size_t>(occluders);
+    int wrong = 0;
+    for (std::size_t i = 0; i < some.instance.size(); ++i) {
+      if (!some.is_surface(i)) continue;
+      wrong += with_all.accessibility[k][i] == with_some.accessibility[k][i] &&
+                       with_all.variance[k][i] == with_some.variance[k][i]
+                   ? 0
+                   : 1;
+    }
+    EXPECT_EQ(wrong, 0);
+  }
+  EXPECT_LT(with_some.statistics.rays, with_all.statistics.rays);
 }
 
 TEST_P(Packets, Do_not_carry_visibility_from_pixel_to_pixel) {
@@ -136,6 +186,38 @@ TEST(HemisphereSamples, Are_the_same_on_every_processor) {
     std::sort(expected.begin(), expected.end());
     std::sort(made.begin(), made.end());
     EXPECT_EQ(made, expected);
+  }
+}
+
+// For sums of floating-point numbers, which depend on their order.
+TEST(HemisphereSamples, Of_a_pixel_keep_their_order_among_those_of_others_if_asked) {
+  const Hemisphere hemisphere;
+  using Point = std::array<float, 3>;  // randomisation, direction
+  const auto points_of = [&](std::span<const PixelRays> pixels, std::size_t pixel) {
+    HemisphereSamples samples;
+    samples.make(TruthParams{}, hemisphere, pixels, RayOrder::as_alone);
+    std::vector<Point> points;
+    std::array<float, packet_width> x{}, y{}, z{}, dx{}, dy{}, dz{}, reach{};
+    LiftedLanes lifted;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const std::size_t lane = i % packet_width;
+      if (lane == 0) {
+        samples.lift(i, {x.data(), y.data(), z.data(), dx.data(), dy.data(), dz.data(), reach.data()}, lifted);
+      }
+      const std::size_t source = samples.source(i);
+      if (HemisphereSamples::pixel_of(source) != pixel) continue;
+      points.push_back({static_cast<float>(HemisphereSamples::randomisation_of(source)), dx[lane], dy[lane]});
+    }
+    return points;
+  };
+  for (const int rays : {16, 77, 301}) {
+    // As many rays each; the last ones of a longer sequence.
+    const PixelRays pixels[] = {{vec3(1, 2, 3), {{8, rays}, 0}, 99},
+                                {vec3(4, 5, 6), {{8, rays}, 0}, 7},
+                                {vec3(4, 5, 6), {{8, rays + 40}, 40}, 3}};
+    for (std::size_t p = 0; p < std::size(pixels); ++p) {
+      EXPECT_EQ(points_of(pixels, p), points_of(std::span(pixels).subspan(p, 1), 0)) << rays << " rays, pixel " << p;
+    }
   }
 }
 
