@@ -58,9 +58,11 @@ TEST_F(ShadowReferenceGl, At_a_point_no_light_has_extent) {
   EXPECT_TRUE(stages_->is_sampled(experiment_, 0));
   experiment_.truth.shadow = ShadowReference::point;
   const ShadowMeasurement point = measure_shadow(*stages_, experiment_, 0, {});
-  ASSERT_TRUE(by_cause(point) != nullptr);
+  const auto* of_point = by_cause(point);
+  const auto* of_none = by_cause(without);
+  ASSERT_TRUE(of_point != nullptr && of_none != nullptr);
   EXPECT_EQ(point.truth->visibility.pixels, without.truth->visibility.pixels);
-  EXPECT_EQ(by_cause(point)->acne, by_cause(without)->acne);
+  EXPECT_EQ(of_point->acne, of_none->acne);
 }
 
 TEST_F(ShadowReferenceGl, Is_an_axis_of_a_sweep_of_shadows) {
