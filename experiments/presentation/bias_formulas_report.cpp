@@ -70,7 +70,7 @@ Table formulas_table(const BiasCurves& curves) {
   table.columns.insert(table.columns.end(), rest.begin(), rest.end());
   for (const CurveFormula& of : curves.formulas) {
     std::vector<Value> row = of.others;
-    row.push_back(std::string(name_of(of)));
+    row.emplace_back(std::string(name_of(of)));
     row.emplace_back(static_cast<std::int64_t>(of.points.size()));
     row.emplace_back(static_cast<std::int64_t>(of.left_out));
     if (of.formula) {
