@@ -3,31 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
-#include "core/error.h"
 #include "experiments/known_statistics.h"
-#include "experiments/measure.h"
 #include "experiments/sweep_table.h"
-#include "scenes/builtin.h"
+#include "tests/experiments/two_occluders_gl.h"
 
 namespace umbrameter {
 namespace {
 
 constexpr const char* shadow_metrics = "ldr-flip,ssim,mae,edge-displacement,edge-roughness,edge-width,edges-found";
 
-class MetricColumnsGl : public testing::Test {
+class MetricColumnsGl : public TwoOccludersGl {
  protected:
   void SetUp() override {
-    try {
-      StageOptions options;
-      options.context = std::make_shared<gl::Context>(gl::Context::make());
-      stages_ = std::make_unique<Stages>(load_scene("two-occluders"), options, Console{.quiet = true});
-    } catch (const Error& error) {
-      GTEST_SKIP() << error.what();
-    }
+    TwoOccludersGl::SetUp();
     experiment_.view.size = {160, 90};
-    experiment_.shadow.map.resolution = 512;
     experiment_.truth.spp = 16;
     experiment_.run.metrics = shadow_metrics;
   }
@@ -50,9 +40,6 @@ class MetricColumnsGl : public testing::Test {
     }
     return known;
   }
-
-  std::unique_ptr<Stages> stages_;
-  Experiment experiment_;
 };
 
 TEST_F(MetricColumnsGl, Of_biases_that_one_pass_measures) {

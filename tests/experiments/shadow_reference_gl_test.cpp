@@ -2,32 +2,20 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 
-#include "core/error.h"
-#include "experiments/measure.h"
 #include "experiments/sweep_table.h"
-#include "scenes/builtin.h"
+#include "tests/experiments/two_occluders_gl.h"
 
 namespace umbrameter {
 namespace {
 
-class ShadowReferenceGl : public testing::Test {
+class ShadowReferenceGl : public TwoOccludersGl {
  protected:
   void SetUp() override {
-    try {
-      StageOptions options;
-      options.context = std::make_shared<gl::Context>(gl::Context::make());
-      stages_ = std::make_unique<Stages>(load_scene("two-occluders"), options, Console{.quiet = true});
-    } catch (const Error& error) {
-      GTEST_SKIP() << error.what();
-    }
+    TwoOccludersGl::SetUp();
     experiment_.view.size = {96, 54};
-    experiment_.shadow.map.resolution = 512;
     experiment_.truth.spp = 64;
   }
-  std::unique_ptr<Stages> stages_;
-  Experiment experiment_;
 };
 
 TEST_F(ShadowReferenceGl, Over_the_pixel_is_sampled_and_has_no_causes) {

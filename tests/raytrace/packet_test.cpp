@@ -131,6 +131,22 @@ TEST_P(Packets, Do_not_carry_visibility_from_pixel_to_pixel) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Packets, testing::Values("courtyard", "contact-box", "fence"));
 
+using Ray = std::array<float, 7>;  // source, origin, direction
+
+std::vector<Ray> rays_of(const HemisphereSamples& samples) {
+  std::vector<Ray> rays;
+  std::array<float, packet_width> x{}, y{}, z{}, dx{}, dy{}, dz{}, reach{};
+  LiftedLanes lifted;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const std::size_t lane = i % packet_width;
+    if (lane == 0) {
+      samples.lift(i, {x.data(), y.data(), z.data(), dx.data(), dy.data(), dz.data(), reach.data()}, lifted);
+    }
+    rays.push_back({static_cast<float>(samples.source(i)), x[lane], y[lane], z[lane], dx[lane], dy[lane], dz[lane]});
+  }
+  return rays;
+}
+
 // The library's loops run on the best vector unit of this processor; this file is compiled for the plainest one.
 TEST(HemisphereSamples, Are_the_same_on_every_processor) {
   for (const AoWeight weight : {AoWeight::cosine, AoWeight::uniform}) {
@@ -148,7 +164,6 @@ TEST(HemisphereSamples, Are_the_same_on_every_processor) {
     HemisphereSamples samples;
     samples.make(params, hemisphere, pixels);
     ASSERT_EQ(samples.size(), 1037u + 201u + 50u + 11u);
-    using Ray = std::array<float, 7>;  // source, origin, direction
     std::vector<Ray> expected;
     for (std::size_t p = 0; p < std::size(pixels); ++p) {
       const PixelRays& pixel = pixels[p];
@@ -173,16 +188,7 @@ TEST(HemisphereSamples, Are_the_same_on_every_processor) {
         }
       }
     }
-    std::vector<Ray> made;
-    std::array<float, packet_width> x{}, y{}, z{}, dx{}, dy{}, dz{}, reach{};
-    LiftedLanes lifted;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const std::size_t lane = i % packet_width;
-      if (lane == 0) {
-        samples.lift(i, {x.data(), y.data(), z.data(), dx.data(), dy.data(), dz.data(), reach.data()}, lifted);
-      }
-      made.push_back({static_cast<float>(samples.source(i)), x[lane], y[lane], z[lane], dx[lane], dy[lane], dz[lane]});
-    }
+    std::vector<Ray> made = rays_of(samples);
     std::sort(expected.begin(), expected.end());
     std::sort(made.begin(), made.end());
     EXPECT_EQ(made, expected);
@@ -192,23 +198,18 @@ TEST(HemisphereSamples, Are_the_same_on_every_processor) {
 // For sums of floating-point numbers, which depend on their order.
 TEST(HemisphereSamples, Of_a_pixel_keep_their_order_among_those_of_others_if_asked) {
   const Hemisphere hemisphere;
-  using Point = std::array<float, 3>;  // randomisation, direction
-  const auto points_of = [&](std::span<const PixelRays> pixels, std::size_t pixel) {
+  // The pixel of the source is left out: alone, it is another.
+  const auto rays_of_pixel = [&](std::span<const PixelRays> pixels, std::size_t pixel) {
     HemisphereSamples samples;
     samples.make(TruthParams{}, hemisphere, pixels, RayOrder::as_alone);
-    std::vector<Point> points;
-    std::array<float, packet_width> x{}, y{}, z{}, dx{}, dy{}, dz{}, reach{};
-    LiftedLanes lifted;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const std::size_t lane = i % packet_width;
-      if (lane == 0) {
-        samples.lift(i, {x.data(), y.data(), z.data(), dx.data(), dy.data(), dz.data(), reach.data()}, lifted);
-      }
-      const std::size_t source = samples.source(i);
+    std::vector<Ray> of_pixel;
+    for (Ray ray : rays_of(samples)) {
+      const auto source = static_cast<std::size_t>(ray[0]);
       if (HemisphereSamples::pixel_of(source) != pixel) continue;
-      points.push_back({static_cast<float>(HemisphereSamples::randomisation_of(source)), dx[lane], dy[lane]});
+      ray[0] = static_cast<float>(HemisphereSamples::randomisation_of(source));
+      of_pixel.push_back(ray);
     }
-    return points;
+    return of_pixel;
   };
   for (const int rays : {16, 77, 301}) {
     // As many rays each; the last ones of a longer sequence.
@@ -216,7 +217,8 @@ TEST(HemisphereSamples, Of_a_pixel_keep_their_order_among_those_of_others_if_ask
                                 {vec3(4, 5, 6), {{8, rays}, 0}, 7},
                                 {vec3(4, 5, 6), {{8, rays + 40}, 40}, 3}};
     for (std::size_t p = 0; p < std::size(pixels); ++p) {
-      EXPECT_EQ(points_of(pixels, p), points_of(std::span(pixels).subspan(p, 1), 0)) << rays << " rays, pixel " << p;
+      EXPECT_EQ(rays_of_pixel(pixels, p), rays_of_pixel(std::span(pixels).subspan(p, 1), 0))
+          << rays << " rays, pixel " << p;
     }
   }
 }
