@@ -10,7 +10,6 @@ namespace {
 
 constexpr double min_slope_share = 0.05;      // of b, below which b / a is noise
 constexpr double axis_variance = 1.0 / 12.0;  // of a place anywhere within a step of the axis, in steps²
-constexpr double same_value = 1e-3;           // relative difference of values that count once
 
 using Fact = double (*)(const FormulaPoint&);
 double texel_of(const FormulaPoint& point) { return point.fit.texel; }
@@ -25,7 +24,7 @@ FormulaRange range_of(std::span<const FormulaPoint> points, Fact fact) {
   std::sort(values.begin(), values.end());
   FormulaRange range{values.front(), values.back(), 1};
   for (std::size_t i = 1; i < values.size(); ++i)
-    if (values[i] - values[i - 1] > same_value * std::abs(values[i])) ++range.values;
+    if (values[i] - values[i - 1] > BiasFacts::same * std::abs(values[i])) ++range.values;
   return range;
 }
 
@@ -74,7 +73,7 @@ std::vector<FormulaTerm> choose_terms(BiasFormula& formula) {
 }
 
 bool is_within(const FormulaRange& range, double value) {
-  const double margin = same_value * std::max(std::abs(range.min), std::abs(range.max));
+  const double margin = BiasFacts::same * std::max(std::abs(range.min), std::abs(range.max));
   return value >= range.min - margin && value <= range.max + margin;
 }
 
