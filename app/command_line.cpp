@@ -165,9 +165,12 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
         ->type_name("CONDITION")
         ->take_all();
   }
-  if (&description == &compare_command || &description == &raster_command) {
-    add_switch(command, line, "write-maps")->group(files_group);
-    add_switch(command, line, "write-ao-inputs")->group(files_group);
+  const bool writes_files = &description == &compare_command || &description == &raster_command;
+  // A sweep knows them to say that it has none.
+  if (writes_files || &description == &sweep_command) {
+    for (const char* name : {"write-maps", "write-ao-inputs"}) {
+      add_switch(command, line, name)->group(writes_files ? files_group : "");
+    }
   }
   if (&description != &trace_command) {
     command.add_option("--gl-device", line.gl_device, "OpenGL device: index, part of its name, or 'software'")

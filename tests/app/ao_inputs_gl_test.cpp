@@ -101,8 +101,8 @@ TEST_F(AoInputsRun, Are_written_on_request_only_and_not_by_a_sweep) {
       {"raster", "corner", "-o", folder_ / "plain", "--size", "32x18", "--light", "sun", "--no-figures", "--quiet"});
   ASSERT_EQ(plain.exit_code, 0) << plain.err;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "plain/ao_inputs.json"));
-  const ProgramResult sweep = run_program(
-      {"sweep", "corner", "-o", folder_ / "sweep", "--vary", "ao.bias=0,0.1", "--run.write-ao-inputs", "true"});
+  const ProgramResult sweep =
+      run_program({"sweep", "corner", "-o", folder_ / "sweep", "--vary", "ao.bias=0,0.1", "--write-ao-inputs"});
   EXPECT_EQ(sweep.exit_code, 2);
   EXPECT_NE(sweep.err.find("--write-ao-inputs"), std::string::npos) << sweep.err;
 }
