@@ -100,9 +100,9 @@ BlockSums sum_blocks(const StoredImages& images, const PixelMean& of) {
                          : std::isnan((*images.position)[i]) ? PixelClass::background
                                                              : PixelClass::correct;
       if (pixel == PixelClass::not_counted || pixel == PixelClass::background) continue;
-      const auto block = static_cast<std::size_t>(y * rows / error.height * columns + x * columns / error.width);
+      const int block = y * rows / error.height * columns + x * columns / error.width;
       const double value = of.term(error[i], pixel);
-      for (BlockSum* each : {&sums.blocks[block], &sums.all}) {
+      for (BlockSum* each : {&sums.blocks[static_cast<std::size_t>(block)], &sums.all}) {
         each->sum += value;
         each->count += 1.0;
       }

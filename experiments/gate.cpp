@@ -37,7 +37,7 @@ const KnownStatistic* find_known(const std::string& kind, const std::string& nam
 }
 
 // The numbers of the blocks "statistics" and "metrics". A described statistic hides a metric of the same name.
-void read_part(const Json& part, MeasuredStatistic of_part, std::vector<MeasuredStatistic>& all) {
+void read_part(const Json& part, const MeasuredStatistic& of_part, std::vector<MeasuredStatistic>& all) {
   const Json statistics = part.value("statistics", Json::object());
   const double pixels = statistics.contains("pixels") ? number_of(statistics["pixels"]) : 0.0;
   const std::size_t first = all.size();

@@ -23,7 +23,10 @@ struct Strata {
     return row * columns + static_cast<int>((along + 1.0f) * (0.5f * static_cast<float>(columns)));
   }
   // One more row and cell, because rounding may put a point on the far edge of a row or of the square.
-  std::size_t count() const { return static_cast<std::size_t>((rows + 1) * columns + 1); }
+  std::size_t count() const {
+    const int cells = (rows + 1) * columns + 1;
+    return static_cast<std::size_t>(cells);
+  }
 };
 
 // About four points per cell, and as many rows as make a packet's sixteen points cover about a square
@@ -31,7 +34,7 @@ struct Strata {
 Strata strata_of(std::size_t points) {
   constexpr std::size_t max_points = 1u << 16u;
   const auto ordered = static_cast<int>(std::clamp<std::size_t>(points, 4, max_points));
-  const int rows = static_cast<int>(std::sqrt(static_cast<double>(ordered)) / 3.0 + 0.5);
+  const auto rows = static_cast<int>(std::lround(std::sqrt(static_cast<double>(ordered)) / 3.0));
   return {rows, ordered / (4 * rows)};
 }
 

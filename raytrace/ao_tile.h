@@ -61,7 +61,7 @@ class AoTile {
  private:
   using Rays = typename Quantity::Rays;
   static constexpr int block_size = 8;
-  static_assert(block_size * block_size <= HemisphereSamples::max_pixels);
+  static_assert(std::size_t{block_size} * block_size <= HemisphereSamples::max_pixels);
   // About a third of a megabyte, so that they fit into the L2 cache (docs/decisions/packets-of-neighbours.md).
   static constexpr int max_rays_together = 16384;
   // Sums of floating-point numbers depend on their order, which must not depend on other pixels. Counts do not.

@@ -6,7 +6,7 @@
 
 namespace umbrameter {
 
-class MeshMask;
+struct MeshMask;
 
 /// The huge triangles of a mesh. Hits report their instance and their triangle ids in the scene, as for other
 /// triangles.

@@ -22,14 +22,14 @@ Pass& Pass::bind(const char* name, const Bound& bound) {
 }
 
 int Pass::location(const char* name) {
-  bind(name, {Bound::value});
+  bind(name, {Bound::Kind::value});
   return glGetUniformLocation(program_.program.name(), name);
 }
 
 const Buffer& Pass::keep(Buffer buffer) { return kept_.emplace_back(std::move(buffer)); }
 
 Pass& Pass::image(const char* name, const Texture& texture, Format format, bool layered, int level) {
-  return bind(name, {Bound::image, texture.name(), format, layered, level});
+  return bind(name, {Bound::Kind::image, texture.name(), format, layered, level});
 }
 
 Pass& Pass::value(const char* name, float number) {
@@ -73,27 +73,27 @@ void Pass::use() const {
   for (std::size_t i = 0; i < bound_.size(); ++i) {
     const ProgramInput& input = program_.inputs[i];
     const Bound& bound = bound_[i];
-    const unsigned point = taken[bound.kind]++;
+    const unsigned point = taken[static_cast<std::size_t>(bound.kind)]++;
     switch (bound.kind) {
-      case Bound::nothing:
+      case Bound::Kind::nothing:
         throw Error(ExitCode::no_backend, "shader " + label_, "nothing is bound to '" + input.name + "'",
                     "this is a bug in the build: please report it");
-      case Bound::value:
+      case Bound::Kind::value:
         break;
-      case Bound::texture:
+      case Bound::Kind::texture:
         glProgramUniform1i(program, input.location, static_cast<int>(point));
         glBindTextureUnit(point, bound.name);
         break;
-      case Bound::image:
+      case Bound::Kind::image:
         glProgramUniform1i(program, input.location, static_cast<int>(point));
         glBindImageTexture(point, bound.name, bound.level, bound.layered ? GL_TRUE : GL_FALSE, 0, GL_WRITE_ONLY,
                            internal_format(bound.format));
         break;
-      case Bound::buffer:
+      case Bound::Kind::buffer:
         glShaderStorageBlockBinding(program, static_cast<unsigned>(input.location), point);
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, point, bound.name);
         break;
-      case Bound::block:
+      case Bound::Kind::block:
         glUniformBlockBinding(program, static_cast<unsigned>(input.location), point);
         glBindBufferBase(GL_UNIFORM_BUFFER, point, bound.name);
         break;

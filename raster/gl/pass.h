@@ -21,15 +21,15 @@ class Pass {
   /// The shaders also get the #defines of shader_interface.h.
   Pass(const Context& context, const ProgramSource& source);
 
-  Pass& texture(const char* name, const Texture& texture) { return bind(name, {Bound::texture, texture.name()}); }
+  Pass& texture(const char* name, const Texture& texture) { return bind(name, {Bound::Kind::texture, texture.name()}); }
   /// An image that the shader writes: a level of the texture. layered: binds all layers of an array.
   Pass& image(const char* name, const Texture& texture, Format format, bool layered = false, int level = 0);
-  Pass& buffer(const char* name, const Buffer& storage) { return bind(name, {Bound::buffer, storage.name()}); }
+  Pass& buffer(const char* name, const Buffer& storage) { return bind(name, {Bound::Kind::buffer, storage.name()}); }
   Pass& buffer(const char* name, Buffer&& storage) { return buffer(name, keep(std::move(storage))); }
   /// A uniform block in layout std140.
   template <class Block>
   Pass& block(const char* name, const Block& values) {
-    return bind(name, {Bound::block, keep(make_block(name, values)).name()});
+    return bind(name, {Bound::Kind::block, keep(make_block(name, values)).name()});
   }
   Pass& value(const char* name, float number);
   Pass& value(const char* name, int number);
@@ -48,7 +48,8 @@ class Pass {
 
  private:
   struct Bound {
-    enum { nothing, value, texture, image, buffer, block } kind = nothing;
+    enum class Kind { nothing, value, texture, image, buffer, block };
+    Kind kind = Kind::nothing;
     unsigned name = 0;
     Format format = Format::r32f;  // images only
     bool layered = false;          // images only

@@ -44,7 +44,8 @@ Image<double> ssao(const LayeredImage& image, const Json& values) {
     if (std::isinf(depth[i])) continue;
     const int x = static_cast<int>(i) % depth.width;
     const int y = static_cast<int>(i) / depth.width;
-    const dvec3 rotation = vector_of(values["noise"][static_cast<std::size_t>((y % tile) * tile + x % tile)]);
+    const int in_tile = y % tile * tile + x % tile;
+    const dvec3 rotation = vector_of(values["noise"][static_cast<std::size_t>(in_tile)]);
     const dvec3 normal = normals[i];
     const dvec3 tangent = glm::normalize(rotation - normal * glm::dot(rotation, normal));
     const dvec3 bitangent = glm::cross(normal, tangent);

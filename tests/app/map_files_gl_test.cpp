@@ -37,8 +37,8 @@ TexelPlace on_cube(const dvec3& p) {
   const dvec3 up = axis == 1 ? dvec3(0, 0, 1) : dvec3(0, 1, 0);
   const dvec3 right = glm::cross(forward, up);
   const double along = glm::dot(forward, p);
-  const auto view = static_cast<std::size_t>(2 * axis + (p[axis] < 0.0 ? 1 : 0));
-  return {view, dvec2(glm::dot(right, p), glm::dot(up, p)) / along, glm::length(p)};
+  const int view = 2 * axis + (p[axis] < 0.0 ? 1 : 0);
+  return {static_cast<std::size_t>(view), dvec2(glm::dot(right, p), glm::dot(up, p)) / along, glm::length(p)};
 }
 
 // Light space from world.

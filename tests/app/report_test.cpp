@@ -129,7 +129,7 @@ TEST_F(RunsReport, An_interval_does_not_take_neighbouring_pixels_for_independent
   std::mt19937 random(11);
   std::vector<float> patches(64);
   for (float& patch : patches) patch = random() % 2 == 0 ? 1.0f : 0.0f;
-  for (std::size_t i = 0; i < a.error.size(); ++i) a.error[i] = patches[i / (8 * side) * 8 + i % side / 8];
+  for (std::size_t i = 0; i < a.error.size(); ++i) a.error[i] = patches[i / side / 8 * 8 + i % side / 8];
   const std::vector<StoredRun> runs = {read_stored_run(write("a", a))};
   for (const ComparedStatistic& each : compare_runs(runs)) {
     // √(p (1 − p) / 64) with p near ½ is 0.0625; of 4096 pixels it would be 0.0078.

@@ -22,7 +22,8 @@ Image<float> drawn(const std::function<double(double x, double y)>& lit, int sam
     for (int x = 0; x < side; ++x) {
       double sum = 0.0;
       for (int s = 0; s < samples * samples; ++s) {
-        sum += lit(x + (s % samples + 0.5) / samples - side / 2.0, y + (s / samples + 0.5) / samples - side / 2.0);
+        const int row = s / samples;
+        sum += lit(x + (s % samples + 0.5) / samples - side / 2.0, y + (row + 0.5) / samples - side / 2.0);
       }
       image.at(x, y) = static_cast<float>(sum / (samples * samples));
     }
@@ -82,8 +83,9 @@ Extent extent_of(const Image<float>& test, const Image<float>& reference, double
   double most = -1e9;
   for (const EdgePoint& point : find_edge_points({test, reference, inside})) {
     if (!point.is_found) continue;
+    const int row = static_cast<int>(point.pixel) / side;
     const double x = static_cast<int>(point.pixel) % side + 0.5 - side / 2.0;
-    const double y = static_cast<int>(point.pixel) / side + 0.5 - side / 2.0;
+    const double y = row + 0.5 - side / 2.0;
     const double along = y * std::cos(angle) - x * std::sin(angle);
     least = std::min(least, along);
     most = std::max(most, along);
