@@ -71,7 +71,7 @@ std::string counted(const char* noun, const std::vector<std::string>& names) {
 }
 
 std::string size_text(const Listed& scene) {
-  const std::string triangles = grouped(scene.triangles) + " triangles";
+  std::string triangles = grouped(scene.triangles) + " triangles";
   const BuiltinScene& description = *scene.description;
   if (description.counted.empty()) return triangles;
   return fmt::format("{}; {}:NUMBER for {} to {} {}", triangles, description.name, grouped(description.fewest),

@@ -231,7 +231,8 @@ class Casters {
   dvec2 place_of(EdgeId edge) const {
     const std::size_t pixel = edge / 2;
     const auto width = static_cast<std::size_t>(gbuffer_.width);
-    return dvec2(static_cast<double>(pixel % width), static_cast<double>(pixel / width)) +
+    const std::size_t row = pixel / width;
+    return dvec2(static_cast<double>(pixel % width), static_cast<double>(row)) +
            (edge % 2 == 0 ? dvec2(0.5, 0.0) : dvec2(0.0, 0.5));
   }
 

@@ -103,7 +103,7 @@ void take_nearer(const ShadowEdges& edges, const Direction& direction, Image<std
     }
     if (envelope.empty()) return;
     envelope.walk(width, [&](int x, const Parabola& lowest) {
-      const std::int64_t across = 2 * x - lowest.place;
+      const std::int64_t across = std::int64_t{2} * x - lowest.place;
       const std::int64_t square = across * across + lowest.height;
       std::int64_t& least = squares.at(x, y);
       if (square >= least) return;
