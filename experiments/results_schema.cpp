@@ -192,9 +192,9 @@ void insert_row(SQLite::Database& database, SQLite::Statement& insert, std::size
   // Not exec(): the statement must be free again also after a row that is refused.
   const int result = insert.tryExecuteStep();
   if (result == SQLITE_DONE) return insert.reset();
-  const SQLite::Exception problem(database.getHandle(), result);
+  const std::string problem = database.getErrorMsg();  // before the reset, which clears it
   insert.tryReset();
-  throw problem;
+  throw SQLite::Exception(problem, result);
 }
 
 StoreDescription read_description(SQLite::Database& database, const fs::path& path) {

@@ -35,7 +35,7 @@ std::string counted_text(const CountedPixels& counted, bool is_soft) {
 
 // What one light's shadow rays went to.
 std::string truth_caption(const ShadowMeasurement& shadow) {
-  const std::string common = "Shadow rays against the exact geometry. Back-facing pixels are 0.";
+  std::string common = "Shadow rays against the exact geometry. Back-facing pixels are 0.";
   if (!shadow.is_sampled) return common;
   const double samples = shadow.truth->precision.mean_samples;
   if (shadow.experiment.truth.shadow == ShadowReference::pixel) {

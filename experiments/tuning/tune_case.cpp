@@ -280,7 +280,7 @@ std::vector<CaseValues> measure_without_blocks(const TuneCase& tuned, const Expe
     const int y = static_cast<int>(i / static_cast<std::size_t>(width));
     return y * block_grid / height * block_grid + x * block_grid / width;
   };
-  std::vector<bool> is_used(block_grid * block_grid);
+  std::vector<bool> is_used(std::size_t{block_grid} * block_grid);
   const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   for (std::size_t i = 0; i < pixels; ++i) {
     if (drawn.images.is_counted(i)) is_used[static_cast<std::size_t>(block_of(i))] = true;

@@ -252,7 +252,7 @@ class Tuner {
   }
 
   // Minimises over the numbers from the position of `start`, with the words of `words`, until there are `most` points.
-  void search_from(const std::vector<Value>& words, std::vector<Value> start, bool is_global, std::size_t most) {
+  void search_from(const std::vector<Value>& words, const std::vector<Value>& start, bool is_global, std::size_t most) {
     struct Share {};
     const auto at = [&](const std::vector<double>& position) {
       if (result_.points.size() >= most) throw Share{};
