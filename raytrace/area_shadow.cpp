@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "core/random.h"
@@ -22,7 +21,7 @@ namespace {
 constexpr int tile_size = 16;
 // A packet holds one ray from each pixel of a block.
 constexpr int block_size = 4;
-static_assert(block_size * block_size == packet_width);
+static_assert(std::size_t{block_size} * block_size == packet_width);
 // Make the random numbers independent of those for other quantities at the same pixel.
 constexpr std::uint32_t purpose = 0x11947u;
 constexpr std::uint32_t pilot_purpose = 0x21947u;
@@ -43,12 +42,7 @@ struct Pixel {
 class TileTracer {
  public:
   TileTracer(const Tracer& tracer, const GBuffer& gbuffer, const Light& light, const TruthSampling& sampling)
-      : tracer_(tracer),
-        gbuffer_(gbuffer),
-        light_(light),
-        sampling_(sampling),
-        packet_(tracer.state()),
-        triangles_(tracer) {}
+      : gbuffer_(gbuffer), light_(light), sampling_(sampling), packet_(tracer.state()), triangles_(tracer) {}
 
   void trace(const Tile& tile, TracedVisibility& result) {
     for (int y = tile.y_begin; y < tile.y_end; y += block_size) {
@@ -107,7 +101,7 @@ class TileTracer {
     }
     statistics_.largest_offset = std::max(statistics_.largest_offset, origin.offset);
     pending_.push_back(static_cast<int>(pixels_.size()));
-    pixels_.push_back(std::move(pixel));
+    pixels_.push_back(pixel);
   }
 
   Pixel& pending(std::size_t i) { return pixels_[static_cast<std::size_t>(pending_[i])]; }
@@ -168,7 +162,6 @@ class TileTracer {
     result.samples[pixel.index] = static_cast<float>(estimate.rays);
   }
 
-  const Tracer& tracer_;
   const GBuffer& gbuffer_;
   const Light& light_;
   const TruthSampling& sampling_;

@@ -18,7 +18,7 @@ constexpr int tile_size = 64;
 constexpr int strip_height = 4;
 
 // Holds the rays of a strip after those left over from the strip before, which did not fill a packet.
-constexpr std::size_t max_rays = strip_height * tile_size + packet_width;
+constexpr std::size_t max_rays = std::size_t{strip_height} * tile_size + packet_width;
 using StripRays = RayColumns<max_rays>;
 
 // Whether any pixel shows a surface. Branch-free, so that it vectorises.

@@ -82,7 +82,8 @@ VisibleSurface::Place VisibleSurface::place_of(const dvec3& position) const {
 
 dvec2 VisibleSurface::center_of(std::size_t pixel) const {
   const auto width = static_cast<std::size_t>(width_);
-  return {static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5};
+  const std::size_t row = pixel / width;
+  return {static_cast<double>(pixel % width) + 0.5, static_cast<double>(row) + 0.5};
 }
 
 bool VisibleSurface::has_neighbour(std::size_t pixel, unsigned side) const {
