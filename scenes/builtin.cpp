@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -67,7 +68,7 @@ std::optional<std::uint64_t> parsed_size(std::string_view text) {
   if (problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
   // Beyond this the conversion would overflow; no scene goes near it.
   if (!(number > 0.0) || number * scale > 1e15) return std::nullopt;
-  return static_cast<std::uint64_t>(number * scale + 0.5);
+  return static_cast<std::uint64_t>(std::llround(number * scale));
 }
 
 Scene make_sized(const BuiltinScene& scene, const std::string& text, const std::string& size) {
@@ -82,7 +83,7 @@ Scene make_sized(const BuiltinScene& scene, const std::string& text, const std::
   const std::optional<std::uint64_t> number = parsed_size(size);
   if (!number) {
     const std::string example =
-        scene.most < 1000 * 1000 ? name + ":64" : name + ":1M, " + name + ":1e6 or " + name + ":300k";
+        scene.most < 1000000 ? name + ":64" : name + ":1M, " + name + ":1e6 or " + name + ":300k";
     throw Error(ExitCode::usage, "scene '" + text + "'", "'" + size + "' is not a number of " + counted,
                 "write it as " + example + "; " + range);
   }

@@ -80,7 +80,7 @@ void classify_cells(Json& table) {
       row[c] = {{columns[c]["numeric"] ? "number" : c == 0 ? "header" : is_short ? "short" : "text", row[c]}};
     }
   }
-  const auto has_unit = [](const Json& column) { return column["unit"] != ""; };
+  const auto has_unit = [](const Json& column) { return !column["unit"].get_ref<const std::string&>().empty(); };
   table["has_units"] = std::any_of(columns.begin(), columns.end(), has_unit);
   table["column_count"] = columns.size();
 }

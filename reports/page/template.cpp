@@ -32,7 +32,10 @@ const Json* member(const Json& value, std::string_view name) {
   return found == value.end() ? nullptr : &*found;
 }
 
-bool is_something(const Json* value) { return value != nullptr && !value->empty() && *value != false && *value != ""; }
+bool is_something(const Json* value) {
+  if (value == nullptr || value->empty() || *value == false) return false;
+  return !value->is_string() || !value->get_ref<const std::string&>().empty();
+}
 
 std::string text_of(const Json* value) {
   assert(value != nullptr);

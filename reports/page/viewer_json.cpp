@@ -22,7 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Larger images lose every second row and column, unless all pixels were asked for.
-constexpr std::size_t most_pixels_in_full = 640 * 360;
+constexpr std::size_t most_pixels_in_full = std::size_t{640} * 360;
 
 constexpr const char* kind_names[] = {"share", "error", "number", "category", "color", "vector"};
 constexpr const char* role_names[] = {"reference", "technique", "error", "cause", "other"};
