@@ -98,10 +98,11 @@ std::vector<float> read_attribute(const draco::Mesh& mesh, const std::string& na
     fail(path, object, "its Draco data has no attribute " + std::to_string(wanted.unique_id) + " for " + name);
   }
   const auto components = static_cast<std::int8_t>(wanted.components);
-  if (attribute->num_components() != components) {
+  const int found = attribute->num_components();
+  if (found != int{components}) {
     fail(path, object,
-         name + " has " + std::to_string(attribute->num_components()) + " components in the Draco data where " +
-             std::to_string(components) + " are expected");
+         name + " has " + std::to_string(found) + " components in the Draco data where " + std::to_string(components) +
+             " are expected");
   }
   std::vector<float> values(mesh.num_points() * wanted.components);
   for (std::uint32_t i = 0; i < mesh.num_points(); ++i) {
