@@ -20,8 +20,9 @@ constexpr double max_half_exponent = 5.54;
 // The Gaussian is as wide as that of PCF (filter.cpp), with unrounded weights.
 std::vector<float> blur_weights(BlurKernel kernel, int size) {
   std::vector<float> weights;
+  const int middle = size / 2;
   for (int i = 0; i < size; ++i) {
-    const double x = (i - size / 2) / ((size + 1) / 6.0);
+    const double x = (i - middle) / ((size + 1) / 6.0);
     weights.push_back(kernel == BlurKernel::box ? 1.0f : static_cast<float>(std::exp(-0.5 * x * x)));
   }
   return weights;
