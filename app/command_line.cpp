@@ -166,7 +166,7 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
         ->take_all();
   }
   const bool writes_files = &description == &compare_command || &description == &raster_command;
-  // A sweep knows them to say that it has none.
+  // A sweep accepts them only to say that it writes no such files.
   if (writes_files || &description == &sweep_command) {
     for (const char* name : {"write-maps", "write-ao-inputs"}) {
       add_switch(command, line, name)->group(writes_files ? files_group : "");

@@ -12,7 +12,7 @@ namespace umbrameter {
 
 /// NaN where a fact is not known.
 struct BiasFacts {
-  static constexpr double same = 1e-3;  ///< relative difference of facts that count as equal
+  static constexpr double tolerance = 1e-3;  ///< relative difference of facts that count as equal
 
   /// |∂z/∂u| + |∂z/∂v| of the surface's depth z over the texel coordinates, metres per texel, that 90 % of the counted
   /// pixels do not exceed. On an orthographic map texel size · tan θ · (|cos ψ| + |sin ψ|), where ψ is the azimuth of

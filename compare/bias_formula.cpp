@@ -24,7 +24,7 @@ FormulaRange range_of(std::span<const FormulaPoint> points, Fact fact) {
   std::sort(values.begin(), values.end());
   FormulaRange range{values.front(), values.back(), 1};
   for (std::size_t i = 1; i < values.size(); ++i)
-    if (values[i] - values[i - 1] > BiasFacts::same * std::abs(values[i])) ++range.values;
+    if (values[i] - values[i - 1] > BiasFacts::tolerance * std::abs(values[i])) ++range.values;
   return range;
 }
 
@@ -73,7 +73,7 @@ std::vector<FormulaTerm> choose_terms(BiasFormula& formula) {
 }
 
 bool is_within(const FormulaRange& range, double value) {
-  const double margin = BiasFacts::same * std::max(std::abs(range.min), std::abs(range.max));
+  const double margin = BiasFacts::tolerance * std::max(std::abs(range.min), std::abs(range.max));
   return value >= range.min - margin && value <= range.max + margin;
 }
 

@@ -8,14 +8,6 @@
 namespace umbrameter {
 namespace {
 
-// Decimals with which a number shows that many significant digits.
-int decimals_of(double number, int digits) {
-  if (number == 0.0 || !std::isfinite(number)) return 0;
-  constexpr double rounding = 1e-9;  // 0.1 may have become 0.0999999999999
-  const double power = std::floor(std::log10(std::abs(number) * (1.0 + rounding)));
-  return std::clamp(digits - 1 - static_cast<int>(power), 0, 9);
-}
-
 // Without the sign of a number that is rounded to 0.
 std::string rounded(double number, int decimals) {
   const std::string text = fmt::format("{:.{}f}", number, decimals);
@@ -23,6 +15,13 @@ std::string rounded(double number, int decimals) {
 }
 
 }  // namespace
+
+int decimals_of(double number, int digits) {
+  if (number == 0.0 || !std::isfinite(number)) return 0;
+  constexpr double rounding = 1e-9;  // 0.1 may have become 0.0999999999999
+  const double power = std::floor(std::log10(std::abs(number) * (1.0 + rounding)));
+  return std::clamp(digits - 1 - static_cast<int>(power), 0, 9);
+}
 
 std::string share_text(double share) { return fmt::format("{:.4f}", 100.0 * share); }
 

@@ -9,6 +9,9 @@
 
 namespace umbrameter {
 
+/// Decimals with which a number shows that many significant digits; 0 for the number 0.
+int decimals_of(double number, int digits);
+
 /// "8.71 %", "0.0123 %": three significant digits; "—" if the share was not measured.
 std::string percent(double share);
 /// estimate_text() of a share, in per cent; without the interval if that has no width.

@@ -24,30 +24,30 @@ double half_width_of(const StoredRun& run, const MeasuredStatistic& measured) {
   return over_blocks ? 0.5 * (over_blocks->estimate.upper - over_blocks->estimate.lower) : 0.0;
 }
 
-ComparedValue compare_value(const std::vector<StoredRun>& runs, std::size_t index, const MeasuredStatistic& base,
-                            const MeasuredStatistic& measured) {
-  ComparedValue result{index, measured, half_width_of(runs[index], measured)};
-  const double difference = measured.value - base.value;
-  result.difference = {difference, difference, difference};
-  if (index == 0) return result;
-  result.verdict = Verdict::no_interval;
-  if (!std::isfinite(difference)) return result;
+ComparedValue value_of_run(const std::vector<StoredRun>& runs, std::size_t index, const MeasuredStatistic& measured) {
+  return {index, measured, half_width_of(runs[index], measured)};
+}
+
+void compare_to(const ComparedValue& base, const std::vector<StoredRun>& runs, ComparedValue& value) {
+  const double difference = value.measured.value - base.measured.value;
+  value.difference = {difference, difference, difference};
+  value.verdict = Verdict::no_interval;
+  if (!std::isfinite(difference)) return;
   if (difference == 0.0) {
-    result.verdict = Verdict::equal;
-    return result;
+    value.verdict = Verdict::equal;
+    return;
   }
-  if (const auto paired = paired_difference(runs.front(), base, runs[index], measured)) {
-    result.difference = paired->estimate;
-    result.blocks = paired->blocks;
-  } else if (const double of_base = half_width_of(runs.front(), base); of_base > 0.0 && result.half_width > 0.0) {
-    const double half_width = std::hypot(of_base, result.half_width);
-    result.difference = {difference, difference - half_width, difference + half_width};
+  if (const auto paired = paired_difference(runs[base.run], base.measured, runs[value.run], value.measured)) {
+    value.difference = paired->estimate;
+    value.blocks = paired->blocks;
+  } else if (base.half_width > 0.0 && value.half_width > 0.0) {
+    const double half_width = std::hypot(base.half_width, value.half_width);
+    value.difference = {difference, difference - half_width, difference + half_width};
   } else {
-    return result;
+    return;
   }
-  const bool excludes_0 = result.difference.lower > 0.0 || result.difference.upper < 0.0;
-  result.verdict = excludes_0 ? Verdict::significant : Verdict::not_significant;
-  return result;
+  const bool excludes_0 = value.difference.lower > 0.0 || value.difference.upper < 0.0;
+  value.verdict = excludes_0 ? Verdict::significant : Verdict::not_significant;
 }
 
 bool is_error(const MeasuredStatistic& measured) {
@@ -73,9 +73,13 @@ std::vector<ComparedStatistic> compare_runs(const std::vector<StoredRun>& runs) 
   std::vector<ComparedStatistic> all;
   for (const MeasuredStatistic& base : runs.front().statistics) {
     ComparedStatistic compared{base.kind, base.light, base.name, base.unit, is_error(base), {}};
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      const MeasuredStatistic* measured = i == 0 ? &base : find_same(runs[i], base);
-      if (measured != nullptr) compared.values.push_back(compare_value(runs, i, base, *measured));
+    compared.values.push_back(value_of_run(runs, 0, base));
+    for (std::size_t i = 1; i < runs.size(); ++i) {
+      const MeasuredStatistic* measured = find_same(runs[i], base);
+      if (measured == nullptr) continue;
+      ComparedValue value = value_of_run(runs, i, *measured);
+      compare_to(compared.values.front(), runs, value);
+      compared.values.push_back(std::move(value));
     }
     all.push_back(std::move(compared));
   }

@@ -34,8 +34,8 @@ inline vec2 direction_near_x(float angle) {
 
 /// The point of the unit circle at this share of a full turn from +X, 0 to 1.
 inline vec2 direction_at(float turn) {
-  constexpr float half_a_quarter = 0.5f;
-  const auto quarter = static_cast<int>(4.0f * turn + half_a_quarter);
+  constexpr float to_nearest = 0.5f;
+  const auto quarter = static_cast<int>(4.0f * turn + to_nearest);
   const vec2 near = direction_near_x(static_cast<float>(pi / 2.0) * (4.0f * turn - static_cast<float>(quarter)));
   const vec2 half = (quarter & 1) == 0 ? near : vec2(-near.y, near.x);
   return (quarter & 2) == 0 ? half : -half;

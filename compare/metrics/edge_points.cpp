@@ -114,8 +114,8 @@ double width_between(const std::vector<float>& from_dark, float dark_level) {
   return std::max(0.0, distance / static_cast<double>(lit_level - dark_level));
 }
 
-// A pixel beside an end of the ramp holds a part of that end, and would make the ramp look wider. Of four pixels and
-// more the middle third is free of them; of a shorter ramp only a part nearer to ½ is.
+// Pixels at the ends of a ramp also cover what is beside it, which makes it look wider. In a ramp of four pixels or
+// more the middle third is free of them, in a shorter one a smaller part about ½.
 double ramp_width(const std::vector<float>& from_dark) {
   constexpr double free_third = 4.0;   // px
   constexpr double free_middle = 3.0;  // px

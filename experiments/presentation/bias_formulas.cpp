@@ -12,7 +12,9 @@ namespace {
 constexpr double min_significance = 2.0;     // standard errors
 constexpr double poor_residual_share = 0.1;  // of the RMS bias
 
-bool is_same(double a, double b) { return !(std::abs(a - b) > BiasFacts::same * std::max(std::abs(a), std::abs(b))); }
+bool is_same(double a, double b) {
+  return !(std::abs(a - b) > BiasFacts::tolerance * std::max(std::abs(a), std::abs(b)));
+}
 
 bool have_same_facts(const BiasCurve& a, const BiasCurve& b) {
   return is_same(a.optima.mean_texel, b.optima.mean_texel) &&

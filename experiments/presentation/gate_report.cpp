@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "experiments/number_text.h"
 #include "reports/files/markup.h"
 #include "reports/files/text_layout.h"
 
@@ -22,7 +23,7 @@ std::string number_text(double value, const MeasuredStatistic& measured) {
   const std::string unit = is_share ? "%" : measured.unit;
   const double half_width = scale * measured.head_room();
   const double size = half_width > 0.0 ? half_width : 0.01 * std::abs(scale * value);
-  const int decimals = size > 0.0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(size))), 0, 9) : 0;
+  const int decimals = decimals_of(size, 2);
   return fmt::format("{:.{}f}{}{}", scale * value, decimals, unit.empty() ? "" : " ", unit);
 }
 

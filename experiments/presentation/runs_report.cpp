@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/number_text.h"
+
 namespace umbrameter {
 namespace {
 
@@ -95,7 +97,7 @@ Table rows_of_runs(const std::vector<StoredRun>& runs, const std::vector<const C
 std::string with_half_width(double value, double half_width) {
   if (!std::isfinite(value)) return "—";
   if (!(half_width > 0.0)) return with_minus(fmt::format("{:.{}g}", value, std::abs(value) >= 1e4 ? 12 : 4));
-  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(half_width))), 0, 9);
+  const int decimals = decimals_of(half_width, 2);
   return with_minus(fmt::format("{:.{}f} ± {:.{}f}", value, decimals, half_width, decimals));
 }
 

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Pixels of a plot's PNG for each of its own.
+// Pixels of the PNG for each pixel of the plot.
 double plot_zoom(const FigureStyle& style) { return style.is_print() ? style.dpi / 96.0 : 2.0; }
 
 // What became of one figure.

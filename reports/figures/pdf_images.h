@@ -12,7 +12,8 @@
 
 namespace umbrameter {
 
-/// Pixels of the image that stands for images[index] in with_images(). Nothing else in a drawing is so narrow.
+/// Size in pixels of the marker for images[index] of with_images(). The height tells the index. No other image that
+/// cairo draws may have this width.
 ivec2 marker_size(std::size_t index);
 
 /// cairo's PDF with images[i] in place of the marker of index i. The PDF must have a table of references, as up to

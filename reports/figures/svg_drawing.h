@@ -26,7 +26,8 @@ class SvgDrawing {
   /// Draws it over the image, whose sides it fills. Throws Error (partial) for more than 32767 pixels along a side.
   void draw_over(Image<glm::u8vec3>& image) const;
 
-  /// It on white; `zoom` is in pixels for each of its own, of which 96 are an inch. Throws as draw_over() does.
+  /// The drawing on white, with `zoom` pixels for each of its pixels; 96 of these are an inch. Throws as draw_over()
+  /// does.
   Image<glm::u8vec3> pixels(double zoom) const;
 
   /// A white page of its size with the images, and the drawing over them. Equal drawings give equal bytes.

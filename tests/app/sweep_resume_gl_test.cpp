@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 struct SweepResume : GlRun {};
 
-// 4 cells a group, a map of its own for each group, as small as a map can be: what is stored and kept does not depend
-// on its texels. Not quiet: notes say what is there already.
+// Each group has 4 cells and one map. The map is as small as can be, because its texels do not change what is stored.
+// Not quiet: notes say what is there already.
 std::vector<std::string> sweep(const fs::path& output, int groups, const std::vector<std::string>& more = {}) {
   return words({"sweep", "corner", "-o", output, "--size", "32x18", "--light", "0", "--shadow.fit", "bounds",
                 "--shadow.resolution", "16", "--vary", "shadow.constant-bias=0:0.1:4", "--vary",

@@ -129,7 +129,7 @@ TEST(Edges, The_width_of_a_penumbra_is_found_at_any_angle) {
   }
 }
 
-// One sample at a pixel's centre has no width of its own.
+// With one sample at the centre of each pixel, no pixel mixes the ramp with what is beside it.
 TEST(Edges, The_width_of_a_penumbra_without_antialiasing_is_found_from_two_pixels_on) {
   for (const double angle : angles) {
     const auto sampled = [&](double width) {

@@ -1,7 +1,7 @@
 // umbrameter_scaling DIR [SIZE...] [--quick]: how time and memory of every step grow with the triangles of the built-in
 // scenes `forest` (instances) and `city` (nothing shared). Writes DIR/large-scenes.csv and the figures of
-// docs/large-scenes.md. Each scene of each size is made, and measured, in a process of its own. --quick does each step
-// once, which shows that it works and measures little.
+// docs/large-scenes.md. A separate process makes and measures each scene of each size. --quick does each step once:
+// that shows that the program works, but the times are rough.
 #include <fmt/format.h>
 #include <unistd.h>
 
