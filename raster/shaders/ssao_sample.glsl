@@ -1,6 +1,5 @@
 // A sample of hemisphere SSAO (J. de Vries, Learn OpenGL, "SSAO"; after Mittring, Finding Next Gen: CryEngine 2, 2007),
-// in metres. Two differences from the source: the hemisphere is oriented by the geometric normal, as in the reference,
-// and the background does not occlude.
+// in metres. docs/ambient-occlusion/ssao.md lists the differences from the source.
 #include "view.glsl"
 #include "ao_resolution.glsl"
 uniform usampler2D ids;
