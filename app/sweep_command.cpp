@@ -10,6 +10,7 @@
 #include "app/dry_run.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
+#include "experiments/axis_effects.h"
 #include "experiments/measure_biases.h"
 #include "experiments/presentation/run_output.h"
 #include "experiments/presentation/sweep_report.h"
@@ -35,13 +36,6 @@ void check_axes(const std::vector<SweepAxis>& axes, const Experiment& experiment
     if (!varies_group(axes, group)) continue;
     throw Error(ExitCode::usage, std::string("--vary ") + group, "a sweep can use only one scene",
                 std::string("run one sweep for each, with ") + flag);
-  }
-  ShadingParams shading = experiment.shading;
-  for (const Parameter& parameter : gbuffer_parameters(shading)) {
-    const bool is_deferred = experiment.shading.path == ShadingPath::deferred || varies_group(axes, "shading.path");
-    if (is_deferred || !varies_group(axes, parameter.key)) continue;
-    throw Error(ExitCode::usage, fmt::format("--vary {}", parameter.key), "the forward path has no G-buffer",
-                "add --shading.path deferred");
   }
   if (!experiment.run.overlay.empty()) {
     throw Error(ExitCode::usage, "--overlay", "a sweep draws no views", "use compare or raster");
@@ -134,6 +128,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   const FigureStyle style = make_figure_style(line.figures);
   check_insets(style, experiment.view.size.width, experiment.view.size.height);
   const SweptQuantity quantity = choose_quantity(experiment.run.measure, axes);
+  require_effect(quantity, {experiment}, axes);
   const Parameters parameters = describe(experiment);
   const SweepPlan plan = plan_sweep(parameters, axes, cost_of_change, inner_keys(experiment, axes, quantity));
   std::optional<RunFolder> run_folder;

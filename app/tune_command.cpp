@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
+#include "experiments/axis_effects.h"
 #include "experiments/presentation/run_output.h"
 #include "experiments/presentation/tune_report.h"
 #include "experiments/presentation/tune_text.h"
@@ -129,6 +130,12 @@ Job make_job(const CommandLine& line) {
   std::vector<SweepAxis> axes;
   for (const TuneAxis& axis : job.axes) axes.push_back(axis.axis);
   job.quantity = choose_quantity(first.run.measure, axes);
+  std::vector<SweepAxis> over;
+  for (const auto& [key, text] : job.over) {
+    // Names of cameras and lights mean nothing before a scene is loaded, and no technique reads them.
+    if (!key.starts_with("view.")) over.push_back(parse_axis(describe(first), key, text));
+  }
+  require_effect(job.quantity, job.experiments, axes, over);
   const std::string kind = job.quantity == SweptQuantity::ao      ? "ao"
                            : job.quantity == SweptQuantity::image ? "image"
                                                                   : "shadow";
@@ -227,6 +234,10 @@ std::string experiment_of(const Job& job, const CommandLine& line) {
 // What compare runs: the given experiment with the best values, over all lights and the first camera.
 std::string tuned_text(const Job& job, const TuneSummary& summary) {
   Experiment tuned = job.experiments.front();
+  if (are_all_equal(summary.result)) {
+    return "# `umbrameter tune` found no difference between the points: these are the given values.\n" +
+           experiment_text(tuned);
+  }
   for (std::size_t a = 0; a < job.axes.size(); ++a) {
     set_value(describe(tuned), job.axes[a].axis, summary.result.best.values[a]);
   }

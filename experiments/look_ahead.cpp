@@ -17,8 +17,7 @@ std::size_t images_per_pass(const Size& size) {
 }
 
 std::size_t index_of(const SweepAxis& axis, const Value& value) {
-  const auto found = std::find_if(axis.values.begin(), axis.values.end(),
-                                  [&](const Value& each) { return to_number(each) == to_number(value); });
+  const auto found = std::find(axis.values.begin(), axis.values.end(), value);
   return static_cast<std::size_t>(found - axis.values.begin());
 }
 

@@ -196,6 +196,33 @@ std::string row_text(const Table& table, const std::vector<Value>& row, std::siz
   return text;
 }
 
+// Whether every cell has the same value in each measured column.
+bool are_all_equal(const SweepResults& sweep) {
+  std::vector<std::string> measured;
+  const std::vector<StoredColumn>& columns = sweep.store.description().columns;
+  for (std::size_t c = sweep.plan.axes.size(); c < columns.size(); ++c) measured.push_back(columns[c].column.name);
+  const auto is_nan = [](const Value& value) {
+    const auto* number = std::get_if<double>(&value);
+    return number != nullptr && std::isnan(*number);
+  };
+  std::vector<Value> first;
+  bool are_equal = true;
+  sweep.store.read(measured, [&](std::span<const Value> values) {
+    if (first.empty()) first.assign(values.begin(), values.end());
+    are_equal = are_equal && std::ranges::equal(values, first, [&](const Value& a, const Value& b) {
+                  return a == b || (is_nan(a) && is_nan(b));
+                });
+  });
+  return are_equal;
+}
+
+std::string equal_cells_text(const SweepResults& sweep, const std::string& error) {
+  std::string keys;
+  for (const SweepAxis& axis : sweep.plan.axes) keys += (keys.empty() ? "" : ", ") + axis.key;
+  return fmt::format("all {} cells are equal: error {}; {} {} nothing here", sweep.plan.cells, error, keys,
+                     sweep.plan.axes.size() > 1 ? "change" : "changes");
+}
+
 }  // namespace
 
 Table best_rows(const SweepResults& sweep) {
@@ -232,6 +259,8 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     section.text = "Nothing to measure: no cell of the sweep has counted pixels.";
     return presentation;
   }
+  const bool is_flat = sweep.plan.cells > 1 && are_all_equal(sweep);
+  if (is_flat) presentation.answers.push_back(equal_cells_text(sweep, error));
   const char* headline = open_ends.empty() ? "least mean absolute error" : "lowest mean absolute error tested";
   section.headlines = {{headline, error, row_text(best, least, axes)},
                        {"cells", std::to_string(sweep.plan.cells), "one row each in sweep.csv"}};
@@ -244,6 +273,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   }
   add_plots(presentation, sweep, layout, drawn_metrics(sweep));
   section.text = "All cells are in sweep.csv.";
+  if (is_flat) section.text += " All cells are equal: what is varied changes nothing here.";
   if (!sweep.ao_limit.empty())
     section.text += " The reference looks for occluders " + sweep.ao_limit + " in every cell.";
   const bool varies_filter =
@@ -251,6 +281,10 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   if (varies_filter && sweep.quantity() == SweptQuantity::visibility)
     section.text += "\n\n" + std::string(filter_caution);
   for (const std::string& warning : warnings) section.text += "\n\nWarning: " + warning + ".";
+  if (is_flat) {
+    section.headlines.front() = {"error of every cell", error, "all cells are equal"};
+    return presentation;
+  }
   if (!curves) {
     std::size_t lines = 1;
     for (const std::size_t a : listed_axes(sweep)) lines *= count_values(sweep.plan, a);

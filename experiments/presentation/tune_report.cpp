@@ -170,7 +170,73 @@ std::string method_text(const TuneSummary& summary) {
                      result.stopped_by.empty() ? "" : ", stopped after " + result.stopped_by);
 }
 
+bool have_equal_scores(const TunePoint& a, const TunePoint& b) {
+  return !is_better(a.score, b.score) && !is_better(b.score, a.score);
+}
+
+std::string equal_points_text(const TuneSummary& summary) {
+  const TuneResult& result = summary.result;
+  std::string keys;
+  for (const TuneAxis& axis : summary.axes) keys += (keys.empty() ? "" : ", ") + axis.key();
+  return fmt::format("all {} evaluated points are equal: {} {}; {} {} nothing here",
+                     std::max(result.points.size(), result.curve.size()), cost_name(summary.goal),
+                     cost_text(summary.goal, result.best.score.cost), keys,
+                     summary.axes.size() > 1 ? "change" : "changes");
+}
+
+// The axes along which the cost is the same while the others keep their best values.
+std::vector<std::string> idle_axes(const TuneSummary& summary) {
+  std::vector<std::string> lines;
+  for (const AxisScan& scan : summary.result.scans) {
+    const bool is_idle = scan.points.size() > 1 && std::ranges::all_of(scan.points, [&](const TunePoint& point) {
+                           return have_equal_scores(point, scan.points.front());
+                         });
+    if (is_idle) lines.push_back(fmt::format("{} changes nothing at the best point", summary.axes[scan.axis].key()));
+  }
+  return lines;
+}
+
+// What the search found, with its significance.
+void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) {
+  const TuneResult& result = summary.result;
+  const TuneGoal& goal = summary.goal;
+  answers.push_back(fmt::format(
+      "best: {}: {} {}{}", point_text(summary.axes, result.best.values), cost_name(goal),
+      cost_text(goal, result.best.score.cost, summary.judgement.best),
+      summary.cases.size() == 1
+          ? ""
+          : fmt::format(", {} of {} cases", goal.is_worst_case ? "the worst" : "the mean", summary.cases.size())));
+  if (const std::string line = constraint_line(summary); !line.empty()) answers.push_back("constraints: " + line);
+  answers.push_back(comparison(summary, "default", result.before, result.best, summary.judgement.against_before));
+  if (result.runner_up) {
+    answers.push_back(comparison(summary,
+                                 fmt::format("runner-up {}", point_text(summary.axes, result.runner_up->values)),
+                                 *result.runner_up, result.best, summary.judgement.against_runner_up));
+  }
+  if (summary.judgement.held_out) {
+    const HeldOut& held = *summary.judgement.held_out;
+    const TuneGoal absolute = not_relative(goal);
+    answers.push_back(
+        fmt::format("held out, {}: {} → {}; {}",
+                    held.cases.size() == 1 ? held.cases.front().title : fmt::format("{} cases", held.cases.size()),
+                    cost_text(absolute, held.before.score.cost), cost_text(absolute, held.best.score.cost),
+                    judged(absolute, held.difference, held.best.score.cost - held.before.score.cost)));
+  } else {
+    answers.emplace_back("held out: nothing; the scenes have no camera left, name one with --held-out");
+  }
+  for (std::string& line : ranking_lines(summary)) answers.push_back(std::move(line));
+  for (const std::string& warning : end_warnings(summary)) answers.push_back("warning: " + warning);
+  for (std::string& line : idle_axes(summary)) answers.push_back(std::move(line));
+}
+
 }  // namespace
+
+bool are_all_equal(const TuneResult& result) {
+  const auto are_equal = [&](const std::vector<TunePoint>& points) {
+    return std::ranges::all_of(points, [&](const TunePoint& point) { return have_equal_scores(point, result.before); });
+  };
+  return result.points.size() + result.curve.size() > 1 && are_equal(result.points) && are_equal(result.curve);
+}
 
 std::vector<TunePoint> pareto_front(const TuneGoal& goal, const std::vector<TunePoint>& points) {
   const std::vector<std::size_t> objectives = objectives_of(goal);
@@ -233,32 +299,11 @@ Presentation present_tuning(const TuneSummary& summary) {
   const TuneGoal& goal = summary.goal;
   Presentation shown_part;
   std::vector<std::string>& answers = shown_part.answers;
-  answers.push_back(fmt::format(
-      "best: {}: {} {}{}", point_text(summary.axes, result.best.values), cost_name(goal),
-      cost_text(goal, result.best.score.cost, summary.judgement.best),
-      summary.cases.size() == 1
-          ? ""
-          : fmt::format(", {} of {} cases", goal.is_worst_case ? "the worst" : "the mean", summary.cases.size())));
-  if (const std::string line = constraint_line(summary); !line.empty()) answers.push_back("constraints: " + line);
-  answers.push_back(comparison(summary, "default", result.before, result.best, summary.judgement.against_before));
-  if (result.runner_up) {
-    answers.push_back(comparison(summary,
-                                 fmt::format("runner-up {}", point_text(summary.axes, result.runner_up->values)),
-                                 *result.runner_up, result.best, summary.judgement.against_runner_up));
-  }
-  if (summary.judgement.held_out) {
-    const HeldOut& held = *summary.judgement.held_out;
-    const TuneGoal absolute = not_relative(goal);
-    answers.push_back(
-        fmt::format("held out, {}: {} → {}; {}",
-                    held.cases.size() == 1 ? held.cases.front().title : fmt::format("{} cases", held.cases.size()),
-                    cost_text(absolute, held.before.score.cost), cost_text(absolute, held.best.score.cost),
-                    judged(absolute, held.difference, held.best.score.cost - held.before.score.cost)));
+  if (are_all_equal(result)) {
+    answers.push_back(equal_points_text(summary));
   } else {
-    answers.emplace_back("held out: nothing; the scenes have no camera left, name one with --held-out");
+    add_answers(summary, answers);
   }
-  for (std::string& line : ranking_lines(summary)) answers.push_back(std::move(line));
-  for (const std::string& warning : end_warnings(summary)) answers.push_back("warning: " + warning);
 
   std::vector<TunePoint> candidates = result.points;
   candidates.insert(candidates.end(), result.curve.begin(), result.curve.end());

@@ -80,16 +80,6 @@ Parameters filtered_map_parameters(ShadowParams& params) {
       {{require(describe(params), "shadow.technique")}, describe(params.esm), describe(params.moment_map)});
 }
 
-Parameters lookup_parameters(ShadowParams& params) {
-  if (!std::holds_alternative<Prefiltered>(make_technique(params))) return {};
-  Parameters all = concatenate({describe(params.bias), describe(params.moment_lookup)});
-  // The offset moves the receiver, and the bound is constant in the program.
-  std::erase_if(all, [&](const Parameter& each) {
-    return each.key == "shadow.normal-offset" || std::holds_alternative<ChoiceRef>(each.field);
-  });
-  return all;
-}
-
 TechniqueCapabilities capabilities_of(const ShadowTechnique& technique) {
   return std::visit([](const auto& each) { return each.capabilities; }, technique);
 }

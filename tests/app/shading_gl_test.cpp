@@ -107,7 +107,7 @@ TEST_F(Shading, What_makes_no_sense_is_one_line_and_leaves_nothing) {
       {{"raster", "courtyard", "--overlay", "shadow-map:moon"}, "no such light"},
       {{"trace", "courtyard", "--overlay", "normal"}, "trace draws none of these views"},
       {{"sweep", "courtyard", "--vary", "shading.ambient=0,1", "--overlay", "normal"}, "a sweep draws no views"},
-      {{"sweep", "courtyard", "--vary", "shading.normal-format=rg16,rgb8"}, "the forward path has no G-buffer"},
+      {{"sweep", "courtyard", "--vary", "shading.normal-format=rg16,rgb8"}, "shading.path forward does not read it"},
   };
   for (const Case& c : cases) {
     const ProgramResult result = run(c.command);
