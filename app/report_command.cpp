@@ -161,11 +161,14 @@ Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTab
     section.title = part.title;
     section.tables.push_back({"Errors, with 95 % intervals", part.values});
     section.text =
-        "Intervals are those of the reference's sampling or, where nothing was sampled, of the choice of pixels: over "
-        "blocks that are left out in turn.";
+        "Intervals cover the choice of pixels and the noise of the reference's rays: blocks of pixels are left out in "
+        "turn. Those marked * cover the rays alone, because the run does not store what the statistic is a mean of.";
     if (!part.differences.rows.empty()) {
       section.text += fmt::format(
-          " Differences are to {}; those in parentheses are not significant or have no interval.", runs.front().name);
+          " Differences are to {}; those in parentheses are not significant, or have no interval that covers the "
+          "choice of "
+          "pixels.",
+          runs.front().name);
       section.tables.push_back({"Difference to " + runs.front().name, part.differences});
     }
     section.tables.push_back({"All statistics", part.all});

@@ -81,7 +81,17 @@ struct Split {
   const char* unit;
   std::vector<double> borders;
   Image<float> values;
+  bool is_by_result = false;  // `values` are measured with the noise of the reference
 };
+
+// Noise that selects pixels has no mean of 0 in them, so that intervals of its variance do not hold the truth.
+void forget_intervals(AoStageStatistics& statistics) {
+  for (const Statistic& each : describe(statistics)) {
+    if (!each.has_interval()) continue;
+    Estimate& estimate = *std::get<Estimate*>(each.field);
+    estimate.lower = estimate.upper = std::numeric_limits<double>::quiet_NaN();
+  }
+}
 
 std::vector<double> quarters(const GBuffer& gbuffer) {
   std::vector<float> depths;
@@ -164,7 +174,7 @@ std::vector<AoStageBin> split_ao_stages(const AoStageImages& images, const GBuff
       {"cosine_to_viewer", "1", {0.0, 0.25, 0.5, 0.75, infinity}, std::move(cosine)},
       {"depth_edge_distance", "px", {0.0, 2.0, 4.0, 8.0, 16.0, infinity}, distance_to_depth_edge(gbuffer, is_joined)},
       {"image_edge_distance", "px", {0.0, 8.0, 16.0, 32.0, 64.0, infinity}, distance_to_image_edge(gbuffer)},
-      {"error", "1", {-infinity, -0.01, 0.01, infinity}, std::move(error)},
+      {"error", "1", {-infinity, -0.01, 0.01, infinity}, std::move(error), true},
   };
   std::vector<AoStageBin> bins;
   for (const Split& split : splits) {
@@ -176,6 +186,7 @@ std::vector<AoStageBin> split_ao_stages(const AoStageImages& images, const GBuff
         // No edge at all is an infinite distance.
         return gbuffer.is_surface(i) && value >= first && (value < last || (last == infinity && value == infinity));
       });
+      if (split.is_by_result) forget_intervals(statistics);
       bins.push_back({split.name, split.unit, first, last, statistics});
     }
   }

@@ -70,8 +70,8 @@ struct AoStageBin {
 };
 
 /// By depth (quarters of the pixels), cosine between normal and viewer, distance to a depth edge and to the image's
-/// edge, and total error (over-occluded, within 0.01, under-occluded). `is_joined`: whether two neighbouring pixels see
-/// one surface, without a depth edge.
+/// edge, and total error (over-occluded, within 0.01, under-occluded; without intervals, because the measured error
+/// selects the pixels). `is_joined`: whether two neighbouring pixels see one surface, without a depth edge.
 std::vector<AoStageBin> split_ao_stages(const AoStageImages& images, const GBuffer& gbuffer, const View& view,
                                         const std::function<bool(std::size_t, std::size_t)>& is_joined);
 

@@ -72,6 +72,35 @@ std::vector<FormulaTerm> choose_terms(BiasFormula& formula) {
   return used;
 }
 
+bool is_equal(double a, double b) {
+  return std::abs(a - b) <= BiasFacts::tolerance * std::max(std::abs(a), std::abs(b));
+}
+
+// One point for those that agree in all that the terms depend on, with the mean of their biases: what the formula
+// misses there, it misses in each of them, so that they are one observation. Such points differ in an axis that changes
+// nothing.
+std::vector<FormulaPoint> independent_points(std::span<const FormulaPoint> points, std::span<const FormulaTerm> terms) {
+  std::vector<FormulaPoint> independent;
+  std::vector<double> merged;  // points in each
+  for (const FormulaPoint& point : points) {
+    const auto found = std::find_if(independent.begin(), independent.end(), [&](const FormulaPoint& other) {
+      return is_equal(point.fit.texel, other.fit.texel) && std::all_of(terms.begin(), terms.end(), [&](FormulaTerm t) {
+               return is_equal(length_of(t, point), length_of(t, other));
+             });
+    });
+    if (found == independent.end()) {
+      independent.push_back(point);
+      merged.push_back(1.0);
+      continue;
+    }
+    double& count = merged[static_cast<std::size_t>(found - independent.begin())];
+    count += 1.0;
+    found->fit.bias += (point.fit.bias - found->fit.bias) / count;
+    found->fit.step += (point.fit.step - found->fit.step) / count;
+  }
+  return independent;
+}
+
 bool is_within(const FormulaRange& range, double value) {
   const double margin = BiasFacts::tolerance * std::max(std::abs(range.min), std::abs(range.max));
   return value >= range.min - margin && value <= range.max + margin;
@@ -108,10 +137,12 @@ std::optional<BiasFormula> fit_formula(std::span<const FormulaPoint> all) {
   formula.depth_step = range_of(points, depth_step_of);
   const std::vector<FormulaTerm> terms = choose_terms(formula);
   const std::size_t count = terms.size();
-  if (count < 2 || points.size() <= count) return std::nullopt;
+  const std::vector<FormulaPoint> fitted = independent_points(points, terms);
+  formula.independent = fitted.size();
+  if (count < 2 || fitted.size() <= count) return std::nullopt;
   std::vector<LeastSquaresRow> rows;
   std::vector<double> right;
-  for (const FormulaPoint& point : points) {
+  for (const FormulaPoint& point : fitted) {
     LeastSquaresRow& row = rows.emplace_back();
     for (std::size_t t = 0; t < count; ++t) row[t] = length_of(terms[t], point) / point.fit.step;
     right.push_back(point.fit.bias / point.fit.step);
@@ -120,7 +151,7 @@ std::optional<BiasFormula> fit_formula(std::span<const FormulaPoint> all) {
   if (!solved) return std::nullopt;
   double squares = 0.0;
   for (std::size_t i = 0; i < rows.size(); ++i) squares += std::pow(solved->predict(rows[i], count) - right[i], 2);
-  const double variance = std::max(squares / static_cast<double>(points.size() - count), axis_variance);
+  const double variance = std::max(squares / static_cast<double>(fitted.size() - count), axis_variance);
 
   for (std::size_t t = 0; t < count; ++t) {
     formula.terms[static_cast<std::size_t>(terms[t])] =

@@ -35,6 +35,7 @@ struct FormulaRange {
 /// not determine are absent.
 struct BiasFormula {
   std::size_t points = 0;
+  std::size_t independent = 0;  ///< those that differ in what the terms depend on; only they count in the fit
   /// Of the term's length: c0 in metres, a, b per texel, q. Empty where the term was refused.
   std::array<std::optional<Fitted>, formula_term_count> terms{};
   std::optional<Fitted> per_radius{};  ///< b / a, 1/texels; its standard error to first order
@@ -62,10 +63,12 @@ bool is_outside(const BiasFormula& formula, const FormulaPoint& point);
 /// linear in it.
 inline constexpr std::size_t min_formula_values = 2;
 
-/// Least squares with each point weighted by 1/step². Terms whose fact takes fewer than min_formula_values values are
+/// Least squares with each point weighted by 1/step². Points that agree in all that the terms depend on count as one,
+/// their mean. Terms whose fact takes fewer than min_formula_values values are
 /// refused, as is that of the depth step if its values differ by less than the median step of the bias axis. Standard
 /// errors come from the scatter, which counts as no less than that of biases anywhere within their step. Points of
-/// which a fact is not finite are left out. Empty without a term besides c0, or with no more points than unknowns.
+/// which a fact is not finite are left out. Empty without a term besides c0, or with no more independent points than
+/// unknowns.
 std::optional<BiasFormula> fit_formula(std::span<const FormulaPoint> points);
 
 }  // namespace umbrameter

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "compare/soft_visibility.h"
 #include "core/parallel.h"
 
 namespace umbrameter {
@@ -171,10 +172,12 @@ ErrorShape analyze_error_shape(const ShapeInput& input, const WrongTaps& wrong) 
 
 ErrorShape analyze_error_shape(const ShapeInput& input, const Image<float>& raster) {
   assert(raster.size() == input.truth.size());
+  const bool is_exact = input.truth_variance == nullptr || input.truth_variance->empty();
   double outside = 0.0;
   ErrorShape shape = measure_distances(input, soft_part_names.size(), 1.0, [&](std::size_t i) {
     const float error = raster[i] - input.truth[i];
-    if (!(input.truth[i] > 0.0f && input.truth[i] < 1.0f)) outside += std::abs(error);
+    const double variance = is_exact ? 0.0 : static_cast<double>((*input.truth_variance)[i]);
+    outside += (1.0 - penumbra_weight(input.truth[i], variance)) * static_cast<double>(std::abs(error));
     return Weights{std::max(-error, 0.0f), std::max(error, 0.0f)};
   });
   shape.outside_penumbra = shape.all.weight > 0.0 ? outside / shape.all.weight : 0.0;

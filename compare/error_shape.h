@@ -48,7 +48,7 @@ struct ErrorShape {
   /// Components of all wrong pixels, and of each class. Only for a hard shadow, whose pixels are either right or wrong.
   std::optional<ComponentStatistics> components;
   std::array<ComponentStatistics, cause_count> class_components{};
-  /// Only for an area light: share of the error at pixels where the truth is 0 or 1.
+  /// Only for an area light: share of the error outside the penumbra, each pixel weighted by 1 − penumbra_weight().
   std::optional<double> outside_penumbra;
 };
 
@@ -59,6 +59,8 @@ struct ShapeInput {
   const CountedPixels& counted;
   const Light& light;
   const MapLayout& layout;
+  /// Unbiased estimate of the variance of `truth`; null or empty if it is exact.
+  const Image<float>* truth_variance = nullptr;
 };
 
 /// The shape by cause of the wrong taps. Distances are to the edge that is nearest in the image.

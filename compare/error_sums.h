@@ -40,6 +40,17 @@ struct ErrorSums {
 /// (mean of the folded normal distribution, Leone, Nelson and Nottingham 1961).
 double folded_excess(double e, double s);
 
+/// Noise may have moved a measured error away from zero: its excess is taken as if the error were this many standard
+/// errors smaller, which bounds it for all but 2.5 % of the pixels.
+double noise_reach(const SampledImage& truth);
+
+/// The largest share that so many rays miss with a probability of at least 5 % (rule of three).
+double unseen_share(double samples);
+
+/// Of the 95 % interval of a sum over independent pixels, from the sum of their variances and of the variances'
+/// squares.
+double half_width_of_sum(double variance, double squares, int degrees_of_freedom);
+
 /// All but max_error, max_x and max_y.
 SampledError statistics_of(const ErrorSums& total, int degrees_of_freedom);
 

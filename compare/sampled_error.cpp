@@ -60,9 +60,7 @@ void add_part(PartSums& part, double error, double variance, const NoiseBound& n
 
 ErrorSums sum_row(int y, const Image<float>& raster, const SampledImage& truth, const IsCounted& is_counted) {
   ErrorSums sums;
-  // Noise may have moved a measured error away from zero: its excess is taken as if the error were this many standard
-  // errors smaller, which bounds it for all but 2.5 % of the pixels.
-  const double noise_reach = student_95(truth.degrees_of_freedom);
+  const double reach = noise_reach(truth);
   for (int x = 0; x < raster.width; ++x) {
     const std::size_t i = raster.index(x, y);
     if (!is_counted(i)) continue;
@@ -74,7 +72,7 @@ ErrorSums sum_row(int y, const Image<float>& raster, const SampledImage& truth, 
     sums.truth += truth.value[i];
     sums.error += error;
     sums.absolute += std::abs(error);
-    sums.absolute_bias += folded_excess(std::max(std::abs(error) - noise_reach * s, 0.0), s);
+    sums.absolute_bias += folded_excess(std::max(std::abs(error) - reach * s, 0.0), s);
     sums.squared += error * error;
     // Var((e + sZ)²) = 4e²s² + 2s⁴, with e² estimated without bias by the measured square less s².
     sums.squared_variance += 4.0 * std::max(error * error - variance, 0.0) * variance + 2.0 * variance * variance;
@@ -102,7 +100,7 @@ double quantile_of(double variance, double squares, int degrees_of_freedom) {
 
 Estimate estimate_part(double value, const PartSums& part, int degrees_of_freedom, double unseen) {
   const auto half_width = [&](double variance, double squares) {
-    return std::max(quantile_of(variance, squares, degrees_of_freedom) * std::sqrt(variance), unseen);
+    return std::max(half_width_of_sum(variance, squares, degrees_of_freedom), unseen);
   };
   const double lower = part.low - half_width(part.low_variance, part.low_squares);
   return {value, std::clamp(lower, 0.0, value), value + half_width(part.variance, part.variance_squares)};
@@ -116,13 +114,21 @@ double folded_excess(double e, double s) {
   return s * (std::sqrt(2.0 / pi) * std::exp(-0.5 * r * r) - r * std::erfc(r / std::sqrt(2.0)));
 }
 
+double noise_reach(const SampledImage& truth) { return student_95(truth.degrees_of_freedom); }
+
+double unseen_share(double samples) { return std::min(rule_of_three / samples, 1.0); }
+
+double half_width_of_sum(double variance, double squares, int degrees_of_freedom) {
+  return quantile_of(variance, squares, degrees_of_freedom) * std::sqrt(variance);
+}
+
 SampledError statistics_of(const ErrorSums& total, int degrees_of_freedom) {
   SampledError statistics;
   statistics.pixels = total.pixels;
   if (total.pixels == 0) return statistics;
   const double scale = 1.0 / static_cast<double>(total.pixels);
   const double quantile = quantile_of(total.variance, total.variance_squared, degrees_of_freedom);
-  const double unseen = std::min(rule_of_three / total.min_samples, 1.0);
+  const double unseen = unseen_share(total.min_samples);
   const double half_width = std::max(quantile * std::sqrt(total.variance), unseen) * scale;
   const auto around = [half_width](double value) { return Estimate{value, value - half_width, value + half_width}; };
   statistics.mean_raster = total.raster * scale;

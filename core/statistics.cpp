@@ -48,8 +48,10 @@ std::vector<Column> columns_of(const Statistics& statistics) {
   for (const Statistic& statistic : statistics) {
     columns.push_back({statistic.name, statistic.unit, statistic.meaning});
     if (!statistic.has_interval()) continue;
-    columns.push_back({lower_name(statistic.name), statistic.unit, "lower end of its 95 % interval"});
-    columns.push_back({upper_name(statistic.name), statistic.unit, "upper end of its 95 % interval"});
+    columns.push_back(
+        {lower_name(statistic.name), statistic.unit, "lower end of its 95 % interval over the rays of the reference"});
+    columns.push_back(
+        {upper_name(statistic.name), statistic.unit, "upper end of its 95 % interval over the rays of the reference"});
   }
   return columns;
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/soft_visibility.h"
 #include "compare/visibility.h"
 #include "core/jackknife.h"
 #include "core/quantiles.h"
@@ -17,49 +18,106 @@ constexpr double most_moved_pixels = 0.01;  // share of pixels that may see anot
 // The images of which a statistic is a mean; null where a run has none.
 struct StoredImages {
   const Image<float>* error = nullptr;
+  const Image<float>* truth = nullptr;
+  const Image<float>* raster = nullptr;
+  const Image<float>* variance = nullptr;        // of the reference
+  const Image<float>* standard_error = nullptr;  // its root
   const Image<float>* classes = nullptr;
+  const Image<float>* counted = nullptr;
   const Image<float>* position = nullptr;  // NaN on background
 };
 
 StoredImages images_of(const StoredRun& run, const MeasuredStatistic& statistic) {
   StoredImages images;
+  const auto find = [&](const std::string& layer) { return find_channel(run, layer + ".Y"); };
   images.position = find_channel(run, "gbuffer_position.X");
   if (statistic.kind == "shadow") {
     const auto layer = run.layers.find(statistic.light);
     if (layer == run.layers.end()) return images;
-    images.error = find_channel(run, "error_visibility_" + layer->second + ".Y");
-    images.classes = find_channel(run, "class_" + layer->second + ".Y");
+    const std::string& light = layer->second;
+    images.error = find("error_visibility_" + light);
+    images.truth = find("truth_visibility_" + light);
+    images.raster = find("raster_visibility_" + light);
+    images.variance = find("truth_visibility_variance_" + light);
+    images.classes = find("class_" + light);
+    images.counted = find("counted_" + light);
+  } else if (statistic.kind == "ao") {
+    images.error = find("error_ao");
+    images.truth = find("truth_ao");
+    images.raster = find("raster_ao");
+    images.variance = find("truth_ao_variance");
   } else {
-    images.error = find_channel(run, "error_" + statistic.kind + ".Y");
+    images.error = find("error_image");
+    images.standard_error = find("truth_image_standard_error");
   }
   return images;
 }
 
-// A statistic as a mean over pixels.
+bool is_counted(const StoredImages& images, std::size_t i) {
+  if (images.counted != nullptr) return (*images.counted)[i] > 0.0f;
+  if (images.classes == nullptr) return !std::isnan((*images.position)[i]);
+  const auto pixel = static_cast<PixelClass>(std::lround((*images.classes)[i]));
+  return pixel != PixelClass::not_counted && pixel != PixelClass::background;
+}
+
+// What the images hold of a pixel; 0 where there is no image, which gives() finds out.
+struct PixelValues {
+  double error = 0.0;
+  double truth = 0.0;
+  double raster = 0.0;
+  double variance = 0.0;
+  PixelClass cause = PixelClass::correct;
+};
+
+PixelValues values_at(const StoredImages& images, std::size_t i) {
+  const auto value = [i](const Image<float>* image) {
+    return image != nullptr ? static_cast<double>((*image)[i]) : 0.0;
+  };
+  const double standard_error = value(images.standard_error);
+  return {value(images.error), value(images.truth), value(images.raster),
+          value(images.variance) + standard_error * standard_error,
+          images.classes != nullptr ? static_cast<PixelClass>(std::lround((*images.classes)[i])) : PixelClass::correct};
+}
+
+double one(const PixelValues&) { return 1.0; }
+
+// A statistic as a ratio of sums over pixels.
 struct PixelMean {
-  double (*term)(double error, PixelClass pixel) = nullptr;  // what a pixel adds; null: it is no such mean
-  bool is_root = false;                                      // the statistic is the root of the mean
+  double (*term)(const PixelValues&) = nullptr;  // what a pixel adds; null: it is no such ratio
+  bool is_root = false;                          // the statistic is the root of the ratio
+  double (*weight)(const PixelValues&) = one;
 };
 
 template <PixelClass cause>
-double error_of_cause(double error, PixelClass pixel) {
-  return pixel == cause ? std::abs(error) : 0.0;
+double error_of_cause(const PixelValues& p) {
+  return p.cause == cause ? std::abs(p.error) : 0.0;
 }
 
 PixelMean mean_of(const std::string& name) {
-  const auto too_dark = [](double e, PixelClass) { return std::max(0.0, -e); };
-  const auto too_bright = [](double e, PixelClass) { return std::max(0.0, e); };
-  const std::pair<const char*, PixelMean> means[] = {{"mae", {[](double e, PixelClass) { return std::abs(e); }}},
-                                                     {"rmse", {[](double e, PixelClass) { return e * e; }, true}},
-                                                     {"mean_error", {[](double e, PixelClass) { return e; }}},
-                                                     {"too_dark", {too_dark}},
-                                                     {"too_bright", {too_bright}},
-                                                     {"false_blocked", {too_dark}},
-                                                     {"false_lit", {too_bright}},
-                                                     {"acne", {error_of_cause<PixelClass::acne>}},
-                                                     {"false_occlusion", {error_of_cause<PixelClass::false_occlusion>}},
-                                                     {"peter_panning", {error_of_cause<PixelClass::peter_panning>}},
-                                                     {"leak", {error_of_cause<PixelClass::light_leak>}}};
+  const auto too_dark = [](const PixelValues& p) { return std::max(0.0, -p.error); };
+  const auto too_bright = [](const PixelValues& p) { return std::max(0.0, p.error); };
+  const auto truth = [](const PixelValues& p) { return p.truth; };
+  const auto raster = [](const PixelValues& p) { return p.raster; };
+  const auto penumbra = [](const PixelValues& p) { return penumbra_weight(p.truth, p.variance); };
+  const std::pair<const char*, PixelMean> means[] = {
+      {"mae", {[](const PixelValues& p) { return std::abs(p.error); }}},
+      {"rmse", {[](const PixelValues& p) { return p.error * p.error - p.variance; }, true}},
+      {"mean_error", {[](const PixelValues& p) { return p.error; }}},
+      {"lit", {truth}},
+      {"mean_truth", {truth}},
+      {"blocked", {[](const PixelValues& p) { return 1.0 - p.truth; }}},
+      {"mean_raster", {raster}},
+      {"penumbra", {penumbra}},
+      {"penumbra_mae",
+       {[](const PixelValues& p) { return penumbra_error(p.raster, p.truth, p.variance); }, false, penumbra}},
+      {"too_dark", {too_dark}},
+      {"too_bright", {too_bright}},
+      {"false_blocked", {too_dark}},
+      {"false_lit", {too_bright}},
+      {"acne", {error_of_cause<PixelClass::acne>}},
+      {"false_occlusion", {error_of_cause<PixelClass::false_occlusion>}},
+      {"peter_panning", {error_of_cause<PixelClass::peter_panning>}},
+      {"leak", {error_of_cause<PixelClass::light_leak>}}};
   for (const auto& [known, mean] : means) {
     if (name == known) return mean;
   }
@@ -68,7 +126,7 @@ PixelMean mean_of(const std::string& name) {
 
 struct BlockSum {
   double sum = 0.0;
-  double count = 0.0;
+  double weight = 0.0;
 };
 
 struct BlockSums {
@@ -76,14 +134,14 @@ struct BlockSums {
   BlockSum all;
   bool is_root = false;
 
-  double value() const { return value_of(all.sum, all.count); }
+  double value() const { return value_of(all.sum, all.weight); }
   double value_without(std::size_t block) const {
-    return value_of(all.sum - blocks[block].sum, all.count - blocks[block].count);
+    return value_of(all.sum - blocks[block].sum, all.weight - blocks[block].weight);
   }
 
  private:
-  double value_of(double sum, double count) const {
-    return is_root ? std::sqrt(std::max(0.0, sum) / count) : sum / count;
+  double value_of(double sum, double weight) const {
+    return is_root ? std::sqrt(std::max(0.0, sum) / weight) : sum / weight;
   }
 };
 
@@ -96,15 +154,14 @@ BlockSums sum_blocks(const StoredImages& images, const PixelMean& of) {
   for (int y = 0; y < error.height; ++y) {
     for (int x = 0; x < error.width; ++x) {
       const std::size_t i = error.index(x, y);
-      const auto pixel = images.classes != nullptr ? static_cast<PixelClass>(std::lround((*images.classes)[i]))
-                         : std::isnan((*images.position)[i]) ? PixelClass::background
-                                                             : PixelClass::correct;
-      if (pixel == PixelClass::not_counted || pixel == PixelClass::background) continue;
+      if (!is_counted(images, i)) continue;
       const int block = y * rows / error.height * columns + x * columns / error.width;
-      const double value = of.term(error[i], pixel);
+      const PixelValues values = values_at(images, i);
+      const double term = of.term(values);
+      const double weight = of.weight(values);
       for (BlockSum* each : {&sums.blocks[static_cast<std::size_t>(block)], &sums.all}) {
-        each->sum += value;
-        each->count += 1.0;
+        each->sum += term;
+        each->weight += weight;
       }
     }
   }
@@ -124,7 +181,7 @@ bool see_the_same(const Image<float>& a, const Image<float>& b) {
 }
 
 bool gives(const BlockSums& sums, double reported) {
-  return sums.all.count > 0.0 && std::abs(sums.value() - reported) <= 1e-6 + 1e-4 * std::abs(reported);
+  return sums.all.weight > 0.0 && std::abs(sums.value() - reported) <= 1e-6 + 1e-4 * std::abs(reported);
 }
 
 // The sums of a statistic, if the run's images give its value. Weighted causes of a filter, or pixels that images do
@@ -141,8 +198,8 @@ std::optional<BlockSums> sums_of(const StoredRun& run, const MeasuredStatistic& 
 // The interval about `value` from the values without each block.
 std::optional<BlockEstimate> jackknife(double value, const std::vector<double>& without) {
   if (without.size() < fewest_blocks) return std::nullopt;
-  const double half_width =
-      student_95(static_cast<double>(without.size() - 1)) * std::sqrt(jackknife_variance(without));
+  const JackknifeVariance spread = jackknife_variance(without);
+  const double half_width = student_95(spread.degrees_of_freedom) * std::sqrt(spread.variance);
   return BlockEstimate{{value, value - half_width, value + half_width}, without.size()};
 }
 
@@ -153,7 +210,8 @@ std::optional<BlockEstimate> estimate_over_blocks(const StoredRun& run, const Me
   if (!sums) return std::nullopt;
   std::vector<double> without;
   for (std::size_t i = 0; i < sums->blocks.size(); ++i) {
-    if (sums->blocks[i].count > 0.0 && std::isfinite(sums->value_without(i))) without.push_back(sums->value_without(i));
+    if (sums->blocks[i].weight > 0.0 && std::isfinite(sums->value_without(i)))
+      without.push_back(sums->value_without(i));
   }
   return jackknife(statistic.value, without);
 }
@@ -167,7 +225,7 @@ std::optional<BlockEstimate> paired_difference(const StoredRun& a, const Measure
   }
   std::vector<double> without;
   for (std::size_t i = 0; i < sums_a->blocks.size(); ++i) {
-    if (sums_a->blocks[i].count + sums_b->blocks[i].count == 0.0) continue;
+    if (sums_a->blocks[i].weight + sums_b->blocks[i].weight == 0.0) continue;
     const double difference = sums_b->value_without(i) - sums_a->value_without(i);
     if (std::isfinite(difference)) without.push_back(difference);
   }

@@ -11,12 +11,20 @@ void add_shadow(LayeredImage& image, const std::string& light, const ShadowMeasu
   if (shadow.truth) add_layer(image, "truth_visibility_" + light, shadow.truth->visibility);
   if (shadow.truth && shadow.is_sampled) {
     add_layer(image, "truth_visibility_standard_error_" + light, shadow.truth->standard_error);
+    add_layer(image, "truth_visibility_variance_" + light, shadow.truth->variance);
     add_layer(image, "truth_visibility_samples_" + light, shadow.truth->samples);
   }
   if (shadow.raster) add_layer(image, "raster_visibility_" + light, shadow.raster->visibility);
   if (!shadow.truth || !shadow.raster) return;
   add_layer(image, "error_visibility_" + light, signed_error(shadow.raster->visibility, shadow.truth->visibility));
-  if (by_cause(shadow) == nullptr) return;
+  if (by_cause(shadow) == nullptr) {
+    Image<float> counted(shadow.counted.exclusion.width, shadow.counted.exclusion.height);
+    for (std::size_t i = 0; i < counted.size(); ++i) {
+      counted[i] = shadow.counted.exclusion[i] == PixelExclusion::none ? 1.0f : 0.0f;
+    }
+    add_layer(image, "counted_" + light, counted);
+    return;
+  }
   const Image<PixelClass> classes = classify(shadow.raster->wrong, shadow.counted);
   Image<float> numbers(classes.width, classes.height);
   for (std::size_t i = 0; i < classes.size(); ++i) numbers[i] = static_cast<float>(classes[i]);
@@ -27,6 +35,7 @@ void add_ao(LayeredImage& image, const AoMeasurement& ao) {
   if (ao.truth) {
     add_layer(image, "truth_ao", ao.truth->ao);
     add_layer(image, "truth_ao_standard_error", ao.truth->standard_error);
+    add_layer(image, "truth_ao_variance", ao.truth->variance);
     add_layer(image, "truth_ao_samples", ao.truth->samples);
     if (!ao.truth->bent_normal.empty()) add_layer(image, "truth_bent_normal", ao.truth->bent_normal);
     if (!ao.truth->hit_distance.empty()) add_layer(image, "truth_ao_hit_distance", ao.truth->hit_distance);

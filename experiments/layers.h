@@ -11,9 +11,12 @@ namespace umbrameter {
 Image<vec3> picture_of(const Stages& stages, const Measurement& measurement);
 
 /// Layer names:
-/// - for each light truth_visibility_<light>.Y, raster_visibility_<light>.Y, error_visibility_<light>.Y; without extent
-///   also class_<light>.Y (numbers of PixelClass), with extent also truth_visibility_standard_error_<light>.Y;
-/// - truth_ao.Y, truth_ao_standard_error.Y, truth_ao_samples.Y (rays), raster_ao.Y, error_ao.Y;
+/// - for each light truth_visibility_<light>.Y, raster_visibility_<light>.Y, error_visibility_<light>.Y; of a hard
+/// shadow
+///   with taps also class_<light>.Y (numbers of PixelClass), of others counted_<light>.Y (1 where the pixel counts);
+///   with extent also truth_visibility_standard_error_<light>.Y, truth_visibility_variance_<light>.Y (unbiased, for
+///   sums over many pixels) and truth_visibility_samples_<light>.Y;
+/// - truth_ao.Y, truth_ao_standard_error.Y, truth_ao_variance.Y, truth_ao_samples.Y (rays), raster_ao.Y, error_ao.Y;
 /// - with truth.ao-layers also truth_bent_normal.X/Y/Z (unit, world) and truth_ao_hit_distance.Y (metres, infinite if
 ///   no ray hits);
 /// - of an image measurement truth_image.R/G/B and raster_image.R/G/B (linear, without exposure),

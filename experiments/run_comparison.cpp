@@ -18,14 +18,16 @@ const MeasuredStatistic* find_same(const StoredRun& run, const MeasuredStatistic
   return found == run.statistics.end() ? nullptr : &*found;
 }
 
-double half_width_of(const StoredRun& run, const MeasuredStatistic& measured) {
-  if (measured.half_width > 0.0) return measured.half_width;
-  const std::optional<BlockEstimate> over_blocks = estimate_over_blocks(run, measured);
-  return over_blocks ? 0.5 * (over_blocks->estimate.upper - over_blocks->estimate.lower) : 0.0;
-}
-
 ComparedValue value_of_run(const std::vector<StoredRun>& runs, std::size_t index, const MeasuredStatistic& measured) {
-  return {index, measured, half_width_of(runs[index], measured)};
+  ComparedValue value{index, measured};
+  if (const std::optional<BlockEstimate> over_blocks = estimate_over_blocks(runs[index], measured)) {
+    value.half_width = 0.5 * (over_blocks->estimate.upper - over_blocks->estimate.lower);
+    value.interval = IntervalOf::pixels;
+  } else if (measured.half_width > 0.0) {
+    value.half_width = measured.half_width;
+    value.interval = IntervalOf::rays;
+  }
+  return value;
 }
 
 void compare_to(const ComparedValue& base, const std::vector<StoredRun>& runs, ComparedValue& value) {
@@ -40,9 +42,13 @@ void compare_to(const ComparedValue& base, const std::vector<StoredRun>& runs, C
   if (const auto paired = paired_difference(runs[base.run], base.measured, runs[value.run], value.measured)) {
     value.difference = paired->estimate;
     value.blocks = paired->blocks;
-  } else if (base.half_width > 0.0 && value.half_width > 0.0) {
+  } else if (base.interval != IntervalOf::nothing && value.interval != IntervalOf::nothing) {
     const double half_width = std::hypot(base.half_width, value.half_width);
     value.difference = {difference, difference - half_width, difference + half_width};
+    if (base.interval == IntervalOf::rays || value.interval == IntervalOf::rays) {
+      value.verdict = Verdict::rays_only;
+      return;
+    }
   } else {
     return;
   }

@@ -68,8 +68,14 @@ void add_fit_warnings(CurveFormula& of, const BiasFormula& formula) {
     of.warnings.push_back(fmt::format("the factor of {}, {:.2g} with a standard error of {:.2g}, may be 0",
                                       term_symbols[t], fitted->value, *fitted->standard_error));
   }
-  if (formula.points < 2 * unknowns) {
-    of.warnings.push_back(fmt::format("{} points for {} unknowns are few", formula.points, unknowns));
+  if (formula.independent < formula.points) {
+    of.warnings.push_back(
+        fmt::format("only {} of {} points are independent: an axis changes nothing that the formula depends on, and "
+                    "points that differ in it alone count as one",
+                    formula.independent, formula.points));
+  }
+  if (formula.independent < 2 * unknowns) {
+    of.warnings.push_back(fmt::format("{} points for {} unknowns are few", formula.independent, unknowns));
   }
   const double share = formula.residual / rms_bias(of.points);
   if (formula.residual > formula.axis_step && share > poor_residual_share) {

@@ -39,6 +39,12 @@ std::string residual_text(const BiasFormula& formula) {
                      formula.residual_texels, metres_text(formula.worst_residual, 2));
 }
 
+std::string points_text(const CurveFormula& of) {
+  const std::size_t independent = of.formula->independent;
+  if (independent == of.points.size()) return fmt::format("{} points", independent);
+  return fmt::format("{} points, of which {} are independent", of.points.size(), independent);
+}
+
 std::string names_of(const std::vector<Column>& columns) {
   std::string names;
   for (const Column& column : columns) names += (names.empty() ? "" : ", ") + column.name;
@@ -51,6 +57,7 @@ Table formulas_table(const BiasCurves& curves) {
   const std::vector<Column> rest = {
       {"formula of", "", "which bias is fitted, at the slope-scaled bias nearest to 0"},
       {"points", "1", "fitted points: one per combination of the formula's axes"},
+      {"independent points", "1", "those that differ in a fact of the formula; only they count in the standard errors"},
       {"left out", "1", "combinations without such a bias on the axis, or with one at its end"},
       {"c0", "m", "constant part"},
       {"error of c0", "m", "standard error"},
@@ -72,6 +79,7 @@ Table formulas_table(const BiasCurves& curves) {
     std::vector<Value> row = of.others;
     row.emplace_back(std::string(name_of(of)));
     row.emplace_back(static_cast<std::int64_t>(of.points.size()));
+    row.push_back(of.formula ? Value(static_cast<std::int64_t>(of.formula->independent)) : nothing);
     row.emplace_back(static_cast<std::int64_t>(of.left_out));
     if (of.formula) {
       const BiasFormula& formula = *of.formula;
@@ -198,6 +206,7 @@ Json formula_json(const BiasCurves& curves, const CurveFormula& of) {
   const BiasFormula& formula = *of.formula;
   constexpr std::array<const char*, formula_term_count> keys = {"c0_m", "per_depth_per_texel",
                                                                 "per_radius_and_depth_per_texel", "per_depth_step"};
+  object["independent_points"] = formula.independent;
   object["bias_m"] = expression(formula);
   for (std::size_t t = 0; t < formula_term_count; ++t) {
     if (formula.terms[t]) object[keys[t]] = fitted_json(*formula.terms[t]);
@@ -239,8 +248,8 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
       if (!of->formula) continue;
       if (any == nullptr) any = &*of->formula;
       const std::string slope = of->slope != 0.0 ? fmt::format(", slope-scaled bias {:g} texels", of->slope) : "";
-      const std::string line = fmt::format("formula ({}{}{}): {}, {}, {} points", at, name_of(*of), slope,
-                                           formula_text(*of->formula), residual_text(*of->formula), of->points.size());
+      const std::string line = fmt::format("formula ({}{}{}): {}, {}, {}", at, name_of(*of), slope,
+                                           formula_text(*of->formula), residual_text(*of->formula), points_text(*of));
       section.text += "\n\n" + line + "; " + ranges_text(*of->formula) + ".";
       if (is_first) presentation.lines.push_back(line);
     }

@@ -71,6 +71,12 @@ LayerTable layer_table(const Stages& stages, const Measurement& measurement) {
   return table;
 }
 
+// Positions and variances are incompressible and of no use to the eye.
+bool is_for_programs(const std::string& name) {
+  return name == "gbuffer_position" || name == "truth_ao_variance" || name.starts_with("truth_visibility_variance_") ||
+         name.starts_with("counted_");
+}
+
 // A layer that the table does not list is shown as a number.
 ViewerLayer start_layer(const LayerTable& table, const std::string& name) {
   const auto found = table.find(name);
@@ -86,7 +92,7 @@ std::vector<ViewerLayer> viewer_layers(const LayerTable& table, const LayeredIma
     const std::string component = dot == std::string::npos ? channel.name : channel.name.substr(dot + 1);
     if (component == "A") continue;
     const std::string name = dot != std::string::npos ? channel.name.substr(0, dot) : component == "Z" ? "Z" : "";
-    if (name == "gbuffer_position") continue;  // incompressible, and no use to the eye
+    if (is_for_programs(name)) continue;
     const ViewerLayer layer = start_layer(table, name);
     if (layers.empty() || layers.back().name != layer.name) layers.push_back(layer);
     layers.back().planes.push_back(channel.values);

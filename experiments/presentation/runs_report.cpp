@@ -21,15 +21,20 @@ std::string with_minus(std::string text) {
 
 double half_width_of(const Estimate& estimate) { return 0.5 * (estimate.upper - estimate.lower); }
 
+// Marks an interval that does not cover the choice of pixels.
+constexpr const char* rays_only_mark = "*";
+
 std::string value_text(const ComparedValue& value) {
   const double scale = scale_of(value.measured.unit);
-  return with_half_width(scale * value.measured.value, scale * value.half_width);
+  return with_half_width(scale * value.measured.value, scale * value.half_width) +
+         (value.interval == IntervalOf::rays ? rays_only_mark : "");
 }
 
 std::string difference_text(const ComparedValue& value) {
   if (value.verdict == Verdict::base) return "—";
   const double scale = scale_of(value.measured.unit);
-  const std::string text = with_half_width(scale * value.difference.value, scale * half_width_of(value.difference));
+  const std::string text = with_half_width(scale * value.difference.value, scale * half_width_of(value.difference)) +
+                           (value.verdict == Verdict::rays_only ? rays_only_mark : "");
   const bool is_shown = value.verdict == Verdict::significant || value.verdict == Verdict::equal;
   return is_shown ? text : "(" + text + ")";
 }
@@ -45,6 +50,8 @@ std::string verdict_text(const ComparedValue& value) {
       return "significant, " + test;
     case Verdict::not_significant:
       return "not significant, " + test;
+    case Verdict::rays_only:
+      return "not tested: the interval covers the rays only";
     case Verdict::no_interval:
       return "no interval";
   }
@@ -134,17 +141,20 @@ Table comparison_rows(const std::vector<StoredRun>& runs, const std::vector<Comp
                {"run", "", ""},
                {"value", "", ""},
                {"half_width", "", ""},
+               {"interval_of", "", ""},
                {"difference", "", ""},
                {"difference_lo", "", ""},
                {"difference_hi", "", ""},
                {"blocks", "", ""},
                {"verdict", "", ""}},
               {}};
-  constexpr const char* verdicts[] = {"base", "equal", "significant", "not significant", "no interval"};
+  constexpr const char* verdicts[] = {"base", "equal", "significant", "not significant", "rays only", "no interval"};
+  constexpr const char* intervals[] = {"", "rays", "pixels and rays"};
   for (const ComparedStatistic& each : compared) {
     for (const ComparedValue& value : each.values) {
       table.rows.push_back({each.kind, each.light, each.name, each.unit, runs[value.run].name, value.measured.value,
-                            value.half_width, value.difference.value, value.difference.lower, value.difference.upper,
+                            value.half_width, std::string(intervals[static_cast<std::size_t>(value.interval)]),
+                            value.difference.value, value.difference.lower, value.difference.upper,
                             static_cast<std::int64_t>(value.blocks),
                             std::string(verdicts[static_cast<std::size_t>(value.verdict)])});
     }

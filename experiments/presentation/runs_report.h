@@ -14,7 +14,7 @@ namespace umbrameter {
 struct PartTables {
   std::string stem;   ///< file name of its LaTeX tables: "shadow_sun"
   std::string title;  ///< "Shadow of sun"
-  Table values;       ///< value ± half width of its 95 % interval, with the digits that the interval justifies
+  Table values;  ///< value ± half width of its 95 % interval, which covers pixels and rays, or with a * rays alone
   Table differences;  ///< to the first run; in parentheses where not shown to be significant; no rows for a single run
   Table all;          ///< every statistic of every run, errors or not, with the kind of the test
 };

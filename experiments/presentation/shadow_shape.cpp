@@ -78,7 +78,8 @@ ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
   const Surfels& surfels = stages.surfels(experiment);
   const Light light = stages.light(experiment, shadow.light);
-  const ShapeInput input{surfels.gbuffer, shadow.truth->visibility, shadow.counted, light, shadow.layout};
+  const ShapeInput input{surfels.gbuffer, shadow.truth->visibility, shadow.counted, light,
+                         shadow.layout,   &shadow.truth->variance};
   const VisibilityStatistics* causes = by_cause(shadow);
   if (causes == nullptr) {
     ShadowShape shape{analyze_error_shape(input, shadow.raster->visibility)};

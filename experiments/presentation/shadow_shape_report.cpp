@@ -54,8 +54,9 @@ std::string edges_text(const ErrorShape& shape) {
       "\n\nThe reference has {} shadow edges: pairs of adjacent pixels on one surface, one lit and one blocked.",
       shape.edges);
   if (shape.outside_penumbra) {
-    text += fmt::format(" {:.2f} % of the error lies outside the penumbra, where the reference is 0 or 1.",
-                        100.0 * *shape.outside_penumbra);
+    text += fmt::format(
+        " {:.2f} % of the error lies outside the penumbra (weight 1 − 4V(1 − V), V the visibility of the reference).",
+        100.0 * *shape.outside_penumbra);
   }
   return text;
 }

@@ -4,27 +4,29 @@
 
 #include "core/interrupt.h"
 #include "core/jackknife.h"
+#include "core/quantiles.h"
 
 namespace umbrameter {
 namespace {
-
-// Student's t of 60 degrees of freedom or so: a case has up to 64 blocks.
-constexpr double t_975 = 2.0;
 
 // value_without(case, block) is the whole value with that block of that case left out. Cases are independent, so that
 // their variances add up.
 std::optional<Estimate> jackknife(double value, const LeftOutBlocks& blocks,
                                   const std::function<double(std::size_t, std::size_t)>& value_without) {
   double variance = 0.0;
+  double squares = 0.0;  // of the cases' variances over their degrees of freedom
   for (std::size_t c = 0; c < blocks.size(); ++c) {
     const std::size_t count = blocks[c].size();
     if (count < 2) return std::nullopt;
     std::vector<double> values;
     for (std::size_t b = 0; b < count; ++b) values.push_back(value_without(c, b));
-    variance += jackknife_variance(values);
+    const JackknifeVariance of_case = jackknife_variance(values);
+    variance += of_case.variance;
+    squares += of_case.variance * of_case.variance / of_case.degrees_of_freedom;
   }
   if (!std::isfinite(variance) || !std::isfinite(value)) return std::nullopt;
-  const double half_width = t_975 * std::sqrt(variance);
+  // Degrees of freedom of a sum of variances: Welch 1947.
+  const double half_width = variance > 0.0 ? student_95(variance * variance / squares) * std::sqrt(variance) : 0.0;
   return Estimate{value, value - half_width, value + half_width};
 }
 

@@ -83,18 +83,20 @@ TEST_F(AreaLightRun, A_sweep_over_the_extent_starts_at_the_hard_shadow) {
                 .exit_code,
             0);
   const std::string csv = text_of(folder_ / "sweep/sweep.csv");
-  EXPECT_EQ(csv.rfind("light.angle,pixels,lit,lit_lo,lit_hi,penumbra,mae,mae_lo,mae_hi,", 0), 0u) << csv.substr(0, 99);
+  EXPECT_EQ(csv.rfind("light.angle,pixels,lit,lit_lo,lit_hi,penumbra,penumbra_lo,penumbra_hi,mae,mae_lo,mae_hi,", 0),
+            0u)
+      << csv.substr(0, 99);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3);
   const ProgramResult hard =
       run_program(words({"compare", "contact-box", "-o", folder_ / "hard", "--light", "sun", "--json"}, small));
   ASSERT_EQ(hard.exit_code, 0) << hard.err;
   const Json statistics = Json::parse(hard.out)["shadows"][0]["statistics"];
-  // The angle, pixels, then lit three times, since nothing was sampled, then no penumbra, then the error. One command
-  // adds up pixels and the other counts taps.
+  // The angle, pixels, then lit three times, since nothing was sampled, then no penumbra, likewise, then the error. One
+  // command adds up pixels and the other counts taps.
   const double lit = statistics["lit"];
   std::istringstream row(csv.substr(csv.find('\n') + 1));
   for (const double expected :
-       {0.0, statistics["pixels"].get<double>(), lit, lit, lit, 0.0, statistics["mae"].get<double>()}) {
+       {0.0, statistics["pixels"].get<double>(), lit, lit, lit, 0.0, 0.0, 0.0, statistics["mae"].get<double>()}) {
     double found = -1.0;
     char comma = 0;
     row >> found >> comma;

@@ -39,6 +39,7 @@ TEST_F(Run, Compare_writes_every_file_and_layer_of_the_contract) {
                                           "class_sun.Y",
                                           "truth_ao.Y",
                                           "truth_ao_samples.Y",
+                                          "truth_ao_variance.Y",
                                           "truth_ao_standard_error.Y",
                                           "raster_ao.Y",
                                           "error_ao.Y",

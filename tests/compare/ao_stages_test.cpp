@@ -125,6 +125,12 @@ TEST(AoStages, The_bins_of_each_split_hold_every_surface_pixel_once) {
     EXPECT_EQ(pixels, all.total.pixels) << split;
     EXPECT_NEAR(error / static_cast<double>(pixels), all.total.mean_error.value, 1e-12) << split;
   }
+  for (const AoStageBin& bin : bins) {
+    if (bin.statistics.total.pixels == 0) continue;
+    EXPECT_EQ(std::isnan(bin.statistics.total.mean_error.lower), bin.split == "error")
+        << "pixels that the noisy error selects have no interval";
+    EXPECT_EQ(std::isnan(bin.statistics.stages[0].mean.upper), bin.split == "error");
+  }
   // Two columns to either side have a centre within 2 px of the edge.
   for (const AoStageBin& bin : bins) {
     if (bin.split != "depth_edge_distance" || bin.first != 0.0) continue;

@@ -74,6 +74,40 @@ TEST(BiasFormula, A_short_axis_is_refused_by_name) {
   EXPECT_EQ(formula->refused[1], "step of the stored depth: 1 value, at least 2 are needed");
 }
 
+TEST(BiasFormula, Points_that_repeat_others_do_not_shrink_the_standard_errors) {
+  // The second depth format changes δ by 0.01 mm, less than a step of the bias axis, so that δ has no term.
+  const auto once = fit_formula(plane({0.01, 0.02, 0.05}, {1.0, 1.7}, {0.0, 1.0}, {1e-6}, 0.5));
+  std::vector<FormulaPoint> points = plane({0.01, 0.02, 0.05}, {1.0, 1.7}, {0.0, 1.0}, {1e-6}, 0.5);
+  for (std::size_t i = 0; i < 12; ++i) {
+    points.push_back(points[i]);
+    points.back().facts.depth_step = 1.1e-5;
+  }
+  const auto twice = fit_formula(points);
+  ASSERT_TRUE(once && twice);
+  EXPECT_EQ(once->independent, 12u);
+  EXPECT_EQ(twice->points, 24u);
+  EXPECT_EQ(twice->independent, 12u);
+  for (const FormulaTerm t : {FormulaTerm::constant, FormulaTerm::slope, FormulaTerm::slope_radius}) {
+    EXPECT_DOUBLE_EQ(term(*twice, t).value, term(*once, t).value);
+    EXPECT_DOUBLE_EQ(*term(*twice, t).standard_error, *term(*once, t).standard_error);
+  }
+}
+
+TEST(BiasFormula, Points_that_differ_by_chance_alone_count_as_their_mean) {
+  std::vector<FormulaPoint> points = plane({0.01, 0.02, 0.05}, {1.0}, {0.0, 1.0}, {1e-6});
+  const auto plain = fit_formula(points);
+  for (std::size_t i = 0; i < 6; ++i) {
+    points.push_back(points[i]);
+    points[i].fit.bias += points[i].fit.step;
+    points.back().fit.bias -= points[i].fit.step;
+  }
+  const auto moved = fit_formula(points);
+  ASSERT_TRUE(plain && moved);
+  EXPECT_EQ(moved->independent, 6u);
+  EXPECT_NEAR(term(*moved, FormulaTerm::slope).value, term(*plain, FormulaTerm::slope).value, 1e-9);
+  EXPECT_NEAR(*term(*moved, FormulaTerm::slope).standard_error, *term(*plain, FormulaTerm::slope).standard_error, 1e-9);
+}
+
 TEST(BiasFormula, A_depth_step_below_the_step_of_the_axis_is_refused) {
   // The steps of the bias axis are 0.1 mm or more; the stored depths' steps differ by 0.01 mm.
   const auto formula = fit_formula(plane({0.01, 0.02, 0.05}, {1.0}, {0.0, 1.0}, {1e-6, 1.1e-5}));

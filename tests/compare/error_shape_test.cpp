@@ -137,7 +137,8 @@ TEST(ErrorShape, A_share_is_split_by_sign_and_by_the_penumbra) {
   EXPECT_DOUBLE_EQ(shape.all.weight, 1.0);
   EXPECT_DOUBLE_EQ(shape.parts[0].weight, 0.375);
   EXPECT_DOUBLE_EQ(shape.parts[1].weight, 0.625);
-  EXPECT_DOUBLE_EQ(*shape.outside_penumbra, 0.25);
+  // Weights 1 − 4V(1 − V): 1 in the light, 1/16 where V is ⅝ and ⅜.
+  EXPECT_DOUBLE_EQ(*shape.outside_penumbra, 0.25 + (0.125 + 0.625) / 16.0);
   EXPECT_NEAR(shape.parts[0].pixels->median, 7.5, 1e-5);
   EXPECT_NEAR(shape.parts[1].pixels->largest, 0.5, 1e-5);
   EXPECT_FALSE(shape.components);

@@ -25,7 +25,7 @@ TEST_F(ShadowReferenceGl, Over_the_pixel_is_sampled_and_has_no_causes) {
   const ShadowMeasurement pixel = measure_shadow(*stages_, experiment_, 0, {});
   EXPECT_TRUE(pixel.is_sampled);
   ASSERT_TRUE(std::holds_alternative<SoftVisibilityStatistics>(*pixel.statistics));
-  EXPECT_GT(std::get<SoftVisibilityStatistics>(*pixel.statistics).penumbra, 0.0) << "edges are partly lit";
+  EXPECT_GT(std::get<SoftVisibilityStatistics>(*pixel.statistics).penumbra.value, 0.0) << "edges are partly lit";
   double difference = 0.0;
   double counted = 0.0;
   for (std::size_t i = 0; i < pixel.truth->visibility.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "core/error.h"
+#include "core/random.h"
 #include "experiments/experiment.h"
 #include "experiments/presentation/tune_report.h"
 #include "experiments/tuning/minimize.h"
@@ -177,10 +178,64 @@ TEST(CostDifference, Of_points_that_differ_alike_in_every_block_is_significant) 
   ASSERT_TRUE(difference.has_value());
   EXPECT_NEAR(difference->value, -0.1, 1e-12);
   EXPECT_LT(difference->upper, 0.0);
-  // Of one alone: 2 √(3/4 · (0.4² + 0.4²)) = 0.9798
+  // Of one alone, with Student's t for 3 degrees of freedom: 3.182446 √(3/4 · (0.4² + 0.4²)) = 1.559074
   const std::optional<Estimate> alone = cost_interval(mae, {{0.5}}, a);
-  EXPECT_NEAR(alone->upper - alone->value, 0.979796, 1e-5);
+  EXPECT_NEAR(alone->upper - alone->value, 1.559074, 1e-5);
   EXPECT_FALSE(cost_interval(mae, {{0.5}}, {{}}).has_value());
+}
+
+// Each block of a case has a cost of its own, evenly drawn from 0 to 1, but in most blocks there is little to measure:
+// block k weighs 1 / (k + 1). The point b costs 0.9 of that, and up to 0.05 more by chance.
+TEST(CostDifference, Has_an_interval_that_holds_it_95_times_in_100_for_few_blocks_and_for_many) {
+  const TuneGoal mae = goal("mae");
+  for (const auto& [cases, blocks] : {std::pair<std::size_t, std::size_t>{1, 24}, {1, 64}, {5, 16}}) {
+    constexpr int draws = 400;
+    int of_cost = 0;
+    int of_difference = 0;
+    for (std::uint32_t draw = 0; draw < draws; ++draw) {
+      std::vector<CaseValues> a, b;
+      LeftOutBlocks without_a, without_b;
+      for (std::size_t c = 0; c < cases; ++c) {
+        std::vector<double> weights, costs_a, costs_b;
+        for (std::size_t k = 0; k < blocks; ++k) {
+          const auto random = [&](std::uint32_t of) {
+            return static_cast<double>(to_unit_float(hash(static_cast<std::uint32_t>(64 * c + k), draw, of)));
+          };
+          weights.push_back(1.0 / static_cast<double>(k + 1));
+          costs_a.push_back(random(0));
+          costs_b.push_back(0.9 * random(0) + 0.05 * random(1));
+        }
+        // Without no block: all.
+        const auto mean = [&](const std::vector<double>& costs, std::size_t without) {
+          double sum = 0.0;
+          double weight = 0.0;
+          for (std::size_t k = 0; k < blocks; ++k) {
+            if (k == without) continue;
+            sum += weights[k] * costs[k];
+            weight += weights[k];
+          }
+          return CaseValues{sum / weight};
+        };
+        a.push_back(mean(costs_a, blocks));
+        b.push_back(mean(costs_b, blocks));
+        without_a.emplace_back();
+        without_b.emplace_back();
+        for (std::size_t k = 0; k < blocks; ++k) {
+          without_a.back().push_back(mean(costs_a, k));
+          without_b.back().push_back(mean(costs_b, k));
+        }
+      }
+      const Estimate cost = *cost_interval(mae, a, without_a);
+      of_cost += cost.lower <= 0.5 && 0.5 <= cost.upper ? 1 : 0;
+      const Estimate difference = *cost_difference(mae, b, without_b, a, without_a);
+      of_difference += difference.lower <= -0.025 && -0.025 <= difference.upper ? 1 : 0;
+    }
+    // 92 to 98 %; the standard error of a share of 400 draws is 1.1 %.
+    for (const int held : {of_cost, of_difference}) {
+      EXPECT_GE(held, 0.92 * draws) << cases << " cases, " << blocks << " blocks";
+      EXPECT_LE(held, 0.98 * draws) << cases << " cases, " << blocks << " blocks";
+    }
+  }
 }
 
 TEST(TuneJournal, Is_read_back_to_the_bit_and_a_line_that_was_cut_off_is_ignored) {
