@@ -53,7 +53,8 @@ std::string withheld_text(NoBias reason, const BiasEvidence& evidence) {
                  "costs little; ") +
              remedy;
     case NoBias::unbounded:
-      return "the error hardly depends on the bias: the range of good ones has no end";
+      return "a bias that removes every shadow has hardly more error, because the map is too coarse; raise "
+             "--shadow.resolution";
   }
   return {};
 }
