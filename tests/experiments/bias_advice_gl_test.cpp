@@ -72,7 +72,6 @@ TEST_F(BiasAdviceGl, Has_at_most_5_percent_more_error_than_any_bias_on_either_si
     const BiasAdvice advice = advise(load_scene(name), light, settings);
     const double least = std::min(least_by_brute_force(-20.0, 20.0, 8001), least_by_brute_force(-200.0, 200.0, 4001));
     EXPECT_LE(advice.plateau.recommended.mae, 1.05 * least) << name << " " << light;
-    EXPECT_GE(advice.plateau.least.mae, least * (1.0 - 1e-12) - 1e-3) << name;
     EXPECT_LE(advice.plateau.first.constant, advice.plateau.recommended.constant);
     EXPECT_GE(advice.plateau.last.constant, advice.plateau.recommended.constant);
   }
