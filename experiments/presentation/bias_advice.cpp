@@ -161,10 +161,8 @@ std::string bias_text(const BiasAdvice& advice, const BiasCell& cell) {
 }  // namespace
 
 bool keeps_bias(const BiasAdvice& advice) {
-  const BiasPlateau& plateau = advice.plateau;
-  const double bias = advice.used.constant;
-  return bias >= plateau.first.constant && bias <= plateau.last.constant &&
-         (advice.used.acne <= little_acne_share || !plateau.has_little_acne());
+  return advice.used.mae <= plateau_limit(advice.plateau.least.mae) &&
+         (advice.used.acne <= little_acne_share || !advice.plateau.has_little_acne());
 }
 
 bool has_tap_flips(const Experiment& experiment) {
@@ -249,7 +247,7 @@ std::string advice_text(const BiasAdvice& advice) {
   if (keeps_bias(advice)) {
     return fmt::format("keep {}: error {}; {}{}", bias_text(advice, used), percent(used.mae), range, acne_left(used));
   }
-  // A bias on the plateau changes for its acne alone.
+  // A bias with as little error changes for its acne alone.
   const bool is_for_acne = used.mae <= plateau_limit(advice.plateau.least.mae);
   return fmt::format("use {}: {}error {} → {}; {}{}", bias_text(advice, recommended),
                      is_for_acne ? fmt::format("acne {} → {}, ", percent(used.acne), percent(recommended.acne)) : "",

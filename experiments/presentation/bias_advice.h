@@ -27,7 +27,7 @@ struct BiasAdvice {
   double depth_unit = 0.0;           ///< mean_depth_unit()
 };
 
-/// Whether the bias in use is as good as the recommended one: it is on the plateau and has as little acne.
+/// Whether the bias in use is as good as the recommended one: at most 5 % above the least error, with as little acne.
 bool keeps_bias(const BiasAdvice& advice);
 
 /// Whether advise_bias() gives flips for this experiment: its technique has one tap per pixel.
