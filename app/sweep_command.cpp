@@ -21,6 +21,7 @@
 #include "reports/files/data.h"
 #include "reports/files/output.h"
 #include "scenes/builtin.h"
+#include "scenes/floor.h"
 
 namespace umbrameter {
 namespace {
@@ -201,7 +202,13 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   };
   const bool is_limit_fixed = quantity == SweptQuantity::ao && !varies_group(axes, "truth.ao-distance");
   const std::string ao_limit = is_limit_fixed ? ao_limit_text(stages.in_metres(experiment).truth) : "";
-  const SweepResults results{parameters, plan, store, statistics, depth_unit, bias_facts, ao_limit, metrics};
+  SweepResults results{parameters, plan, store, statistics, depth_unit, bias_facts, ao_limit, metrics};
+  if (results.is_by_cause() && !has_floor(stages.scene())) {
+    results.bias_evidence = [&](const std::vector<Value>& values) {
+      const Experiment cell = stages.in_metres(at_cell(experiment, axes, values));
+      return measure_bias_evidence(stages, cell, stages.lights(cell.view.light).front());
+    };
+  }
   const Table best_of_lines = best_rows(results);
   const std::optional<BiasCurves> curves = read_bias_curves(results);
   const std::vector<Value> least = least_row(results);

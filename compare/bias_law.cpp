@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "compare/least_squares.h"
@@ -39,12 +41,20 @@ double slope_factor(const Fit& fit) {
   return fit.bend.points.front().slope + fit.solution.value[1] / fit.solution.value[2];
 }
 
+// Points at the same texel size and slope-scaled bias count once.
+std::size_t count_different(std::span<const FitPoint> points) {
+  std::set<std::pair<double, double>> places;
+  for (const FitPoint& point : points) places.emplace(point.texel, point.slope);
+  return places.size();
+}
+
 std::optional<Fit> fit_bend(const Bend& bend) {
   const auto sloping = bend.points.first(bend.sloping);
   const auto texel_differs = [&](const FitPoint& point) { return point.texel != sloping.front().texel; };
   if (std::none_of(sloping.begin(), sloping.end(), texel_differs)) return std::nullopt;
   Fit fit{bend, {}, bend.slopes > 1 ? std::size_t{3} : std::size_t{2}};
-  if (bend.points.size() < fit.coefficients) return std::nullopt;
+  // Points that repeat one another determine nothing, and those that a fit passes through do not support it.
+  if (count_different(bend.points) <= fit.coefficients) return std::nullopt;
   const double first = bend.points.front().slope;
   std::vector<LeastSquaresRow> rows;
   std::vector<double> right;
@@ -118,14 +128,9 @@ std::optional<BiasFit> fit_law(std::span<const FitPoint> points) {
   law.residual = std::sqrt(law.residual / size);
   law.residual_texels = std::sqrt(law.residual_texels / size);
 
-  const bool is_overdetermined = sorted.size() > best->coefficients;
-  const double variance =
-      is_overdetermined ? best->squares / static_cast<double>(sorted.size() - best->coefficients) : 0.0;
+  const double variance = best->squares / static_cast<double>(sorted.size() - best->coefficients);
   const auto& covariance = solution.covariance;
-  const auto error = [&](double unit_variance) -> std::optional<double> {
-    if (!is_overdetermined) return std::nullopt;
-    return std::sqrt(std::max(unit_variance, 0.0) * variance);
-  };
+  const auto error = [&](double unit_variance) { return std::sqrt(std::max(unit_variance, 0.0) * variance); };
   law.constant.standard_error = error(covariance[0][0]);
   law.per_texel.standard_error = error(covariance[1][1]);
   if (law.tangent) {

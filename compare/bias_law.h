@@ -48,7 +48,8 @@ struct BiasFit {
 double bias_of(const BiasFit& law, double texel, double slope);
 
 /// Least squares with each point weighted by 1/step². Tries every position of the bend s = c1 among the slope-scaled
-/// biases and returns the fit with the smallest residual. Empty if all texel sizes are equal.
+/// biases and returns the fit with the smallest residual. Empty if all texel sizes are equal, and unless there are more
+/// different points, by texel size and slope-scaled bias, than the two or three coefficients.
 std::optional<BiasFit> fit_law(std::span<const FitPoint> points);
 
 }  // namespace umbrameter

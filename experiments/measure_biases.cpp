@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "compare/bias_response.h"
+#include "raytrace/casters.h"
+#include "scenes/floor.h"
 
 namespace umbrameter {
 
@@ -49,6 +51,24 @@ BiasFacts measure_bias_facts(Stages& stages, const Experiment& experiment, std::
   if (kernel == nullptr) return {};
   return measure_facts(stages.surfels(experiment).gbuffer, stages.layout(experiment, light),
                        stages.counted(experiment, light), experiment.shadow.map_depth, *kernel);
+}
+
+BiasEvidence measure_bias_evidence(Stages& stages, const Experiment& experiment, std::uint32_t light) {
+  const CountedPixels& counted = stages.counted(experiment, light);
+  const Image<float>& truth = stages.truth(experiment, light).visibility;
+  const TruthCounts counts = count_truth(truth, counted);
+  BiasEvidence evidence{counts.pixels, counts.lit, counts.pixels - counts.lit, has_floor(stages.scene()), true};
+  if (evidence.has_floor) return evidence;
+  const GBuffer& gbuffer = stages.surfels(experiment).gbuffer;
+  const TracedCasters casters = trace_casters(stages.tracer(), gbuffer, stages.light(experiment, light));
+  const std::vector<Instance>& instances = stages.scene().instances;
+  std::uint64_t on_others = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (counted.exclusion[i] != PixelExclusion::none || casters.instance[i] == no_id) continue;
+    if (instances[casters.instance[i]].object != instances[gbuffer.instance[i]].object) ++on_others;
+  }
+  evidence.is_on_others = 2 * on_others > evidence.blocked;
+  return evidence;
 }
 
 }  // namespace umbrameter

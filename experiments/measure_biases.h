@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare/bias_facts.h"
+#include "compare/bias_plateau.h"
 #include "compare/visibility.h"
 #include "experiments/stages.h"
 
@@ -23,5 +24,8 @@ double mean_depth_unit(Stages& stages, const Experiment& experiment, std::uint32
 /// What the light's bias depends on besides the scene. NaN where a fact is not known: without counted pixels, or
 /// if a search finds the filter's radius in each pixel (PCSS).
 BiasFacts measure_bias_facts(Stages& stages, const Experiment& experiment, std::uint32_t light);
+
+/// What the light's counted pixels show about its bias. The reference must be binary.
+BiasEvidence measure_bias_evidence(Stages& stages, const Experiment& experiment, std::uint32_t light);
 
 }  // namespace umbrameter

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compare/bias_facts.h"
+#include "compare/bias_plateau.h"
 #include "experiments/results_store.h"
 #include "experiments/sweep_evaluator.h"
 #include "experiments/sweep_plan.h"
@@ -24,6 +25,8 @@ struct SweepResults {
   /// Distance limit of an ambient-occlusion reference: "up to 58.6 cm"; empty if it is varied.
   std::string ao_limit{};
   std::vector<MetricColumn> metrics{};  ///< the image metrics in the rows
+  /// measure_bias_evidence() at these values of the axes; empty if the scene has a floor or is not at hand.
+  std::function<BiasEvidence(const std::vector<Value>& values)> bias_evidence{};
 
   SweptQuantity quantity() const { return quantity_of(statistics); }
   bool is_by_cause() const { return std::holds_alternative<VisibilityStatistics>(statistics); }

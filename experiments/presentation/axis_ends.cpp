@@ -65,7 +65,12 @@ std::vector<OpenEnd> find_open_ends(const SweepResults& sweep, const Table& best
       const bool is_listed = std::find(listed_axes.begin(), listed_axes.end(), a) != listed_axes.end();
       if (is_listed || !parameter.is_number()) continue;
       const std::vector<double> numbers = numbers_of(axis);
-      const AxisEnd end = end_of(numbers, to_number(row[a]), parameter.description);
+      AxisEnd end = end_of(numbers, to_number(row[a]), parameter.description);
+      // A constant bias may be negative: where another bias is too large, it has to be.
+      if (axis.key == constant_bias_key && to_number(row[a]) == 0.0 && numbers.size() > 1) {
+        const auto [least, largest] = std::minmax_element(numbers.begin(), numbers.end());
+        end = *least == 0.0 ? AxisEnd::lower : *largest == 0.0 ? AxisEnd::upper : AxisEnd::none;
+      }
       if (end == AxisEnd::none) continue;
       const std::size_t index = index_in(axis, row[a]);
       const std::size_t next = cell - index * plan.strides[a] + neighbour_of_end(numbers, index) * plan.strides[a];

@@ -8,31 +8,34 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/measure_biases.h"
+#include "experiments/presentation/plateau_text.h"
 #include "experiments/presentation/presentation.h"
 #include "experiments/presentation/summary.h"
 
 namespace umbrameter {
 namespace {
 
-// From a hundredth of a texel, which no acne notices, to a hundred, where contact shadows are long gone.
-constexpr double min_texels = 0.01;
-constexpr double max_texels = 100.0;
+// From a hundredth of a texel, which no acne notices, to a hundred, where contact shadows are long gone. Where the
+// plateau reaches an end, the search goes on to a million: more than any map has texels.
+constexpr int min_exponent = -2;
+constexpr int max_exponent = 2;
+constexpr int largest_exponent = 6;
 
-// Numbers with few digits in steps of 2 to 5 %, from `first` to the first one at or beyond `last`; 0 before them. What
-// is printed is then the very bias whose error is printed.
-std::vector<double> readable_axis(double first, double last) {
-  std::vector<int> mantissas;
-  for (int m = 100; m < 1000; m += m < 200 ? 5 : m < 500 ? 10 : 20) mantissas.push_back(m);
-  std::vector<double> values = {0.0};
-  for (int exponent = static_cast<int>(std::floor(std::log10(first))) - 2;; ++exponent) {
-    for (const int mantissa : mantissas) {
-      const double value = exponent < 0 ? mantissa / std::pow(10.0, -exponent)
-                                        : static_cast<double>(mantissa) * std::pow(10.0, exponent);
-      if (value < first) continue;
-      values.push_back(value);
-      if (value >= last) return values;
+// Every number of three significant digits on both sides of 0, and 0: from the power of ten at or below
+// 10^min_exponent texels to the one at or beyond 10^last. What is printed is then the very bias whose error is printed.
+std::vector<double> readable_axis(double texel, int last) {
+  const int begin = static_cast<int>(std::floor(std::log10(texel))) + min_exponent;
+  const int end = static_cast<int>(std::ceil(std::log10(texel))) + last;
+  const double reach = std::pow(10.0, end);
+  std::vector<double> values = {-reach, 0.0, reach};
+  for (int exponent = begin - 2; exponent < end - 2; ++exponent) {
+    for (int mantissa = 100; mantissa < 1000; ++mantissa) {
+      const double value = exponent < 0 ? mantissa / std::pow(10.0, -exponent) : mantissa * std::pow(10.0, exponent);
+      values.insert(values.end(), {value, -value});
     }
   }
+  std::sort(values.begin(), values.end());
+  return values;
 }
 
 BiasCell cell_of(double constant, double slope, const VisibilityStatistics& s) {
@@ -60,6 +63,91 @@ std::string short_bias_text(const BiasAdvice& advice, const BiasCell& cell) {
   return length_text(Length{cell.constant, advice.unit});
 }
 
+// The errors at constant biases that replace the experiment's, ascending, each bias once.
+class BiasCurveOfLight {
+ public:
+  BiasCurveOfLight(Stages& stages, const Experiment& experiment, std::uint32_t light)
+      : stages_(stages), experiment_(experiment), light_(light) {}
+
+  std::vector<BiasCell> measure(const std::vector<double>& biases) { return measure(experiment_, biases); }
+
+  // An error that no bias is below, by least_possible_error(), or one a thousandth below the least that was found.
+  // Searches the gaps between the cells that may hold less than the least of them, the most promising first: tenths of
+  // these, and so on. The cause of an error does not matter here, so that no ray is traced. `best` becomes the bias of
+  // least error.
+  double least_possible(std::vector<BiasCell> cells, double& best) {
+    Experiment fast = experiment_;
+    fast.run.classes = ClassRule::fast;
+    constexpr int max_rounds = 3;
+    constexpr std::size_t max_gaps = 1'000;
+    // So little moves the ends of a plateau of 5 % by nothing that one reads.
+    constexpr double accuracy = 1e-3;
+    for (int round = 0;; ++round) {
+      const auto least = std::min_element(cells.begin(), cells.end(),
+                                          [](const BiasCell& a, const BiasCell& b) { return a.mae < b.mae; });
+      best = least->constant;
+      const double floor = std::max(least_possible_error(cells), (1.0 - accuracy) * least->mae);
+      std::vector<std::size_t> gaps = intervals_below(cells, (1.0 - accuracy) * least->mae);
+      if (round == max_rounds || gaps.empty()) return floor;
+      const auto bound = [&](std::size_t i) {
+        return cells[i + 1].acne + cells[i + 1].false_occlusion + cells[i].peter_panning + cells[i].leak;
+      };
+      std::stable_sort(gaps.begin(), gaps.end(), [&](std::size_t a, std::size_t b) { return bound(a) < bound(b); });
+      gaps.resize(std::min(gaps.size(), max_gaps));
+      std::vector<double> biases;
+      for (const BiasCell& cell : cells) biases.push_back(cell.constant);
+      for (const std::size_t gap : gaps) {
+        const double from = cells[gap].constant;
+        for (int k = 1; k < 10; ++k) biases.push_back(from + 0.1 * k * (cells[gap + 1].constant - from));
+      }
+      cells = measure(fast, biases);
+    }
+  }
+
+ private:
+  std::vector<BiasCell> measure(const Experiment& experiment, const std::vector<double>& biases) {
+    const double slope = experiment.shadow.bias.slope;
+    const std::vector<VisibilityStatistics> measured =
+        measure_biases(stages_, experiment, light_, biases, {slope}).front();
+    std::vector<BiasCell> cells;
+    for (std::size_t i = 0; i < biases.size(); ++i) cells.push_back(cell_of(biases[i], slope, measured[i]));
+    sort_cells(cells);
+    return cells;
+  }
+
+  Stages& stages_;
+  const Experiment& experiment_;
+  std::uint32_t light_;
+};
+
+// Whether no tap flips beyond the last cell: every one is lit.
+bool is_all_lit(const BiasCell& cell, const BiasEvidence& evidence) {
+  return cell.acne + cell.false_occlusion == 0.0 &&
+         cell.mae * static_cast<double>(evidence.pixels) >= static_cast<double>(evidence.blocked) * (1.0 - 1e-9);
+}
+
+// Whether a slider stops at the cell. Of three digits every fifth below 200, every tenth to 500, every twentieth above:
+// steps of 1 to 5 %. Below 0 only as far as anything is named there.
+bool is_slider_stop(const BiasAdvice& advice, const BiasCell& cell) {
+  double lowest = 0.0;
+  std::vector<const BiasCell*> named = {&advice.used, &advice.plateau.least, &advice.plateau.first,
+                                        &advice.plateau.last, &advice.plateau.recommended};
+  for (const std::optional<BiasCell>& each : {advice.line.little_acne, advice.line.acne_free}) {
+    if (each && each->constant == cell.constant) return true;
+  }
+  for (const BiasCell* each : named) {
+    if (each->constant == cell.constant) return true;
+    lowest = std::min(lowest, each->constant);
+  }
+  if (cell.constant < lowest) return false;
+  if (cell.constant == 0.0) return true;
+  const double size = std::abs(cell.constant);
+  const double mantissa = 100.0 * size / std::pow(10.0, std::floor(std::log10(size) + 1e-9));
+  const long digits = std::lround(mantissa);
+  const bool has_three_digits = std::abs(mantissa - static_cast<double>(digits)) < 1e-6 * mantissa;
+  return has_three_digits && digits % (digits < 200 ? 5 : digits < 500 ? 10 : 20) == 0;
+}
+
 // In the unit in use first, then in texels or metres.
 std::string bias_text(const BiasAdvice& advice, const BiasCell& cell) {
   const BiasInUnits bias = in_units(advice, cell);
@@ -72,9 +160,10 @@ std::string bias_text(const BiasAdvice& advice, const BiasCell& cell) {
 
 }  // namespace
 
-bool is_best(const BiasAdvice& advice) { return advice.line.least_error->mae >= 0.99 * advice.used.mae; }
-
-bool is_open_ended(const BiasAdvice& advice) { return advice.line.least_error->constant >= advice.largest; }
+bool keeps_bias(const BiasAdvice& advice) {
+  return advice.used.mae <= plateau_limit(advice.plateau.least.mae) &&
+         (advice.used.acne <= little_acne_share || !advice.plateau.has_little_acne());
+}
 
 bool has_tap_flips(const Experiment& experiment) {
   const ShadowTechnique technique = make_technique(experiment.shadow);
@@ -93,26 +182,48 @@ BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32
   const double texel = used.unit == LengthUnit::texels      ? 1.0
                        : used.unit == LengthUnit::map_depth ? advice.mean_texel / advice.depth_unit
                                                             : advice.mean_texel;
-  const std::vector<double> biases = readable_axis(min_texels * texel, max_texels * texel);
-  advice.largest = biases.back();
-
-  std::vector<double> measured_biases = biases;
-  measured_biases.push_back(used.number);
-  measured_biases.insert(measured_biases.end(), further.begin(), further.end());
-  const double slope = experiment.shadow.bias.slope;
-  const std::vector<VisibilityStatistics> measured =
-      measure_biases(stages, experiment, light, measured_biases, {slope}).front();
-  advice.line.slope = slope;
-  for (std::size_t i = 0; i < biases.size(); ++i) add(advice.line, cell_of(biases[i], slope, measured[i]));
-  advice.used = cell_of(used.number, slope, measured[biases.size()]);
-  if (used.number >= 0.0) add(advice.line, advice.used);
-  advice.cells = {advice.used};  // the first of equal ones stays
-  for (std::size_t i = 0; i < measured.size(); ++i) {
-    if (i != biases.size()) advice.cells.push_back(cell_of(measured_biases[i], slope, measured[i]));
+  advice.evidence = measure_bias_evidence(stages, experiment, light);
+  BiasCurveOfLight curve(stages, experiment, light);
+  const auto measure = [&](int last, const std::vector<double>& more) {
+    std::vector<double> biases = {used.number};  // the first of equal ones stays
+    const std::vector<double> axis = readable_axis(texel, last);
+    biases.insert(biases.end(), axis.begin(), axis.end());
+    biases.insert(biases.end(), more.begin(), more.end());
+    return curve.measure(biases);
+  };
+  std::vector<BiasCell> cells = measure(max_exponent, {});
+  advice.plateau = *plateau_of(cells);
+  const auto is_open = [&] {
+    return advice.plateau.open_below || (advice.plateau.open_above && !is_all_lit(cells.back(), advice.evidence));
+  };
+  int last = max_exponent;
+  if (is_open()) {
+    last = largest_exponent;
+    cells = measure(last, {});
+    advice.plateau = *plateau_of(cells);
+  }
+  double best = 0.0;
+  const double least_possible = curve.least_possible(cells, best);
+  // Where three digits are too few to come near the least error, its own bias takes part.
+  if (advice.plateau.least.mae > plateau_limit(least_possible)) cells = measure(last, {best});
+  advice.plateau = *plateau_of(cells, least_possible);
+  advice.withheld = reason_against(advice.plateau, advice.evidence);
+  advice.line.slope = experiment.shadow.bias.slope;
+  for (const BiasCell& cell : cells) {
+    add(advice.line, cell);
+    if (cell.constant == used.number) advice.used = cell;
+  }
+  advice.cells = {advice.used};
+  if (!further.empty()) {
+    const std::vector<BiasCell> more = curve.measure(further);
+    advice.cells.insert(advice.cells.end(), more.begin(), more.end());
+  }
+  for (const BiasCell& cell : cells) {
+    if (is_slider_stop(advice, cell)) advice.cells.push_back(cell);
   }
   sort_cells(advice.cells);
   if (has_tap_flips(experiment)) {
-    BiasAxes axes{{}, {static_cast<float>(slope)}, advice.unit};
+    BiasAxes axes{{}, {static_cast<float>(advice.used.slope)}, advice.unit};
     for (const BiasCell& cell : advice.cells) axes.constant.push_back(static_cast<float>(cell.constant));
     advice.flips = stages.tap_flips(experiment, light, axes);
   }
@@ -121,30 +232,26 @@ BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32
 
 std::string advice_text(const BiasAdvice& advice) {
   const BiasCell& used = advice.used;
-  const BiasCell& best = *advice.line.least_error;
-  std::string text;
-  const std::array<double, cause_count> shares = shares_of(used);
-  const auto largest = static_cast<std::size_t>(std::max_element(shares.begin(), shares.end()) - shares.begin());
-  if (is_best(advice)) {
-    text =
-        fmt::format("error {} at {}, within 1 % of the best constant bias", percent(used.mae), bias_text(advice, used));
-    if (shares[largest] > 0.0) {
-      text += fmt::format("; mostly {} ({})", cause_title(static_cast<Cause>(largest)), percent(shares[largest]));
-    }
-  } else {
-    text = fmt::format("{} {} at {}; use {}: total error {} → {}", cause_title(static_cast<Cause>(largest)),
-                       percent(shares[largest]), bias_text(advice, used), bias_text(advice, best), percent(used.mae),
-                       percent(best.mae));
+  const BiasCell& recommended = advice.plateau.recommended;
+  if (advice.withheld) {
+    const std::optional<BiasCell>& little = advice.line.little_acne;
+    const bool shows_acne = advice.evidence.lit >= enough_pixels && advice.evidence.pixels >= enough_pixels;
+    return fmt::format("no bias recommended: {}; error {} at {}{}", withheld_text(*advice.withheld, advice.evidence),
+                       percent(used.mae), bias_text(advice, used),
+                       shows_acne && little ? ", acne at most 0.1 % from " + bias_text(advice, *little) : "");
   }
-  if (is_open_ended(advice)) text += " (the error still falls there)";
-  const BiasLine& line = advice.line;
-  if (used.acne == 0.0 && best.acne == 0.0) return text;
-  const bool is_far =
-      line.little_acne && (!line.acne_free || line.acne_free->constant > 2.0 * line.little_acne->constant);
-  if (is_far) text += "; acne below 0.1 % from " + short_bias_text(advice, *line.little_acne);
-  if (line.acne_free)
-    return text + (is_far ? ", none from " : "; no acne from ") + short_bias_text(advice, *line.acne_free);
-  return text + fmt::format("; some acne remains even at {}", short_bias_text(advice, {advice.largest}));
+  const std::string range = range_text(advice.plateau, advice.unit, "error", percent(advice.plateau.least.mae));
+  const auto acne_left = [](const BiasCell& cell) {
+    return cell.acne > little_acne_share ? fmt::format("; acne of {} remains", percent(cell.acne)) : "";
+  };
+  if (keeps_bias(advice)) {
+    return fmt::format("keep {}: error {}; {}{}", bias_text(advice, used), percent(used.mae), range, acne_left(used));
+  }
+  // A bias with as little error changes for its acne alone.
+  const bool is_for_acne = used.mae <= plateau_limit(advice.plateau.least.mae);
+  return fmt::format("use {}: {}error {} → {}; {}{}", bias_text(advice, recommended),
+                     is_for_acne ? fmt::format("acne {} → {}, ", percent(used.acne), percent(recommended.acne)) : "",
+                     percent(used.mae), percent(recommended.mae), range, acne_left(recommended));
 }
 
 ReportTable advice_table(const BiasAdvice& advice) {
@@ -166,7 +273,10 @@ ReportTable advice_table(const BiasAdvice& advice) {
     table.rows.push_back(std::move(row));
   };
   add_row("in this run", advice.used);
-  add_row(is_open_ended(advice) ? "lowest error tested; it still falls" : "least error", *advice.line.least_error);
+  if (!advice.withheld) add_row("recommended", advice.plateau.recommended);
+  add_row("least error", advice.plateau.least);
+  add_row(advice.plateau.open_below ? "smallest bias tested" : "smallest bias within 5 % of it", advice.plateau.first);
+  add_row(advice.plateau.open_above ? "largest bias tested" : "largest bias within 5 % of it", advice.plateau.last);
   if (advice.line.little_acne) add_row("smallest bias with acne below 0.1 %", *advice.line.little_acne);
   if (advice.line.acne_free) add_row("smallest bias without acne", *advice.line.acne_free);
   return {"Recommended bias", std::move(table)};
@@ -180,8 +290,8 @@ nlohmann::ordered_json to_json(const BiasAdvice& advice) {
     for (std::size_t c = 0; c < cause_count; ++c) object[std::string(cause_names[c])] = shares[c];
     return object;
   };
-  Json object = {{"used", cell_json(advice.used)}, {"least_error", cell_json(*advice.line.least_error)}};
-  object["error_falls_at_upper_end"] = is_open_ended(advice);
+  Json object = {{"used", cell_json(advice.used)}, {"least_error", cell_json(advice.plateau.least)}};
+  add_plateau(object, advice.plateau, advice.evidence, advice.withheld, cell_json);
   object["acne_at_most_0.1_percent"] = advice.line.little_acne ? cell_json(*advice.line.little_acne) : Json(nullptr);
   object["acne_free"] = advice.line.acne_free ? cell_json(*advice.line.acne_free) : Json(nullptr);
   return object;

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/presentation/bias_formulas.h"
+#include "experiments/presentation/plateau_text.h"
 #include "experiments/presentation/summary.h"
 
 namespace umbrameter {
@@ -25,6 +26,10 @@ Json curve_json(const BiasCurves& curves, const BiasCurve& curve) {
   Json object = {{"at", row_json(curves.others, curve.others)},
                  {"mean_texel_m", optima.mean_texel},
                  {"least_error", cell_json(curves, least_error(optima), curve)}};
+  if (curve.plateau) {
+    add_plateau(object, *curve.plateau, curve.evidence, curve.withheld,
+                [&](const BiasCell& cell) { return cell_json(curves, cell, curve); });
+  }
   if (curves.varies_constant) {
     object["acne_at_most_0.1_percent"] = cell_json(curves, line.little_acne, curve);
     object["acne_free"] = cell_json(curves, line.acne_free, curve);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <span>
 
 #include "experiments/presentation/bias_formulas.h"
@@ -26,13 +27,21 @@ std::size_t curve_of(const SweepPlan& plan, const std::vector<std::size_t>& othe
   return curve;
 }
 
+BiasEvidence evidence_of(const SweepResults& sweep, std::size_t cell, const VisibilityStatistics& statistics) {
+  if (sweep.bias_evidence) return sweep.bias_evidence(values_at(sweep.plan, cell));
+  const auto count = [&](double share) {
+    return static_cast<std::uint64_t>(std::llround(share * static_cast<double>(statistics.pixels)));
+  };
+  return {statistics.pixels, count(statistics.lit), count(statistics.blocked)};
+}
+
 void fill(BiasCurves& curves, const SweepResults& sweep, const std::vector<std::size_t>& others) {
   const SweepPlan& plan = sweep.plan;
   VisibilityStatistics statistics;
   const Statistics described = describe(statistics);
-  const std::vector<std::string> names =
-      names_of(described, {&statistics.pixels, &statistics.mae, &statistics.acne, &statistics.false_occlusion,
-                           &statistics.peter_panning, &statistics.leak, &statistics.mean_texel});
+  const std::vector<std::string> names = names_of(
+      described, {&statistics.pixels, &statistics.lit, &statistics.blocked, &statistics.mae, &statistics.acne,
+                  &statistics.false_occlusion, &statistics.peter_panning, &statistics.leak, &statistics.mean_texel});
   const RowReader reader(described, names);
   std::size_t cell = 0;
   sweep.store.read(names, [&](std::span<const Value> row) {
@@ -48,6 +57,10 @@ void fill(BiasCurves& curves, const SweepResults& sweep, const std::vector<std::
     }
     if (curve.optima.mean_texel == 0.0) {
       curve.optima.mean_texel = statistics.mean_texel;
+      curve.first_cell =
+          at - index_of(at, plan.constant_bias.stride, plan.constant_bias.values.size()) * plan.constant_bias.stride -
+          index_of(at, plan.slope_bias.stride, plan.slope_bias.values.size()) * plan.slope_bias.stride;
+      curve.evidence = evidence_of(sweep, at, statistics);
       if (sweep.depth_unit) curve.depth_unit = sweep.depth_unit(values_at(plan, at));
       if (sweep.bias_facts && curves.varies_constant && may_have_formula(curves.others)) {
         curve.facts = sweep.bias_facts(values_at(plan, at));
@@ -68,6 +81,34 @@ void fill(BiasCurves& curves, const SweepResults& sweep, const std::vector<std::
   });
   // A curve whose cells count no pixel has no error.
   std::erase_if(curves.curves, [](const BiasCurve& curve) { return !least_error(curve.optima); });
+}
+
+// Reads one line of cells after the other, so that memory does not grow with the number of curves.
+void add_plateaus(BiasCurves& curves, const SweepResults& sweep) {
+  const InnerAxis& constant = sweep.plan.constant_bias;
+  const InnerAxis& slope = sweep.plan.slope_bias;
+  std::map<double, std::size_t> by_bias;
+  for (std::size_t i = 0; i < constant.values.size(); ++i) by_bias.emplace(constant.values[i], i);
+  for (BiasCurve& curve : curves.curves) {
+    const double at_slope = least_error(curve.optima)->slope;
+    const auto line = std::find(slope.values.begin(), slope.values.end(), at_slope) - slope.values.begin();
+    std::vector<std::size_t> numbers;
+    for (const auto& [bias, index] : by_bias) {
+      numbers.push_back(curve.first_cell + index * constant.stride + static_cast<std::size_t>(line) * slope.stride);
+    }
+    const std::vector<std::string> names = {"mae", "acne", "false_occlusion", "peter_panning", "leak"};
+    const Table rows = sweep.store.rows(numbers, names);
+    std::vector<BiasCell> cells;
+    for (const auto& [bias, index] : by_bias) {
+      const std::vector<Value>& row = rows.rows[cells.size()];
+      cells.push_back({bias, at_slope, to_number(row[0]), to_number(row[1]), to_number(row[2]), to_number(row[3]),
+                       to_number(row[4])});
+    }
+    curve.plateau = plateau_of(cells);
+    curve.withheld = reason_against(*curve.plateau, curve.evidence);
+    // A range that reaches the end of the axis may end beyond it.
+    if (curve.withheld == NoBias::unbounded) curve.withheld.reset();
+  }
 }
 
 void add_laws(BiasCurves& curves, std::size_t resolution) {
@@ -158,6 +199,7 @@ std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep) {
   curves.constants = plan.constant_bias.values;
   curves.unit = plan.constant_unit;
   std::sort(curves.constants.begin(), curves.constants.end());
+  if (curves.varies_constant) add_plateaus(curves, sweep);
   if (resolution && curves.varies_constant) add_laws(curves, *resolution);
   if (sweep.bias_facts && curves.varies_constant && may_have_formula(curves.others)) add_formulas(curves);
   return curves;

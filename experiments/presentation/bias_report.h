@@ -13,6 +13,7 @@
 #include "compare/bias_curves.h"
 #include "compare/bias_formula.h"
 #include "compare/bias_law.h"
+#include "compare/bias_plateau.h"
 #include "compare/bias_units.h"
 #include "experiments/presentation/presentation.h"
 #include "experiments/sweep_results.h"
@@ -25,8 +26,12 @@ inline constexpr std::string_view resolution_key = "shadow.resolution";
 struct BiasCurve {
   std::vector<Value> others;  ///< values of the other axes
   BiasOptima optima;
-  double depth_unit = 0.0;  ///< mean_depth_unit()
-  BiasFacts facts{};        ///< known if may_have_formula()
+  double depth_unit = 0.0;               ///< mean_depth_unit()
+  BiasFacts facts{};                     ///< known if may_have_formula()
+  std::size_t first_cell = 0;            ///< of the sweep: the one with the first value of each bias
+  std::optional<BiasPlateau> plateau{};  ///< along the constant bias, at the slope-scaled bias of least error
+  BiasEvidence evidence{};
+  std::optional<NoBias> withheld{};  ///< why plateau->recommended is not recommended
 };
 
 /// The bias of a BiasLine to which a law is fitted.
@@ -88,7 +93,7 @@ std::string setting_text(const std::vector<Column>& columns, const std::vector<V
 std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell);
 /// "1.2 mm + 0.87 texels".
 std::string law_text(const BiasFit& law);
-/// "RMS residual 3.9 mm (0.2 texels)", or a note that the fit passes through its points.
+/// "RMS residual 3.9 mm (0.2 texels)".
 std::string residual_text(const BiasFit& law);
 
 /// A coefficient in summary.json: value and standard error.

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "experiments/presentation/bias_formulas.h"
+#include "experiments/presentation/plateau_text.h"
 #include "experiments/presentation/plot_axes.h"
 
 namespace umbrameter {
@@ -27,12 +28,18 @@ struct Choice {
 std::vector<Choice> choices_of(const BiasCurve& curve, const BiasCurves& curves) {
   const BiasOptima& optima = curve.optima;
   const BiasLine& line = flattest(optima);
-  std::vector<Choice> choices = {{law_names[0], least_error(optima)},
+  std::optional<BiasCell> recommended;
+  if (curve.plateau && !curve.withheld) recommended = curve.plateau->recommended;
+  std::vector<Choice> choices = {{"recommended", recommended},
+                                 {law_names[0], least_error(optima)},
                                  {law_names[1], line.little_acne},
                                  {law_names[2], line.acne_free},
                                  {"least error without acne", best_without_acne(optima)},
                                  {"knee of the Pareto front", knee(optima.front)}};
-  if (!curves.varies_constant) choices.erase(choices.begin() + 1, choices.begin() + 3);
+  if (!curves.varies_constant) {
+    choices.erase(choices.begin() + 2, choices.begin() + 4);
+    choices.erase(choices.begin());
+  }
   return choices;
 }
 
@@ -125,7 +132,7 @@ Table laws_table(const BiasCurves& curves) {
                               {"error of c0", "m", "standard error"},
                               {"c1·tan θ", "texels", "part of the bias proportional to the texel size"},
                               {"error of c1·tan θ", "texels", "standard error"},
-                              {"residual", "m", "RMS residual of the fit; empty for a fit through two points"},
+                              {"residual", "m", "RMS residual of the fit"},
                               {"residual in texels", "texels", "the same in texels of each resolution"}};
   const std::size_t columns_of_a_law = rest.size();
   if (curves.varies_slope) {
@@ -147,9 +154,7 @@ Table laws_table(const BiasCurves& curves) {
         row.push_back(value_of(fitted));
         row.push_back(error_of(fitted));
       }
-      const bool has_residual = law.law->constant.standard_error.has_value();
-      row.push_back(has_residual ? Value(law.law->residual) : nothing);
-      row.push_back(has_residual ? Value(law.law->residual_texels) : nothing);
+      row.insert(row.end(), {law.law->residual, law.law->residual_texels});
     }
     row.resize(curves.of_a_law.size() + columns_of_a_law, nothing);
     if (law.over_slopes) {
@@ -175,14 +180,41 @@ Table in_four_digits(Table table, std::size_t first_column) {
   return table;
 }
 
+// As many digits as tell the value from its neighbours on the axis, and no fewer than the range has.
+int digits_of(const BiasCurves& curves, const BiasCell& cell) {
+  const std::vector<double>& axis = curves.constants;
+  const auto place = std::lower_bound(axis.begin(), axis.end(), cell.constant);
+  const bool is_between = place != axis.begin() && place != axis.end() && std::next(place) != axis.end();
+  if (!is_between || cell.constant == 0.0) return 3;
+  const double step = 0.5 * (*std::next(place) - *std::prev(place)) / std::abs(cell.constant);
+  return std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 3, 6);
+}
+
+// What the sweep says of one curve, after the name of its setting.
+std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
+  const BiasCell least = *least_error(curve.optima);
+  const std::string lowest = fmt::format("lowest error {} at {}", percent(least.mae), bias_text(curves, curve, least));
+  if (!curve.plateau) return lowest;
+  const BiasPlateau& plateau = *curve.plateau;
+  if (curve.withheld) {
+    return fmt::format("no bias recommended: {}; {}", withheld_text(*curve.withheld, curve.evidence), lowest);
+  }
+  const BiasCell& recommended = plateau.recommended;
+  std::string text =
+      fmt::format("use {}: error {}; {}", bias_text(curves, curve, recommended), percent(recommended.mae),
+                  range_text(plateau, curves.unit, "error", percent(plateau.least.mae)));
+  if (!plateau.has_little_acne()) text += fmt::format("; acne of {} remains", percent(recommended.acne));
+  if (plateau.open_below || plateau.open_above) text += "; the range may go on beyond the axis";
+  return text;
+}
+
 std::string explanation(const BiasCurves& curves) {
   std::string text =
       "\n\nThe table 'Recommended biases' gives each constant bias in metres along the light, in texels of mean size "
       "and as normalised depth. Its last two columns compare each choice with 'least error'. ";
   text += curves.laws.empty() ? "For a fit of bias against texel size, vary both the constant bias and the resolution."
                               : "The fit bias ≈ c0 + c1·texel·tan θ has one point per resolution, weighted by the "
-                                "step of the bias axis there. A fit through only two points has no residual and no "
-                                "standard errors.";
+                                "step of the bias axis there; it needs at least three.";
   if (curves.curves.size() < curves.combinations) {
     text += fmt::format(" The table lists {} of {} combinations of the other axes.", curves.curves.size(),
                         curves.combinations);
@@ -202,29 +234,16 @@ std::string setting_text(const std::vector<Column>& columns, const std::vector<V
 
 std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
   const BiasInUnits bias = in_units(curves, curve, cell);
-  const std::vector<double>& axis = curves.constants;
-  const auto place = std::lower_bound(axis.begin(), axis.end(), cell.constant);
-  const bool is_between = place != axis.begin() && place != axis.end() && std::next(place) != axis.end();
-  // As many digits as tell the value from its neighbours.
-  int digits = 3;
-  if (is_between && cell.constant > 0.0) {
-    const double step = 0.5 * (*std::next(place) - *std::prev(place)) / cell.constant;
-    digits = std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 2, 6);
-  }
+  const int digits = digits_of(curves, cell);
   const bool is_in_texels = curves.unit == LengthUnit::texels;
-  const auto own_text = [&](double constant) {
-    return curves.unit == LengthUnit::metres ? metres_text(constant, digits)
-                                             : fmt::format("{:.{}g} {}", constant, digits, unit_name(curves.unit));
-  };
-  std::string text = own_text(cell.constant);
-  std::string more = is_in_texels                 ? metres_text(bias.metres, digits)
-                     : std::isfinite(bias.texels) ? fmt::format("{:.{}g} texels", bias.texels, digits)
-                                                  : std::string();
-  if (is_between) {
-    more += fmt::format("{}between {} and {}", more.empty() ? "" : "; ", own_text(*std::prev(place)),
-                        own_text(*std::next(place)));
+  std::string text = curves.unit == LengthUnit::metres
+                         ? metres_text(cell.constant, digits)
+                         : fmt::format("{:.{}g} {}", cell.constant, digits, unit_name(curves.unit));
+  if (is_in_texels) {
+    text += fmt::format(" ({})", metres_text(bias.metres, digits));
+  } else if (std::isfinite(bias.texels)) {
+    text += fmt::format(" ({:.{}g} texels)", bias.texels, digits);
   }
-  if (!more.empty()) text += " (" + more + ")";
   if (curves.varies_slope) text += fmt::format(", slope-scaled bias {:.3g} texels", cell.slope);
   return text;
 }
@@ -235,7 +254,6 @@ std::string law_text(const BiasFit& law) {
 }
 
 std::string residual_text(const BiasFit& law) {
-  if (!law.constant.standard_error) return fmt::format("exact through its {} points", law.points);
   return fmt::format("RMS residual {} ({:.2g} texels)", metres_text(law.residual, 2), law.residual_texels);
 }
 
@@ -259,14 +277,8 @@ void present_bias(Presentation& presentation, const BiasCurves& curves) {
           fmt::format("… and {} more: see the report", curves.curves.size() - max_console_curves));
       break;
     }
-    const BiasCell least = *least_error(curve.optima);
     const std::string setting = setting_text(curves.others, curve.others);
-    std::string line = fmt::format("{}{}lowest error {} at {}", setting, setting.empty() ? "" : ": ",
-                                   percent(least.mae), bias_text(curves, curve, least));
-    if (const std::optional<BiasCell> safe = best_without_acne(curve.optima)) {
-      line += fmt::format("; least error without acne {} at {}", percent(safe->mae), bias_text(curves, curve, *safe));
-    }
-    presentation.answers.push_back(std::move(line));
+    presentation.answers.push_back((setting.empty() ? "" : setting + ": ") + answer_of(curves, curve));
   }
   printed = 0;
   for (const CurveLaw& law : curves.laws) {

@@ -4,6 +4,7 @@
 
 #include "compare/bias_units.h"
 #include "experiments/presentation/image_scales.h"
+#include "experiments/presentation/plateau_text.h"
 #include "experiments/presentation/presentation.h"
 #include "experiments/presentation/presentation_parts.h"
 #include "experiments/presentation/scene_report.h"
@@ -78,9 +79,9 @@ void present_edge_error(Presentation& presentation, const Stages& stages, const 
   section.tables = {statistics_table("Visibility error: " + title, s), bias_table(shadow)};
   section.text += "\n\n" + std::string(filter_caution);
   presentation.answers.push_back(
-      fmt::format("{}: error {}; away from edges too dark {}, too bright {}; at edges too dark {}, too bright {}",
-                  title, percent(s.mae), percent(s.too_dark_away), percent(s.too_bright_away),
-                  percent(s.too_dark_at_edge), percent(s.too_bright_at_edge)));
+      fmt::format("{}: error {}{}; away from edges too dark {}, too bright {}; at edges too dark {}, too bright {}",
+                  title, percent(s.mae), few_pixels_text(s.pixels), percent(s.too_dark_away),
+                  percent(s.too_bright_away), percent(s.too_dark_at_edge), percent(s.too_bright_at_edge)));
 }
 
 void present_soft_error(Presentation& presentation, const Stages& stages, const ShadowMeasurement& shadow,
@@ -107,8 +108,8 @@ void present_soft_error(Presentation& presentation, const Stages& stages, const 
   };
   section.tables = {statistics_table("Visibility error: " + title, s), bias_table(shadow)};
   presentation.answers.push_back(fmt::format(
-      "{}: error {} against {}; too dark {}, too bright {}; penumbra {} of the counted pixels", title,
-      percent(s.error.mae),
+      "{}: error {}{} against {}; too dark {}, too bright {}; penumbra {} of the counted pixels", title,
+      percent(s.error.mae), few_pixels_text(s.error.pixels),
       is_over_pixel ? "the mean over each pixel" : fmt::format("its soft shadow ({})", extent_text(shadow.emitter)),
       percent(s.error.too_dark), percent(s.error.too_bright), percent(s.penumbra)));
 }
@@ -224,8 +225,9 @@ Presentation present_shadow_error(const Stages& stages, const ShadowMeasurement&
     presentation.answers.push_back(title + ": " + advice_text(*shadow.advice));
     presentation.lines.push_back(fmt::format("  {}: {}", title, parts));
   } else {
-    presentation.answers.push_back(fmt::format("{}: error {} at a bias of {}; {}", title, percent(s.mae),
-                                               length_text(experiment.shadow.bias.constant), parts));
+    presentation.answers.push_back(fmt::format("{}: error {}{} at a bias of {}; {}", title, percent(s.mae),
+                                               few_pixels_text(s.pixels), length_text(experiment.shadow.bias.constant),
+                                               parts));
   }
   return presentation;
 }

@@ -123,8 +123,12 @@ Json to_json(const TuneSummary& summary) {
     for (const TunePoint& point : scan.points) {
       points.push_back({to_json(point.values[scan.axis]), point.score.cost, point.score.is_kept()});
     }
-    json["sensitivity"].push_back(
-        {{"parameter", summary.axes[scan.axis].key()}, {"value_cost_kept", std::move(points)}});
+    Json within = nullptr;
+    if (const auto range = range_within(summary, scan))
+      within = Json::array({to_json(range->first), to_json(range->second)});
+    json["sensitivity"].push_back({{"parameter", summary.axes[scan.axis].key()},
+                                   {"within_5_percent", std::move(within)},
+                                   {"value_cost_kept", std::move(points)}});
   }
   std::vector<TunePoint> candidates = result.points;
   candidates.insert(candidates.end(), result.curve.begin(), result.curve.end());

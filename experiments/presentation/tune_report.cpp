@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "experiments/presentation/axis_ends.h"
+#include "experiments/presentation/plateau_text.h"
 #include "experiments/presentation/plot_axes.h"
 #include "experiments/presentation/tune_comparison.h"
 #include "experiments/presentation/tune_figures.h"
@@ -74,29 +76,10 @@ Table case_table(const TuneSummary& summary) {
   return table;
 }
 
-// The values of an axis, next to the best one, at which the scanned cost first exceeds the least by a twentieth.
 std::string tolerance_text(const TuneSummary& summary, const AxisScan& scan) {
   const TuneAxis& axis = summary.axes[scan.axis];
-  if (axis.is_word()) return "—";
-  const double limit = summary.result.best.score.cost + 0.05 * std::abs(summary.result.best.score.cost);
-  const double best = position_of(axis, summary.result.best.values[scan.axis]);
-  const Value* lower = &summary.result.best.values[scan.axis];
-  const Value* upper = lower;
-  for (const TunePoint& point : scan.points) {
-    const Value& value = point.values[scan.axis];
-    if (position_of(axis, value) <= best || !(point.score.cost <= limit) || !point.score.is_kept()) {
-      if (position_of(axis, value) > best) break;
-      continue;
-    }
-    upper = &value;
-  }
-  for (auto point = scan.points.rbegin(); point != scan.points.rend(); ++point) {
-    const Value& value = point->values[scan.axis];
-    if (position_of(axis, value) >= best) continue;
-    if (!(point->score.cost <= limit) || !point->score.is_kept()) break;
-    lower = &value;
-  }
-  return fmt::format("{} to {}", value_text(axis, *lower), value_text(axis, *upper));
+  const auto range = range_within(summary, scan);
+  return range ? fmt::format("{} to {}", value_text(axis, range->first), value_text(axis, range->second)) : "—";
 }
 
 // The largest cost along the axis, in multiples of the least.
@@ -112,7 +95,9 @@ Table sensitivity_table(const TuneSummary& summary) {
   Table table{{{"parameter", "", "varied; the others keep their best values"},
                {"axis", "", "values that were allowed"},
                {"best", "", "value of least cost"},
-               {"within 5 %", "", "measured values next to it whose cost is at most 5 % higher"},
+               {"within 5 %", "",
+                "range around it in which the cost is at most 5 % higher: of a constant bias from its whole "
+                "curve, else of the measured values"},
                {"highest cost", "", "on the measured values of the axis"}},
               {}};
   for (const AxisScan& scan : summary.result.scans) {
@@ -158,6 +143,18 @@ std::string constraint_line(const TuneSummary& summary) {
   if (!summary.result.best.score.is_kept())
     return "no point keeps every constraint in every case; this one breaks them least";
   return "every constraint is kept in every case";
+}
+
+// The plateau of the constant bias, by the rule of every command.
+std::string bias_range_text(const TuneSummary& summary) {
+  const BiasPlateau& plateau = *summary.result.plateau;
+  const auto axis = std::find_if(summary.axes.begin(), summary.axes.end(),
+                                 [](const TuneAxis& each) { return each.key() == constant_bias_key; });
+  std::string text = "constant-bias: " +
+                     range_text(plateau, axis->axis.length_unit, "cost", cost_text(summary.goal, plateau.least.mae));
+  if (!plateau.has_little_acne()) return text + "; acne of more than 0.1 % remains at each";
+  return text + fmt::format("; {} is the smallest of them with acne of at most 0.1 % in every case",
+                            value_text(*axis, plateau.recommended.constant));
 }
 
 std::string method_text(const TuneSummary& summary) {
@@ -224,6 +221,7 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
   } else {
     answers.emplace_back("held out: nothing; the scenes have no camera left, name one with --held-out");
   }
+  if (result.plateau) answers.push_back(bias_range_text(summary));
   for (std::string& line : ranking_lines(summary)) answers.push_back(std::move(line));
   for (const std::string& warning : end_warnings(summary)) answers.push_back("warning: " + warning);
   for (std::string& line : idle_axes(summary)) answers.push_back(std::move(line));
@@ -236,6 +234,22 @@ bool are_all_equal(const TuneResult& result) {
     return std::ranges::all_of(points, [&](const TunePoint& point) { return have_equal_scores(point, result.before); });
   };
   return result.points.size() + result.curve.size() > 1 && are_equal(result.points) && are_equal(result.curve);
+}
+
+std::optional<std::pair<Value, Value>> range_within(const TuneSummary& summary, const AxisScan& scan) {
+  const TuneAxis& axis = summary.axes[scan.axis];
+  if (axis.is_word() || scan.points.empty()) return std::nullopt;
+  const std::optional<BiasPlateau>& plateau = summary.result.plateau;
+  if (plateau && axis.key() == constant_bias_key)
+    return std::pair<Value, Value>{plateau->first.constant, plateau->last.constant};
+  std::vector<double> costs;
+  std::size_t inside = 0;
+  for (const TunePoint& point : scan.points) {
+    if (point.values[scan.axis] == summary.result.best.values[scan.axis]) inside = costs.size();
+    costs.push_back(point.score.is_kept() ? point.score.cost : std::numeric_limits<double>::infinity());
+  }
+  const ConnectedRange range = connected_range(costs, inside, plateau_limit(summary.result.best.score.cost));
+  return std::pair{scan.points[range.first].values[scan.axis], scan.points[range.last].values[scan.axis]};
 }
 
 std::vector<TunePoint> pareto_front(const TuneGoal& goal, const std::vector<TunePoint>& points) {

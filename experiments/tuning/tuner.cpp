@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "experiments/measure_biases.h"
 #include "experiments/tuning/minimize.h"
 
 namespace umbrameter {
@@ -79,7 +81,7 @@ class Tuner {
       throw Error(ExitCode::usage, "tune", "no case counts a pixel, so that nothing can be minimised",
                   "choose another camera or light");
     }
-    if (exact_) result_.curve = curve_at(result_.best.values);
+    if (exact_) find_plateau();
     find_runner_up();
     find_best_of_words();
     for (std::size_t a = 0; a < in_.axes.size(); ++a) scan(a);
@@ -283,12 +285,28 @@ class Tuner {
     search_from(start, start, false, limit_ + 1);
   }
 
-  std::vector<TunePoint> curve_at(const std::vector<Value>& values) {
-    const std::vector<TunePoint> all = measure_curve(values);
+  void find_plateau() {
+    const std::vector<TunePoint> all = measure_curve(result_.best.values);
     const std::size_t step = std::max<std::size_t>(1, all.size() / max_curve_points);
-    std::vector<TunePoint> thinned;
-    for (std::size_t i = 0; i < all.size(); i += step) thinned.push_back(all[i]);
-    return thinned;
+    for (std::size_t i = 0; i < all.size(); i += step) result_.curve.push_back(all[i]);
+    if (!result_.best.score.is_kept()) return;
+    std::vector<BiasCell> cells;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const bool is_kept = all[i].score.is_kept() && !std::isnan(all[i].score.cost);
+      cells.push_back({constants_[i], 0.0, is_kept ? all[i].score.cost : std::numeric_limits<double>::infinity()});
+    }
+    for (const TuneCase& each : in_.cases) {
+      throw_if_interrupted();
+      const Experiment experiment = at_point(each, in_.axes, result_.best.values);
+      const auto measured =
+          measure_biases(*each.stages, experiment, each.light, constants_, {experiment.shadow.bias.slope});
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        cells[i].slope = experiment.shadow.bias.slope;
+        cells[i].acne = std::max(cells[i].acne, measured.front()[i].acne);
+      }
+    }
+    std::sort(cells.begin(), cells.end(), [](const BiasCell& a, const BiasCell& b) { return a.constant < b.constant; });
+    result_.plateau = plateau_of(cells);
   }
 
   bool differs(const std::vector<Value>& a, const std::vector<Value>& b) const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/bias_plateau.h"
 #include "experiments/tuning/tune_case.h"
 #include "experiments/tuning/tune_journal.h"
 
@@ -42,6 +43,9 @@ struct TuneResult {
   std::optional<TunePoint> runner_up;  ///< the best point that differs by a twentieth of an axis, or in a word
   std::vector<TunePoint> points;       ///< every evaluated point, in order; with an exact bias the best for each
   std::vector<TunePoint> curve;        ///< with an exact bias: along it, thinned
+  /// With an exact bias: along it at the best values of the others, with the cost as the error and the acne of the case
+  /// that has most. Empty where no bias keeps the constraints.
+  std::optional<BiasPlateau> plateau{};
   std::vector<AxisScan> scans;
   std::vector<WordPoint> of_words;  ///< for each axis of words and each of its values that was evaluated
   std::string method;               ///< "all 12 combinations", "DIRECT-L, then subplex"

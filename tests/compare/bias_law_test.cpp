@@ -86,12 +86,16 @@ TEST(BiasFit, A_coarse_interval_counts_less) {
   EXPECT_NEAR(law->per_texel.value, 1.0, 1e-4);
 }
 
-TEST(BiasFit, Two_points_make_a_line_without_an_error) {
-  const auto law = fit_law(std::vector<FitPoint>{{0.1, 0, 0.03, 0.01}, {0.2, 0, 0.05, 0.01}});
+TEST(BiasFit, Two_points_are_no_law_however_often_they_are_repeated) {
+  std::vector<FitPoint> points = {{0.1, 0, 0.03, 0.01}, {0.2, 0, 0.05, 0.01}};
+  EXPECT_FALSE(fit_law(points));
+  points.insert(points.end(), {points[0], points[1], points[0]});
+  EXPECT_FALSE(fit_law(points));
+  points.push_back({0.3, 0, 0.07, 0.01});
+  const auto law = fit_law(points);
   ASSERT_TRUE(law);
   EXPECT_NEAR(law->per_texel.value, 0.2, 1e-13);
-  EXPECT_NEAR(law->constant.value, 0.01, 1e-14);
-  EXPECT_FALSE(law->per_texel.standard_error);
+  EXPECT_TRUE(law->per_texel.standard_error);
 }
 
 TEST(BiasFit, One_size_of_texel_has_no_law) {

@@ -1,0 +1,30 @@
+// The rule of compare/bias_plateau.h in words and in summary.json, the same for every command.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "compare/bias_plateau.h"
+#include "core/parameters.h"
+
+namespace umbrameter {
+
+/// "2.2 to 18 texels are within 5 % of the least error, 0.271 %". The biases are in `unit`; `what` is "error" or
+/// "cost", and `least` its least value as text, which may be empty.
+std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::string& what, const std::string& least);
+
+/// Why no bias is recommended and what to do: "no counted pixel is in shadow, so a large bias costs nothing;
+/// --scene.ground adds a floor".
+std::string withheld_text(NoBias reason, const BiasEvidence& evidence);
+
+/// " (only 12 counted pixels)" where one pixel is more than 1 % of them; else nothing.
+std::string few_pixels_text(std::uint64_t counted);
+
+/// Adds "recommended", "withheld" and "range" to an object; `cell_json` gives a cell with its "constant_bias".
+void add_plateau(nlohmann::ordered_json& object, const BiasPlateau& plateau, const BiasEvidence& evidence,
+                 std::optional<NoBias> withheld,
+                 const std::function<nlohmann::ordered_json(const BiasCell&)>& cell_json);
+
+}  // namespace umbrameter

@@ -1,0 +1,116 @@
+#include "scenes/floor.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace umbrameter {
+namespace {
+
+// Places of the plan in each direction. A floor fills all of them or nearly so: how fine they are decides nothing.
+constexpr int side = 64;
+
+class Plan {
+ public:
+  explicit Plan(const Bounds& bounds) : bounds_(bounds), middle_(bounds.center().y), is_covered_(side * side, false) {}
+
+  bool is_half_covered() const { return 2 * covered_ >= side * side; }
+
+  // Covers the places at which the triangle lies in the lower half.
+  void add(const std::array<dvec3, 3>& corners) {
+    if (std::min({corners[0].y, corners[1].y, corners[2].y}) > middle_) return;
+    std::array<dvec3, 3> places{};
+    for (std::size_t c = 0; c < 3; ++c) places[c] = place(corners[c]);
+    const auto [min_x, max_x] = std::minmax({places[0].x, places[1].x, places[2].x});
+    const auto [min_z, max_z] = std::minmax({places[0].z, places[1].z, places[2].z});
+    for (int z = first(min_z); z <= last(max_z); ++z) {
+      for (int x = first(min_x); x <= last(max_x); ++x) cover(places, x, z);
+    }
+  }
+
+ private:
+  // x and z in places, whose centres are at whole numbers; y in metres.
+  dvec3 place(const dvec3& world) const {
+    const dvec3 extent = bounds_.extent();
+    const auto in_places = [](double offset, double length) {
+      return length > 0.0 ? offset / length * side - 0.5 : 0.0;
+    };
+    return {in_places(world.x - bounds_.min.x, extent.x), world.y, in_places(world.z - bounds_.min.z, extent.z)};
+  }
+  static int first(double min) { return std::max(0, static_cast<int>(std::ceil(min))); }
+  static int last(double max) { return std::min(side - 1, static_cast<int>(std::floor(max))); }
+
+  void cover(const std::array<dvec3, 3>& places, int x, int z) {
+    const auto index = static_cast<std::size_t>(z * side + x);
+    if (is_covered_[index]) return;
+    const auto area = [](const dvec3& a, const dvec3& b, double px, double pz) {
+      return (b.x - a.x) * (pz - a.z) - (b.z - a.z) * (px - a.x);
+    };
+    const double whole = area(places[0], places[1], places[2].x, places[2].z);
+    if (whole == 0.0) return;
+    double height = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double weight = area(places[(c + 1) % 3], places[(c + 2) % 3], x, z) / whole;
+      if (weight < 0.0) return;
+      height += weight * places[c].y;
+    }
+    if (height > middle_) return;
+    is_covered_[index] = true;
+    ++covered_;
+  }
+
+  Bounds bounds_;
+  double middle_;
+  std::vector<bool> is_covered_;
+  int covered_ = 0;
+};
+
+// Bounds of the mesh's corners, placed in the world.
+Bounds bounds_of_instance(const Bounds& mesh, const Instance& instance) {
+  Bounds bounds;
+  for (int c = 0; c < 8; ++c) bounds.include(dvec3(instance.world_from_mesh * dvec4(mesh.corner(c), 1.0)));
+  return bounds;
+}
+
+}  // namespace
+
+bool has_floor(const Scene& scene) {
+  const Bounds bounds = bounds_of(scene);
+  if (bounds.empty()) return false;
+  std::vector<Bounds> meshes(scene.meshes.size());
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    for (const vec3& position : scene.meshes[m].positions) meshes[m].include(dvec3(position));
+  }
+  // The widest first: a floor ends the search.
+  struct Part {
+    const Instance* instance;
+    double area;
+  };
+  std::vector<Part> parts;
+  for (const Instance& instance : scene.instances) {
+    if (meshes[instance.mesh].empty()) continue;
+    const dvec3 extent = bounds_of_instance(meshes[instance.mesh], instance).extent();
+    parts.push_back({&instance, extent.x * extent.z});
+  }
+  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.area > b.area; });
+  Plan plan(bounds);
+  for (const Part& part : parts) {
+    const Instance& instance = *part.instance;
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    const bool is_mirrored = glm::determinant(glm::dmat3(instance.world_from_mesh)) < 0.0;
+    for (const uvec3& triangle : mesh.triangles) {
+      std::array<dvec3, 3> corners{};
+      for (int c = 0; c < 3; ++c) {
+        corners[static_cast<std::size_t>(c)] =
+            dvec3(instance.world_from_mesh * dvec4(dvec3(mesh.positions[triangle[c]]), 1.0));
+      }
+      const double up = glm::cross(corners[1] - corners[0], corners[2] - corners[0]).y;
+      if (up != 0.0 && (up > 0.0) != is_mirrored) plan.add(corners);
+    }
+    if (plan.is_half_covered()) return true;
+  }
+  return false;
+}
+
+}  // namespace umbrameter
