@@ -103,9 +103,12 @@ const Tracer& Stages::tracer() {
 }
 
 const gl::Context& Stages::context() {
-  if (!context_) context_ = options_.context;
   if (!context_) {
-    context_ = std::make_shared<gl::Context>(gl::Context::make({options_.gl_device, options_.threads}));
+    context_ = options_.context;
+    if (!context_) {
+      context_ = std::make_shared<gl::Context>(gl::Context::make({options_.gl_device, options_.threads}));
+    }
+    if (!context_->note().empty()) add_notes({context_->note()});
   }
   return *context_;
 }
