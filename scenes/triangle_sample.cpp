@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "scenes/light.h"
 
 namespace umbrameter {
 namespace {
@@ -42,7 +43,9 @@ std::uint64_t surface_of(const std::array<dvec3, 3>& corners, std::uint32_t obje
 
 class Sampler {
  public:
-  Sampler(const Scene& scene, TriangleSample& sample) : scene_(scene), sample_(sample) {}
+  Sampler(const Scene& scene, TriangleSample& sample) : scene_(scene), sample_(sample), lights_(scene.lights) {
+    if (lights_.empty()) lights_.push_back(default_sun());
+  }
 
   void choose_instance(std::uint32_t instance) {
     const Instance& placed = scene_.instances[instance];
@@ -74,11 +77,22 @@ class Sampler {
     added.object = object_;
     added.weight = static_cast<float>(weight);
     added.is_double_sided = material_->double_sided;
+    const dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    added.front_faces_light = faces_light(middle, normal);
+    added.back_faces_light = faces_light(middle, -normal);
   }
 
  private:
+  bool faces_light(const dvec3& middle, const dvec3& normal) const {
+    const double length = glm::length(normal);
+    const dvec3 place = sample_.center() + sample_.radius() * middle;
+    return length > 0.0 && std::any_of(lights_.begin(), lights_.end(),
+                                       [&](const Light& light) { return faces(light, place, normal / length); });
+  }
+
   const Scene& scene_;
   TriangleSample& sample_;
+  std::vector<Light> lights_;
   const Mesh* mesh_ = nullptr;
   const Material* material_ = nullptr;
   dmat4 place_{1.0};
