@@ -193,11 +193,13 @@ std::vector<Bounds> detailed_parts(const TriangleSample& sample) {
   return parts;
 }
 
-void add_around(std::vector<Candidate>& candidates, const Bounds& part, double aspect, bool is_whole) {
+// Views from around, above and, without a ground, below.
+void add_around(std::vector<Candidate>& candidates, const Bounds& part, double aspect, bool is_whole, bool has_ground) {
   const std::string what = is_whole
                                ? "fitted to its bounds,"
                                : "fitted to the part with most detail, " + vector_text(part.extent()) + " m large,";
   for (const double elevation : {usual_elevation, 55.0, 85.0, -25.0, -55.0}) {
+    if (has_ground && elevation < 0.0) continue;
     for (const double beside : {0.0, -60.0, 60.0, -120.0, 120.0, 180.0}) {
       const double azimuth = usual_azimuth + beside;
       if (elevation > 80.0 && beside != 0.0) continue;
@@ -300,8 +302,9 @@ FittedCamera fit_camera(const Scene& scene, double aspect) {
   const std::string remedy = "; add a camera to the file to choose another view";
   const TriangleSample sample = sample_triangles(scene);
   std::vector<Candidate> candidates;
-  add_around(candidates, sample.bounds, aspect, true);
-  for (const Bounds& part : detailed_parts(sample)) add_around(candidates, part, aspect, false);
+  const bool has_ground = scene.ground.has_value();
+  add_around(candidates, sample.bounds, aspect, true, has_ground);
+  for (const Bounds& part : detailed_parts(sample)) add_around(candidates, part, aspect, false, has_ground);
   judge(candidates, sample, aspect);
   Interior interior = views_inside(sample);
   judge(interior.candidates, sample, aspect);

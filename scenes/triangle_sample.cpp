@@ -134,9 +134,11 @@ std::vector<std::vector<std::uint32_t>> large_triangles(const Scene& scene, doub
 TriangleSample sample_triangles(const Scene& scene, std::size_t max_count) {
   TriangleSample sample;
   sample.bounds = bounds_of(scene);
-  const std::uint64_t all = count(scene).triangles;
+  // Without the ground, the last instance.
+  const auto instances = scene.ground.value_or(static_cast<std::uint32_t>(scene.instances.size()));
+  std::uint64_t all = 0;
+  for (std::uint32_t i = 0; i < instances; ++i) all += scene.meshes[scene.instances[i].mesh].triangles.size();
   Sampler sampler(scene, sample);
-  const auto instances = static_cast<std::uint32_t>(scene.instances.size());
   if (all <= max_count) {
     sample.triangles.reserve(all);
     for (std::uint32_t i = 0; i < instances; ++i) {
@@ -148,7 +150,7 @@ TriangleSample sample_triangles(const Scene& scene, std::size_t max_count) {
   }
   const std::vector<std::vector<std::uint32_t>> large = large_triangles(scene, sample.radius());
   std::uint64_t all_large = 0;
-  for (const Instance& instance : scene.instances) all_large += large[instance.mesh].size();
+  for (std::uint32_t i = 0; i < instances; ++i) all_large += large[scene.instances[i].mesh].size();
   const std::uint64_t half = std::max<std::size_t>(1, max_count / 2);
   const std::uint64_t large_step = (all_large + half - 1) / half;
   const std::uint64_t small_step = (all + half - 1) / half;
