@@ -61,7 +61,7 @@ TEST_F(FullCache, An_index_of_an_earlier_run_on_a_disk_without_room_is_not_used)
 
 TEST_F(FullCache, A_reference_that_cannot_be_cached_is_a_note) {
   if (!can_mount()) GTEST_SKIP() << "no file system can be mounted";
-  const ProgramResult result = compare("16k");
+  const ProgramResult result = compare("4k");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.err.find("a reference could not be cached"), std::string::npos) << result.err;
 }
