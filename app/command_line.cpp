@@ -85,11 +85,11 @@ CLI::App& add_command(CLI::App& app, const CommandDescription& description) {
   return command;
 }
 
-// All parameters, or the one of that name.
-void add_parameters(CLI::App& command, CommandLine& line, std::string_view only = {}) {
+// All parameters, or those whose names begin so.
+void add_parameters(CLI::App& command, CommandLine& line, std::string_view prefix = {}) {
   Experiment defaults;
   for (const Parameter& parameter : describe(defaults)) {
-    if (!only.empty() && parameter.key != only) continue;
+    if (!parameter.key.starts_with(prefix)) continue;
     std::string names = "--" + parameter.key;
     for (const auto& [key, name] : short_names) {
       if (parameter.key == key) names += std::string(",--") + name;
@@ -99,12 +99,12 @@ void add_parameters(CLI::App& command, CommandLine& line, std::string_view only 
     for (const auto& [key, text] : group_titles) {
       if (group == key) title = text;
     }
-    command
-        .add_option_function<std::string>(
-            names, [&line, key = parameter.key](const std::string& text) { line.settings.emplace_back(key, text); },
-            parameter.description.meaning)
-        ->trigger_on_parse()
-        ->group(title);
+    CLI::Option* option = command.add_option_function<std::string>(
+        names, [&line, key = parameter.key](const std::string& text) { line.settings.emplace_back(key, text); },
+        parameter.description.meaning);
+    option->trigger_on_parse()->group(title);
+    // Without a value: true.
+    if (std::holds_alternative<bool*>(parameter.field)) option->expected(0, 1)->default_str("true");
   }
 }
 
@@ -301,7 +301,7 @@ void add_other_commands(CLI::App& app, CommandLine& line) {
                   "built-in scene; forest:20M for about 20 million triangles, courtyard:64 for 64 lights")
       ->required();
   scene.add_option("-o,--output", line.output, "file to write, .glb")->type_name("FILE")->required();
-  for (const char* name : {"scene.unit", "scene.blend", "view.scene"}) add_parameters(scene, line, name);
+  for (const char* name : {"scene.", "view.scene"}) add_parameters(scene, line, name);
   add_memory(scene, line);
   add_output_flags(scene, line);
 
@@ -311,7 +311,7 @@ void add_other_commands(CLI::App& app, CommandLine& line) {
 
   CLI::App& info = add_command(app, info_command);
   info.add_option("SCENE", line.scene, "a .gltf or .glb file, or a built-in scene");
-  for (const char* name : {"scene.unit", "scene.blend", "view.scene"}) add_parameters(info, line, name);
+  for (const char* name : {"scene.", "view.scene"}) add_parameters(info, line, name);
   info.add_flag("--measure-memory", line.measure_memory, "build the ray tracer's structure to measure its memory");
   add_memory(info, line);
   add_output_flags(info, line);

@@ -69,19 +69,24 @@ ExitCode show_image_plan(const CommandLine& line, const Console& console, Stages
   for (const std::uint32_t light : stages.lights(experiment.view.light)) {
     lights += (lights.empty() ? "" : ", ") + light_text(stages, experiment, light);
   }
-  rows.emplace_back("lights", lights);
+  const bool shadows = measures_shadows(experiment);
+  const bool ao = measures_ao(experiment);
+  if (shadows) rows.emplace_back("lights", lights);
   if (line.command != "trace") {
-    rows.emplace_back("technique",
-                      fmt::format("shadow maps of {}² texels, {}, {} filter; AO with {} samples per pixel",
-                                  experiment.shadow.map.resolution, value_of(experiment, "shadow.technique"),
-                                  value_of(experiment, "shadow.filter"), experiment.ao.sampling.samples));
+    const std::string maps =
+        fmt::format("shadow maps of {}² texels, {}, {} filter", experiment.shadow.map.resolution,
+                    value_of(experiment, "shadow.technique"), value_of(experiment, "shadow.filter"));
+    const std::string samples = fmt::format("AO with {} samples per pixel", experiment.ao.sampling.samples);
+    rows.emplace_back("technique", !ao ? maps : !shadows ? samples : maps + "; " + samples);
   }
   if (line.command != "raster") {
     const TruthParams& truth = experiment.truth;
-    rows.emplace_back("reference",
-                      truth.tolerance > 0.0
-                          ? fmt::format("{} to {} rays per pixel for AO and area lights", truth.min_spp, truth.max_spp)
-                          : fmt::format("{} rays per pixel for AO and area lights", truth.spp));
+    const std::string rays =
+        truth.tolerance > 0.0 ? fmt::format("{} to {}", truth.min_spp, truth.max_spp) : fmt::format("{}", truth.spp);
+    rows.emplace_back("reference", rays + " rays per pixel for " +
+                                       (!ao        ? "area lights"
+                                        : !shadows ? "AO"
+                                                   : "AO and area lights"));
   }
   rows.emplace_back("files", "index.html, summary.json, images.exr, experiment.toml, figures/" +
                                  (line.output.empty() ? std::string() : " in " + line.output.string()));

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -48,6 +49,32 @@ void add_technique_notes(Stages& stages, const Experiment& experiment, const std
   }
 }
 
+// run.measure selects what is measured, and other settings refer to parts of it.
+void require_measured(const Experiment& experiment, const std::vector<BudgetEntry>& conditions) {
+  const bool shadows = measures_shadows(experiment);
+  const bool ao = measures_ao(experiment);
+  if (shadows && ao) return;
+  const std::string chosen = shadows ? "--measure visibility" : "--measure ao";
+  const auto require = [&](bool is_given, bool is_measured, const std::string& option, const std::string& part) {
+    if (!is_given || is_measured) return;
+    throw Error(ExitCode::usage, option, "it needs " + part + ", which " + chosen + " leaves out", "omit one of them");
+  };
+  const RunParams& run = experiment.run;
+  require(run.shimmer, shadows, "--shimmer", "shadows");
+  require(run.write_maps, shadows, "--write-maps", "shadows");
+  require(run.ao_stages, ao, "--ao-stages", "ambient occlusion");
+  require(run.write_ao_inputs, ao, "--write-ao-inputs", "ambient occlusion");
+  require(!run.overlay.empty(), false, "--overlay", "the shaded image");
+  for (const BudgetEntry& condition : conditions) {
+    const std::vector<KnownStatistic> known =
+        require_statistic(parse_statistic_name(condition.statistic), condition.place);
+    const bool is_measured = std::any_of(known.begin(), known.end(), [&](const KnownStatistic& each) {
+      return each.kind == (shadows ? "shadow" : "ao");
+    });
+    require(true, is_measured, condition.place, shadows ? "ambient occlusion" : "shadows");
+  }
+}
+
 // Image metrics are measured only if run.metrics names them.
 void add_metrics(Experiment& experiment, const std::vector<BudgetEntry>& conditions) {
   for (const BudgetEntry& condition : conditions) {
@@ -93,6 +120,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   const FigureStyle style = make_figure_style(line.figures);
   check_insets(style, given.view.size.width, given.view.size.height);
   const std::vector<BudgetEntry> conditions = budgets_of(line.fail_if);
+  require_measured(given, conditions);
   add_metrics(given, conditions);
   std::optional<RunFolder> run_folder;
   if (!line.dry_run) {
@@ -104,8 +132,13 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
       {line.gl_device, line.threads, chosen_cache(line, console), given.scene}, console);
   const Experiment experiment = stages.in_metres(given);
   const Sides sides = sides_of(line.command);
-  const std::vector<std::uint32_t> lights = stages.lights(experiment.view.light);
-  stages.check_is_meaningful(experiment, lights);
+  const bool has_ao = measures_ao(experiment);
+  std::vector<std::uint32_t> lights = stages.lights(experiment.view.light);
+  if (measures_shadows(experiment)) {
+    stages.check_is_meaningful(experiment, lights);
+  } else {
+    lights.clear();
+  }
   add_technique_notes(stages, experiment, lights);
   const bool has_image = measures_image(experiment);
   if (has_image) check_shading(stages, experiment);
@@ -121,7 +154,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   measurement.experiment = experiment;
   measurement.surfels = stages.surfels(experiment);
   // Tracing fills the cores while one of them compiles shaders. Shimmer moves the camera, and with it the surfels.
-  if (line.command == "compare" && !experiment.run.shimmer) stages.begin_ao_truth(experiment);
+  if (line.command == "compare" && has_ao && !experiment.run.shimmer) stages.begin_ao_truth(experiment);
   for (const std::uint32_t light : lights) {
     ShadowMeasurement shadow = measure_shadow(stages, experiment, light, sides);
     if (sides.raster && sides.truth) shadow.shape = measure_shape(stages, shadow);
@@ -133,7 +166,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
     if (shadow.shape && experiment.run.shimmer) shadow.shape->shimmer = measure_shimmer(stages, shadow);
     measurement.shadows.push_back(std::move(shadow));
   }
-  measurement.ao = measure_ao(stages, experiment, sides);
+  if (has_ao) measurement.ao = measure_ao(stages, experiment, sides);
   if (line.command == "compare" && experiment.run.ao_stages) {
     measurement.ao->stages =
         measure_ao_stages(stages, experiment, *measurement.ao->truth, *measurement.ao->raster, console);
@@ -151,8 +184,8 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
     output.parts.push_back(present_shadow(stages, shadow));
     if (shadow.shape) present_shape(output.parts.back(), stages, shadow);
   }
-  output.parts.push_back(present_ao(*measurement.ao));
-  if (measurement.ao->stages) output.parts.push_back(present_ao_stages(*measurement.ao));
+  if (measurement.ao) output.parts.push_back(present_ao(*measurement.ao));
+  if (measurement.ao && measurement.ao->stages) output.parts.push_back(present_ao_stages(*measurement.ao));
   if (measurement.image) output.parts.push_back(present_image(stages, *measurement.image));
   if (sides.raster && !experiment.run.overlay.empty()) {
     output.parts.push_back(present_debug_views(stages, measurement));

@@ -32,8 +32,9 @@ void check_axes(const std::vector<SweepAxis>& axes, const Experiment& experiment
     throw Error(ExitCode::usage, "sweep", "nothing to vary",
                 "add an axis, such as --vary shadow.constant-bias=0:0.2:65");
   }
-  for (const auto& [group, flag] : {std::pair("view.scene", "--scene"), std::pair("scene.unit", "--scene.unit"),
-                                    std::pair("scene.blend", "--scene.blend")}) {
+  for (const auto& [group, flag] :
+       {std::pair("view.scene", "--scene"), std::pair("scene.unit", "--scene.unit"),
+        std::pair("scene.blend", "--scene.blend"), std::pair("scene.ground", "--scene.ground")}) {
     if (!varies_group(axes, group)) continue;
     throw Error(ExitCode::usage, std::string("--vary ") + group, "a sweep can use only one scene",
                 std::string("run one sweep for each, with ") + flag);

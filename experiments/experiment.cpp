@@ -20,7 +20,9 @@ Parameters describe(RunParams& params) {
               {.unit = {},
                .meaning = "separate acne from false occlusion by triangle planes (fast), or also by rays (exact)"})
       .choice("measure", params.measure, sweep_measure_names,
-              {.unit = {}, .meaning = "what is measured; auto: shadows and AO, in a sweep depending on the axes"})
+              {.unit = {},
+               .meaning = "what is traced, drawn and measured; auto: shadows and AO, in a sweep depending on the axes",
+               .aliases = {{"shadows", "visibility"}}})
       .field("shimmer", params.shimmer,
              {"", "measure shimmer: shadow map and camera move by fractions of a texel or pixel"})
       .field("ao-stages", params.ao_stages,

@@ -21,8 +21,8 @@ namespace umbrameter {
 /// rule calls false occlusion.
 enum class ClassRule : int { fast, exact };
 
-/// What is measured. automatic: compare measures shadows and ambient occlusion, a sweep what its axes vary. image: also
-/// the shaded image; in a sweep that alone.
+/// What is measured. automatic: compare measures shadows and ambient occlusion, a sweep what its axes vary. visibility
+/// and ao: that alone. image: shadows, ambient occlusion and the shaded image; in a sweep the image alone.
 enum class SweepMeasure : int { automatic, visibility, ao, image };
 
 /// The run.* parameters.
@@ -52,6 +52,10 @@ struct Experiment {
   /// The axes of a sweep: full parameter name, axis text.
   std::vector<std::pair<std::string, std::string>> axes;
 };
+
+/// Whether compare, trace or raster measures shadows, and whether it measures ambient occlusion.
+inline bool measures_shadows(const Experiment& experiment) { return experiment.run.measure != SweepMeasure::ao; }
+inline bool measures_ao(const Experiment& experiment) { return experiment.run.measure != SweepMeasure::visibility; }
 
 /// Whether compare, trace or raster also makes the shaded image: run.measure asks for it, or run.overlay, which shows
 /// it.

@@ -49,7 +49,7 @@ FitShimmer measure_fit_shimmer(Stages& stages, const ShadowMeasurement& shadow) 
                              ? trace_gbuffer(stages.tracer(), view)
                              : read_back(stages.context(), draw_gbuffer(stages.context(), stages.uploaded(), view));
     const MapLayout layout =
-        fit_map(light, stages.bounds(), experiment.shadow.map, {seen, view}, experiment.shadow.fit);
+        fit_map(light, stages.mapped_bounds(), experiment.shadow.map, {seen, view}, experiment.shadow.fit);
     CountedPixels both = count_pixels(surfels.gbuffer, light, layout);
     for (std::size_t i = 0; i < both.exclusion.size(); ++i) {
       if (shadow.counted.exclusion[i] != PixelExclusion::none) both.exclusion[i] = shadow.counted.exclusion[i];

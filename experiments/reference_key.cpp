@@ -96,7 +96,7 @@ std::string to_text(const ReferenceKey& key) {
 }
 
 std::string scene_content(const Scene& scene) {
-  const auto& [name, textures, materials, meshes, objects, instances, cameras, lights, origin, notes] = scene;
+  const auto& [name, textures, materials, meshes, objects, instances, ground, cameras, lights, origin, notes] = scene;
   ContentHash hash;
   hash.add(meshes.size());
   for (const Mesh& mesh : meshes) add_mesh(hash, scene, mesh);

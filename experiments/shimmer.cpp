@@ -46,7 +46,7 @@ Shimmer measure_shimmer(Stages& stages, const ShadowMeasurement& shadow) {
 
   Shimmer shimmer;
   for (const dvec2& move : moves) {
-    const MapLayout shifted = shift_grid(shadow.layout, move, stages.bounds());
+    const MapLayout shifted = shift_grid(shadow.layout, move, stages.mapped_bounds().all());
     const Image<float> after = draw_visibility_with(stages, shadow, shifted, gpu_surfels, surfels.view);
     const double share = count_flips(before, after, shadow.counted).share;
     shimmer.grid_mean += share / static_cast<double>(moves.size());

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "raster/shadow/polygon_offset.h"
 #include "raytrace/pixel_shadow.h"
+#include "scenes/ground.h"
 
 namespace umbrameter {
 namespace {
@@ -36,14 +37,14 @@ Stages::Stages(Scene scene, StageOptions options, const Console& console)
     : scene_(std::move(scene)),
       options_(std::move(options)),
       console_(console),
-      bounds_(bounds_of(scene_)),
+      bounds_(bounds_of(scene_), ground_of(scene_)),
       cache_(options_.cache, console) {
   add_notes(scene_.notes);
-  if (bounds_.empty()) {
+  if (bounds().empty()) {
     throw Error(ExitCode::unreadable_input, options_.source, "the scene has no triangles",
                 "give a scene with meshes, or a built-in one ('umbrameter scenes')");
   }
-  require_measurable(bounds_, scene_.origin, options_.source);
+  require_measurable(bounds(), scene_.origin, options_.source);
   std::vector<std::string> assumed;
   add_missing_light(scene_, assumed);
   add_notes(assumed);
@@ -103,9 +104,12 @@ const Tracer& Stages::tracer() {
 }
 
 const gl::Context& Stages::context() {
-  if (!context_) context_ = options_.context;
   if (!context_) {
-    context_ = std::make_shared<gl::Context>(gl::Context::make({options_.gl_device, options_.threads}));
+    context_ = options_.context;
+    if (!context_) {
+      context_ = std::make_shared<gl::Context>(gl::Context::make({options_.gl_device, options_.threads}));
+    }
+    if (!context_->note().empty()) add_notes({context_->note()});
   }
   return *context_;
 }
@@ -206,7 +210,7 @@ const TracedVisibility& Stages::truth(const Experiment& experiment, std::uint32_
 }
 
 Experiment Stages::in_metres(const Experiment& experiment) const {
-  return umbrameter::in_metres(experiment, 2.0 * bounds_.radius());
+  return umbrameter::in_metres(experiment, 2.0 * bounds().radius());
 }
 
 AoInBackground::~AoInBackground() {

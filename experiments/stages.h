@@ -24,6 +24,7 @@
 #include "raster/shading/shading_pass.h"
 #include "raytrace/tracer.h"
 #include "scenes/scene.h"
+#include "techniques/shadow/cascades.h"
 #include "techniques/shadow/map_layout.h"
 
 namespace umbrameter {
@@ -126,7 +127,9 @@ class Stages {
   Stages(Scene scene, StageOptions options, const Console& console);
 
   const Scene& scene() const { return scene_; }
-  const Bounds& bounds() const { return bounds_; }
+  /// Of the scene without its ground.
+  const Bounds& bounds() const { return bounds_.scene; }
+  const MappedBounds& mapped_bounds() const { return bounds_; }
   /// in_metres() with the size of this scene.
   Experiment in_metres(const Experiment& experiment) const;
   const std::string& layer(std::uint32_t light) const { return layers_[light]; }
@@ -227,7 +230,7 @@ class Stages {
   StageOptions options_;
   Console console_;
   Progress tracing_;
-  Bounds bounds_;
+  MappedBounds bounds_;
   std::vector<std::string> layers_;
   std::vector<std::string> notes_;
   ReferenceCache cache_;

@@ -11,6 +11,7 @@
 #include "core/suggestion.h"
 #include "scenes/builtin/scenes.h"
 #include "scenes/gltf.h"
+#include "scenes/ground.h"
 #include "scenes/origin.h"
 #include "scenes/transparency.h"
 #include "scenes/units.h"
@@ -145,8 +146,9 @@ Scene load_scene(const std::string& name_or_path, const std::string& part, const
   apply_blend_mode(scene, params.blend);
   if (metres != 1.0) scale(scene, metres);
   move_to_centre(scene);
-  const std::string remark = size_remark(guess_units(bounds_of(scene), metres));
+  const std::string remark = size_remark(guess_units(bounds_of(scene), metres, is_surrounding(scene)));
   if (!remark.empty()) scene.notes.push_back(remark);
+  if (params.ground) add_ground(scene);
   return scene;
 }
 

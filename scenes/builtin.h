@@ -32,8 +32,8 @@ std::span<const BuiltinScene> builtin_scenes();
 /// city:5e6, or for that many lights, as in courtyard:64. Throws Error (unreadable_input) that lists the built-in names
 /// when it is neither, and Error (usage) when the scene cannot have that many or a part of a built-in scene is asked
 /// for. Then applies the parameters: transparent surfaces are treated as they say, and every length is scaled to
-/// metres. A scene far from its origin is moved there, and a size that is not credible is noted. The parameters also
-/// decide options.blend_makes_holes.
+/// metres. A scene far from its origin is moved there, and a size that is not credible is noted. Last, a ground is
+/// added. The parameters also decide options.blend_makes_holes.
 Scene load_scene(const std::string& name_or_path, const std::string& part = {}, const SceneParams& params = {},
                  LoadOptions options = {});
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "core/parallel.h"
+#include "scenes/short_number.h"
 #include "scenes/view_content.h"
 
 namespace umbrameter {
@@ -89,25 +89,36 @@ struct Candidate {
   std::string place;  ///< "from 210 degrees …", for the note
   ViewContent content{};
 
-  // More surfaces in more of the image, not through back faces. What one plane shows counts 1 with the whole image.
-  double score() const {
-    return std::sqrt(content.seen) * (1.0 + content.variety) * (1.0 - content.behind_of_covered()) *
-           (1.0 - content.cut);
-  }
+  double score = 0.0;
 };
+
+// Shadows are measured on surfaces that face a light. From a side at random, half of what a body shows does: less is a
+// fault, unless no view shows any.
+double lit_share(const ViewContent& content, bool any_is_lit) {
+  return any_is_lit && content.lit < 0.5 * content.seen ? content.lit / (0.5 * content.seen) : 1.0;
+}
+
+// More surfaces in more of the image, that face a light, not through back faces. What one plane shows counts 1 with the
+// whole image.
+void score(std::vector<Candidate>& candidates, bool any_is_lit) {
+  for (Candidate& candidate : candidates) {
+    const ViewContent& content = candidate.content;
+    candidate.score = std::sqrt(content.seen) * (1.0 + content.variety) * lit_share(content, any_is_lit) *
+                      (1.0 - content.behind_of_covered()) * (1.0 - content.cut);
+  }
+}
+
+bool any_is_lit(const std::vector<Candidate>& candidates) {
+  return std::any_of(candidates.begin(), candidates.end(),
+                     [](const Candidate& candidate) { return candidate.content.lit > 0.0; });
+}
 
 void judge(std::vector<Candidate>& candidates, const TriangleSample& sample, double aspect) {
   parallel_for(candidates.size(),
                [&](std::size_t i) { candidates[i].content = look(sample, candidates[i].camera, aspect); });
 }
 
-std::string text_of(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
-std::string text_of(const dvec3& v) { return "(" + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ")"; }
+std::string vector_text(const dvec3& v) { return "(" + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ")"; }
 
 std::string direction_text(double azimuth, double elevation) {
   return text_of(azimuth) + " degrees from the front (+Z) towards +X and " + text_of(std::abs(elevation)) +
@@ -182,10 +193,13 @@ std::vector<Bounds> detailed_parts(const TriangleSample& sample) {
   return parts;
 }
 
-void add_around(std::vector<Candidate>& candidates, const Bounds& part, double aspect, bool is_whole) {
-  const std::string what = is_whole ? "fitted to its bounds,"
-                                    : "fitted to the part with most detail, " + text_of(part.extent()) + " m large,";
+// Views from around, above and, without a ground, below.
+void add_around(std::vector<Candidate>& candidates, const Bounds& part, double aspect, bool is_whole, bool has_ground) {
+  const std::string what = is_whole
+                               ? "fitted to its bounds,"
+                               : "fitted to the part with most detail, " + vector_text(part.extent()) + " m large,";
   for (const double elevation : {usual_elevation, 55.0, 85.0, -25.0, -55.0}) {
+    if (has_ground && elevation < 0.0) continue;
     for (const double beside : {0.0, -60.0, 60.0, -120.0, 120.0, 180.0}) {
       const double azimuth = usual_azimuth + beside;
       if (elevation > 80.0 && beside != 0.0) continue;
@@ -251,7 +265,7 @@ Interior views_inside(const TriangleSample& sample) {
         i + 1 < places.size() ? std::atan2(places[i].x * extent.x, places[i].y * extent.z) / degree : usual_azimuth;
     Candidate& added = interior.candidates.emplace_back();
     added.camera = camera_within(sample.bounds, eye_at(i), direction_of(azimuth, 10.0), room_fov);
-    added.place = "placed inside it, at " + text_of(eye_at(i)) + " m, looking " +
+    added.place = "placed inside it, at " + vector_text(eye_at(i)) + " m, looking " +
                   text_of(azimuth > 0.0 ? azimuth - 180.0 : azimuth + 180.0) +
                   " degrees from the front (+Z) towards +X and 10 degrees down";
   }
@@ -260,9 +274,9 @@ Interior views_inside(const TriangleSample& sample) {
 
 std::size_t best_of(const std::vector<Candidate>& candidates) {
   double best = 0.0;
-  for (const Candidate& candidate : candidates) best = std::max(best, candidate.score());
+  for (const Candidate& candidate : candidates) best = std::max(best, candidate.score);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (candidates[i].score() >= as_good * best) return i;
+    if (candidates[i].score >= as_good * best) return i;
   }
   return 0;
 }
@@ -271,6 +285,7 @@ std::string fault_of(const ViewContent& usual, bool is_inside) {
   if (usual.covered == 0.0) return "shows nothing";
   if (usual.behind_of_covered() > 0.5) return "looks mostly through back faces";
   if (is_inside) return "shows a closed room from outside";
+  if (usual.lit < 0.5 * usual.seen) return "shows mostly surfaces that face away from the light";
   return "shows little but one surface";
 }
 
@@ -287,20 +302,24 @@ FittedCamera fit_camera(const Scene& scene, double aspect) {
   const std::string remedy = "; add a camera to the file to choose another view";
   const TriangleSample sample = sample_triangles(scene);
   std::vector<Candidate> candidates;
-  add_around(candidates, sample.bounds, aspect, true);
-  for (const Bounds& part : detailed_parts(sample)) add_around(candidates, part, aspect, false);
+  const bool has_ground = scene.ground.has_value();
+  add_around(candidates, sample.bounds, aspect, true, has_ground);
+  for (const Bounds& part : detailed_parts(sample)) add_around(candidates, part, aspect, false, has_ground);
   judge(candidates, sample, aspect);
   Interior interior = views_inside(sample);
   judge(interior.candidates, sample, aspect);
+  const bool is_lit = any_is_lit(candidates) || any_is_lit(interior.candidates);
+  score(candidates, is_lit);
+  score(interior.candidates, is_lit);
 
   const Candidate& usual = candidates.front();
   const Candidate* chosen = &candidates[best_of(candidates)];
-  if (usual.score() >= good_enough * chosen->score()) chosen = &usual;
+  if (usual.score >= good_enough * chosen->score) chosen = &usual;
   bool is_inside = false;
   if (!interior.candidates.empty()) {
     const Candidate& inside = interior.candidates[best_of(interior.candidates)];
     const double needed = interior.is_closed_by_fronts ? better_inside : much_better_inside;
-    is_inside = inside.score() > needed * usual.score() && inside.score() > as_good * chosen->score();
+    is_inside = inside.score > needed * usual.score && inside.score > as_good * chosen->score;
     if (is_inside) chosen = &inside;
   }
   if (chosen == &usual) {

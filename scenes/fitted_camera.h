@@ -17,10 +17,10 @@ struct FittedCamera {
 
 /// A camera from which the scene can be measured, for images of that width by height. Usually it looks from 30 degrees
 /// beside the front (+Z, glTF 2.0, section 3.4) and 25 degrees above, from where the bounds fill the image. Where that
-/// view shows little (nothing, back faces, a plane with a small thing on it, a room from outside), others are judged by
-/// what they show (view_content.h): from around, above and below, of all or of the part with most detail, and from
-/// inside a closed room. The first that shows about as much as the best is taken; the usual one wherever it shows half
-/// as much. The same scene gives the same camera.
+/// view shows little (nothing, back faces, surfaces that no light faces, a plane with a small thing on it, a room from
+/// outside), others are judged by what they show (view_content.h): from around, above and (without a ground) below, of
+/// all or of the part with most detail, and from inside a closed room. The first that shows about as much as the best
+/// is taken; the usual one wherever it shows half as much. The same scene gives the same camera.
 FittedCamera fit_camera(const Scene& scene, double aspect);
 
 /// A line for a camera that looks through back faces in most of its image, as inside an object, or whose near plane

@@ -121,8 +121,13 @@ std::vector<float> read_attribute(const draco::Mesh& mesh, const std::string& na
 DracoMesh decode_draco(std::span<const unsigned char> bytes, const std::map<std::string, DracoAttribute>& wanted,
                        Allowance& allowance, const std::filesystem::path& path, const std::string& object) {
   const Counts counts = announced_counts(bytes, path, object);
-  // Our own copy, and what the decoder keeps: a corner table of some 100 bytes a face, values of some 64 a vertex.
-  claim(allowance, 112 * counts.faces + 64 * counts.vertices, path, object);
+  // Our own copy, and what the decoder keeps: a corner table of some 100 bytes a face, and for each vertex both copies
+  // of its values, 4 bytes each; positions, normals and texture coordinates are there even where they are not wanted.
+  std::uint64_t components = 3 + 3 + 2;
+  for (const auto& [name, attribute] : wanted) {
+    if (name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_")) components += attribute.components;
+  }
+  claim(allowance, 112 * counts.faces + 2 * 4 * components * counts.vertices, path, object);
   draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   draco::Decoder decoder;

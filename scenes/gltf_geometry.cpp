@@ -27,60 +27,41 @@ std::span<const double> weights_of(const tinygltf::Mesh& mesh, std::span<const d
   return node_weights.empty() ? std::span<const double>(mesh.weights) : node_weights;
 }
 
-/// Vertices of one skinned primitive, moved to the world.
-struct Skin {
-  std::vector<std::vector<vec4>> joints;
-  std::vector<std::vector<vec4>> weights;
-
-  dmat4 matrix_of(std::size_t vertex, std::span<const dmat4> joint_matrices) const {
-    dmat4 sum(0.0);
-    double total = 0.0;
-    for (std::size_t set = 0; set < joints.size(); ++set) {
-      for (int i = 0; i < 4; ++i) {
-        const double weight = weights[set][vertex][i];
-        if (!(weight > 0.0)) continue;
-        sum += weight * joint_matrices[static_cast<std::size_t>(joints[set][vertex][i])];
-        total += weight;
-      }
-    }
-    // Quantised weights need not add up to one.
-    return total > 0.0 ? sum / total : joint_matrices.front();
-  }
-};
-
-Skin read_skin(GeometryReader& reader, const tinygltf::Primitive& primitive, std::size_t vertices, std::size_t joints,
-               const std::string& object) {
-  Skin skin;
-  const std::filesystem::path& path = reader.store.document.path;
-  for (int set = 0;; ++set) {
-    const auto joint = primitive.attributes.find("JOINTS_" + std::to_string(set));
-    const auto weight = primitive.attributes.find("WEIGHTS_" + std::to_string(set));
-    const auto end = primitive.attributes.end();
-    if (joint == end || weight == end) break;
-    skin.joints.push_back(read_elements<vec4>(reader.store, joint->second, object + " " + joint->first));
-    skin.weights.push_back(read_elements<vec4>(reader.store, weight->second, object + " " + weight->first));
-    if (skin.joints.back().size() != vertices || skin.weights.back().size() != vertices) {
-      fail(path, object, joint->first + " or " + weight->first + " does not have one value per vertex");
-    }
-    for (std::size_t v = 0; v < vertices; ++v) {
-      for (int i = 0; i < 4; ++i) {
-        const float used = skin.joints.back()[v][i];
-        if (!std::isfinite(skin.weights.back()[v][i])) {
-          fail(path, object, weight->first + " " + std::to_string(v) + " is not a finite number");
-        }
-        const bool is_unused = !(skin.weights.back()[v][i] > 0.0f);
-        if (is_unused || (used >= 0.0f && used < static_cast<float>(joints))) continue;
-        fail(path, object,
-             joint->first + " " + std::to_string(v) + " names a joint beyond the skin's " + std::to_string(joints));
-      }
+dmat4 matrix_of(const SkinAttributes& skin, std::size_t vertex, std::span<const dmat4> joint_matrices) {
+  dmat4 sum(0.0);
+  double total = 0.0;
+  for (std::size_t set = 0; set < skin.joints.size(); ++set) {
+    for (int i = 0; i < 4; ++i) {
+      const double weight = skin.weights[set][vertex][i];
+      if (!(weight > 0.0)) continue;
+      sum += weight * joint_matrices[static_cast<std::size_t>(skin.joints[set][vertex][i])];
+      total += weight;
     }
   }
-  return skin;
+  // Quantised weights need not add up to one.
+  return total > 0.0 ? sum / total : joint_matrices.front();
 }
 
-void move_vertices(Mesh& mesh, const Skin& skin, std::span<const dmat4> joint_matrices) {
+void check_skin(const SkinAttributes& skin, std::size_t joints, const std::filesystem::path& path,
+                const std::string& object) {
+  for (std::size_t set = 0; set < skin.joints.size(); ++set) {
+    for (std::size_t v = 0; v < skin.joints[set].size(); ++v) {
+      const std::string place = std::to_string(set) + " " + std::to_string(v);
+      for (int i = 0; i < 4; ++i) {
+        const float used = skin.joints[set][v][i];
+        const float weight = skin.weights[set][v][i];
+        if (!std::isfinite(weight)) fail(path, object, "WEIGHTS_" + place + " is not a finite number");
+        const bool is_unused = !(weight > 0.0f);
+        if (is_unused || (used >= 0.0f && used < static_cast<float>(joints))) continue;
+        fail(path, object, "JOINTS_" + place + " names a joint beyond the skin's " + std::to_string(joints));
+      }
+    }
+  }
+}
+
+void move_vertices(Mesh& mesh, const SkinAttributes& skin, std::span<const dmat4> joint_matrices) {
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    const dmat4 matrix = skin.matrix_of(v, joint_matrices);
+    const dmat4 matrix = matrix_of(skin, v, joint_matrices);
     mesh.positions[v] = vec3(matrix * dvec4(dvec3(mesh.positions[v]), 1.0));
     if (mesh.normals.empty()) continue;
     const dvec3 normal = glm::transpose(glm::inverse(dmat3(matrix))) * dvec3(mesh.normals[v]);
@@ -143,11 +124,12 @@ std::vector<std::uint32_t> read_skinned_mesh(GeometryReader& reader, std::size_t
       ++reader.dropped.points_and_lines;
       continue;
     }
-    Mesh mesh = read_primitive(reader, primitive, weights_of(source, node_weights), object);
+    SkinAttributes skin;
+    Mesh mesh = read_primitive(reader, primitive, weights_of(source, node_weights), object, &skin);
     if (mesh.positions.empty()) continue;
-    const Skin skin = read_skin(reader, primitive, mesh.positions.size(), joint_matrices.size(), object);
     if (skin.joints.empty())
       fail(reader.store.document.path, object, "it has no JOINTS_0 and WEIGHTS_0, but " + node + " has a skin");
+    check_skin(skin, joint_matrices.size(), reader.store.document.path, object);
     move_vertices(mesh, skin, joint_matrices);
     for (const vec3& position : mesh.positions) {
       if (std::isfinite(position.x + position.y + position.z)) continue;

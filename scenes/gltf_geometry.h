@@ -58,8 +58,14 @@ void drop_flat_triangles(Mesh& mesh, Dropped& dropped);
 /// One line for each kind of thing that was dropped.
 void note_dropped(const Dropped& dropped, std::vector<std::string>& notes);
 
-/// The primitive's mesh, without name.
+/// Joints and weights of a primitive's vertices: for each set four of each a vertex, as stored.
+struct SkinAttributes {
+  std::vector<std::vector<vec4>> joints;
+  std::vector<std::vector<vec4>> weights;
+};
+
+/// The primitive's mesh, without name; and its skin, where that is wanted.
 Mesh read_primitive(GeometryReader& reader, const tinygltf::Primitive& primitive, std::span<const double> weights,
-                    const std::string& object);
+                    const std::string& object, SkinAttributes* skin = nullptr);
 
 }  // namespace umbrameter::gltf

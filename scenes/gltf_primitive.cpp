@@ -94,7 +94,17 @@ struct PrimitiveSource {
 
   const Document& document() const { return reader.store.document; }
 
-  void open_draco() {
+  /// How many sets of joints and weights it has.
+  int skin_sets() const {
+    int sets = 0;
+    while (primitive.attributes.contains("JOINTS_" + std::to_string(sets)) &&
+           primitive.attributes.contains("WEIGHTS_" + std::to_string(sets))) {
+      ++sets;
+    }
+    return sets;
+  }
+
+  void open_draco(bool with_skin) {
     const auto extension = primitive.extensions.find(draco_name);
     if (extension == primitive.extensions.end()) return;
     const tinygltf::Value& value = extension->second;
@@ -109,6 +119,10 @@ struct PrimitiveSource {
     want("POSITION", 3);
     want("NORMAL", 3);
     want(texcoord_name, 2);
+    for (int set = with_skin ? skin_sets() : 0; set-- > 0;) {
+      want("JOINTS_" + std::to_string(set), 4);
+      want("WEIGHTS_" + std::to_string(set), 4);
+    }
     draco = decode_draco(view_bytes(reader.store, value.Get("bufferView").GetNumberAsInt(), object), wanted,
                          reader.store.allowance, document().path, object);
   }
@@ -207,14 +221,14 @@ void drop_flat_triangles(Mesh& mesh, Dropped& dropped) {
 }
 
 Mesh read_primitive(GeometryReader& reader, const tinygltf::Primitive& primitive, std::span<const double> weights,
-                    const std::string& object) {
+                    const std::string& object, SkinAttributes* skin) {
   const std::filesystem::path& path = reader.store.document.path;
   Mesh mesh;
   mesh.material = material_of(reader, primitive, object);
   const bool is_own = mesh.material < reader.textures.size();
   const TexcoordUse texcoords = is_own ? texcoords_of(reader.textures[mesh.material]) : TexcoordUse{};
   PrimitiveSource source{reader, primitive, object, "TEXCOORD_" + std::to_string(texcoords.set), std::nullopt};
-  source.open_draco();
+  source.open_draco(skin != nullptr);
   mesh.positions = source.attribute<vec3>("POSITION", 0);
   if (mesh.positions.empty()) {
     ++reader.dropped.without_positions;
@@ -227,6 +241,10 @@ Mesh read_primitive(GeometryReader& reader, const tinygltf::Primitive& primitive
   const std::size_t vertices = mesh.positions.size();
   mesh.normals = source.attribute<vec3>("NORMAL", vertices);
   mesh.texcoords = source.attribute<vec2>(source.texcoord_name, vertices);
+  for (int set = 0; skin != nullptr && set < source.skin_sets(); ++set) {
+    skin->joints.push_back(source.attribute<vec4>("JOINTS_" + std::to_string(set), vertices));
+    skin->weights.push_back(source.attribute<vec4>("WEIGHTS_" + std::to_string(set), vertices));
+  }
   mesh.triangles = source.triangles(vertices);
   add_morph_targets(reader, primitive, weights, object, mesh);
   require_finite(mesh.positions, path, object);

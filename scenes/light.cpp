@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenes/fitted_camera.h"
+
 namespace umbrameter {
 
 dmat3 axes_of(const Light& light) {
@@ -21,6 +23,14 @@ dvec3 to_light(const Light& light, const dvec3& position) {
   const dvec3 offset = light.position() - position;
   const double distance = glm::length(offset);
   return distance > 0.0 ? offset / distance : -light.axis();
+}
+
+Light default_sun() {
+  Light light;
+  light.name = "sun";
+  light.world_from_light = frame_towards({0.45, 1.0, 0.35}, dvec3(0));
+  light.intensity = 1e5;
+  return light;
 }
 
 bool faces(const Light& light, const dvec3& position, const dvec3& normal) {

@@ -14,6 +14,9 @@ dvec4 homogeneous_position(const Light& light);
 /// Unit vector from a world position to the light.
 dvec3 to_light(const Light& light, const dvec3& position);
 
+/// The light of a scene that has none: a sun from the direction (0.45, 1, 0.35).
+Light default_sun();
+
 /// Whether a surface of that place and normal faces the light: some part of it, where it has extent, however the light
 /// is turned. Else visibility is 0 without asking what lies between, and the surfel counts as turned away.
 bool faces(const Light& light, const dvec3& position, const dvec3& normal);

@@ -51,6 +51,7 @@ Bounds bounds_of(const Scene& scene) {
   Bounds bounds;
   for (const Instance& instance : scene.instances) {
     const Bounds& box = boxes[instance.mesh];
+    if (scene.ground && &instance == &scene.instances[*scene.ground]) continue;
     if (box.empty() || is_inside(bounds, box, instance.world_from_mesh)) continue;
     for (const vec3& position : scene.meshes[instance.mesh].positions) {
       bounds.include(dvec3(instance.world_from_mesh * dvec4(dvec3(position), 1.0)));

@@ -139,6 +139,7 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Object> objects;
   std::vector<Instance> instances;
+  std::optional<std::uint32_t> ground{};  ///< instance that scene.ground added (ground.h), the last one
   std::vector<Camera> cameras;
   std::vector<Light> lights;
   dvec3 origin{0.0};               ///< of this scene, metres, in the coordinates of its file; move_to_centre() sets it
@@ -153,7 +154,8 @@ struct SceneCounts {
 
 SceneCounts count(const Scene& scene);
 
-/// World bounds of all instances, from every vertex. Empty for a scene without triangles.
+/// World bounds of all instances but the ground, from every vertex: the size of the scene. Empty for a scene without
+/// triangles.
 Bounds bounds_of(const Scene& scene);
 
 /// The three world-space corners of a triangle, transformed in double precision.

@@ -32,6 +32,7 @@ Parameters describe(SceneParams& params) {
              {.unit = {}, .meaning = "unit of lengths: mm, cm, m, km, inch, foot, or metres", .basic = true})
       .choice("blend", params.blend, blend_mode_names,
               {.unit = {}, .meaning = "alpha-blended and transmissive surfaces; mask: holes where alpha is below 0.5"})
+      .field("ground", params.ground, {.unit = {}, .meaning = "add a floor below the scene, 5 times its diagonal wide"})
       .take();
 }
 

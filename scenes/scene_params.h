@@ -1,4 +1,4 @@
-// How a scene is read: the unit of its lengths, and what becomes of its transparent surfaces.
+// How a scene is read: the unit of its lengths, what becomes of its transparent surfaces, and what is added to it.
 #pragma once
 
 #include <string>
@@ -14,6 +14,7 @@ enum class BlendMode : int { opaque, leave_out, mask };
 struct SceneParams {
   std::string unit = "m";  ///< of every length in the scene; metres_per_unit() reads it
   BlendMode blend = BlendMode::opaque;
+  bool ground = false;  ///< add_ground()
 };
 Parameters describe(SceneParams& params);
 

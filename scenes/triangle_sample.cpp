@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "scenes/light.h"
 
 namespace umbrameter {
 namespace {
@@ -42,7 +43,9 @@ std::uint64_t surface_of(const std::array<dvec3, 3>& corners, std::uint32_t obje
 
 class Sampler {
  public:
-  Sampler(const Scene& scene, TriangleSample& sample) : scene_(scene), sample_(sample) {}
+  Sampler(const Scene& scene, TriangleSample& sample) : scene_(scene), sample_(sample), lights_(scene.lights) {
+    if (lights_.empty()) lights_.push_back(default_sun());
+  }
 
   void choose_instance(std::uint32_t instance) {
     const Instance& placed = scene_.instances[instance];
@@ -74,11 +77,22 @@ class Sampler {
     added.object = object_;
     added.weight = static_cast<float>(weight);
     added.is_double_sided = material_->double_sided;
+    const dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    added.front_faces_light = faces_light(middle, normal);
+    added.back_faces_light = faces_light(middle, -normal);
   }
 
  private:
+  bool faces_light(const dvec3& middle, const dvec3& normal) const {
+    const double length = glm::length(normal);
+    const dvec3 place = sample_.center() + sample_.radius() * middle;
+    return length > 0.0 && std::any_of(lights_.begin(), lights_.end(),
+                                       [&](const Light& light) { return faces(light, place, normal / length); });
+  }
+
   const Scene& scene_;
   TriangleSample& sample_;
+  std::vector<Light> lights_;
   const Mesh* mesh_ = nullptr;
   const Material* material_ = nullptr;
   dmat4 place_{1.0};
@@ -120,9 +134,11 @@ std::vector<std::vector<std::uint32_t>> large_triangles(const Scene& scene, doub
 TriangleSample sample_triangles(const Scene& scene, std::size_t max_count) {
   TriangleSample sample;
   sample.bounds = bounds_of(scene);
-  const std::uint64_t all = count(scene).triangles;
+  // Without the ground, the last instance.
+  const auto instances = scene.ground.value_or(static_cast<std::uint32_t>(scene.instances.size()));
+  std::uint64_t all = 0;
+  for (std::uint32_t i = 0; i < instances; ++i) all += scene.meshes[scene.instances[i].mesh].triangles.size();
   Sampler sampler(scene, sample);
-  const auto instances = static_cast<std::uint32_t>(scene.instances.size());
   if (all <= max_count) {
     sample.triangles.reserve(all);
     for (std::uint32_t i = 0; i < instances; ++i) {
@@ -134,7 +150,7 @@ TriangleSample sample_triangles(const Scene& scene, std::size_t max_count) {
   }
   const std::vector<std::vector<std::uint32_t>> large = large_triangles(scene, sample.radius());
   std::uint64_t all_large = 0;
-  for (const Instance& instance : scene.instances) all_large += large[instance.mesh].size();
+  for (std::uint32_t i = 0; i < instances; ++i) all_large += large[scene.instances[i].mesh].size();
   const std::uint64_t half = std::max<std::size_t>(1, max_count / 2);
   const std::uint64_t large_step = (all_large + half - 1) / half;
   const std::uint64_t small_step = (all + half - 1) / half;

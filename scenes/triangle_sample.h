@@ -17,6 +17,8 @@ struct SampledTriangle {
   std::uint64_t surface = 0;
   float weight = 1.0f;  ///< triangles of the scene that it stands for
   bool is_double_sided = false;
+  bool front_faces_light = false;  ///< any light of the scene, or default_sun() where it has none
+  bool back_faces_light = false;
 };
 
 struct TriangleSample {
@@ -27,9 +29,9 @@ struct TriangleSample {
   double radius() const { return bounds.radius() > 0.0 ? bounds.radius() : 1.0; }
 };
 
-/// All triangles of a scene that has at most max_count. Else each large one, and of the small ones every n-th, with n
-/// times its area, so that surfaces stay as dense as they look (Cook et al., Stochastic Simplification of Aggregate
-/// Detail, 2007). The same scene gives the same sample.
+/// All triangles, but those of the ground, of a scene that has at most max_count. Else each large one, and of the small
+/// ones every n-th, with n times its area, so that surfaces stay as dense as they look (Cook et al., Stochastic
+/// Simplification of Aggregate Detail, 2007). The same scene gives the same sample.
 TriangleSample sample_triangles(const Scene& scene, std::size_t max_count = 40'000);
 
 }  // namespace umbrameter

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "scenes/short_number.h"
 
 namespace umbrameter {
 namespace {
@@ -16,6 +17,7 @@ constexpr double high = 200.0;              // metres
 constexpr double hill_steepness = 0.1;      // height by width
 constexpr double slender_height = 50.0;     // metres
 constexpr double usual_side = 20.0;         // metres
+constexpr double thing_side = 100.0;        // metres
 constexpr double equal_to_rounding = 1e-9;  // of two lengths
 
 constexpr std::array<UnitCandidate, 6> units{{{"mm", 0.001, 0.0},
@@ -28,7 +30,7 @@ constexpr std::array<UnitCandidate, 6> units{{{"mm", 0.001, 0.0},
 double longest(const dvec3& extent) { return std::max({extent.x, extent.y, extent.z}); }
 
 // Empty where the size is credible.
-std::string doubt(const dvec3& extent) {
+std::string doubt(const dvec3& extent, bool is_surrounding) {
   const double side = longest(extent);
   if (side < min_side) return "it is shorter than 1 cm";
   if (side < small_side) return "it is shorter than 0.5 m, smaller than furniture";
@@ -39,6 +41,9 @@ std::string doubt(const dvec3& extent) {
   }
   if (extent.y > slender_height && extent.y > std::sqrt(extent.x * extent.z)) {
     return "it is higher than 50 m and slender, as only towers are";
+  }
+  if (side > thing_side && !is_surrounding) {
+    return "it is longer than 100 m, and no camera and no lamp of the file stands in it, as if it were a single thing";
   }
   return {};
 }
@@ -52,27 +57,24 @@ bool is_likelier(const UnitCandidate& a, const UnitCandidate& b) {
   return farness(a) < farness(b);
 }
 
-std::string text_of(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
 }  // namespace
 
-UnitGuess guess_units(const Bounds& bounds, double metres) {
+UnitGuess guess_units(const Bounds& bounds, double metres, bool is_surrounding) {
   UnitGuess guess;
   if (bounds.empty()) return guess;
   const dvec3 extent = bounds.extent();
   guess.longest_side = longest(extent);
-  guess.reason = doubt(extent);
+  guess.reason = doubt(extent, is_surrounding);
   if (guess.reason.empty()) return guess;
   const bool is_out_of_range = guess.longest_side < min_side || guess.longest_side > max_side;
   guess.verdict = is_out_of_range ? SizeVerdict::implausible : SizeVerdict::doubtful;
+  const bool is_thing = doubt(extent, true).empty();
   for (UnitCandidate candidate : units) {
     const dvec3 scaled = extent * (candidate.metres / metres);
-    if (std::abs(candidate.metres - metres) < equal_to_rounding * metres || !doubt(scaled).empty()) continue;
+    if (std::abs(candidate.metres - metres) < equal_to_rounding * metres) continue;
     candidate.longest_side = longest(scaled);
+    const bool is_small_thing = is_thing && is_usual(candidate) && candidate.longest_side >= min_side;
+    if (!is_small_thing && !doubt(scaled, is_surrounding).empty()) continue;
     guess.candidates.push_back(candidate);
   }
   std::stable_sort(guess.candidates.begin(), guess.candidates.end(), is_likelier);
@@ -92,8 +94,24 @@ std::string size_remark(const UnitGuess& guess) {
     return text + "set --scene.unit to its length in metres, such as " + text_of(guess.power_of_ten);
   }
   const UnitCandidate& likely = guess.candidates.front();
-  return text + "set --scene.unit " + std::string(likely.unit) + ", which makes it " + text_of(likely.longest_side) +
-         " m";
+  text += "set --scene.unit " + std::string(likely.unit) + ", which makes it " + text_of(likely.longest_side) + " m";
+  // Of a thing, the size does not say which of two units is the likelier.
+  const bool has_second = guess.candidates.size() > 1 && is_usual(guess.candidates[1]);
+  if (!has_second || guess.candidates[1].longest_side >= small_side) return text;
+  const UnitCandidate& second = guess.candidates[1];
+  return text + ", or " + std::string(second.unit) + ", which makes it " + text_of(second.longest_side) + " m";
+}
+
+bool is_surrounding(const Scene& scene) {
+  const Bounds bounds = bounds_of(scene);
+  const auto is_within = [&](const dvec3& place) {
+    return glm::all(glm::lessThanEqual(bounds.min, place)) && glm::all(glm::lessThanEqual(place, bounds.max));
+  };
+  return std::any_of(scene.cameras.begin(), scene.cameras.end(),
+                     [&](const Camera& camera) { return is_within(dvec3(camera.world_from_camera[3])); }) ||
+         std::any_of(scene.lights.begin(), scene.lights.end(), [&](const Light& light) {
+           return !std::holds_alternative<DirectionalLight>(light.shape) && is_within(light.position());
+         });
 }
 
 }  // namespace umbrameter

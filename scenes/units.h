@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/bounds.h"
+#include "scenes/scene.h"
 
 namespace umbrameter {
 
@@ -38,10 +38,18 @@ struct UnitGuess {
 ///   a tenth of its longest horizontal side, which hills seldom are;
 /// - doubtful, slender: higher than 50 m and than the square root of its footprint's area, as towers are, and animals,
 ///   people and furniture in centimetres;
+/// - doubtful, a thing: longer than 100 m, and not `is_surrounding`: what is seen from outside is a thing, and those
+/// that one models are shorter (the longest aircraft, the An-225, had 84 m). A ship or a bridge in metres is right and
+/// gets the remark as well;
 /// - credible: all else. A chair of 90 cm in inches is among it: no size gives it away.
-/// Candidates are the units in which none of this holds. The usual metric ones come first, then by how near (by ratio)
-/// they bring the longest side to 20 m, the size of a building. Empty bounds are credible.
-UnitGuess guess_units(const Bounds& bounds, double metres = 1.0);
+/// Candidates are the units in which none of this holds; of a thing millimetres and centimetres as well where they make
+/// it longer than 1 cm. The usual metric ones come first, then by how near (by ratio) they bring the longest side to
+/// 20 m, the size of a building. Empty bounds are credible.
+UnitGuess guess_units(const Bounds& bounds, double metres = 1.0, bool is_surrounding = true);
+
+/// Whether a camera or a lamp of the scene stands within its bounds, as in rooms, streets and land: the one thing in a
+/// glTF file, besides its size, that tells these from single things.
+bool is_surrounding(const Scene& scene);
 
 /// One line that says how long the scene is, why that is doubtful and what to set; empty where it is credible.
 std::string size_remark(const UnitGuess& guess);

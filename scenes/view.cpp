@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "scenes/fitted_camera.h"
+#include "scenes/light.h"
 #include "scenes/selection.h"
 
 namespace umbrameter {
@@ -28,14 +29,6 @@ dvec2 half_size(const View& view) {
   }
   const double tangent = std::tan(0.5 * std::get<PerspectiveProjection>(view.camera.projection).vertical_fov);
   return {tangent * aspect_of(view), tangent};
-}
-
-Light sun() {
-  Light light;
-  light.name = "sun";
-  light.world_from_light = frame_towards({0.45, 1.0, 0.35}, dvec3(0));
-  light.intensity = 1e5;
-  return light;
 }
 
 template <class Named>
@@ -152,7 +145,7 @@ void add_missing_light(Scene& scene, std::vector<std::string>& notes) {
   notes.push_back(
       "the scene has no light: using a sun from the direction (0.45, 1, 0.35); add a KHR_lights_punctual light to the "
       "file to choose another");
-  scene.lights.push_back(sun());
+  scene.lights.push_back(default_sun());
 }
 
 std::vector<std::uint32_t> select_lights(const Scene& scene, const std::string& name_or_index) {

@@ -24,7 +24,8 @@ struct Pixel {
   double shown = -std::numeric_limits<double>::infinity();
   std::uint64_t surface = 0;
   bool is_front = false;
-  bool is_hidden = false;  ///< the nearest triangle is a back face
+  bool faces_light = false;  ///< the side of the surface that is shown
+  bool is_hidden = false;    ///< the nearest triangle is a back face
   bool is_cut = false;
 };
 
@@ -82,6 +83,7 @@ class Canvas {
       if (is_shown) surfaces.push_back(pixel.surface);
       const double tolerance = lens_ != nullptr ? same_depth * pixel.any : same_depth;
       content.seen += is_shown ? share : 0.0;
+      content.lit += is_shown && pixel.faces_light ? share : 0.0;
       content.behind += pixel.is_hidden && !(pixel.shown >= pixel.any - tolerance) ? share : 0.0;
       content.front += pixel.is_front ? share : 0.0;
       content.cut += pixel.is_cut ? share : 0.0;
@@ -147,6 +149,7 @@ class Canvas {
     if (is_shown && nearness > pixel.shown) {
       pixel.shown = nearness;
       pixel.surface = triangle.surface;
+      pixel.faces_light = is_front ? triangle.front_faces_light : triangle.back_faces_light;
     }
   }
 

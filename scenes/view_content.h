@@ -11,6 +11,7 @@ struct ViewContent {
   double seen = 0.0;     ///< shows a surface
   double behind = 0.0;   ///< has a back face before all that it shows
   double front = 0.0;    ///< its nearest triangle, whatever its material, turns its front to the camera
+  double lit = 0.0;      ///< shows a surface, from the side that faces a light
   double cut = 0.0;      ///< has a surface between the eye and the near plane
   double variety = 0.0;  ///< entropy of the surfaces that are shown by their pixels, nats; 0 when it is one plane
 

@@ -135,7 +135,7 @@ SceneReport make_scene_report(const std::string& source, const std::string& part
   report.peak_resident = peak_resident_bytes();
   report.counts = count(report.scene);
   report.bounds = bounds_of(report.scene);
-  report.units = guess_units(report.bounds, metres_per_unit(report.unit));
+  report.units = guess_units(report.bounds, metres_per_unit(report.unit), is_surrounding(report.scene));
   report.memory = bytes_in_memory(report.scene);
   report.gpu = bytes_when_uploaded(report.scene);
   const bool is_small = report.counts.stored_triangles <= max_triangles_built_unasked;

@@ -15,6 +15,7 @@
 
 #include "core/error.h"
 #include "raster/gl/api.h"
+#include "raster/gl/shader_cache.h"
 
 namespace umbrameter {
 namespace {
@@ -137,11 +138,13 @@ bool is_wanted(const GlDevice& device, const std::string& wanted) {
 }  // namespace
 
 std::vector<GlDevice> list_gl_devices() {
+  const gl::ShaderCacheGuard cache;
   std::vector<GlDevice> devices;
   std::string why_not;
   int index = 0;
   for (const Candidate& candidate : list_candidates()) {
     if (const auto opened = open_context(candidate, index++, why_not)) {
+      cache.reserve();
       devices.push_back(opened->device);
       close_context(*opened);
     }
@@ -153,6 +156,7 @@ namespace gl {
 
 struct Context::State {
   Opened opened;
+  std::string note;
   std::string first_error;  // since the last check
   std::map<std::string, LinkedProgram> programs;
   int max_texture_size = 0;
@@ -179,6 +183,7 @@ Context& Context::operator=(Context&&) noexcept = default;
 
 Context Context::make(const ContextOptions& options) {
   if (options.threads > 0) setenv("LP_NUM_THREADS", std::to_string(options.threads).c_str(), 1);
+  const ShaderCacheGuard cache;
   std::string why_not;
   std::optional<Opened> opened;
   int index = 0;
@@ -199,6 +204,8 @@ Context Context::make(const ContextOptions& options) {
   }
   auto state = std::make_unique<State>();
   state->opened = *opened;
+  state->note = cache.note();
+  cache.reserve();
   glEnable(GL_DEBUG_OUTPUT);
   glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
   glDebugMessageCallback(&State::on_message, state.get());
@@ -213,6 +220,7 @@ Context Context::make(const ContextOptions& options) {
 }
 
 const GlDevice& Context::device() const { return state_->opened.device; }
+const std::string& Context::note() const { return state_->note; }
 int Context::max_texture_size() const { return state_->max_texture_size; }
 std::size_t Context::max_storage_bytes() const { return state_->max_storage_bytes; }
 std::size_t Context::max_buffer_texels() const { return state_->max_buffer_texels; }

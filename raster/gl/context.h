@@ -44,6 +44,7 @@ class Context {
   Context& operator=(Context&&) noexcept;
 
   const GlDevice& device() const;
+  const std::string& note() const;         ///< what its user should know, one line; empty if nothing
   int max_texture_size() const;            ///< texels along a side
   std::size_t max_storage_bytes() const;   ///< of one shader storage buffer
   std::size_t max_buffer_texels() const;   ///< of one buffer texture

@@ -99,6 +99,34 @@ void shorten_depth(MapLayout& layout, const GBuffer& surfels, double offset) {
   layout.far_depth -= shift;
 }
 
+// Extends an orthographic map's depths by the ground, a horizontal rectangle, as far as the views reach.
+void include_ground(MapLayout& layout, const Bounds& ground, bool keeps_start) {
+  if (ground.empty()) return;
+  const dvec3 up(layout.light_from_world[1]);
+  const dvec3 origin(layout.light_from_world * dvec4(ground.center(), 1.0));
+  double lowest = infinity;
+  double highest = -infinity;
+  for (const MapView& view : layout.views) {
+    for (int corner = 0; corner < 4; ++corner) {
+      const dvec2 sign((corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0);
+      const dvec2 across = view.center + view.half_extent * sign - dvec2(origin);
+      const double z = origin.z - (up.x * across.x + up.y * across.y) / up.z;
+      lowest = std::min(lowest, z);
+      highest = std::max(highest, z);
+    }
+  }
+  Bounds rectangle;
+  for (int i = 0; i < 8; ++i) rectangle.include(dvec3(layout.light_from_world * dvec4(ground.corner(i), 1.0)));
+  // A plane that the light sees edge-on divides by zero: it then reaches as far as the rectangle.
+  const double room = rounding_room(ground);
+  const double shift = std::min(highest, rectangle.max.z) + room;
+  layout.far_depth = std::max(layout.far_depth, room - std::max(lowest, rectangle.min.z));
+  if (keeps_start || shift <= 0.0) return;
+  layout.light_from_world[3].z -= shift;
+  layout.view_depth_plane.w += layout.view_depth_plane.z * shift;
+  layout.far_depth += shift;
+}
+
 // Fits the views of one map.
 class Fitter {
  public:
@@ -180,6 +208,30 @@ void fit_views(MapLayout& layout, const Fitter& fitter, const std::vector<double
   layout.views = std::move(views);
 }
 
+// The area of a single map that is not the scene's, or the areas of cascades.
+MapLayout fit_area(MapLayout layout, const ShadowMapParams& params, const SeenPart& seen, const MapFitParams& fit) {
+  MapView whole = layout.views.back();
+  if (fit.fit == MapFit::bounds) {
+    const dvec4 center(fit.fit_x, fit.fit_y, fit.fit_z, 1.0);
+    whole = {dvec2(layout.light_from_world * center), 0.5 * fit.fit_size};
+  }
+  const bool is_by_camera = fit.split_range == SplitRange::camera;
+  const DepthRange range = is_by_camera ? depths_of(seen.view, fit.max_distance) : depths_of(seen.surfels);
+  if (fit.selection == CascadeSelection::depth) {
+    layout.selection = CascadeSelection::depth;
+    layout.view_depth_plane = view_depth_plane(layout, seen.view);
+  }
+  layout.is_stable = fit.cascade_fit == CascadeFit::stable;
+  layout.nearest_view_depth = range.nearest;
+  layout.blend = fit.blend;
+  layout.views = {whole};
+  if (!(range.nearest <= range.farthest)) return layout;
+  fit_views(layout, Fitter(layout, seen, fit.cascade_fit),
+            split_depths(range.nearest, range.farthest, params.cascades, fit.split_lambda), fit.fit);
+  if (fit.fit == MapFit::view && is_by_camera) layout.views.back().farthest = range.farthest;
+  return layout;
+}
+
 }  // namespace
 
 Parameters describe(MapFitParams& params) {
@@ -244,31 +296,14 @@ std::vector<double> split_depths(double nearest, double farthest, int count, dou
   return splits;
 }
 
-MapLayout fit_map(const Light& light, const Bounds& bounds, const ShadowMapParams& params, const SeenPart& seen,
+MapLayout fit_map(const Light& light, const MappedBounds& bounds, const ShadowMapParams& params, const SeenPart& seen,
                   const MapFitParams& fit) {
-  MapLayout layout = fit_light(light, bounds, params.resolution);
-  if (layout.kind != MapKind::orthographic) return layout;
+  const bool is_directional = std::holds_alternative<DirectionalLight>(light.shape);
+  MapLayout layout = fit_light(light, is_directional ? bounds.scene : bounds.all(), params.resolution);
+  if (!is_directional) return layout;
   if (fit.pancaking) shorten_depth(layout, seen.surfels, fit.near_offset);
-  if (params.cascades == 1 && fit.fit == MapFit::scene) return layout;
-  MapView whole = layout.views.back();
-  if (fit.fit == MapFit::bounds) {
-    const dvec4 center(fit.fit_x, fit.fit_y, fit.fit_z, 1.0);
-    whole = {dvec2(layout.light_from_world * center), 0.5 * fit.fit_size};
-  }
-  const bool is_by_camera = fit.split_range == SplitRange::camera;
-  const DepthRange range = is_by_camera ? depths_of(seen.view, fit.max_distance) : depths_of(seen.surfels);
-  if (fit.selection == CascadeSelection::depth) {
-    layout.selection = CascadeSelection::depth;
-    layout.view_depth_plane = view_depth_plane(layout, seen.view);
-  }
-  layout.is_stable = fit.cascade_fit == CascadeFit::stable;
-  layout.nearest_view_depth = range.nearest;
-  layout.blend = fit.blend;
-  layout.views = {whole};
-  if (!(range.nearest <= range.farthest)) return layout;
-  fit_views(layout, Fitter(layout, seen, fit.cascade_fit),
-            split_depths(range.nearest, range.farthest, params.cascades, fit.split_lambda), fit.fit);
-  if (fit.fit == MapFit::view && is_by_camera) layout.views.back().farthest = range.farthest;
+  if (params.cascades > 1 || fit.fit != MapFit::scene) layout = fit_area(layout, params, seen, fit);
+  include_ground(layout, bounds.ground, fit.pancaking);
   return layout;
 }
 

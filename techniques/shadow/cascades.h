@@ -51,6 +51,20 @@ void require_sense(const ShadowMapParams& map, const MapFitParams& fit, std::spa
 /// Environments, VRCIA 2006.) nearest and farthest are above 0.
 std::vector<double> split_depths(double nearest, double farthest, int count, double lambda = 0.5);
 
+/// What a map is fitted to: its area to the scene. The ground, a flat box or an empty one, only extends the range of
+/// depths: light that passes the scene casts no shadow on it.
+struct MappedBounds {
+  Bounds scene;
+  Bounds ground;
+  MappedBounds(const Bounds& scene_bounds, const Bounds& ground_bounds = {})
+      : scene(scene_bounds), ground(ground_bounds) {}
+  Bounds all() const {
+    Bounds both = scene;
+    both.include(ground);
+    return both;
+  }
+};
+
 /// What the camera sees. Without a view (width 0) there is no frustum to fit to; then use SplitRange::seen and
 /// CascadeFit::tight.
 struct SeenPart {
@@ -69,7 +83,7 @@ struct SeenPart {
 /// With pancaking, depth starts near_offset before the nearest surfel, but not before the scene. Casters in front of it
 /// are stored at depth 0. They keep shadowing a surfel while the bias is less than its depth.
 /// Throws Error (usage) if the range of the splits is empty.
-MapLayout fit_map(const Light& light, const Bounds& bounds, const ShadowMapParams& params, const SeenPart& seen,
+MapLayout fit_map(const Light& light, const MappedBounds& bounds, const ShadowMapParams& params, const SeenPart& seen,
                   const MapFitParams& fit = {});
 
 }  // namespace umbrameter

@@ -10,9 +10,6 @@ namespace {
 
 constexpr double max_cone_angle = 89.9 * pi / 180.0;
 
-// Lets the shaders' single precision round a surface on the box's skin without leaving the map's depth range.
-double rounding_room(const Bounds& bounds) { return 1e-6 * (bounds.radius() + glm::length(bounds.center())) + 1e-9; }
-
 dmat4 rigid_inverse(const dmat3& rotation, const dvec3& translation) {
   const dmat3 transposed = glm::transpose(rotation);
   dmat4 inverse(transposed);
@@ -44,6 +41,8 @@ bool is_on_view(const MapView& view, const dvec3& local) {
 }
 
 }  // namespace
+
+double rounding_room(const Bounds& bounds) { return 1e-6 * (bounds.radius() + glm::length(bounds.center())) + 1e-9; }
 
 dmat3 cube_face(int face) {
   dvec3 forward(0.0);

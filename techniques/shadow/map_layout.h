@@ -79,6 +79,10 @@ struct ShadowMapImages {
 /// Right, up and forward vector (the columns) of a cube map's face, 0 to 5 (+x −x +y −y +z −z), in light space.
 dmat3 cube_face(int face);
 
+/// How far surfaces stay from the ends of a map's depth range, metres, so that the shaders' single precision does not
+/// round them out of it.
+double rounding_room(const Bounds& bounds);
+
 /// Directional: the smallest square around the bounds, aligned with the light's x and y. Spot: the outer cone.
 /// Point: six faces around the light. One texel of margin keeps every receiver inside orthographic maps.
 MapLayout fit_light(const Light& light, const Bounds& bounds, int resolution);

@@ -72,10 +72,32 @@ TEST(SceneFlags, A_run_stores_them_and_repeats_them) {
 TEST(SceneFlags, A_sweep_cannot_vary_them) {
   const TemporaryFolder folder;
   const std::string file = write_triangle(folder, 1);
-  for (const std::string axis : {"scene.unit=m,cm", "scene.blend=opaque,mask"}) {
+  for (const std::string axis : {"scene.unit=m,cm", "scene.blend=opaque,mask", "scene.ground=false,true"}) {
     expect_words(usage_error({"sweep", file, "-o", folder / "out", "--vary", axis}),
                  {"--vary " + axis.substr(0, axis.find('=')), "one scene"});
   }
+}
+
+TEST(SceneFlags, A_ground_is_named_with_its_size_and_belongs_to_the_settings_of_a_run) {
+  const TemporaryFolder folder;
+  const std::string file = write_triangle(folder, 3);
+  // The diagonal is 3 √2 m = 4.24 m; five of them are 21.2 m.
+  const std::string said = "a ground of 21.2 m x 21.2 m, 5 times the scene's diagonal";
+  for (const std::vector<std::string>& flag :
+       {std::vector<std::string>{"--scene.ground"}, {"--scene.ground", "true"}}) {
+    std::vector<std::string> words = {"trace", file, "--size", "16x9", "--truth.spp", "1", "--force"};
+    words.insert(words.end(), flag.begin(), flag.end());
+    words.insert(words.end(), {"-o", folder / "out"});
+    const ProgramResult traced = run_program(words);
+    ASSERT_EQ(traced.exit_code, 0) << traced.err;
+    expect_words(traced.err, {said});
+    expect_words(text_of(folder / "out/experiment.toml"), {"ground = true"});
+    expect_words(text_of(folder / "out/index.html"), {"a ground of 21.2 m"});
+  }
+  const Json with = info({file, "--scene.ground"});
+  EXPECT_EQ(with["extent_m"], info({file})["extent_m"]);
+  EXPECT_EQ(with["triangles"], 3);
+  expect_words(usage_error({"info", "--scene.ground", file}), {"scene.ground", "triangle.glb"});
 }
 
 TEST(SceneFlags, What_makes_no_sense_is_a_usage_error) {

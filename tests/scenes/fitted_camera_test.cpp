@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "scenes/light.h"
 #include "scenes/view.h"
 #include "scenes/view_content.h"
 
@@ -186,6 +187,42 @@ TEST(FitCamera, An_island_is_seen_and_not_the_water_of_392_m_around_it) {
   EXPECT_LT(glm::distance(eye_of(fitted.camera), dvec3(-35, 0, 64)), 60.0);
   EXPECT_NE(fitted.note.find("part with most detail"), std::string::npos) << fitted.note;
   EXPECT_NE(fitted.note.find("one surface"), std::string::npos) << fitted.note;
+}
+
+// A plane of two sides hides what is below it from above, and shows its underside, which no sun lights, from below.
+TEST(FitCamera, Water_of_two_sides_is_not_seen_from_below) {
+  for (const float half_side : {60.0f, 196.0f}) {
+    Scene scene = empty_scene();
+    scene.materials.resize(2);
+    scene.materials[1].double_sided = true;
+    const float w = half_side;
+    add(scene, {{-w, 0, -w}, {w, 0, -w}, {w, 0, w}, {-w, 0, w}}, {{0, 2, 1}, {0, 3, 2}}, 1);
+    for (int i = 0; i < 12; ++i) {
+      const float x = (static_cast<float>(i % 4) - 1.5f) * 6.0f;
+      const float z = (static_cast<float>(i / 4) - 1.0f) * 6.0f;
+      add_box(scene, {x - 2, -10 - static_cast<float>(i), z - 2}, {x + 2, 0, z + 2});
+    }
+    const FittedCamera fitted = fit_camera(scene, aspect);
+    EXPECT_GT(back_of(fitted.camera).y, 0.0) << fitted.note;
+    const ViewContent seen = content(scene, fitted.camera);
+    EXPECT_GT(seen.lit, 0.5 * seen.seen);
+    EXPECT_GT(seen.lit, 0.1);
+  }
+}
+
+TEST(FitCamera, A_wall_lit_from_behind_is_seen_from_the_side_of_the_light) {
+  Scene scene = empty_scene();
+  scene.materials[0].double_sided = true;
+  add_square(scene, -0.5f, false);
+  Light light = default_sun();
+  light.world_from_light = frame_towards({0.1, 0.5, -1.0}, dvec3(0));
+  scene.lights.push_back(light);
+  const FittedCamera fitted = fit_camera(scene, aspect);
+  EXPECT_LT(back_of(fitted.camera).z, 0.0) << fitted.note;
+  EXPECT_NE(fitted.note.find("face away from the light"), std::string::npos) << fitted.note;
+  light.world_from_light = frame_towards({0.1, 0.5, 1.0}, dvec3(0));
+  scene.lights = {light};
+  EXPECT_TRUE(is_usual(fit_camera(scene, aspect).camera));
 }
 
 // Rooms of 5 m × 2.5 m × 4 m: walls of one side, walls with thickness, and walls of two sides.

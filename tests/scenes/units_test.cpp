@@ -68,6 +68,42 @@ TEST(Units, Each_size_that_no_scene_has_gets_a_remark_with_its_length_and_the_fl
   }
 }
 
+// A chess-board of 337 mm and a saw of 375 mm whose numbers are millimetres.
+TEST(Units, A_single_thing_of_hundreds_of_metres_is_doubtful_and_may_be_in_either_unit) {
+  for (const Bounds& bounds : {box(337, 98, 337), box(375, 20, 130)}) {
+    const UnitGuess guess = guess_units(bounds, 1.0, false);
+    EXPECT_EQ(guess.verdict, SizeVerdict::doubtful);
+    EXPECT_NE(guess.reason.find("longer than 100 m"), std::string::npos) << guess.reason;
+    const std::string remark = size_remark(guess);
+    const double side = bounds.extent().x;
+    // A hundredth and a thousandth of its metres.
+    EXPECT_NE(remark.find(side == 337 ? "3.37 m" : "3.75 m"), std::string::npos) << remark;
+    EXPECT_NE(remark.find(side == 337 ? "mm, which makes it 0.337 m" : "mm, which makes it 0.375 m"), std::string::npos)
+        << remark;
+  }
+  EXPECT_EQ(guess_units(box(84, 18, 88), 1.0, false).verdict, SizeVerdict::credible);
+}
+
+TEST(Units, A_camera_or_a_lamp_in_a_scene_makes_it_a_surrounding) {
+  Scene scene;
+  scene.materials.resize(1);
+  scene.objects.resize(1);
+  scene.meshes.push_back({"", {{0, 0, 0}, {337, 98, 0}, {0, 0, 337}}, {}, {}, {{0, 1, 2}}, 0});
+  scene.instances.push_back({0, 0, dmat4(1.0)});
+  EXPECT_FALSE(is_surrounding(scene));
+  const auto at = [](double x) { return dmat4({1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {x, 2, 100, 1}); };
+  scene.cameras.push_back({"outside", at(-5), PerspectiveProjection{}});
+  Light sun;
+  sun.world_from_light = at(100);
+  scene.lights = {sun};
+  EXPECT_FALSE(is_surrounding(scene)) << "a directional light has no place";
+  scene.lights[0].shape = PointLight{};
+  EXPECT_TRUE(is_surrounding(scene));
+  scene.lights.clear();
+  scene.cameras.push_back({"inside", at(100), PerspectiveProjection{}});
+  EXPECT_TRUE(is_surrounding(scene));
+}
+
 TEST(Units, A_hall_in_centimetres_is_given_away_by_its_height) {
   // 37 m × 15.5 m × 23 m: higher than any building if these were metres.
   const UnitGuess guess = guess_units(box(3700, 1550, 2300));

@@ -2,6 +2,8 @@
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 
+#include <array>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -78,6 +80,74 @@ Encoded encode(const Solid& split, int method, bool has_normals, bool has_metada
   return result;
 }
 
+// How much of a corner follows the second of two joints; the rest follows the first.
+float share_of_second(const dvec3& corner) { return static_cast<float>(0.25 * std::floor(corner.x)); }
+
+// Joints and weights as Draco attributes. The accessors count the corners before Draco joins the equal ones, as the
+// files of some exporters do: the Draco data counts (KHR_draco_mesh_compression, "Conformance").
+Construct skinned(const std::string& name, int method) {
+  const Solid split = split_solid();
+  draco::TriangleSoupMeshBuilder soup;
+  soup.Start(static_cast<int>(split.triangles.size()));
+  const int position = soup.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+  const int joint = soup.AddAttribute(draco::GeometryAttribute::GENERIC, 4, draco::DT_UINT8);
+  const int weight = soup.AddAttribute(draco::GeometryAttribute::GENERIC, 4, draco::DT_FLOAT32);
+  const std::vector<float> positions = floats(split.corners);
+  const std::array<std::uint8_t, 4> joints{0, 1, 0, 0};
+  for (std::uint32_t face = 0; face < split.triangles.size(); ++face) {
+    const draco::FaceIndex at(face);
+    const float* first = &positions[std::size_t{9} * face];
+    soup.SetAttributeValuesForFace(position, at, first, first + 3, first + 6);
+    soup.SetAttributeValuesForFace(joint, at, joints.data(), joints.data(), joints.data());
+    std::array<std::array<float, 4>, 3> weights{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const float share = share_of_second(split.corners[std::size_t{3} * face + i]);
+      weights[i] = {1.0f - share, share, 0.0f, 0.0f};
+    }
+    soup.SetAttributeValuesForFace(weight, at, weights[0].data(), weights[1].data(), weights[2].data());
+  }
+  const std::unique_ptr<draco::Mesh> mesh = soup.Finalize();
+  if (mesh->num_points() >= split.corners.size()) throw std::runtime_error("Draco joined no corners");
+  draco::Encoder encoder;
+  encoder.SetEncodingMethod(method);
+  encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, position_bits);
+  draco::EncoderBuffer buffer;
+  if (!encoder.EncodeMeshToBuffer(*mesh, &buffer).ok()) throw std::runtime_error("Draco could not encode the skin");
+  GltfBuilder builder;
+  use(builder, "KHR_draco_mesh_compression", true);
+  const int view = add_view(builder, Bytes(buffer.data(), buffer.data() + buffer.size()));
+  std::string attributes;
+  std::string ids;
+  const auto add_attribute = [&](const std::string& key, int id, std::string_view component, std::string_view type) {
+    const char* comma = ids.empty() ? "\"" : ",\"";
+    const int accessor = add_accessor(builder, -1, component, type, split.corners.size());
+    attributes += comma + key + "\":" + std::to_string(accessor);
+    ids += comma + key + "\":" + std::to_string(mesh->attribute(id)->unique_id());
+  };
+  add_attribute("POSITION", position, "f32", "VEC3");
+  add_attribute("JOINTS_0", joint, "u8", "VEC4");
+  add_attribute("WEIGHTS_0", weight, "f32", "VEC4");
+  add_mesh(builder, attributes, add_accessor(builder, -1, "u16", "SCALAR", 3 * split.triangles.size()),
+           R"(,"extensions":{"KHR_draco_mesh_compression":{"bufferView":)" + std::to_string(view) +
+               R"(,"attributes":{)" + ids + "}}}");
+  const dmat4 first = translation({0, 1, 0});
+  const dmat4 second = rotation({0, 1, 0}, 0.5);
+  add(builder, "skins", R"({"joints":[1,2]})");
+  add(builder, "nodes", R"({"mesh":0,"skin":0,"children":[1,2]})");
+  add(builder, "nodes", R"({"matrix":)" + list_of(first) + "}");
+  add(builder, "nodes", R"({"matrix":)" + list_of(second) + "}");
+  Solid moved = split;
+  for (dvec3& corner : moved.corners) {
+    const double share = static_cast<double>(share_of_second(corner));
+    corner = dvec3(((1.0 - share) * first + share * second) * dvec4(corner, 1.0));
+  }
+  Construct construct = finished(name, builder, placed(moved));
+  construct.tolerance = longest_side / ((1 << position_bits) - 1);
+  construct.in_order = false;
+  construct.notes = {"skin"};
+  return construct;
+}
+
 Construct compressed(const std::string& name, const Solid& split, int method, bool has_normals,
                      bool has_metadata = false) {
   GltfBuilder builder;
@@ -110,6 +180,8 @@ std::vector<Construct> draco_constructs() {
           compressed("Draco in sequence", split_solid(), draco::MESH_SEQUENTIAL_ENCODING, false),
           compressed("Draco in sequence with normals", split_solid(), draco::MESH_SEQUENTIAL_ENCODING, true),
           compressed("Draco with metadata", split_solid(), draco::MESH_EDGEBREAKER_ENCODING, false, true),
+          skinned("Draco with a skin and edgebreaker", draco::MESH_EDGEBREAKER_ENCODING),
+          skinned("Draco with a skin in sequence", draco::MESH_SEQUENTIAL_ENCODING),
           compressed("Draco with many triangles", hill(), draco::MESH_EDGEBREAKER_ENCODING, false)};
 }
 

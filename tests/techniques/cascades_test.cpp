@@ -280,6 +280,55 @@ TEST(Cascades, Pancaking_starts_the_depths_before_the_nearest_receiver_but_not_b
   EXPECT_EQ(fit_map(sun(), tall, {512, 1}, {row_of_surfels()}, fit).far_depth, whole.far_depth);
 }
 
+TEST(Cascades, The_ground_lies_within_the_depths_of_a_map_whose_area_it_does_not_change) {
+  Bounds scene;
+  scene.include({-1, 0, -1});
+  scene.include({1, 3, 1});
+  Bounds ground;
+  ground.include({-8, 0, -8});
+  ground.include({8, 0, 8});
+  GBuffer gbuffer = row_of_surfels();
+  for (const double elevation : {90.0, 60.0, 20.0, 1.0, 0.0, -30.0}) {
+    for (const CascadeSelection selection : {CascadeSelection::map, CascadeSelection::depth}) {
+      for (const MapFit area : {MapFit::scene, MapFit::view}) {
+        Light light;
+        const dmat4 turn = glm::rotate(dmat4(1.0), 0.4, dvec3(0, 1, 0));
+        light.world_from_light = glm::rotate(turn, -elevation * pi / 180.0, dvec3(1, 0, 0));
+        MapFitParams fit;
+        fit.fit = area;
+        fit.selection = selection;
+        const SeenPart seen{gbuffer, camera_at()};
+        const MapLayout alone = fit_map(light, scene, {64, 2}, seen, fit);
+        const MapLayout layout = fit_map(light, {scene, ground}, {64, 2}, seen, fit);
+        ASSERT_EQ(layout.views.size(), alone.views.size());
+        for (std::size_t v = 0; v < layout.views.size(); ++v) {
+          EXPECT_EQ(layout.views[v].half_extent, alone.views[v].half_extent);
+          EXPECT_EQ(layout.views[v].center, alone.views[v].center);
+        }
+        int inside = 0;
+        for (int i = 0; i <= 32; ++i) {
+          for (int k = 0; k <= 32; ++k) {
+            const dvec3 place(-8.0 + 0.5 * i, 0, -8.0 + 0.5 * k);
+            EXPECT_EQ(is_inside(layout, place), is_inside(alone, place));
+            if (!is_inside(layout, place)) continue;
+            ++inside;
+            EXPECT_GT(depth_of(layout, place), 0.0) << elevation;
+            EXPECT_LT(depth_of(layout, place), layout.far_depth) << elevation;
+          }
+        }
+        EXPECT_GT(inside, 0);
+        for (int i = 0; i < 8; ++i) {
+          EXPECT_GT(depth_of(layout, scene.corner(i)), 0.0);
+          EXPECT_LT(depth_of(layout, scene.corner(i)), layout.far_depth);
+        }
+      }
+    }
+  }
+  Light lamp;
+  lamp.shape = PointLight{};
+  EXPECT_GT(fit_map(lamp, {scene, ground}, {64, 1}, {gbuffer}).far_depth, 8.0 * std::sqrt(2.0));
+}
+
 TEST(Cascades, An_empty_range_and_a_light_without_cascades_are_errors) {
   MapFitParams fit = stable_fit(MapFit::scene);
   fit.max_distance = 1.0;
