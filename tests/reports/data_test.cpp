@@ -203,7 +203,7 @@ TEST(Experiment, Names_of_very_many_parts_are_usage_errors) {
   }
   // Each table in brackets of its own, and its name of 200 parts: 200 times 200 levels.
   std::string nested;
-  for (int i = 0; i < 200; ++i) nested += "{" + parts.substr(0, 399) + " = ";
+  for (int i = 0; i < 200; ++i) nested.append("{").append(parts, 0, 399).append(" = ");
   nested += "1" + std::string(200, '}');
   EXPECT_TRUE(contains(load("b = " + nested).error.what(), "more than 256 levels deep"));
 }
