@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "core/standard_streams.h"
 #include "experiments/reference_cache.h"
 #include "reports/files/text_layout.h"
 
@@ -47,11 +48,12 @@ ExitCode clear(const CacheFolder& folder, const Console& console) {
   const ClearedCache cleared = clear_entries(folder);
   print_line(console, fmt::format("{} references removed, {}", cleared.entries, bytes_text(cleared.bytes)));
   if (console.json) {
-    fmt::print("{}\n", Json{{"folder", folder.path.string()},
-                            {"removed", cleared.entries},
-                            {"removed_bytes", cleared.bytes},
-                            {"left", cleared.left}}
-                           .dump(2, ' ', false, Json::error_handler_t::replace));
+    write_to(stdout, Json{{"folder", folder.path.string()},
+                          {"removed", cleared.entries},
+                          {"removed_bytes", cleared.bytes},
+                          {"left", cleared.left}}
+                             .dump(2, ' ', false, Json::error_handler_t::replace) +
+                         "\n");
   }
   if (cleared.left == 0) return ExitCode::ok;
   throw Error(ExitCode::partial, folder.path.string(), fmt::format("{} references cannot be removed", cleared.left),
@@ -63,7 +65,7 @@ ExitCode clear(const CacheFolder& folder, const Console& console) {
 ExitCode run_cache(const CommandLine& line, const Console& console) {
   const std::optional<CacheFolder> folder = user_cache(console);
   if (!folder) {
-    if (console.json) fmt::print("{}\n", Json{{"folder", nullptr}, {"entries", Json::array()}}.dump(2));
+    if (console.json) write_to(stdout, Json{{"folder", nullptr}, {"entries", Json::array()}}.dump(2) + "\n");
     return ExitCode::ok;
   }
   if (line.clear) return clear(*folder, console);
@@ -81,10 +83,9 @@ ExitCode run_cache(const CommandLine& line, const Console& console) {
   print_line(console, fmt::format("{}: {} references, {} of {}", folder->path.string(), entries.size(),
                                   bytes_text(total), bytes_text(folder->limit)));
   if (console.json) {
-    fmt::print(
-        "{}\n",
-        Json{{"folder", folder->path.string()}, {"bytes", total}, {"limit_bytes", folder->limit}, {"entries", entries}}
-            .dump(2, ' ', false, Json::error_handler_t::replace));
+    const Json json = {
+        {"folder", folder->path.string()}, {"bytes", total}, {"limit_bytes", folder->limit}, {"entries", entries}};
+    write_to(stdout, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   }
   return ExitCode::ok;
 }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "core/standard_streams.h"
 #include "experiments/gate.h"
 #include "experiments/presentation/gate_report.h"
 #include "experiments/run_record.h"
@@ -33,7 +34,7 @@ ExitCode update(const CheckOptions& options, const std::vector<MeasuredStatistic
              fmt::format("{}: {} of {} bounds updated", options.budget.string(), budget.size() - kept, budget.size()));
   if (kept > 0) note(console, fmt::format("{} bounds name nothing in these runs and were left as they are", kept));
   if (console.json)
-    fmt::print("{}\n", nlohmann::ordered_json({{"bounds", budget.size()}, {"unchanged", kept}}).dump(2));
+    write_to(stdout, nlohmann::ordered_json({{"bounds", budget.size()}, {"unchanged", kept}}).dump(2) + "\n");
   return ExitCode::ok;
 }
 
@@ -64,7 +65,8 @@ ExitCode run_check(const CommandLine& line, const Console& console) {
     // Several steps write to one file.
     write_text(options.summary, text_of_file(options.summary).value_or("") + gate_markdown(checks));
   }
-  if (console.json) fmt::print("{}\n", to_json(checks).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  if (console.json)
+    write_to(stdout, to_json(checks).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   return code;
 }
 

@@ -350,6 +350,8 @@ std::variant<CommandLine, Information> parse_command_line(int argc, const char* 
       if (command->get_option_no_throw("--dry-run") != nullptr) command->get_option("--output")->required(false);
     }
   }
+  // As Go, uv and clap do: what to do next, but no success for a script that lost its arguments.
+  if (argc <= 1) return Information{help_text(program_help(app)), {}, ExitCode::usage};
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -367,6 +369,10 @@ std::variant<CommandLine, Information> parse_command_line(int argc, const char* 
                                  ? "umbrameter --help"
                                  : "umbrameter " + app.get_subcommands().front()->get_name() + " --help";
     throw Error(ExitCode::usage, "command line", error.what(), "see '" + help + "'");
+  }
+  if (line.output == "-") {
+    throw Error(ExitCode::usage, "-o -", "results cannot be written to stdout",
+                "name a file or folder, or write ./- for one of that name");
   }
   line.command = app.get_subcommands().front()->get_name();
   if (line.command == help_command.name) return help_of(app, topic);

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/error.h"
 #include "reports/figures/style.h"
 
 namespace umbrameter {
@@ -90,10 +91,11 @@ struct CommandLine {
   std::vector<std::string> fail_if;  ///< conditions under which compare ends with exit code 1
 };
 
-/// Help, version or a generated file, to print or to write; the program then ends well.
+/// Help, version or a generated file, to print or to write.
 struct Information {
   std::string text;
-  std::filesystem::path file;  ///< empty: stdout
+  std::filesystem::path file{};  ///< empty: stdout, or stderr where the code is not ok
+  ExitCode code = ExitCode::ok;
 };
 
 /// Throws Error (usage) with one line for anything that is not understood.

@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "compare/alignment.h"
 #include "compare/metrics/color_metric.h"
+#include "core/standard_streams.h"
 #include "reports/figures/figures.h"
 #include "reports/files/image_file.h"
 #include "reports/files/text_layout.h"
@@ -46,10 +47,11 @@ struct Pair {
 
 std::string size_text(const Image<vec3>& image) { return fmt::format("{}x{}", image.width, image.height); }
 
-void require_same_size(const std::filesystem::path& path, const Image<vec3>& image, const Image<vec3>& reference) {
-  if (image.width == reference.width && image.height == reference.height) return;
-  throw Error(ExitCode::usage, path.string(),
-              fmt::format("its size {} differs from the reference's {}", size_text(image), size_text(reference)),
+void require_same_size(const ImageFile& file, const ImageFile& reference) {
+  if (file.width() == reference.width() && file.height() == reference.height()) return;
+  throw Error(ExitCode::usage, file.path().string(),
+              fmt::format("its size {}x{} differs from the reference's {}x{}", file.width(), file.height(),
+                          reference.width(), reference.height()),
               "compare images of one size");
 }
 
@@ -86,14 +88,17 @@ void crop(Pair& pair, const std::string& text) {
 }
 
 Pair read_pair(const DiffOptions& diff) {
+  const ImageFile test(diff.test);
+  const ImageFile reference(diff.reference);
+  require_same_size(test, reference);
   Pair pair;
-  pair.test = read_color_image(diff.test, diff.layer);
-  pair.reference = read_color_image(diff.reference, diff.reference_layer.empty() ? diff.layer : diff.reference_layer);
-  require_same_size(diff.test, pair.test.linear, pair.reference.linear);
   if (!diff.mask.empty()) {
-    pair.mask = read_color_image(diff.mask).linear;
-    require_same_size(diff.mask, pair.mask, pair.reference.linear);
+    const ImageFile mask(diff.mask);
+    require_same_size(mask, reference);
+    pair.mask = mask.decode().linear;
   }
+  pair.test = test.decode(diff.layer);
+  pair.reference = reference.decode(diff.reference_layer.empty() ? diff.layer : diff.reference_layer);
   if (!diff.crop.empty()) crop(pair, diff.crop);
   require_numbers(diff.test, pair.test.linear);
   require_numbers(diff.reference, pair.reference.linear);
@@ -138,15 +143,20 @@ std::vector<const Metric*> chosen_metrics(const DiffOptions& diff, ImageContent 
 
 std::string cell(double value, int digits) { return std::isnan(value) ? "-" : fmt::format("{:.{}f}", value, digits); }
 
+constexpr const char* weighted_meaning =
+    "weighted 25 %, 50 %, 75 %: pixels with at most this value make up this part of the map's sum (FLIP's weighted "
+    "quartiles)";
+
 // The statistics are those of the map; the JSON has more of them, and all digits.
 std::vector<std::string> table_lines(const std::vector<Measured>& all) {
   std::vector<std::vector<std::string>> rows = {
-      {"metric", "score", "map: min", "w25", "w50", "w75", "99 %", "max", "at x,y"}};
+      {"metric", "score", "map: min", "weighted 25 %", "weighted 50 %", "weighted 75 %", "99 %", "max", "at x,y"}};
   for (const Measured& each : all) {
     const PooledMap& p = each.pooled;
     rows.push_back({std::string(each.metric->name), cell(each.result.score, 6), cell(p.min, 4),
                     cell(p.weighted_quartile_1, 4), cell(p.weighted_median, 4), cell(p.weighted_quartile_3, 4),
-                    cell(p.percentile_99, 4), cell(p.max, 4), fmt::format("{},{}", p.max_at.x, p.max_at.y)});
+                    cell(p.percentile_99, 4), cell(p.max, 4),
+                    std::isnan(p.max) ? "-" : fmt::format("{},{}", p.max_at.x, p.max_at.y)});
   }
   return aligned(rows);
 }
@@ -207,6 +217,16 @@ const char* content_text(ImageContent content) {
   return content == ImageContent::display ? "sRGB" : "linear";
 }
 
+// " (TEST: sRGB, assumed)": what a file leaves open, or a curve of its own.
+std::string encodings_text(const Pair& pair) {
+  std::string text;
+  for (const auto& [name, encoding] : {std::pair{"TEST", pair.test.encoding}, {"REFERENCE", pair.reference.encoding}}) {
+    if (encoding == "linear" || encoding == "sRGB") continue;
+    text += fmt::format("{}{}: {}", text.empty() ? " (" : "; ", name, encoding);
+  }
+  return text.empty() ? text : text + ")";
+}
+
 }  // namespace
 
 ExitCode run_diff(const CommandLine& line, const Console& console) {
@@ -242,21 +262,24 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
   for (const Metric* metric : chosen_metrics(diff, pair.content)) measured(metric);
 
   const std::optional<Misalignment> misaligned = find_misalignment(input.test, input.reference, is_counted);
-  Json json = {{"test", diff.test.string()},  {"reference", diff.reference.string()},
-               {"width", input.test.width},   {"height", input.test.height},
-               {"counted_pixels", counted},   {"values", content_text(pair.content)},
-               {"exposure", params.exposure}, {"pixels_per_degree", params.pixels_per_degree}};
+  Json json = {{"test", diff.test.string()},          {"reference", diff.reference.string()},
+               {"width", input.test.width},           {"height", input.test.height},
+               {"counted_pixels", counted},           {"values", content_text(pair.content)},
+               {"test_encoding", pair.test.encoding}, {"reference_encoding", pair.reference.encoding},
+               {"exposure", params.exposure},         {"pixels_per_degree", params.pixels_per_degree}};
   json["misalignment"] = to_json(misaligned);
   for (const Measured& each : all) json["metrics"][std::string(each.metric->name)] = to_json(each);
   print_line(
       console,
-      fmt::format("{} x {} pixels, {} counted, {}{}", input.test.width, input.test.height, grouped(counted),
-                  content_text(pair.content),
+      fmt::format("{} x {} pixels, {} counted, {}{}{}", input.test.width, input.test.height, grouped(counted),
+                  content_text(pair.content), encodings_text(pair),
                   pair.content == ImageContent::scene ? fmt::format(", shown at {:+g} EV", params.exposure) : ""));
   for (const std::string& text : table_lines(all)) print_line(console, text);
+  add_line(console, weighted_meaning);
   if (misaligned) print_line(console, to_text(*misaligned));
   for (const Measured& each : all) {
     for (const auto& [name, value] : each.result.details) {
+      if (std::isnan(value)) continue;
       add_line(console, fmt::format("{}: {} {:.4g}", each.metric->name, name, value));
     }
   }
@@ -267,7 +290,7 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
     json["map"] = {{"file", line.output.string()}, {"metric", metric->name}, {"first", 0.0}, {"last", 1.0}};
     add_line(console, fmt::format("{}: map of {}, dark is 0, bright is 1", line.output.string(), metric->name));
   }
-  if (console.json) fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+  if (console.json) write_to(stdout, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   return diff.exit_code && !is_equal ? ExitCode::check_failed : ExitCode::ok;
 }
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "core/standard_streams.h"
 #include "reports/files/text_layout.h"
 #include "scenes/view.h"
 
@@ -56,7 +57,7 @@ ExitCode show(const Console& console, const std::vector<Row>& rows) {
     json[key] = text;
   }
   // Names come from files: bytes that are no UTF-8 are replaced, never thrown on.
-  if (console.json) fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  if (console.json) write_to(stdout, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   return ExitCode::ok;
 }
 

@@ -6,11 +6,11 @@
 
 #include "app/commands.h"
 #include "app/dry_run.h"
-#include "compare/metrics/metric.h"
 #include "core/parallel.h"
 #include "experiments/experiment_file.h"
 #include "experiments/gate.h"
 #include "experiments/known_statistics.h"
+#include "experiments/metric_scores.h"
 #include "experiments/presentation/ao_stages_report.h"
 #include "experiments/presentation/debug_views.h"
 #include "experiments/presentation/run_output.h"
@@ -103,7 +103,7 @@ Experiment make_experiment(const CommandLine& line) {
     experiment.scene = std::filesystem::absolute(experiment.scene).lexically_normal().string();
     require_utf8(experiment.scene);
   }
-  select_metrics(experiment.run.metrics, color_metrics());  // an unknown name is refused before any work
+  metric_columns(experiment.run, true);  // an unknown name is refused before any work
   // A side that works alone makes its own surfels.
   if (line.command == "trace") experiment.view.surfels = SurfelSource::traced;
   if (line.command == "raster") experiment.view.surfels = SurfelSource::raster;

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "core/standard_streams.h"
 #include "experiments/presentation/scene_report.h"
 #include "raster/gl/context.h"
 #include "raytrace/tracer.h"
@@ -60,7 +61,7 @@ ExitCode run_info(const CommandLine& line, const Console& console) {
     say_devices(console, json["gl_devices"]);
   }
   // Names come from files: bytes that are no UTF-8 are replaced, never thrown on.
-  if (console.json) fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+  if (console.json) write_to(stdout, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   return ExitCode::ok;
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "core/interrupt.h"
+#include "core/standard_streams.h"
 #include "reports/files/markup.h"
 #include "reports/files/output.h"
 
@@ -17,11 +18,11 @@ ExitCode run(int argc, const char* const* argv) {
   const std::variant<CommandLine, Information> parsed = parse_command_line(argc, argv);
   if (const auto* information = std::get_if<Information>(&parsed)) {
     if (information->file.empty()) {
-      fmt::print("{}", information->text);
+      write_to(information->code == ExitCode::ok ? stdout : stderr, information->text);
     } else {
       write_text(information->file, information->text);
     }
-    return ExitCode::ok;
+    return information->code;
   }
   const CommandLine& line = std::get<CommandLine>(parsed);
   const Console console{line.quiet, line.json, line.verbose};
@@ -54,13 +55,13 @@ int main(int argc, char** argv) {
   try {
     return static_cast<int>(finish_output(run(argc, argv)));
   } catch (const Error& error) {
-    fmt::print(stderr, "umbrameter: {}\n", plain_text(error.what()));
+    write_to(stderr, fmt::format("umbrameter: {}\n", plain_text(error.what())));
     return static_cast<int>(error.code());
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "umbrameter: out of memory; use a smaller --size or a smaller scene\n");
+    write_to(stderr, "umbrameter: out of memory; use a smaller --size or a smaller scene\n");
     return static_cast<int>(ExitCode::partial);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "umbrameter: unexpected failure: {}; please report this\n", plain_text(error.what()));
+    write_to(stderr, fmt::format("umbrameter: unexpected failure: {}; please report this\n", plain_text(error.what())));
     return static_cast<int>(ExitCode::partial);
   }
 }

@@ -7,12 +7,14 @@
 
 #include "app/commands.h"
 #include "core/parallel.h"
+#include "core/standard_streams.h"
 #include "experiments/presentation/runs_report.h"
 #include "experiments/presentation/stored_figures.h"
 #include "experiments/presentation/stored_sweep_figures.h"
 #include "experiments/run_folder.h"
 #include "reports/files/data.h"
 #include "reports/files/latex.h"
+#include "reports/files/markup.h"
 #include "reports/files/output.h"
 
 namespace umbrameter {
@@ -230,10 +232,10 @@ ExitCode run_report(const CommandLine& line, const Console& console) {
       }
       json.push_back(std::move(object));
     }
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    write_to(stdout, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   }
   folder.finish(problems.empty());
-  for (const std::string& problem : problems) fmt::print(stderr, "umbrameter: {}\n", problem);
+  for (const std::string& problem : problems) write_to(stderr, "umbrameter: " + plain_text(problem) + "\n");
   return problems.empty() ? ExitCode::ok : ExitCode::partial;
 }
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "core/standard_streams.h"
 #include "experiments/byte_size.h"
 #include "reports/files/output.h"
 #include "reports/files/text_layout.h"
@@ -38,21 +39,21 @@ ExitCode run_scene(const CommandLine& line, const Console& console) {
   if (console.json) {
     const nlohmann::ordered_json json = {
         {"file", line.output.string()}, {"bytes", glb.size()}, {"triangles", count(scene).triangles}};
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    write_to(stdout, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   }
   return ExitCode::ok;
 }
 
 ExitCode run_parameters(const CommandLine& line) {
   if (line.markdown) {
-    fmt::print("{}", parameter_reference());
+    write_to(stdout, parameter_reference());
     return ExitCode::ok;
   }
   Experiment experiment;
   for (const Parameter& parameter : describe(experiment)) {
     const std::string value = to_string(parameter.value());
-    fmt::print("{:<24} {:<10} {:<7} {}; {}\n", parameter.key, value.empty() ? "—" : value, parameter.description.unit,
-               parameter.description.meaning, parameter.limits());
+    write_to(stdout, fmt::format("{:<24} {:<10} {:<7} {}; {}\n", parameter.key, value.empty() ? "—" : value,
+                                 parameter.description.unit, parameter.description.meaning, parameter.limits()));
   }
   return ExitCode::ok;
 }

@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
+#include "core/standard_streams.h"
 #include "experiments/presentation/contact_sheet.h"
 #include "experiments/presentation/scene_report.h"
 #include "reports/figures/drawing.h"
@@ -173,7 +174,9 @@ ExitCode run_scenes(const CommandLine& line, const Console& console) {
   if (!line.sheet.empty()) {
     write_sheet(line, console, scenes);
     if (console.json) {
-      fmt::print("{}\n", Json{{"file", line.sheet.string()}, {"scenes", scenes.size()}}.dump(2));
+      write_to(stdout, Json{{"file", line.sheet.string()}, {"scenes", scenes.size()}}.dump(
+                           2, ' ', false, Json::error_handler_t::replace) +
+                           "\n");
     }
     return ExitCode::ok;
   }
@@ -189,9 +192,9 @@ ExitCode run_scenes(const CommandLine& line, const Console& console) {
     if (!line.markdown) say_scene(console, all.back());
   }
   if (console.json) {
-    fmt::print("{}\n", json.dump(2));
+    write_to(stdout, json.dump(2) + "\n");
   } else if (line.markdown) {
-    fmt::print("{}", to_markdown(all));
+    write_to(stdout, to_markdown(all));
   }
   return ExitCode::ok;
 }

@@ -22,6 +22,7 @@
 #include "reports/files/output.h"
 #include "scenes/builtin.h"
 #include "scenes/floor.h"
+#include "scenes/view.h"
 
 namespace umbrameter {
 namespace {
@@ -47,6 +48,36 @@ void check_axes(const std::vector<SweepAxis>& axes, const Experiment& experiment
   }
   if (experiment.run.write_ao_inputs) {
     throw Error(ExitCode::usage, "--write-ao-inputs", "a sweep writes no inputs", "use compare or raster");
+  }
+}
+
+// Whatever the axes name in the scene, and every size of its lights: one slip must not show after hours.
+void check_against_scene(const Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
+                         SweptQuantity quantity) {
+  const double aspect = static_cast<double>(experiment.view.size.width) / experiment.view.size.height;
+  std::vector<const SweepAxis*> extents;
+  std::size_t combinations = 1;
+  for (const SweepAxis& axis : axes) {
+    std::vector<std::string> ignored;
+    for (const Value& value : axis.values) {
+      if (axis.key == "view.camera") select_camera(stages.scene(), to_string(value), aspect, ignored);
+      if (axis.key == "view.light") stages.lights(to_string(value));
+    }
+    if (!axis.key.starts_with("light.")) continue;
+    extents.push_back(&axis);
+    combinations *= axis.values.size();
+  }
+  if (quantity == SweptQuantity::ao && !extents.empty()) return;
+  const std::vector<std::uint32_t> lights = swept_lights(stages, experiment, axes, quantity);
+  Experiment cell = experiment;
+  const Parameters parameters = describe(cell);
+  for (std::size_t i = 0; i < combinations; ++i) {
+    std::size_t rest = i;
+    for (const SweepAxis* axis : extents) {
+      set_value(parameters, *axis, axis->values[rest % axis->values.size()]);
+      rest /= axis->values.size();
+    }
+    stages.check_is_meaningful(cell, lights);
   }
 }
 
@@ -95,6 +126,10 @@ std::vector<std::pair<std::string, Value>> cell_values(const std::vector<SweepAx
 void measure_missing(const SweepPlan& plan, ResultsStore& store, Stages& stages, const EvaluateGroup& evaluate,
                      const Console& console) {
   const std::size_t kept = store.count();
+  if (store.discarded() > 0) {
+    note(console, fmt::format("{} is damaged: {} cells do not match their checksum and are measured again",
+                              store.path().string(), store.discarded()));
+  }
   if (kept > 0) note(console, fmt::format("{} of {} cells are done; resuming", kept, plan.cells));
   try {
     ProgressBar bar(console, "cells");
@@ -149,9 +184,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
     note(console, fmt::format("the scene has {} lights; this sweep uses '{}'; select another with --light",
                               lights.size(), stages.title(lights.front())));
   }
-  if (!varies_group(axes, "light.")) {
-    stages.check_is_meaningful(experiment, swept_lights(stages, experiment, axes, quantity));
-  }
+  check_against_scene(stages, experiment, axes, quantity);
   const CellStatistics statistics = choose_statistics(stages, experiment, axes, quantity);
 
   const std::vector<MetricColumn> metrics = swept_metrics(experiment, statistics);

@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
+#include "core/standard_streams.h"
 #include "experiments/axis_effects.h"
 #include "experiments/presentation/run_output.h"
 #include "experiments/presentation/tune_report.h"
@@ -16,6 +17,7 @@
 #include "experiments/summary_version.h"
 #include "experiments/tuning/tune_cases.h"
 #include "reports/files/data.h"
+#include "reports/files/markup.h"
 #include "reports/files/output.h"
 #include "scenes/builtin.h"
 
@@ -366,9 +368,9 @@ ExitCode run_tune_command(const CommandLine& line, const Console& console) {
   add_line(console, fmt::format("tuned: {}; run it with 'umbrameter compare -c {} -o DIR'",
                                 (folder.path() / tuned_name).string(), (folder.path() / tuned_name).string()));
   add_line(console, fmt::format("report: {}", (folder.path() / "index.html").string()));
-  if (console.json) fmt::print("{}", text);
+  if (console.json) write_to(stdout, text);
   folder.finish(problems.empty());
-  for (const std::string& problem : problems) fmt::print(stderr, "umbrameter: {}\n", problem);
+  for (const std::string& problem : problems) write_to(stderr, "umbrameter: " + plain_text(problem) + "\n");
   return problems.empty() ? ExitCode::ok : ExitCode::partial;
 }
 

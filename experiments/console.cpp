@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "core/standard_streams.h"
 #include "reports/files/markup.h"
 
 namespace umbrameter {
@@ -17,10 +18,16 @@ constexpr auto first_shown_after = std::chrono::milliseconds(400);
 constexpr auto shown_every = std::chrono::milliseconds(100);
 constexpr int bar_cells = 24;
 
+// TERM=dumb is a terminal without escape sequences, such as that of an editor.
+bool understands_escapes() {
+  const char* terminal = std::getenv("TERM");
+  return isatty(STDERR_FILENO) != 0 && (terminal == nullptr || std::string_view(terminal) != "dumb");
+}
+
 }  // namespace
 
 void print_line(const Console& console, const std::string& line) {
-  if (!console.json) fmt::print("{}\n", plain_text(line));
+  if (!console.json) write_to(stdout, plain_text(line) + "\n");
 }
 
 void add_line(const Console& console, const std::string& line) {
@@ -28,16 +35,16 @@ void add_line(const Console& console, const std::string& line) {
 }
 
 void diagnostic(const Console& console, const std::string& line) {
-  if (console.verbose) fmt::print(stderr, "{}\n", plain_text(line));
+  if (console.verbose) write_to(stderr, plain_text(line) + "\n");
 }
 
 void note(const Console& console, const std::string& line) {
-  if (!console.quiet) fmt::print(stderr, "note: {}\n", plain_text(line));
+  if (!console.quiet) write_to(stderr, "note: " + plain_text(line) + "\n");
 }
 
 bool use_color() {
   const char* no_color = std::getenv("NO_COLOR");
-  return isatty(STDERR_FILENO) != 0 && (no_color == nullptr || *no_color == '\0');
+  return understands_escapes() && (no_color == nullptr || *no_color == '\0');
 }
 
 std::string progress_text(const std::string& label, const ProgressState& state, bool color) {
@@ -57,14 +64,14 @@ std::string progress_text(const std::string& label, const ProgressState& state, 
 ProgressBar::ProgressBar(const Console& console, std::string label, std::function<std::uint64_t()> count_rays)
     : label_(std::move(label)),
       count_rays_(std::move(count_rays)),
-      visible_(!console.quiet && isatty(STDERR_FILENO) != 0),
+      visible_(!console.quiet && understands_escapes()),
       start_(Clock::now()),
       shown_(start_ + first_shown_after - shown_every) {}
 
 ProgressBar::ProgressBar(Progress pass_on) : pass_on_(std::move(pass_on)) {}
 
 ProgressBar::~ProgressBar() {
-  if (visible_) fmt::print(stderr, "\r\x1b[K");
+  if (visible_) write_to(stderr, "\r\x1b[K");
 }
 
 void ProgressBar::show(double share, const std::string& counted) {
@@ -80,7 +87,7 @@ void ProgressBar::show(double share, const std::string& counted) {
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const std::uint64_t rays = count_rays_ ? count_rays_() - rays_before_ : 0;
   const std::string label = counted.empty() ? label_ : label_ + " " + counted;
-  fmt::print(stderr, "\r\x1b[K{}", progress_text(label, {share, *first_share_, seconds, rays}, use_color()));
+  write_to(stderr, "\r\x1b[K" + progress_text(label, {share, *first_share_, seconds, rays}, use_color()));
   std::fflush(stderr);
 }
 

@@ -29,7 +29,7 @@ void diagnostic(const Console& console, const std::string& line);
 /// Prints an assumption or omission on stderr as "note: …"; nothing with --quiet.
 void note(const Console& console, const std::string& line);
 
-/// Whether stderr may carry colours: a terminal, and NO_COLOR unset or empty (no-color.org).
+/// Whether stderr may carry colours: a terminal other than "dumb", and NO_COLOR unset or empty (no-color.org).
 bool use_color();
 
 /// Progress of a task.
@@ -45,7 +45,7 @@ struct ProgressState {
 std::string progress_text(const std::string& label, const ProgressState& state, bool color);
 
 /// Shows a bar with percentage, rate and time left on stderr while the object lives. Shows nothing if stderr is not a
-/// terminal, or with --quiet.
+/// terminal that can erase a line, or with --quiet.
 class ProgressBar {
  public:
   /// count_rays(), if given, returns the number of rays so far. It may start at any number and must be callable on any

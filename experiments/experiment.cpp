@@ -1,5 +1,6 @@
 #include "experiments/experiment.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <limits>
@@ -9,6 +10,9 @@ namespace umbrameter {
 namespace {
 
 constexpr std::array<std::string_view, 2> class_rule_names{"fast", "exact"};
+// Of a parameter that has no limit by its meaning: its cube is finite in single precision.
+constexpr double largest_number = 1e12;
+
 constexpr std::array<std::string_view, 4> sweep_measure_names{"auto", "visibility", "ao", "image"};
 
 }  // namespace
@@ -40,9 +44,17 @@ Parameters describe(RunParams& params) {
 }
 
 Parameters describe(Experiment& experiment) {
-  return concatenate({describe(experiment.scene_params), describe(experiment.view), describe(experiment.light),
-                      describe(experiment.shadow), describe(experiment.ao), describe(experiment.shading),
-                      describe(experiment.truth), describe(experiment.run)});
+  Parameters all = concatenate({describe(experiment.scene_params), describe(experiment.view),
+                                describe(experiment.light), describe(experiment.shadow), describe(experiment.ao),
+                                describe(experiment.shading), describe(experiment.truth), describe(experiment.run)});
+  for (Parameter& parameter : all) {
+    if (!std::holds_alternative<double*>(parameter.field) && !std::holds_alternative<Length*>(parameter.field))
+      continue;
+    FieldDescription& description = parameter.description;
+    description.min = std::max(description.min, -largest_number);
+    description.max = std::min(description.max, largest_number);
+  }
+  return all;
 }
 
 Experiment in_metres(Experiment experiment, double scene_size) {

@@ -10,6 +10,9 @@
 namespace umbrameter {
 namespace {
 
+// Of the metric rmse in a run, whose statistic rmse is corrected for the variance of the reference.
+constexpr std::string_view uncorrected_rmse = "rmse-uncorrected";
+
 MetricResult measure(const Metric& metric, const ComparedImages& compared) {
   if (const auto* scalar = std::get_if<ScalarImages>(&compared.images)) {
     return measure_scalar(metric, {scalar->test, scalar->reference, compared.is_counted, compared.edge_scale});
@@ -28,7 +31,8 @@ std::string MetricColumn::meaning() const {
 }
 
 std::vector<MetricColumn> columns_of(const Metric& metric, bool is_shadow) {
-  std::vector<MetricColumn> columns = {{&metric, std::string(metric.name), std::string(metric.unit)}};
+  const std::string_view name = metric.name == rmse_metric.name ? uncorrected_rmse : metric.name;
+  std::vector<MetricColumn> columns = {{&metric, std::string(name), std::string(metric.unit)}};
   if (!is_shadow) return columns;
   for (const std::string_view unit : metric.other_units) {
     columns.push_back({&metric, name_in_unit(metric, unit), std::string(unit), columns.size()});
@@ -43,7 +47,11 @@ std::vector<MetricColumn> metric_columns(const RunParams& run, bool is_shadow, c
                        [&](const auto& each) { return each.name == column.name; }) ||
            std::any_of(columns.begin(), columns.end(), [&](const auto& each) { return each.name == column.name; });
   };
-  for (const Metric* metric : select_metrics(run.metrics, color_metrics())) {
+  std::string names = run.metrics;  // of metrics, or of their columns
+  if (const std::size_t at = names.find(uncorrected_rmse); at != std::string::npos) {
+    names.replace(at, uncorrected_rmse.size(), rmse_metric.name);
+  }
+  for (const Metric* metric : select_metrics(names, color_metrics())) {
     for (MetricColumn& column : columns_of(*metric, is_shadow)) {
       if (!is_there(column)) columns.push_back(std::move(column));
     }

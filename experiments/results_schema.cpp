@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "experiments/results_checksum.h"
 #include "reports/files/text_layout.h"
 
 namespace umbrameter {
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 
 // "umbr": tells the file from those of other programs.
 constexpr int application_id = 0x756d6272;
-constexpr int format_version = 1;
+constexpr int format_version = 2;  // 2: checksums
 
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
@@ -70,7 +71,8 @@ Pairs column_pairs(const StoreDescription& description) {
 }  // namespace
 
 [[noreturn]] void throw_damaged(const fs::path& path, const std::string& why) {
-  throw Error(ExitCode::unreadable_input, path.string(), "it is damaged: " + why, store_remedy);
+  throw Error(ExitCode::unreadable_input, path.string(), "it is damaged: " + why,
+              "restore the file from a copy, or run the sweep again with --force or in another folder with -o");
 }
 
 [[noreturn]] void throw_store_error(const fs::path& path, const SQLite::Exception& problem) {
@@ -142,14 +144,17 @@ void create_tables(SQLite::Database& database, const StoreDescription& descripti
   database.exec(fmt::format("PRAGMA application_id = {}", application_id));
   database.exec(fmt::format("PRAGMA user_version = {}", format_version));
   database.exec(
-      "CREATE TABLE experiment (toml TEXT NOT NULL, cells INTEGER NOT NULL) STRICT;"
+      "CREATE TABLE experiment (toml TEXT NOT NULL, cells INTEGER NOT NULL, checksum TEXT NOT NULL) STRICT;"
       "CREATE TABLE settings (position INTEGER PRIMARY KEY, name TEXT NOT NULL, value TEXT NOT NULL) STRICT;"
       "CREATE TABLE axes (position INTEGER PRIMARY KEY, name TEXT NOT NULL, value TEXT NOT NULL) STRICT;"
       "CREATE TABLE columns (position INTEGER PRIMARY KEY, name TEXT NOT NULL, kind TEXT NOT NULL, unit TEXT NOT NULL,"
-      " meaning TEXT NOT NULL) STRICT;");
-  SQLite::Statement experiment(database, "INSERT INTO experiment VALUES (?, ?)");
+      " meaning TEXT NOT NULL) STRICT;"
+      "CREATE TABLE groups (first_cell INTEGER PRIMARY KEY, cells INTEGER NOT NULL, first_row INTEGER NOT NULL,"
+      " checksum TEXT NOT NULL) STRICT;");
+  SQLite::Statement experiment(database, "INSERT INTO experiment VALUES (?, ?, ?)");
   experiment.bind(1, description.experiment);
   experiment.bind(2, static_cast<std::int64_t>(description.cells));
+  experiment.bind(3, checksum_of(description));
   experiment.exec();
   for (const auto& [table, pairs] : {std::pair{"settings", description.settings}, {"axes", description.axes}}) {
     SQLite::Statement insert(database, fmt::format("INSERT INTO {} (name, value) VALUES (?, ?)", table));
@@ -161,9 +166,6 @@ void create_tables(SQLite::Database& database, const StoreDescription& descripti
     }
   }
   const bool growing = form == StoreForm::growing;
-  if (growing) {
-    database.exec("CREATE TABLE groups (first_cell INTEGER PRIMARY KEY, cells INTEGER NOT NULL) STRICT");
-  }
   std::string cells =
       growing ? "CREATE TABLE cells (cell INTEGER NOT NULL" : "CREATE TABLE cells (cell INTEGER PRIMARY KEY";
   SQLite::Statement insert(database, "INSERT INTO columns (name, kind, unit, meaning) VALUES (?, ?, ?, ?)");
@@ -202,10 +204,11 @@ StoreDescription read_description(SQLite::Database& database, const fs::path& pa
   const std::string state = database.execAndGet("PRAGMA integrity_check(1)").getString();
   if (state != "ok") throw_damaged(path, state);
   StoreDescription description;
-  SQLite::Statement experiment(database, "SELECT toml, cells FROM experiment");
+  SQLite::Statement experiment(database, "SELECT toml, cells, checksum FROM experiment");
   if (!experiment.executeStep()) throw_damaged(path, "it contains no experiment");
   description.experiment = experiment.getColumn(0).getString();
   description.cells = static_cast<std::size_t>(experiment.getColumn(1).getInt64());
+  const std::string checksum = experiment.getColumn(2).getString();
   description.settings = read_pairs(database, "settings");
   description.axes = read_pairs(database, "axes");
   SQLite::Statement columns(database, "SELECT name, kind, unit, meaning FROM columns ORDER BY position");
@@ -217,6 +220,7 @@ StoreDescription read_description(SQLite::Database& database, const fs::path& pa
         {{columns.getColumn(0).getString(), columns.getColumn(2).getString(), columns.getColumn(3).getString()},
          static_cast<ValueKind>(found - std::begin(kind_names))});
   }
+  if (checksum_of(description) != checksum) throw_damaged(path, "its settings do not match their checksum");
   return description;
 }
 

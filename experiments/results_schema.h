@@ -36,8 +36,8 @@ Value value_of(const SQLite::Column& column, ValueKind kind);
 /// Whether the database is empty. Throws Error (usage) if it belongs to another program or has another format.
 bool is_empty_store(SQLite::Database& database, const std::filesystem::path& path);
 
-/// Growing: rows in the order of insertion, so that the cost does not depend on the order of cells; and the list of
-/// complete groups. Finished: rows in the order of cells.
+/// Growing: rows in the order of insertion, so that the cost does not depend on the order of cells. Finished: rows in
+/// the order of cells.
 enum class StoreForm { growing, finished };
 /// To be called within a transaction.
 void create_tables(SQLite::Database& database, const StoreDescription& description, StoreForm form);

@@ -1,5 +1,6 @@
 #include "experiments/results_store.h"
 
+#include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <array>
@@ -9,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/interrupt.h"
+#include "experiments/results_checksum.h"
 #include "experiments/results_schema.h"
 #include "reports/files/output.h"
 
@@ -19,6 +21,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* finished_name = "results.sqlite";
 constexpr const char* partial_name = "results.partial.sqlite";
+
+// So that a message about damage names few cells; the groups of evaluation are not consecutive cells.
+constexpr std::int64_t cells_of_finished_group = 1024;
 
 // "a", "b".
 std::string list_of(const std::vector<std::string>& names) {
@@ -81,6 +86,7 @@ struct ResultsStore::State {
   bool complete;
   std::optional<SQLite::Database> database;
   StoreDescription description;
+  std::size_t discarded = 0;
   // After the database: they go before it does.
   std::optional<SQLite::Statement> insert{};
   std::optional<SQLite::Statement> find{};
@@ -132,6 +138,7 @@ ResultsStore& ResultsStore::operator=(ResultsStore&&) noexcept = default;
 const StoreDescription& ResultsStore::description() const { return state_->description; }
 const fs::path& ResultsStore::path() const { return state_->path; }
 bool ResultsStore::complete() const { return state_->complete; }
+std::size_t ResultsStore::discarded() const { return state_->discarded; }
 
 std::vector<std::string> ResultsStore::file_names() {
   std::vector<std::string> names;
@@ -146,8 +153,17 @@ ResultsStore ResultsStore::load(const fs::path& folder) {
   return guarded(path, [&] {
     auto state = std::make_unique<State>(State{folder, path, true, open_for_reading(path), {}});
     state->description = read_description(*state->database, path);
+    SQLite::Database& database = *state->database;
     ResultsStore store(std::move(state));
-    if (store.count() != store.description().cells) throw_damaged(path, "cells are missing");
+    const auto cells = static_cast<std::int64_t>(store.description().cells);
+    for (const char* count : {"SELECT COUNT(*) FROM cells", "SELECT SUM(cells) FROM groups"}) {
+      if (database.execAndGet(count).getInt64() != cells) throw_damaged(path, "cells are missing");
+    }
+    const std::vector<StoredGroup> damaged = damaged_groups(database, store.description());
+    if (!damaged.empty()) {
+      throw_damaged(path, fmt::format("cells {} to {} do not match their checksum", damaged.front().first_cell,
+                                      damaged.front().first_cell + damaged.front().cells - 1));
+    }
     return store;
   });
 }
@@ -177,7 +193,12 @@ ResultsStore ResultsStore::open(const fs::path& folder, const StoreDescription& 
       is_empty = !first_difference(there, description).empty() &&
                  database.execAndGet("SELECT EXISTS (SELECT 1 FROM groups)").getInt() == 0;
       if (is_empty) drop_tables(database);
-      if (!is_empty) require_same(partial, there, description);
+      if (!is_empty) {
+        require_same(partial, there, description);
+        const std::vector<StoredGroup> damaged = damaged_groups(database, description);
+        for (const StoredGroup& group : damaged) state->discarded += static_cast<std::size_t>(group.cells);
+        if (!damaged.empty()) remove_groups(database, damaged);
+      }
     }
     if (is_empty) create_tables(database, description, StoreForm::growing);
     transaction.commit();
@@ -208,16 +229,16 @@ void ResultsStore::append(std::size_t first_cell, const std::function<void(const
     SQLite::Database& database = *state_->database;
     if (!state_->insert) state_->insert.emplace(make_insert(database, state_->description));
     SQLite::Transaction transaction(database);
-    std::int64_t rows = 0;
+    GroupChecksum checksum(state_->description.columns, first_cell);
+    StoredGroup group{static_cast<std::int64_t>(first_cell)};
     fill([&](std::size_t cell, std::span<const Value> values) {
       if (values.size() != state_->description.columns.size()) throw std::logic_error("a row of another length");
       insert_row(database, *state_->insert, cell, values);
-      ++rows;
+      checksum.add(cell, values);
+      if (group.cells++ == 0) group.first_row = database.getLastInsertRowid();
     });
-    SQLite::Statement group(database, "INSERT INTO groups VALUES (?, ?)");
-    group.bind(1, static_cast<std::int64_t>(first_cell));
-    group.bind(2, rows);
-    group.exec();
+    group.checksum = checksum.text();
+    insert_group(database, group);
     transaction.commit();
   });
 }
@@ -241,13 +262,30 @@ void ResultsStore::pack(const fs::path& path) const {
   SQLite::Statement insert = make_insert(packed, state_->description);
   std::vector<ValueKind> kinds = {ValueKind::integer};
   for (const StoredColumn& stored : state_->description.columns) kinds.push_back(stored.kind);
+  std::optional<GroupChecksum> checksum;
+  StoredGroup group;
+  const auto close_group = [&] {
+    if (!checksum) return;
+    group.checksum = checksum->text();
+    insert_group(packed, group);
+    checksum.reset();
+  };
   SQLite::Statement rows(*state_->database, "SELECT * FROM cells ORDER BY cell");
   while (rows.executeStep()) {
     throw_if_interrupted();
     const std::vector<Value> row = row_of(rows, kinds);
-    insert_row(packed, insert, static_cast<std::size_t>(std::get<std::int64_t>(row.front())),
-               std::span(row).subspan(1));
+    const auto cell = std::get<std::int64_t>(row.front());
+    const std::span<const Value> values = std::span(row).subspan(1);
+    insert_row(packed, insert, static_cast<std::size_t>(cell), values);
+    if (group.cells == cells_of_finished_group) close_group();
+    if (!checksum) {
+      checksum.emplace(state_->description.columns, static_cast<std::size_t>(cell));
+      group = {cell, 0, cell};  // the cell's number is its rowid
+    }
+    checksum->add(static_cast<std::size_t>(cell), values);
+    ++group.cells;
   }
+  close_group();
   transaction.commit();
 }
 

@@ -43,13 +43,14 @@ class ResultsStore {
   /// Every name that a store's files may have in its folder, including SQLite's journal files.
   static std::vector<std::string> file_names();
 
-  /// Resumes the folder's store if it has the same description, or creates one. With `overwrite`, removes an existing
-  /// store first. Throws Error: usage if the folder holds another sweep, with the first difference, or if another
-  /// process is writing to it; unreadable_input if the store is damaged; partial if it cannot be written.
+  /// Resumes the folder's store if it has the same description, or creates one. Groups of an unfinished store whose
+  /// rows do not match their checksum are removed, so that they are measured again. With `overwrite`, removes an
+  /// existing store first. Throws Error: usage if the folder holds another sweep, with the first difference, or if
+  /// another process is writing to it; unreadable_input if the store is damaged; partial if it cannot be written.
   static ResultsStore open(const std::filesystem::path& folder, const StoreDescription& description,
                            bool overwrite = false);
 
-  /// Opens a complete store for reading. Throws as open() does.
+  /// Opens a complete store for reading and checks all of its rows. Throws as open() does.
   static ResultsStore load(const std::filesystem::path& folder);
 
   ~ResultsStore();
@@ -62,6 +63,8 @@ class ResultsStore {
   bool complete() const;
   /// Number of stored cells.
   std::size_t count() const;
+  /// Number of cells that open() removed because they did not match their checksum.
+  std::size_t discarded() const;
   /// Whether the group that begins with this cell is stored.
   bool has_group(std::size_t first_cell) const;
 

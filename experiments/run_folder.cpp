@@ -30,6 +30,13 @@ bool is_there(const fs::path& path) {
   return fs::exists(fs::symlink_status(path, error));
 }
 
+constexpr const char* figures_name = "figures";
+
+bool is_link(const fs::path& path) {
+  std::error_code error;
+  return fs::is_symlink(fs::symlink_status(path, error));
+}
+
 bool contains(const std::vector<std::string>& files, const std::string& file) {
   return std::find(files.begin(), files.end(), file) != files.end();
 }
@@ -78,12 +85,14 @@ RunFolder::RunFolder(fs::path folder, RunPlan plan, bool force)
   prepare_output_folder(folder_);
   lock();
   remove_abandoned(folder_);
-  remove_abandoned(folder_ / "figures");
+  if (!is_link(folder_ / figures_name)) remove_abandoned(folder_ / figures_name);
   had_record_ = is_there(folder_ / run_record_name);
   earlier_ = read_run_record(folder_);
   if (earlier_ && !any_there(folder_, earlier_->files)) earlier_.reset();
   if (!force_) require_own();
   require_free(plan_.files);
+  // Through a link the run would write into a folder that is not its own.
+  if (is_link(folder_ / figures_name)) require_free({figures_name});
 }
 
 RunFolder::~RunFolder() {
@@ -166,6 +175,8 @@ void RunFolder::begin() {
     std::copy_if(earlier_->files.begin(), earlier_->files.end(), std::back_inserter(obsolete),
                  [&](const std::string& file) { return !contains(record_.files, file); });
   }
+  // With --force the link gives way, and what it leads to stays.
+  if (is_link(folder_ / figures_name)) remove_files(folder_, {figures_name});
   add_files(record_.files, plan_.files);
   write_record();  // of both runs, until the earlier one's files are gone
   if (!earlier_) return;

@@ -13,11 +13,12 @@ constexpr double degrees = pi / 180.0;
 constexpr double widest_angle = 179.0;    // degrees; the tangent of half of it is 115
 constexpr double largest_emitter = 1e12;  // metres, radius or side
 
-std::optional<double> if_given(double value) { return value < 0.0 ? std::nullopt : std::optional(value); }
+constexpr double not_given = -1.0;
+std::optional<double> if_given(double value) { return value == not_given ? std::nullopt : std::optional(value); }
 
 EmitterSizes sizes_of(const LightParams& params) {
   EmitterSizes sizes{if_given(params.radius), if_given(params.width), if_given(params.height), {}, params.shape};
-  if (params.angle >= 0.0) sizes.angular_diameter = params.angle * degrees;
+  if (params.angle != not_given) sizes.angular_diameter = params.angle * degrees;
   return sizes;
 }
 
@@ -111,7 +112,8 @@ Light with_extent(Light light, const LightParams& params) {
 void require_sense(const LightParams& params, std::span<const Light> lights) {
   const EmitterSizes sizes = sizes_of(params);
   const std::string why = objection(sizes);
-  if (!why.empty()) throw Error(ExitCode::usage, "light.*", "invalid light: " + why, "give one extent");
+  if (!why.empty())
+    throw Error(ExitCode::usage, "light.*", "invalid light: " + why, "give one extent; 0 is none, -1 the scene's");
   const bool any_directional = std::any_of(lights.begin(), lights.end(), is_directional);
   const bool all_directional = std::all_of(lights.begin(), lights.end(), is_directional);
   if (sizes.angular_diameter && !any_directional) {

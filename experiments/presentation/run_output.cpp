@@ -8,11 +8,13 @@
 #include <optional>
 #include <utility>
 
+#include "core/standard_streams.h"
 #include "experiments/layers.h"
 #include "experiments/presentation/ao_input_files.h"
 #include "experiments/presentation/map_files.h"
 #include "experiments/presentation/page_viewer.h"
 #include "reports/files/data.h"
+#include "reports/files/markup.h"
 #include "reports/files/output.h"
 
 namespace umbrameter {
@@ -222,9 +224,9 @@ ExitCode write_run(RunFolder& run_folder, const Console& console, RunOutput outp
   if (output.with_figures && summary.measurement != nullptr) viewer = pack_images(output, image, console);
   write_page(folder, make_report(output), &viewer);
   add_line(console, fmt::format("report: {}", (folder / "index.html").string()));
-  if (console.json) fmt::print("{}", json);
+  if (console.json) write_to(stdout, json);
   run_folder.finish(summary.problems.empty());
-  for (const std::string& problem : summary.problems) fmt::print(stderr, "umbrameter: {}\n", problem);
+  for (const std::string& problem : summary.problems) write_to(stderr, "umbrameter: " + plain_text(problem) + "\n");
   return summary.problems.empty() ? ExitCode::ok : ExitCode::partial;
 }
 

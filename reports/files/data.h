@@ -35,8 +35,8 @@ struct ExperimentFile {
   std::vector<std::pair<std::string, std::string>> axes;  ///< [vary]: full parameter name, axis text
   std::map<std::string, std::uint32_t> lines;             ///< of each value, and of each axis as "vary.<name>"
 };
-/// Throws Error (usage) with file and line when it is not TOML, Error (unreadable_input) when it cannot be read or is
-/// larger than 1 MiB. Reads pipes too.
+/// Throws Error (usage) with file and line when it is not TOML, Error (unreadable_input) when it is larger than
+/// 1 MiB or read_input() refuses it.
 ExperimentFile read_experiment(const std::filesystem::path& path);
 
 }  // namespace umbrameter

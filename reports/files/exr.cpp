@@ -8,14 +8,17 @@
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStdIO.h>
 #include <OpenEXR/ImfStringAttribute.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <fstream>
 #include <system_error>
 
 #include "core/error.h"
+#include "core/input_file.h"
 #include "reports/files/output.h"
 
 namespace umbrameter {
@@ -128,42 +131,83 @@ void write_exr(const std::filesystem::path& path, const LayeredImage& image) {
   write_text(path, bytes);
 }
 
+namespace {
+
+// The most pixels of a side: far beyond any image, and within what OpenEXR can count.
+constexpr int longest_side = 1 << 20;
+
+// Width and height of the data window. Throws what OpenEXR throws.
+Imath::V2i size_of(const Imf::Header& header) {
+  const Imath::Box2i window = header.dataWindow();
+  return window.size() + Imath::V2i(1);
+}
+
+// Of the file's bytes, which are few if the header is damaged.
+LayeredImage decode(Imf::IStream& input, std::uintmax_t bytes) {
+  Imf::Header::setMaxImageSize(longest_side, longest_side);
+  LayeredImage image;
+  Imf::InputFile file(input, no_threads);
+  const Imf::Header& header = file.header();
+  const Imath::Box2i window = header.dataWindow();
+  const Imath::V2i size = size_of(header);
+  Imf::FrameBuffer buffer;
+  std::size_t channels = 0;
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c) ++channels;
+  // No method stores more than a block of 8 x 8 pixels as one number (DWA), and deflates these 1032 times (RFC 1951).
+  constexpr double most_inflated = 64.0 * 1032.0;
+  if (2.0 * static_cast<double>(channels) * size.x * size.y > most_inflated * static_cast<double>(bytes)) {
+    throw std::runtime_error(
+        fmt::format("its {} bytes are too few for its size of {}x{} pixels", bytes, size.x, size.y));
+  }
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+    if (c.channel().xSampling != 1 || c.channel().ySampling != 1) {
+      throw std::runtime_error(std::string("channel '") + c.name() + "' is subsampled");
+    }
+    image.channels.push_back({c.name(), Image<float>(size.x, size.y)});
+  }
+  for (const Channel& channel : image.channels) buffer.insert(channel.name, slice_of(channel.values, window.min));
+  file.setFrameBuffer(buffer);
+  file.readPixels(window.min.y, window.max.y);
+  for (auto a = header.begin(); a != header.end(); ++a) {
+    const std::string_view name = a.name();
+    const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());
+    if (text != nullptr && name.substr(0, own_prefix.size()) == own_prefix) {
+      image.attributes[std::string(name.substr(own_prefix.size()))] = text->value();
+    }
+  }
+  if (Imf::hasWorldToCamera(header)) image.world_to_camera = from_imath(Imf::worldToCamera(header));
+  if (Imf::hasWorldToNDC(header)) image.world_to_ndc = from_imath(Imf::worldToNDC(header));
+  return image;
+}
+
+}  // namespace
+
+ivec2 size_of_exr(std::string_view bytes) {
+  Imf::Header::setMaxImageSize(longest_side, longest_side);
+  Imf::StdISStream input;
+  input.str(std::string(bytes));
+  const Imath::V2i size = size_of(Imf::InputFile(input, no_threads).header());
+  return {size.x, size.y};
+}
+
+LayeredImage from_exr(std::string_view bytes) {
+  Imf::StdISStream input;
+  input.str(std::string(bytes));
+  return decode(input, bytes.size());
+}
+
 LayeredImage read_exr(const std::filesystem::path& path) {
+  require_regular_file(path);
   const auto refuse = [&](const std::string& why) {
     throw Error(ExitCode::unreadable_input, "cannot read " + path.string(), why);
   };
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) refuse(std::generic_category().message(EISDIR));
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) refuse(std::generic_category().message(errno));
   LayeredImage image;
   try {
     Imf::StdIFStream input(stream, path.c_str());
-    Imf::InputFile file(input, no_threads);
-    const Imf::Header& header = file.header();
-    const Imath::Box2i window = header.dataWindow();
-    // OpenEXR has checked that the window is neither empty nor beyond its own limits.
-    const Imath::V2i size = window.size() + Imath::V2i(1);
-    Imf::FrameBuffer buffer;
-    for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
-      if (c.channel().xSampling != 1 || c.channel().ySampling != 1) {
-        throw std::runtime_error(std::string("channel '") + c.name() + "' is subsampled");
-      }
-      image.channels.push_back({c.name(), Image<float>(size.x, size.y)});
-    }
-    for (const Channel& channel : image.channels) buffer.insert(channel.name, slice_of(channel.values, window.min));
-    file.setFrameBuffer(buffer);
-    file.readPixels(window.min.y, window.max.y);
-    for (auto a = header.begin(); a != header.end(); ++a) {
-      const std::string_view name = a.name();
-      const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute());
-      if (text != nullptr && name.substr(0, own_prefix.size()) == own_prefix) {
-        image.attributes[std::string(name.substr(own_prefix.size()))] = text->value();
-      }
-    }
-    if (Imf::hasWorldToCamera(header)) image.world_to_camera = from_imath(Imf::worldToCamera(header));
-    if (Imf::hasWorldToNDC(header)) image.world_to_ndc = from_imath(Imf::worldToNDC(header));
+    image = decode(input, std::filesystem::file_size(path));
   } catch (const std::bad_alloc&) {
     refuse("not enough memory for its size");
   } catch (const std::exception& exception) {

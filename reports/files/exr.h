@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/image.h"
@@ -32,6 +33,11 @@ void add_color_layer(LayeredImage& image, const std::string& layer, const Image<
 
 /// Written to a temporary name and renamed. Throws Error naming the path when the disk is full or not writable.
 void write_exr(const std::filesystem::path& path, const LayeredImage& image);
+/// Width and height by the header of a file's bytes; no pixel is decoded. Throws std::exception that says what is
+/// wrong.
+ivec2 size_of_exr(std::string_view bytes);
+/// Decodes a file's bytes. Throws std::exception that says what is wrong.
+LayeredImage from_exr(std::string_view bytes);
 /// Throws Error (unreadable_input) naming the path.
 LayeredImage read_exr(const std::filesystem::path& path);
 

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace umbrameter {
@@ -111,8 +112,15 @@ void read_row(Bytes& bytes, std::vector<Rgbe>& row) {
 
 }  // namespace
 
-Image<vec3> from_radiance(std::string_view text) {
-  Bytes bytes(text);
+namespace {
+
+struct RadianceHeader {
+  ivec2 size;
+  float exposure = 1.0f;
+};
+
+// Leaves the pixels.
+RadianceHeader read_radiance_header(Bytes& bytes) {
   if (!bytes.line().starts_with("#?")) throw std::runtime_error("it is no Radiance HDR file");
   float exposure = 1.0f;
   for (std::string_view line = bytes.line(); !line.empty(); line = bytes.line()) {
@@ -134,7 +142,51 @@ Image<vec3> from_radiance(std::string_view text) {
   const int height = side(size.word());
   direction("+X");
   const int width = side(size.take(size.left()));
-  if (static_cast<std::size_t>(height) > bytes.left()) throw std::runtime_error("the file is truncated");
+  // A run of at most 127 pixels takes two bytes in each of four components.
+  if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) / 127 > bytes.left() / 8) {
+    throw std::runtime_error("the file is truncated");
+  }
+  return {{width, height}, exposure};
+}
+
+struct PfmHeader {
+  ivec2 size;
+  std::size_t channels = 3;
+  bool is_little_endian = false;
+  std::size_t row_bytes() const { return 4 * channels * static_cast<std::size_t>(size.x); }
+};
+
+// Leaves the pixels.
+PfmHeader read_pfm_header(Bytes& bytes) {
+  const std::string_view magic = bytes.word();
+  if (magic != "PF" && magic != "Pf") throw std::runtime_error("it is no PFM file");
+  PfmHeader header;
+  header.channels = magic == "PF" ? 3 : 1;
+  header.size.x = side(bytes.word());
+  header.size.y = side(bytes.word());
+  header.is_little_endian = number<float>(bytes.word()) < 0.0f;  // the sign of the scale is the byte order
+  if (bytes.left() / header.row_bytes() < static_cast<std::size_t>(header.size.y)) {
+    throw std::runtime_error("the file is truncated");
+  }
+  return header;
+}
+
+}  // namespace
+
+ivec2 size_of_radiance(std::string_view text) {
+  Bytes bytes(text);
+  return read_radiance_header(bytes).size;
+}
+
+ivec2 size_of_pfm(std::string_view text) {
+  Bytes bytes(text);
+  return read_pfm_header(bytes).size;
+}
+
+Image<vec3> from_radiance(std::string_view text) {
+  Bytes bytes(text);
+  const auto& [size, exposure] = read_radiance_header(bytes);
+  const auto [width, height] = std::pair(size.x, size.y);
   Image<vec3> image(width, height);
   std::vector<Rgbe> row(static_cast<std::size_t>(width));
   for (int y = 0; y < height; ++y) {
@@ -146,23 +198,17 @@ Image<vec3> from_radiance(std::string_view text) {
 
 Image<vec3> from_pfm(std::string_view text) {
   Bytes bytes(text);
-  const std::string_view magic = bytes.word();
-  if (magic != "PF" && magic != "Pf") throw std::runtime_error("it is no PFM file");
-  const std::size_t channels = magic == "PF" ? 3 : 1;
-  const int width = side(bytes.word());
-  const int height = side(bytes.word());
-  const bool is_little = number<float>(bytes.word()) < 0.0f;  // the sign of the scale is the byte order
-  const std::size_t row_bytes = 4 * channels * static_cast<std::size_t>(width);
-  if (bytes.left() / row_bytes < static_cast<std::size_t>(height)) throw std::runtime_error("the file is truncated");
+  const PfmHeader header = read_pfm_header(bytes);
+  const auto [width, height] = std::pair(header.size.x, header.size.y);
   Image<vec3> image(width, height);
   for (int y = height - 1; y >= 0; --y) {  // the bottom row is first
-    const std::string_view row = bytes.take(row_bytes);
+    const std::string_view row = bytes.take(header.row_bytes());
     for (int x = 0; x < width; ++x) {
       for (std::size_t c = 0; c < 3; ++c) {
-        const std::size_t at = 4 * (static_cast<std::size_t>(x) * channels + (channels == 3 ? c : 0));
+        const std::size_t at = 4 * (static_cast<std::size_t>(x) * header.channels + (header.channels == 3 ? c : 0));
         std::uint32_t bits = 0;
         for (std::size_t i = 0; i < 4; ++i) {
-          const auto byte = static_cast<unsigned char>(row[at + (is_little ? 3 - i : i)]);
+          const auto byte = static_cast<unsigned char>(row[at + (header.is_little_endian ? 3 - i : i)]);
           bits = bits << 8 | byte;
         }
         image.at(x, y)[static_cast<int>(c)] = std::bit_cast<float>(bits);

@@ -1,15 +1,19 @@
 #include "reports/files/image_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
+#include <cmath>
+#include <cstdint>
+#include <new>
 #include <set>
-#include <sstream>
-#include <stdexcept>
-#include <system_error>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "compare/metrics/color_space.h"
 #include "core/error.h"
+#include "core/input_file.h"
 #include "reports/files/exr.h"
 #include "reports/files/float_formats.h"
 #include "reports/files/png.h"
@@ -19,17 +23,6 @@ namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
   throw Error(ExitCode::unreadable_input, "cannot read " + path.string(), why);
-}
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) refuse(path, std::generic_category().message(EISDIR));
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) refuse(path, std::generic_category().message(errno));
-  std::ostringstream bytes;
-  bytes << stream.rdbuf();
-  return bytes.str();
 }
 
 std::string layer_of(const std::string& channel) {
@@ -60,8 +53,8 @@ bool take_layer(const LayeredImage& file, const std::string& layer, ColorImage& 
   return false;
 }
 
-ColorImage read_exr_color(const std::filesystem::path& path, const std::string& layer) {
-  const LayeredImage file = read_exr(path);
+ColorImage read_exr_color(std::string_view bytes, const std::filesystem::path& path, const std::string& layer) {
+  const LayeredImage file = from_exr(bytes);
   ColorImage result;
   if (take_layer(file, layer, result)) return result;
   if (const Image<float>* plane = channel(file, layer); plane != nullptr && !layer.empty()) {
@@ -79,41 +72,93 @@ ColorImage read_exr_color(const std::filesystem::path& path, const std::string& 
               "choose from its channels: " + names);
 }
 
-}  // namespace
-
-ColorImage read_color_image(const std::filesystem::path& path, const std::string& layer) {
-  const std::string bytes = bytes_of(path);
-  const std::string_view view = bytes;
-  if (view.starts_with("\x76\x2f\x31\x01")) return read_exr_color(path, layer);
-  if (!layer.empty()) {
-    throw Error(ExitCode::usage, "--layer '" + layer + "'", path.string() + " is no EXR file", "leave --layer out");
+// Light of each 16-bit code value, by the file's own curve. A gamma within 5 % of 1/2.2 means the curve of sRGB, as it
+// does for libpng: such files are older than the sRGB chunk.
+std::vector<float> light_of_codes(const PngHeader& header, std::string& encoding) {
+  constexpr double gamma_of_srgb = 1.0 / 2.2;
+  const bool is_srgb = header.gamma <= 0.0 || std::abs(header.gamma / gamma_of_srgb - 1.0) < 0.05;
+  encoding = !is_srgb                                  ? fmt::format("gamma {:.3g}", 1.0 / header.gamma)
+             : header.names_srgb || header.gamma > 0.0 ? "sRGB"
+                                                       : "sRGB, assumed";
+  std::vector<float> light(65536);
+  for (std::size_t code = 0; code < light.size(); ++code) {
+    const double value = static_cast<double>(code) / 65535.0;
+    light[code] = static_cast<float>(is_srgb ? linear_from_srgb(value) : std::pow(value, 1.0 / header.gamma));
   }
+  return light;
+}
+
+ColorImage read_png_color(std::string_view bytes) {
   ColorImage result;
+  result.is_display = true;
+  const std::vector<float> light = light_of_codes(png_header(bytes), result.encoding);
+  const Image<glm::u16vec4> codes = from_png(bytes);
+  result.linear = Image<vec3>(codes.width, codes.height);
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    const float alpha = static_cast<float>(codes[i].a) / 65535.0f;
+    for (int c = 0; c < 3; ++c) result.linear[i][c] = alpha * light[codes[i][c]] + (1.0f - alpha);
+  }
+  return result;
+}
+
+// Calls action(), and names the file in what it throws.
+template <class Action>
+auto naming(const std::filesystem::path& path, const Action& action) {
   try {
-    if (view.starts_with("\x89PNG")) {
-      const Image<glm::u8vec3> codes = from_png(bytes);
-      result.is_display = true;
-      result.linear = Image<vec3>(codes.width, codes.height);
-      for (std::size_t i = 0; i < codes.size(); ++i) {
-        for (int c = 0; c < 3; ++c) result.linear[i][c] = static_cast<float>(linear_from_srgb(codes[i][c] / 255.0));
-      }
-    } else if (view.starts_with("#?")) {
-      result.linear = from_radiance(view);
-    } else if (view.starts_with("PF") || view.starts_with("Pf")) {
-      result.linear = from_pfm(view);
-      result.is_scalar = view.starts_with("Pf");
-    } else {
-      refuse(path, "it is neither EXR, PNG, Radiance HDR nor PFM");
-    }
+    return action();
   } catch (const Error& error) {
-    if (error.code() == ExitCode::unreadable_input) throw;
+    if (error.code() == ExitCode::unreadable_input || error.code() == ExitCode::usage) throw;
     refuse(path, error.what());
   } catch (const std::bad_alloc&) {
     refuse(path, "not enough memory for its size");
   } catch (const std::exception& error) {
     refuse(path, error.what());
   }
-  return result;
+}
+
+}  // namespace
+
+ImageFile::ImageFile(std::filesystem::path path) : path_(std::move(path)), bytes_(read_input(path_)) {
+  const std::string_view view = bytes_;
+  ivec2 size(0);
+  naming(path_, [&] {
+    if (view.starts_with("\x76\x2f\x31\x01")) {
+      format_ = Format::exr;
+      size = size_of_exr(view);
+    } else if (view.starts_with("\x89PNG")) {
+      format_ = Format::png;
+      const PngHeader header = png_header(view);
+      size = {header.width, header.height};
+    } else if (view.starts_with("#?")) {
+      format_ = Format::radiance;
+      size = size_of_radiance(view);
+    } else if (view.starts_with("PF") || view.starts_with("Pf")) {
+      format_ = Format::pfm;
+      size = size_of_pfm(view);
+    } else {
+      refuse(path_, "it is neither EXR, PNG, Radiance HDR nor PFM");
+    }
+  });
+  constexpr std::int64_t most_pixels = std::int64_t{16384} * 16384;  // of the largest --size
+  if (std::int64_t{size.x} * size.y > most_pixels) {
+    refuse(path_, fmt::format("its size is {}x{}, more than 16384x16384 pixels", size.x, size.y));
+  }
+  width_ = size.x;
+  height_ = size.y;
+}
+
+ColorImage ImageFile::decode(const std::string& layer) const {
+  if (format_ == Format::exr) return naming(path_, [&] { return read_exr_color(bytes_, path_, layer); });
+  if (!layer.empty()) {
+    throw Error(ExitCode::usage, "--layer '" + layer + "'", path_.string() + " is no EXR file", "leave --layer out");
+  }
+  return naming(path_, [&] {
+    if (format_ == Format::png) return read_png_color(bytes_);
+    ColorImage result;
+    result.linear = format_ == Format::radiance ? from_radiance(bytes_) : from_pfm(bytes_);
+    result.is_scalar = bytes_.starts_with("Pf");
+    return result;
+  });
 }
 
 }  // namespace umbrameter

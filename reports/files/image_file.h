@@ -10,15 +10,38 @@
 namespace umbrameter {
 
 struct ColorImage {
-  Image<vec3> linear;       ///< linear RGB; a single channel in all three
-  bool is_display = false;  ///< the file stores sRGB code values (PNG); otherwise linear values without a limit
-  bool is_scalar = false;   ///< one channel
+  Image<vec3> linear;  ///< linear RGB; a single channel in all three
+  bool is_display =
+      false;               ///< the file stores code values for a display (PNG); otherwise linear values without a limit
+  bool is_scalar = false;  ///< one channel
+  /// What the file's values mean: "linear", "sRGB", "sRGB, assumed" where it does not say, "gamma 2.2".
+  std::string encoding = "linear";
 };
 
-/// The format follows from the file's first bytes. `layer` selects a layer of an EXR file: "truth_ao" for truth_ao.Y or
-/// truth_ao.R/G/B, "truth_ao.Y" for that channel; empty for R, G, B without a layer, or the file's only layer.
-/// PNG files are read to 8 bits a channel and laid over white. Throws Error (unreadable_input) naming the path; for a
-/// layer that does not exist Error (usage) that lists the layers.
-ColorImage read_color_image(const std::filesystem::path& path, const std::string& layer = {});
+/// A file whose size in pixels is known, and whose pixels are not decoded yet, so that images that do not fit together
+/// take no memory.
+class ImageFile {
+ public:
+  /// The format follows from the file's first bytes. Throws Error (unreadable_input) naming the path, also for more
+  /// than 16384 x 16384 pixels and for a size that its bytes cannot hold.
+  explicit ImageFile(std::filesystem::path path);
+
+  const std::filesystem::path& path() const { return path_; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  /// `layer` selects a layer of an EXR file: "truth_ao" for truth_ao.Y or truth_ao.R/G/B, "truth_ao.Y" for that
+  /// channel; empty for R, G, B without a layer, or the file's only layer. PNG files are laid over white. Throws as the
+  /// constructor does; for a layer that does not exist Error (usage) that lists the layers.
+  ColorImage decode(const std::string& layer = {}) const;
+
+ private:
+  enum class Format { exr, png, radiance, pfm };
+  std::filesystem::path path_;
+  std::string bytes_;
+  Format format_ = Format::exr;
+  int width_ = 0;
+  int height_ = 0;
+};
 
 }  // namespace umbrameter

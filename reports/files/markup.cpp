@@ -27,13 +27,28 @@ std::size_t sequence_length(std::string_view text) {
 
 }  // namespace
 
+namespace {
+
+// Whether a valid sequence is one of the characters that break lines, have no width, or change the direction of what
+// follows, so that a text is not what it seems: U+061C, U+200B, U+200E, U+200F, U+2028 to U+202E, U+2060 to U+206F and
+// U+FEFF. The joiners U+200C and U+200D spell words and emoji.
+bool is_invisible(std::string_view sequence) {
+  if (sequence == "\u061c" || sequence == "\ufeff") return true;
+  if (sequence.size() != 3 || byte_at(sequence, 0) != 0xE2) return false;
+  const unsigned code = (byte_at(sequence, 1) & 0x3Fu) << 6u | (byte_at(sequence, 2) & 0x3Fu);  // of U+2000 + code
+  return code == 0x0B || code == 0x0E || code == 0x0F || (code >= 0x28 && code <= 0x2E) ||
+         (code >= 0x60 && code <= 0x6F);
+}
+
+}  // namespace
+
 std::string plain_text(std::string_view text) {
   std::string result;
   while (!text.empty()) {
     const std::size_t length = sequence_length(text);
-    if (length == 0) {
+    if (length == 0 || is_invisible(text.substr(0, length))) {
       result += replacement;
-      text.remove_prefix(1);
+      text.remove_prefix(std::max<std::size_t>(length, 1));
       continue;
     }
     const bool is_control =

@@ -6,8 +6,8 @@
 
 namespace umbrameter {
 
-/// Text without control characters (each becomes a blank) and without bytes that are no UTF-8 (each becomes the
-/// replacement character): it can neither break a document nor steer a terminal.
+/// Text without control characters (each becomes a blank), bytes that are no UTF-8, invisible characters and those that
+/// turn the direction of writing (each becomes the replacement character): it breaks no document, steers no terminal.
 std::string plain_text(std::string_view text);
 
 /// Whether all bytes are UTF-8 (RFC 3629).

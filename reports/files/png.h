@@ -1,7 +1,8 @@
-// PNG as bytes: 8-bit sRGB, nothing in them that changes between runs.
+// PNG as bytes: written in 8-bit sRGB, with nothing in them that changes between runs; read as anyone writes them.
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "core/image.h"
 #include "core/math.h"
@@ -22,7 +23,20 @@ struct DeflatedImage {
 std::string to_png(const DeflatedImage& image);
 std::string to_png(const Image<glm::u8vec3>& image);
 
-/// The pixels of a PNG file, laid over white. Throws Error (partial) when the bytes are no PNG.
-Image<glm::u8vec3> from_png(const std::string& bytes);
+/// What a PNG file says about itself before its pixels.
+struct PngHeader {
+  int width = 0;
+  int height = 0;
+  /// Of the file's gAMA chunk, code value = light^gamma; 0 where an sRGB chunk comes with it, or where it has none.
+  double gamma = 0.0;
+  bool names_srgb = false;  ///< it has an sRGB chunk; with neither, readers assume sRGB at any bit depth
+};
+
+/// Throws Error (partial) when the bytes are no PNG, or too few for an image of its size.
+PngHeader png_header(std::string_view bytes);
+
+/// Red, green, blue and alpha as the file stores them, in 16 bits: codes of 8 bits times 257. Throws Error (partial)
+/// when the bytes are no PNG.
+Image<glm::u16vec4> from_png(std::string_view bytes);
 
 }  // namespace umbrameter

@@ -13,8 +13,7 @@ namespace umbrameter {
 std::string toml_string(std::string_view text);
 
 /// Parses a file. `kind` says what the file should be, for messages: "an experiment file". Throws Error (usage) with
-/// file and line when it is not TOML, Error (unreadable_input) when it cannot be read or is larger than 1 MiB. Reads
-/// pipes too.
+/// file and line when it is not TOML, Error (unreadable_input) when it is larger than 1 MiB or read_input() refuses it.
 toml::table parse_toml_file(const std::filesystem::path& path, const std::string& kind);
 
 /// "budget.toml:12", the line where the node begins.

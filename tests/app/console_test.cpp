@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <thread>
@@ -86,6 +87,7 @@ TEST(Progress, Is_shown_on_a_terminal_only) {
   Terminal terminal;
   if (terminal.name().empty()) GTEST_SKIP() << "no terminal can be made here";
   ProgramOptions on_terminal;
+  on_terminal.environment = {"TERM=xterm"};
   on_terminal.wrapper = {"sh", "-c", "exec \"$@\" 2>'" + terminal.name() + "'", "sh"};
   const ProgramResult shown = run_program(words, on_terminal);
   EXPECT_EQ(shown.exit_code, 0);
@@ -93,6 +95,13 @@ TEST(Progress, Is_shown_on_a_terminal_only) {
   EXPECT_NE(text.find("hemisphere rays"), std::string::npos) << text;
   EXPECT_NE(text.find("Mray/s, "), std::string::npos) << text;
   EXPECT_NE(text.find(" s left"), std::string::npos) << text;
+  Terminal dumb;
+  on_terminal.wrapper[2] = "exec \"$@\" 2>'" + dumb.name() + "'";
+  on_terminal.environment = {"TERM=dumb"};
+  std::vector<std::string> shorter = words;
+  *std::find(shorter.begin(), shorter.end(), "4096") = "512";
+  EXPECT_EQ(run_program(shorter, on_terminal).exit_code, 0);
+  EXPECT_EQ(dumb.finish().find('\x1b'), std::string::npos) << dumb.finish();
   const ProgramResult piped = run_program(words);
   EXPECT_EQ(piped.err.find(" s left"), std::string::npos) << piped.err;
 }

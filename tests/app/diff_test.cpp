@@ -8,6 +8,7 @@
 #include "reports/files/exr.h"
 #include "reports/files/png.h"
 #include "tests/app/run_program.h"
+#include "tests/support/png_bytes.h"
 
 namespace umbrameter {
 namespace {
@@ -96,6 +97,35 @@ TEST(Diff, Reads_exr_files_as_linear_and_their_layers_by_name) {
   const Json layer = diff_json({test, reference, "--layer", "ao", "--data", "--metrics", "mae,psnr"});
   EXPECT_EQ(layer["metrics"]["mae"]["score"], 0.75);
   EXPECT_NEAR(layer["metrics"]["psnr"]["score"].get<double>(), -20.0 * std::log10(0.75), 1e-9);
+}
+
+TEST(Diff, Says_which_colour_space_it_assumed) {
+  const TemporaryFolder folder;
+  const std::string grey = folder.write("grey.png", png_bytes(1, 1, 16, 0, std::string("\0\xbc\xbc", 3)));
+  const std::string stated = folder.write("stated.png", to_png(Image<glm::u8vec3>(1, 1, glm::u8vec3(188))));
+  const Json json = diff_json({grey, stated});
+  EXPECT_EQ(json["metrics"]["mae"]["score"], 0.0) << "the same picture in 16 and in 8 bits";
+  EXPECT_EQ(json["test_encoding"], "sRGB, assumed");
+  EXPECT_EQ(json["reference_encoding"], "sRGB");
+  const std::string line = run_program({"diff", grey, stated}).out;
+  EXPECT_NE(line.find("1 counted, sRGB (TEST: sRGB, assumed)\n"), std::string::npos) << line;
+}
+
+TEST(Diff, Compares_sizes_before_it_decodes_pixels) {
+  const TemporaryFolder folder;
+  // No pixels, but enough bytes for 16000 x 16000 of one bit: 16000² / 8 / 1032 = 31008.
+  const std::string large = png_bytes(16000, 16000, 1, 0, "", png_chunk("teSt", std::string(40'000, 'x')));
+  expect_error({folder.write("large.png", large), folder.write("small.png", step_png(3))}, 2,
+               "its size 16000x16000 differs from the reference's 64x64");
+}
+
+TEST(Diff, Says_nothing_of_a_map_without_values) {
+  const TemporaryFolder folder;
+  const std::string one = folder.write("one.png", to_png(Image<glm::u8vec3>(1, 1)));
+  const ProgramResult result = run_program({"diff", one, one, "--verbose"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  for (const char* odd : {"nan", "-1,-1"}) EXPECT_EQ(result.out.find(odd), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("weighted 25 %"), std::string::npos) << result.out;
 }
 
 TEST(Diff, Of_a_black_reference_and_of_equal_images_ends) {

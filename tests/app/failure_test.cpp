@@ -1,5 +1,6 @@
 // What goes wrong in daily use: each gives one line on stderr and its exit code, and leaves no file that looks whole.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <fstream>
@@ -107,12 +108,102 @@ TEST(Failure, A_parameter_out_of_range_names_its_limits) {
 }
 
 TEST(Failure, Missing_or_wrong_words_are_usage_errors) {
-  expect_failure(run_program({}), 2, "umbrameter --help");
   expect_failure(run_program({"compre"}), 2, "compare");
   expect_failure(run_program({"trace", "corner"}), 2, "--output");
   expect_failure(run_program({"trace", "-o", "out"}), 2, "no scene");
   expect_failure(run_program({"sweep", "corner", "-o", "out"}), 2, "--vary");
   expect_failure(run_program({"trace", "corner", "extra", "-o", "out"}), 2, "extra");
+}
+
+TEST(Failure, Without_a_command_the_help_is_shown_and_the_code_says_that_nothing_was_done) {
+  const ProgramResult result = run_program({});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err, run_program({"--help"}).out);
+}
+
+TEST(Failure, A_dash_as_output_makes_no_folder_of_that_name) {
+  expect_failure(run_program({"trace", "corner", "-o", "-"}), 2, "-o -: results cannot be written to stdout");
+  expect_failure(run_program({"scene", "corner", "-o", "-"}), 2, "./-");
+}
+
+TEST(Failure, Numbers_that_mean_nothing_are_refused) {
+  const TemporaryFolder folder;
+  const auto refused = [&](const std::string& flag, const std::string& value, const std::string& words) {
+    expect_failure(run_program({"trace", "corner", "-o", folder / "out", "--quiet", flag + "=" + value}), 2, words);
+  };
+  refused("--ao.radius", "1e30", "'1e30' is not allowed; expected a length from 1e-06 to 1e+12");
+  refused("--shading.exposure", "1e30", "expected a number from 1e-12 to 1e+12");
+  refused("--shadow.constant-bias", "-1e30", "expected a length from -1e+12 to 1e+12");
+  refused("--light.radius", "-0.5", "its radius is below 0");
+  refused("--light.angle", "-0.5", "its angular diameter is below 0");
+}
+
+TEST(Failure, A_value_of_any_length_makes_a_short_message) {
+  for (const char* flag : {"--truth.ao-weight", "--truth.spp", "--threads", "--nonsense"}) {
+    const ProgramResult result = run_program({"trace", "corner", "-o", "out", flag, std::string(5000, 'x')});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_TRUE(is_one_line(result.err));
+    EXPECT_LT(result.err.size(), 1000u) << flag;
+  }
+}
+
+TEST(Failure, Output_that_cannot_be_written_is_said_so) {
+  ProgramOptions options;
+  options.wrapper = {"sh", "-c", "exec \"$@\" >/dev/full", "sh"};
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"info", "corner", "--json"},
+                                                  {"scenes", "--json"},
+                                                  {"parameters", "--markdown"},
+                                                  {"--help-all"}}) {
+    expect_failure(run_program(command, options), 5, "stdout: some output could not be written");
+  }
+  options.wrapper[2] = "exec \"$@\" 2>/dev/full";
+  EXPECT_EQ(run_program({"trace", "corner", "--no-such-flag"}, options).exit_code, 2);
+}
+
+TEST(Failure, What_is_no_regular_file_is_refused_at_once) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::string image = folder.write("image.pfm", "Pf\n1 1\n-1\n1234");
+  const std::string words = "it is not a regular file; copy it to a file first";
+  expect_failure(run_program({"trace", "-c", pipe, "-o", folder / "out"}), 4, words);
+  expect_failure(run_program({"diff", pipe, image}), 4, words);
+  expect_failure(run_program({"diff", image, pipe}), 4, words);
+  expect_failure(run_program({"diff", image, image, "--mask", pipe}), 4, words);
+  expect_failure(run_program({"check", folder.path().string(), "--budget", pipe}), 4, words);
+  expect_failure(run_program({"diff", image, "/dev/zero"}), 4, words);
+}
+
+TEST(Failure, A_signal_ends_the_wait_for_a_pipe) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  ProgramOptions options;
+  // Somebody keeps it open and writes nothing.
+  options.wrapper = {"sh", "-c", "sleep 5 >'" + pipe + "' 2>/dev/null & exec \"$@\" <'" + pipe + "'", "sh"};
+  options.signal = SIGTERM;
+  options.signal_after_seconds = 1.0;
+  expect_failure(run_program({"trace", "-c", "/dev/stdin", "-o", folder / "out"}, options), 143, "stopped");
+}
+
+TEST(Failure, A_link_in_place_of_the_figures_is_not_followed) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "elsewhere");
+  std::filesystem::create_directories(folder / "out");
+  put_text(folder / "elsewhere/truth_ao.svg", "mine");
+  std::filesystem::create_directory_symlink(folder / "elsewhere", folder / "out/figures");
+  const auto run = [&](const char* last) {
+    return run_program(
+        {"trace", "corner", "-o", folder / "out", "--size", "64x36", "--truth.spp", "4", "--quiet", last});
+  };
+  expect_failure(run("--no-cache"), 2, "figures: the file exists and no recorded run wrote it");
+  const ProgramResult forced = run("--force");
+  EXPECT_EQ(forced.exit_code, 0) << forced.err;
+  EXPECT_EQ(text_of(folder / "elsewhere/truth_ao.svg"), "mine");
+  EXPECT_EQ(count_files(folder / "elsewhere"), 1u);
+  EXPECT_FALSE(std::filesystem::is_symlink(folder / "out/figures"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/figures/truth_ao.svg"));
 }
 
 TEST(Failure, An_unknown_light_or_camera_lists_what_there_is) {
@@ -143,9 +234,11 @@ TEST(Failure, A_wrong_value_in_an_experiment_file_is_reported_with_its_line) {
 
 TEST(Failure, An_experiment_file_that_never_ends_is_refused) {
   const TemporaryFolder folder;
-  const ProgramResult result = run_program({"trace", "-c", "/dev/zero", "-o", folder / "out"});
-  expect_failure(result, 4, "/dev/zero");
-  EXPECT_NE(result.err.find("larger than 1 MiB"), std::string::npos) << result.err;
+  ProgramOptions options;
+  options.wrapper = {"sh", "-c", "\"$@\" </dev/zero", "sh"};
+  expect_failure(run_program({"trace", "-c", "/dev/stdin", "-o", folder / "out"}, options), 4, "not a regular file");
+  options.wrapper[2] = "cat /dev/zero 2>/dev/null | \"$@\"";
+  expect_failure(run_program({"trace", "-c", "/dev/stdin", "-o", folder / "out"}, options), 4, "larger than 1 MiB");
 }
 
 TEST(Failure, An_experiment_can_come_through_a_pipe) {

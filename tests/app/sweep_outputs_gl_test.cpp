@@ -121,6 +121,18 @@ void expect_one_cell(const fs::path& out, const Json& summary, const Json& stati
   }
 }
 
+TEST_F(SweepOutputs, A_slip_in_an_axis_shows_before_anything_is_measured) {
+  for (const auto& [axis, message] : {std::pair{"view.camera=0,nope", "--camera nope: the scene has no such camera"},
+                                      {"view.light=sun,moon", "--light moon: the scene has no such light"},
+                                      {"light.angle=0.5,-0.5", "its angular diameter is below 0"}}) {
+    const ProgramResult result =
+        run_program(words({"sweep", "corner", "-o", out(), "--light", "sun", "--vary", axis}, small));
+    EXPECT_EQ(result.exit_code, 2) << result.err;
+    EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+    EXPECT_FALSE(fs::exists(out())) << "no cell is stored";
+  }
+}
+
 TEST_F(SweepOutputs, Agree_on_the_cell_of_least_error_over_bias_and_resolution) {
   // No value of the axes is the parameter's default.
   const Json summary = sweep("contact-box", {"shadow.constant-bias=0.05:0.2:4", "shadow.resolution=128,256"},

@@ -20,6 +20,20 @@ TEST(Error, Stays_one_line_when_a_driver_or_file_name_holds_line_breaks) {
   EXPECT_EQ(std::string(error.what()).find_first_of("\r\n\t"), std::string::npos);
 }
 
+TEST(Error, Shows_the_beginning_and_the_end_of_what_is_long) {
+  const std::string word = Error(ExitCode::usage, "shadow.filter", std::string(5000, 'x') + " is not allowed").what();
+  EXPECT_EQ(word, "shadow.filter: " + std::string(170, 'x') + "\u2026" + std::string(84, 'x') + " is not allowed");
+  std::string words;
+  for (int i = 0; i < 2500; ++i) words += "x ";
+  EXPECT_LT(std::string(Error(ExitCode::usage, "flag", words).what()).size(), 1020u);
+  const std::string path = "/" + std::string(200, 'p');
+  EXPECT_EQ(std::string(Error(ExitCode::usage, path, "no").what()), path + ": no");
+  // The cut lies within a letter of two bytes, which goes as a whole.
+  const std::string letters =
+      Error(ExitCode::usage, std::string(169, 'a') + "\u00e4" + std::string(200, 'a'), "no").what();
+  EXPECT_TRUE(letters.starts_with(std::string(169, 'a') + "\u2026a")) << letters;
+}
+
 TEST(Interrupt, A_signal_becomes_an_error_with_its_own_exit_code) {
   EXPECT_EXIT(
       {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/error.h"
+#include "tests/experiments/small_store.h"
 #include "tests/support/temporary_folder.h"
 
 namespace umbrameter {
@@ -14,50 +14,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// Cells of two axes and three measured columns, one of each kind.
-StoreDescription description(std::size_t cells = 4) {
-  return {"scene = \"corner\"\n",
-          {{"scene", "corner"}, {"view.size", "64x36"}},
-          {{"shadow.constant-bias", "0:1:2"}, {"shadow.filter", "box,nearest"}},
-          {{{"shadow.constant-bias", "m", "bias"}, ValueKind::real},
-           {{"shadow.filter", "", "filter"}, ValueKind::text},
-           {{"pixels", "px", "counted"}, ValueKind::integer},
-           {{"mae", "1", "error"}, ValueKind::real},
-           {{"binary", "", "whether the truth is binary"}, ValueKind::truth}},
-          cells};
-}
-
-std::vector<Value> row(double bias, const std::string& filter, double mae) {
-  return {bias, filter, std::int64_t{7}, mae, true};
-}
-
-const std::vector<std::vector<Value>> rows = {row(0, "box", 0.5), row(0, "nearest", 0.25), row(1, "box", 0.125),
-                                              row(1, "nearest", 0.25)};
-
-void add(ResultsStore& store, const std::vector<std::size_t>& cells) {
-  store.append(cells.front(), [&](const CellSink& keep) {
-    for (const std::size_t cell : cells) keep(cell, rows[cell]);
-  });
-}
-
-std::vector<std::vector<Value>> all_rows(const ResultsStore& store, const std::vector<std::string>& columns = {}) {
-  std::vector<std::vector<Value>> all;
-  store.read(columns, [&](std::span<const Value> values) { all.emplace_back(values.begin(), values.end()); });
-  return all;
-}
-
-void expect_error(const std::function<void()>& action, ExitCode code, const std::vector<std::string>& words) {
-  try {
-    action();
-    ADD_FAILURE() << "nothing thrown";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), code) << error.what();
-    for (const std::string& word : words) {
-      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
-    }
-  }
-}
 
 TEST(ResultsStore, Rows_come_back_in_the_order_of_cells_however_they_were_added) {
   const TemporaryFolder folder;
@@ -283,11 +239,11 @@ TEST(ResultsStore, A_file_of_a_later_version_is_refused) {
     store.finish();
   }
   std::string bytes = text_of(folder / "results.sqlite");
-  ASSERT_EQ(bytes.substr(60, 4), std::string("\0\0\0\1", 4)) << "PRAGMA user_version: SQLite's file format, 1.3.13";
-  bytes[63] = 2;
+  ASSERT_EQ(bytes.substr(60, 4), std::string("\0\0\0\2", 4)) << "PRAGMA user_version: SQLite's file format, 1.3.13";
+  bytes[63] = 3;
   put_text(folder / "results.sqlite", bytes);
   expect_error([&] { ResultsStore::open(folder.path(), description()); }, ExitCode::usage,
-               {"a later version of umbrameter wrote it: schema version 2, this program's is 1"});
+               {"a later version of umbrameter wrote it: schema version 3, this program's is 2"});
 }
 
 TEST(ResultsStore, A_folder_that_cannot_hold_it_is_a_usage_error) {

@@ -191,6 +191,33 @@ TEST(Experiment, A_file_of_rubbish_is_a_usage_error) {
   EXPECT_EQ(load("a = " + std::string(100000, '[')).error.code(), ExitCode::usage);
 }
 
+TEST(Experiment, Names_of_very_many_parts_are_usage_errors) {
+  std::string parts = "a";
+  for (int i = 0; i < 40'000; ++i) parts += ".a";
+  for (const std::string& text :
+       {"[" + parts + "]\n", parts + " = 1\n", "b = {" + parts + " = 1}\n", "b = [\n{" + parts + " = 1}]\n",
+        "s = \"\"\"a\"\"\"\"\nb = {s = \x27\x27\x27x\x27\x27\x27\x27, " + parts + " = 1}\n"}) {
+    const Loaded loaded = load("\n" + text);
+    EXPECT_EQ(loaded.error.code(), ExitCode::usage) << text.substr(0, 20);
+    EXPECT_TRUE(contains(loaded.error.what(), "more than 256 levels deep")) << loaded.error.what();
+  }
+  // Each table in brackets of its own, and its name of 200 parts: 200 times 200 levels.
+  std::string nested;
+  for (int i = 0; i < 200; ++i) nested.append("{").append(parts, 0, 399).append(" = ");
+  nested += "1" + std::string(200, '}');
+  EXPECT_TRUE(contains(load("b = " + nested).error.what(), "more than 256 levels deep"));
+}
+
+TEST(Experiment, Dots_in_texts_comments_and_numbers_are_no_levels) {
+  const std::string dots(1000, '.');
+  std::string comments;
+  for (int i = 0; i < 1000; ++i) comments += "# 0.5.\n";
+  const Loaded loaded = load("scene = \"" + dots + "\\\"" + dots + "\"\n" + comments +
+                             "[vary]\n\"shadow.slope-bias\" = '" + dots + "'\n");
+  EXPECT_EQ(loaded.error.code(), ExitCode::ok) << loaded.error.what();
+  EXPECT_EQ(loaded.file.scene.size(), 2001u);
+}
+
 TEST(Experiment, A_file_that_cannot_be_read_is_unreadable_input) {
   const TemporaryFolder folder;
   for (const std::filesystem::path& path : {folder / "absent.toml", folder.path()}) {

@@ -88,20 +88,22 @@ TEST(Figures, Png_of_an_image_holds_its_pixels_where_the_svg_shows_them) {
   const TemporaryFolder folder;
   const ImageFigure figure = ramp_figure(640, 40);
   write_figures(folder / "figures", {{figure}, {}});
-  const Image<glm::u8vec3> png = from_png(text_of(folder / "figures/ramp.png"));
+  const Image<glm::u16vec4> png = from_png(text_of(folder / "figures/ramp.png"));
   const std::string svg = to_svg(draw(figure));
   const Image<glm::u8vec3> rendered = SvgDrawing(svg).pixels(1.0);
   ASSERT_EQ(png.width, rendered.width);
   ASSERT_EQ(png.height, rendered.height);
   for (std::size_t i = 0; i < png.size(); ++i) {
     // Letters are laid over the page with 8 bits.
-    for (int c = 0; c < 3; ++c) ASSERT_NEAR(png[i][c], rendered[i][c], 1) << i;
+    for (int c = 0; c < 3; ++c) ASSERT_NEAR(png[i][c] / 257, rendered[i][c], 1) << i;
   }
   const Image<glm::u8vec3> colors = colorize(figure.values, figure.scale);
   const glm::ivec2 corner = draw(figure).images.front().corner;
   for (int y = 0; y < colors.height; ++y) {
-    for (int x = 0; x < colors.width; ++x)
-      ASSERT_EQ(png.at(corner.x + x, corner.y + y), colors.at(x, y)) << x << ", " << y;
+    for (int x = 0; x < colors.width; ++x) {
+      const glm::u16vec4 code(glm::u16vec3(colors.at(x, y)) * glm::u16vec3(257), 65535);
+      ASSERT_EQ(png.at(corner.x + x, corner.y + y), code) << x << ", " << y;
+    }
   }
 }
 

@@ -34,6 +34,13 @@ TEST(Markup, Control_characters_that_xml_forbids_do_not_pass) {
   EXPECT_EQ(escape_markup(std::string("a\0b", 3)).find('\0'), std::string::npos);
 }
 
+TEST(Markup, Characters_that_hide_or_turn_text_do_not_pass) {
+  for (const char* hidden : {"\u202e", "\u2066", "\u200b", "\u200f", "\u2028", "\u061c", "\ufeff", "\u2060"}) {
+    EXPECT_EQ(plain_text(std::string("a") + hidden + "b"), "a\uFFFDb");
+  }
+  EXPECT_EQ(plain_text("\u200d \u2013 \u2070 \u2030"), "\u200d \u2013 \u2070 \u2030");
+}
+
 // RFC 4648, section 10.
 TEST(Markup, Base64_follows_the_vectors_of_its_standard) {
   const std::pair<const char*, const char*> vectors[] = {{"", ""},
