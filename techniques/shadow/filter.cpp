@@ -10,7 +10,10 @@ namespace umbrameter {
 namespace {
 
 constexpr int turn_count = 64;
-constexpr std::uint32_t gaussian_sum = 128;
+// Sums of a Gaussian's weights along a side. Weights are integers, so that sums and histograms of them are exact; the
+// square of the sum, with linear taps that of its texel_parts-fold, fits into 32 bits.
+constexpr std::uint32_t gaussian_sum = 1u << 15;
+constexpr std::uint32_t linear_gaussian_sum = 224;  // 225, that of the largest tent, has no half
 
 std::vector<std::uint32_t> tent(int size) {
   std::vector<std::uint32_t> weights;
@@ -18,25 +21,21 @@ std::vector<std::uint32_t> tent(int size) {
   return weights;
 }
 
-// The middle, or the two in the middle, take what rounding leaves over.
-std::vector<std::uint32_t> gaussian(int size) {
+// exp(−x²/2σ²) at the texels' centres. Rounded are the sums of the weights from the left, so that at a straight edge
+// the kernel is off by half a unit; what lies right of the middle mirrors the left.
+std::vector<std::uint32_t> gaussian(int size, std::uint32_t sum) {
   const double deviation = (size + 1) / 6.0;
-  std::vector<double> shares;
-  double sum = 0.0;
+  std::vector<double> before = {0.0};
   for (int i = 0; i < size; ++i) {
     const double x = (i - 0.5 * (size - 1)) / deviation;
-    shares.push_back(std::exp(-0.5 * x * x));
-    sum += shares.back();
+    before.push_back(before.back() + std::exp(-0.5 * x * x));
   }
+  const auto rounded = [&](int i) {
+    return static_cast<std::uint32_t>(std::lround(sum * before[static_cast<std::size_t>(i)] / before.back()));
+  };
+  const auto weight_before = [&](int i) { return 2 * i <= size ? rounded(i) : sum - rounded(size - i); };
   std::vector<std::uint32_t> weights;
-  std::uint32_t given = 0;
-  for (const double share : shares) {
-    weights.push_back(static_cast<std::uint32_t>(std::lround(gaussian_sum * share / sum)));
-    given += weights.back();
-  }
-  const std::uint32_t left = gaussian_sum - given;
-  weights[static_cast<std::size_t>(size / 2)] += left - (size % 2 == 0 ? left / 2 : 0);
-  weights[static_cast<std::size_t>((size - 1) / 2)] += size % 2 == 0 ? left / 2 : 0;
+  for (int i = 0; i < size; ++i) weights.push_back(weight_before(i + 1) - weight_before(i));
   return weights;
 }
 
@@ -134,7 +133,7 @@ FilterKernel make_filter(const PcfParams& params) {
       filter.kernel = tent(params.size);
       break;
     case ShadowFilter::gaussian:
-      filter.kernel = gaussian(params.size);
+      filter.kernel = gaussian(params.size, filter.linear_taps ? linear_gaussian_sum : gaussian_sum);
       break;
     case ShadowFilter::optimized:
       filter.linear_taps = true;

@@ -27,26 +27,51 @@ TEST(ShadowFilter, Kernels_weigh_what_their_names_say) {
   EXPECT_EQ(filter_of(ShadowFilter::tent, 5).kernel, (Weights{1, 2, 3, 2, 1}));
 }
 
-TEST(ShadowFilter, A_gaussian_of_five_has_a_deviation_of_one_texel) {
-  // exp(−x²/2) at 0, 1 and 2: 1, 0.606531, 0.135335; their sum 2.483732. Of 128 these are 51.535, 31.258 and 6.975.
-  EXPECT_EQ(filter_of(ShadowFilter::gaussian, 5).kernel, (Weights{7, 31, 52, 31, 7}));
+// Share of the first texels of a Gaussian, exp(−x²/2σ²) at the texels' centres with σ = (size + 1)/6.
+double gaussian_left_of(int size, int at) {
+  double left = 0.0;
+  double all = 0.0;
+  for (int i = 0; i < size; ++i) {
+    const double x = (i + 0.5 - 0.5 * size) * 6.0 / (size + 1);
+    const double weight = std::exp(-0.5 * x * x);
+    all += weight;
+    if (i < at) left += weight;
+  }
+  return left / all;
 }
 
-TEST(ShadowFilter, What_rounding_leaves_over_goes_to_the_middle_of_a_gaussian) {
-  for (int size = 1; size <= FilterKernel::largest_size; ++size) {
-    const Weights weights = filter_of(ShadowFilter::gaussian, size).kernel;
-    std::uint32_t sum = 0;
-    for (const std::uint32_t weight : weights) sum += weight;
-    EXPECT_EQ(sum, 128u) << size;
-    EXPECT_EQ(weights, Weights(weights.rbegin(), weights.rend())) << size;
+TEST(ShadowFilter, A_gaussian_of_five_has_a_deviation_of_one_texel) {
+  // exp(−x²/2) at 0, 1 and 2: 1, 0.606531, 0.135335; their sum 2.483732. Of 32768 the first is 1785.49, the first two
+  // are 9787.47.
+  EXPECT_EQ(filter_of(ShadowFilter::gaussian, 5).kernel, (Weights{1785, 8002, 13194, 8002, 1785}));
+}
+
+TEST(ShadowFilter, A_gaussian_of_any_size_is_symmetric_and_off_by_half_a_unit_at_an_edge) {
+  for (const FilterTaps taps : {FilterTaps::nearest, FilterTaps::linear}) {
+    const std::uint32_t unit = taps == FilterTaps::nearest ? 32768 : 224;
+    for (int size = 1; size <= FilterKernel::largest_size; ++size) {
+      const FilterKernel filter = filter_of(ShadowFilter::gaussian, size, taps);
+      const Weights& weights = filter.kernel;
+      EXPECT_EQ(weights, Weights(weights.rbegin(), weights.rend())) << size;
+      std::uint32_t sum = 0;
+      for (int i = 0; i < size; ++i) {
+        EXPECT_NEAR(sum, unit * gaussian_left_of(size, i), 0.5001) << size << " " << i;
+        sum += weights[static_cast<std::size_t>(i)];
+      }
+      EXPECT_EQ(sum, unit) << size;
+      // 32768², (224 · 256)²
+      EXPECT_EQ(filter.weight_sum(), taps == FilterTaps::nearest ? 1'073'741'824u : 3'288'334'336u) << size;
+      EXPECT_TRUE(weights.front() > 0 || taps == FilterTaps::linear) << size;
+    }
   }
 }
 
 TEST(ShadowFilter, Even_kernels_are_symmetric_about_a_texel_corner) {
   EXPECT_EQ(filter_of(ShadowFilter::box, 4).kernel, (Weights{1, 1, 1, 1}));
   EXPECT_EQ(filter_of(ShadowFilter::tent, 4).kernel, (Weights{1, 2, 2, 1}));
-  // Deviation 5/6 texel: exp(−x²/2) at 0.6 and 1.8: 0.835270, 0.197899; their sum twice is 2.066338.
-  EXPECT_EQ(filter_of(ShadowFilter::gaussian, 4).kernel, (Weights{12, 52, 52, 12}));
+  // Deviation 5/6 texel: exp(−x²/2) at 0.6 and 1.8: 0.835270, 0.197899; their sum twice is 2.066338. 0.095773 of 32768
+  // is 3138.3.
+  EXPECT_EQ(filter_of(ShadowFilter::gaussian, 4).kernel, (Weights{3138, 13246, 13246, 3138}));
 }
 
 TEST(ShadowFilter, Optimized_kernels_have_three_five_or_seven_texels) {
