@@ -30,19 +30,19 @@ PrefilterSettings settings_of(LookupValues lookup) {
   return settings;
 }
 
-// Bilinear interpolation in full precision: hardware filters with 8-bit weights.
-vec4 values_at_level(Receiver receiver, int group, int level) {
+// Bilinear interpolation in double precision, like all that follows: hardware filters with 8-bit weights.
+dvec4 values_at_level(Receiver receiver, int group, int level) {
   int layer = receiver.view * GROUPS + group;
   ivec2 last = textureSize(values, level).xy - 1;
-  vec2 place = vec2(receiver.texels) * (vec2(last + 1) / float(resolution)) - 0.5;
+  dvec2 place = receiver.texels * (dvec2(last + 1) / double(resolution)) - 0.5lf;
   ivec2 base = ivec2(floor(place));
-  vec2 part = place - vec2(base);
+  dvec2 part = place - dvec2(base);
   ivec2 low = clamp(base, ivec2(0), last);
   ivec2 high = clamp(base + 1, ivec2(0), last);
-  vec4 bottom =
-      mix(texelFetch(values, ivec3(low, layer), level), texelFetch(values, ivec3(high.x, low.y, layer), level), part.x);
-  vec4 top = mix(texelFetch(values, ivec3(low.x, high.y, layer), level), texelFetch(values, ivec3(high, layer), level),
-                 part.x);
+  dvec4 bottom = mix(dvec4(texelFetch(values, ivec3(low, layer), level)),
+                     dvec4(texelFetch(values, ivec3(high.x, low.y, layer), level)), part.x);
+  dvec4 top = mix(dvec4(texelFetch(values, ivec3(low.x, high.y, layer), level)),
+                  dvec4(texelFetch(values, ivec3(high, layer), level)), part.x);
   return mix(bottom, top, part.y);
 }
 
@@ -76,17 +76,19 @@ float level_of_detail(ivec2 pixel, Receiver receiver) {
 float level_of_detail(ivec2 pixel, Receiver receiver) { return 0.0; }
 #endif
 
-vec4 values_at(Receiver receiver, int group, float level) {
+dvec4 values_at(Receiver receiver, int group, float level) {
   int finer = int(level);
-  vec4 at_finer = values_at_level(receiver, group, finer);
+  dvec4 at_finer = values_at_level(receiver, group, finer);
   float part = level - float(finer);
-  return part == 0.0 ? at_finer : mix(at_finer, values_at_level(receiver, group, finer + 1), part);
+  return part == 0.0 ? at_finer : mix(at_finer, values_at_level(receiver, group, finer + 1), double(part));
 }
 
-float visibility_at(vec4 of_groups[GROUPS], float depth, PrefilterSettings settings) {
+float visibility_at(dvec4 of_groups[GROUPS], double depth, PrefilterSettings settings) {
   if (TECHNIQUE != CSM) return visibility_from(of_groups[0], depth, settings);
   float sum = 0.0;
-  for (int group = 0; group < GROUPS; ++group) sum += fourier_sum(of_groups[group], depth, group, settings);
+  for (int group = 0; group < GROUPS; ++group) {
+    sum += fourier_sum(vec4(of_groups[group]), float(depth), group, settings);
+  }
   return fourier_visibility(sum, settings);
 }
 
@@ -96,7 +98,7 @@ void main() {
   float same_for_all = 1.0;
   bool reads_map = false;
   Lookup surfel;
-  vec4 of_groups[GROUPS];
+  dvec4 of_groups[GROUPS];
   if (texelFetch(ids, pixel, 0).r != NO_ID) {
     surfel = look_up(pixel);
     same_for_all = surfel.faces_light ? 1.0 : 0.0;
@@ -111,8 +113,7 @@ void main() {
     if (reads_map) {
       LookupValues lookup = lookups[i];
       double bias = double(lookup.constant_bias * surfel.bias_unit + lookup.slope_bias * surfel.slope);
-      float depth = float((surfel.receiver.depth - bias) / far_depth);
-      visibility = visibility_at(of_groups, depth, settings_of(lookup));
+      visibility = visibility_at(of_groups, (surfel.receiver.depth - bias) / far_depth, settings_of(lookup));
     }
     imageStore(visibility_image, ivec3(pixel, i), vec4(visibility));
   }

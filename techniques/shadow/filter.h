@@ -78,8 +78,8 @@ constexpr std::uint64_t largest_weight_sum(std::uint64_t size) {
 }
 static_assert(largest_weight_sum(FilterKernel::largest_size) < std::uint64_t{1} << 32);
 
-/// Box: equal weights. Tent: 1 2 … 2 1. Gaussian: standard deviation (size + 1) / 6 texels, weights rounded to
-/// 1/128 along each side. Bilinear: one linear tap, like `sampler2DShadow` with a linear filter. Poisson:
+/// Box: equal weights. Tent: 1 2 … 2 1. Gaussian: exp(−x²/2σ²) at the texels' centres, σ = (size + 1) / 6 texels, in
+/// units that 32 bits allow. Bilinear: one linear tap, like `sampler2DShadow` with a linear filter. Poisson:
 /// best-candidate samples (D. Mitchell, Spectrally Optimal Sampling for Distribution Ray Tracing, 1991). Optimized: the
 /// kernels of linear taps in The Witness (I. Castaño, Shadow Mapping Summary, 2013). Area tent: Unity's tent filters.
 /// Throws Error (usage) for a size that the kernel does not have.

@@ -1,5 +1,7 @@
 // What filtered shadow maps store and how a look-up reads them. The shaders compile this text as GLSL, and
-// prefiltered.h compiles it as C++ with GLM. A depth is the map's depth over its range, 0 to 1.
+// prefiltered.h compiles it as C++ with GLM. A depth is the map's depth over its range, 0 to 1. Bounds from moments are
+// computed in double precision: a variance is a small difference of stored numbers, and a look-up must not add rounding
+// to that of the map's format.
 // docs/techniques/filtered-maps.md has the formulas.
 #ifndef SHARED
 #define SHARED
@@ -27,17 +29,17 @@ struct PrefilterSettings {
 
 /// Upper bound of the share of texels at or behind a depth, from the mean of their depths and of their squares: the
 /// one-tailed inequality of Chebyshev (Donnelly and Lauritzen, Variance Shadow Maps, I3D 2006).
-SHARED float chebyshev_bound(vec2 moments, float depth, float min_variance) {
-  float behind = depth - moments.x;
-  if (behind <= 0.0f) return 1.0f;
-  float variance = max(moments.y - moments.x * moments.x, min_variance);
+SHARED double chebyshev_bound(dvec2 moments, double depth, double min_variance) {
+  double behind = depth - moments.x;
+  if (behind <= 0.0) return 1.0;
+  double variance = max(moments.y - moments.x * moments.x, min_variance);
   return variance / (variance + behind * behind);
 }
 
 /// Cuts off the darkest part of the penumbra, where light bleeds, and stretches the rest (Lauritzen, Summed-Area
 /// Variance Shadow Maps, GPU Gems 3, 2007).
-SHARED float reduce_bleeding(float visibility, float amount) {
-  return min(max((visibility - amount) / (1.0f - amount), 0.0f), 1.0f);
+SHARED double reduce_bleeding(double visibility, double amount) {
+  return min(max((visibility - amount) / (1.0 - amount), 0.0), 1.0);
 }
 
 /// exp(c₊·t) and −exp(−c₋·t) with t = 2·depth − 1, which both ascend with the depth (Lauritzen and McCool, Layered
@@ -50,8 +52,8 @@ SHARED vec2 warped(float depth, vec2 exponents) {
 /// chebyshev_bound() of a warped depth. The slope of the warp at the mean turns the least variance of the depth into
 /// one of the warped depth. (Some implementations take the slope at the receiver; far behind the mean that leaves a
 /// constant light of about 4·exponent²·min_variance.)
-SHARED float warped_bound(vec2 moments, float warped_depth, float exponent, float min_variance) {
-  float slope = 2.0f * exponent * moments.x;
+SHARED double warped_bound(dvec2 moments, double warped_depth, double exponent, double min_variance) {
+  double slope = 2.0 * exponent * moments.x;
   return chebyshev_bound(moments, warped_depth, min_variance * slope * slope);
 }
 
@@ -77,71 +79,71 @@ SHARED vec4 moments_of_quantized(vec4 code) {
 /// Of all distributions with the means b of the first four powers, one with three depths, `depth` among them, has the
 /// most in front of `depth`. Returns the other two in ascending order. They are the roots of c.x + c.y·z + c.z·z², where
 /// B·c = (1, d, d²) and B is the Hankel matrix ((1, b1, b2), (b1, b2, b3), (b2, b3, b4)).
-SHARED vec2 other_depths(vec4 b, float depth) {
-  // B = L·D·Lᵀ; rounding can bring D to 0.
-  float d22 = max(b.y - b.x * b.x, 1.0e-9f);
-  float l32_d22 = b.z - b.x * b.y;
-  float l32 = l32_d22 / d22;
-  float d33 = max(((b.w - b.y * b.y) * d22 - l32_d22 * l32_d22) / d22, 1.0e-12f);
-  float y2 = depth - b.x;
-  float y3 = depth * depth - b.y - l32 * y2;
-  if (y3 == 0.0f) y3 = 1.0e-9f;  // a root at infinity, with no weight
-  vec3 c;
+SHARED dvec2 other_depths(dvec4 b, double depth) {
+  // B = L·D·Lᵀ; the rounding of the stored moments can bring D to 0.
+  double d22 = max(b.y - b.x * b.x, 1.0e-9);
+  double l32_d22 = b.z - b.x * b.y;
+  double l32 = l32_d22 / d22;
+  double d33 = max(((b.w - b.y * b.y) * d22 - l32_d22 * l32_d22) / d22, 1.0e-12);
+  double y2 = depth - b.x;
+  double y3 = depth * depth - b.y - l32 * y2;
+  if (y3 == 0.0) y3 = 1.0e-9;  // a root at infinity, with no weight
+  dvec3 c;
   c.z = y3 / d33;
   c.y = y2 / d22 - l32 * c.z;
-  c.x = 1.0f - b.x * c.y - b.y * c.z;
+  c.x = 1.0 - b.x * c.y - b.y * c.z;
   // Without a difference of nearly equal numbers, even if one root is near infinity.
-  float root = sqrt(max(c.y * c.y - 4.0f * c.x * c.z, 0.0f));
-  float q = -0.5f * (c.y + (c.y < 0.0f ? -root : root));
-  float one = q / c.z;
-  float other = q == 0.0f ? one : c.x / q;
-  return vec2(min(one, other), max(one, other));
+  double root = sqrt(max(c.y * c.y - 4.0 * c.x * c.z, 0.0));
+  double q = -0.5 * (c.y + (c.y < 0.0 ? -root : root));
+  double one = q / c.z;
+  double other = q == 0.0 ? one : c.x / q;
+  return dvec2(min(one, other), max(one, other));
 }
 
 /// The share at or behind `depth` of the distribution of other_depths().
-SHARED float three_depth_share(vec4 b, float depth, vec2 others) {
-  float near = others.x;
-  float far = others.y;
-  if (depth <= near) return 1.0f;
-  float bound;
+SHARED double three_depth_share(dvec4 b, double depth, dvec2 others) {
+  double near = others.x;
+  double far = others.y;
+  if (depth <= near) return 1.0;
+  double bound;
   if (depth <= far) {  // all but the weight of the near root
-    bound = 1.0f - (b.y - b.x * (depth + far) + depth * far) / ((near - depth) * (near - far));
+    bound = 1.0 - (b.y - b.x * (depth + far) + depth * far) / ((near - depth) * (near - far));
   } else {  // the weight of the depth itself
     bound = (b.y - b.x * (near + far) + near * far) / ((depth - near) * (depth - far));
   }
-  return min(max(bound, 0.0f), 1.0f);
+  return min(max(bound, 0.0), 1.0);
 }
 
 /// Moments of the map, mixed with a share of a half at 0 and a half at 1.
-SHARED vec4 biased_moments(vec4 moments, float bias) { return moments + bias * (vec4(0.5f) - moments); }
+SHARED dvec4 biased_moments(dvec4 moments, double bias) { return moments + bias * (dvec4(0.5) - moments); }
 
 /// Upper bound of the share of texels at or behind a depth, from the means of the first four powers of their depths:
 /// the sharpest that they allow, but for the bias (Peters and Klein 2015, the Hamburger problem).
-SHARED float hamburger_bound(vec4 moments, float depth, float bias) {
-  vec4 b = biased_moments(moments, bias);
+SHARED double hamburger_bound(dvec4 moments, double depth, double bias) {
+  dvec4 b = biased_moments(moments, bias);
   return three_depth_share(b, depth, other_depths(b, depth));
 }
 
 /// The sharpest bound if the texels' depths are known to lie from 0 to 1 (Peters and Klein 2015, the Hausdorff problem).
 /// If one of the three depths of the Hamburger problem lies outside, the distribution has four depths: 0, 1, the
 /// receiver's and a fourth x, which follows from the mean of z·(1 − z)·(z − d)·(z − x) = 0.
-SHARED float hausdorff_bound(vec4 moments, float depth, float bias) {
-  if (depth <= 0.0f) return 1.0f;
-  vec4 b = biased_moments(moments, bias);
-  vec2 others = other_depths(b, depth);
-  bool is_inside = others.x >= 0.0f && others.y <= 1.0f;
-  if (is_inside || depth >= 1.0f) return three_depth_share(b, depth, others);
-  float over = b.y - b.z - depth * (b.x - b.y);
-  float x = over == 0.0f ? 1.0f : (b.z - b.w - depth * (b.y - b.z)) / over;  // 0: all texels are at 0 or 1
-  x = min(max(x, 0.0f), 1.0f);
-  float bound;
+SHARED double hausdorff_bound(dvec4 moments, double depth, double bias) {
+  if (depth <= 0.0) return 1.0;
+  dvec4 b = biased_moments(moments, bias);
+  dvec2 others = other_depths(b, depth);
+  bool is_inside = others.x >= 0.0 && others.y <= 1.0;
+  if (is_inside || depth >= 1.0) return three_depth_share(b, depth, others);
+  double over = b.y - b.z - depth * (b.x - b.y);
+  double x = over == 0.0 ? 1.0 : (b.z - b.w - depth * (b.y - b.z)) / over;  // 0: all texels are at 0 or 1
+  x = min(max(x, 0.0), 1.0);
+  double bound;
   if (x > depth) {  // all but the weight of 0
-    bound = 1.0f + (b.z - (1.0f + depth + x) * b.y + (depth + x + depth * x) * b.x - depth * x) / (depth * x);
+    bound = 1.0 + (b.z - (1.0 + depth + x) * b.y + (depth + x + depth * x) * b.x - depth * x) / (depth * x);
   } else {  // the weights of the receiver's depth and of 1
-    bound = (b.z - (1.0f + x) * b.y + x * b.x) / (depth * max(depth - x, 1.0e-9f) * (depth - 1.0f)) +
-            (b.z - (depth + x) * b.y + depth * x * b.x) / ((1.0f - depth) * (1.0f - x));
+    bound = (b.z - (1.0 + x) * b.y + x * b.x) / (depth * max(depth - x, 1.0e-9) * (depth - 1.0)) +
+            (b.z - (depth + x) * b.y + depth * x * b.x) / ((1.0 - depth) * (1.0 - x));
   }
-  return min(max(bound, 0.0f), 1.0f);
+  return min(max(bound, 0.0), 1.0);
 }
 
 /// Frequency of a term of the Fourier series of a step that repeats with period 2; terms count from 1.
@@ -193,22 +195,27 @@ SHARED vec4 map_values(float depth, int group, PrefilterSettings settings) {
 }
 
 /// Visibility of a receiver at a depth, 0 to 1, from the blurred values; not for CSM.
-SHARED float visibility_from(vec4 values, float depth, PrefilterSettings settings) {
+SHARED float visibility_from(dvec4 values, double depth, PrefilterSettings settings) {
   // Annen et al., Exponential Shadow Maps, GI 2008.
-  if (settings.technique == ESM) return min(max(exp(-settings.exponents.x * depth) * values.x, 0.0f), 1.0f);
-  float bound = 1.0f;
+  if (settings.technique == ESM) {
+    return min(max(exp(-settings.exponents.x * float(depth)) * float(values.x), 0.0f), 1.0f);
+  }
+  double bound = 1.0;
   if (settings.technique == VSM) {
-    bound = chebyshev_bound(vec2(values.x, values.y), depth, settings.min_variance);
+    bound = chebyshev_bound(dvec2(values.x, values.y), depth, double(settings.min_variance));
   } else if (settings.technique == MSM) {
-    vec4 moments = settings.is_quantized != 0 ? moments_of_quantized(values) : values;
-    bound = settings.is_hausdorff != 0 ? hausdorff_bound(moments, depth, settings.moment_bias)
-                                       : hamburger_bound(moments, depth, settings.moment_bias);
+    dvec4 moments = values;
+    if (settings.is_quantized != 0) moments = dvec4(moments_of_quantized(vec4(values)));
+    bound = settings.is_hausdorff != 0 ? hausdorff_bound(moments, depth, double(settings.moment_bias))
+                                       : hamburger_bound(moments, depth, double(settings.moment_bias));
   } else {
-    vec2 w = warped(depth, settings.exponents);
-    bound = warped_bound(vec2(values.x, values.y), w.x, settings.exponents.x, settings.min_variance);
+    vec2 w = warped(float(depth), settings.exponents);
+    double min_variance = double(settings.min_variance);
+    bound = warped_bound(dvec2(values.x, values.y), double(w.x), double(settings.exponents.x), min_variance);
     if (settings.technique == EVSM4) {
-      bound = min(bound, warped_bound(vec2(values.z, values.w), w.y, settings.exponents.y, settings.min_variance));
+      bound = min(bound, warped_bound(dvec2(values.z, values.w), double(w.y), double(settings.exponents.y),
+                                      min_variance));
     }
   }
-  return reduce_bleeding(bound, settings.bleeding_reduction);
+  return float(reduce_bleeding(bound, double(settings.bleeding_reduction)));
 }

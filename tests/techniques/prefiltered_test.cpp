@@ -8,39 +8,16 @@
 #include <vector>
 
 #include "core/error.h"
-#include "techniques/shadow/technique.h"
 #include "tests/support/prefiltered_rounding.h"
+#include "tests/techniques/prefiltered_depths.h"
 
 namespace umbrameter {
 namespace {
 
-using shared::PrefilterSettings;
+using namespace test;
 
 // CSM's is none.
 constexpr std::array<int, 4> bounds{shared::VSM, shared::EVSM2, shared::EVSM4, shared::MSM};
-
-PrefilterSettings settings_of(int technique, const MomentMapParams& map = {}, const MomentLookupParams& lookup = {}) {
-  return make_prefiltered(technique, {}, map, lookup).settings;
-}
-
-// Depths of texels of equal weight.
-using Depths = std::vector<float>;
-
-// Averaged in double precision and rounded once.
-vec4 mean_of(const Depths& depths, const PrefilterSettings& settings) {
-  dvec4 sum(0.0);
-  for (const float z : depths) sum += dvec4(shared::map_values(z, 0, settings));
-  return vec4(sum / static_cast<double>(depths.size()));
-}
-
-float visibility(const Depths& depths, float depth, const PrefilterSettings& settings) {
-  return shared::visibility_from(mean_of(depths, settings), depth, settings);
-}
-
-double exact(const Depths& depths, float depth) {
-  const auto lit = std::count_if(depths.begin(), depths.end(), [&](float z) { return z >= depth; });
-  return static_cast<double>(lit) / static_cast<double>(depths.size());
-}
 
 TEST(Prefiltered, No_bound_is_darker_than_the_share_of_lit_texels) {
   std::mt19937 random(7);
@@ -67,44 +44,6 @@ TEST(Prefiltered, No_bound_is_darker_than_the_share_of_lit_texels) {
     }
   }
   EXPECT_LT(loose, checked / 50);
-}
-
-PrefilterSettings hausdorff() {
-  MomentLookupParams lookup;
-  lookup.bound = MomentBound::hausdorff;
-  return settings_of(shared::MSM, {}, lookup);
-}
-
-TEST(Prefiltered, The_hausdorff_bound_lies_between_the_share_of_lit_texels_and_the_hamburger_bound) {
-  std::mt19937 random(11);
-  std::uniform_real_distribution<float> uniform;
-  std::size_t sharper = 0;
-  for (int round = 0; round < 20000; ++round) {
-    Depths surfaces(2 + random() % 6);
-    for (float& z : surfaces) z = uniform(random);
-    // Often at the ends of the range, where the bound is sharper.
-    if (round % 2 == 0) surfaces[0] = static_cast<float>(round / 2 % 2);
-    Depths depths(25);
-    for (float& z : depths) z = surfaces[random() % surfaces.size()];
-    const float depth = round % 3 == 0 ? surfaces[1] : uniform(random);
-    const vec4 moments = mean_of(depths, hausdorff());
-    const float found = shared::visibility_from(moments, depth, hausdorff());
-    const float hamburger = shared::visibility_from(moments, depth, settings_of(shared::MSM));
-    const double tolerance =
-        1e-5 + static_cast<double>(test::change_by_rounding(moments, depth, hausdorff(), 4 * test::half_ulp));
-    EXPECT_GE(found, exact(depths, depth) - tolerance) << round;
-    EXPECT_LE(found, static_cast<double>(hamburger) + tolerance) << round;
-    if (found < hamburger - 0.05f) ++sharper;
-  }
-  EXPECT_GT(sharper, 1000u);
-}
-
-TEST(Prefiltered, The_hausdorff_bound_is_exact_for_both_ends_and_two_depths_at_either_of_them) {
-  const Depths depths{0.0f, 0.0f, 0.3f, 0.3f, 0.3f, 0.6f, 0.6f, 1.0f, 1.0f, 1.0f};
-  for (const float depth : {0.3f, 0.6f}) {
-    EXPECT_NEAR(visibility(depths, depth, hausdorff()), exact(depths, depth), 1e-3) << depth;
-    EXPECT_GT(visibility(depths, depth, settings_of(shared::MSM)), exact(depths, depth) + 0.01) << depth;
-  }
 }
 
 float fourier_visibility(float z, float depth, const PrefilterSettings& settings) {
@@ -267,19 +206,6 @@ TEST(Prefiltered, Evsm_converges_to_the_hard_shadow_as_its_exponents_grow) {
   EXPECT_NEAR(visibility(depths, 0.45f, settings_of(shared::EVSM4, map, lookup)), exact(depths, 0.45f), 0.02);
 }
 
-TEST(Prefiltered, Msm_is_exact_for_two_depths_and_vsm_is_so_only_at_the_far_one) {
-  for (const int near : {1, 3, 6, 9}) {
-    Depths depths(10, 0.7f);
-    std::fill_n(depths.begin(), near, 0.2f);
-    for (const float depth : {0.1f, 0.3f, 0.5f, 0.65f, 0.75f, 0.9f}) {
-      EXPECT_NEAR(visibility(depths, depth, settings_of(shared::MSM)), exact(depths, depth), 1e-3) << near << depth;
-    }
-    // σ²/(σ² + (d − μ)²) is the share of the far depth there.
-    EXPECT_NEAR(visibility(depths, 0.7f, settings_of(shared::VSM)), exact(depths, 0.7f), 1e-4) << near;
-    EXPECT_GT(visibility(depths, 0.75f, settings_of(shared::VSM)), 0.05f) << near;
-  }
-}
-
 TEST(Prefiltered, Quantised_moments_are_in_range_and_read_back) {
   for (int i = 0; i <= 1000; ++i) {
     const float z = static_cast<float>(i) / 1000.0f;
@@ -295,11 +221,11 @@ TEST(Prefiltered, Quantised_moments_are_in_range_and_read_back) {
 }
 
 TEST(Prefiltered, Bleeding_reduction_keeps_full_light_and_blackens_up_to_its_value) {
-  EXPECT_EQ(shared::reduce_bleeding(1.0f, 0.3f), 1.0f);
-  EXPECT_EQ(shared::reduce_bleeding(0.3f, 0.3f), 0.0f);
-  EXPECT_EQ(shared::reduce_bleeding(0.1f, 0.3f), 0.0f);
-  EXPECT_FLOAT_EQ(shared::reduce_bleeding(0.65f, 0.3f), 0.5f);
-  EXPECT_EQ(shared::reduce_bleeding(0.37f, 0.0f), 0.37f);
+  EXPECT_EQ(shared::reduce_bleeding(1.0, 0.3), 1.0);
+  EXPECT_EQ(shared::reduce_bleeding(0.3, 0.3), 0.0);
+  EXPECT_EQ(shared::reduce_bleeding(0.1, 0.3), 0.0);
+  EXPECT_NEAR(shared::reduce_bleeding(0.65, 0.3), 0.5, 1e-12);
+  EXPECT_EQ(shared::reduce_bleeding(0.37, 0.0), 0.37);
 }
 
 TEST(Prefiltered, A_format_that_cannot_hold_the_values_is_an_error) {
