@@ -16,11 +16,11 @@ namespace {
 std::string ao_technique_text(const AoParams& params) {
   AoTechnique technique = make_technique(params);
   const bool has_bias = find(describe(technique), "ao.bias") != nullptr;
-  AoBlurParams blur = params.blur;
+  AoBlurParams blur = blur_of(params);
   const std::string kind = to_string(require(describe(blur), "ao.blur").value());
   return fmt::format("{} samples, radius {}{}{}.", params.sampling.samples, metres_text(params.sampling.radius.number),
                      has_bias ? fmt::format(", bias {}", metres_text(params.bias.depth.number)) : "",
-                     params.blur.kind == AoBlur::none ? "" : fmt::format(", {0}×{0} {1} blur", taps_of(params.blur).count, kind));
+                     blur.kind == AoBlur::none ? "" : fmt::format(", {0}×{0} {1} blur", taps_of(blur).count, kind));
 }
 
 // "mean absolute error 10.645 to 10.752 %, mean signed error +8.974 ± 0.002 %": as many digits in both as the wider
