@@ -17,8 +17,8 @@ namespace umbrameter {
 
 /// What a stage changes, in order. model: the method's own integral replaces the requested reference. off_screen,
 /// hidden: occluders outside the view, and those inside it that no pixel sees, vanish. thin: all behind the visible
-/// surface is solid. approximation: the method with very many samples replaces the integral. sampling: with its own
-/// number. blur: its blur and upsampling.
+/// surface is solid, as thick as the method takes it. approximation: the method with very many samples replaces the
+/// integral. sampling: with its own number. blur: its blur and upsampling.
 enum class AoStage : int { model, off_screen, hidden, thin, approximation, sampling, blur };
 inline constexpr std::size_t ao_stage_count = 7;
 inline constexpr std::array<std::string_view, ao_stage_count> ao_stage_names = {

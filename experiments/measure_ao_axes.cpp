@@ -23,7 +23,7 @@ std::size_t index_in(const std::vector<T>& ascending, T value) {
 }  // namespace
 
 bool is_ao_one_pass(const AoParams& params) {
-  return params.blur.kind == AoBlur::none && params.resolution.kind == AoResolution::full &&
+  return blur_of(params).kind == AoBlur::none && params.resolution.kind == AoResolution::full &&
          !reads_surface(params.tone) && capabilities_of(make_technique(params)).flips_at_bias;
 }
 

@@ -41,9 +41,8 @@ class Integral {
     std::array<Means, max_randomisations> occlusion{};
   };
 
-  Integral(const VisibleSurface& surface, const AoIntegral& integral, const AoIntegralParams& params,
-           TracedIntegral& result)
-      : surface_(surface), integral_(integral), params_(params), split_(split(params.spp)), result_(result) {}
+  Integral(const VisibleSurface& surface, const AoIntegral& integral, int spp, TracedIntegral& result)
+      : surface_(surface), integral_(integral), split_(split(spp)), result_(result) {}
 
   Sums start(std::size_t pixel, const RayOrigin& origin) const {
     return {pixel, glm::normalize(surface_.view_from_world() * origin.normal), surface_.to_viewer(pixel)};
@@ -90,7 +89,7 @@ class Integral {
   }
 
  private:
-  // `point`: from the surfel to the point of the surface.
+  // `point`: from the surfel to the point of the surface, on the ray.
   static AoHit hit_at(const Sums& at, const dvec3& direction, double along_ray, const dvec3& point) {
     const double up = glm::dot(direction, at.viewer);
     const dvec3 across = direction - up * at.viewer;
@@ -100,6 +99,28 @@ class Integral {
     const double distance = glm::length(point);
     return {along_ray, distance, distance > 0.0 ? glm::dot(point, at.normal) / distance : 0.0,
             std::asin(std::clamp(up, -1.0, 1.0)) - tangent, std::abs(point.z)};
+  }
+
+  // `point`: likewise, on the ray or before it as the camera sees it.
+  static AoHit hit_at(const Sums& at, const dvec3& direction, const SurfaceEvent& event, const dvec3& point) {
+    AoHit hit = hit_at(at, direction, event.distance, point);
+    if (event.is_connected) return hit;
+    hit.behind = std::max(point.z - event.distance * direction.z, 0.0);
+    // The point is a · direction + b · viewer, because the line of sight lies in the plane of the two: b.
+    const double cosine = glm::dot(direction, at.viewer);
+    const double square = 1.0 - cosine * cosine;
+    const double up = glm::dot(point, at.viewer) - cosine * glm::dot(point, direction);
+    hit.behind_to_viewer = square > 0.0 ? std::max(up / square, 0.0) : 0.0;
+    return hit;
+  }
+
+  // How far along a ray it can be behind a point within the reach by no more than b = reach_behind. The point is
+  // a · direction + b · viewer with a ≤ reach + b, and at the distance D from the viewer its line of sight meets the
+  // ray at a · D / (D − b).
+  double march_reach(std::size_t pixel) const {
+    const double distance = surface_.distance_to_viewer(pixel);
+    const double behind = std::min(integral_.reach_behind, 0.99 * distance);  // what the camera sees is before it
+    return (integral_.reach + behind) * (std::isinf(distance) ? 1.0 : distance / (distance - behind));
   }
 
   Means occlusion_of(const Sums& at, const TracedRay& ray) const {
@@ -116,20 +137,19 @@ class Integral {
       if (ray.distance <= in_view_until) occlusion[in_view] = occlusion[all];
     }
     const auto visit = [&](const SurfaceEvent& event) {
-      const double weight =
-          integral_.occlusion(hit_at(at, direction, event.distance, event.seen - surface_.position(at.pixel)));
+      const double weight = integral_.occlusion(hit_at(at, direction, event, event.seen - surface_.position(at.pixel)));
       // Behind a distant surface, which occludes little, a nearer one may occlude more.
       occlusion[solid] = std::max(occlusion[solid], weight);
-      if (event.is_connected) occlusion[seen] = weight;
-      return !event.is_connected;
+      const bool is_hit = event.is_connected && event.distance <= integral_.reach;
+      if (is_hit) occlusion[seen] = weight;
+      return !is_hit;
     };
-    surface_.march(at.pixel, direction, integral_.reach, params_.thickness, std::cref(visit));
+    surface_.march(at.pixel, direction, march_reach(at.pixel), std::cref(visit));
     return occlusion;
   }
 
   const VisibleSurface& surface_;
   const AoIntegral& integral_;
-  const AoIntegralParams& params_;
   Randomisations split_;
   TracedIntegral& result_;
 };
@@ -150,7 +170,7 @@ TracedIntegral trace_integral(const Tracer& tracer, const GBuffer& gbuffer, cons
   traced.degrees_of_freedom = degrees_of_freedom(rays);
   const VisibleSurface surface(gbuffer, view);
   traced.statistics = trace_ao_tiles({tracer, gbuffer, rays, integral.reach, params.seed},
-                                     Integral(surface, integral, params, traced), progress);
+                                     Integral(surface, integral, params.spp, traced), progress);
   return traced;
 }
 

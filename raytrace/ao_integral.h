@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 
 #include "core/gbuffer.h"
 #include "core/image.h"
@@ -17,14 +16,13 @@ namespace umbrameter {
 
 /// Which occluders exist. all: the full geometry. in_view: its part inside the view volume, that is all depth layers of
 /// the image. seen: the surface of the first layer, without thickness. solid: the same with all behind it assumed
-/// solid, up to the thickness.
+/// solid, as far as the method does (AoHit::behind).
 enum class Occluders : int { all, in_view, seen, solid };
 inline constexpr std::size_t occluder_kinds = 4;
 
 struct AoIntegralParams {
   int spp = 256;  ///< rays per pixel
   std::uint32_t seed = 1;
-  double thickness = std::numeric_limits<double>::infinity();  ///< metres along the camera's axis
 };
 
 /// Accessibility by each set of occluders, 1 on background, with unbiased estimates of its variance and of that of its

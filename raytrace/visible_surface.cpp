@@ -71,6 +71,10 @@ dvec3 VisibleSurface::to_viewer(std::size_t pixel) const {
   return is_orthographic_ ? dvec3(0.0, 0.0, 1.0) : -glm::normalize(positions_[pixel]);
 }
 
+double VisibleSurface::distance_to_viewer(std::size_t pixel) const {
+  return is_orthographic_ ? infinity : glm::length(positions_[pixel]);
+}
+
 VisibleSurface::Place VisibleSurface::place_of(const dvec3& position) const {
   const dvec4 clip = clip_from_view_ * dvec4(position, 1.0);
   Place place;
@@ -205,7 +209,7 @@ double VisibleSurface::reach_in_view(std::size_t pixel, const dvec3& direction, 
   return reach;
 }
 
-void VisibleSurface::march(std::size_t pixel, const dvec3& direction, double reach, double thickness,
+void VisibleSurface::march(std::size_t pixel, const dvec3& direction, double reach,
                            const std::function<bool(const SurfaceEvent&)>& visit) const {
   Ray ray;
   ray.from = positions_[pixel];
@@ -255,9 +259,6 @@ void VisibleSurface::march(std::size_t pixel, const dvec3& direction, double rea
       }
       return visit({distance, seen, is_connected});
     };
-    const auto is_within = [&](double s) {
-      return depth_of(ray.nearness(s)) - depth_of(surface_at(at, ray.at(s), true)) <= thickness;
-    };
     const double tolerance = rounding * std::abs(facet.center);
     for (std::size_t part = 0; part < bound_count; ++part) {
       const double from = bounds[part];
@@ -265,13 +266,9 @@ void VisibleSurface::march(std::size_t pixel, const dvec3& direction, double rea
       const double middle = 0.5 * (from + to);
       const bool is_behind = surface_at(at, ray.at(middle), !is_own) - ray.nearness(middle) > tolerance;
       const bool is_at_border = part == 0;
-      if (is_behind != was_behind && (!is_at_border || is_joined(before, at))) {
-        if (!visit_at(from, true)) return false;
-      } else if (is_behind && is_within(from)) {
-        if (!visit_at(from, false)) return false;
-      } else if (is_behind && is_within(to)) {
-        if (!visit_at(to, false)) return false;
-      }
+      const bool is_connected = is_behind != was_behind && (!is_at_border || is_joined(before, at));
+      if ((is_connected || is_behind) && !visit_at(from, is_connected)) return false;
+      if (is_behind && !visit_at(to, false)) return false;
       was_behind = is_behind;
     }
     return true;

@@ -30,10 +30,10 @@ class VisibleSurface {
  public:
   VisibleSurface(const GBuffer& gbuffer, const View& view);
 
-  /// Calls visit() for each pixel in which the ray from the pixel's surfel is behind the surface within the reach, from
-  /// near to far, until it returns false. `direction` is in view space, unit, and points away from the surfel's facet.
-  /// `thickness`, metres along the camera's axis: a ray farther behind the surface than this is not behind it.
-  void march(std::size_t pixel, const dvec3& direction, double reach, double thickness,
+  /// Calls visit() at both ends of each part of a pixel in which the ray from the pixel's surfel is behind the surface
+  /// within the reach, from near to far, until it returns false. `direction` is in view space, unit, and points away
+  /// from the surfel's facet.
+  void march(std::size_t pixel, const dvec3& direction, double reach,
              const std::function<bool(const SurfaceEvent&)>& visit) const;
 
   /// How far along a ray from the pixel's surfel an occluder can be that the camera has in its view: at most `reach`,
@@ -47,6 +47,9 @@ class VisibleSurface {
   /// The pixel's surfel in view space, and unit vectors to the viewer and along the normal.
   const dvec3& position(std::size_t pixel) const { return positions_[pixel]; }
   dvec3 to_viewer(std::size_t pixel) const;
+
+  /// Metres; infinite for an orthographic camera.
+  double distance_to_viewer(std::size_t pixel) const;
 
   const dmat3& view_from_world() const { return view_from_world_; }
 

@@ -13,7 +13,7 @@ constexpr std::array<const char*, ao_stage_count> meanings = {
     "The method's own radius, falloff and weight on the full geometry, instead of the requested reference.",
     "Occluders outside the view vanish.",
     "Occluders inside the view that no pixel sees vanish.",
-    "All behind the visible surface counts as solid.",
+    "All behind the visible surface counts as solid, as thick as the method takes it.",
     "The method with very many samples, instead of its integral over what the depth buffer knows.",
     "The method's own number of samples, without blur.",
     "Its blur.",
@@ -139,7 +139,7 @@ Presentation present_ao_stages(const AoMeasurement& ao) {
     add_figure(presentation, ao_stage_figure(stage, stage_difference(stages.images, stage)));
   }
   section.headlines = {
-      {"mean error", signed_text(statistics.total.mean_error.value), "sum of the stages"},
+      {"mean signed error", signed_text(statistics.total.mean_error.value), "sum of the stages"},
       {"sRGB PSNR", fmt::format("{:.2f} dB", statistics.srgb_psnr), "of encoded accessibility, peak 1"},
   };
   section.tables = {stages_table(statistics), splits_table(stages.bins)};
@@ -147,9 +147,12 @@ Presentation present_ao_stages(const AoMeasurement& ao) {
   for (std::size_t k = 1; k < ao_stage_count; ++k) {
     if (statistics.stages[k].rms.value > statistics.stages[largest].rms.value) largest = k;
   }
-  presentation.lines.push_back(fmt::format("AO: largest stage {}: mean {}, RMS {:.4f} (total RMS {:.4f})",
-                                           ao_stage_titles[largest], signed_text(statistics.stages[largest].mean.value),
-                                           statistics.stages[largest].rms.value, statistics.total.rmse.value));
+  const AoStageError& most = statistics.stages[largest];
+  const double total = statistics.total.rmse.value;
+  presentation.lines.push_back(
+      fmt::format("AO: the stage {} changes most: mean {}, RMS {:.4f}; {}RMS of the error: {:.4f}",
+                  ao_stage_titles[largest], signed_text(most.mean.value), most.rms.value,
+                  most.rms.value > total ? "other stages undo a part of it; " : "", total));
   return presentation;
 }
 

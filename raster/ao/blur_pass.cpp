@@ -44,7 +44,8 @@ gl::Texture denoise(const gl::Context& context, const AoInputs& inputs, const gl
 
 }  // namespace
 
-gl::Texture blur(const gl::Context& context, const AoInputs& inputs, gl::Texture ao, const AoParams& params) {
+gl::Texture blur(const gl::Context& context, const AoInputs& inputs, gl::Texture ao, AoParams params) {
+  params.blur = blur_of(params);
   if (taps_of(params.blur).count == 1) return ao;
   for (int i = 0; i < params.blur.passes; ++i) {
     if (params.blur.kind == AoBlur::xegtao) {

@@ -8,6 +8,6 @@
 namespace umbrameter {
 
 /// All passes along both axes; background stays 1.
-gl::Texture blur(const gl::Context& context, const AoInputs& inputs, gl::Texture ao, const AoParams& params);
+gl::Texture blur(const gl::Context& context, const AoInputs& inputs, gl::Texture ao, AoParams params);
 
 }  // namespace umbrameter

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/parameters.h"
+#include "techniques/ao/blur.h"
 #include "techniques/ao/noise.h"
 #include "techniques/ao/parameters.h"
 #include "techniques/ao/screen.h"
@@ -41,6 +42,7 @@ Parameters describe(AlchemyParams& params);
 
 struct Alchemy {
   static constexpr std::string_view title = "Alchemy AO";
+  static constexpr AoBlur denoiser = AoBlur::bilateral;  ///< the papers' code: 7 taps along each axis, by depth
   AoSamplingParams sampling;
   AoNoiseParams noise;
   AlchemyParams params;

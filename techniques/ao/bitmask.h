@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/parameters.h"
+#include "techniques/ao/blur.h"
 #include "techniques/ao/gtao.h"
 #include "techniques/ao/noise.h"
 #include "techniques/ao/parameters.h"
@@ -34,6 +35,7 @@ Parameters describe(BitmaskParams& params);
 
 struct Bitmask {
   static constexpr std::string_view title = "Visibility bitmask";
+  static constexpr AoBlur denoiser = AoBlur::xegtao;  ///< that of GTAO, whose slices and noise it has
   AoSamplingParams sampling;
   AoNoiseParams noise;
   AoSliceParams slices;

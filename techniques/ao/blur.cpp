@@ -1,14 +1,16 @@
 #include "techniques/ao/blur.h"
 
 #include <array>
+#include <cassert>
 #include <string_view>
 
 namespace umbrameter {
 
 Parameters describe(AoBlurParams& params) {
-  static constexpr std::array<std::string_view, 5> names{"none", "box", "gaussian", "bilateral", "xegtao"};
+  static constexpr std::array<std::string_view, 6> names{"own", "none", "box", "gaussian", "bilateral", "xegtao"};
   return Description("ao")
-      .choice("blur", params.kind, names, {.unit = {}, .meaning = "blur", .basic = true})
+      .choice("blur", params.kind, names,
+              {.unit = {}, .meaning = "blur; own: that of the technique's publication", .basic = true})
       .field("blur-size", params.size,
              {.unit = "px", .meaning = "width of the blur; of xegtao: 3", .min = 1, .max = 32})
       .field("blur-passes", params.passes, {.unit = "1", .meaning = "passes of the blur", .min = 1, .max = 16})
@@ -22,6 +24,7 @@ Parameters describe(AoBlurParams& params) {
 }
 
 AoBlurTaps taps_of(const AoBlurParams& params) {
+  assert(params.kind != AoBlur::own);
   if (params.kind == AoBlur::none) return {};
   if (params.kind == AoBlur::xegtao) return {-1, 3};
   const int before = params.size / 2;

@@ -5,10 +5,11 @@
 
 namespace umbrameter {
 
-enum class AoBlur : int { none, box, gaussian, bilateral, xegtao };
+/// own: that of the technique's publication (blur_of() in technique.h replaces it).
+enum class AoBlur : int { own, none, box, gaussian, bilateral, xegtao };
 
 struct AoBlurParams {
-  AoBlur kind = AoBlur::box;
+  AoBlur kind = AoBlur::own;
   int size = 4;
   int passes = 1;
   double plane_distance = 0.05;
@@ -16,8 +17,8 @@ struct AoBlurParams {
 };
 Parameters describe(AoBlurParams& params);
 
-/// The blur along one axis: `count` pixels, of which the first has the offset `first`, positive to the right or down.
-/// The same taps apply to both axes. One tap does not blur. Pixels are clamped to the edge of the image.
+/// The blur, not `own`, along one axis: `count` pixels, of which the first has the offset `first`, positive to the
+/// right or down. The same taps apply to both axes. One tap does not blur. Pixels are clamped to the edge of the image.
 struct AoBlurTaps {
   int first = 0;
   int count = 1;

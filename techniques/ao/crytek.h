@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/parameters.h"
+#include "techniques/ao/blur.h"
 #include "techniques/ao/noise.h"
 #include "techniques/ao/parameters.h"
 #include "techniques/ao/screen.h"
@@ -23,6 +24,7 @@ struct CrytekMethod : AoScreen {
 
 struct Crytek {
   static constexpr std::string_view title = "Full-sphere SSAO";
+  static constexpr AoBlur denoiser = AoBlur::bilateral;  ///< published with a blur that keeps depth edges
   AoSamplingParams sampling;
   AoBiasParams bias;
   AoNoiseParams noise;

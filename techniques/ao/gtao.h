@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/parameters.h"
+#include "techniques/ao/blur.h"
 #include "techniques/ao/noise.h"
 #include "techniques/ao/parameters.h"
 #include "techniques/ao/screen.h"
@@ -32,6 +33,7 @@ Parameters describe(GtaoParams& params);
 
 struct Gtao {
   static constexpr std::string_view title = "GTAO";
+  static constexpr AoBlur denoiser = AoBlur::xegtao;
   AoSamplingParams sampling;
   AoNoiseParams noise;
   AoSliceParams slices;

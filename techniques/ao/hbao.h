@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/parameters.h"
+#include "techniques/ao/blur.h"
 #include "techniques/ao/noise.h"
 #include "techniques/ao/parameters.h"
 #include "techniques/ao/screen.h"
@@ -32,6 +33,7 @@ Parameters describe(HbaoParams& params);
 
 struct Hbao {
   static constexpr std::string_view title = "HBAO";
+  static constexpr AoBlur denoiser = AoBlur::bilateral;  ///< the authors' code: 17 taps along each axis, by depth
   AoSamplingParams sampling;
   AoNoiseParams noise;
   HbaoParams params;

@@ -108,16 +108,33 @@ AoIntegral integral_of(const Alchemy& technique) {
 
 AoIntegral integral_of(const Marched& technique) {
   const bool is_uniform = technique.params.weight == MarchedWeight::uniform;
-  return {is_uniform ? AoDirections::uniform : AoDirections::cosine, technique.sampling.radius.number,
-          [](const AoHit&) { return 1.0; }, unchanged,
-          is_uniform ? "uniform directions; a hit within the radius occludes in full"
-                     : "cosine-weighted directions; a hit within the radius occludes in full"};
+  const double radius = technique.sampling.radius.number;
+  const auto occlusion = [thickness = technique.params.thickness * radius](const AoHit& hit) {
+    return hit.behind <= thickness ? 1.0 : 0.0;
+  };
+  return {is_uniform ? AoDirections::uniform : AoDirections::cosine, radius, occlusion, unchanged,
+          std::string(is_uniform ? "uniform" : "cosine-weighted") +
+              " directions; a hit within the radius occludes in full, and so does a seen surface that the ray is "
+              "behind by at most the thickness along the camera's axis"};
 }
 
 std::optional<AoIntegral> integral_of(const Bitmask& technique) {
   if (technique.params.weight == BitmaskWeight::angle) return {};
-  return AoIntegral{AoDirections::cosine, technique.sampling.radius.number, [](const AoHit&) { return 1.0; }, unchanged,
-                    "cosine-weighted directions; a hit within the radius occludes in full"};
+  const double radius = technique.sampling.radius.number;
+  const double thickness = technique.params.thickness * radius;
+  // A sample covers the directions between its point and the point as much as the thickness farther from the viewer.
+  const auto occlusion = [=](const AoHit& hit) {
+    return hit.distance < radius && hit.behind_to_viewer <= thickness ? 1.0 : 0.0;
+  };
+  return AoIntegral{AoDirections::cosine,
+                    radius,
+                    occlusion,
+                    unchanged,
+                    "cosine-weighted directions; a hit within the radius occludes in full, and so does a seen point "
+                    "within the radius that the ray is behind by at most the thickness, along the direction to the "
+                    "viewer",
+                    {},
+                    thickness};
 }
 
 std::optional<AoIntegral> integral_of(const AoTechnique& technique) {

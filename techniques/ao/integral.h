@@ -21,18 +21,23 @@ struct AoHit {
   double cosine = 1.0;            ///< between the geometric normal and the direction to the point
   double above_tangent = 0.0;     ///< radians from tangent plane to ray, in the plane through ray and viewer direction
   double depth_difference = 0.0;  ///< metres along the camera's axis from the surfel to the point, not negative
+  double behind = 0.0;            ///< metres along the camera's axis from the point to the ray; 0: it passes through
+  double behind_to_viewer = 0.0;  ///< the same along the surfel's direction to the viewer
 };
 
 /// A method's own integral: output(1 − mean over the directions of occlusion(hit)), where a ray without a hit within
 /// the reach does not occlude.
 struct AoIntegral {
   AoDirections directions = AoDirections::uniform;
-  double reach = 0.0;  ///< metres
+  double reach = 0.0;  ///< metres, of rays to points
   std::function<double(const AoHit&)> occlusion;
   std::function<double(double)> output;
   std::string formula;  ///< for people: the weight of a hit and the output
   /// What the method shows for an output at a pixel; the output itself if empty.
   std::function<double(double, std::size_t)> shown{};
+  /// Metres by which a ray can be behind a point within the reach, along the surfel's direction to the viewer: rays
+  /// that pass behind surfaces are followed farther than the reach by what that takes.
+  double reach_behind = 0.0;
 };
 
 AoIntegral integral_of(const Ssao& technique);

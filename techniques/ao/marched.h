@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/parameters.h"
+#include "techniques/ao/blur.h"
 #include "techniques/ao/noise.h"
 #include "techniques/ao/parameters.h"
 #include "techniques/ao/screen.h"
@@ -33,6 +34,7 @@ Parameters describe(MarchedParams& params);
 
 struct Marched {
   static constexpr std::string_view title = "Ray-marched SSAO";
+  static constexpr AoBlur denoiser = AoBlur::none;  ///< ours has no denoiser
   AoSamplingParams sampling;
   AoNoiseParams noise;
   MarchedParams params;

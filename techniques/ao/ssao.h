@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/parameters.h"
+#include "techniques/ao/blur.h"
 #include "techniques/ao/kernel.h"
 #include "techniques/ao/noise.h"
 #include "techniques/ao/parameters.h"
@@ -18,6 +19,7 @@ Parameters describe(SsaoParams& params);
 
 struct Ssao {
   static constexpr std::string_view title = "SSAO";
+  static constexpr AoBlur denoiser = AoBlur::box;  ///< 4×4, as in Learn OpenGL
   AoSamplingParams sampling;
   AoBiasParams bias;
   AoNoiseParams noise;

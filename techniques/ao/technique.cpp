@@ -48,6 +48,14 @@ Parameters describe(AoTechnique& technique) {
   return std::visit([](auto& each) { return describe(each); }, technique);
 }
 
+AoBlurParams blur_of(const AoParams& params) {
+  AoBlurParams blur = params.blur;
+  if (blur.kind == AoBlur::own) {
+    blur.kind = std::visit([](const auto& each) { return each.denoiser; }, make_technique(params));
+  }
+  return blur;
+}
+
 AoCapabilities capabilities_of(const AoTechnique& technique) {
   if (const auto* ssao = std::get_if<Ssao>(&technique)) {
     return {true, ssao->kernel.kind == AoKernel::progressive, 0};

@@ -1,9 +1,9 @@
 // The techniques of ambient occlusion. A technique holds the parameters that it reads. Other code depends on these,
 // never on its name.
 //
-// To add a technique: (1) put its parameters, its struct and their describe() in a new file in this folder; (2) here,
-// add its name, a member of AoParams and an alternative of AoTechnique; (3) put its pass in raster/ao/ and add a line
-// to raster/ao/technique_passes.h.
+// To add a technique: (1) put its parameters, its struct with the denoiser that it was published with, and their
+// describe() in a new file in this folder; (2) here, add its name, a member of AoParams and an alternative of
+// AoTechnique; (3) put its pass in raster/ao/ and add a line to raster/ao/technique_passes.h.
 #pragma once
 
 #include <cstdint>
@@ -62,6 +62,9 @@ AoTechnique make_technique(const AoParams& params);
 
 /// The parameters that the technique reads.
 Parameters describe(AoTechnique& technique);
+
+/// The blur that follows the technique: that of the parameters, or its own.
+AoBlurParams blur_of(const AoParams& params);
 
 struct AoCapabilities {
   bool flips_at_bias = false;       ///< each sample occludes up to a critical value of ao.bias, and adds to a sum

@@ -21,13 +21,16 @@ Scene endless_plane() {
   return scene;
 }
 
-View plane_view(double angle) {
+constexpr double plane_distance = 3.0;
+const double vertical_fov = 2.0 * std::atan(std::tan(25.0 * degree) / 3.0);
+
+View plane_view(double angle, int height) {
   const double a = angle * degree;
-  View view{480, 160, {}};
+  View view{3 * height, height, {}};
   view.camera.world_from_camera =
       dmat4(dvec4(1, 0, 0, 0), dvec4(0, std::sin(a), -std::cos(a), 0), dvec4(0, std::cos(a), std::sin(a), 0),
-            dvec4(0, 3 * std::cos(a), 3 * std::sin(a), 1));
-  view.camera.projection = PerspectiveProjection{2 * std::atan(std::tan(25 * degree) * 160 / 480)};
+            dvec4(0, plane_distance * std::cos(a), plane_distance * std::sin(a), 1));
+  view.camera.projection = PerspectiveProjection{vertical_fov};
   return view;
 }
 
@@ -81,15 +84,20 @@ class MeanSquare {
 
 }  // namespace
 
-Darkening open_plane_darkening(const gl::Context& context, const AoParams& params, double angle, bool at_edge) {
-  const View view = plane_view(angle);
+double radius_in_pixels(const AoParams& params, int height) {
+  return params.sampling.radius.number / plane_distance * 0.5 * height / std::tan(0.5 * vertical_fov);
+}
+
+Darkening open_plane_darkening(const gl::Context& context, const AoParams& params, const PlanePlace& place) {
+  const View view = plane_view(place.angle, place.height);
   const UploadedScene scene = upload(context, endless_plane());
-  const Seen seen = see(context, scene, view, params, 1);
-  const int center = at_edge ? 464 : 240;
+  const Seen seen = see(context, scene, view, params, place.seeds);
+  const int half = place.height / 10;
+  const int center = place.is_at_edge ? view.width - half : view.width / 2;
   Darkening darkening;
   double count = 0.0;
-  for (int y = 64; y < 96; ++y) {
-    for (int x = center - 16; x < center + 16; ++x) {
+  for (int y = view.height / 2 - half; y < view.height / 2 + half; ++y) {
+    for (int x = center - half; x < center + half; ++x) {
       const std::size_t i = seen.mean.index(x, y);
       if (!seen.surfels.is_surface(i)) continue;
       darkening.mean += 1.0 - seen.mean[i];

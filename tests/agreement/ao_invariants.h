@@ -17,9 +17,19 @@ struct Darkening {
   double worst = 0.0;
 };
 
-/// 1 − AO of an endless plane, in the 32² pixels about the axis of the camera, or about the ray 24 degrees to its side.
-/// `angle`: between the axis and the plane's normal, degrees. The camera is 3 m away.
-Darkening open_plane_darkening(const gl::Context& context, const AoParams& params, double angle, bool at_edge);
+/// 1 − AO of an endless plane, in a square of a fifth of the image's height about the axis of the camera, or about the
+/// ray 24 degrees to its side. `angle`: between the axis and the plane's normal, degrees. The camera is 3 m away, and
+/// its image `height` pixels high and three times as wide.
+struct PlanePlace {
+  double angle = 0.0;
+  bool is_at_edge = false;
+  int height = 160;  ///< a multiple of 10
+  int seeds = 1;     ///< whose mean it is
+};
+Darkening open_plane_darkening(const gl::Context& context, const AoParams& params, const PlanePlace& place);
+
+/// Pixels across the screen, on the axis of that camera.
+double radius_in_pixels(const AoParams& params, int height);
 
 /// Root mean squares over the pixels that see a surface.
 struct AoVariation {

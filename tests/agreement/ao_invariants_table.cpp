@@ -2,6 +2,7 @@
 // docs/ambient-occlusion/invariants.md.
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -44,6 +45,7 @@ AoParams params_of(const Row& row) {
   AoParams params;
   params.sampling.radius = 0.5;
   params.bias.depth = 0.025;
+  params.blur.kind = AoBlur::box;  // its mean is that of the noise tile
   const Parameters all = describe(params);
   for (const auto& [key, value] : row.settings) require(all, key).set_text(value);
   return params;
@@ -52,19 +54,54 @@ AoParams params_of(const Row& row) {
 void print_planes(const gl::Context& context) {
   fmt::print(
       "## Open plane\n\n"
-      "1 − AO of an endless plane, in thousandths: mean / worst pixel, after the default 4×4 box blur. The angle is "
+      "1 − AO of an endless plane, in thousandths: mean / worst pixel, after a 4×4 box blur. The angle is "
       "that\n"
       "between the camera's axis and the plane's normal. Axis: the 32² pixels in the centre of the image; edge: those "
       "about the\nray 24° to the side, in a field of view of 50°. The camera is 3 m from the plane, R = 0.5 m, bias 25 "
-      "mm. 0 is right;\nfull-sphere SSAO gives 500 by design.\n\n"
+      "mm. R\nspans 86 pixels on the axis. 0 is right; full-sphere SSAO gives 500 by design.\n\n"
       "| method | 10° axis | edge | 30° axis | edge | 60° axis | edge | 85° axis | edge |\n| --- |");
   for (int i = 0; i < 8; ++i) fmt::print(" --- |");
   for (const Row& row : rows()) {
     fmt::print("\n| {} |", row.name);
     for (const double angle : {10.0, 30.0, 60.0, 85.0}) {
       for (const bool at_edge : {false, true}) {
-        const Darkening d = open_plane_darkening(context, params_of(row), angle, at_edge);
+        const Darkening d = open_plane_darkening(context, params_of(row), {angle, at_edge});
         fmt::print(" {:.0f} / {:.0f} |", 1000.0 * d.mean + 0.0, 1000.0 * d.worst);
+      }
+    }
+    std::fflush(stdout);
+  }
+  fmt::print("\n");
+}
+
+void print_plane_sizes(const gl::Context& context) {
+  constexpr std::array heights{40, 80, 160, 320};
+  constexpr int seeds = 8;
+  fmt::print(
+      "\n### Against the radius in pixels\n\n"
+      "The same means on the axis, for images of {} to {} pixels in height and {} tiles of noise. r is the radius "
+      "across "
+      "the\nscreen in pixels, and the only thing by which the size of an image matters: a tap is rounded to a pixel, "
+      "whose "
+      "centre lies up\nto half a pixel beside the direction searched, so that near taps see the plane too high.\n\n"
+      "- HBAO: steps are even, and the tangent bias lets only taps within a fixed number of pixels count, a share of "
+      "1/r. "
+      "Twice the\n  radius in pixels halves the darkening. Without tangent bias all taps count by 1/distance: (ln "
+      "r)/r.\n"
+      "- GTAO and the bitmask: distances are squares, and the share of near taps falls as 1/√r.\n\n| method |",
+      heights.front(), heights.back(), seeds);
+  for (const double angle : {30.0, 60.0, 85.0}) {
+    for (const int height : heights)
+      fmt::print(" {:.0f}°, r = {:.0f} |", angle, radius_in_pixels(params_of({}), height));
+  }
+  fmt::print("\n| --- |");
+  for (std::size_t i = 0; i < 3 * heights.size(); ++i) fmt::print(" --- |");
+  for (const Row& row : rows()) {
+    fmt::print("\n| {} |", row.name);
+    for (const double angle : {30.0, 60.0, 85.0}) {
+      for (const int height : heights) {
+        fmt::print(" {:.1f} |",
+                   1000.0 * open_plane_darkening(context, params_of(row), {angle, false, height, seeds}).mean + 0.0);
       }
     }
     std::fflush(stdout);
@@ -143,9 +180,10 @@ int run() {
   const gl::Context context = gl::Context::make();
   fmt::print(
       "# What the methods should not depend on\n\n"
-      "Made by `umbrameter_ao_invariants` with llvmpipe. All parameters but those in a row's name are the "
-      "defaults.\n\n");
+      "Made by `umbrameter_ao_invariants` with llvmpipe. All parameters but those in a row's name and the blur "
+      "are the\ndefaults.\n\n");
   print_planes(context);
+  print_plane_sizes(context);
   print_variations(context);
   print_bent_normals(context);
   fmt::print(
@@ -159,8 +197,11 @@ int run() {
       "  of the image differs little from its centre.\n"
       "- GTAO's slices are even in the image by default, as in XeGTAO: 0.007 too dark at 10° on the edge;\n"
       "  `ao.slice-spacing angle` leaves 0.001.\n"
-      "- The bitmask rounds up to whole sectors by default, as in the authors' code: 0.05 too dark at every angle.\n"
-      "  `ao.bitmask-rounding nearest` removes this; the rest at 85° comes from the weight by angle.\n"
+      "- The bitmask rounds up to whole sectors by default, as in the authors' code: 0.05 to 0.06 too dark at every "
+      "angle.\n"
+      "  `ao.bitmask-rounding nearest` removes most of this. The rest falls with the radius in pixels, to what the "
+      "weight "
+      "by angle\n  leaves at 85°.\n"
       "- Normals rebuilt from depth are wrong where faces are about as narrow as a pixel ([inputs](inputs.md)). "
       "Full-sphere SSAO\n  reads no normals.\n"
       "- A period of 0 means a covariance of 0 or less between pixels one tile apart: after a box blur of the tile's "

@@ -2,14 +2,15 @@
 // the page docs/ambient-occlusion/table.md. SCENE: a file or a built-in scene. All settings but the method are the
 // defaults. The time is that of the method with its blur, in processor time of all threads, over that of the G-buffer
 // pass in the same turn.
-// umbrameter_ao_table --pictures DIR: instead one sheet of pictures per method, DIR/ao-METHOD.png, on the scenes that
-// its page names: reference, result, error and the stage of largest RMS.
+// umbrameter_ao_table --pictures DIR [PAGE...]: instead one sheet of pictures per method, DIR/ao-METHOD.png, on the
+// scenes that its page names: reference, result, error and the stage of largest RMS.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,27 +30,33 @@ namespace umbrameter {
 namespace {
 
 constexpr int turns = 5;
+constexpr int width = 240;
+constexpr int height = 135;
 
 using Settings = std::vector<std::string>;  // "ao.technique=gtao"
 
+// `reads`: settings with which a pixel reads the depth buffer 64 times.
 struct Row {
   const char* name;
   Settings settings;
+  Settings reads;
+  bool can_have_64_reads = true;
 };
 
 const std::vector<Row>& rows() {
+  const Settings slices = {"ao.slices=4", "ao.steps=8"};
   static const std::vector<Row> all = {
-      {"SSAO", {"ao.technique=ssao"}},
-      {"full-sphere SSAO", {"ao.technique=crytek"}},
-      {"Alchemy AO", {"ao.technique=alchemy", "ao.alchemy-estimator=alchemy"}},
-      {"SAO", {"ao.technique=alchemy"}},
-      {"SAO, mip chain", {"ao.technique=alchemy", "ao.alchemy-mip-chain=true"}},
-      {"HBAO", {"ao.technique=hbao"}},
-      {"GTAO", {"ao.technique=gtao"}},
-      {"GTAO, power 1", {"ao.technique=gtao", "ao.gtao-power=1", "ao.gtao-radius-multiplier=1"}},
-      {"bitmask", {"ao.technique=bitmask"}},
-      {"bitmask, cosine weight", {"ao.technique=bitmask", "ao.bitmask-weight=cosine"}},
-      {"ray-marched SSAO", {"ao.technique=ray-marched"}},
+      {"SSAO", {"ao.technique=ssao"}, {}},
+      {"full-sphere SSAO", {"ao.technique=crytek"}, {}},
+      {"Alchemy AO", {"ao.technique=alchemy", "ao.alchemy-estimator=alchemy"}, {}},
+      {"SAO", {"ao.technique=alchemy"}, {}},
+      {"SAO, mip chain", {"ao.technique=alchemy", "ao.alchemy-mip-chain=true"}, {}},
+      {"HBAO", {"ao.technique=hbao"}, {"ao.hbao-directions=8", "ao.hbao-steps=8"}},
+      {"GTAO", {"ao.technique=gtao"}, slices},
+      {"GTAO, power 1", {"ao.technique=gtao", "ao.gtao-power=1", "ao.gtao-radius-multiplier=1"}, slices},
+      {"bitmask", {"ao.technique=bitmask"}, slices},
+      {"bitmask, cosine weight", {"ao.technique=bitmask", "ao.bitmask-weight=cosine"}, slices},
+      {"ray-marched SSAO", {"ao.technique=ray-marched"}, {}, false},
   };
   return all;
 }
@@ -83,7 +90,7 @@ const std::vector<Sheet>& sheets() {
 Experiment experiment_of(const std::string& scene, const Settings& settings) {
   Experiment experiment;
   experiment.scene = scene;
-  experiment.view.size = {480, 270};
+  experiment.view.size = {width, height};
   experiment.truth.spp = 32;
   const Parameters parameters = describe(experiment);
   for (const std::string& setting : settings) {
@@ -110,7 +117,26 @@ double time_ratio(Stages& stages, const Experiment& experiment) {
 
 std::string signed_text(double value) { return fmt::format("{:+.4f}", value); }
 
-void print_scene(const std::string& scene) {
+// RMSE by row and scene.
+using Errors = std::vector<std::vector<double>>;
+
+struct Ranking {
+  const char* title;
+  Errors errors;
+};
+
+Settings together(const Settings& a, const Settings& b) {
+  Settings all = a;
+  all.insert(all.end(), b.begin(), b.end());
+  return all;
+}
+
+double rmse_of(Stages& stages, const std::string& scene, const Settings& settings) {
+  const Experiment experiment = stages.in_metres(experiment_of(scene, settings));
+  return measure_ao(stages, experiment, {}).statistics->error.rmse.value;
+}
+
+void print_scene(const std::string& scene, std::vector<Ranking>& rankings) {
   Stages stages(load_scene(scene), {}, Console{});
   const Experiment first = stages.in_metres(experiment_of(scene, rows().front().settings));
   fmt::print("\n## `{}`, camera `{}`, radius {:.2f} m\n\n| method |", scene, stages.surfels(first).view.camera.name,
@@ -119,7 +145,8 @@ void print_scene(const std::string& scene) {
   fmt::print(" mean error | ± | RMSE | MSE, sRGB | PSNR, sRGB | time |\n| --- |");
   for (std::size_t i = 0; i < ao_stage_count + 6; ++i) fmt::print(" --- |");
   fmt::print("\n");
-  for (const Row& row : rows()) {
+  for (std::size_t r = 0; r < rows().size(); ++r) {
+    const Row& row = rows()[r];
     const Experiment experiment = stages.in_metres(experiment_of(scene, row.settings));
     const AoMeasurement ao = measure_ao(stages, experiment, {});
     const SampledError& error = ao.statistics->error;
@@ -136,6 +163,33 @@ void print_scene(const std::string& scene) {
     }
     fmt::print(" {:.1f} |\n", time_ratio(stages, experiment));
     std::fflush(stdout);
+    rankings[0].errors[r].push_back(error.rmse.value);
+    rankings[1].errors[r].push_back(rmse_of(stages, scene, together(row.settings, {"ao.blur=box"})));
+    if (row.can_have_64_reads) {
+      rankings[2].errors[r].push_back(rmse_of(stages, scene, together(row.settings, row.reads)));
+    }
+  }
+}
+
+double mean_of(const std::vector<double>& errors) {
+  return std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
+}
+
+void print_ranking(const Ranking& ranking, const std::vector<std::string>& scenes) {
+  fmt::print("\n### {}\n\n| method |", ranking.title);
+  for (const std::string& scene : scenes) fmt::print(" `{}` |", scene);
+  fmt::print(" mean |\n| --- |");
+  for (std::size_t i = 0; i <= scenes.size(); ++i) fmt::print(" --- |");
+  fmt::print("\n");
+  std::vector<std::size_t> order;
+  for (std::size_t r = 0; r < rows().size(); ++r) {
+    if (!ranking.errors[r].empty()) order.push_back(r);
+  }
+  std::ranges::sort(order, {}, [&](std::size_t r) { return mean_of(ranking.errors[r]); });
+  for (const std::size_t r : order) {
+    fmt::print("| {} |", rows()[r].name);
+    for (const double error : ranking.errors[r]) fmt::print(" {:.3f} |", error);
+    fmt::print(" {:.3f} |\n", mean_of(ranking.errors[r]));
   }
 }
 
@@ -159,9 +213,9 @@ Image<float> difference(const Image<float>& a, const Image<float>& b) {
 
 void add_cells(std::vector<SheetCell>& cells, const Sheet& sheet, const Pictured& pictured) {
   Stages stages(load_scene(pictured.scene), {}, Console{});
-  Settings settings = sheet.settings;
-  settings.insert(settings.end(), pictured.settings.begin(), pictured.settings.end());
-  const Experiment experiment = stages.in_metres(experiment_of(pictured.scene, settings));
+  Experiment experiment = experiment_of(pictured.scene, together(sheet.settings, pictured.settings));
+  experiment.view.size = {2 * width, 2 * height};
+  experiment = stages.in_metres(experiment);
   const AoMeasurement ao = measure_ao(stages, experiment, {});
   const AoStages measured = measure_ao_stages(stages, experiment, *ao.truth, *ao.raster, Console{});
   const AoStageStatistics& s = measured.statistics;
@@ -178,9 +232,10 @@ void add_cells(std::vector<SheetCell>& cells, const Sheet& sheet, const Pictured
                    colorize(half(stage_difference(measured.images, static_cast<AoStage>(largest))), ao_error_scale)});
 }
 
-void draw_sheets(const std::filesystem::path& folder) {
+void draw_sheets(const std::filesystem::path& folder, const std::vector<std::string>& pages) {
   std::filesystem::create_directories(folder);
   for (const Sheet& sheet : sheets()) {
+    if (!pages.empty() && std::ranges::find(pages, sheet.page) == pages.end()) continue;
     std::vector<SheetCell> cells;
     for (const Pictured& pictured : sheet.scenes) add_cells(cells, sheet, pictured);
     write_drawing(folder / fmt::format("ao-{}.png", sheet.page), labelled_sheet(cells, 4));
@@ -188,17 +243,18 @@ void draw_sheets(const std::filesystem::path& folder) {
 }
 
 int run(int argc, char** argv) {
-  if (argc == 3 && std::string_view(argv[1]) == "--pictures") {
-    draw_sheets(argv[2]);
+  if (argc >= 3 && std::string_view(argv[1]) == "--pictures") {
+    draw_sheets(argv[2], {argv + 3, argv + argc});
     return 0;
   }
   std::vector<std::string> scenes(argv + 1, argv + argc);
   if (scenes.empty()) scenes = {"courtyard", "room", "corner", "trench", "foliage"};
   fmt::print(
       "# Every method of ambient occlusion on five scenes\n\n"
-      "Made by `umbrameter_ao_table`: 480×270 pixels, first camera, default settings but for the method. The "
-      "reference\n"
-      "is traced with cosine weight up to the radius, 32 rays per pixel.\n\n"
+      "Made by `umbrameter_ao_table`: {}×{} pixels, first camera, default settings but for the method: each has the\n"
+      "[denoiser of its publication](blur.md). The reference is traced with cosine weight up to the radius, 32 rays "
+      "per\n"
+      "pixel. The [ranking](#ranking) at the end compares with one blur for all and with equal numbers of samples.\n\n"
       "`–`: the method's stages are not measured, because its integral is not known ([bitmask](bitmask.md)).\n\n"
       "The columns from model to blur are the signed means of the [stages](stages.md), in units of accessibility: "
       "below\n"
@@ -207,8 +263,22 @@ int run(int argc, char** argv) {
       "and MSE are corrected for the noise of the reference. Values of different signs cancel in a mean: the RMSE "
       "shows\n"
       "how far single pixels are off. Time: the method with its blur over the G-buffer pass, processor time of a\n"
-      "software rasteriser, ±20 %; a GPU orders methods differently.\n");
-  for (const std::string& scene : scenes) print_scene(scene);
+      "software rasteriser, ±20 %; a GPU orders methods differently.\n",
+      width, height);
+  const Errors none(rows().size());
+  std::vector<Ranking> rankings = {{"Default: published denoisers", none},
+                                   {"4×4 box blur for all", none},
+                                   {"64 reads per pixel, published denoisers", none}};
+  for (const std::string& scene : scenes) print_scene(scene, rankings);
+  fmt::print(
+      "\n## Ranking\n\n"
+      "RMSE on each scene, and its mean, the least first. A pixel reads the depth buffer 64 times by default with "
+      "SSAO,\n"
+      "full-sphere SSAO, Alchemy AO and SAO, 36 times with HBAO, and 18 times with GTAO and the bitmask. For 64 reads\n"
+      "HBAO has 8 directions of 8 steps, GTAO and the bitmask 4 slices of 8 steps on each side. Ray-marched SSAO "
+      "reads\n"
+      "every pixel of 64 rays.\n");
+  for (const Ranking& ranking : rankings) print_ranking(ranking, scenes);
   return 0;
 }
 

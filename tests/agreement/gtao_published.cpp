@@ -34,6 +34,7 @@ constexpr std::size_t block_count = blocks_per_side * blocks_per_side;
 
 Experiment experiment_at(const Setup& setup, const std::string& camera, const GtaoParams& gtao) {
   Experiment experiment;
+  experiment.ao.blur.kind = AoBlur::box;
   experiment.scene = "courtyard";
   experiment.view.camera = camera;
   experiment.view.size = setup.size;
@@ -176,9 +177,9 @@ int run(const Setup& setup) {
       "Made by `umbrameter_gtao_published`: `courtyard`, {}×{} pixels, traced AO with cosine weight up to 0.5 m, {} "
       "rays "
       "per\n"
-      "pixel. `ao.radius` is 0.5 m, and all settings but the named ones are the defaults: 3 slices of 3 steps on each "
-      "side,\n"
-      "4×4 noise and a 4×4 box blur. The names: the *radius multiplier* of the public reference implementation is\n"
+      "pixel. `ao.radius` is 0.5 m, the blur a 4×4 box, and all settings but the named ones are the defaults: 3 slices "
+      "of 3\n"
+      "steps on each side and 4×4 noise. The names: the *radius multiplier* of the public reference implementation is\n"
       "`ao.gtao-radius-multiplier`, its *falloff range* `ao.gtao-falloff`, its *final value power* `ao.gtao-power`.\n\n"
       "MSE and PSNR are of sRGB-encoded accessibility (peak 1), over the surface pixels, less what the noise of the "
       "reference\n"

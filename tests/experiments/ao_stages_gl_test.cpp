@@ -108,6 +108,49 @@ TEST_F(AoStagesGl, With_many_samples_HBAO_and_GTAO_without_falloff_come_to_their
   EXPECT_GT(of(measure(stages, plain), AoStage::approximation).mean.value, without_falloff + 0.01);
 }
 
+TEST_F(AoStagesGl, A_plateau_out_of_reach_of_bitmask_and_ray_marching_is_hidden_and_neither_thin_nor_approximated) {
+  // From above: the side of the plateau is edge-on. 1.15 m beside it, its top is farther away than the bitmask's radius
+  // of 1.5 m, √(1.15² + 1²) = 1.524 m, and deeper above each ray of 1.5 m than ray marching's thickness of 0.03 m.
+  Scene scene = shapes::empty_scene();
+  shapes::add_mesh(scene, shapes::quad({-500, 0, 500}, {1000, 0, 0}, {0, 0, -1000}));
+  shapes::add_mesh(scene, shapes::box({1.15f, -0.1f, -40}, {40, 1, 40}));
+  Camera camera;
+  camera.world_from_camera = dmat4(dvec4(1, 0, 0, 0), dvec4(0, 0, -1, 0), dvec4(0, 1, 0, 0), dvec4(0, 5, 0, 1));
+  camera.projection = OrthographicProjection{2.55, 1.55, 0.01, 100.0};  // pixels of 10 cm
+  scene.cameras = {camera};
+  Stages stages(scene, {}, Console{});
+  for (const AoTechniqueName technique : {AoTechniqueName::bitmask, AoTechniqueName::ray_marched}) {
+    Experiment beside = experiment(technique, "");
+    beside.view.size = {51, 31};
+    beside.ao.sampling.radius = 1.5;
+    beside.ao.bitmask.weight = BitmaskWeight::cosine;
+    beside.ao.bitmask.rounding = BitmaskRounding::nearest;
+    beside.ao.marched.thickness = 0.02;
+    const Measured measured = measure(stages, beside);
+    const auto change_at = [&](AoStage stage) {
+      const Image<float> change = stage_difference(measured.stages.images, stage);
+      double mean = 0.0;
+      for (int y = 0; y < 31; ++y) mean += static_cast<double>(change.at(25, y)) / 31.0;  // x = 0
+      return mean;
+    };
+    EXPECT_GT(change_at(AoStage::hidden), 0.02) << static_cast<int>(technique);
+    EXPECT_EQ(change_at(AoStage::thin), 0.0) << static_cast<int>(technique);
+    EXPECT_NEAR(change_at(AoStage::approximation), 0.0, 1e-6) << static_cast<int>(technique);
+  }
+}
+
+TEST_F(AoStagesGl, With_many_samples_bitmask_and_ray_marching_come_to_their_own_integrals) {
+  Stages stages(load_scene("trench"), {}, Console{});
+  Experiment bitmask = experiment(AoTechniqueName::bitmask, "above");
+  bitmask.ao.bitmask.weight = BitmaskWeight::cosine;
+  bitmask.ao.bitmask.rounding = BitmaskRounding::nearest;
+  for (Experiment each : {bitmask, experiment(AoTechniqueName::ray_marched, "above")}) {
+    each.view.size = {96, 54};
+    const Measured measured = measure(stages, each);
+    EXPECT_NEAR(of(measured, AoStage::approximation).mean.value, 0.0, 0.02);
+  }
+}
+
 TEST_F(AoStagesGl, Bias_and_range_check_of_full_sphere_SSAO_brighten_an_open_plane) {
   // Points less than the bias b behind the plane along the view axis count as open. For an angle θ between normal and
   // axis they fill a slab of thickness c = b cos θ / R of the unit ball: the result is ½ + (3c − c³)/4.

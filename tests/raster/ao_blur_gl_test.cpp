@@ -167,6 +167,20 @@ TEST_F(AoMethodsGl, The_denoiser_of_XeGTAO_keeps_an_edge_between_two_depths) {
   }
 }
 
+TEST_F(AoMethodsGl, The_default_blur_of_GTAO_is_the_denoiser_of_XeGTAO) {
+  Scene scene;
+  add_mesh(scene, ground(20));
+  add_mesh(scene, box({-1, 0, -1}, {1, 1, 1}));
+  const View view = orthographic_view(48, 48, {2, 3, 4}, {0, 0.5, 0}, 2.0);
+  AoParams params = method(AoTechniqueName::gtao);
+  params.blur = {};
+  const Seen own = see(scene, view, params);
+  params.blur.kind = AoBlur::xegtao;
+  EXPECT_EQ(own.ao.pixels, see(scene, view, params).ao.pixels);
+  params.blur.kind = AoBlur::none;
+  EXPECT_NE(own.ao.pixels, see(scene, view, params).ao.pixels);
+}
+
 TEST_F(AoMethodsGl, Two_passes_of_a_box_are_a_box_of_a_box) {
   Scene scene;
   add_mesh(scene, ground(20));

@@ -46,11 +46,10 @@ struct Traced {
   GBuffer gbuffer;
   TracedIntegral integral;
 };
-Traced trace(const Scene& scene, const View& view, const AoIntegral& integral, int spp = 64,
-             double thickness = std::numeric_limits<double>::infinity()) {
+Traced trace(const Scene& scene, const View& view, const AoIntegral& integral, int spp = 64) {
   const Tracer tracer(scene);
   Traced traced{trace_gbuffer(tracer, view), {}};
-  traced.integral = trace_integral(tracer, traced.gbuffer, view, integral, {spp, 1, thickness});
+  traced.integral = trace_integral(tracer, traced.gbuffer, view, integral, {spp, 1});
   return traced;
 }
 
@@ -217,7 +216,9 @@ TEST(AoIntegral, A_thin_disk_has_its_closed_form_unless_it_is_assumed_solid) {
   const Mean thick = mean_over(traced, solid, near, exact);
   EXPECT_LT(thick.value, thick.exact - 0.04);
   // A slab of 1 mm hides little more than the disk.
-  const Traced thin = trace(scene, view, plain(AoDirections::cosine, 2.0), 64, 0.001);
+  AoIntegral of_slab = plain(AoDirections::cosine, 2.0);
+  of_slab.occlusion = [](const AoHit& hit) { return hit.behind <= 0.001 ? 1.0 : 0.0; };
+  const Traced thin = trace(scene, view, of_slab, 64);
   const Mean slab = mean_over(thin, solid, near, exact);
   EXPECT_NEAR(slab.value, slab.exact, 1e-2);
 }
@@ -239,6 +240,113 @@ TEST(AoIntegral, The_far_side_of_a_box_is_hidden) {
   const double full = mean_over(traced, in_view, near, exact).value;
   EXPECT_GT(mean_over(traced, seen, near, exact).value, full + 0.02);
   EXPECT_LT(mean_over(traced, solid, near, exact).value, full - 0.02);
+}
+
+// A plateau of height 1 m over the floor from x = 0 on, seen from above: its side is edge-on, seen by no pixel.
+constexpr double plateau = 1.0;
+Scene floor_and_plateau() {
+  Scene scene = floor();
+  shapes::add_mesh(scene, shapes::box({0, -0.1f, -40}, {40, plateau, 40}));
+  return scene;
+}
+
+// The cosine-weighted mean over the directions above the floor of whether they are blocked: by midpoints on the disk of
+// their horizontal parts.
+template <class IsBlocked>
+double open_share(const IsBlocked& is_blocked) {
+  constexpr int steps = 100;
+  double open = 0.0, all = 0.0;
+  for (int j = 0; j < steps; ++j) {
+    for (int i = 0; i < steps; ++i) {
+      const double x = 2.0 * (i + 0.5) / steps - 1.0;
+      const double z = 2.0 * (j + 0.5) / steps - 1.0;
+      if (x * x + z * z >= 1.0) continue;
+      all += 1.0;
+      if (!is_blocked(dvec3(x, std::sqrt(1.0 - x * x - z * z), z))) open += 1.0;
+    }
+  }
+  return open / all;
+}
+
+constexpr double radius_by_plateau = 1.5;
+Bitmask bitmask_of(double thickness) {
+  AoSamplingParams sampling;
+  sampling.radius = radius_by_plateau;
+  return {sampling, {}, {}, {.thickness = thickness, .weight = BitmaskWeight::cosine}};
+}
+Marched marched_of(double thickness) {
+  AoSamplingParams sampling;
+  sampling.radius = radius_by_plateau;
+  return {sampling, {}, {.thickness = thickness}};
+}
+
+TEST(AoIntegral, A_plateau_out_of_reach_of_bitmask_and_ray_marching_blocks_nothing_below_its_top) {
+  // Its edge is 1.15 m away, at the distance √(1.15² + 1²) = 1.524 m > R = 1.5 m, which the bitmask ignores. A ray of
+  // 1.5 m is at most √(1.5² − 1.15²) = 0.963 m high there: too deep below the top for a thickness of 0.02 R = 0.03 m.
+  // Pixels of 1/30 m, one of them centred at x = -1.15, with the edge between two of them.
+  const View view = parallel(view_from({-35.0 / 30.0, 5, 0}, {-35.0 / 30.0, 0, 0}), 1.5);
+  const auto near = [](const vec3& p) { return std::abs(p.x + 1.15f) < 0.01f && std::abs(p.z) < 1.0f; };
+  const auto exact = [](const vec3&) { return 1.0; };
+  for (const AoIntegral& integral : {*integral_of(bitmask_of(0.25)), integral_of(marched_of(0.02))}) {
+    const Traced traced = trace(floor_and_plateau(), view, integral, 32);
+    EXPECT_EQ(mean_over(traced, seen, near, exact).pixels, 60.0);
+    EXPECT_LT(mean_over(traced, in_view, near, exact).value, 0.98) << "its side blocks rays, but no pixel sees it";
+    EXPECT_EQ(mean_over(traced, seen, near, exact).value, 1.0) << integral.formula;
+    EXPECT_EQ(mean_over(traced, solid, near, exact).value, 1.0) << integral.formula;
+  }
+}
+
+TEST(AoIntegral, Beside_a_plateau_ray_marching_takes_it_for_as_thick_as_its_thickness) {
+  // Pixels of 4 cm, with the edge between two of them.
+  const View view = parallel(view_from({-0.6, 5, 0}, {-0.6, 0, 0}), 1.8);
+  const auto near = [](const vec3& p) { return std::abs(p.x + 0.6f) < 0.05f && std::abs(p.z) < 0.3f; };
+  for (const double thickness : {0.1, 0.4, 1.0}) {
+    const auto exact = [&](const vec3& p) {
+      return open_share([&](const dvec3& d) {
+        // From the plateau's edge to its top and to the radius, at heights down to the thickness below the top.
+        const double from = std::max(-double{p.x} / d.x, (plateau - thickness * radius_by_plateau) / d.y);
+        return d.x > 0.0 && from <= std::min(plateau / d.y, radius_by_plateau);
+      });
+    };
+    const Traced traced = trace(floor_and_plateau(), view, integral_of(marched_of(thickness)));
+    const Mean mean = mean_over(traced, solid, near, exact);
+    EXPECT_GT(mean.pixels, 20.0);
+    EXPECT_LT(mean.exact, 0.9);
+    EXPECT_NEAR(mean.value, mean.exact, 3.0 * mean.error + 2e-3) << thickness;
+  }
+}
+
+TEST(AoIntegral, Beside_a_plateau_the_bitmask_takes_what_it_sees_for_as_thick_as_its_thickness) {
+  const View above = view_from({0.8, 5, 0.3}, {-0.6, 0, 0});
+  for (const View& view : {above, parallel(view_from({-0.6, 5, 0}, {-0.6, 0, 0}), 1.8)}) {
+    const bool is_parallel = std::holds_alternative<OrthographicProjection>(view.camera.projection);
+    const dvec3 eye(view.camera.world_from_camera[3]);
+    const auto near = [](const vec3& p) { return std::abs(p.x + 0.6f) < 0.05f && std::abs(p.z) < 0.15f; };
+    for (const double thickness : {0.25, 0.6}) {
+      const auto exact = [&](const vec3& p) {
+        const dvec3 viewer = is_parallel ? dvec3(0, 1, 0) : glm::normalize(eye - dvec3(p));
+        return open_share([&](const dvec3& d) {
+          // Some point of the top within the radius is at most the thickness above the ray, along the viewer's
+          // direction.
+          for (double s = 0.01; s < 2.5; s += 0.02) {
+            const double behind = (plateau - s * d.y) / viewer.y;
+            const dvec3 top = s * d + behind * viewer;
+            if (behind >= 0.0 && behind <= thickness * radius_by_plateau && top.x >= -double{p.x} &&
+                glm::length(top) < radius_by_plateau) {
+              return true;
+            }
+          }
+          return false;
+        });
+      };
+      const Traced traced = trace(floor_and_plateau(), view, *integral_of(bitmask_of(thickness)));
+      const Mean mean = mean_over(traced, solid, near, exact);
+      EXPECT_GT(mean.pixels, 6.0);
+      EXPECT_LT(mean.exact, 0.9);
+      // The edge is known to half a pixel of 4 cm in perspective.
+      EXPECT_NEAR(mean.value, mean.exact, 3.0 * mean.error + (is_parallel ? 2e-3 : 8e-3)) << thickness;
+    }
+  }
 }
 
 }  // namespace

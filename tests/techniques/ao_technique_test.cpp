@@ -80,6 +80,24 @@ TEST(AoBlur, A_box_is_centred_and_an_even_one_extends_further_to_the_left_and_up
   }
 }
 
+TEST(AoBlur, Each_technique_has_its_own_blur_unless_another_is_asked_for) {
+  const std::pair<AoTechniqueName, AoBlur> expected[] = {
+      {AoTechniqueName::ssao, AoBlur::box},         {AoTechniqueName::gtao, AoBlur::xegtao},
+      {AoTechniqueName::hbao, AoBlur::bilateral},   {AoTechniqueName::alchemy, AoBlur::bilateral},
+      {AoTechniqueName::crytek, AoBlur::bilateral}, {AoTechniqueName::bitmask, AoBlur::xegtao},
+      {AoTechniqueName::ray_marched, AoBlur::none},
+  };
+  for (const auto& [technique, own] : expected) {
+    AoParams params;
+    params.technique = technique;
+    params.blur.size = 7;
+    EXPECT_EQ(blur_of(params).kind, own);
+    EXPECT_EQ(blur_of(params).size, 7);
+    params.blur.kind = AoBlur::gaussian;
+    EXPECT_EQ(blur_of(params).kind, AoBlur::gaussian);
+  }
+}
+
 // A technique that reads a parameter that ao.* lacks could not be set; one that differs from it would ignore a flag.
 TEST(AoTechnique, Every_technique_holds_the_values_of_the_parameters_that_it_reads) {
   for (std::size_t name = 0; name < std::variant_size_v<AoTechnique>; ++name) {

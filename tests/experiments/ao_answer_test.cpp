@@ -1,0 +1,59 @@
+// What the console says of ambient occlusion.
+#include <gtest/gtest.h>
+
+#include "experiments/presentation/ao_stages_report.h"
+#include "experiments/presentation/presentation.h"
+
+namespace umbrameter {
+namespace {
+
+AoMeasurement measurement() {
+  AoMeasurement ao;
+  ao.experiment.ao.sampling.radius = 0.5;
+  ao.experiment.truth.ao_distance = 0.5;
+  ao.truth = TracedAo{};
+  ao.truth->ao = Image<float>(2, 2, 1.0f);
+  ao.raster = Image<float>(2, 2, 0.5f);
+  ao.statistics = AoStatistics{};
+  ao.statistics->error.pixels = 4;
+  return ao;
+}
+
+TEST(AoAnswer, Absolute_and_signed_error_have_the_digits_of_the_wider_interval) {
+  AoMeasurement ao = measurement();
+  SampledError& error = ao.statistics->error;
+  // Half widths of 0.0535 % and 0.0022 %: two digits of the wider one are three decimals.
+  error.mae = {0.107503, 0.106452, 0.107522};
+  error.mean_error = {-0.089738, -0.08976, -0.089716};
+  EXPECT_EQ(
+      present_ao(ao).answers.at(0),
+      "AO: mean absolute error 10.645 to 10.752 %, mean signed error -8.974 ± 0.002 % (SSAO radius 50 cm, reference "
+      "up to 50 cm)");
+  // An exact reference: no interval.
+  error.mae = {0.107503, 0.107503, 0.107503};
+  error.mean_error = {0.089738, 0.089738, 0.089738};
+  EXPECT_EQ(present_ao(ao).answers.at(0),
+            "AO: mean absolute error 10.8 %, mean signed error +8.97 % (SSAO radius 50 cm, reference up to 50 cm)");
+}
+
+TEST(AoAnswer, A_stage_that_changes_more_than_the_error_is_said_to_be_undone_in_part) {
+  AoMeasurement ao = measurement();
+  ao.stages = AoStages{};
+  for (Image<float>& image : ao.stages->images.accessibility) image = Image<float>(2, 2, 1.0f);
+  AoStageStatistics& statistics = ao.stages->statistics;
+  statistics.total.pixels = 4;
+  statistics.total.rmse.value = 0.1;
+  AoStageError& thin = statistics.stages[static_cast<std::size_t>(AoStage::thin)];
+  thin.mean.value = -0.05;
+  thin.rms.value = 0.2;
+  EXPECT_EQ(
+      present_ao_stages(ao).lines.at(0),
+      "AO: the stage thin changes most: mean -0.0500, RMS 0.2000; other stages undo a part of it; RMS of the error: "
+      "0.1000");
+  thin.rms.value = 0.05;
+  EXPECT_EQ(present_ao_stages(ao).lines.at(0),
+            "AO: the stage thin changes most: mean -0.0500, RMS 0.0500; RMS of the error: 0.1000");
+}
+
+}  // namespace
+}  // namespace umbrameter
