@@ -169,7 +169,7 @@ ReportTable advice_table(const BiasAdvice& advice) {
   add_row(is_open_ended(advice) ? "lowest error tested; it still falls" : "least error", *advice.line.least_error);
   if (advice.line.little_acne) add_row("smallest bias with acne below 0.1 %", *advice.line.little_acne);
   if (advice.line.acne_free) add_row("smallest bias without acne", *advice.line.acne_free);
-  return {"Recommended bias", std::move(table)};
+  return {"Recommended bias", std::move(table), {"in texels", "in depth"}};
 }
 
 nlohmann::ordered_json to_json(const BiasAdvice& advice) {
