@@ -181,7 +181,8 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   }
   command.add_flag("--no-figures", line.no_figures, "draw no figures; the page has no pictures");
   if (&description == &compare_command || &description == &sweep_command) add_figure_options(command, line.figures);
-  command.add_flag("--full-images", line.full_images, "keep every pixel of large images in the page's viewer");
+  command.add_flag("--full-images", line.full_images,
+                   "keep every pixel of images above 1920x1080 in the page's viewer");
   add_threads(command, line);
   add_memory(command, line);
   add_output_flags(command, line);

@@ -11,6 +11,7 @@
 #include "core/standard_streams.h"
 #include "experiments/axis_effects.h"
 #include "experiments/presentation/run_output.h"
+#include "experiments/presentation/tune_images.h"
 #include "experiments/presentation/tune_report.h"
 #include "experiments/presentation/tune_text.h"
 #include "experiments/reference_key.h"
@@ -328,14 +329,16 @@ ExitCode run_tune_command(const CommandLine& line, const Console& console) {
   write_text(folder.path() / tuned_name, tuned_text(job, summary));
   write_text(folder.path() / "evaluations.csv", to_csv(evaluation_table(summary)));
   std::vector<std::string> problems;
+  ViewerPack images;
   if (line.no_figures) {
     part.section.figures.clear();
     part.section.figure_titles.clear();
     part.section.captions.clear();
   } else {
+    images = add_tune_images(part, summary);
     folder.require_free(figure_files(part));
     folder.announce(figure_files(part));
-    problems = write_figures(folder.path() / "figures", {{}, part.plots}).problems;
+    problems = write_figures(folder.path() / "figures", {part.images, part.plots}).problems;
   }
   Report report;
   report.title = fmt::format("{}{}: tuning", scene_title(job.experiments.front()),
@@ -363,7 +366,7 @@ ExitCode run_tune_command(const CommandLine& line, const Console& console) {
   json["problems"] = problems;
   const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   write_text(folder.path() / "summary.json", text);
-  write_page(folder.path(), report);
+  write_page(folder.path(), report, &images);
   std::filesystem::remove(journal_path);
   add_line(console, fmt::format("tuned: {}; run it with 'umbrameter compare -c {} -o DIR'",
                                 (folder.path() / tuned_name).string(), (folder.path() / tuned_name).string()));

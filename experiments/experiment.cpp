@@ -95,19 +95,26 @@ std::string parameter_reference() {
   return text;
 }
 
+// Those that differ from their defaults come first.
 Table settings_table(Experiment experiment) {
   Table table{{{"parameter", "", "full name: flag, key and column"},
                {"value", "", "value in this run; for a varied parameter, its axis"},
+               {"default", "", "value without the flag"},
                {"unit", "", "of the value"},
                {"meaning", "", "what it sets"}},
               {}};
+  Experiment defaults;
+  const Parameters of_defaults = describe(defaults);
   for (const Parameter& parameter : describe(experiment)) {
     std::string value = to_string(parameter.value());
     for (const auto& [key, text] : experiment.axes) {
       if (key == parameter.key) value = "varied: " + text;
     }
-    table.rows.push_back({parameter.key, value, parameter.description.unit, parameter.description.meaning});
+    table.rows.push_back({parameter.key, value, to_string(require(of_defaults, parameter.key).value()),
+                          parameter.description.unit, parameter.description.meaning});
   }
+  std::stable_partition(table.rows.begin(), table.rows.end(),
+                        [](const std::vector<Value>& row) { return row[1] != row[2]; });
   return table;
 }
 

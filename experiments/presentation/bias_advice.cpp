@@ -279,7 +279,7 @@ ReportTable advice_table(const BiasAdvice& advice) {
   add_row(advice.plateau.open_above ? "largest bias tested" : "largest bias within 5 % of it", advice.plateau.last);
   if (advice.line.little_acne) add_row("smallest bias with acne below 0.1 %", *advice.line.little_acne);
   if (advice.line.acne_free) add_row("smallest bias without acne", *advice.line.acne_free);
-  return {"Recommended bias", std::move(table)};
+  return {"Recommended bias", std::move(table), {"in texels", "in depth"}};
 }
 
 nlohmann::ordered_json to_json(const BiasAdvice& advice) {

@@ -227,7 +227,10 @@ Json formula_json(const BiasCurves& curves, const CurveFormula& of) {
 void present_formulas(Presentation& presentation, const BiasCurves& curves) {
   if (curves.formulas.empty()) return;
   ReportSection& section = presentation.section;
-  section.tables.push_back({"Formulas of the bias over several axes", formulas_table(curves)});
+  section.tables.push_back({"Formulas of the bias over several axes",
+                            formulas_table(curves),
+                            {"left out", "error of c0", "error for Δz", "error for r·Δz", "error for δ",
+                             "residual in texels", "largest residual"}});
   section.text += fmt::format(
       "\n\nThe table 'Formulas of the bias over several axes' fits bias ≈ c0 + (a + b·r)·Δz + q·δ over {} by {}. {}. "
       "Use a formula only within the range that it was fitted over.",

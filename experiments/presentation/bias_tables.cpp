@@ -52,14 +52,14 @@ Table choices_table(const BiasCurves& curves) {
       {"in texels", "texels", "constant bias in texels of mean size"},
       {"in depth", "1", "constant bias in the depth that the map stores, from 0 to 1"},
       {"slope bias", "texels", "slope-scaled bias"},
-      {"error", "%", "mean absolute error of visibility"}};
+      {"error", "%", "mean absolute error of visibility"},
+      {"extra error", "%", "error minus that of 'least error'"}};
   table.columns.insert(table.columns.end(), rest.begin(), rest.end());
-  for (std::size_t c = 0; c < cause_count; ++c) {
-    const auto cause = static_cast<Cause>(c);
+  for (const Cause cause : {Cause::acne, Cause::false_occlusion, Cause::peter_panning, Cause::light_leak}) {
     table.columns.push_back({std::string(cause_title(cause)), "%", std::string(cause_meaning(cause))});
+    if (cause != Cause::peter_panning) continue;
+    table.columns.push_back({"extra peter-panning", "%", "peter-panning minus that of 'least error'"});
   }
-  table.columns.push_back({"extra error", "%", "error minus that of 'least error'"});
-  table.columns.push_back({"extra peter-panning", "%", "peter-panning minus that of 'least error'"});
   for (const BiasCurve& curve : curves.curves) {
     const BiasCell least = *least_error(curve.optima);
     for (const Choice& choice : choices_of(curve, curves)) {
@@ -72,17 +72,12 @@ Table choices_table(const BiasCurves& curves) {
       }
       const BiasCell& cell = *choice.cell;
       const BiasInUnits bias = in_units(curves, curve, cell);
-      const std::vector<Value> values = {known(bias.metres),
-                                         known(bias.texels),
-                                         known(bias.depth),
-                                         cell.slope,
-                                         100.0 * cell.mae,
-                                         100.0 * cell.acne,
-                                         100.0 * cell.false_occlusion,
-                                         100.0 * cell.peter_panning,
-                                         100.0 * cell.leak,
-                                         100.0 * (cell.mae - least.mae),
-                                         100.0 * (cell.peter_panning - least.peter_panning)};
+      const std::vector<Value> values = {known(bias.metres),         known(bias.texels),
+                                         known(bias.depth),          cell.slope,
+                                         100.0 * cell.mae,           100.0 * (cell.mae - least.mae),
+                                         100.0 * cell.acne,          100.0 * cell.false_occlusion,
+                                         100.0 * cell.peter_panning, 100.0 * (cell.peter_panning - least.peter_panning),
+                                         100.0 * cell.leak};
       row.insert(row.end(), values.begin(), values.end());
       table.rows.push_back(std::move(row));
     }
@@ -211,7 +206,7 @@ std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
 std::string explanation(const BiasCurves& curves) {
   std::string text =
       "\n\nThe table 'Recommended biases' gives each constant bias in metres along the light, in texels of mean size "
-      "and as normalised depth. Its last two columns compare each choice with 'least error'. ";
+      "and as normalised depth. 'Extra error' and 'extra peter-panning' compare each choice with 'least error'. ";
   text += curves.laws.empty() ? "For a fit of bias against texel size, vary both the constant bias and the resolution."
                               : "The fit bias ≈ c0 + c1·texel·tan θ has one point per resolution, weighted by the "
                                 "step of the bias axis there; it needs at least three.";
@@ -260,13 +255,18 @@ std::string residual_text(const BiasFit& law) {
 void present_bias(Presentation& presentation, const BiasCurves& curves) {
   ReportSection& section = presentation.section;
   section.text += explanation(curves);
-  section.tables.push_back({"Recommended biases", in_four_digits(choices_table(curves), curves.others.size())});
+  section.tables.push_back({"Recommended biases",
+                            in_four_digits(choices_table(curves), curves.others.size()),
+                            {"in texels", "in depth", "extra error", "extra peter-panning"}});
   if (curves.varies_slope && curves.varies_constant)
-    section.tables.push_back(
-        {"Constant biases by slope-scaled bias", in_four_digits(slopes_table(curves), curves.others.size() + 1)});
+    section.tables.push_back({"Constant biases by slope-scaled bias",
+                              in_four_digits(slopes_table(curves), curves.others.size() + 1),
+                              {"at, in texels", "from, in texels", "none from, in texels"}});
   if (!curves.laws.empty()) {
     section.tables.push_back(
-        {"Fits of bias against texel size", in_four_digits(laws_table(curves), curves.of_a_law.size())});
+        {"Fits of bias against texel size",
+         in_four_digits(laws_table(curves), curves.of_a_law.size()),
+         {"left out", "error of c0", "error of c1·tan θ", "residual in texels", "error of tan θ", "error of c1"}});
   }
   present_formulas(presentation, curves);
 

@@ -88,17 +88,19 @@ class Choice {
   std::set<std::vector<std::size_t>> images_{};  ///< without the axis that does not change them
 };
 
-Measurement measure_cell(Stages& stages, const SweepResults& sweep, const PageCell& cell) {
-  const Experiment& experiment = cell.experiment;
+}  // namespace
+
+Measurement measure_swept(Stages& stages, const Experiment& experiment, SweptQuantity quantity,
+                          const std::vector<double>& further) {
   Measurement measurement;
   measurement.experiment = experiment;
   measurement.surfels = stages.surfels(experiment);
-  if (sweep.quantity() == SweptQuantity::ao) {
+  if (quantity == SweptQuantity::ao) {
     measurement.ao = measure_ao(stages, experiment, {});
     return measurement;
   }
   const std::vector<std::uint32_t> lights = stages.lights(experiment.view.light);
-  if (sweep.quantity() == SweptQuantity::image) {
+  if (quantity == SweptQuantity::image) {
     measurement.image = measure_image(stages, experiment, lights, {});
     return measurement;
   }
@@ -106,14 +108,10 @@ Measurement measure_cell(Stages& stages, const SweepResults& sweep, const PageCe
   ShadowMeasurement& shadow = measurement.shadows.front();
   const VisibilityStatistics* causes = by_cause(shadow);
   if (causes != nullptr && causes->pixels > 0 && stages.capabilities(experiment).taps_independent_of_bias) {
-    const std::vector<double> none;
-    shadow.advice = advise_bias(stages, experiment, shadow.light,
-                                cell.cell.bias_axis.empty() ? none : sweep.plan.constant_bias.values);
+    shadow.advice = advise_bias(stages, experiment, shadow.light, further);
   }
   return measurement;
 }
-
-}  // namespace
 
 PageCells choose_page_cells(Stages& stages, const SweepResults& sweep, const Experiment& experiment, const Table& best,
                             std::size_t most) {
@@ -142,7 +140,11 @@ PageCells choose_page_cells(Stages& stages, const SweepResults& sweep, const Exp
       choice.add(choice.indices_of(values_at(sweep.plan, number)).value(), "even step");
     }
   }
-  return {choice.take(), [&stages, &sweep](const PageCell& cell) { return measure_cell(stages, sweep, cell); }};
+  return {choice.take(), [&stages, &sweep](const PageCell& cell) {
+            const std::vector<double> none;
+            return measure_swept(stages, cell.experiment, sweep.quantity(),
+                                 cell.cell.bias_axis.empty() ? none : sweep.plan.constant_bias.values);
+          }};
 }
 
 ReportCells report_cells(const SweepResults& sweep, const Experiment& experiment, const PageCells& shown) {

@@ -25,6 +25,12 @@ struct PageCells {
   std::function<Measurement(const PageCell&)> measure;
 };
 
+/// Reference, technique and error of one quantity at an experiment whose lengths of ambient occlusion are in metres; of
+/// visibility that of the selected light, with its errors at every bias, also at those of `further`, where one pass
+/// gives them.
+Measurement measure_swept(Stages& stages, const Experiment& experiment, SweptQuantity quantity,
+                          const std::vector<double>& further = {});
+
 /// At most `most` cells, at least one, in this order: the cell of least error; the cell without varied parameters,
 /// which has the values of `experiment`; for each axis, with the other values of the cell of least error, both ends, or
 /// every value of an axis of words; the cells of `best`, one for each line of the figures; cells at even steps through

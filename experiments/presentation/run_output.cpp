@@ -145,7 +145,7 @@ ViewerPack pack_images(const RunOutput& output, const LayeredImage& image, const
   const std::vector<PageCell>& cells = output.cells.cells;
   if (!cells.empty()) {
     data.cell = cells.front().cell;
-    pack.section = 1;  // after the figures over all cells
+    pack.title = "Images of cells";
   }
   add_set(pack, data);
   ProgressBar bar(console, "images of cells");

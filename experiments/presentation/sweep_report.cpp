@@ -251,6 +251,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   const std::size_t axes = sweep.plan.axes.size();
   ReportSection& section = presentation.section;
   section.title = fmt::format("Error of {} in all cells", quantity_title(sweep.quantity()));
+  section.tables_first = true;
   const std::vector<Value> least = least_row(sweep);
   const std::size_t mae = column_index(best, error_statistic);
   const std::string error = percent(to_number(least[mae]));

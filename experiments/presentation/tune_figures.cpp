@@ -26,8 +26,7 @@ PlotFigure scan_figure(const TuneSummary& summary, const AxisScan& scan) {
   PlotFigure plot;
   plot.stem = fmt::format("cost_{}", scan.axis);
   plot.title = "Cost along " + axis.key();
-  plot.caption =
-      "Cost along " + axis.key() + ", the other parameters at their best values. The ring is the best point.";
+  plot.caption = "The other parameters have their best values. The ring is the best point.";
   plot.x = {"value", label_of(axis.axis), axis.is_logarithmic};
   plot.y = {"cost", cost_label(summary.goal)};
   plot.mark = "best";

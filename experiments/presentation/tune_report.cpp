@@ -326,6 +326,7 @@ Presentation present_tuning(const TuneSummary& summary) {
   shown_part.lines = lines_of(sensitivity);
   ReportSection& section = shown_part.section;
   section.title = "Tuning";
+  section.tables_first = true;
   section.text =
       method_text(summary) +
       "\n\nIntervals are 95 % over the choice of pixels: each of up to 64 blocks of the image is left out in "

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string_view>
+#include <utility>
 
 #include "reports/files/markup.h"
 #include "reports/files/output.h"
@@ -50,7 +52,7 @@ bool is_numeric(const Table& table, std::size_t column) {
 }
 
 // Caption, columns and the texts of the first rows. Null for a table without columns.
-Json table_data(const Table& table, const std::string& caption) {
+Json table_data(const Table& table, const std::string& caption, const std::vector<std::string>& below = {}) {
   if (table.columns.empty()) return {};
   const std::size_t shown = std::min(table.rows.size(), max_rows);
   const std::string rest =
@@ -59,6 +61,7 @@ Json table_data(const Table& table, const std::string& caption) {
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const auto& [name, unit, meaning] = table.columns[c];
     columns.push_back({{"name", name}, {"unit", unit}, {"meaning", meaning}, {"numeric", is_numeric(table, c)}});
+    if (std::find(below.begin(), below.end(), name) != below.end()) columns.back()["below"] = true;
   }
   Json rows = Json::array();
   for (std::size_t r = 0; r < shown; ++r) {
@@ -70,26 +73,72 @@ Json table_data(const Table& table, const std::string& caption) {
   return {{"caption", caption + rest}, {"columns", columns}, {"rows", rows}};
 }
 
-// Readies a table for its template: each cell becomes an object whose one member is its kind.
+// The cell's text within an object whose one member is its kind.
+Json cell_data(const Json& column, std::size_t c, const Json& text) {
+  const std::size_t length = text.get_ref<const std::string&>().size();
+  const bool is_short = length > 0 && length <= longest_short_text;
+  const char* kind = column["numeric"] ? "number" : c == 0 ? "header" : is_short ? "short" : "text";
+  return {{kind, {{"text", text}, {"below", Json::array()}}}};
+}
+
+// "extra error [%]"; without the unit where the name says it.
+std::string label_below(const Json& column) {
+  const std::string name = column["name"];
+  const std::string unit = column["unit"];
+  return unit.empty() || unit == "1" || name.ends_with(unit) ? name : fmt::format("{} [{}]", name, unit);
+}
+
+// Readies a table for its template: columns and cells that stand below others become their parts.
 void classify_cells(Json& table) {
-  const Json columns = table["columns"];  // a copy: new members move the others
-  for (Json& row : table["rows"]) {
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      const std::size_t length = row[c].get_ref<const std::string&>().size();
-      const bool is_short = length > 0 && length <= longest_short_text;
-      row[c] = {{columns[c]["numeric"] ? "number" : c == 0 ? "header" : is_short ? "short" : "text", row[c]}};
+  const Json all = table["columns"];
+  Json columns = Json::array();
+  for (const Json& column : all) {
+    if (column.contains("below") && !columns.empty()) {
+      columns.back()["further"].push_back(column);
+      columns.back()["further"].back()["label"] = label_below(column);
+    } else {
+      columns.push_back(column);
+      columns.back()["further"] = Json::array();
     }
   }
-  const auto has_unit = [](const Json& column) { return !column["unit"].get_ref<const std::string&>().empty(); };
-  table["has_units"] = std::any_of(columns.begin(), columns.end(), has_unit);
+  for (Json& row : table["rows"]) {
+    Json cells = Json::array();
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      if (all[c].contains("below") && !cells.empty()) {
+        if (row[c] != "") cells.back().begin().value()["below"].push_back(row[c]);
+      } else {
+        cells.push_back(cell_data(all[c], c, row[c]));
+      }
+    }
+    row = std::move(cells);
+  }
+  // The labels of columns below stand in the row of units.
+  const auto has_unit = [](const Json& column) { return column["unit"] != "" || column.contains("below"); };
+  table["has_units"] = std::any_of(all.begin(), all.end(), has_unit);
   table["column_count"] = columns.size();
+  table["columns"] = std::move(columns);
+}
+
+// Adds to the table of all settings that of those which differ from their defaults: name, value, default.
+void ready_settings(Json& settings) {
+  Json changed = settings;
+  changed["caption"] = "Settings that differ from their defaults";
+  changed["rows"] = Json::array();
+  for (const Json& row : settings["rows"]) {
+    if (row.size() > 2 && row[1] != row[2]) changed["rows"].push_back(row);
+  }
+  settings["row_count"] = settings["rows"].size();
+  classify_cells(settings);
+  if (changed["rows"].empty()) return;
+  classify_cells(changed);
+  settings["changed"] = std::move(changed);
 }
 
 Json files_data(const fs::path& folder) {
-  static constexpr std::pair<const char*, const char*> files[] = {{"images.exr", "all images as float layers"},
-                                                                  {"sweep.csv", "all cells of the sweep"},
-                                                                  {"experiment.toml", "settings of this run"},
-                                                                  {"summary.json", "all numbers, for programs"}};
+  static constexpr std::pair<const char*, const char*> files[] = {
+      {"images.exr", "all images as float layers"},    {"sweep.csv", "all cells of the sweep"},
+      {"tuned.toml", "settings with the best values"}, {"evaluations.csv", "all evaluated points"},
+      {"experiment.toml", "settings of this run"},     {"summary.json", "all numbers, for programs"}};
   Json list = Json::array();
   for (const auto& [name, meaning] : files) {
     std::error_code error;
@@ -152,9 +201,9 @@ Json figures_data(const fs::path& folder, const ReportSection& section, Numbers&
 
 Json section_data(const fs::path& folder, const ReportSection& section, Numbers& numbers) {
   Json tables = Json::array();
-  for (const auto& [title, table] : section.tables) {
+  for (const auto& [title, table, below] : section.tables) {
     if (table.columns.empty()) continue;
-    tables.push_back(table_data(table, fmt::format("Table {}. {}", ++numbers.tables, title)));
+    tables.push_back(table_data(table, fmt::format("Table {}. {}", ++numbers.tables, title), below));
   }
   return {{"anchor", fmt::format("section-{}", ++numbers.sections)}, {"title", section.title},
           {"headlines", headlines_data(section.headlines)},          {"paragraphs", paragraphs_data(section.text)},
@@ -182,12 +231,32 @@ Json page_data(const fs::path& folder, const Report& report) {
           {"settings", table_data(report.settings, "Every parameter of this run")}};
 }
 
+// Moves figures of what the viewer shows to a part that can be folded away.
+void fold_figures(Json& section, const std::set<std::string>& layers) {
+  Json shown = Json::array();
+  Json folded = Json::array();
+  for (Json& figure : section["figures"]) {
+    const bool is_layer = layers.contains(figure["stem"].get_ref<const std::string&>());
+    (is_layer ? folded : shown).push_back(std::move(figure));
+  }
+  section["has_one_figure"] = shown.size() == 1;
+  section["figures"] = std::move(shown);
+  section["viewer_figure_count"] = folded.size();
+  section["viewer_figures"] = std::move(folded);
+  const auto is_empty = [&](const char* part) { return section[part].empty(); };
+  static constexpr const char* parts[] = {"figures", "tables", "headlines", "paragraphs"};
+  section["is_folded"] = !is_empty("viewer_figures") && std::all_of(std::begin(parts), std::end(parts), is_empty);
+}
+
 }  // namespace
 
 void write_page(const fs::path& folder, const Report& report, const ViewerPack* viewer) {
   Json page = page_data(folder, report);
   page["data"] = script_text(page);
-  if (report.cells) page["cells"] = script_text(cells_json(*report.cells));
+  if (report.cells) {
+    page["cells"] = script_text(cells_json(*report.cells));
+    if (report.cells_section < page["sections"].size()) page["sections"][report.cells_section]["has_cells"] = true;
+  }
   if (viewer != nullptr && !viewer->sets.empty()) {
     page["viewer"] = viewer_text(*viewer);
     if (viewer->section < page["sections"].size()) page["sections"][viewer->section]["has_viewer"] = true;
@@ -199,11 +268,15 @@ void write_page(const fs::path& folder, const Report& report, const ViewerPack* 
   page["style"] = embedded_page_file("page.css");
   page["style_hash"] = to_base64(page_style_hash());
   for (Json& section : page["sections"]) {
-    section["has_one_figure"] = section["figures"].size() == 1;
     for (Json& figure : section["figures"]) add_picture(figure, folder);
     for (Json& table : section["tables"]) classify_cells(table);
+    fold_figures(section, viewer != nullptr ? viewer->layers : std::set<std::string>());
   }
-  if (page["settings"].is_object()) classify_cells(page["settings"]);
+  for (std::size_t s = 0; s < report.sections.size(); ++s) {
+    Json& section = page["sections"][s];
+    if (report.sections[s].tables_first) section["leading_tables"] = std::exchange(section["tables"], Json::array());
+  }
+  if (page["settings"].is_object()) ready_settings(page["settings"]);
   write_text(folder / "index.html", fill_template("page.html", page));
 }
 

@@ -23,6 +23,7 @@ struct Headline {
 struct ReportTable {
   std::string title;  ///< "Error by object"
   Table table;
+  std::vector<std::string> below{};  ///< columns that are shown in smaller type below the one before them
 };
 
 struct ReportSection {
@@ -34,6 +35,7 @@ struct ReportSection {
   std::vector<std::string> figure_titles;
   std::vector<ReportTable> tables;
   std::vector<ChartCells> charts{};  ///< of those figures whose points are cells of a sweep
+  bool tables_first = false;         ///< tables stand before figures
 };
 
 struct Report {
@@ -43,8 +45,9 @@ struct Report {
   std::vector<std::string> answers{};  ///< what the run was made for, one line each: at the top of the page
   std::vector<std::string> notes;      ///< what was assumed
   std::vector<ReportSection> sections;
-  Table settings;  ///< every parameter: name, value, unit, meaning
+  Table settings;  ///< every parameter: name, value, default, ...; those whose value is not the default first
   std::optional<ReportCells> cells{};
+  std::size_t cells_section = 0;  ///< the table of all cells stands before this section
 };
 
 /// Writes DIR/index.html with the figures of DIR/figures inlined and its data as JSON. Refers to no other file. The

@@ -1,11 +1,12 @@
 // What the page's image viewer shows: the layers of a run or of some cells of a sweep, the images of causes at every
-// bias, names of objects and materials. The page holds them as JSON, of large images only every second pixel.
+// bias, names of objects and materials. The page holds them as JSON, of very large images only every second pixel.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -80,6 +81,7 @@ struct ViewerData {
   ViewerParts objects{};
   ViewerParts materials{};
   std::optional<ViewerCell> cell{};
+  std::string title{};  ///< of a set that is no cell: "best"; empty where the page has one set
 };
 
 /// Sets of images as the page holds them: JSON. What several sets share is held once.
@@ -87,6 +89,7 @@ struct ViewerPack {
   std::string title = "Images";
   std::size_t section = 0;                                     ///< the viewer stands before this section of the page
   std::vector<std::string> sets{};                             ///< the first is shown when the page opens
+  std::set<std::string> layers{};                              ///< their names
   std::vector<std::string> items{};                            ///< planes and names, to which the sets refer by index
   std::unordered_multimap<std::size_t, std::size_t> places{};  ///< of the items, by their hash
 };

@@ -22,7 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Larger images lose every second row and column, unless all pixels were asked for.
-constexpr std::size_t most_pixels_in_full = std::size_t{640} * 360;
+constexpr std::size_t most_pixels_in_full = std::size_t{1920} * 1080;
 
 constexpr const char* kind_names[] = {"share", "error", "number", "category", "color", "vector"};
 constexpr const char* role_names[] = {"reference", "technique", "error", "cause", "other"};
@@ -78,7 +78,8 @@ std::vector<Json> planes_json(const ViewerData& data, const ViewerLayer& layer, 
   std::vector<Json> planes;
   if (is_difference(data, layer)) return planes;
   // The reference is the same in most cells: in full it is stored once.
-  const bool is_rounded = data.rounded && layer.role != ViewerRole::reference;
+  const bool is_picture = layer.kind == ViewerKind::color && layer.role == ViewerRole::other;
+  const bool is_rounded = (data.rounded || is_picture) && layer.role != ViewerRole::reference;
   const PlaneDigits digits = !is_rounded                       ? PlaneDigits::half
                              : layer.kind == ViewerKind::share ? PlaneDigits::byte
                                                                : PlaneDigits::few;
@@ -156,6 +157,8 @@ void add_set(ViewerPack& pack, const ViewerData& data) {
   if (data.cell) {
     json["cell"] = {{"number", data.cell->number}, {"reason", data.cell->reason}, {"bias_axis", data.cell->bias_axis}};
   }
+  if (!data.title.empty()) json["title"] = data.title;
+  for (const ViewerLayer& layer : data.layers) pack.layers.insert(layer.name);
   pack.sets.push_back(script_text(json));
 }
 

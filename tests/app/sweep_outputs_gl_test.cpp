@@ -81,7 +81,7 @@ std::string text_in(const Json& value) { return value.is_string() ? value.get<st
 
 // What stands in the cell after the row's name in the table of that caption.
 std::string table_text(const std::string& page, const std::string& caption, const std::string& row) {
-  const std::regex pattern("<caption>(Table [0-9]+\\. )?" + caption);
+  const std::regex pattern("<div class=\"caption\">(Table [0-9]+\\. )?" + caption);
   std::smatch found;
   if (!std::regex_search(page, found, pattern)) return "no table " + caption;
   const auto table = static_cast<std::size_t>(found.position());

@@ -7,3 +7,4 @@ after(close_all);
 await import('./page_test.mjs');
 await import('./sweep_test.mjs');
 await import('./look_test.mjs');
+await import('./layout_test.mjs');

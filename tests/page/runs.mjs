@@ -45,6 +45,11 @@ export const sweep_run = () => once('sweep', () => {
       'shadow.constant-bias=0.01:0.2:5:log', '--vary', 'shadow.resolution=512,1024', '--vary', 'shadow.filter=nearest,box');
   return out;
 });
+export const tune_run = () => once('tune', () => {
+  const out = path.join(folder, 'tune');
+  run('tune', 'courtyard', '-o', out, '--light', 'sun', '--size', '96x54', '--quiet', '--vary', 'shadow.constant-bias=0:0.2');
+  return out;
+});
 // 10,000 cells, 20 of them with images.
 export const large_run = () => once('large', () => {
   const out = path.join(folder, 'large');
@@ -109,8 +114,8 @@ export async function painted(page) {
   }, size);
 }
 
-// The fragment of one layer, four screen pixels for each stored one.
-export const single = (layer, more = '') => `#view=single&group=sun&a=${layer}&zoom=4&at=48,27${more}`;
+// The fragment of one layer, four screen pixels for each stored one; errors and causes in their own colours.
+export const single = (layer, more = '') => `#view=single&group=sun&a=${layer}&zoom=4&at=48,27&errors=plain${more}`;
 
 // Follows a link within the page.
 export const go = (page, fragment) => page.evaluate((hash) => (location.hash = hash), fragment);

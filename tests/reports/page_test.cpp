@@ -353,7 +353,7 @@ TEST(PageTable, It_has_a_caption_headers_and_a_row_of_units) {
   const Table table{{{"filter", "", "how"}, {"bias", "m", "along the light"}, {"mae", "1", ""}},
                     {{std::string("box"), 0.1 + 0.2, std::int64_t{5}}}};
   const std::string page = page_of(folder, with_table(table));
-  EXPECT_TRUE(contains(page, "<caption>Table 1. Bias</caption>"));
+  EXPECT_TRUE(contains(page, "<div class=\"caption\">Table 1. Bias</div>"));
   EXPECT_TRUE(contains(page, "<th scope=\"col\" title=\"how\">filter</th>")) << page;
   EXPECT_TRUE(contains(page, "<th scope=\"col\" class=\"number\" title=\"along the light\">bias</th>")) << page;
   EXPECT_TRUE(contains(page, "<td class=\"unit number\">m</td>"));
@@ -383,7 +383,7 @@ TEST(PageTable, A_long_table_says_how_much_of_it_is_shown) {
   Table table{{{"a", "1", ""}}, {}};
   table.rows.assign(501, {Value(1.0)});
   const std::string page = page_of(folder, with_table(table));
-  EXPECT_TRUE(contains(page, "<caption>Table 1. Bias, the first 500 of 501 rows</caption>"));
+  EXPECT_TRUE(contains(page, "<div class=\"caption\">Table 1. Bias, the first 500 of 501 rows</div>"));
   EXPECT_EQ(count(page, "<td class=\"number\">1</td>"), 500u);
 }
 

@@ -11,19 +11,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json cell(const char* kind, const char* text) { return {{kind, {{"text", text}, {"below", Json::array()}}}}; }
+
 const Json one_table = {{"caption", "Bias"},
                         {"has_units", true},
                         {"column_count", 2},
                         {"columns",
                          {{{"name", "filter"}, {"unit", ""}, {"meaning", "how"}, {"numeric", false}},
                           {{"name", "bias"}, {"unit", "m"}, {"meaning", ""}, {"numeric", true}}}},
-                        {"rows", {{{{"header", "box"}}, {{"number", "0.3"}}}, {{{"header", ""}}, {{"number", ""}}}}}};
+                        {"rows", Json::array({Json::array({cell("header", "box"), cell("number", "0.3")}),
+                                              Json::array({cell("header", ""), cell("number", "")})})}};
 
 TEST(Template, Lists_are_repeated_and_lines_of_tags_leave_no_line) {
   EXPECT_EQ(fill_template("table.html", one_table),
-            "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Bias\">\n"
-            "<table>\n"
-            "<caption>Bias</caption>\n"
+            "<div class=\"table\" role=\"region\" aria-label=\"Bias\">\n"
+            "<div class=\"caption\">Bias</div>\n"
+            "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Bias\">\n"
+            "<table aria-label=\"Bias\">\n"
             "<thead>\n"
             "<tr><th scope=\"col\" title=\"how\">filter</th><th scope=\"col\" class=\"number\">bias</th></tr>\n"
             "<tr><td class=\"unit\"></td><td class=\"unit number\">m</td></tr>\n"
@@ -33,6 +37,7 @@ TEST(Template, Lists_are_repeated_and_lines_of_tags_leave_no_line) {
             "<tr><th scope=\"row\"></th><td class=\"number\"></td></tr>\n"
             "</tbody>\n"
             "</table>\n"
+            "</div>\n"
             "</div>\n");
 }
 
@@ -51,7 +56,8 @@ TEST(Template, Values_are_escaped_and_are_no_templates) {
   Json table = one_table;
   table["caption"] = "<b>\"&' {{column_count}}";
   const std::string markup = fill_template("table.html", table);
-  EXPECT_NE(markup.find("<caption>&lt;b&gt;&quot;&amp;&#39; {{column_count}}</caption>"), std::string::npos) << markup;
+  EXPECT_NE(markup.find("<div class=\"caption\">&lt;b&gt;&quot;&amp;&#39; {{column_count}}</div>"), std::string::npos)
+      << markup;
 }
 
 TEST(Template, A_figure_says_one_thing_about_its_picture) {

@@ -48,16 +48,20 @@ TEST(ViewerData, A_rounded_set_leaves_out_the_error_that_is_a_difference) {
   }
 }
 
-TEST(ViewerData, Of_large_images_the_viewer_has_every_second_pixel_unless_all_are_asked_for) {
-  ViewerData data = viewer_sample();
-  data.width = 1280;
-  data.height = 720;
-  ViewerPack pack;
-  add_set(pack, data);
-  data.full = true;
-  add_set(pack, data);
-  EXPECT_EQ(nlohmann::json::parse(pack.sets[0])["stride"], 2);
-  EXPECT_EQ(nlohmann::json::parse(pack.sets[1])["stride"], 1);
+TEST(ViewerData, Beyond_1920_by_1080_the_viewer_has_every_second_pixel_unless_all_are_asked_for) {
+  const auto stride_of = [](int width, int height, bool is_full) {
+    ViewerData data = viewer_sample();
+    data.width = width;
+    data.height = height;
+    data.full = is_full;
+    ViewerPack pack;
+    add_set(pack, data);
+    return nlohmann::json::parse(pack.sets[0])["stride"].get<int>();
+  };
+  EXPECT_EQ(stride_of(1280, 720, false), 1);
+  EXPECT_EQ(stride_of(1920, 1080, false), 1);
+  EXPECT_EQ(stride_of(1921, 1080, false), 2);
+  EXPECT_EQ(stride_of(3840, 2160, true), 1);
 }
 
 TEST(ReportCells, Values_are_exact_along_the_axes_and_have_six_digits_elsewhere) {

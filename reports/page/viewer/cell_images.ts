@@ -1,4 +1,4 @@
-// The sets of images of a sweep's cells: which cells have some, and the one that the viewer shows.
+// The sets of images: those of a sweep's cells, or of a tuning's default and best point; and the one that is shown.
 import type {Cells} from './cells';
 import {nearest_index, Pack} from './data';
 import type {Viewer} from './viewer';
@@ -8,6 +8,7 @@ export class CellImages {
   private cells: Cells | null = null;
   private choose_row: (row: number) => void = () => {};
   private row = -1; // of the selected cell, if it has images
+  private shown = 0;
   private turn = 0; // of the latest wish to show a set
 
   constructor(private readonly viewer: Viewer, private readonly pack: Pack) {}
@@ -20,15 +21,15 @@ export class CellImages {
   // Titles of the sets of images, for the list.
   set_titles(): string[] {
     const {cells} = this;
-    return this.pack.cells.map((cell) => {
+    return this.pack.cells.map((cell, set) => {
       const row = cell && cells ? cells.row_of(cell.number) : -1;
-      if (!cell || row < 0) return 'this run';
+      if (!cell || row < 0) return this.pack.titles[set] || 'this run';
       const all = cell.bias_axis && cells!.packed.axes > 1 ? ', any bias' : '';
       return `${cell.reason}: ${cells!.title(row, cells!.packed.axes > 1 ? cell.bias_axis : '')}${all}`;
     });
   }
   shown_set(): number {
-    return Math.max(0, this.pack.cells.findIndex((cell) => cell?.number === this.viewer.run.cell?.number));
+    return this.shown;
   }
   // The set that has the images of a row; −1 if none has.
   set_of(cells: Cells, row: number): number {
@@ -44,12 +45,15 @@ export class CellImages {
   }
   choose_set(index: number): void {
     const count = this.pack.cells.length;
-    const cell = this.pack.cells[(index + count) % count];
+    const set = (index + count) % count;
+    const cell = this.pack.cells[set];
     if (cell && this.cells) this.choose_row(this.cells.row_of(cell.number));
+    else void this.show_set(set).then(() => this.viewer.changed());
   }
 
   // For the fragment of the page's address.
   fragment(): string {
+    if (this.shown > 0 && this.pack.titles[this.shown]) return `&set=${this.shown}`;
     return this.row >= 0 && this.cells ? `&cell=${this.cells.number_of(this.row)}` : '';
   }
   forget_cell(): void {
@@ -75,6 +79,7 @@ export class CellImages {
     const turn = ++this.turn;
     const run = await this.pack.read(index);
     if (turn !== this.turn) return false;
+    this.shown = index;
     if (run === this.viewer.run) return true;
     this.viewer.show_run(run);
     return true;
@@ -89,7 +94,8 @@ export class CellImages {
       this.choose_row(row);
       await this.show_set(Math.max(0, this.set_of(this.cells!, row)));
     } else if (words.has('view')) {
-      await this.show_set(0);
+      const set = Number(words.get('set') ?? 0);
+      await this.show_set(this.pack.titles[set] ? set : 0);
     }
     if (this.viewer.read_fragment(fragment)) {
       this.viewer.changed();

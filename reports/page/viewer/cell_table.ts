@@ -1,4 +1,5 @@
 // The table of all cells of a sweep. Only the rows in view are elements, so that ten thousand rows open at once.
+import {parse_filter} from './cell_filter';
 import {Cells, CellValue, Selection} from './cells';
 import {download, make} from './dom';
 import {compare_cells, csv_cell} from './tables';
@@ -29,7 +30,7 @@ export class CellTable {
            make('tr', {role: 'row'}, make('td', {class: 'unit', role: 'gridcell'}), ...units)), this.body);
     this.region = make('div', {class: 'rows', tabindex: 0, role: 'region', 'aria-label': 'All cells: arrow keys move, Enter selects'},
                        table);
-    this.filter = make('input', {type: 'search', placeholder: 'filter: text, or mae<2', 'aria-label': 'Filter cells',
+    this.filter = make('input', {type: 'search', placeholder: 'filter: text, or light leak<0.1%', 'aria-label': 'Filter cells',
                                  input: () => this.apply()});
     section.append(
       make('h2', {id: 'all-cells'}, 'All cells'),
@@ -55,39 +56,27 @@ export class CellTable {
     this.apply();
   }
 
+  private is_sample(): boolean {
+    return this.cells.rows.length < this.cells.packed.count;
+  }
   private extent(): string {
     const {cells} = this;
-    return cells.rows.length < cells.packed.count
+    return this.is_sample()
       ? `${cells.rows.length} of ${cells.packed.count} cells, at even steps; sweep.csv has all.` : `${cells.rows.length} cells.`;
   }
 
-  // A text that a row has, or conditions such as "mae<2 resolution=1024".
-  private is_wanted(): (row: number) => boolean {
-    const {cells} = this;
-    const words = this.filter.value.trim().toLowerCase().split(/\s+/).filter((word) => word);
-    const tests = words.map((word): ((row: number) => boolean) => {
-      const [, name, sign, text] = /^([\w.-]+?)(<=|>=|<|>|=)(.+)$/.exec(word) ?? [];
-      const column = name ? cells.columns.findIndex((each) => each.name.toLowerCase().replace(/^.*\./, '') === name ||
-                                                              each.name.toLowerCase() === name) : -1;
-      if (column < 0) return (row) => cells.columns.some((_, c) => cells.text(row, c).toLowerCase().includes(word));
-      return (row) => {
-        const order = compare_cells(String(cells.shown(row, column) ?? ''), text, 1);
-        return sign === '=' ? order === 0 : sign.startsWith('<') ? order < 0 || (sign === '<=' && order === 0)
-          : order > 0 || (sign === '>=' && order === 0);
-      };
-    });
-    return (row) => tests.every((test) => test(row));
-  }
-
   private apply(): void {
-    const wanted = this.is_wanted();
     const {cells, sorted} = this;
-    this.order = cells.rows.map((_, row) => row).filter(wanted);
+    const {is_wanted, problems} = parse_filter(cells, this.filter.value);
+    this.order = cells.rows.map((_, row) => row).filter(is_wanted);
     if (sorted) {
       const key = (value: CellValue) => (value === null ? '' : String(value));
       this.order.sort((a, b) => compare_cells(key(cells.rows[a][sorted.column]), key(cells.rows[b][sorted.column]), sorted.sign) || a - b);
     }
-    this.count.textContent = `${this.order.length} ${this.order.length === 1 ? 'row' : 'rows'}`;
+    const rows = `${this.order.length} ${this.order.length === 1 ? 'row' : 'rows'}`;
+    const sample = this.is_sample() ? ` of a sample: ${cells.rows.length} of ${cells.packed.count} cells` : '';
+    this.count.textContent = [...problems.map((each) => `Not understood: ${each}.`), rows + sample].join(' ');
+    this.filter.setAttribute('aria-invalid', String(problems.length > 0));
     this.active = Math.max(0, this.order.indexOf(this.selection.row));
     this.region.scrollTop = Math.max(0, (this.active - 2) * row_height);
     this.draw();

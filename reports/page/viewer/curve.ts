@@ -12,11 +12,14 @@ export interface Ink {
 const curve_height = 230;
 const margin = {left: 52, right: 12, top: 12, bottom: 40};
 
-// Texts that are at most five characters wide: "0.01", "100", "2e-5".
+// Texts that are at most six characters wide: "0.01", "100", "−2e-5".
 function tick_text(value: number): string {
   const text = String(Number(value.toPrecision(1)));
-  return text.length > 5 ? value.toExponential(0) : text;
+  return (text.length > 5 ? value.toExponential(0) : text).replace(/^-/, '−');
 }
+
+// The decade of a value, other numbers for negative ones; 0 has one of its own.
+const decade_of = (value: number) => (value === 0 ? 0.5 : Math.sign(value) * (1000 + Math.floor(Math.log10(Math.abs(value)) + 1e-9)));
 
 // Steps of 1, 2 and 5 times a power of ten: shares below the largest, in per cent.
 function share_ticks(largest: number): number[] {
@@ -51,14 +54,13 @@ export class Curve {
     });
   }
 
-  // A bias of 0 has its place left of the smallest positive one.
+  // Logarithmic on both sides of 0, which has its place beside the smallest biases.
   private x_of(index: number): number {
     const {axis} = this.bias;
-    const first = axis.find((value) => value > 0) ?? 1;
-    const low = Math.log10(first) - 0.15;
-    const high = Math.log10(Math.max(axis[axis.length - 1], first * 1.01));
-    const at = axis[index] > 0 ? Math.log10(axis[index]) : low;
-    return margin.left + ((at - low) / (high - low)) * (this.width - margin.left - margin.right);
+    const smallest = Math.min(...axis.filter((value) => value !== 0).map(Math.abs));
+    const place = (value: number) => (value === 0 ? 0 : Math.sign(value) * (0.15 + Math.log10(Math.abs(value) / smallest)));
+    const [low, high] = [place(axis[0]), place(axis[axis.length - 1])];
+    return margin.left + ((place(axis[index]) - low) / Math.max(high - low, 0.01)) * (this.width - margin.left - margin.right);
   }
 
   private index_at(x: number): number {
@@ -97,8 +99,8 @@ export class Curve {
     let decade = NaN;
     let free = -Infinity; // where the next text may begin
     axis.forEach((value, i) => {
-      const is_tick = value === 0 || Math.floor(Math.log10(value) + 1e-9) !== decade;
-      if (value > 0) decade = Math.floor(Math.log10(value) + 1e-9);
+      const is_tick = decade_of(value) !== decade;
+      decade = decade_of(value);
       if (!is_tick) return;
       line(this.x_of(i), bottom, this.x_of(i), bottom + 5, 'tick');
       if (this.x_of(i) < free) return;

@@ -45,6 +45,7 @@ interface PackedSet {
   height: number;
   stride: number;
   rounded: boolean;
+  title?: string;
   layers: (LayerHead & {planes: number[]})[]; // without planes: technique − reference
   biases: (BiasHead & {bin?: number; cause?: number})[];
   objects: number | null;
@@ -85,6 +86,7 @@ export interface Run {
   biases: Bias[];
   objects: Parts | null;
   materials: Parts | null;
+  picture: Layer | null; // of the view; cells of a sweep have that of the first set
 }
 
 function bytes_of(base64: string): Uint8Array {
@@ -143,6 +145,7 @@ export const used_index = (bias: BiasHead) => nearest_index(bias.axis, bias.used
 export class Pack {
   readonly title: string;
   readonly cells: (SetCell | null)[];
+  readonly titles: string[]; // of sets that are no cells; empty for others
   private readonly packed: PackedPage;
   private readonly maps: Run['maps'];
   private readonly planes = new Map<number, Promise<Float32Array>>();
@@ -155,10 +158,11 @@ export class Pack {
     this.title = title;
     this.maps = {sequential: bytes_of(maps.sequential), diverging: bytes_of(maps.diverging)};
     this.cells = sets.map((set) => set.cell ?? null);
+    this.titles = sets.map((set) => set.title ?? '');
   }
 
   read(index: number): Promise<Run> {
-    return once(this.runs, index, () => this.read_set(this.packed.sets[index]));
+    return once(this.runs, index, () => this.read_set(index));
   }
 
   private plane(item: number): Promise<Float32Array> {
@@ -172,7 +176,15 @@ export class Pack {
     });
   }
 
-  private async read_set(set: PackedSet): Promise<Run> {
+  private async picture_of(index: number, layers: Layer[]): Promise<Layer | null> {
+    const own = layers.find(({name}) => name === 'picture');
+    if (own || index === 0) return own ?? null;
+    const {picture} = await this.read(0);
+    return picture?.planes[0].length === layers[0].planes[0].length ? picture : null;
+  }
+
+  private async read_set(index: number): Promise<Run> {
+    const set = this.packed.sets[index];
     const biases = await Promise.all(set.biases.map(async ({bin, cause, ...head}) => {
       const bias: Bias = {...head, index: used_index(head), range: null};
       if (bin !== undefined && cause !== undefined) [bias.bin, bias.cause] = await Promise.all([this.plane(bin), this.plane(cause)]);
@@ -202,6 +214,7 @@ export class Pack {
       biases,
       objects: await this.named(set.objects),
       materials: await this.named(set.materials),
+      picture: await this.picture_of(index, layers),
     };
   }
 }

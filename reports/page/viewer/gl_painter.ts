@@ -1,7 +1,7 @@
 // Paints layers with WebGL2: values stay float textures, the fragment shader turns them into colours (pixels.ts has the
 // same formulas).
 import {Layer, Run} from './data';
-import {Look, scale_of, table_of} from './pixels';
+import {is_of_errors, Look, scale_of, table_of} from './pixels';
 
 // In device pixels from the top left.
 export interface Rect {
@@ -33,13 +33,16 @@ precision highp float;
 precision highp sampler2D;
 uniform sampler2D values;
 uniform sampler2D table;
+uniform sampler2D base; // the picture below errors and causes
+uniform bool has_base;
+uniform float dots;     // device pixels that a wrong pixel covers at least; 0: its own
 uniform vec2 size;
 uniform vec2 middle;    // of the pane, device pixels from the bottom left
 uniform vec2 center;    // the stored pixel there
 uniform float scale;    // device pixels per stored pixel
 uniform vec2 ends;      // of the layer's scale
 uniform float gain;
-uniform int kind;       // 0 scalar, 1 category, 2 colour, 3 vector
+uniform int kind;       // 0 scalar, 1 category, 2 colour, 3 vector, 4 error
 uniform float entries;  // of the table
 out vec4 color;
 
@@ -50,7 +53,17 @@ vec3 to_srgb(vec3 linear) {
 
 vec3 entry(float number) { return texelFetch(table, ivec2(int(number), 0), 0).rgb; }
 
-vec3 color_at(vec2 at) {
+bool is_error() { return kind == 1 || kind == 4; }
+
+// As strength_of() has it.
+float strength_at(vec2 at) {
+  float value = texelFetch(values, ivec2(at), 0).r;
+  if (kind == 4) return min(1.0, abs(value) / ends.y);
+  vec3 shown = value < entries ? entry(value) : vec3(1.0, 0.0, 1.0);
+  return shown.r == shown.g && shown.g == shown.b ? 0.0 : 1.0;
+}
+
+vec3 plain_color_at(vec2 at) {
   vec3 value = texelFetch(values, ivec2(at), 0).rgb;
   if (value.r != value.r) return vec3(1.0, 0.0, 1.0);
   if (kind == 1) return value.r < entries ? entry(value.r) : vec3(1.0, 0.0, 1.0);
@@ -60,9 +73,47 @@ vec3 color_at(vec2 at) {
   return entry(floor(share * (entries - 1.0) + 0.5));
 }
 
+vec3 color_at(vec2 at) {
+  vec3 shown = plain_color_at(at);
+  if (!has_base || !is_error() || shown == vec3(1.0, 0.0, 1.0)) return shown;
+  vec3 picture = texelFetch(base, ivec2(at), 0).rgb;
+  float grey = 0.6 + 0.4 * to_srgb(vec3(dot(picture, vec3(0.2126, 0.7152, 0.0722)))).r;
+  return shown * mix(grey, 1.0, strength_at(at));
+}
+
+// The wrong pixel whose dot covers the place: the one of the largest error, of equal ones the nearest. Wrong is what
+// has half the scale, as in regions.ts. (-1, -1) if there is none.
+vec2 dot_at(vec2 at) {
+  float reach = 0.5 * dots / scale;
+  vec2 first = max(ceil(at - reach - 0.5), vec2(0.0));
+  vec2 last = min(floor(at + reach - 0.5), size - 1.0);
+  vec2 found = vec2(-1.0);
+  float most = 0.5;
+  float least = 1e9;
+  for (float y = first.y; y <= last.y; ++y) {
+    for (float x = first.x; x <= last.x; ++x) {
+      float strength = strength_at(vec2(x, y));
+      if (!(strength >= most)) continue;
+      float distance_to = distance(at, vec2(x, y) + 0.5);
+      if (strength == most && distance_to >= least) continue;
+      most = strength;
+      least = distance_to;
+      found = vec2(x, y);
+    }
+  }
+  return found;
+}
+
 void main() {
   vec2 at = center + (gl_FragCoord.xy - middle) * vec2(1.0, -1.0) / scale;
   if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, size))) discard;
+  if (is_error() && scale < dots) {
+    vec2 found = dot_at(at);
+    if (found.x >= 0.0) {
+      color = vec4(color_at(found), 1.0);
+      return;
+    }
+  }
   if (scale >= 1.0) {
     color = vec4(color_at(at), 1.0);
     return;
@@ -79,7 +130,7 @@ void main() {
   color = vec4(sum / float(steps * steps), 1.0);
 }`;
 
-const kinds: Record<string, number> = {category: 1, color: 2, vector: 3};
+const kinds: Record<string, number> = {category: 1, color: 2, vector: 3, error: 4};
 
 function compile(gl: WebGL2RenderingContext): WebGLProgram {
   const program = gl.createProgram()!;
@@ -115,15 +166,16 @@ export function make_gl_painter(canvas: HTMLCanvasElement, first: Run): Painter 
   const gl = canvas.getContext('webgl2', {alpha: true, antialias: false, preserveDrawingBuffer: true});
   if (!gl || gl.getParameter(gl.MAX_TEXTURE_SIZE) < Math.max(run.columns, run.rows)) return null;
   const program = compile(gl);
-  const place = new Map(['values', 'table', 'size', 'middle', 'center', 'scale', 'ends', 'gain', 'kind', 'entries'].map(
+  const place = new Map(['values', 'table', 'size', 'middle', 'center', 'scale', 'ends', 'gain', 'kind', 'entries', 'base', 'has_base',
+                         'dots'].map(
     (name) => [name, gl.getUniformLocation(program, name)]));
   const textures = new Map<Layer, {texture: WebGLTexture; version: number}>();
   const tables = new Map<Uint8Array | Layer, WebGLTexture>();
   gl.bindVertexArray(gl.createVertexArray());
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
 
-  function bind_values(layer: Layer): void {
-    gl!.activeTexture(gl!.TEXTURE0);
+  function bind_values(layer: Layer, unit: number): void {
+    gl!.activeTexture(unit);
     const known = textures.get(layer);
     if (known) gl!.bindTexture(gl!.TEXTURE_2D, known.texture);
     if (known?.version === layer.version) return;
@@ -165,12 +217,17 @@ export function make_gl_painter(canvas: HTMLCanvasElement, first: Run): Painter 
     },
     paint(layer, look, {pane, x, y, scale}, clip) {
       gl.useProgram(program);
-      bind_values(layer);
+      const base = is_of_errors(layer) ? look.base : null;
+      bind_values(base ?? layer, gl.TEXTURE2);
+      bind_values(layer, gl.TEXTURE0);
       const entries = bind_table(layer, look);
       gl.enable(gl.SCISSOR_TEST);
       gl.scissor(clip.x, canvas.height - clip.y - clip.height, Math.max(0, clip.width), Math.max(0, clip.height));
       gl.uniform1i(place.get('values')!, 0);
       gl.uniform1i(place.get('table')!, 1);
+      gl.uniform1i(place.get('base')!, 2);
+      gl.uniform1i(place.get('has_base')!, Number(base !== null));
+      gl.uniform1f(place.get('dots')!, look.dot);
       gl.uniform2f(place.get('size')!, run.columns, run.rows);
       gl.uniform2f(place.get('middle')!, pane.x + pane.width / 2, canvas.height - pane.y - pane.height / 2);
       gl.uniform2f(place.get('center')!, x, y);

@@ -25,10 +25,24 @@ function link_figures(viewer: Viewer, section: HTMLElement): void {
   }
 }
 
+// Figures of what the viewer shows are for print.
+function fold_figures(): void {
+  const folds = [...document.querySelectorAll<HTMLDetailsElement>('.viewer-figures')];
+  let closed = folds;
+  const close = () => closed.forEach((each) => (each.open = false));
+  close();
+  addEventListener('beforeprint', () => {
+    closed = folds.filter((each) => !each.open);
+    closed.forEach((each) => (each.open = true));
+  });
+  addEventListener('afterprint', close);
+}
+
 async function make_viewer(): Promise<Viewer | null> {
   const data = document.getElementById('viewer-data');
   const section = document.getElementById('viewer');
   if (!data || !section || typeof DecompressionStream === 'undefined') return null;
+  fold_figures();
   const pack = new Pack(data.textContent ?? '');
   const viewer = new Viewer(pack, await pack.read(0), section);
   section.hidden = false;
@@ -63,7 +77,7 @@ function follow_cells(cells: Cells, selection: Selection, panel: CellPanel, view
 }
 
 async function start(): Promise<void> {
-  for (const region of document.querySelectorAll<HTMLElement>('.scroll')) extend_table(region);
+  for (const region of document.querySelectorAll<HTMLElement>('.table')) extend_table(region);
   const data = document.getElementById('cells-data');
   const cells = data ? new Cells(data.textContent ?? '') : null;
   const selection = new Selection();

@@ -5,6 +5,8 @@ import {MapName} from './state';
 export interface Look {
   exposure: number; // stops
   map: MapName;
+  base: Layer | null; // the picture below errors and causes, in grey
+  dot: number; // device pixels that a wrong pixel covers at least; 0: as many as it has
 }
 
 export const not_a_number: Color = [255, 0, 255];
@@ -28,7 +30,31 @@ function srgb_byte(linear: number): number {
   return Math.round(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055));
 }
 
+// A kind that shows what is wrong, and where nothing is, the picture below.
+export const is_of_errors = (layer: Layer) => layer.kind === 'error' || layer.kind === 'category';
+
+const is_grey = ([r, g, b]: Color) => r === g && g === b;
+
+// 0 is right, 1 the end of the scale. Categories that are no error are grey.
+export function strength_of(layer: Layer, i: number, look: Look): number {
+  const value = layer.planes[0][i];
+  if (layer.kind === 'category') return is_grey(layer.categories[value]?.color ?? not_a_number) ? 0 : 1;
+  const [, end] = scale_of(layer, look);
+  return Math.min(1, Math.abs(value) / end);
+}
+
+// The lightest part of the greys, so that colours are told apart on all of it.
+const darkest_base = 0.6;
+
 export function color_of(layer: Layer, i: number, look: Look, run: Run): Color {
+  const color = plain_color_of(layer, i, look, run);
+  if (!look.base || !is_of_errors(layer) || Number.isNaN(layer.planes[0][i])) return color;
+  const grey = darkest_base + ((1 - darkest_base) * srgb_byte(luminance(look.base, i))) / 255;
+  const strength = strength_of(layer, i, look);
+  return color.map((each) => Math.round(each * (grey + (1 - grey) * strength))) as Color;
+}
+
+function plain_color_of(layer: Layer, i: number, look: Look, run: Run): Color {
   const value = layer.planes[0][i];
   if (Number.isNaN(value)) return not_a_number;
   if (layer.kind === 'category') return layer.categories[value]?.color ?? not_a_number;

@@ -1,7 +1,7 @@
 // Paints layers on a 2D canvas, where the browser has no WebGL2.
 import {Layer, Run} from './data';
-import {Painter} from './gl_painter';
-import {color_of, Look} from './pixels';
+import {Painter, Placement} from './gl_painter';
+import {color_of, is_of_errors, Look, strength_of} from './pixels';
 
 interface Painted {
   canvas: HTMLCanvasElement;
@@ -14,7 +14,7 @@ export function make_plain_painter(canvas: HTMLCanvasElement, first: Run): Paint
   const painted = new Map<Layer, Painted>();
 
   function picture_of(layer: Layer, look: Look): HTMLCanvasElement {
-    const key = `${layer.version} ${look.exposure} ${look.map}`;
+    const key = `${layer.version} ${look.exposure} ${look.map} ${look.base !== null}`;
     const known = painted.get(layer);
     if (known?.key === key) return known.canvas;
     const picture = known?.canvas ?? document.createElement('canvas');
@@ -30,6 +30,18 @@ export function make_plain_painter(canvas: HTMLCanvasElement, first: Run): Paint
     return picture;
   }
 
+  // Wrong pixels, which have half the scale as in regions.ts, in the least size of a dot.
+  function paint_dots(layer: Layer, look: Look, {pane, x, y, scale}: Placement): void {
+    for (let i = 0; i < layer.planes[0].length; ++i) {
+      if (!(strength_of(layer, i, look) >= 0.5)) continue;
+      const column = i % run.columns;
+      const row = (i - column) / run.columns;
+      context.fillStyle = `rgb(${color_of(layer, i, look, run).join(',')})`;
+      context.fillRect(pane.x + pane.width / 2 + (column + 0.5 - x) * scale - look.dot / 2,
+                       pane.y + pane.height / 2 + (row + 0.5 - y) * scale - look.dot / 2, look.dot, look.dot);
+    }
+  }
+
   return {
     name: '2D canvas',
     use(next) {
@@ -39,7 +51,8 @@ export function make_plain_painter(canvas: HTMLCanvasElement, first: Run): Paint
     start() {
       context.clearRect(0, 0, canvas.width, canvas.height);
     },
-    paint(layer, look, {pane, x, y, scale}, clip) {
+    paint(layer, look, placement, clip) {
+      const {pane, x, y, scale} = placement;
       context.save();
       context.beginPath();
       context.rect(clip.x, clip.y, clip.width, clip.height);
@@ -48,6 +61,7 @@ export function make_plain_painter(canvas: HTMLCanvasElement, first: Run): Paint
       context.imageSmoothingQuality = 'high';
       context.drawImage(picture_of(layer, look), pane.x + pane.width / 2 - x * scale, pane.y + pane.height / 2 - y * scale,
                         run.columns * scale, run.rows * scale);
+      if (is_of_errors(layer) && scale < look.dot) paint_dots(layer, look, placement);
       context.restore();
     },
   };

@@ -16,6 +16,7 @@ export interface State {
   y: number;
   exposure: number; // stops; of numbers it narrows the scale
   map: MapName;
+  plain: boolean; // errors and causes without the picture below them, wrong pixels in their own size
   wipe: number; // 0 to 1 across the pane
   pixel: [number, number] | null; // pinned for the inspector, in stored pixels
 }
@@ -36,7 +37,7 @@ export function initial_state(run: Run): State {
   const group = groups_of(run)[0];
   const [a, b] = default_pair(run, group);
   return {mode: 'grid', group, a, b, flipped: false, zoom: 0, x: run.columns / 2, y: run.rows / 2, exposure: 0,
-          map: 'automatic', wipe: 0.5, pixel: null};
+          map: 'automatic', plain: false, wipe: 0.5, pixel: null};
 }
 
 const short = (value: number) => String(Number(value.toPrecision(6)));
@@ -55,6 +56,7 @@ export function to_fragment(state: State, run: Run): string {
   }
   if (state.exposure !== 0) words.set('exposure', short(state.exposure));
   if (state.map !== 'automatic') words.set('map', state.map);
+  if (state.plain) words.set('errors', 'plain');
   if (state.mode === 'wipe') words.set('wipe', short(state.wipe));
   if (state.pixel) words.set('pixel', `${state.pixel[0] * run.stride},${state.pixel[1] * run.stride}`);
   const bias = run.biases.find((each) => each.group === state.group);
@@ -99,6 +101,7 @@ export function from_fragment(fragment: string, run: Run): Linked | null {
   if (at) [state.x, state.y] = [at[0] / run.stride, at[1] / run.stride];
   state.exposure = number_in(words.get('exposure'), -8, 8) ?? 0;
   if (words.get('map') === 'sequential' || words.get('map') === 'diverging') state.map = words.get('map') as MapName;
+  state.plain = words.get('errors') === 'plain';
   state.wipe = number_in(words.get('wipe'), 0, 1) ?? 0.5;
   const pixel = pair_in(words.get('pixel'), run.width - 1, run.height - 1);
   if (pixel) state.pixel = [Math.floor(pixel[0] / run.stride), Math.floor(pixel[1] / run.stride)];

@@ -3,7 +3,13 @@ import {download, make} from './dom';
 
 const rows_with_filter = 8;
 
-const text_of = (row: HTMLTableRowElement, column: number) => row.cells[column]?.textContent?.trim() ?? '';
+const below = (cell?: Element) => [...(cell?.querySelectorAll('.below') ?? [])].map((each) => each.textContent!.trim());
+// Without the texts below it.
+function own_text(cell?: Element): string {
+  const first = cell?.querySelector('button')?.firstChild ?? cell?.firstChild;
+  return first?.nodeType === Node.TEXT_NODE ? first.textContent!.trim() : '';
+}
+const text_of = (row: HTMLTableRowElement, column: number) => own_text(row.cells[column]);
 
 // Numbers by value and before texts; empty cells last in either direction.
 export function compare_cells(a: string, b: string, sign: number): number {
@@ -20,13 +26,17 @@ export function compare_cells(a: string, b: string, sign: number): number {
 export const csv_cell = (text: string) => (/[",\r\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text);
 
 export function csv_of(table: HTMLTableElement): string {
-  const heads = [...table.tHead!.rows[0].cells].map((cell, c) => {
-    const unit = table.tHead!.rows[1]?.cells[c]?.textContent?.trim();
-    return csv_cell((cell.textContent?.trim() ?? '') + (unit ? ` [${unit}]` : ''));
+  const [names, units] = table.tHead!.rows;
+  const labels = [...names.cells].map((_, c) => below(units?.cells[c])); // of columns whose values stand below others
+  const heads = [...names.cells].flatMap((cell, c) => {
+    const unit = own_text(units?.cells[c]);
+    return [own_text(cell) + (unit ? ` [${unit}]` : ''), ...labels[c]];
   });
-  const rows = [...table.tBodies[0].rows].filter((row) => !row.hidden);
-  return [heads, ...rows.map((row) => [...row.cells].map((cell) => csv_cell(cell.textContent?.trim() ?? '')))]
-    .map((cells) => cells.join(',') + '\r\n').join('');
+  const rows = [...table.tBodies[0].rows].filter((row) => !row.hidden).map((row) => [...row.cells].flatMap((cell, c) => {
+    const values = below(cell);
+    return [own_text(cell), ...(labels[c] ?? []).map((_, k) => values[k] ?? '')];
+  }));
+  return [heads, ...rows].map((cells) => cells.map(csv_cell).join(',') + '\r\n').join('');
 }
 
 function sort_by(table: HTMLTableElement, column: number): void {
@@ -52,7 +62,7 @@ export function extend_table(region: HTMLElement): void {
     const name = head.textContent ?? '';
     head.replaceChildren(make('button', {type: 'button', class: 'sort', click: () => sort_by(table, column)}, name));
   });
-  const caption = table.caption!;
+  const caption = region.querySelector('.caption')!;
   const tools = make('span', {class: 'table-tools'});
   if (table.tBodies[0].rows.length >= rows_with_filter) {
     const filter = make('input', {type: 'search', placeholder: 'filter rows', 'aria-label': `Filter ${caption.textContent}`,

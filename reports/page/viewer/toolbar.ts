@@ -21,7 +21,7 @@ const keys: [string, string][] = [
   ['n p', 'next, previous connected error region'],
   ['o Shift+O', 'next, previous object, the largest summed error first'],
   [', .', 'bias one step down, up'],
-  ['c Shift+C', 'next, previous cell of the sweep with images'],
+  ['c Shift+C', 'next, previous cell or point with images'],
   ['Esc', 'release the inspected pixel'],
 ];
 
@@ -51,7 +51,7 @@ export interface Toolbar {
 export function make_toolbar(viewer: Viewer): Toolbar {
   const {state} = viewer;
   const cell = make('select', {change: () => viewer.cells.choose_set(Number(cell.value))});
-  const cell_field = field('Cell', cell, 'cells');
+  const cell_field = field('Images of', cell, 'cells');
   const group = make('select', {change: () => viewer.show_group(group.value)});
   const mode_buttons = (Object.keys(mode_titles) as Mode[]).map((mode) => {
     const [title, key] = mode_titles[mode];
@@ -67,26 +67,22 @@ export function make_toolbar(viewer: Viewer): Toolbar {
   const exposure = make('input', {type: 'range', min: -4, max: 8, step: 0.25,
                                   input: () => viewer.set({exposure: Number(exposure.value)})});
   const map = make('select', {change: () => viewer.set({map: map.value as MapName})});
-  const fields = {
-    a: field('A', a, 'layer'),
-    b: field('B', b, 'layer'),
-    wipe: field('Wipe line', wipe, 'slide'),
-  };
-  const error_jumps = make('div', {class: 'buttons', role: 'group', 'aria-label': 'Errors'},
-                           button('Largest error', 'e', () => viewer.jumps.go_to_largest()),
-                           button('◂ Region', 'p', () => viewer.jumps.go_to_region(-1)),
-                           button('Region ▸', 'n', () => viewer.jumps.go_to_region(1)),
-                           button('Object ▸', 'o', () => viewer.jumps.next_object(1)));
+  const errors = make('select', {change: () => viewer.set({plain: errors.value === 'plain'})});
+  const jump_buttons = [button('Largest error', 'e', () => viewer.jumps.go_to_largest()),
+                        button('◂ Region', 'p', () => viewer.jumps.go_to_region(-1)),
+                        button('Region ▸', 'n', () => viewer.jumps.go_to_region(1)),
+                        button('Object ▸', 'o', () => viewer.jumps.next_object(1))];
+  const error_jumps = make('div', {class: 'buttons', role: 'group', 'aria-label': 'Errors'}, ...jump_buttons);
   const element = make(
     'div', {class: 'toolbar'},
     make('div', {class: 'row'}, cell_field),
     make('div', {class: 'row'}, field('Show', group, 'group'),
          make('div', {class: 'buttons joined', role: 'group', 'aria-label': 'Layout'}, ...mode_buttons), error_jumps),
-    make('div', {class: 'row'}, fields.a, fields.b, flip, fields.wipe,
+    make('div', {class: 'row'}, field('A', a, 'layer'), field('B', b, 'layer'), flip, field('Wipe line', wipe, 'slide'),
          make('div', {class: 'buttons joined', role: 'group', 'aria-label': 'Zoom'},
               button('−', '-', () => viewer.zoom_by(1 / 2)), button('+', '+', () => viewer.zoom_by(2)),
               button('Fit', '0', () => viewer.set({zoom: 0})), button('1:1', '1', () => viewer.zoom_to(1))),
-         field('Exposure', exposure, 'slide'), field('Colours', map, 'map'),
+         field('Exposure', exposure, 'slide'), field('Colours', map, 'map'), field('Errors', errors, 'errors'),
          button('Copy link', '', () => viewer.copy_link())));
   element.append(make('details', {class: 'keys'}, make('summary', {}, 'Mouse and keys'),
     make('p', {}, 'Drag moves the image, or the wipe line. The wheel zooms once the image has the focus (click it), or ' +
@@ -107,16 +103,18 @@ export function make_toolbar(viewer: Viewer): Toolbar {
       ...further.map((layer): [string, string] => [layer.name, `${layer.group}: ${layer.title}`])];
     fill_options(a, titles, state.a);
     fill_options(b, titles, state.b);
+    fill_options(errors, [['over', 'over the picture, enlarged'], ['plain', 'plain']], state.plain ? 'plain' : 'over');
     fill_options(map, [['automatic', 'automatic'], ['sequential', 'lightness'], ['diverging', 'blue–red']], state.map);
     for (const each of mode_buttons) each.setAttribute('aria-pressed', String(each.dataset.mode === state.mode));
     flip.setAttribute('aria-pressed', String(state.flipped));
-    fields.a.hidden = fields.b.hidden = state.mode === 'grid';
-    flip.hidden = state.mode === 'grid' || state.mode === 'side';
-    fields.wipe.hidden = state.mode !== 'wipe';
+    // Nothing is hidden: the images stay where they are.
+    a.disabled = b.disabled = state.mode === 'grid';
+    flip.disabled = state.mode === 'grid' || state.mode === 'side';
+    wipe.disabled = state.mode !== 'wipe';
     wipe.value = String(state.wipe);
     exposure.value = String(state.exposure);
     exposure.setAttribute('aria-valuetext', `${state.exposure} stops`);
-    error_jumps.hidden = !viewer.error_layer();
+    for (const each of jump_buttons) each.disabled = !viewer.error_layer();
   }
   refresh();
   return {element, refresh};

@@ -8,7 +8,7 @@ import {make_gl_painter, Painter, Rect} from './gl_painter';
 import {fill_inspector, fill_legend} from './inspector';
 import {handle_key, Pointer} from './input';
 import {Overlay, Pane} from './overlay';
-import {difference, Look} from './pixels';
+import {difference, is_of_errors, Look} from './pixels';
 import {make_plain_painter} from './plain_painter';
 import {Jumps} from './jumps';
 import {ObjectList} from './object_list';
@@ -17,6 +17,7 @@ import {make_toolbar, Toolbar} from './toolbar';
 
 const gap = 2; // CSS pixels between panes
 const most_zoom = 256;
+const least_dot = 2; // CSS pixels of a wrong pixel, which the eye then finds
 
 export class Viewer {
   readonly state: State;
@@ -27,6 +28,7 @@ export class Viewer {
   private readonly toolbar: Toolbar;
   private readonly legend = make('div', {class: 'legend'});
   private readonly inspector = make('div', {class: 'inspector'});
+  private readonly dots_hint = make('p', {class: 'hint'});
   private readonly precision = make('p', {class: 'hint'});
   private readonly status = make('p', {class: 'status', role: 'status'});
   private readonly bias_panel: BiasPanel;
@@ -51,7 +53,7 @@ export class Viewer {
                  make('div', {class: 'body'},
                       make('div', {class: 'main'}, this.stage, this.status),
                       make('div', {class: 'aside'}, this.inspector, this.object_list.element, this.legend,
-                           this.precision)),
+                           this.dots_hint, this.precision)),
                  this.bias_panel.element);
     mount.dataset.painter = this.painter.name;
     mount.addEventListener('keydown', (event) => handle_key(this, event));
@@ -156,7 +158,8 @@ export class Viewer {
     return {zoom: this.fit_zoom(this.panes()[0].rect), x: this.run.columns / 2, y: this.run.rows / 2};
   }
   look(): Look {
-    return {exposure: this.state.exposure, map: this.state.map};
+    const {exposure, map, plain} = this.state;
+    return {exposure, map, base: plain ? null : this.run.picture, dot: plain ? 0 : least_dot * devicePixelRatio};
   }
 
   set(change: Partial<State>): void {
@@ -340,7 +343,10 @@ export class Viewer {
     const titles = panes.map(({layers}) => layers.map((layer) => this.title_of(layer)));
     this.overlay.paint({panes, titles, view, ratio, look: this.look(), wipe: this.state.wipe, pinned: this.state.pixel,
                         hovered: this.hovered});
-    fill_legend(this.legend, panes.flatMap(({layers}) => layers), this.look(), this.run);
+    const layers = panes.flatMap((pane) => pane.layers);
+    fill_legend(this.legend, layers, this.look(), this.run);
+    const has_dots = !this.state.plain && view.zoom < least_dot && layers.some(is_of_errors);
+    this.dots_hint.textContent = has_dots ? `Each wrong pixel covers at least ${least_dot}×${least_dot} pixels of the screen.` : '';
     this.stage.setAttribute('aria-label', `${this.state.group}: ${titles.flat().join(', ')}`);
     this.stage.dataset.painted = this.fragment(); // for tests
   }
