@@ -161,7 +161,7 @@ TEST(FigureStyle, Long_labels_of_axes_and_legends_are_set_in_lines) {
     ASSERT_TRUE(label.is_array()) << label;
     EXPECT_GE(label.size(), 2u);
     for (const Json& line : label)
-      EXPECT_LE(line.get<std::string>().size(), 53u) << "84 mm are 387 units, less 75 beside";
+      EXPECT_LE(line.get<std::string>().size(), 45u) << "84 mm are 387 units, less 75, of 6.8";
   }
   for (const Json& line : encoding["y"]["axis"]["title"]) EXPECT_LE(line.get<std::string>().size(), 41u);
 }

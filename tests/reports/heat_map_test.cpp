@@ -130,6 +130,7 @@ TEST(HeatMap, Cells_meet_half_way_and_the_first_begins_at_zero) {
 TEST(HeatMap, Cells_near_the_least_error_have_colours_of_their_own_whatever_the_range) {
   HeatMapFigure figure = bias_map();
   figure.panel.reset();
+  figure.steps.clear();
   figure.data.rows.clear();
   for (int i = 0; i < 1000; ++i) {
     figure.data.rows.push_back({0.001 * (i % 100), std::int64_t{i / 100}, std::int64_t{512}, 2.0 + 0.001 * i, i == 0});
@@ -146,6 +147,7 @@ TEST(HeatMap, Cells_near_the_least_error_have_colours_of_their_own_whatever_the_
 
 TEST(HeatMap, Equal_cells_have_one_colour) {
   HeatMapFigure figure = bias_map();
+  figure.steps.clear();
   for (std::vector<Value>& row : figure.data.rows) row[3] = 0.5;
   const Json specification = Json::parse(to_plot_specification(figure));
   EXPECT_EQ(specification["spec"]["layer"][0]["encoding"]["color"]["scale"]["domain"], Json({1}));
