@@ -37,7 +37,8 @@ void add_figure_options(CLI::App& command, FigureOptions& figures) {
   add("--figure-font-size", figures.font_size, "PT", "size of labels in print [pt] (8; slide 20)")
       ->check(CLI::Range(4.0, 72.0));
   command.add_flag("--figure-title", figures.title, "draw titles into the figures")->group(figure_group);
-  add("--inset", figures.insets, "X,Y,W,H", "draw this region enlarged beside each image [px]; repeatable")->take_all();
+  add("--inset", figures.insets, "REGION", "draw X,Y,W,H [px] or the region of most error, worst, enlarged; repeatable")
+      ->take_all();
 }
 
 void add_tune_options(CLI::App& command, CommandLine& line) {

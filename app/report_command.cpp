@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "core/parallel.h"
 #include "core/standard_streams.h"
+#include "experiments/presentation/error_backdrop.h"
 #include "experiments/presentation/runs_report.h"
 #include "experiments/presentation/stored_figures.h"
 #include "experiments/presentation/stored_sweep_figures.h"
@@ -72,7 +73,7 @@ void sort_by_content(std::vector<Figure>& figures) {
   figures = std::move(sorted);
 }
 
-Figures figures_of(const std::vector<StoredRun>& runs, const std::vector<fs::path>& folders) {
+Figures figures_of(const std::vector<StoredRun>& runs, const std::vector<fs::path>& folders, ErrorImages& errors) {
   Figures all;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     Figures figures = stored_figures(runs[i]);
@@ -82,6 +83,11 @@ Figures figures_of(const std::vector<StoredRun>& runs, const std::vector<fs::pat
       figures.heat_maps = std::move(of_sweep.heat_maps);
     }
     const std::size_t number = runs.size() > 1 ? i + 1 : 0;
+    if (runs[i].images) {
+      for (auto& [stem, error] : error_images_of(figures.images, *runs[i].images)) {
+        errors.emplace(number > 0 ? fmt::format("{}_{}", stem, number) : stem, std::move(error));
+      }
+    }
     add_figures(all.images, std::move(figures.images), runs[i].name, number);
     add_figures(all.plots, std::move(figures.plots), runs[i].name, number);
     add_figures(all.heat_maps, std::move(figures.heat_maps), runs[i].name, number);
@@ -118,6 +124,10 @@ std::vector<ReportSection> figure_sections(const Figures& figures) {
   return sections;
 }
 
+bool has_differences(const PartTables& part) {
+  return part.printed_differences.columns.size() > 1 && !part.printed_differences.rows.empty();
+}
+
 std::vector<std::string> planned_files(const CommandLine& line, const std::vector<ReportSection>& figures,
                                        const std::vector<PartTables>& parts) {
   std::vector<std::string> files = {"index.html", "comparison.csv"};
@@ -129,16 +139,17 @@ std::vector<std::string> planned_files(const CommandLine& line, const std::vecto
   if (!line.report.latex) return files;
   for (const PartTables& part : parts) {
     files.push_back("figures/" + part.stem + ".tex");
-    if (!part.differences.rows.empty()) files.push_back("figures/" + part.stem + "_difference.tex");
+    if (has_differences(part)) files.push_back("figures/" + part.stem + "_difference.tex");
   }
   return files;
 }
 
 void write_latex(const fs::path& folder, const std::vector<PartTables>& parts) {
   for (const PartTables& part : parts) {
-    write_text(folder / "figures" / (part.stem + ".tex"), to_latex(part.values));
-    if (part.differences.rows.empty()) continue;
-    write_text(folder / "figures" / (part.stem + "_difference.tex"), to_latex(part.differences));
+    write_text(folder / "figures" / (part.stem + ".tex"), to_latex(part.printed_values));
+    if (!has_differences(part)) continue;
+    write_text(folder / "figures" / (part.stem + "_difference.tex"),
+               to_latex(part.printed_differences, significance_note));
   }
 }
 
@@ -182,9 +193,7 @@ Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTab
 
 void check_insets_of(FigureStyle& style, const std::vector<ImageFigure>& figures) {
   if (figures.empty()) return;
-  const ImageFigure& figure = figures.front();
-  style.view = figure.values.empty() ? ivec2(figure.category.width, figure.category.height)
-                                     : ivec2(figure.values.width, figure.values.height);
+  style.view = image_size(figures.front());
   check_insets(style, style.view.x, style.view.y);
 }
 
@@ -197,9 +206,11 @@ ExitCode run_report(const CommandLine& line, const Console& console) {
   const std::vector<std::string> limits = limits_of_comparison(runs);
   const std::vector<ComparedStatistic> compared = compare_runs(runs);
   const std::vector<PartTables> parts = part_tables(runs, compared);
-  const Figures figures = line.no_figures ? Figures{} : figures_of(runs, line.report.folders);
-  const std::vector<ReportSection> sections = figure_sections(figures);
+  ErrorImages errors;
+  Figures figures = line.no_figures ? Figures{} : figures_of(runs, line.report.folders, errors);
   check_insets_of(style, figures.images);
+  complete_error_images(figures.images, errors, style);
+  const std::vector<ReportSection> sections = figure_sections(figures);
   const std::vector<std::string> answers = comparison_answers(runs, compared);
 
   std::string plan = "report";
@@ -212,7 +223,7 @@ ExitCode run_report(const CommandLine& line, const Console& console) {
   std::fflush(stdout);
   const Table rows = comparison_rows(runs, compared);
   write_text(folder.path() / "comparison.csv", to_csv(rows));
-  const std::vector<std::string> problems = write_figures(folder.path() / "figures", figures, style).problems;
+  const std::vector<std::string> problems = write_figures(folder.path() / "figures", figures, errors, style).problems;
   if (line.report.latex) write_latex(folder.path(), parts);
   Report report = make_report(runs, parts, sections);
   report.answers = answers;

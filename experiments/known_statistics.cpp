@@ -28,7 +28,15 @@ void add(std::vector<KnownStatistic>& all, KnownStatistic statistic) {
 void add_described(std::vector<KnownStatistic>& all, CellStatistics statistics) {
   const std::string kind(kind_of(quantity_of(statistics)));
   for (const Statistic& each : describe(statistics)) {
-    add(all, {kind, each.name, each.unit, each.meaning, !each.curve.title.empty(), false, each.is_share});
+    add(all, {kind,
+              each.name,
+              each.unit,
+              each.meaning,
+              !each.curve.title.empty(),
+              false,
+              each.is_share,
+              {},
+              each.curve.title});
   }
 }
 
@@ -44,7 +52,7 @@ std::vector<KnownStatistic> make_known() {
     for (const Metric& metric : color_metrics()) {
       for (const MetricColumn& column : columns_of(metric, kind == kinds[0])) {
         add(all, {std::string(kind), column.name, column.unit, std::string(metric.title), true, metric.is_higher_better,
-                  false, std::string(metric.name)});
+                  false, std::string(metric.name), std::string(metric.title)});
       }
     }
   }

@@ -195,12 +195,12 @@ HeatMapFigure heat_map(const Drawing& drawing, HeatRows kind) {
                      : "Mean absolute error over bias and " + drawing.line_key.substr(drawing.line_key.find('.') + 1);
   figure.stem = (by_slope ? "mae_biases" : "mae_lines") + drawing.part.suffix;
   figure.conditions = by_slope ? drawing.part.conditions : drawing.conditions;
-  figure.caption = "Rings mark the cells of least error. The colour scale is the same in every run.";
+  figure.caption = "Rings mark the cells of least error. Colours change at quantiles of the cells of this figure.";
   const SweepAxis& constant = plan.axes[*plan.constant_bias.axis];
-  figure.x = {"bias", label_of(drawing.plan().axes[*drawing.plan().constant_bias.axis]),
-              constant.text.ends_with(":log") && suits_logarithm(plan.constant_bias.values)};
+  figure.x = {"bias", label_of(constant), is_logarithmic(constant)};
   figure.y = {"row", label_of(plan.axes[by_slope ? *plan.slope_bias.axis : *drawing.part.line_axis])};
   figure.value = {"mae", error_label};
+  figure.steps.clear();  // at quantiles
   figure.mark = "least";
   figure.data.columns = plain_columns({"bias", "row", "mae", "least", "panel"});
   if (by_slope && drawing.part.line_axis) {
@@ -251,7 +251,7 @@ HeatMapFigure heat_map(const Drawing& drawing, HeatRows kind) {
 }
 
 PlotFigure front_plot(const Drawing& drawing) {
-  PlotFigure plot = make_plot(drawing, "front", "Pareto fronts: peter-panning against acne",
+  PlotFigure plot = make_plot(drawing, "pareto_front", "Pareto fronts: peter-panning against acne",
                               {"acne", "acne [%], square-root scale", false, true},
                               {"peter_panning", "peter-panning [%], square-root scale", false, true});
   plot.conditions = drawing.part.conditions;
@@ -286,7 +286,7 @@ std::optional<PlotFigure> law_plot(const Drawing& drawing) {
   for (const std::size_t a : outer_axes_as_given(drawing.plan())) {
     if (a != drawing.part.line_axis) others.push_back(drawing.part.values[a]);
   }
-  PlotFigure plot = make_plot(drawing, "law", "Bias against texel size", {"texel", "mean texel size [m]"},
+  PlotFigure plot = make_plot(drawing, "bias_fit", "Bias against texel size", {"texel", "mean texel size [m]"},
                               {"bias", "constant bias [m]"});
   plot.series = "line";
   plot.series_label = "choice";
@@ -385,7 +385,7 @@ void add_bias_figures(Presentation& presentation, const SweepResults& sweep, con
     if (is_room() && drawing.lines() >= least_resolutions) add_figure(presentation, heat_map(drawing, HeatRows::lines));
     chart("mae_lines", {{"bias", drawing.constant_key}}, "row");
     if (is_room()) add_figure(presentation, front_plot(drawing));
-    chart("front", {{"acne", "acne"}, {"peter_panning", "peter_panning"}}, "line");
+    chart("pareto_front", {{"acne", "acne"}, {"peter_panning", "peter_panning"}}, "line");
     if (std::optional<PlotFigure> law = law_plot(drawing); law && is_room()) add_figure(presentation, *law);
     if (is_room()) {
       add_figure(presentation, causes_plot(drawing, "other_causes", "False occlusion and light leak against bias",

@@ -12,6 +12,10 @@ namespace umbrameter {
 /// "shadow.constant-bias" in metres is "constant bias [m]".
 std::string label_of(const SweepAxis& axis);
 
+/// Whether a figure shows the axis on a logarithmic scale: the range was given so, or its positive values are a
+/// resolution or in equal ratios.
+bool is_logarithmic(const SweepAxis& axis);
+
 /// A value for people: numbers with six significant digits.
 std::string short_text(const Value& value);
 

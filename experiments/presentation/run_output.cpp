@@ -11,8 +11,10 @@
 #include "core/standard_streams.h"
 #include "experiments/layers.h"
 #include "experiments/presentation/ao_input_files.h"
+#include "experiments/presentation/error_backdrop.h"
 #include "experiments/presentation/map_files.h"
 #include "experiments/presentation/page_viewer.h"
+#include "reports/figures/error_image.h"
 #include "reports/files/data.h"
 #include "reports/files/markup.h"
 #include "reports/files/output.h"
@@ -86,7 +88,17 @@ void print_answer(const Console& console, const RunOutput& output) {
   std::fflush(stdout);  // a pipe or a file gets it now, too
 }
 
-void write_figures_of(const std::filesystem::path& folder, const Console& console, RunOutput& output) {
+// Captions of images as completed by complete_error_images().
+void set_captions(ReportSection& section, const std::vector<ImageFigure>& images) {
+  for (std::size_t i = 0; i < section.figures.size(); ++i) {
+    for (const ImageFigure& image : images) {
+      if (image.stem == section.figures[i]) section.captions[i] = image.caption;
+    }
+  }
+}
+
+void write_figures_of(const std::filesystem::path& folder, const Console& console, const LayeredImage& layers,
+                      RunOutput& output) {
   Figures figures;
   for (Presentation& part : output.parts) {
     std::move(part.images.begin(), part.images.end(), std::back_inserter(figures.images));
@@ -98,9 +110,12 @@ void write_figures_of(const std::filesystem::path& folder, const Console& consol
     const View& view = measurement->surfels.view;
     output.figure_style.view = {view.width, view.height};
   }
+  ErrorImages errors = error_images_of(figures.images, layers);
+  complete_error_images(figures.images, errors, output.figure_style);
+  for (Presentation& part : output.parts) set_captions(part.section, figures.images);
   ProgressBar bar(console, "figures");
   output.summary.problems =
-      write_figures(folder / "figures", figures, output.figure_style, [&](std::size_t done, std::size_t all) {
+      write_figures(folder / "figures", figures, errors, output.figure_style, [&](std::size_t done, std::size_t all) {
         bar.show(static_cast<double>(done) / static_cast<double>(all), fmt::format("{} of {}", done, all));
       }).problems;
 }
@@ -214,7 +229,7 @@ ExitCode write_run(RunFolder& run_folder, const Console& console, RunOutput outp
     summary.files.push_back(maps[i]);
   }
   if (output.with_ao_inputs) write_ao_inputs(folder, summary);
-  if (output.with_figures) write_figures_of(folder, console, output);
+  if (output.with_figures) write_figures_of(folder, console, image, output);
   if (layers.valid()) layers.get();
   summary.files.push_back("summary.json");
   summary.files.push_back("index.html");

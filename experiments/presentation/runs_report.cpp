@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
+#include "experiments/known_statistics.h"
 #include "experiments/number_text.h"
 
 namespace umbrameter {
@@ -67,18 +69,57 @@ std::string part_title(const ComparedStatistic& compared) {
   return compared.kind == "ao" ? "Ambient occlusion" : "The shaded image";
 }
 
-// A name of a light may hold anything.
-std::string file_stem(const ComparedStatistic& compared, std::size_t number) {
-  std::string stem = compared.kind;
-  if (compared.light.empty()) return stem;
-  stem += '_';
-  bool is_plain = true;
-  for (const char c : compared.light) {
-    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
-    is_plain = is_plain && is_letter;
-    if (is_letter && stem.size() < 60) stem += c;
+std::string file_stem(const std::vector<StoredRun>& runs, const ComparedStatistic& compared) {
+  if (compared.light.empty()) return compared.kind;
+  return compared.kind + "_" + runs.front().layers.at(compared.light);
+}
+
+// "Mean absolute error". What it is an error of is the table's subject.
+std::string title_text(const ComparedStatistic& compared) {
+  std::string title = compared.name;
+  for (const KnownStatistic& known : known_statistics()) {
+    if (known.kind == compared.kind && known.name == compared.name && !known.title.empty()) title = known.title;
   }
-  return is_plain && stem.size() < 60 ? stem : stem + fmt::format("_{}", number);
+  for (const std::string_view subject : {" of visibility", " of accessibility", " of the image"}) {
+    if (title.ends_with(subject)) title.resize(title.size() - subject.size());
+  }
+  title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+  return title;
+}
+
+std::string with_unit(const std::string& text, const std::string& unit) {
+  return unit.empty() ? text : fmt::format("{} [{}]", text, unit);
+}
+
+// Without an interval nothing can be said of a difference that the values do not say.
+std::string printed_difference(const ComparedValue& value) {
+  if (value.verdict == Verdict::no_interval) return "—";
+  if (value.verdict == Verdict::equal) return "0";
+  const double scale = scale_of(value.measured.unit);
+  const std::string text = with_half_width(scale * value.difference.value, scale * half_width_of(value.difference));
+  return value.verdict == Verdict::significant ? text + "*" : text;
+}
+
+// One row for each error, one column for each run. A unit that all have stands in the head.
+template <class Text>
+Table rows_of_errors(const std::vector<StoredRun>& runs, const std::vector<const ComparedStatistic*>& errors,
+                     std::size_t first_run, const Text& text) {
+  std::string unit = errors.empty() ? "" : shown_unit(errors.front()->unit);
+  for (const ComparedStatistic* each : errors) {
+    if (shown_unit(each->unit) != unit) unit.clear();
+  }
+  Table table{{{with_unit("Error", unit), "", ""}}, {}};
+  for (std::size_t run = first_run; run < runs.size(); ++run) table.columns.push_back({runs[run].name, "", ""});
+  for (const ComparedStatistic* each : errors) {
+    std::vector<Value> row(table.columns.size(), std::string("—"));
+    row.front() = unit.empty() ? with_unit(title_text(*each), shown_unit(each->unit)) : title_text(*each);
+    for (const ComparedValue& value : each->values) {
+      if (value.run >= first_run) row[value.run - first_run + 1] = text(value);
+    }
+    const auto is_dash = [](const Value& cell) { return to_string(cell) == "—"; };
+    if (!std::all_of(row.begin() + 1, row.end(), is_dash)) table.rows.push_back(std::move(row));
+  }
+  return table;
 }
 
 // One row for each run, one column for each statistic that is an error. `text` makes a cell.
@@ -115,7 +156,7 @@ std::vector<PartTables> part_tables(const std::vector<StoredRun>& runs,
     const auto last = std::find_if(first, compared.end(),
                                    [&](const ComparedStatistic& each) { return !are_of_one_part(*first, each); });
     std::vector<const ComparedStatistic*> errors;
-    PartTables part{file_stem(*first, parts.size()), part_title(*first), {}, {}, {}};
+    PartTables part{file_stem(runs, *first), part_title(*first), {}, {}, {}, {}, {}};
     part.all.columns = {{"statistic", "", ""}, {"unit", "", ""},       {"run", "", ""},
                         {"value", "", ""},     {"difference", "", ""}, {"verdict", "", ""}};
     for (auto each = first; each != last; ++each) {
@@ -127,6 +168,8 @@ std::vector<PartTables> part_tables(const std::vector<StoredRun>& runs,
     }
     part.values = rows_of_runs(runs, errors, 0, value_text);
     part.differences = rows_of_runs(runs, errors, 1, difference_text);
+    part.printed_values = rows_of_errors(runs, errors, 0, value_text);
+    part.printed_differences = rows_of_errors(runs, errors, 1, printed_difference);
     parts.push_back(std::move(part));
     first = last;
   }

@@ -45,8 +45,6 @@ Layout lay_out(const Parameters& parameters, const std::vector<SweepAxis>& axes)
   return layout;
 }
 
-bool is_geometric(const SweepAxis& axis) { return axis.text.size() > 4 && axis.text.ends_with(":log"); }
-
 // The cells of one plot: a combination of the axes that are neither x nor series.
 struct PlotCells {
   std::vector<std::size_t> cells;  ///< in the order of rows
@@ -87,7 +85,7 @@ PlotFigure make_plot(const SweepResults& sweep, const Layout& layout, const Plot
   plot.title = statistic.curve.title;
   plot.conditions = cells.conditions;
   plot.caption = cells.caption;
-  plot.x = {x.key, label_of(x), is_geometric(x)};
+  plot.x = {x.key, label_of(x), is_logarithmic(x)};
   plot.y = {statistic.name, statistic.curve.label, statistic.curve.logarithmic};
   std::vector<std::string> names = {x.key, statistic.name};
   if (layout.series) {

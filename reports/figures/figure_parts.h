@@ -5,6 +5,7 @@
 
 #include "core/image.h"
 #include "core/math.h"
+#include "reports/figures/error_image.h"
 #include "reports/figures/figures.h"
 #include "reports/figures/svg_drawing.h"
 #include "reports/files/png.h"
@@ -34,7 +35,11 @@ struct ImageDrawing {
 /// The image at its own pixels, its insets, colour bar or category legend, and the title where the style has one.
 /// Throws Error (partial) when the figure has no image, an image without pixels, a category that is not listed, or an
 /// inset too large to be enlarged.
-ImageDrawing draw(const ImageFigure& figure, const FigureStyle& style = {});
+ImageDrawing draw(const ImageFigure& figure, const FigureStyle& style = {}, const ErrorImage& error = {});
+
+/// The side of the square that draw() makes of a wrong pixel in the whole image: an odd number of its pixels, about a
+/// tenth of a letter's height. 1 where it enlarges none.
+int error_dot(const ImageFigure& figure, const ErrorImage& error, const FigureStyle& style);
 
 /// A self-contained SVG document with the images embedded as PNG.
 std::string to_svg(const ImageDrawing& drawing);

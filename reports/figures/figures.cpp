@@ -80,11 +80,13 @@ void write_files(const fs::path& folder, const std::string& stem, const FigureFi
       folder / (stem + ".png"), [&] { return files.to_png(*drawing); }, written);
 }
 
-Written write_image(const fs::path& folder, const ImageFigure& image, const FigureStyle& style) {
+Written write_image(const fs::path& folder, const ImageFigure& image, const ErrorImages& errors,
+                    const FigureStyle& style) {
   Written written;
   ImageDrawing drawing;
   try {
-    drawing = draw(image, style);
+    const auto error = errors.find(image.stem);
+    drawing = draw(image, style, error == errors.end() ? ErrorImage{} : error->second);
   } catch (const Error& error) {
     written.drawing_problem = error.what();
     return written;
@@ -182,6 +184,11 @@ std::vector<std::string> collect_problems(const std::vector<Written>& written, s
 
 FigureOutcome write_figures(const fs::path& folder, const Figures& figures, const FigureStyle& style,
                             const FigureProgress& progress) {
+  return write_figures(folder, figures, ErrorImages{}, style, progress);
+}
+
+FigureOutcome write_figures(const fs::path& folder, const Figures& figures, const ErrorImages& errors,
+                            const FigureStyle& style, const FigureProgress& progress) {
   const std::vector<ImageFigure>& images = figures.images;
   std::error_code error;
   fs::create_directories(folder, error);
@@ -197,7 +204,7 @@ FigureOutcome write_figures(const fs::path& folder, const Figures& figures, cons
   std::future<PlotDrawings> drawn = std::async(std::launch::async, [&] { return draw_plots(figures, style); });
   std::vector<Written> written(images.size());
   parallel_for(images.size(), [&](std::size_t i) {
-    written[i] = write_image(folder, images[i], style);
+    written[i] = write_image(folder, images[i], errors, style);
     count_one();
   });
   PlotDrawings of_plots = drawn.get();

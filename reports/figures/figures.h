@@ -75,8 +75,8 @@ struct PlotFigure {
   Table data;
 };
 
-/// A number over two parameters, x within a panel as a scale, y as rows, the largest on top. Its colours go in steps
-/// that are the same in every run, so that values can be read off.
+/// A number over two parameters, x within a panel as a scale, y as rows, the largest on top. Its colours go in steps:
+/// as given, or without any at quantiles of the cells, closer near the least.
 struct HeatMapFigure {
   std::string stem;
   std::string title;

@@ -2,12 +2,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
 #include "reports/figures/figure_parts.h"
 #include "reports/figures/plot_parts.h"
-#include "reports/files/text_layout.h"
 
 namespace umbrameter {
 namespace {
@@ -58,12 +58,32 @@ struct Cells {
   std::size_t dropped = 0;
 };
 
-// How many of the steps the value reaches.
-std::ptrdiff_t step_of(const HeatMapFigure& figure, double value) {
-  return std::upper_bound(figure.steps.begin(), figure.steps.end(), value) - figure.steps.begin();
+// Three significant digits, as the legend shows them.
+double rounded(double value) { return std::stod(fmt::format("{:.3g}", value)); }
+
+// Where the next colour begins: as given, else at these shares of the cells.
+std::vector<double> steps_of(const HeatMapFigure& figure) {
+  constexpr std::array<double, 9> shares = {0.02, 0.05, 0.1, 0.2, 0.3, 0.45, 0.6, 0.75, 0.9};
+  if (!figure.steps.empty()) return figure.steps;
+  std::vector<double> values;
+  const std::size_t column = column_of(figure.data, figure.stem, figure.value.column);
+  for (const std::vector<Value>& row : figure.data.rows) {
+    const std::optional<double> value = number(row[column]);
+    if (value && std::isfinite(*value)) values.push_back(*value);
+  }
+  std::sort(values.begin(), values.end());
+  std::vector<double> steps;
+  for (const double share : shares) {
+    if (values.empty()) break;
+    const double step = rounded(values[static_cast<std::size_t>(share * static_cast<double>(values.size()))]);
+    // The least value keeps a colour below the first step.
+    if (step > values.front() && (steps.empty() || step > steps.back())) steps.push_back(step);
+  }
+  if (steps.empty()) steps.push_back(values.empty() || values.back() <= 0.0 ? 1.0 : rounded(2.0 * values.back()));
+  return steps;
 }
 
-Cells collect_cells(const HeatMapFigure& figure) {
+Cells collect_cells(const HeatMapFigure& figure, const std::vector<double>& steps) {
   const auto column = [&](const std::string& name) { return column_of(figure.data, figure.stem, name); };
   const std::size_t x = column(figure.x.column);
   const std::size_t y = column(figure.y.column);
@@ -83,7 +103,7 @@ Cells collect_cells(const HeatMapFigure& figure) {
     }
     const auto i = static_cast<std::size_t>(place - values.begin());
     Json cell = {{"x", cells.edges[i]}, {"x2", cells.edges[i + 1]}, {"xm", *at}, {"y", to_string(row[y])}};
-    cell["v"] = step_of(figure, *height);
+    cell["v"] = std::upper_bound(steps.begin(), steps.end(), *height) - steps.begin();  // reached
     cell["e"] = *height;
     if (figure.panel) cell["p"] = to_string(row[panel]);
     if (figure.mark) cell["k"] = std::get<bool>(row[mark]);
@@ -99,16 +119,23 @@ struct PanelLayout {
 };
 
 Json x_axis(const HeatMapFigure& figure, const Cells& cells, const PanelLayout& layout) {
-  Json axis = {{"title", figure.x.label}, {"grid", false}, {"tickCount", layout.width < layout.all_width / 2 ? 3 : 6}};
-  // Titles and end labels of panels side by side stay within their panel.
+  Json axis = {{"title", fitting_label(figure.x.label, layout.width)},
+               {"grid", false},
+               {"tickCount", layout.width < layout.all_width / 2 ? 3 : 6}};
+  // End labels of panels side by side stay within their panel.
   if (layout.width < layout.all_width) {
-    constexpr double units_of_a_character = 8.0;
-    axis["title"] = wrap_lines(figure.x.label, static_cast<std::size_t>(layout.width / units_of_a_character));
     axis["labelFlush"] = 16;  // of labels so near to an end
   }
   Json scale = {{"nice", false}};
   if (figure.x.logarithmic) {
     scale["type"] = "log";
+    if (const std::vector<double> ticks =
+            cells.edges.empty() ? std::vector<double>{} : log_ticks(cells.edges.front(), cells.edges.back());
+        !ticks.empty()) {
+      axis.erase("tickCount");  // it would leave out every second one
+      axis["values"] = ticks;
+      axis["labelExpr"] = tick_label;
+    }
   } else {
     scale["zero"] = false;
   }
@@ -118,10 +145,11 @@ Json x_axis(const HeatMapFigure& figure, const Cells& cells, const PanelLayout& 
 }
 
 // The legend gives every step the same room.
-Json color_of(const HeatMapFigure& figure, const PanelLayout& layout) {
-  std::vector<int> numbers(figure.steps.size() + 1);
+Json color_of(const HeatMapFigure& figure, const std::vector<double>& steps, const PanelLayout& layout) {
+  std::vector<int> numbers(steps.size() + 1);
   std::iota(numbers.begin(), numbers.end(), 0);
-  const std::string label = fmt::format("['', {:g}][datum.value]", fmt::join(figure.steps, ", "));
+  // Blanks keep labels apart: those that would touch are left out.
+  const std::string label = fmt::format("' ' + ['', {:g}][datum.value] + ' '", fmt::join(steps, ", "));
   return {{"field", "v"},
           {"type", "quantitative"},
           {"scale",
@@ -130,9 +158,10 @@ Json color_of(const HeatMapFigure& figure, const PanelLayout& layout) {
             {"scheme", color_scheme}}},
           {"legend",
            {{"type", "gradient"},
-            {"title", figure.value.label},
+            {"title", fitting_label(figure.value.label, layout.all_width)},
             {"gradientLength", layout.all_width - legend_margin},
             {"values", numbers},
+            {"labelFontSize", 11},
             {"labelExpr", label}}}};
 }
 
@@ -144,16 +173,18 @@ int panel_columns(std::size_t panels) {
   return static_cast<int>(std::clamp<std::size_t>(panels, 1, max_panels_in_a_row));
 }
 
-Json make_panel(const HeatMapFigure& figure, const Cells& cells, const PanelLayout& layout) {
+Json make_panel(const HeatMapFigure& figure, const Cells& cells, const std::vector<double>& steps,
+                const PanelLayout& layout) {
   std::vector<std::string> rows = different_values(figure.data, column_of(figure.data, figure.stem, figure.y.column));
   if (is_numeric(figure.data, column_of(figure.data, figure.stem, figure.y.column))) {
     std::reverse(rows.begin(), rows.end());
   }
+  const int height = std::clamp(row_height * static_cast<int>(rows.size()), least_panel_height, max_panel_height);
   const Json y = {{"field", "y"},
                   {"type", "nominal"},
                   {"sort", nullptr},
                   {"scale", {{"domain", rows}}},
-                  {"axis", {{"title", figure.y.label}, {"labelExpr", short_labels}}}};
+                  {"axis", {{"title", fitting_label(figure.y.label, height)}, {"labelExpr", short_labels}}}};
   // Cells are outlined in their own colour, which closes the seams between them.
   const Json mark = {{"type", "rect"}, {"strokeWidth", 0.7}, {"stroke", {{"expr", "scale('color', datum.v)"}}}};
   const Json rectangle = {{"mark", mark},
@@ -161,10 +192,10 @@ Json make_panel(const HeatMapFigure& figure, const Cells& cells, const PanelLayo
                            {{"x", x_axis(figure, cells, layout)},
                             {"x2", {{"field", "x2"}}},
                             {"y", y},
-                            {"color", color_of(figure, layout)}}}};
+                            {"color", color_of(figure, steps, layout)}}}};
   Json panel;
   panel["width"] = layout.width;
-  panel["height"] = std::clamp(row_height * static_cast<int>(rows.size()), least_panel_height, max_panel_height);
+  panel["height"] = height;
   panel["layer"] = {rectangle};
   if (!figure.mark) return panel;
   Json middle = x_axis(figure, cells, layout);
@@ -186,7 +217,8 @@ Json make_panel(const HeatMapFigure& figure, const Cells& cells, const PanelLayo
 }  // namespace
 
 std::string to_plot_specification(const HeatMapFigure& figure, const FigureStyle& style) {
-  const Cells cells = collect_cells(figure);
+  const std::vector<double> steps = steps_of(figure);
+  const Cells cells = collect_cells(figure, steps);
   Json spec;
   spec["$schema"] = "https://vega.github.io/schema/vega-lite/v6.json";
   spec["description"] = figure.title;
@@ -201,7 +233,7 @@ std::string to_plot_specification(const HeatMapFigure& figure, const FigureStyle
   int columns = 1;
   std::size_t panel_count = 1;
   if (!figure.panel) {
-    const Json panel = make_panel(figure, cells, {all_width, all_width});
+    const Json panel = make_panel(figure, cells, steps, {all_width, all_width});
     spec.insert(panel.begin(), panel.end());
   } else {
     const std::vector<std::string> panels =
@@ -220,7 +252,7 @@ std::string to_plot_specification(const HeatMapFigure& figure, const FigureStyle
                        {"labelFontSize", 13},
                        {"titleFontSize", 13},
                        {"titleFontWeight", "normal"}}}};
-    spec["spec"] = make_panel(figure, cells, {width, all_width});
+    spec["spec"] = make_panel(figure, cells, steps, {width, all_width});
     // A shared axis would stand under places without a panel, too.
     if (panels.size() % static_cast<std::size_t>(columns) != 0) spec["resolve"]["axis"]["x"] = "independent";
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "reports/figures/error_image.h"
 #include "reports/figures/figure_parts.h"
 #include "reports/figures/inset.h"
 #include "reports/files/markup.h"
@@ -66,22 +67,41 @@ std::string number_text(double value, double range) {
   return text;
 }
 
-Image<glm::u8vec3> category_colors(const ImageFigure& figure) {
-  Image<glm::u8vec3> colors(figure.category.width, figure.category.height);
+Image<glm::u8vec3> category_colors(const ImageFigure& figure, const ErrorImage& error,
+                                   const Image<std::uint8_t>& category) {
+  Image<glm::u8vec3> colors(category.width, category.height);
   for (std::size_t i = 0; i < colors.size(); ++i) {
-    if (figure.category[i] >= figure.categories.size()) {
+    if (category[i] >= figure.categories.size()) {
       throw Error(ExitCode::partial, "figure " + figure.stem,
-                  fmt::format("category {} has no name and colour", figure.category[i]));
+                  fmt::format("category {} has no name and colour", category[i]));
     }
-    colors[i] = figure.categories[figure.category[i]].color;
+    const bool is_scene = category[i] == error.right_category && !error.backdrop.empty();
+    colors[i] = is_scene ? glm::u8vec3(error.backdrop[i]) : figure.categories[category[i]].color;
   }
   return colors;
 }
 
-Image<glm::u8vec3> colors_of(const ImageFigure& figure) {
-  if (!figure.values.empty()) return colorize(figure.values, figure.scale);
-  if (!figure.category.empty()) return category_colors(figure);
-  if (!figure.color.empty()) return figure.color;
+// One colour for each pixel of the image, and its category where it has one.
+struct Pixels {
+  Image<glm::u8vec3> colors;
+  Image<std::uint8_t> category;
+};
+
+// Wrong pixels become squares of dot × dot.
+Pixels pixels_of(const ImageFigure& figure, const ErrorImage& error, int dot) {
+  if (!figure.values.empty()) {
+    const Image<float> values = dot > 1 ? enlarge_errors(figure.values, figure.scale, dot) : figure.values;
+    return {
+        error.backdrop.empty() ? colorize(values, figure.scale) : colorize_over(values, figure.scale, error.backdrop),
+        {}};
+  }
+  if (!figure.category.empty()) {
+    Image<std::uint8_t> category =
+        dot > 1 ? enlarge_errors(figure.category, error.wrong_category, dot) : figure.category;
+    Image<glm::u8vec3> colors = category_colors(figure, error, category);
+    return {std::move(colors), std::move(category)};
+  }
+  if (!figure.color.empty()) return {figure.color, {}};
   throw Error(ExitCode::partial, "figure " + figure.stem, "it has no image or one without pixels");
 }
 
@@ -115,10 +135,11 @@ std::string hex(const glm::u8vec3& color) { return fmt::format("#{:02x}{:02x}{:0
 int hatch_period(const Layout& layout) { return std::max(4, layout.unit / 3); }
 
 // Draws the hatching of each category onto the pixels of a region; `scale` pixels stand for one of the image.
-void hatch(Image<glm::u8vec3>& pixels, const ImageFigure& figure, ivec2 corner, int scale, int period) {
+void hatch(Image<glm::u8vec3>& pixels, const Image<std::uint8_t>& categories, const ImageFigure& figure, ivec2 corner,
+           int scale, int period) {
   for (int y = 0; y < pixels.height; ++y) {
     for (int x = 0; x < pixels.width; ++x) {
-      const CategoryColor& category = figure.categories[figure.category.at(corner.x + x / scale, corner.y + y / scale)];
+      const CategoryColor& category = figure.categories[categories.at(corner.x + x / scale, corner.y + y / scale)];
       if (is_hatched(category.hatch, x, y, period)) pixels.at(x, y) = hatch_ink(category.color);
     }
   }
@@ -193,34 +214,69 @@ std::string header(const ImageDrawing& drawing) {
 
 int inset_gap(int width) { return std::max(8, width / 60); }
 
+// Where everything stands, before a pixel is drawn.
+struct Plan {
+  InsetLayout pictures;
+  Layout layout;
+};
+
+Plan make_plan(const ErrorImage& error, ivec2 size, const FigureStyle& style) {
+  const int enlargement = enlargement_of(size, style);
+  std::vector<Inset> regions = size == style.view ? style.insets : std::vector<Inset>{};
+  std::erase_if(regions, [](const Inset& inset) { return inset.width == 0; });
+  regions.insert(regions.end(), error.insets.begin(), error.insets.end());
+  InsetLayout pictures = place_insets(regions, size, enlargement, inset_gap(size.x * enlargement));
+  const Layout layout = make_layout(pictures.size.x, pictures.size.y, style);
+  return {std::move(pictures), layout};
+}
+
+// The side of a wrong pixel's square: an odd number of pixels of the image, about a tenth of a letter's height.
+int dot_of(const ImageFigure& figure, const ErrorImage& error, const Layout& layout, int scale) {
+  constexpr double share_of_letter = 0.1;
+  if (!has_single_errors(figure, error)) return 1;
+  return 2 * std::max(0, static_cast<int>(std::lround((share_of_letter * layout.unit / scale - 1.0) / 2.0))) + 1;
+}
+
 }  // namespace
+
+ivec2 image_size(const ImageFigure& figure) {
+  if (!figure.values.empty()) return {figure.values.width, figure.values.height};
+  if (!figure.category.empty()) return {figure.category.width, figure.category.height};
+  return {figure.color.width, figure.color.height};
+}
 
 std::string ImageDrawing::frame() const {
   return header(*this) + before.substr(before.find('\n') + 1) + after + "</svg>\n";
 }
 
-ImageDrawing draw(const ImageFigure& figure, const FigureStyle& style) {
-  const Image<glm::u8vec3> original = colors_of(figure);
-  const ivec2 size(original.width, original.height);
-  const int enlargement = enlargement_of(size, style);
-  const std::vector<Inset>& regions = size == style.view ? style.insets : std::vector<Inset>{};
-  const InsetLayout pictures = place_insets(regions, size, enlargement, inset_gap(size.x * enlargement));
-  const Layout layout = make_layout(pictures.size.x, pictures.size.y, style);
+int error_dot(const ImageFigure& figure, const ErrorImage& error, const FigureStyle& style) {
+  if (!error.shows_errors) return 1;
+  const Plan plan = make_plan(error, image_size(figure), style);
+  return dot_of(figure, error, plan.layout, plan.pictures.image_scale);
+}
+
+ImageDrawing draw(const ImageFigure& figure, const FigureStyle& style, const ErrorImage& error) {
+  const Pixels exact = pixels_of(figure, error, 1);
+  const auto [pictures, layout] = make_plan(error, {exact.colors.width, exact.colors.height}, style);
+  const int dot = dot_of(figure, error, layout, pictures.image_scale);
+  const Pixels enlarged = dot > 1 ? pixels_of(figure, error, dot) : exact;
   ImageDrawing drawing;
   drawing.font = style.font;
   drawing.print_width = style.width;
   const ivec2 origin(layout.margin, layout.image_top);
   const bool is_hatched = style.is_print() && !figure.category.empty() && figure.values.empty();
-  const auto add_picture = [&](const Inset& region, int scale, ivec2 corner) {
+  const auto add_picture = [&](const Pixels& pixels, const Inset& region, int scale, ivec2 corner) {
     PlacedImage& picture = drawing.images.emplace_back();
     picture.corner = corner;
-    picture.pixels = crop_enlarged(original, region, scale);
-    if (is_hatched) hatch(picture.pixels, figure, {region.x, region.y}, scale, hatch_period(layout));
+    picture.pixels = crop_enlarged(pixels.colors, region, scale);
+    if (is_hatched) {
+      hatch(picture.pixels, pixels.category, figure, {region.x, region.y}, scale, hatch_period(layout));
+    }
     picture.deflated = DeflatedImage(picture.pixels);
   };
-  add_picture({0, 0, size.x, size.y}, pictures.image_scale, origin);
+  add_picture(enlarged, {0, 0, exact.colors.width, exact.colors.height}, pictures.image_scale, origin);
   for (const PlacedInset& inset : pictures.insets) {
-    add_picture(inset.region, inset.scale, origin + inset.corner);
+    add_picture(exact, inset.region, inset.scale, origin + inset.corner);
   }
   const Image<glm::u8vec3>& image = drawing.images.front().pixels;
   drawing.after = frame(origin.x, origin.y, image.width, image.height);

@@ -16,7 +16,6 @@
 namespace umbrameter {
 namespace {
 
-constexpr int plot_height = 280;
 constexpr std::size_t max_points_with_markers = 12;
 
 // Okabe and Ito, Color universal design, 2008; without yellow, which is too light for a line on white, black last.
@@ -124,12 +123,40 @@ Points collect_points(const PlotFigure& figure, bool has_numeric_x) {
   return points;
 }
 
+// The x axis of few values has its ticks at these. The y axis ends at ticks.
+void set_log_scale(Json& axis, bool is_x, const Json& rows) {
+  axis["scale"]["type"] = "log";
+  std::set<double> values;
+  for (const Json& row : rows) {
+    for (const char* field : {is_x ? "x" : "y", is_x ? "x" : "lo", is_x ? "x" : "hi"}) {
+      if (row.contains(field)) values.insert(row.at(field).get<double>());
+    }
+  }
+  if (values.size() < 2) return;
+  constexpr std::size_t most_values = 8;
+  const bool are_few = is_x && values.size() <= most_values;
+  double lowest = *values.begin();
+  double highest = *values.rbegin();
+  if (!is_x) {
+    lowest = log_floor(lowest);
+    highest = log_ceil(highest);
+    axis["scale"]["nice"] = false;
+    axis["scale"]["domain"] = {lowest, highest};
+  }
+  const std::vector<double> ticks =
+      are_few ? std::vector<double>(values.begin(), values.end()) : log_ticks(lowest, highest);
+  if (ticks.empty()) return;
+  axis["axis"].erase("tickCount");  // it would leave out every second one
+  axis["axis"]["values"] = ticks;
+  axis["axis"]["labelExpr"] = tick_label;
+}
+
 Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Json& rows, const FigureStyle& style) {
   Json result;
   result["field"] = field;
   result["type"] = is_numeric_axis ? "quantitative" : "nominal";
   const bool is_x = std::string_view(field) == "x";
-  result["axis"]["title"] = is_x ? Json(axis.label) : value_axis_title(axis.label, style);
+  result["axis"]["title"] = fitting_label(axis.label, is_x ? plot_width(style) : height_of_plot(style));
   if (!is_numeric_axis) {
     result["sort"] = nullptr;
     // Every name is drawn: where they do not fit beside each other, they are slanted.
@@ -148,7 +175,7 @@ Json axis_of(const char* field, const Axis& axis, bool is_numeric_axis, const Js
   result["axis"]["tickCount"] = axis.logarithmic ? 5 : 6;
   result["scale"] = {{"nice", !is_x}};
   if (axis.logarithmic) {
-    result["scale"]["type"] = "log";
+    set_log_scale(result, is_x, rows);
   } else if (axis.square_root) {
     result["scale"]["type"] = "sqrt";
     result["scale"]["zero"] = true;
@@ -196,9 +223,10 @@ Series make_series(const PlotFigure& figure, const FigureStyle& style, bool has_
     patterns.push_back(dashes[i % dashes.size()]);
     markers.push_back(shapes[i % shapes.size()]);
   }
-  Json legend = {{"title", figure.series_label.empty() ? *figure.series : figure.series_label},
-                 {"columns", legend_columns(domain, style)},
-                 {"labelExpr", short_labels}};
+  Json legend = {
+      {"title", fitting_label(figure.series_label.empty() ? *figure.series : figure.series_label, plot_width(style))},
+      {"columns", legend_columns(domain, style)},
+      {"labelExpr", short_labels}};
   if (!has_lines) legend["symbolSize"] = 110;
   const auto channel = [&](const Json& range) {
     return Json{{"field", "s"},
@@ -224,11 +252,13 @@ Json make_dashes(const PlotFigure& figure, const FigureStyle& style) {
   const std::vector<std::string> domain =
       different_values(figure.data, column_of(figure.data, figure.stem, *figure.style));
   for (std::size_t i = 0; i < domain.size(); ++i) patterns.push_back(dashes[i % dashes.size()]);
-  return {{"field", "d"},
-          {"type", "nominal"},
-          {"scale", {{"domain", domain}, {"range", patterns}}},
-          {"sort", nullptr},
-          {"legend", {{"title", figure.style_label}, {"columns", legend_columns(domain, style)}}}};
+  return {
+      {"field", "d"},
+      {"type", "nominal"},
+      {"scale", {{"domain", domain}, {"range", patterns}}},
+      {"sort", nullptr},
+      {"legend",
+       {{"title", fitting_label(figure.style_label, plot_width(style))}, {"columns", legend_columns(domain, style)}}}};
 }
 
 // The layers from back to front: zero line, intervals, lines, markers. Categories on the x axis get no lines, since

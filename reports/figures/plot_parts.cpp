@@ -1,6 +1,7 @@
 #include "reports/figures/plot_parts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/error.h"
@@ -37,13 +38,51 @@ void add_title(Json& specification, const FigureStyle& style, const std::string&
   }
 }
 
-Json value_axis_title(const std::string& label, const FigureStyle& style) {
-  if (!style.is_print() || style.height <= 0.0) return label;
+double height_of_plot(const FigureStyle& style) {
+  if (!style.is_print() || style.height <= 0.0) return plot_height;
   constexpr double others_height = 110.0;  // about what the other axis and a legend of two lines take
+  return std::max(80.0, style.height * plot_units_per_mm(style) - others_height);
+}
+
+Json fitting_label(const std::string& label, double units) {
   constexpr double units_of_a_character = 6.8;
-  const double height = std::max(80.0, style.height * plot_units_per_mm(style) - others_height);
-  const std::vector<std::string> lines = wrap_lines(label, static_cast<std::size_t>(height / units_of_a_character));
+  const std::vector<std::string> lines = wrap_lines(label, static_cast<std::size_t>(units / units_of_a_character));
   return lines.size() > 1 ? Json(lines) : Json(label);
+}
+
+std::vector<double> log_ticks(double lowest, double highest) {
+  constexpr std::size_t most = 8;  // that a reader takes in, and that fit beside each other
+  const double slack = 1e-9;       // a tick at an end of the range is within it
+  const auto within = [&](const std::vector<int>& digits, int step) {
+    std::vector<double> ticks;
+    const int first = static_cast<int>(std::floor(std::log10(lowest)));
+    const int last = static_cast<int>(std::ceil(std::log10(highest)));
+    for (int power = first; power <= last; ++power) {
+      if (power % step != 0) continue;
+      for (const int digit : digits) {
+        // 5 / 100 is the double nearest to 0.05; 5 · 0.01 need not be.
+        const double tick = power < 0 ? digit / std::pow(10.0, -power) : digit * std::pow(10.0, power);
+        if (tick >= lowest * (1.0 - slack) && tick <= highest * (1.0 + slack)) ticks.push_back(tick);
+      }
+    }
+    return ticks;
+  };
+  std::vector<double> ticks = within({1, 2, 5}, 1);
+  for (int step = 1; ticks.size() > most; ++step) ticks = within({1}, step);
+  if (ticks.size() < 2) ticks.clear();
+  return ticks;
+}
+
+double log_floor(double value) {
+  const double power = std::pow(10.0, std::floor(std::log10(value) + 1e-9));
+  const double digit = value / power * (1.0 + 1e-9);
+  return (digit >= 5.0 ? 5.0 : digit >= 2.0 ? 2.0 : 1.0) * power;
+}
+
+double log_ceil(double value) {
+  const double power = std::pow(10.0, std::floor(std::log10(value) + 1e-9));
+  const double digit = value / power * (1.0 - 1e-9);
+  return (digit <= 1.0 ? 1.0 : digit <= 2.0 ? 2.0 : digit <= 5.0 ? 5.0 : 10.0) * power;
 }
 
 void add_print_size(Json& specification, const FigureStyle& style, int columns, int rows) {

@@ -32,9 +32,25 @@ std::vector<std::string> different_values(const Table& table, std::size_t column
 void add_title(Json& specification, const FigureStyle& style, const std::string& title, const std::string& conditions,
                const std::vector<std::string>& notes = {});
 
-/// The title of the value axis. Where the height is given, it is in lines that fit beside the plot: a longer one would
-/// take the height from the plot.
-Json value_axis_title(const std::string& label, const FigureStyle& style);
+/// Height of a plot without a given one [units].
+inline constexpr int plot_height = 280;
+
+/// Of a plot in the style: what a given height leaves beside the other axis and a legend of two lines [units].
+double height_of_plot(const FigureStyle& style);
+
+/// A label in lines that fit along a side of this many units: a longer one would enlarge the drawing.
+Json fitting_label(const std::string& label, double units);
+
+/// Ticks of a logarithmic axis: 1, 2 and 5 times powers of ten within the range, or the powers alone where these are
+/// too many. Empty where fewer than two lie within it.
+std::vector<double> log_ticks(double lowest, double highest);
+
+/// The next of 1, 2 or 5 times a power of ten at or below, and at or above a positive value.
+double log_floor(double value);
+double log_ceil(double value);
+
+/// For labels of numeric ticks: as many digits as they need.
+inline constexpr const char* tick_label = "format(datum.value, '~g')";
 
 /// Tells the drawer how wide a drawing for print is, so that it can fit the plot; `columns` and `rows` of panels.
 void add_print_size(Json& specification, const FigureStyle& style, int columns = 1, int rows = 1);

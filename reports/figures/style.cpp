@@ -59,10 +59,11 @@ void set_size(FigureStyle& style, const std::string& text) {
 }
 
 Inset parse_inset(const std::string& text) {
+  if (text == "worst") return {};  // no region yet: add_worst_insets() finds it
   const std::optional<std::vector<int>> numbers = numbers_of<int>(text, ',');
   if (!numbers || numbers->size() != 4 || (*numbers)[2] < 1 || (*numbers)[3] < 1) {
     throw Error(ExitCode::usage, "--inset " + text, "not a rectangle in pixels",
-                "give X,Y,WIDTH,HEIGHT from the top left, such as 100,80,60,40");
+                "give X,Y,WIDTH,HEIGHT from the top left, such as 100,80,60,40, or worst");
   }
   return {(*numbers)[0], (*numbers)[1], (*numbers)[2], (*numbers)[3]};
 }
@@ -111,6 +112,7 @@ FigureStyle make_figure_style(const FigureOptions& options) {
 
 void check_insets(const FigureStyle& style, int width, int height) {
   for (const Inset& inset : style.insets) {
+    if (inset.width == 0) continue;
     const bool is_inside = inset.x >= 0 && inset.y >= 0 && inset.x < width && inset.y < height &&
                            inset.width <= width - inset.x && inset.height <= height - inset.y;
     if (is_inside) continue;

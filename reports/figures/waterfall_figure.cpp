@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "reports/figures/figure_parts.h"
@@ -10,7 +11,6 @@ namespace umbrameter {
 namespace {
 
 constexpr int screen_step_width = 74;
-constexpr int waterfall_height = 280;
 constexpr double bar_share = 0.6;  // of the width of a step
 constexpr int hatch_period = 6;    // [units]
 // CIE L* 46, 72 and 36; besides, the bars differ in hatching, and the label of a step has its sign.
@@ -25,6 +25,23 @@ std::string signed_text(double value, int decimals) {
 
 // Under a step: its name and its note.
 std::string category(const WaterfallStep& step) { return step.name + "|" + step.note; }
+
+// Places each number (label_at) above its bar, and above the zero line and the lines to its neighbours where it would
+// stand on one. `unit` is the height of a unit of the drawing. Returns the height that bars and numbers take.
+double clear_labels(Json& rows, double unit, double highest) {
+  constexpr double label_height = 18.0;  // with its distance from the bar [units]
+  for (Json& row : rows) {
+    double at = row.at("top").get<double>();
+    std::array<double, 3> lines = {0.0, row.at("from").get<double>(), row.at("to").get<double>()};
+    std::sort(lines.begin(), lines.end());
+    for (const double line : lines) {
+      if (line > at && line < at + label_height * unit) at = line;
+    }
+    row["label_at"] = at;
+    highest = std::max(highest, at);
+  }
+  return highest;
+}
 
 }  // namespace
 
@@ -67,6 +84,7 @@ std::string to_plot_specification(const WaterfallFigure& figure, const FigureSty
   for (const WaterfallStep& step : figure.steps) order.push_back(category(step));
   order.push_back(category(figure.total));
   const double margin = 0.08 * std::max(highest - lowest, 1e-6);
+  highest = clear_labels(rows, (highest - lowest + 2.0 * margin) / height_of_plot(style), highest);
 
   const Json x = {{"field", "step"},
                   {"type", "nominal"},
@@ -82,7 +100,7 @@ std::string to_plot_specification(const WaterfallFigure& figure, const FigureSty
   const auto y = [&](const char* field) {
     return Json{{"field", field},
                 {"type", "quantitative"},
-                {"title", value_axis_title(figure.label, style)},
+                {"title", fitting_label(figure.label, height_of_plot(style))},
                 {"scale", {{"domain", {lowest - margin, highest + margin}}, {"nice", false}}}};
   };
   const Json color = {
@@ -100,19 +118,19 @@ std::string to_plot_specification(const WaterfallFigure& figure, const FigureSty
                                  hatch_pattern("above", Hatch::rising, above_color, hatch_period) +
                                  hatch_pattern("sum", Hatch::none, sum_color, hatch_period);
   add_print_size(spec, style);
-  spec["height"] = waterfall_height;
+  spec["height"] = plot_height;
   spec["data"]["values"] = rows;
   Json next = x;
   next["field"] = "step";
   const auto number_layer = [&](const char* ink, int outline) {
     const Json mark = {{"type", "text"},
                        {"dy", -8},
-                       {"fontSize", is_narrow ? 10 : 12},
+                       {"fontSize", is_narrow ? 9 : 12},
                        {"color", ink},
                        {"stroke", outline > 0 ? Json(ink) : Json()},
                        {"strokeWidth", outline}};
     return Json{{"mark", mark},
-                {"encoding", {{"x", x}, {"y", y("top")}, {"text", {{"field", "label"}, {"type", "nominal"}}}}}};
+                {"encoding", {{"x", x}, {"y", y("label_at")}, {"text", {{"field", "label"}, {"type", "nominal"}}}}}};
   };
   spec["layer"] = {{{"mark", {{"type", "rule"}, {"color", "#666666"}}},
                     {"data", {{"values", Json::array({{{"zero", 0.0}}})}}},

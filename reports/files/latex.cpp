@@ -78,7 +78,7 @@ std::string escape_latex(std::string_view text) {
   return result;
 }
 
-std::string to_latex(const Table& table) {
+std::string to_latex(const Table& table, std::string_view note) {
   std::string alignment;
   std::vector<std::string> names;
   std::vector<std::string> units;
@@ -101,7 +101,12 @@ std::string to_latex(const Table& table) {
     for (const Value& value : row) cells.push_back(escape_latex(to_string(value)));
     text += row_text(cells);
   }
-  return text + "  \\bottomrule\n\\end{tabular}\n";
+  text += "  \\bottomrule\n";
+  if (!note.empty()) {
+    text += "  \\multicolumn{" + std::to_string(table.columns.size()) + "}{l}{\\footnotesize " + escape_latex(note) +
+            "} \\\\\n";
+  }
+  return text + "\\end{tabular}\n";
 }
 
 }  // namespace umbrameter

@@ -14,7 +14,7 @@ namespace umbrameter {
 std::string escape_latex(std::string_view text);
 
 /// A tabular with the columns' names, their units in brackets below, and the rows. Columns of numbers are aligned
-/// right. The document needs \usepackage{booktabs}.
-std::string to_latex(const Table& table);
+/// right. A note is set small below them. The document needs \usepackage{booktabs}.
+std::string to_latex(const Table& table, std::string_view note = {});
 
 }  // namespace umbrameter

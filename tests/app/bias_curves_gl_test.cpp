@@ -74,10 +74,11 @@ TEST_F(BiasCurvesRun, Figures_ring_what_was_read_and_the_page_tells_it) {
     EXPECT_EQ(law.at("points").get<int>() + law.at("left_out").get<int>(), 4) << law;
   }
   ASSERT_GT(fitted, 0u);
-  EXPECT_EQ(count_rings(figures / "law.svg", "fill=\"white\""), fitted) << "biases that were left out are not drawn";
+  EXPECT_EQ(count_rings(figures / "bias_fit.svg", "fill=\"white\""), fitted)
+      << "biases that were left out are not drawn";
   std::size_t knees = 0;
   for (const Json& curve : curves.at("biases")) knees += curve.at("knee").is_null() ? 0u : 1u;
-  EXPECT_EQ(count_rings(figures / "front.svg", "fill=\"white\""), knees);
+  EXPECT_EQ(count_rings(figures / "pareto_front.svg", "fill=\"white\""), knees);
 
   const std::string page = text_of(out / "index.html");
   EXPECT_NE(page.find("one of every 2 values of shadow.slope-bias"), std::string::npos);

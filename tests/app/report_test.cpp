@@ -269,10 +269,25 @@ TEST_F(RunsReport, Writes_page_rows_figures_and_tables_and_names_only_the_parame
   for (const char* file : {"error_visibility_sun_1.pdf", "error_visibility_sun_2.svg", "class_sun_1.png"}) {
     EXPECT_TRUE(std::filesystem::exists(output() + "/figures/" + file)) << file;
   }
-  const std::string table = text_of(output() + "/figures/shadow_sun150_0.tex");
+  const std::string table = text_of(output() + "/figures/shadow_sun.tex");
   EXPECT_NE(table.find("\\toprule"), std::string::npos) << table;
-  EXPECT_NE(table.find("{[}\\%{]}"), std::string::npos) << table;
-  EXPECT_NE(table.find("before & "), std::string::npos) << table;
+  EXPECT_NE(table.find("Error {[}\\%{]} & before & after"), std::string::npos) << table;
+  EXPECT_NE(table.find("Mean absolute error & "), std::string::npos) << table;
+  const std::string differences = text_of(output() + "/figures/shadow_sun_difference.tex");
+  // 25 % of noise against 5 %.
+  EXPECT_NE(differences.find("{*} \\\\"), std::string::npos) << differences;
+  EXPECT_NE(differences.find("{*} significant"), std::string::npos) << differences;
+  for (const std::string& text : {table, differences}) EXPECT_EQ(text.find("---"), std::string::npos) << text;
+}
+
+TEST_F(RunsReport, The_region_of_most_error_can_be_drawn_enlarged) {
+  MadeRun made;
+  made.error.at(40, 50) = 1.0f;
+  const ProgramResult result = run_program({"report", write("run", made), "-o", output(), "--inset", "worst"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const std::string page = text_of(output() + "/index.html");
+  // An eighth of 64 pixels; the first that holds the wrong one.
+  EXPECT_NE(page.find("Inset: the region of most error, 8×8 pixels at (33, 43)."), std::string::npos) << page;
 }
 
 TEST_F(RunsReport, Two_reports_of_the_same_runs_are_equal) {

@@ -145,7 +145,8 @@ TEST_F(SweepOutputs, Agree_on_the_cell_of_least_error_over_bias_and_resolution) 
   EXPECT_DOUBLE_EQ(shadow.at("constant_bias").at("texels"), bias / texel);
   EXPECT_DOUBLE_EQ(shadow.at("constant_bias").at("normalised_depth"),
                    bias / shadow.at("map").at("far_depth_m").get<double>());
-  expect_same_figures_in_report(out(), folder_ / "again", {"mae.svg", "causes.pdf", "front.png", "class_sun.svg"});
+  expect_same_figures_in_report(out(), folder_ / "again",
+                                {"mae.svg", "causes.pdf", "pareto_front.png", "class_sun.svg"});
   EXPECT_EQ(shadow.at("map").at("resolution_texels"), summary["cell"].at("shadow.resolution"));
   const std::string page = text_of(out() / "index.html");
   EXPECT_NEAR(std::stod("0" + table_text(page, "Constant bias of these images", "along the light")), bias, 1e-6);

@@ -281,7 +281,7 @@ TEST_F(SweepResume, A_folder_holds_one_run_and_force_replaces_exactly_what_it_wr
   const std::set<std::string> of_sweep = files_in(folder);
   ASSERT_TRUE(of_sweep.contains("figures/truth_visibility_sun.svg"));
   put_text(folder / "notes.txt", "mine");
-  put_text(folder / "figures/front.svg", "mine");
+  put_text(folder / "figures/pareto_front.svg", "mine");
 
   const ProgramResult refused = compare({});
   EXPECT_EQ(refused.exit_code, 2);
@@ -295,7 +295,8 @@ TEST_F(SweepResume, A_folder_holds_one_run_and_force_replaces_exactly_what_it_wr
   for (const char* gone : {"results.sqlite", "sweep.csv", "figures/truth_visibility_sun.svg"}) {
     EXPECT_FALSE(of_compare.contains(gone)) << gone;
   }
-  for (const char* there : {"notes.txt", "figures/front.svg", "images.exr", "figures/truth_visibility_lamp.svg"}) {
+  for (const char* there :
+       {"notes.txt", "figures/pareto_front.svg", "images.exr", "figures/truth_visibility_lamp.svg"}) {
     EXPECT_TRUE(of_compare.contains(there)) << there;
   }
 
@@ -305,7 +306,7 @@ TEST_F(SweepResume, A_folder_holds_one_run_and_force_replaces_exactly_what_it_wr
   EXPECT_EQ(files_in(folder), of_compare) << "a refused run changes nothing";
   ASSERT_TRUE(is_done(run(sweep(folder, 3, {"--force"}))));
   std::set<std::string> expected = of_sweep;
-  expected.insert({"notes.txt", "figures/front.svg"});
+  expected.insert({"notes.txt", "figures/pareto_front.svg"});
   EXPECT_EQ(files_in(folder), expected);
 }
 

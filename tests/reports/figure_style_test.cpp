@@ -7,6 +7,7 @@
 #include "reports/figures/figure_parts.h"
 #include "reports/figures/figures.h"
 #include "reports/figures/inset.h"
+#include "reports/figures/plot_parts.h"
 #include "reports/figures/style.h"
 #include "reports/files/png.h"
 #include "tests/support/temporary_folder.h"
@@ -144,8 +145,52 @@ TEST(FigureStyle, A_long_title_of_the_value_axis_does_not_shrink_a_plot_of_given
   ASSERT_TRUE(title.is_array()) << title;
   // 145 mm at 72/25.4 points, 20 of which are 13 units: 267 units, less 110 for what stands below the plot.
   for (const Json& line : title) EXPECT_LE(6.8 * static_cast<double>(line.get<std::string>().size()), 157.0) << line;
-  style.height = 0.0;
-  EXPECT_TRUE(Json::parse(to_plot_specification(figure, style)).dump().find(figure.y.label) != std::string::npos);
+}
+
+// 280 units of height hold 41 characters of 6.8 units.
+TEST(FigureStyle, Long_labels_of_axes_and_legends_are_set_in_lines) {
+  PlotFigure figure = lines(2);
+  figure.x.label = figure.series_label =
+      "an axis whose label is much longer than a plot in a column is wide, with its unit [m]";
+  figure.y.label = "mean absolute error of all of the counted pixels, in per cent of them";
+  const FigureStyle style = style_of("column");
+  const Json spec = Json::parse(to_plot_specification(figure, style));
+  const Json& encoding = spec["layer"][0]["encoding"];
+  for (const Json& label :
+       {spec["encoding"]["x"]["axis"]["title"], encoding["y"]["axis"]["title"], encoding["color"]["legend"]["title"]}) {
+    ASSERT_TRUE(label.is_array()) << label;
+    EXPECT_GE(label.size(), 2u);
+    for (const Json& line : label)
+      EXPECT_LE(line.get<std::string>().size(), 45u) << "84 mm are 387 units, less 75, of 6.8";
+  }
+  for (const Json& line : encoding["y"]["axis"]["title"]) EXPECT_LE(line.get<std::string>().size(), 41u);
+}
+
+TEST(FigureStyle, Ticks_of_a_logarithmic_axis_are_1_2_and_5) {
+  EXPECT_EQ(log_ticks(0.013, 0.6), (std::vector<double>{0.02, 0.05, 0.1, 0.2, 0.5}));
+  EXPECT_EQ(log_ticks(1.0, 100.0), (std::vector<double>{1, 2, 5, 10, 20, 50, 100}));
+  EXPECT_EQ(log_ticks(0.001, 10.0), (std::vector<double>{0.001, 0.01, 0.1, 1, 10})) << "eight at most";
+  EXPECT_TRUE(log_ticks(2.1, 4.9).empty());
+  EXPECT_EQ(log_floor(0.02), 0.02);
+  EXPECT_NEAR(log_floor(0.0199), 0.01, 1e-15);
+  EXPECT_NEAR(log_ceil(0.0201), 0.05, 1e-15);
+  EXPECT_EQ(log_ceil(51.0), 100.0);
+  PlotFigure figure = lines(2);
+  figure.y.logarithmic = true;
+  const Json y = Json::parse(to_plot_specification(figure))["layer"][0]["encoding"]["y"];
+  // 5 to 43.
+  EXPECT_EQ(y["scale"]["domain"], Json({5.0, 50.0}));
+  EXPECT_EQ(y["axis"]["values"], Json({5.0, 10.0, 20.0, 50.0}));
+}
+
+TEST(FigureStyle, Few_values_of_a_logarithmic_axis_have_a_tick_each) {
+  PlotFigure figure = lines(1);
+  figure.x = {"resolution", "resolution [texels]", true};
+  figure.series.reset();
+  figure.data.rows = {{0.0, 5.0, std::int64_t{512}}, {0.0, 3.0, std::int64_t{1024}}, {0.0, 2.0, std::int64_t{4096}}};
+  const Json x = Json::parse(to_plot_specification(figure))["encoding"]["x"];
+  EXPECT_EQ(x["scale"]["type"], "log");
+  EXPECT_EQ(x["axis"]["values"], Json({512.0, 1024.0, 4096.0}));
 }
 
 TEST(FigureStyle, A_title_is_drawn_only_if_asked_for) {

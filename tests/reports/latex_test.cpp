@@ -61,5 +61,15 @@ TEST(Latex, Each_row_of_a_table_has_as_many_cells_as_columns) {
   EXPECT_NE(text.find("{[}\\%{]}"), std::string::npos) << "the unit stands in the header";
 }
 
+TEST(Latex, A_note_is_a_row_over_all_columns_below_the_table) {
+  Table table{{{"Error", "", ""}, {"box", "", ""}}, {}};
+  table.rows.push_back({std::string("Acne [%]"), std::string("−0.32 ± 0.05*")});
+  const std::string text = to_latex(table, "* significant: its 95 % interval excludes 0");
+  EXPECT_TRUE(
+      text.ends_with("  \\bottomrule\n  \\multicolumn{2}{l}{\\footnotesize {*} significant: its 95 \\% interval "
+                     "excludes 0} \\\\\n\\end{tabular}\n"))
+      << text;
+}
+
 }  // namespace
 }  // namespace umbrameter

@@ -43,6 +43,24 @@ TEST(Waterfall, Each_bar_starts_where_the_one_before_ends_and_the_total_at_0) {
   EXPECT_FALSE(rows[1].contains("lo"));
 }
 
+// The drawing is 280 units high for 0.56 and twice a margin of 8 %; a number needs 18 units.
+TEST(Waterfall, Numbers_stand_clear_of_the_zero_line_and_of_the_lines_between_bars) {
+  WaterfallFigure figure = three_steps();
+  figure.steps = {{"model", "", 0.5}, {"hidden", "", -0.51}, {"thin", "", -0.05}, {"blur", "", 0.01}};
+  figure.total = {"total", "", -0.05};
+  const Json spec = Json::parse(to_plot_specification(figure));
+  const double unit = (0.56 + 2.0 * 0.08 * 0.56) / 280.0;
+  for (const Json& row : spec["data"]["values"]) {
+    const double at = row["label_at"].get<double>();
+    EXPECT_GE(at, row["top"].get<double>());
+    for (const double line : {0.0, row["from"].get<double>(), row["to"].get<double>()}) {
+      EXPECT_TRUE(line <= at || line >= at + 18.0 * unit) << row << " and " << line;
+    }
+  }
+  // The third bar begins at −0.01, 5 units below the zero line.
+  EXPECT_EQ(spec["data"]["values"][2]["label_at"], 0.0);
+}
+
 TEST(Waterfall, A_waterfall_becomes_the_three_files_of_a_figure) {
   const TemporaryFolder folder;
   const FigureOutcome outcome = write_figures(folder / "figures", {{}, {}, {}, {three_steps()}});

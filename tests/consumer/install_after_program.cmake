@@ -1,0 +1,21 @@
+# Every file of the build that is installed belongs to the program or to a library that it links, so that
+# `cmake --install` works after `cmake --build --target umbrameter`, as README and scripts/demo build it.
+file(STRINGS ${build}/cmake_install.cmake lines REGEX "\"${build}/")
+set(libraries 0)
+foreach(line IN LISTS lines)
+  string(REGEX MATCHALL "${build}/[^\";]+" paths "${line}")
+  foreach(path IN LISTS paths)
+    file(RELATIVE_PATH file ${build} ${path})
+    if(file MATCHES "cmake_install.cmake$|^umbrameter-config|CMakeFiles/Export" OR NOT file MATCHES "\\.")
+      continue()  # written by the configuration
+    endif()
+    execute_process(COMMAND ${ninja} -C ${build} -t query ${file} OUTPUT_VARIABLE query ERROR_QUIET)
+    if(NOT query MATCHES "LINKER__umbrameter_")
+      message(FATAL_ERROR "${file} is installed, and building the program does not make it:\n${query}")
+    endif()
+    math(EXPR libraries "${libraries} + 1")
+  endforeach()
+endforeach()
+if(libraries LESS 12)
+  message(FATAL_ERROR "only ${libraries} files looked at: 8 libraries and 4 files of the shell are installed")
+endif()
