@@ -7,9 +7,10 @@
 namespace umbrameter {
 namespace {
 
-Parameters read_by_blur(AoBlurParams& params) {
+// `kind` is the blur that runs: the technique's own where the parameter says so.
+Parameters read_by_blur(AoBlurParams& params, AoBlur kind) {
   const Parameters all = describe(params);
-  switch (params.kind) {
+  switch (kind) {
     case AoBlur::none:
       return select(all, {"ao.blur"});
     case AoBlur::xegtao:
@@ -18,6 +19,7 @@ Parameters read_by_blur(AoBlurParams& params) {
     case AoBlur::gaussian:
       return select(all, {"ao.blur", "ao.blur-passes", "ao.blur-size"});
     case AoBlur::bilateral:
+    case AoBlur::own:
       break;
   }
   return all;
@@ -59,7 +61,7 @@ Parameters read_parameters(AoParams& params) {
   std::erase_if(read, [&](const Parameter& each) {
     return find(of_alchemy, each.key) != nullptr && find(used, each.key) == nullptr;
   });
-  return concatenate({std::move(read), describe(params.inputs), read_by_blur(params.blur),
+  return concatenate({std::move(read), describe(params.inputs), read_by_blur(params.blur, blur_of(params).kind),
                       read_by_upsampling(params.resolution), read_by_tone(params.tone)});
 }
 
