@@ -33,7 +33,7 @@ View orthographic_view() {
 Scene scene_of_size(const dvec3& extent, const dvec3& center) {
   Scene scene;
   scene.materials.resize(1);
-  scene.materials[0].double_sided = true;  // seen from the usual side as from any other
+  scene.materials[0].double_sided = true;
   scene.objects.resize(1);
   Mesh mesh;
   mesh.positions = {{-0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, 0.5f}, {0.5f, -0.5f, 0.5f}};
@@ -189,7 +189,10 @@ TEST(FittedCamera, What_is_seen_stands_in_the_middle_of_the_image) {
 
 TEST(FittedCamera, It_looks_from_thirty_degrees_beside_the_front_and_twenty_five_above) {
   std::vector<std::string> notes;
-  const Camera camera = select_camera(scene_of_size({2, 2, 2}, {0, 0, 0}), "", 1.5, notes);
+  Scene scene = scene_of_size({2, 2, 2}, {0, 0, 0});
+  // Its normal, (1, 0, 1), is towards the usual camera and towards the sun of a scene without lights.
+  scene.meshes[0].positions = {{-0.5f, -0.5f, 0.5f}, {0.5f, -0.5f, -0.5f}, {0.5f, 0.5f, -0.5f}};
+  const Camera camera = select_camera(scene, "", 1.5, notes);
   const dvec3 back(camera.world_from_camera[2]);
   // sin 25° = 0.422618, tan 30° = 0.577350.
   EXPECT_NEAR(back.y, 0.422618, 1e-6);
