@@ -43,7 +43,7 @@ std::string doubt(const dvec3& extent, bool is_surrounding) {
     return "it is higher than 50 m and slender, as only towers are";
   }
   if (side > thing_side && !is_surrounding) {
-    return "it is longer than 100 m, and no camera and no lamp of the file stands in it, as if it were a single thing";
+    return "it is longer than 100 m, but the file has no camera or lamp inside it: perhaps one object in another unit";
   }
   return {};
 }

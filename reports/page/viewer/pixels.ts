@@ -43,7 +43,7 @@ export function strength_of(layer: Layer, i: number, look: Look): number {
   return Math.min(1, Math.abs(value) / end);
 }
 
-// The lightest part of the greys, so that colours are told apart on all of it.
+// The lightest part of the greys, so that colours stay distinct on all of it.
 const darkest_base = 0.6;
 
 export function color_of(layer: Layer, i: number, look: Look, run: Run): Color {
