@@ -250,22 +250,22 @@ Scene floor_and_plateau() {
   return scene;
 }
 
-// The cosine-weighted mean over the directions above the floor of whether they are blocked: by midpoints on the disk of
-// their horizontal parts.
+// The cosine-weighted share of the directions above the floor that are not blocked, by midpoints on the disk of their
+// horizontal parts.
 template <class IsBlocked>
 double open_share(const IsBlocked& is_blocked) {
   constexpr int steps = 100;
-  double open = 0.0, all = 0.0;
+  double open = 0.0, directions = 0.0;
   for (int j = 0; j < steps; ++j) {
     for (int i = 0; i < steps; ++i) {
       const double x = 2.0 * (i + 0.5) / steps - 1.0;
       const double z = 2.0 * (j + 0.5) / steps - 1.0;
       if (x * x + z * z >= 1.0) continue;
-      all += 1.0;
+      directions += 1.0;
       if (!is_blocked(dvec3(x, std::sqrt(1.0 - x * x - z * z), z))) open += 1.0;
     }
   }
-  return open / all;
+  return open / directions;
 }
 
 constexpr double radius_by_plateau = 1.5;
