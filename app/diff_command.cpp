@@ -217,7 +217,7 @@ const char* content_text(ImageContent content) {
   return content == ImageContent::display ? "sRGB" : "linear";
 }
 
-// " (TEST: sRGB, assumed)": what a file leaves open, or a curve of its own.
+// " (TEST: sRGB, assumed)": the encoding, where the file does not state it or states another curve.
 std::string encodings_text(const Pair& pair) {
   std::string text;
   for (const auto& [name, encoding] : {std::pair{"TEST", pair.test.encoding}, {"REFERENCE", pair.reference.encoding}}) {

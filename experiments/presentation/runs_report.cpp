@@ -100,7 +100,7 @@ std::string printed_difference(const ComparedValue& value) {
   return value.verdict == Verdict::significant ? text + "*" : text;
 }
 
-// One row for each error, one column for each run. A unit that all have stands in the head.
+// One row for each error, one column for each run. A unit common to all rows is in the head.
 template <class Text>
 Table rows_of_errors(const std::vector<StoredRun>& runs, const std::vector<const ComparedStatistic*>& errors,
                      std::size_t first_run, const Text& text) {

@@ -11,10 +11,10 @@ namespace umbrameter::gl {
 /// Bytes of the index: a counter and 65536 keys of 20 bytes (Mesa 22.3, src/util/disk_cache.c).
 inline constexpr std::uintmax_t shader_cache_index_bytes = 8 + 65536 * 20;
 
-/// Keeps Mesa's index from ending the process. The constructor runs before a display is initialised and
-/// reserve() after: before, an index that exists is given its blocks on the disk, and one that does not must find room;
-/// otherwise Mesa is told to do without its cache. After, a new index is given its blocks. Newer versions of Mesa,
-/// whose cache has no such index, and other drivers are left alone.
+/// Keeps Mesa's index from ending the process. The constructor runs before a display is initialised: it allocates the
+/// disk blocks of an existing index, or checks that a new one has room; without room it disables Mesa's cache.
+/// reserve() runs after the display is initialised and allocates the blocks of a new index. Newer versions of Mesa,
+/// whose cache has no such index, and other drivers are not affected.
 class ShaderCacheGuard {
  public:
   ShaderCacheGuard();

@@ -184,7 +184,7 @@ TEST(CostDifference, Of_points_that_differ_alike_in_every_block_is_significant) 
   EXPECT_FALSE(cost_interval(mae, {{0.5}}, {{}}).has_value());
 }
 
-// Each block of a case has a cost of its own, evenly drawn from 0 to 1, but in most blocks there is little to measure:
+// The cost of each block of a case is drawn uniformly from 0 to 1, but in most blocks there is little to measure:
 // block k weighs 1 / (k + 1). The point b costs 0.9 of that, and up to 0.05 more by chance.
 TEST(CostDifference, Has_an_interval_that_holds_it_95_times_in_100_for_few_blocks_and_for_many) {
   const TuneGoal mae = goal("mae");

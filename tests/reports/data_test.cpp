@@ -201,7 +201,7 @@ TEST(Experiment, Names_of_very_many_parts_are_usage_errors) {
     EXPECT_EQ(loaded.error.code(), ExitCode::usage) << text.substr(0, 20);
     EXPECT_TRUE(contains(loaded.error.what(), "more than 256 levels deep")) << loaded.error.what();
   }
-  // Each table in brackets of its own, and its name of 200 parts: 200 times 200 levels.
+  // 200 nested brackets, each with a name of 200 parts: 200 times 200 levels.
   std::string nested;
   for (int i = 0; i < 200; ++i) nested.append("{").append(parts, 0, 399).append(" = ");
   nested += "1" + std::string(200, '}');
