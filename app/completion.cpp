@@ -21,7 +21,7 @@ Completes completes(const OptionHelp& option) {
   return Completes::nothing;
 }
 
-std::string joined(const std::vector<std::string>& words, const std::string& separator = " ") {
+std::string spaced(const std::vector<std::string>& words, const std::string& separator = " ") {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
   return text;
@@ -30,13 +30,13 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
 std::string scene_names() {
   std::vector<std::string> names;
   for (const BuiltinScene& scene : builtin_scenes()) names.emplace_back(scene.name);
-  return joined(names);
+  return spaced(names);
 }
 
 std::string command_names(const ProgramHelp& program) {
   std::vector<std::string> names;
   for (const CommandHelp& command : program.commands) names.push_back(command.name);
-  return joined(names);
+  return spaced(names);
 }
 
 // Full names, each once; they have a dot.
@@ -75,14 +75,14 @@ const OptionHelp* positional_of(const CommandHelp& command) {
 }
 
 // For a word in single quotes, in bash and zsh.
-std::string quoted(const std::string& text) {
+std::string shell_quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? "'\\''" : std::string(1, c);
   return result + "'";
 }
 
 std::string bash_values(const OptionHelp& option) {
-  if (!option.choices.empty()) return "_umbrameter_words " + quoted(joined(option.choices));
+  if (!option.choices.empty()) return "_umbrameter_words " + shell_quoted(spaced(option.choices));
   switch (completes(option)) {
     case Completes::files:
       return "_umbrameter_files -f";
@@ -137,7 +137,7 @@ std::string zsh_escaped(const std::string& text) {
 }
 
 std::string zsh_action(const OptionHelp& option) {
-  if (!option.choices.empty()) return "(" + joined(option.choices) + ")";
+  if (!option.choices.empty()) return "(" + spaced(option.choices) + ")";
   switch (completes(option)) {
     case Completes::files:
       return "_files";
@@ -160,17 +160,17 @@ std::string zsh_action(const OptionHelp& option) {
 // One specification a name: "'(-o --output)-o[folder]:DIR:_files -/'".
 std::vector<std::string> zsh_specifications(const OptionHelp& option) {
   const std::string action = zsh_action(option);
-  if (option.is_positional) return {quoted("*:" + option.names.front() + ":" + action)};
+  if (option.is_positional) return {shell_quoted("*:" + option.names.front() + ":" + action)};
   std::vector<std::string> specifications;
   const std::vector<std::string> flags = flags_of(option);
   const bool repeats = completes(option) == Completes::axes;
   for (const std::string& flag : flags) {
-    std::string text = repeats ? "*" : flags.size() > 1 ? "(" + joined(flags) + ")" : "";
+    std::string text = repeats ? "*" : flags.size() > 1 ? "(" + spaced(flags) + ")" : "";
     text += flag;
     if (!option.value.empty()) text += flag.starts_with("--") ? "=" : "+";
     text += "[" + zsh_escaped(option.meaning) + "]";
     if (!option.value.empty()) text += ":" + zsh_escaped(option.value) + ":" + action;
-    specifications.push_back(quoted(text));
+    specifications.push_back(shell_quoted(text));
   }
   return specifications;
 }
@@ -195,7 +195,7 @@ std::string fish_quoted(const std::string& text) {
 // "-x": takes a value that is no file; "-r": a file.
 std::string fish_values(const OptionHelp& option, const ProgramHelp& program) {
   const auto words = [](const std::string& list) { return " -x -a " + fish_quoted(list); };
-  if (!option.choices.empty()) return words(joined(option.choices));
+  if (!option.choices.empty()) return words(spaced(option.choices));
   switch (completes(option)) {
     case Completes::files:
       return " -r -F";
@@ -206,7 +206,7 @@ std::string fish_values(const OptionHelp& option, const ProgramHelp& program) {
     case Completes::built_in_scenes:
       return words(scene_names());
     case Completes::axes:
-      return words(joined(parameter_names(program), "= ") + "=");
+      return words(spaced(parameter_names(program), "= ") + "=");
     case Completes::commands:
       return words(command_names(program));
     case Completes::nothing:
@@ -229,10 +229,10 @@ std::string fish_line(const std::string& condition, const OptionHelp& option, co
 
 std::string bash_completion(const ProgramHelp& program) {
   std::string text = bash_start;
-  text += "  local commands=" + quoted(command_names(program)) + "\n";
-  text += "  local scenes=" + quoted(scene_names()) + "\n";
-  text += "  local parameters=" + quoted(joined(parameter_names(program), "= ") + "=") + "\n";
-  text += "  local options=" + quoted(joined(flags_of(program.options))) + "\n";
+  text += "  local commands=" + shell_quoted(command_names(program)) + "\n";
+  text += "  local scenes=" + shell_quoted(scene_names()) + "\n";
+  text += "  local parameters=" + shell_quoted(spaced(parameter_names(program), "= ") + "=") + "\n";
+  text += "  local options=" + shell_quoted(spaced(flags_of(program.options))) + "\n";
   text += "  for ((i = 1; i < COMP_CWORD; i++)); do\n    case ${COMP_WORDS[i]} in\n";
   std::string cases = command_names(program);
   std::replace(cases.begin(), cases.end(), ' ', '|');
@@ -244,7 +244,7 @@ std::string bash_completion(const ProgramHelp& program) {
       if (option.is_positional || option.value.empty()) continue;
       std::string patterns;
       for (const std::string& flag : flags_of(option)) {
-        patterns += (patterns.empty() ? "" : "|") + quoted(command.name + " " + flag);
+        patterns += (patterns.empty() ? "" : "|") + shell_quoted(command.name + " " + flag);
       }
       text += "    " + patterns + ") " + bash_values(option) + "; return ;;\n";
     }
@@ -255,7 +255,7 @@ std::string bash_completion(const ProgramHelp& program) {
     if (const OptionHelp* positional = positional_of(command)) {
       text += "      if [[ $word != -* ]]; then " + bash_values(*positional) + "; return; fi\n";
     }
-    text += "      options=" + quoted(joined(flags_of(command.options))) + "\n      ;;\n";
+    text += "      options=" + shell_quoted(spaced(flags_of(command.options))) + "\n      ;;\n";
   }
   text += "    *) [[ $word == -* ]] || options=$commands ;;\n  esac\n  _umbrameter_words \"$options\"\n}\n\n";
   return text + "complete -F _umbrameter umbrameter\n";
@@ -265,10 +265,10 @@ std::string zsh_completion(const ProgramHelp& program) {
   std::string text = "#compdef umbrameter\n# Completion for umbrameter in zsh, made by 'umbrameter generate zsh'.\n\n";
   text += "_umbrameter_built_in() {\n  compadd -- " + scene_names() + "\n}\n\n";
   text += "_umbrameter_scenes() {\n  _umbrameter_built_in\n  _files\n}\n\n";
-  text += "_umbrameter_axes() {\n  compadd -S '' -- " + joined(parameter_names(program), "= ") + "=\n}\n\n";
+  text += "_umbrameter_axes() {\n  compadd -S '' -- " + spaced(parameter_names(program), "= ") + "=\n}\n\n";
   text += "_umbrameter_commands() {\n  local -a commands=(\n";
   for (const CommandHelp& command : program.commands) {
-    text += "    " + quoted(command.name + ":" + zsh_escaped(command.summary)) + "\n";
+    text += "    " + shell_quoted(command.name + ":" + zsh_escaped(command.summary)) + "\n";
   }
   text += "  )\n  _describe command commands\n}\n\n";
   text += "_umbrameter() {\n  local context state line\n  typeset -A opt_args\n";

@@ -61,14 +61,14 @@ std::vector<Chosen> choose(const std::vector<std::string>& names) {
   return all;
 }
 
-std::string joined(const std::vector<std::string>& names) {
+std::string names_text(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text.append(text.empty() ? "" : ", ").append(name);
   return text;
 }
 
 std::string counted(const char* noun, const std::vector<std::string>& names) {
-  return fmt::format("{}{} {}", noun, names.size() == 1 ? "" : "s", joined(names));
+  return fmt::format("{}{} {}", noun, names.size() == 1 ? "" : "s", names_text(names));
 }
 
 std::string size_text(const Listed& scene) {
@@ -121,7 +121,7 @@ std::string to_markdown(const std::vector<Listed>& scenes) {
   for (const Listed& scene : scenes) {
     const BuiltinScene& description = *scene.description;
     text += fmt::format("| `{}` | {} | {} | {} | {} |\n", scene.name, description.purpose, grouped(scene.triangles),
-                        joined(scene.cameras), joined(scene.lights));
+                        names_text(scene.cameras), names_text(scene.lights));
     if (description.counted.empty()) continue;
     const bool is_exact = description.counted == "lights";
     sizes +=

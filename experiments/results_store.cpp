@@ -32,11 +32,6 @@ std::string list_of(const std::vector<std::string>& names) {
   return text;
 }
 
-bool is_there(const fs::path& path) {
-  std::error_code error;
-  return fs::exists(fs::symlink_status(path, error));
-}
-
 // Of the database and of the files that it keeps beside itself.
 constexpr std::array<const char*, 4> store_parts = {"", "-wal", "-shm", "-journal"};
 

@@ -25,11 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_there(const fs::path& path) {
-  std::error_code error;
-  return fs::exists(fs::symlink_status(path, error));
-}
-
 constexpr const char* figures_name = "figures";
 
 bool is_link(const fs::path& path) {

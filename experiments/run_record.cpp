@@ -20,11 +20,6 @@ using Json = nlohmann::ordered_json;
 constexpr int format = 1;
 constexpr const char* format_key = "umbrameter_run";
 
-bool is_there(const fs::path& path) {
-  std::error_code error;
-  return fs::exists(fs::symlink_status(path, error));
-}
-
 // The texts of a list that name files; everything else in it is left out.
 std::vector<std::string> recordable_files(const Json& list) {
   std::vector<std::string> files;

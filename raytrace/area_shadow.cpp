@@ -18,13 +18,13 @@
 namespace umbrameter {
 namespace {
 
-constexpr int tile_size = 16;
+constexpr int area_tile_size = 16;
 // A packet holds one ray from each pixel of a block.
 constexpr int block_size = 4;
 static_assert(std::size_t{block_size} * block_size == packet_width);
 // Make the random numbers independent of those for other quantities at the same pixel.
-constexpr std::uint32_t purpose = 0x11947u;
-constexpr std::uint32_t pilot_purpose = 0x21947u;
+constexpr std::uint32_t area_purpose = 0x11947u;
+constexpr std::uint32_t area_pilot_purpose = 0x21947u;
 constexpr std::uint32_t shear_purpose = 0x31947u;
 
 struct Pixel {
@@ -39,9 +39,9 @@ struct Pixel {
   AllWeightedSums sums{};
 };
 
-class TileTracer {
+class AreaTileTracer {
  public:
-  TileTracer(const Tracer& tracer, const GBuffer& gbuffer, const Light& light, const TruthSampling& sampling)
+  AreaTileTracer(const Tracer& tracer, const GBuffer& gbuffer, const Light& light, const TruthSampling& sampling)
       : gbuffer_(gbuffer), light_(light), sampling_(sampling), packet_(tracer.state()), triangles_(tracer) {}
 
   void trace(const Tile& tile, TracedVisibility& result) {
@@ -129,7 +129,7 @@ class TileTracer {
     for (std::size_t l = 0; l < packet_.size(); ++l) {
       const Pixel& pixel = pending(first + l);
       const std::uint32_t scramble = hash(static_cast<std::uint32_t>(pixel.index), randomisation, sampling_.seed,
-                                          pixel.sample_count.is_pilot() ? pilot_purpose : purpose);
+                                          pixel.sample_count.is_pilot() ? area_pilot_purpose : area_purpose);
       const LightView::Sample sample = pixel.view.sample(shear(point_of(index, scramble), pixel.shear_factors));
       const bool is_above = glm::dot(pixel.normal, sample.direction) > 0.0;
       is_traced[l] = is_above;
@@ -176,8 +176,8 @@ class TileTracer {
 
 TracedVisibility trace_area_visibility(const Tracer& tracer, const GBuffer& gbuffer, const Light& light,
                                        const TruthSampling& sampling, const Progress& progress) {
-  return trace_tiles(tracer, gbuffer, sampling.params, tile_size, progress,
-                     [&] { return TileTracer(tracer, gbuffer, light, sampling); });
+  return trace_tiles(tracer, gbuffer, sampling.params, area_tile_size, progress,
+                     [&] { return AreaTileTracer(tracer, gbuffer, light, sampling); });
 }
 
 }  // namespace umbrameter

@@ -19,10 +19,10 @@
 namespace umbrameter {
 namespace {
 
-constexpr int tile_size = 16;
+constexpr int pixel_tile_size = 16;
 // Make the random numbers independent of those for other quantities at the same pixel.
-constexpr std::uint32_t purpose = 0x41947u;
-constexpr std::uint32_t pilot_purpose = 0x51947u;
+constexpr std::uint32_t pixel_purpose = 0x41947u;
+constexpr std::uint32_t pixel_pilot_purpose = 0x51947u;
 constexpr std::uint32_t light_purpose = 0x61947u;
 
 constexpr int fine_pixels = 4096;  // along a pixel's side: the points of a pixel are the centres of these
@@ -41,10 +41,10 @@ bool is_same_surface(const GBuffer& gbuffer, std::size_t pixel, const PrimaryHit
          max_sine * glm::length(offset) + position_error * glm::length(hit.position);
 }
 
-class TileTracer {
+class PixelTileTracer {
  public:
-  TileTracer(const Tracer& tracer, const GBuffer& gbuffer, const View& view, const Light& light,
-             const TruthSampling& sampling)
+  PixelTileTracer(const Tracer& tracer, const GBuffer& gbuffer, const View& view, const Light& light,
+                  const TruthSampling& sampling)
       : tracer_(tracer),
         gbuffer_(gbuffer),
         fine_view_{view.width * fine_pixels, view.height * fine_pixels, view.camera},
@@ -77,7 +77,7 @@ class TileTracer {
     do {
       const SampleRange& range = sample_count.next();
       const Randomisations before{range.split.count, range.begin};
-      const std::uint32_t of_use = sample_count.is_pilot() ? pilot_purpose : purpose;
+      const std::uint32_t of_use = sample_count.is_pilot() ? pixel_pilot_purpose : pixel_purpose;
       for (int r = 0; r < range.split.count; ++r) {
         const std::uint32_t scramble =
             hash(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(r), sampling_.seed, of_use);
@@ -183,8 +183,8 @@ class TileTracer {
 
 TracedVisibility trace_pixel_visibility(const Tracer& tracer, const GBuffer& gbuffer, const View& view,
                                         const Light& light, const TruthSampling& sampling, const Progress& progress) {
-  return trace_tiles(tracer, gbuffer, sampling.params, tile_size, progress,
-                     [&] { return TileTracer(tracer, gbuffer, view, light, sampling); });
+  return trace_tiles(tracer, gbuffer, sampling.params, pixel_tile_size, progress,
+                     [&] { return PixelTileTracer(tracer, gbuffer, view, light, sampling); });
 }
 
 }  // namespace umbrameter

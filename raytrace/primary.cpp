@@ -9,7 +9,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr int tile_size = 32;
+constexpr int primary_tile_size = 32;
 
 // Metres from the near plane to the far plane along a ray.
 double reach(const View& view, const dvec3& direction) {
@@ -100,7 +100,7 @@ PrimaryHit trace_primary(const Tracer& tracer, const View& view, const Ray& ray)
 GBuffer trace_gbuffer(const Tracer& tracer, const View& view, const Progress& progress) {
   GBuffer gbuffer(view.width, view.height);
   parallel_tiles(
-      view.width, view.height, tile_size,
+      view.width, view.height, primary_tile_size,
       [&](const Tile& tile) {
         for (int y = tile.y_begin; y < tile.y_end; ++y) {
           for (int x = tile.x_begin; x < tile.x_end; ++x) {

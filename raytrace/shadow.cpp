@@ -13,12 +13,12 @@
 namespace umbrameter {
 namespace {
 
-constexpr int tile_size = 64;
+constexpr int shadow_tile_size = 64;
 // A packet covers a few whole columns of a strip: the nearer its rays, the longer they traverse the same boxes.
 constexpr int strip_height = 4;
 
 // Holds the rays of a strip after those left over from the strip before, which did not fill a packet.
-constexpr std::size_t max_rays = std::size_t{strip_height} * tile_size + packet_width;
+constexpr std::size_t max_rays = std::size_t{strip_height} * shadow_tile_size + packet_width;
 using StripRays = RayColumns<max_rays>;
 
 // Whether any pixel shows a surface. Branch-free, so that it vectorises.
@@ -95,7 +95,7 @@ class ShadowTile {
   std::size_t collect(const Tile& strip) {
     const int height = strip.y_end - strip.y_begin;
     const auto columns = static_cast<std::size_t>(strip.x_end - strip.x_begin);
-    std::array<std::array<std::uint8_t, tile_size>, strip_height> is_facing;
+    std::array<std::array<std::uint8_t, shadow_tile_size>, strip_height> is_facing;
     for (int row = 0; row < height; ++row) {
       const std::size_t first = gbuffer_.instance.index(strip.x_begin, strip.y_begin + row);
       std::uint8_t* const flags = is_facing[static_cast<std::size_t>(row)].data();
@@ -146,7 +146,7 @@ TracedVisibility trace_hard_visibility(const Tracer& tracer, const GBuffer& gbuf
   const ShadowRayGenerator generator(light);
   std::mutex mutex;
   parallel_tiles(
-      gbuffer.width, gbuffer.height, tile_size,
+      gbuffer.width, gbuffer.height, shadow_tile_size,
       [&](const Tile& tile) {
         ShadowTile pixels(tracer, gbuffer, generator, traced.visibility);
         pixels.trace(tile);

@@ -8,6 +8,7 @@
 
 #include "experiments/presentation/bias_formulas.h"
 #include "experiments/presentation/summary.h"
+#include "experiments/value_json.h"
 
 namespace umbrameter {
 namespace {
@@ -17,9 +18,9 @@ using Json = nlohmann::ordered_json;
 constexpr const char* method =
     "least squares over all points, each weighted by 1 / h², where h is the step of the bias axis at the point";
 
-constexpr std::size_t max_plots = 3;
+constexpr std::size_t max_formula_plots = 3;
 
-const Value nothing = std::string();
+const Value empty_cell = std::string();
 const char* name_of(const CurveFormula& of) { return law_names[static_cast<std::size_t>(of.of)]; }
 
 std::string range_text(const FormulaRange& range, const auto& text_of) {
@@ -79,7 +80,7 @@ Table formulas_table(const BiasCurves& curves) {
     std::vector<Value> row = of.others;
     row.emplace_back(std::string(name_of(of)));
     row.emplace_back(static_cast<std::int64_t>(of.points.size()));
-    row.push_back(of.formula ? Value(static_cast<std::int64_t>(of.formula->independent)) : nothing);
+    row.push_back(of.formula ? Value(static_cast<std::int64_t>(of.formula->independent)) : empty_cell);
     row.emplace_back(static_cast<std::int64_t>(of.left_out));
     if (of.formula) {
       const BiasFormula& formula = *of.formula;
@@ -87,14 +88,14 @@ Table formulas_table(const BiasCurves& curves) {
         if (fitted) {
           row.insert(row.end(), {fitted->value, *fitted->standard_error});
         } else {
-          row.insert(row.end(), 2, nothing);
+          row.insert(row.end(), 2, empty_cell);
         }
       }
       row.insert(row.end(), {formula.residual, formula.residual_texels, formula.worst_residual,
                              length_range(formula.texel), length_range(formula.depth_per_texel),
                              radius_range(formula.radius), length_range(formula.depth_step)});
     }
-    row.resize(table.columns.size(), nothing);
+    row.resize(table.columns.size(), empty_cell);
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -236,7 +237,7 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
       "Use a formula only within the range that it was fitted over.",
       names_of(curves.formula_axes), method, formula_symbols);
   const std::vector<std::vector<Value>> settings = settings_of(curves);
-  for (std::size_t i = 0; i < std::min(settings.size(), max_plots); ++i) {
+  for (std::size_t i = 0; i < std::min(settings.size(), max_formula_plots); ++i) {
     PlotFigure plot = formula_plot(curves, settings[i]);
     if (plot.data.rows.empty()) continue;
     if (settings.size() > 1) plot.stem += fmt::format("_{}", i);

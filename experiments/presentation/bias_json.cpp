@@ -3,6 +3,7 @@
 #include "experiments/presentation/bias_formulas.h"
 #include "experiments/presentation/plateau_text.h"
 #include "experiments/presentation/summary.h"
+#include "experiments/value_json.h"
 
 namespace umbrameter {
 namespace {

@@ -11,8 +11,8 @@ namespace umbrameter {
 namespace {
 
 constexpr std::size_t max_curves = 200;
-constexpr std::size_t max_slopes = 4096;
-constexpr std::size_t max_lines = 16'384;
+constexpr std::size_t max_stored_slopes = 4096;
+constexpr std::size_t max_stored_lines = 16'384;
 
 std::size_t index_of(std::size_t cell, std::size_t stride, std::size_t count) {
   return stride == 0 ? 0 : cell / stride % count;
@@ -175,7 +175,7 @@ std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep) {
   curves.varies_constant = plan.constant_bias.values.size() > 1;
   curves.varies_slope = plan.slope_bias.values.size() > 1;
   const std::size_t slopes = plan.slope_bias.values.size();
-  if (!sweep.is_by_cause() || slopes > max_slopes) return std::nullopt;
+  if (!sweep.is_by_cause() || slopes > max_stored_slopes) return std::nullopt;
   if (!curves.varies_constant && !curves.varies_slope) return std::nullopt;
 
   const std::vector<std::size_t> others = outer_axes_as_given(plan);
@@ -193,7 +193,7 @@ std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep) {
     empty.optima.lines.emplace_back();
     empty.optima.lines.back().slope = slope;
   }
-  curves.curves.assign(std::min({curves.combinations, max_curves, max_lines / slopes}), empty);
+  curves.curves.assign(std::min({curves.combinations, max_curves, max_stored_lines / slopes}), empty);
   fill(curves, sweep, others);
   if (curves.curves.empty()) return std::nullopt;
   curves.constants = plan.constant_bias.values;

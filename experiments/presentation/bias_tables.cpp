@@ -20,22 +20,22 @@ const Value nothing = std::string();
 Value known(double number) { return std::isfinite(number) ? Value(number) : nothing; }
 
 // One recommended bias of one curve.
-struct Choice {
+struct NamedBias {
   const char* name;
   std::optional<BiasCell> cell;
 };
 
-std::vector<Choice> choices_of(const BiasCurve& curve, const BiasCurves& curves) {
+std::vector<NamedBias> choices_of(const BiasCurve& curve, const BiasCurves& curves) {
   const BiasOptima& optima = curve.optima;
   const BiasLine& line = flattest(optima);
   std::optional<BiasCell> recommended;
   if (curve.plateau && !curve.withheld) recommended = curve.plateau->recommended;
-  std::vector<Choice> choices = {{"recommended", recommended},
-                                 {law_names[0], least_error(optima)},
-                                 {law_names[1], line.little_acne},
-                                 {law_names[2], line.acne_free},
-                                 {"least error without acne", best_without_acne(optima)},
-                                 {"knee of the Pareto front", knee(optima.front)}};
+  std::vector<NamedBias> choices = {{"recommended", recommended},
+                                    {law_names[0], least_error(optima)},
+                                    {law_names[1], line.little_acne},
+                                    {law_names[2], line.acne_free},
+                                    {"least error without acne", best_without_acne(optima)},
+                                    {"knee of the Pareto front", knee(optima.front)}};
   if (!curves.varies_constant) {
     choices.erase(choices.begin() + 2, choices.begin() + 4);
     choices.erase(choices.begin());
@@ -62,7 +62,7 @@ Table choices_table(const BiasCurves& curves) {
   }
   for (const BiasCurve& curve : curves.curves) {
     const BiasCell least = *least_error(curve.optima);
-    for (const Choice& choice : choices_of(curve, curves)) {
+    for (const NamedBias& choice : choices_of(curve, curves)) {
       std::vector<Value> row = curve.others;
       row.push_back(std::string(choice.name));
       if (!choice.cell) {

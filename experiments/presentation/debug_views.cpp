@@ -22,9 +22,9 @@ namespace {
 
 using Colors = Image<glm::u8vec3>;
 
-constexpr std::array<std::string_view, 11> kinds = {"unshadowed",   "shadows",    "ao",        "depth",
-                                                    "position",     "normal",     "albedo",    "specular",
-                                                    "light-buffer", "shadow-map", "light-view"};
+constexpr std::array<std::string_view, 11> view_kinds = {"unshadowed",   "shadows",    "ao",        "depth",
+                                                         "position",     "normal",     "albedo",    "specular",
+                                                         "light-buffer", "shadow-map", "light-view"};
 
 struct DebugView {
   std::string stem;   // of the figure: "shadow_map_sun_1"
@@ -53,7 +53,8 @@ std::vector<std::string> split(const std::string& list) {
 // What run.overlay may list: "all, unshadowed, …, shadow-map[:LIGHT]".
 std::string debug_view_names() {
   std::string names = "all";
-  for (const std::string_view kind : kinds) names += fmt::format(", {}{}", kind, is_of_light(kind) ? "[:LIGHT]" : "");
+  for (const std::string_view kind : view_kinds)
+    names += fmt::format(", {}{}", kind, is_of_light(kind) ? "[:LIGHT]" : "");
   return names;
 }
 
@@ -62,7 +63,7 @@ std::vector<Wanted> parse(const Stages& stages, const Experiment& experiment) {
   std::vector<Wanted> all;
   for (const std::string& name : split(experiment.run.overlay)) {
     if (name == "all") {
-      for (const std::string_view kind : kinds) {
+      for (const std::string_view kind : view_kinds) {
         if (kind == "light-buffer" && !has_light_buffer) continue;
         all.push_back({std::string(kind),
                        is_of_light(kind) ? stages.lights(experiment.view.light) : std::vector<std::uint32_t>{}});
@@ -71,9 +72,9 @@ std::vector<Wanted> parse(const Stages& stages, const Experiment& experiment) {
     }
     const std::size_t colon = name.find(':');
     const std::string kind = name.substr(0, colon);
-    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end() ||
+    if (std::find(view_kinds.begin(), view_kinds.end(), kind) == view_kinds.end() ||
         (colon != std::string::npos && !is_of_light(kind))) {
-      const std::vector<std::string> names(kinds.begin(), kinds.end());
+      const std::vector<std::string> names(view_kinds.begin(), view_kinds.end());
       const std::string similar = suggestion(similar_names(kind, names));
       throw Error(ExitCode::usage, fmt::format("--overlay {}", name), "there is no such view",
                   similar.empty() ? "one of: " + debug_view_names() : similar);

@@ -50,7 +50,7 @@ std::string bound_text(const GateCheck& check) {
   return fmt::format("{} {}", relation_text(bound.relation), number);
 }
 
-std::string value_text(const GateCheck& check) {
+std::string measured_text(const GateCheck& check) {
   if (!check.measured) return "not measured";
   const double value = check.measured->value;
   return number_text(check.budget.is_magnitude ? std::abs(value) : value, *check.measured);
@@ -71,7 +71,7 @@ std::string interval_of(const MeasuredStatistic& measured) {
   return measured.half_width > 0.0 ? "rays" : measured.choice_half_width > 0.0 ? "pixels" : "";
 }
 
-std::string interval_text(const GateCheck& check) {
+std::string allowed_text(const GateCheck& check) {
   const std::string of = check.measured ? interval_of(*check.measured) : "";
   return of.empty() ? "—" : of;
 }
@@ -80,8 +80,8 @@ std::vector<std::vector<std::string>> rows_of(const std::vector<GateCheck>& chec
   std::vector<std::vector<std::string>> rows;
   for (const GateCheck& check : checks) {
     if (check.is_kept && !all) continue;
-    rows.push_back({check.is_kept ? "kept" : "FAILED", where_text(check), statistic_text(check), value_text(check),
-                    bound_text(check), excess_text(check), intervals_text(check), interval_text(check)});
+    rows.push_back({check.is_kept ? "kept" : "FAILED", where_text(check), statistic_text(check), measured_text(check),
+                    bound_text(check), excess_text(check), intervals_text(check), allowed_text(check)});
   }
   return rows;
 }
@@ -91,7 +91,7 @@ std::string failure_text(const GateCheck& check) {
   if (!check.measured) return "no run measured it";
   if (!is_judged(check)) return "nothing was measured: no pixel counts";
   const std::string by =
-      fmt::format("{} is not {}: off by {}", value_text(check), bound_text(check), excess_text(check));
+      fmt::format("{} is not {}: off by {}", measured_text(check), bound_text(check), excess_text(check));
   return std::isfinite(check.intervals) ? fmt::format("{}, {:.1f} intervals", by, check.intervals) : by;
 }
 
@@ -133,7 +133,7 @@ std::string junit_xml(const std::vector<GateCheck>& checks) {
     xml += fmt::format("    <testcase classname=\"{}\" name=\"{} {}\"", escape_markup(where.empty() ? "run" : where),
                        escape_markup(statistic_text(check)), escape_markup(bound_text(check)));
     if (check.is_kept) {
-      xml += fmt::format("><system-out>{}</system-out></testcase>\n", escape_markup(value_text(check)));
+      xml += fmt::format("><system-out>{}</system-out></testcase>\n", escape_markup(measured_text(check)));
     } else {
       xml += fmt::format(">\n      <failure message=\"{}\"/>\n    </testcase>\n", escape_markup(failure_text(check)));
     }

@@ -5,6 +5,7 @@
 #include "experiments/presentation/presentation.h"
 #include "experiments/presentation/presentation_parts.h"
 #include "experiments/presentation/summary.h"
+#include "experiments/value_json.h"
 
 namespace umbrameter {
 namespace {
@@ -19,11 +20,6 @@ Table view_table(const std::vector<ViewStatistics>& views) {
     for (std::vector<Value>& row : table.rows) row[c] = fmt::format("{:.4g}", std::get<double>(row[c]));
   }
   return in_percent(std::move(table));
-}
-
-template <class Struct>
-nlohmann::ordered_json statistics_json(const Struct& statistics) {
-  return row_json(columns_of(statistics), row_of(statistics));
 }
 
 }  // namespace

@@ -11,21 +11,21 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::size_t max_rows = 20'000;
+constexpr std::size_t max_table_cells = 20'000;
 // Values of the bias axis that a bias slider takes, besides its own.
-constexpr std::size_t max_biases = 4'096;
+constexpr std::size_t max_slider_biases = 4'096;
 
 bool is_word(const Value& value) {
   return std::holds_alternative<std::string>(value) || std::holds_alternative<bool>(value);
 }
 
 // Chooses cells one after the other, none twice.
-class Choice {
+class CellChoice {
  public:
-  Choice(Stages& stages, const SweepResults& sweep, const Experiment& experiment, std::size_t most)
+  CellChoice(Stages& stages, const SweepResults& sweep, const Experiment& experiment, std::size_t most)
       : stages_(stages), sweep_(sweep), experiment_(stages.in_metres(experiment)), most_(most) {
     const std::optional<std::size_t> constant = sweep.plan.constant_bias.axis;
-    if (sweep.is_by_cause() && constant && axes()[*constant].values.size() <= max_biases) bias_axis_ = constant;
+    if (sweep.is_by_cause() && constant && axes()[*constant].values.size() <= max_slider_biases) bias_axis_ = constant;
   }
 
   bool is_full() const { return cells_.size() >= most_; }
@@ -115,7 +115,7 @@ Measurement measure_swept(Stages& stages, const Experiment& experiment, SweptQua
 
 PageCells choose_page_cells(Stages& stages, const SweepResults& sweep, const Experiment& experiment, const Table& best,
                             std::size_t most) {
-  Choice choice(stages, sweep, experiment, std::max<std::size_t>(most, 1));
+  CellChoice choice(stages, sweep, experiment, std::max<std::size_t>(most, 1));
   const std::vector<SweepAxis>& axes = sweep.plan.axes;
   const std::vector<std::size_t> least = choice.indices_of(least_row(sweep)).value();
   choice.add(least, "least error");
@@ -151,7 +151,7 @@ ReportCells report_cells(const SweepResults& sweep, const Experiment& experiment
   ReportCells cells;
   cells.axes = sweep.plan.axes.size();
   cells.count = sweep.plan.cells;
-  std::vector<std::size_t> numbers = thin(cells.count, max_rows).indices;
+  std::vector<std::size_t> numbers = thin(cells.count, max_table_cells).indices;
   if (numbers.size() < cells.count) {
     for (const PageCell& cell : shown.cells) numbers.push_back(cell.cell.number);
     std::sort(numbers.begin(), numbers.end());

@@ -26,7 +26,7 @@ double half_width_of(const Estimate& estimate) { return 0.5 * (estimate.upper - 
 // Marks an interval that does not cover the choice of pixels.
 constexpr const char* rays_only_mark = "*";
 
-std::string value_text(const ComparedValue& value) {
+std::string compared_text(const ComparedValue& value) {
   const double scale = scale_of(value.measured.unit);
   return with_half_width(scale * value.measured.value, scale * value.half_width) +
          (value.interval == IntervalOf::rays ? rays_only_mark : "");
@@ -162,13 +162,13 @@ std::vector<PartTables> part_tables(const std::vector<StoredRun>& runs,
     for (auto each = first; each != last; ++each) {
       if (each->is_error) errors.push_back(&*each);
       for (const ComparedValue& value : each->values) {
-        part.all.rows.push_back({each->name, shown_unit(each->unit), runs[value.run].name, value_text(value),
+        part.all.rows.push_back({each->name, shown_unit(each->unit), runs[value.run].name, compared_text(value),
                                  difference_text(value), verdict_text(value)});
       }
     }
-    part.values = rows_of_runs(runs, errors, 0, value_text);
+    part.values = rows_of_runs(runs, errors, 0, compared_text);
     part.differences = rows_of_runs(runs, errors, 1, difference_text);
-    part.printed_values = rows_of_errors(runs, errors, 0, value_text);
+    part.printed_values = rows_of_errors(runs, errors, 0, compared_text);
     part.printed_differences = rows_of_errors(runs, errors, 1, printed_difference);
     parts.push_back(std::move(part));
     first = last;
@@ -212,7 +212,7 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
     if (each.name != error_statistic) continue;
     const std::string what = each.light.empty() ? each.kind : each.light;
     for (const ComparedValue& value : each.values) {
-      std::string line = fmt::format("{}, {}: error {} %", what, runs[value.run].name, value_text(value));
+      std::string line = fmt::format("{}, {}: error {} %", what, runs[value.run].name, compared_text(value));
       if (value.verdict != Verdict::base) {
         line += fmt::format("; difference {} % ({})",
                             with_half_width(100.0 * value.difference.value, 100.0 * half_width_of(value.difference)),

@@ -5,16 +5,13 @@
 
 #include "experiments/presentation/scene_report.h"
 #include "experiments/summary_version.h"
+#include "experiments/value_json.h"
 #include "raytrace/tracer.h"
 
 namespace umbrameter {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json to_json(const Value& value) {
-  return std::visit([](const auto& v) { return Json(v); }, value);
-}
 
 const char* kind_name(MapKind kind) {
   switch (kind) {
@@ -57,11 +54,6 @@ Json agreement_json(const ClassAgreement& agreement) {
           {"reclassified_of_wrong", share_of_wrong(agreement)},
           {"peter_panning_weight", agreement.peter_panning},
           {"peter_panning_on_own_layer", share_on_own_layer(agreement)}};
-}
-
-template <class Struct>
-Json statistics_json(const Struct& statistics) {
-  return row_json(columns_of(statistics), row_of(statistics));
 }
 
 Json place_json(int x, int y) { return x < 0 ? Json(nullptr) : Json{x, y}; }
@@ -174,12 +166,6 @@ Json image_json(const Stages& stages, const ImageMeasurement& image) {
 Json to_json(const BiasInUnits& bias) {
   const auto known = [](double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); };
   return {{"m", known(bias.metres)}, {"texels", known(bias.texels)}, {"normalised_depth", known(bias.depth)}};
-}
-
-Json row_json(const std::vector<Column>& columns, const std::vector<Value>& row) {
-  Json object = Json::object();
-  for (std::size_t i = 0; i < columns.size(); ++i) object[columns[i].name] = to_json(row[i]);
-  return object;
 }
 
 std::string to_summary_json(const SummaryInput& input) {

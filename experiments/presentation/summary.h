@@ -39,9 +39,6 @@ struct SummaryInput {
 /// {"m", "texels", "normalised_depth"}; null for one that is not known.
 nlohmann::ordered_json to_json(const BiasInUnits& bias);
 
-/// A row by the names of its columns.
-nlohmann::ordered_json row_json(const std::vector<Column>& columns, const std::vector<Value>& row);
-
 /// The JSON text. Holds no times or paths, so that equal runs give equal bytes.
 std::string to_summary_json(const SummaryInput& input);
 

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t max_plots = 12;
 constexpr std::size_t max_points = 16'000;  // of a plot
 constexpr std::size_t max_points_of_line = 2'000;
-constexpr std::size_t max_lines = 64;
+constexpr std::size_t max_drawn_lines = 64;
 constexpr std::size_t max_best_rows = 1'000;
 
 // How the axes are laid out in figures: x is the numeric axis with the most values, lines are the next, and every
@@ -65,7 +65,7 @@ PlotCells cells_of_plot(const SweepPlan& plan, const Layout& layout, std::size_t
     plot.conditions = plan.axes[*a].key + " = " + short_text(plan.axes[*a].values[index]) +
                       (plot.conditions.empty() ? "" : ", ") + plot.conditions;
   }
-  const Thinned lines = thin(layout.series ? count_values(plan, *layout.series) : 1, max_lines);
+  const Thinned lines = thin(layout.series ? count_values(plan, *layout.series) : 1, max_drawn_lines);
   const Thinned points =
       thin(count_values(plan, layout.x), std::min(max_points_of_line, max_points / lines.indices.size()));
   for (const std::size_t line : lines.indices) {

@@ -4,17 +4,14 @@
 #include "experiments/presentation/tune_comparison.h"
 #include "experiments/presentation/tune_report.h"
 #include "experiments/presentation/tune_text.h"
+#include "experiments/value_json.h"
 
 namespace umbrameter {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json to_json(const Value& value) {
-  return std::visit([](const auto& v) { return Json(v); }, value);
-}
-
-Json to_json(const std::optional<Estimate>& estimate) {
+Json estimate_json(const std::optional<Estimate>& estimate) {
   if (!estimate) return nullptr;
   const bool is_significant = estimate->lower > 0.0 || estimate->upper < 0.0;
   return {
@@ -50,10 +47,12 @@ Json point_json(const TuneSummary& summary, const std::vector<TuneCase>& cases, 
 Json compared_json(const TuneSummary& summary) {
   Json list = Json::array();
   for (const ComparedPoint& compared : summary.judgement.compared) {
-    Json object = {
-        {"name", title_of(summary, compared)},        {"values", values_json(summary, compared.point.values)},
-        {"cost", compared.point.score.cost},          {"keeps_constraints", compared.point.score.is_kept()},
-        {"minus_best", to_json(compared.difference)}, {"statistics", Json::object()}};
+    Json object = {{"name", title_of(summary, compared)},
+                   {"values", values_json(summary, compared.point.values)},
+                   {"cost", compared.point.score.cost},
+                   {"keeps_constraints", compared.point.score.is_kept()},
+                   {"minus_best", estimate_json(compared.difference)},
+                   {"statistics", Json::object()}};
     const std::vector<double> values = shown_values(summary, compared);
     for (std::size_t c = 0; c < values.size(); ++c) object["statistics"][summary.shown.columns[c].name] = values[c];
     list.push_back(std::move(object));
@@ -103,18 +102,18 @@ Json to_json(const TuneSummary& summary) {
   json["evaluations"] = result.evaluations;
   json["stopped_by"] = result.stopped_by.empty() ? Json(nullptr) : Json(result.stopped_by);
   json["best"] = point_json(summary, summary.cases, result.best);
-  json["best"]["cost_95"] = to_json(summary.judgement.best);
+  json["best"]["cost_95"] = estimate_json(summary.judgement.best);
   json["default"] = point_json(summary, summary.cases, result.before);
-  json["best_minus_default"] = to_json(summary.judgement.against_before);
+  json["best_minus_default"] = estimate_json(summary.judgement.against_before);
   if (result.runner_up) {
     json["runner_up"] = point_json(summary, summary.cases, *result.runner_up);
-    json["best_minus_runner_up"] = to_json(summary.judgement.against_runner_up);
+    json["best_minus_runner_up"] = estimate_json(summary.judgement.against_runner_up);
   }
   if (summary.judgement.held_out) {
     json["held_out"] = {
         {"default", point_json(summary, summary.judgement.held_out->cases, summary.judgement.held_out->before)},
         {"best", point_json(summary, summary.judgement.held_out->cases, summary.judgement.held_out->best)},
-        {"best_minus_default", to_json(summary.judgement.held_out->difference)}};
+        {"best_minus_default", estimate_json(summary.judgement.held_out->difference)}};
   }
   json["compared"] = compared_json(summary);
   json["sensitivity"] = Json::array();

@@ -30,9 +30,9 @@ double value_of(const Statistic& statistic) {
 }
 
 // The described object's values at the goal's columns; NaN over no pixels, and for a column that it does not describe.
-class Reader {
+class GoalReader {
  public:
-  Reader(Statistics statistics, const TuneGoal& goal) : statistics_(std::move(statistics)) {
+  GoalReader(Statistics statistics, const TuneGoal& goal) : statistics_(std::move(statistics)) {
     for (const Statistic& each : statistics_) {
       if (each.name == pixels_statistic) pixels_ = &each;
     }
@@ -164,7 +164,7 @@ bool is_of_causes(const std::string& name) {
 }
 
 // Image metrics are computed from the images; all else must be described.
-void require_columns(const Reader& reader, const TuneCase& tuned, const TuneGoal& goal) {
+void require_columns(const GoalReader& reader, const TuneCase& tuned, const TuneGoal& goal) {
   for (std::size_t c = 0; c < goal.columns.size(); ++c) {
     const std::string& name = goal.columns[c].name;
     if (reader.has(c) || name == pass_time_statistic || find_metric(name, tuned.quantity)) continue;
@@ -182,7 +182,7 @@ void require_columns(const Reader& reader, const TuneCase& tuned, const TuneGoal
 CaseValues values_of(Drawn& drawn, const TuneCase& tuned, const TuneGoal& goal,
                      const std::function<bool(std::size_t)>& is_left_out) {
   CellStatistics statistics = drawn.analyze(is_left_out);
-  const Reader reader(describe(statistics), goal);
+  const GoalReader reader(describe(statistics), goal);
   require_columns(reader, tuned, goal);
   CaseValues values = reader.read();
   std::vector<std::size_t> places;
@@ -213,7 +213,7 @@ void set_time(CaseValues& values, const TuneGoal& goal, double time) {
 
 void require_statistics(const TuneCase& tuned, const TuneGoal& goal) {
   CellStatistics statistics = choose_statistics(*tuned.stages, tuned.experiment, {}, tuned.quantity);
-  require_columns(Reader(describe(statistics), goal), tuned, goal);
+  require_columns(GoalReader(describe(statistics), goal), tuned, goal);
 }
 
 void prepare(const TuneCase& tuned) {
@@ -238,7 +238,7 @@ CaseValues measure_case(const TuneCase& tuned, const Experiment& experiment, con
 bool has_exact_bias(const TuneCase& tuned, const std::vector<TuneAxis>& axes, const TuneGoal& goal) {
   if (tuned.quantity != SweptQuantity::visibility) return false;
   VisibilityStatistics statistics;
-  const Reader reader(describe(statistics), goal);
+  const GoalReader reader(describe(statistics), goal);
   for (std::size_t c = 0; c < goal.columns.size(); ++c) {
     if (!reader.has(c)) return false;
   }
@@ -253,7 +253,7 @@ std::vector<CaseValues> measure_biases_of(const TuneCase& tuned, const Experimen
   const double slope = to_number(require(describe(described), slope_bias_key).value());
   const auto measured = measure_biases(*tuned.stages, experiment, tuned.light, constants, {slope});
   VisibilityStatistics statistics;
-  const Reader reader(describe(statistics), goal);
+  const GoalReader reader(describe(statistics), goal);
   std::vector<CaseValues> values;
   for (const VisibilityStatistics& each : measured.front()) {
     statistics = each;
@@ -267,7 +267,7 @@ std::vector<CaseValues> measure_without_blocks(const TuneCase& tuned, const Expe
   std::vector<CaseValues> blocks;
   if (tuned.quantity == SweptQuantity::image) {
     ImageStatistics statistics;
-    const Reader reader(describe(statistics), goal);
+    const GoalReader reader(describe(statistics), goal);
     for (std::size_t c = 0; c < goal.columns.size(); ++c) {
       if (reader.has(c)) return blocks;
     }

@@ -7,16 +7,13 @@
 #include <utility>
 
 #include "core/error.h"
+#include "experiments/value_json.h"
 #include "reports/files/output.h"
 
 namespace umbrameter {
 namespace {
 
-using Json = nlohmann::json;
-
-Json to_json(const Value& value) {
-  return std::visit([](const auto& v) { return Json(v); }, value);
-}
+using Json = nlohmann::ordered_json;
 
 Value to_value(const Json& json) {
   if (json.is_boolean()) return json.get<bool>();

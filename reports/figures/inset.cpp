@@ -16,7 +16,7 @@ constexpr int max_enlargement = 4;
 // Bluish green and orange (Okabe and Ito 2008), black and wine (Tol 2021): none is the colour of a cause, of an end of
 // the error scale or of a grey; CIE L* 58, 72, 0 and 26.
 constexpr std::array<const char*, 4> colors = {"#009e73", "#e69f00", "#000000", "#882255"};
-constexpr std::array<const char*, 4> dashes = {"none", "6 3", "2 2", "8 3 2 3"};  // in widths of the line
+constexpr std::array<const char*, 4> outline_dashes = {"none", "6 3", "2 2", "8 3 2 3"};  // in widths of the line
 
 // Pixels of the drawing for one of the region's, where the image itself has `scale`.
 int scale_of(const Inset& inset, std::size_t count, ivec2 image, int scale, int gap, bool is_below) {
@@ -50,7 +50,7 @@ std::string connection(ivec2 from, ivec2 to, const char* color, double width, co
 }
 
 std::string dash_of(std::size_t index, double stroke) {
-  std::string_view pattern = dashes[index % dashes.size()];
+  std::string_view pattern = outline_dashes[index % outline_dashes.size()];
   if (pattern == "none") return "";
   std::string lengths;
   for (const char c : pattern) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double pixels_per_inch = 96.0;  // of CSS
 constexpr double points_per_inch = 72.0;
-constexpr double max_side = 32767.0;  // of an image of cairo's
+constexpr double max_image_side = 32767.0;  // of an image of cairo's
 
 template <class T>
 using Owned = std::unique_ptr<T, void (*)(T*)>;
@@ -31,8 +31,8 @@ using Owned = std::unique_ptr<T, void (*)(T*)>;
 }
 
 void require_drawable(double width, double height) {
-  if (width <= max_side && height <= max_side) return;
-  refuse(fmt::format("{:.0f}×{:.0f} pixels are more than {:.0f} along a side", width, height, max_side));
+  if (width <= max_image_side && height <= max_image_side) return;
+  refuse(fmt::format("{:.0f}×{:.0f} pixels are more than {:.0f} along a side", width, height, max_image_side));
 }
 
 void require_success(cairo_status_t status) {

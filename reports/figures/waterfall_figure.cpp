@@ -11,8 +11,8 @@ namespace umbrameter {
 namespace {
 
 constexpr int screen_step_width = 74;
-constexpr double bar_share = 0.6;  // of the width of a step
-constexpr int hatch_period = 6;    // [units]
+constexpr double bar_share = 0.6;    // of the width of a step
+constexpr int bar_hatch_period = 6;  // [units]
 // CIE L* 46, 72 and 36; besides, the bars differ in hatching, and the label of a step has its sign.
 constexpr glm::u8vec3 below_color{0, 114, 178};
 constexpr glm::u8vec3 above_color{230, 159, 0};
@@ -114,9 +114,9 @@ std::string to_plot_specification(const WaterfallFigure& figure, const FigureSty
   spec["description"] = figure.title;
   add_title(spec, style, figure.title, figure.conditions);
   spec["width"] = step_width * steps;
-  spec["usermeta"]["patterns"] = hatch_pattern("below", Hatch::falling, below_color, hatch_period) +
-                                 hatch_pattern("above", Hatch::rising, above_color, hatch_period) +
-                                 hatch_pattern("sum", Hatch::none, sum_color, hatch_period);
+  spec["usermeta"]["patterns"] = hatch_pattern("below", Hatch::falling, below_color, bar_hatch_period) +
+                                 hatch_pattern("above", Hatch::rising, above_color, bar_hatch_period) +
+                                 hatch_pattern("sum", Hatch::none, sum_color, bar_hatch_period);
   add_print_size(spec, style);
   spec["height"] = plot_height;
   spec["data"]["values"] = rows;

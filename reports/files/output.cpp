@@ -109,6 +109,11 @@ void throw_write_error(const fs::path& path, int error) {
               is_out_of_space(error) ? "free some space or choose another folder" : "check the folder");
 }
 
+bool is_there(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::exists(std::filesystem::symlink_status(path, error));
+}
+
 void prepare_output_folder(const fs::path& folder) {
   const auto refuse = [&](int error) {
     if (is_out_of_space(error)) throw_write_error(folder, error);

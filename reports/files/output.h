@@ -11,6 +11,9 @@ namespace umbrameter {
 /// Creates the folder and proves that a file can be written there. Throws Error (usage) naming it and why not.
 void prepare_output_folder(const std::filesystem::path& folder);
 
+/// Whether anything has this path, a link that leads nowhere included.
+bool is_there(const std::filesystem::path& path);
+
 /// Calls write(temporary path), then renames onto path. The temporary is removed when write throws.
 /// A failed write or rename is an Error (partial) naming path and the system's reason ("No space left on device").
 void write_whole(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);

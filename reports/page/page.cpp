@@ -40,7 +40,7 @@ bool is_number(const Value& value) {
 }
 
 // Whether a column is set flush right: it has a number and nothing else but cells without a value.
-bool is_numeric(const Table& table, std::size_t column) {
+bool is_set_right(const Table& table, std::size_t column) {
   bool any = false;
   for (const std::vector<Value>& row : table.rows) {
     if (column >= row.size()) continue;
@@ -60,7 +60,7 @@ Json table_data(const Table& table, const std::string& caption, const std::vecto
   Json columns = Json::array();
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const auto& [name, unit, meaning] = table.columns[c];
-    columns.push_back({{"name", name}, {"unit", unit}, {"meaning", meaning}, {"numeric", is_numeric(table, c)}});
+    columns.push_back({{"name", name}, {"unit", unit}, {"meaning", meaning}, {"numeric", is_set_right(table, c)}});
     if (std::find(below.begin(), below.end(), name) != below.end()) columns.back()["below"] = true;
   }
   Json rows = Json::array();

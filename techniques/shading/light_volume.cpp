@@ -13,7 +13,7 @@ namespace {
 // An icosahedron divided twice has 320 triangles. Its vertices lie 1.8 % outside the enclosed sphere.
 constexpr int sphere_divisions = 2;
 constexpr int cone_sides = 24;
-constexpr double max_cone_angle = pi / 3;
+constexpr double max_cone_mesh_angle = pi / 3;
 
 struct Shape {
   std::vector<dvec3> positions;
@@ -102,7 +102,7 @@ std::optional<LightVolume> light_volume(const Light& light) {
   const auto* point = std::get_if<PointLight>(&light.shape);
   const double range = spot != nullptr ? spot->range : point != nullptr ? point->range : 0.0;
   if (!(range > 0.0)) return std::nullopt;
-  const bool is_cone = spot != nullptr && spot->outer_cone_angle <= max_cone_angle;
+  const bool is_cone = spot != nullptr && spot->outer_cone_angle <= max_cone_mesh_angle;
   const Shape shape = is_cone ? enclosing_cone(spot->outer_cone_angle) : enclosing_sphere();
   LightVolume volume;
   dvec3 inside(0.0);

@@ -11,7 +11,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::array<std::string_view, 3> format_names{"32f", "24", "16"};
+constexpr std::array<std::string_view, 3> depth_format_names{"32f", "24", "16"};
 constexpr std::array<std::string_view, 3> encoding_names{"linear", "perspective", "reversed"};
 constexpr std::array<std::string_view, 3> face_names{"all", "front", "back"};
 constexpr std::array<std::string_view, 2> point_map_names{"cube", "paraboloid"};
@@ -39,7 +39,7 @@ double step_of_stored(MapDepthFormat format, double stored) {
 
 Parameters describe(MapDepthParams& params) {
   return Description("shadow")
-      .choice("depth-format", params.format, format_names,
+      .choice("depth-format", params.format, depth_format_names,
               {.unit = {}, .meaning = "format of the shadow map: 32-bit float, 24- or 16-bit fixed point"})
       .choice("depth-encoding", params.encoding, encoding_names,
               {.unit = {}, .meaning = "depth that the map stores: linear, of a projection matrix, or that reversed"})

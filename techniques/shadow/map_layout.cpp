@@ -8,7 +8,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr double max_cone_angle = 89.9 * pi / 180.0;
+constexpr double max_map_angle = 89.9 * pi / 180.0;
 
 dmat4 rigid_inverse(const dmat3& rotation, const dvec3& translation) {
   const dmat3 transposed = glm::transpose(rotation);
@@ -60,7 +60,7 @@ MapLayout fit_light(const Light& light, const Bounds& bounds, int resolution) {
   } else {
     const auto* spot = std::get_if<SpotLight>(&light.shape);
     layout.kind = spot != nullptr ? MapKind::perspective : MapKind::cube;
-    const double tangent = spot != nullptr ? std::tan(std::clamp(spot->outer_cone_angle, 1e-6, max_cone_angle)) : 1.0;
+    const double tangent = spot != nullptr ? std::tan(std::clamp(spot->outer_cone_angle, 1e-6, max_map_angle)) : 1.0;
     layout.views.assign(spot != nullptr ? 1 : 6, {dvec2(0.0), tangent});
     layout.light_from_world = rigid_inverse(axes_of(light), light.position());
     const double room = rounding_room(fitted);

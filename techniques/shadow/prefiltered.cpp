@@ -11,7 +11,7 @@ namespace umbrameter {
 namespace {
 
 constexpr std::array<std::string_view, 2> kernel_names{"box", "gaussian"};
-constexpr std::array<std::string_view, 3> format_names{"32f", "16f", "unorm16"};
+constexpr std::array<std::string_view, 3> moment_format_names{"32f", "16f", "unorm16"};
 constexpr std::array<std::string_view, 2> bound_names{"hamburger", "hausdorff"};
 
 // The square of the exponential is stored: exp(2c) ≤ 65504, the largest half float.
@@ -62,7 +62,7 @@ Parameters describe(MomentMapParams& params) {
               .min = 1,
               .max = 63,
               .odd = true})
-      .choice("moment-format", params.format, format_names,
+      .choice("moment-format", params.format, moment_format_names,
               {.unit = {}, .meaning = "filtered maps except ESM: format; unorm16 is not for EVSM"})
       .field("evsm-positive-exponent", params.positive_exponent,
              // The square of the exponential of the largest is still a 32-bit float, summed over the largest blur.
