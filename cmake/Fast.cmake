@@ -2,11 +2,9 @@
 # than half the time. UMBRAMETER_FAST_BUILD=OFF compiles each source alone, which proves that it includes what it needs.
 option(UMBRAMETER_FAST_BUILD "Compile sources in groups" ON)
 
-# Names in anonymous namespaces must differ within a target. A local name may be that of a constant in another source, and
-# a class in a source may have members of the source's own types: what warns of that is for sources compiled alone.
+# Names in anonymous namespaces must differ within a target.
 function(umbrameter_fast target sources_of_a_group)
   if(UMBRAMETER_FAST_BUILD)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${sources_of_a_group})
-    target_compile_options(${target} PRIVATE -Wno-shadow -Wno-subobject-linkage)
   endif()
 endfunction()
