@@ -112,9 +112,9 @@ Table slopes_table(const BiasCurves& curves) {
   return table;
 }
 
-Value value_of(const std::optional<Fitted>& fitted) { return fitted ? Value(fitted->value) : nothing; }
+Value value_of(const std::optional<Fitted>& fitted) { return fitted ? Value(rounded(*fitted).value) : nothing; }
 Value error_of(const std::optional<Fitted>& fitted) {
-  return fitted && fitted->standard_error ? Value(*fitted->standard_error) : nothing;
+  return fitted && fitted->standard_error ? Value(*rounded(*fitted).standard_error) : nothing;
 }
 
 Table laws_table(const BiasCurves& curves) {

@@ -90,6 +90,24 @@ TEST_F(ShadowReferenceGl, Edges_are_those_of_the_hard_shadow_at_any_number_of_ra
   }
 }
 
+TEST_F(ShadowReferenceGl, The_hard_shadow_of_an_area_light_is_traced_once_and_for_edges_alone) {
+  experiment_.light.angle = 4.0;
+  const auto rays_for = [&](const auto& work) {
+    const std::uint64_t before = stages_->costs().shadow.rays;
+    work();
+    return stages_->costs().shadow.rays - before;
+  };
+  for (const int spp : {16, 32}) {
+    experiment_.truth.spp = spp;
+    std::optional<ShadowMeasurement> shadow;
+    const std::uint64_t sampled = rays_for([&] { shadow = measure_shadow(*stages_, experiment_, 0, {}); });
+    EXPECT_EQ(sampled, stages_->truth(experiment_, 0).statistics.rays) << "statistics need no edges";
+    const std::uint64_t hard = rays_for([&] { measure_shape(*stages_, *shadow); });
+    EXPECT_EQ(hard > 0, spp == 16) << "it does not depend on the number of rays";
+    EXPECT_LE(hard, std::uint64_t{96 * 54}) << "one ray a pixel";
+  }
+}
+
 TEST_F(ShadowReferenceGl, Is_an_axis_of_a_sweep_of_shadows) {
   const Table table = sweep_table(*stages_, experiment_, {"truth.shadow=point,pixel"});
   ASSERT_EQ(table.rows.size(), 2u);
