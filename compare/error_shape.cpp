@@ -113,7 +113,8 @@ void spread_over(const std::vector<WrongPixel>& wrong, std::size_t unit, std::ve
 template <class WeightsAt>
 ErrorShape measure_distances(const ShapeInput& input, std::size_t part_count, double unit_weight,
                              const WeightsAt& weights_at) {
-  const ShadowEdges edges = find_shadow_edges(input.truth, input.gbuffer, input.counted);
+  const Image<float>& hard = input.hard_truth != nullptr ? *input.hard_truth : input.truth;
+  const ShadowEdges edges = find_shadow_edges(hard, input.gbuffer, input.counted);
   const NearestEdges nearest = nearest_edges(edges);
   std::vector<EdgeDistances> parts(part_count + 1);
   std::vector<WrongPixel> wrong;

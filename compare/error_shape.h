@@ -1,4 +1,4 @@
-// The shape of a light's shadow error: its distance from the reference's edges, and its connected regions. This
+// The shape of a light's shadow error: its distance from the shadow edges, and its connected regions. This
 // distinguishes jagged edges from areas of acne, which a mean does not.
 #pragma once
 
@@ -26,7 +26,7 @@ inline constexpr std::array<double, 10> edge_reaches = {0.25, 0.5, 1.0, 2.0, 4.0
 inline constexpr std::size_t one_texel = 2;   ///< index of 1 texel in edge_reaches
 inline constexpr std::size_t two_texels = 3;  ///< index of 2 texels in edge_reaches
 
-/// How far a part of the error lies from the reference's edges.
+/// How far a part of the error lies from the shadow edges.
 struct EdgeDistances {
   double weight = 0.0;  ///< of the part, pixels
   // All three distances are empty if there is no error or no edge.
@@ -42,7 +42,7 @@ struct EdgeDistances {
 inline constexpr std::array<std::string_view, 2> soft_part_names = {"too_dark", "too_bright"};
 
 struct ErrorShape {
-  std::uint64_t edges = 0;  ///< pairs of neighbouring pixels of which only one is lit in the reference
+  std::uint64_t edges = 0;  ///< pairs of neighbouring pixels of which only one is lit in the hard shadow
   EdgeDistances all;
   std::vector<EdgeDistances> parts;  ///< in the order of the part names
   /// Components of all wrong pixels, and of each class. Only for a hard shadow, whose pixels are either right or wrong.
@@ -55,18 +55,21 @@ struct ErrorShape {
 /// Input of analyze_error_shape(); all images have the same size.
 struct ShapeInput {
   const GBuffer& gbuffer;
-  const Image<float>& truth;  ///< 1 lit, 0 blocked; values ≥ ½ are lit
+  const Image<float>& truth;  ///< 1 lit, 0 blocked; in between if it is sampled
   const CountedPixels& counted;
   const Light& light;
   const MapLayout& layout;
   /// Unbiased estimate of the variance of `truth`; null or empty if it is exact.
   const Image<float>* truth_variance = nullptr;
+  /// The hard shadow, 1 or 0, whose edges are the shadow edges; null if `truth` is that. Edges of a sampled truth would
+  /// depend on the number of rays.
+  const Image<float>* hard_truth = nullptr;
 };
 
 /// The shape by cause of the wrong taps. Distances are to the edge that is nearest in the image.
 ErrorShape analyze_error_shape(const ShapeInput& input, const WrongTaps& wrong);
 
-/// The shape by sign of raster − truth, for a fractional reference, whose edge is where it crosses ½.
+/// The shape by sign of raster − truth, for a technique without taps or a fractional reference.
 ErrorShape analyze_error_shape(const ShapeInput& input, const Image<float>& raster);
 
 }  // namespace umbrameter

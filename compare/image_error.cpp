@@ -95,8 +95,8 @@ Statistics describe(ImageStatistics& s) {
              {"RMS error of the image", "RMS error [% of white], 95 % interval"})
       .field("mean_error", s.error.mean_error, "1", "mean of technique − reference")
       .field("mae_off_edges", s.mae_off_edges, "1",
-             "mean absolute error of the pixels farther than 3 px from every shadow edge of the reference")
-      .share("near_edges", s.near_edges, "share of the pixels within 3 px of a shadow edge")
+             "mean absolute error of the pixels farther than 3 px from every edge of a hard shadow")
+      .share("near_edges", s.near_edges, "share of the pixels within 3 px of an edge of a light's hard shadow")
       .field("shadows", s.parts[0], "1", "error that goes when the reference's visibility replaces the technique's",
              {"Error from shadows", "mean absolute error from shadows [% of white]"})
       .field("ao", s.parts[1], "1", "error that goes when the reference's ambient occlusion replaces the technique's",

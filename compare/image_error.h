@@ -21,7 +21,7 @@ inline constexpr std::array<std::string_view, image_cause_count> image_cause_nam
 /// Statistics of linear luminance × exposure over the pixels that see a surface.
 struct ImageStatistics {
   SampledError error;
-  double near_edges = 0.0;     ///< share of the pixels within edge_reach_px of a shadow edge of the reference
+  double near_edges = 0.0;     ///< share of the pixels within edge_reach_px of an edge of a hard shadow
   double mae_off_edges = 0.0;  ///< mean absolute error of the others
   /// By how much the mean absolute error falls if this input is replaced by the reference's. Parts can overlap or
   /// cancel, so they need not add up. A negative part hides the error of another input.
@@ -44,7 +44,7 @@ struct ImageErrorInput {
   const Image<float>& raster;
   SampledImage truth;
   std::array<const Image<float>*, image_cause_count> replaced;  ///< for each cause: `raster` without it
-  const Image<float>& edge_distance;  ///< px, to the nearest shadow edge of any light; infinite without one
+  const Image<float>& edge_distance;  ///< px, to the nearest edge of any light's hard shadow; infinite without one
   const GBuffer& gbuffer;
 };
 

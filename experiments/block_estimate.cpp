@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 
 #include "compare/soft_visibility.h"
 #include "compare/visibility.h"
@@ -24,7 +26,8 @@ struct StoredImages {
   const Image<float>* standard_error = nullptr;  // its root
   const Image<float>* classes = nullptr;
   const Image<float>* counted = nullptr;
-  const Image<float>* position = nullptr;  // NaN on background
+  const Image<float>* position = nullptr;                 // NaN on background
+  std::array<const Image<float>*, cause_count> causes{};  // of a filter with several taps
 };
 
 StoredImages images_of(const StoredRun& run, const MeasuredStatistic& statistic) {
@@ -41,6 +44,7 @@ StoredImages images_of(const StoredRun& run, const MeasuredStatistic& statistic)
     images.variance = find("truth_visibility_variance_" + light);
     images.classes = find("class_" + light);
     images.counted = find("counted_" + light);
+    for (std::size_t c = 0; c < cause_count; ++c) images.causes[c] = find(std::string(cause_names[c]) + "_" + light);
   } else if (statistic.kind == "ao") {
     images.error = find("error_ao");
     images.truth = find("truth_ao");
@@ -66,7 +70,7 @@ struct PixelValues {
   double truth = 0.0;
   double raster = 0.0;
   double variance = 0.0;
-  PixelClass cause = PixelClass::correct;
+  std::array<double, cause_count> causes{};  // parts of the absolute error
 };
 
 PixelValues values_at(const StoredImages& images, std::size_t i) {
@@ -74,9 +78,14 @@ PixelValues values_at(const StoredImages& images, std::size_t i) {
     return image != nullptr ? static_cast<double>((*image)[i]) : 0.0;
   };
   const double standard_error = value(images.standard_error);
-  return {value(images.error), value(images.truth), value(images.raster),
-          value(images.variance) + standard_error * standard_error,
-          images.classes != nullptr ? static_cast<PixelClass>(std::lround((*images.classes)[i])) : PixelClass::correct};
+  PixelValues values{value(images.error), value(images.truth), value(images.raster),
+                     value(images.variance) + standard_error * standard_error};
+  const long main_cause = std::lround(value(images.classes)) - static_cast<long>(PixelClass::acne);
+  for (std::size_t c = 0; c < cause_count; ++c) {
+    const double of_one_tap = static_cast<long>(c) == main_cause ? std::abs(values.error) : 0.0;
+    values.causes[c] = images.causes[c] != nullptr ? value(images.causes[c]) : of_one_tap;
+  }
+  return values;
 }
 
 double one(const PixelValues&) { return 1.0; }
@@ -88,9 +97,9 @@ struct PixelMean {
   double (*weight)(const PixelValues&) = one;
 };
 
-template <PixelClass cause>
+template <Cause cause>
 double error_of_cause(const PixelValues& p) {
-  return p.cause == cause ? std::abs(p.error) : 0.0;
+  return p.causes[static_cast<std::size_t>(cause)];
 }
 
 PixelMean mean_of(const std::string& name) {
@@ -114,10 +123,10 @@ PixelMean mean_of(const std::string& name) {
       {"too_bright", {too_bright}},
       {"false_blocked", {too_dark}},
       {"false_lit", {too_bright}},
-      {"acne", {error_of_cause<PixelClass::acne>}},
-      {"false_occlusion", {error_of_cause<PixelClass::false_occlusion>}},
-      {"peter_panning", {error_of_cause<PixelClass::peter_panning>}},
-      {"leak", {error_of_cause<PixelClass::light_leak>}}};
+      {"acne", {error_of_cause<Cause::acne>}},
+      {"false_occlusion", {error_of_cause<Cause::false_occlusion>}},
+      {"peter_panning", {error_of_cause<Cause::peter_panning>}},
+      {"leak", {error_of_cause<Cause::light_leak>}}};
   for (const auto& [known, mean] : means) {
     if (name == known) return mean;
   }
@@ -184,8 +193,8 @@ bool gives(const BlockSums& sums, double reported) {
   return sums.all.weight > 0.0 && std::abs(sums.value() - reported) <= 1e-6 + 1e-4 * std::abs(reported);
 }
 
-// The sums of a statistic, if the run's images give its value. Weighted causes of a filter, or pixels that images do
-// not tell to be counted, give another one.
+// The sums of a statistic, if the run's images give its value. Runs of earlier versions do not hold the causes of each
+// tap, or the counted pixels.
 std::optional<BlockSums> sums_of(const StoredRun& run, const MeasuredStatistic& statistic) {
   const PixelMean mean = mean_of(statistic.name);
   const StoredImages images = images_of(run, statistic);

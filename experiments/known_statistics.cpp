@@ -18,11 +18,23 @@ std::string_view kind_of(SweptQuantity quantity) {
   return quantity == SweptQuantity::ao ? kinds[1] : quantity == SweptQuantity::image ? kinds[2] : kinds[0];
 }
 
+// Shadows are described in several ways: too dark is a sum of causes for a hard one and an error for a soft one.
 void add(std::vector<KnownStatistic>& all, KnownStatistic statistic) {
-  const bool is_known = std::any_of(all.begin(), all.end(), [&](const KnownStatistic& each) {
+  const auto known = std::find_if(all.begin(), all.end(), [&](const KnownStatistic& each) {
     return each.kind == statistic.kind && each.name == statistic.name;
   });
-  if (!is_known) all.push_back(std::move(statistic));
+  if (known == all.end()) {
+    all.push_back(std::move(statistic));
+  } else if (statistic.is_error && !known->is_error) {
+    known->is_error = true;
+    known->title = std::move(statistic.title);
+  }
+}
+
+// That of its figure, or how its meaning begins.
+std::string title_of(const Statistic& statistic) {
+  if (!statistic.curve.title.empty()) return statistic.curve.title;
+  return statistic.meaning.substr(0, statistic.meaning.find_first_of(":;,"));
 }
 
 void add_described(std::vector<KnownStatistic>& all, CellStatistics statistics) {
@@ -36,7 +48,7 @@ void add_described(std::vector<KnownStatistic>& all, CellStatistics statistics) 
               false,
               each.is_share,
               {},
-              each.curve.title});
+              title_of(each)});
   }
 }
 

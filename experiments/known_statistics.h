@@ -16,7 +16,7 @@ struct KnownStatistic {
   bool is_higher_better = false;  ///< an image metric such as PSNR
   bool is_share = false;          ///< Statistic::is_share
   std::string metric{};           ///< the image metric, measured only if run.metrics names it; empty if described
-  std::string title{};            ///< of errors, in words: "Mean absolute error of visibility"
+  std::string title{};            ///< in words: "Mean absolute error of visibility", "share lit in the reference"
 };
 
 /// All described statistics, then the image metrics. A name occurs once for each kind that has it.

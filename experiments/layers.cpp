@@ -29,6 +29,15 @@ void add_shadow(LayeredImage& image, const std::string& light, const ShadowMeasu
   Image<float> numbers(classes.width, classes.height);
   for (std::size_t i = 0; i < classes.size(); ++i) numbers[i] = static_cast<float>(classes[i]);
   add_layer(image, "class_" + light, numbers);
+  const WrongTaps& wrong = shadow.raster->wrong;
+  if (wrong.weight_sum == 1) return;
+  for (std::size_t c = 0; c < cause_count; ++c) {
+    Image<float> share(classes.width, classes.height);
+    for (std::size_t i = 0; i < share.size(); ++i) {
+      share[i] = static_cast<float>(wrong.weights[i][static_cast<int>(c)]) / static_cast<float>(wrong.weight_sum);
+    }
+    add_layer(image, std::string(cause_names[c]) + "_" + light, share);
+  }
 }
 
 void add_ao(LayeredImage& image, const AoMeasurement& ao) {

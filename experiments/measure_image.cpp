@@ -61,6 +61,7 @@ class Images {
     Image<float> exact = stages_.draw(experiment_, index, false).visibility;
     Image<float> drawn = shading_.is_exact ? exact : stages_.draw_visibility_of(shading_.gpu, experiment_, index);
     if (sides_.truth) {
+      add_edges(index);
       add_light(same_inputs_, shading_.gbuffer, view_, light, drawn, experiment_.shading);
       add_light(with_true_shadows_, shading_.gbuffer, view_, light, stages_.truth(experiment_, index).visibility,
                 experiment_.shading);
@@ -130,15 +131,18 @@ class Images {
   void add_truth(std::uint32_t index, const Light& light) {
     const TracedVisibility& truth = stages_.truth(experiment_, index);
     add_light(truth_, exact_, view_, light, truth.visibility, experiment_.shading);
-    const CountedPixels& counted = stages_.counted(experiment_, index);
-    const NearestEdges edges = nearest_edges(find_shadow_edges(truth.visibility, exact_, counted));
-    for (std::size_t i = 0; i < edge_distance_.size(); ++i) {
-      edge_distance_[i] = std::min(edge_distance_[i], edges.distance[i]);
-    }
     if (truth.variance.empty()) return;
     Image<vec3> unshadowed = blank();
     add_light(unshadowed, exact_, view_, light, Image<float>(exact_.width, exact_.height, 1.0f), experiment_.shading);
     add_noise(unshadowed, truth.variance, truth.samples, truth.degrees_of_freedom);
+  }
+
+  void add_edges(std::uint32_t index) {
+    const Image<float>& hard = stages_.hard_truth(experiment_, index).visibility;
+    const NearestEdges edges = nearest_edges(find_shadow_edges(hard, exact_, stages_.counted(experiment_, index)));
+    for (std::size_t i = 0; i < edge_distance_.size(); ++i) {
+      edge_distance_[i] = std::min(edge_distance_[i], edges.distance[i]);
+    }
   }
 
   void add_ao_noise(const TracedAo& ao) {

@@ -19,7 +19,7 @@ enum class Stage {
   map,               ///< the shadow map
   filtered_map,      ///< the technique's filtered map, if it has one
   visibility,        ///< the technique's visibility
-  binary_reference,  ///< shadow rays to a light without extent
+  binary_reference,  ///< shadow rays to a light without extent, or to the centre of one with extent
   area_reference,    ///< shadow rays to an area light
   pixel_reference,   ///< shadow rays from all of a pixel
   stored_gbuffer,    ///< the G-buffer of the deferred path

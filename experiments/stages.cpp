@@ -80,7 +80,7 @@ void Stages::check_is_meaningful(const Experiment& experiment, const std::vector
 
 void Stages::keep_cases(std::size_t cases, bool with_maps) {
   const auto keep = [&](auto&... memos) { (memos.keep(cases), ...); };
-  keep(surfels_, gpu_surfels_, layout_, counted_, truth_, gpu_truth_, ao_truth_);
+  keep(surfels_, gpu_surfels_, layout_, counted_, hard_truth_, sampled_truth_, gpu_truth_, ao_truth_);
   if (with_maps) keep(map_, stored_depths_, filtered_map_);
 }
 
@@ -186,27 +186,36 @@ Stage Stages::reference_stage(const Experiment& experiment, std::uint32_t light)
 
 const TracedVisibility& Stages::truth(const Experiment& experiment, std::uint32_t light) {
   const Stage stage = reference_stage(experiment, light);
-  return truth_.get(key(stage, experiment, light), [&] {
-    const Light lamp = this->light(experiment, light);
-    ReferenceKey key = reference_key(experiment, stage, "visibility");
-    key.light = light_content(lamp);
-    const Surfels& seen = surfels(experiment);
-    const bool is_over_pixel = stage == Stage::pixel_reference;
-    if (is_over_pixel) key.surfels += camera_content(seen.view.camera);
-    const std::function<TracedVisibility()> trace = [&] {
-      const Tracer& rays = tracer();
-      ProgressBar progress = tracing_bar("shadow rays", [&] { return rays.rays_traced(); });
-      const TruthSampling sampling{experiment.truth, static_cast<std::uint32_t>(experiment.run.seed)};
-      if (is_over_pixel) {
-        return trace_pixel_visibility(rays, seen.gbuffer, seen.view, lamp, sampling, progress.callback());
-      }
-      return trace_visibility(rays, seen.gbuffer, lamp, sampling, progress.callback());
-    };
-    TracedVisibility traced = cache_.get(key, {scene_title(experiment), "visibility of " + title(light)}, trace);
-    add(costs_.shadow, traced.statistics);
-    costs_.largest_offset = std::max(costs_.largest_offset, traced.statistics.largest_offset);
-    return traced;
-  });
+  if (stage == Stage::binary_reference) return hard_truth(experiment, light);
+  return sampled_truth_.get(key(stage, experiment, light), [&] { return trace(experiment, stage, light); });
+}
+
+const TracedVisibility& Stages::hard_truth(const Experiment& experiment, std::uint32_t light) {
+  constexpr Stage stage = Stage::binary_reference;
+  return hard_truth_.get(key(stage, experiment, light), [&] { return trace(experiment, stage, light); });
+}
+
+TracedVisibility Stages::trace(const Experiment& experiment, Stage reference, std::uint32_t light) {
+  Light lamp = this->light(experiment, light);
+  if (reference == Stage::binary_reference) lamp.emitter = std::monostate{};
+  ReferenceKey key = reference_key(experiment, reference, "visibility");
+  key.light = light_content(lamp);
+  const Surfels& seen = surfels(experiment);
+  const bool is_over_pixel = reference == Stage::pixel_reference;
+  if (is_over_pixel) key.surfels += camera_content(seen.view.camera);
+  const std::function<TracedVisibility()> trace = [&] {
+    const Tracer& rays = tracer();
+    ProgressBar progress = tracing_bar("shadow rays", [&] { return rays.rays_traced(); });
+    const TruthSampling sampling{experiment.truth, static_cast<std::uint32_t>(experiment.run.seed)};
+    if (is_over_pixel) {
+      return trace_pixel_visibility(rays, seen.gbuffer, seen.view, lamp, sampling, progress.callback());
+    }
+    return trace_visibility(rays, seen.gbuffer, lamp, sampling, progress.callback());
+  };
+  TracedVisibility traced = cache_.get(key, {scene_title(experiment), "visibility of " + title(light)}, trace);
+  add(costs_.shadow, traced.statistics);
+  costs_.largest_offset = std::max(costs_.largest_offset, traced.statistics.largest_offset);
+  return traced;
 }
 
 Experiment Stages::in_metres(const Experiment& experiment) const {

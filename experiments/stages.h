@@ -165,6 +165,9 @@ class Stages {
   }
 
   const TracedVisibility& truth(const Experiment& experiment, std::uint32_t light);
+  /// The hard shadow: from each pixel's centre to the light's centre. It is truth() where that is not sampled. Its
+  /// edges are the shadow edges of the statistics; those of a sampled reference would depend on the number of rays.
+  const TracedVisibility& hard_truth(const Experiment& experiment, std::uint32_t light);
   const TracedAo& ao_truth(const Experiment& experiment);
   /// Starts tracing on another thread; ao_truth() for the same experiment waits for the result. The view must not
   /// change before that.
@@ -225,6 +228,7 @@ class Stages {
   ReferenceKey reference_key(const Experiment& experiment, Stage stage, const std::string& kind);
   std::string key(Stage stage, const Experiment& experiment, std::uint32_t light) const;
   Stage reference_stage(const Experiment& experiment, std::uint32_t light) const;
+  TracedVisibility trace(const Experiment& experiment, Stage reference, std::uint32_t light);
 
   Scene scene_;
   StageOptions options_;
@@ -248,7 +252,8 @@ class Stages {
   Memo<StoredDepths> stored_depths_;
   Memo<FilteredMap> filtered_map_;
   Memo<Image<float>> ao_;
-  Memo<TracedVisibility> truth_;
+  Memo<TracedVisibility> hard_truth_;
+  Memo<TracedVisibility> sampled_truth_;
   Memo<gl::Texture> gpu_truth_;
   Memo<TracedAo> ao_truth_;
   Memo<std::string> tracer_identity_;

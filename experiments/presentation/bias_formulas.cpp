@@ -66,7 +66,7 @@ void add_fit_warnings(CurveFormula& of, const BiasFormula& formula) {
     const bool is_constant = t == static_cast<std::size_t>(FormulaTerm::constant);
     if (is_constant || !(std::abs(fitted->value) < min_significance * *fitted->standard_error)) continue;
     of.warnings.push_back(fmt::format("the factor of {}, {:.2g} with a standard error of {:.2g}, may be 0",
-                                      term_symbols[t], fitted->value, *fitted->standard_error));
+                                      term_symbols[t], rounded(*fitted).value, *fitted->standard_error));
   }
   if (formula.independent < formula.points) {
     of.warnings.push_back(
@@ -119,12 +119,13 @@ void add_warnings(const BiasCurves& curves, CurveFormula& of, const std::vector<
   add_fit_warnings(of, *of.formula);
 }
 
+int power_of(double number) { return static_cast<int>(std::floor(std::log10(std::abs(number)))); }
+
 // As many significant digits as leave two of the standard error.
 int digits_of(const Fitted& fitted) {
   const double error = fitted.standard_error.value_or(0.0);
-  const double size = std::abs(fitted.value);
-  if (!(error > 0.0) || !(size > 0.0)) return 3;
-  return std::clamp(static_cast<int>(std::floor(std::log10(size)) - std::floor(std::log10(error))) + 2, 1, 4);
+  if (!(error > 0.0) || fitted.value == 0.0) return 3;
+  return std::clamp(power_of(fitted.value) - power_of(error) + 2, 1, 4);
 }
 
 std::string factor_text(const Fitted& fitted) {
@@ -174,13 +175,29 @@ void add_formulas(BiasCurves& curves) {
   }
 }
 
+Fitted rounded(const Fitted& fitted) {
+  const double error = fitted.standard_error.value_or(0.0);
+  if (!(error > 0.0) || !std::isfinite(error)) return fitted;
+  const int decimals = 1 - power_of(error);
+  const double scale = std::pow(10.0, std::abs(decimals));  // exact, unlike its reciprocal
+  const auto round = [&](double number) {
+    return decimals < 0 ? std::round(number / scale) * scale : std::round(number * scale) / scale;
+  };
+  return {round(fitted.value), round(error)};
+}
+
+std::optional<Fitted> printed_term(const BiasFormula& formula, FormulaTerm which) {
+  const std::optional<Fitted>& term = formula.term(which);
+  if (!term || rounded(*term).value == 0.0) return std::nullopt;
+  return rounded(*term);
+}
+
 std::string formula_text(const BiasFormula& formula) {
-  const std::optional<Fitted>& slope = formula.term(FormulaTerm::slope);
-  const std::optional<Fitted>& radius = formula.term(FormulaTerm::slope_radius);
-  const std::optional<Fitted>& step = formula.term(FormulaTerm::depth_step);
-  const Fitted& constant = *formula.term(FormulaTerm::constant);
-  const bool is_zero = std::abs(constant.value) < formula_rounding * formula.axis_step;
-  std::string text = "bias ≈ " + (is_zero ? "0" : metres_text(constant.value, digits_of(constant)));
+  const std::optional<Fitted> constant = printed_term(formula, FormulaTerm::constant);
+  const std::optional<Fitted> slope = printed_term(formula, FormulaTerm::slope);
+  const std::optional<Fitted> radius = printed_term(formula, FormulaTerm::slope_radius);
+  const std::optional<Fitted> step = printed_term(formula, FormulaTerm::depth_step);
+  std::string text = "bias ≈ " + (constant ? metres_text(constant->value, digits_of(*constant)) : "0");
   if (slope && radius) {
     text += fmt::format(" + ({}{}{}{}·r)·Δz", slope->value < 0.0 ? "−" : "", factor_text(*slope), sign_of(*radius),
                         factor_text(*radius));

@@ -16,8 +16,13 @@ void add_formulas(BiasCurves& curves);
 /// Share of a step of the bias axis below which a length is the rounding of 0.
 inline constexpr double formula_rounding = 1e-6;
 
-/// "bias ≈ 0.31 mm + (0.502 + 1.003·r)·Δz".
+/// "bias ≈ 0.31 mm + (0.502 + 1.003·r)·Δz", of printed_term().
 std::string formula_text(const BiasFormula& formula);
+
+/// Value and standard error, rounded to two digits of the latter.
+Fitted rounded(const Fitted& fitted);
+/// A term of the formula, rounded(); empty if it is absent or nothing of it is left.
+std::optional<Fitted> printed_term(const BiasFormula& formula, FormulaTerm which);
 
 /// The meaning of the symbols in formula_text().
 inline constexpr const char* formula_symbols =

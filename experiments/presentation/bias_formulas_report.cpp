@@ -86,7 +86,8 @@ Table formulas_table(const BiasCurves& curves) {
       const BiasFormula& formula = *of.formula;
       for (const std::optional<Fitted>& fitted : formula.terms) {
         if (fitted) {
-          row.insert(row.end(), {fitted->value, *fitted->standard_error});
+          const Fitted shown = rounded(*fitted);
+          row.insert(row.end(), {shown.value, *shown.standard_error});
         } else {
           row.insert(row.end(), 2, empty_cell);
         }
@@ -191,12 +192,12 @@ std::string expression(const BiasFormula& formula) {
                                                                    " * radius * depth_per_texel", " * depth_step"};
   std::string text;
   for (std::size_t t = 0; t < formula_term_count; ++t) {
-    const std::optional<Fitted>& fitted = formula.terms[t];
+    const std::optional<Fitted> fitted = printed_term(formula, static_cast<FormulaTerm>(t));
     if (!fitted) continue;
     const double value = text.empty() ? fitted->value : std::abs(fitted->value);
     text += fmt::format("{}{:.6g}{}", text.empty() ? "" : fitted->value < 0.0 ? " - " : " + ", value, lengths[t]);
   }
-  return text;
+  return text.empty() ? "0" : text;
 }
 
 Json formula_json(const BiasCurves& curves, const CurveFormula& of) {

@@ -112,9 +112,9 @@ Table slopes_table(const BiasCurves& curves) {
   return table;
 }
 
-Value value_of(const std::optional<Fitted>& fitted) { return fitted ? Value(fitted->value) : nothing; }
+Value value_of(const std::optional<Fitted>& fitted) { return fitted ? Value(rounded(*fitted).value) : nothing; }
 Value error_of(const std::optional<Fitted>& fitted) {
-  return fitted && fitted->standard_error ? Value(*fitted->standard_error) : nothing;
+  return fitted && fitted->standard_error ? Value(*rounded(*fitted).standard_error) : nothing;
 }
 
 Table laws_table(const BiasCurves& curves) {
@@ -244,8 +244,9 @@ std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const Bi
 }
 
 std::string law_text(const BiasFit& law) {
-  return fmt::format("{} {} {:.3g} texels", metres_text(law.constant.value), law.per_texel.value < 0.0 ? "−" : "+",
-                     std::abs(law.per_texel.value));
+  const double per_texel = rounded(law.per_texel).value;
+  return fmt::format("{} {} {:.3g} texels", metres_text(rounded(law.constant).value), per_texel < 0.0 ? "−" : "+",
+                     std::abs(per_texel));
 }
 
 std::string residual_text(const BiasFit& law) {

@@ -78,7 +78,7 @@ std::string file_stem(const std::vector<StoredRun>& runs, const ComparedStatisti
 std::string title_text(const ComparedStatistic& compared) {
   std::string title = compared.name;
   for (const KnownStatistic& known : known_statistics()) {
-    if (known.kind == compared.kind && known.name == compared.name && !known.title.empty()) title = known.title;
+    if (known.kind == compared.kind && known.name == compared.name) title = known.title;
   }
   for (const std::string_view subject : {" of visibility", " of accessibility", " of the image"}) {
     if (title.ends_with(subject)) title.resize(title.size() - subject.size());
@@ -127,7 +127,7 @@ template <class Text>
 Table rows_of_runs(const std::vector<StoredRun>& runs, const std::vector<const ComparedStatistic*>& errors,
                    std::size_t first_run, const Text& text) {
   Table table{{{"run", "", ""}}, {}};
-  for (const ComparedStatistic* each : errors) table.columns.push_back({each->name, shown_unit(each->unit), ""});
+  for (const ComparedStatistic* each : errors) table.columns.push_back({title_text(*each), shown_unit(each->unit), ""});
   for (std::size_t run = first_run; run < runs.size(); ++run) {
     std::vector<Value> row = {runs[run].name};
     for (const ComparedStatistic* each : errors) {
@@ -162,7 +162,7 @@ std::vector<PartTables> part_tables(const std::vector<StoredRun>& runs,
     for (auto each = first; each != last; ++each) {
       if (each->is_error) errors.push_back(&*each);
       for (const ComparedValue& value : each->values) {
-        part.all.rows.push_back({each->name, shown_unit(each->unit), runs[value.run].name, compared_text(value),
+        part.all.rows.push_back({title_text(*each), shown_unit(each->unit), runs[value.run].name, compared_text(value),
                                  difference_text(value), verdict_text(value)});
       }
     }

@@ -14,6 +14,7 @@ namespace umbrameter {
 struct PartTables {
   std::string stem;   ///< file name of its LaTeX tables: "shadow_sun", the light as in the names of figures
   std::string title;  ///< "Shadow of sun"
+  // The page's tables name statistics in words.
   Table values;  ///< value ± half width of its 95 % interval, which covers pixels and rays, or with a * rays alone
   Table differences;  ///< to the first run; in parentheses where not shown to be significant; no rows for a single run
   Table all;          ///< every statistic of every run, errors or not, with the kind of the test

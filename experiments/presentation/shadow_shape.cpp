@@ -78,8 +78,13 @@ ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
   const Surfels& surfels = stages.surfels(experiment);
   const Light light = stages.light(experiment, shadow.light);
-  const ShapeInput input{surfels.gbuffer, shadow.truth->visibility, shadow.counted, light,
-                         shadow.layout,   &shadow.truth->variance};
+  const ShapeInput input{surfels.gbuffer,
+                         shadow.truth->visibility,
+                         shadow.counted,
+                         light,
+                         shadow.layout,
+                         &shadow.truth->variance,
+                         shadow.is_sampled ? &stages.hard_truth(experiment, shadow.light).visibility : nullptr};
   const VisibilityStatistics* causes = by_cause(shadow);
   if (causes == nullptr) {
     ShadowShape shape{analyze_error_shape(input, shadow.raster->visibility)};

@@ -25,8 +25,7 @@ Table distance_table(const ErrorShape& shape) {
   for (const auto& [unit, where] :
        {std::pair{"texels", "perpendicular to the light"}, {"px", "in the image"}, {"m", "in the world"}}) {
     for (const char* which : {"median", "95 %", "largest"}) {
-      table.columns.push_back(
-          {which, unit, std::string("distance to the nearest shadow edge of the reference, ") + where});
+      table.columns.push_back({which, unit, std::string("distance to the nearest edge of the hard shadow, ") + where});
     }
   }
   table.columns.push_back({"within 1 texel", "%", "share of this error at most one texel from an edge"});
@@ -51,7 +50,9 @@ Table distance_table(const ErrorShape& shape) {
 
 std::string edges_text(const ErrorShape& shape) {
   std::string text = fmt::format(
-      "\n\nThe reference has {} shadow edges: pairs of adjacent pixels on one surface, one lit and one blocked.",
+      "\n\nThe hard shadow of the light's centre has {} edges: pairs of adjacent pixels on one surface, one lit and "
+      "one "
+      "blocked.",
       shape.edges);
   if (shape.outside_penumbra) {
     text += fmt::format(
@@ -132,7 +133,7 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
   figure.stem = "edge_distance_" + layer;
   figure.title = "Distance of errors from shadow edges: " + title;
   figure.caption =
-      "Share of the error within a distance of the nearest shadow edge of the reference. Aliasing lies within one or "
+      "Share of the error within a distance of the nearest edge of the hard shadow. Aliasing lies within one or "
       "two texels of an edge, acne farther away.";
   figure.x = {"distance", "distance to the nearest edge [texels]", true};
   figure.y = {"share", "share of the error [%]", false};
@@ -157,7 +158,7 @@ void present_shape(Presentation& presentation, const Stages& stages, const Shado
   const ShadowShape& shape = *shadow.shape;
   ReportSection& section = presentation.section;
   section.text += edges_text(shape.error);
-  section.tables.push_back({"Distance of errors from the shadow edges of the reference", distance_table(shape.error)});
+  section.tables.push_back({"Distance of errors from the edges of the hard shadow", distance_table(shape.error)});
   if (shape.error.components && shape.error.components->count > 0) {
     section.tables.push_back({"Connected error regions", component_table(shape.error)});
   }

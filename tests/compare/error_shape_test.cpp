@@ -144,5 +144,20 @@ TEST(ErrorShape, A_share_is_split_by_sign_and_by_the_penumbra) {
   EXPECT_FALSE(shape.components);
 }
 
+// Noise lets the sampled truth of a wide penumbra cross ½ in several places.
+TEST(ErrorShape, Edges_of_a_sampled_truth_are_those_of_its_hard_shadow) {
+  Row row;
+  const Image<float> hard = row.truth;
+  for (std::size_t i = 6; i < 14; ++i) row.truth[i] = i % 2 == 0 ? 0.45f : 0.55f;
+  Image<float> raster = row.truth;
+  raster[3] = 0.0f;
+  ShapeInput input = row.input();
+  EXPECT_EQ(analyze_error_shape(input, raster).edges, 9u);
+  input.hard_truth = &hard;
+  const ErrorShape shape = analyze_error_shape(input, raster);
+  EXPECT_EQ(shape.edges, 1u);
+  EXPECT_NEAR(shape.all.pixels->median, 6.5, 1e-5);
+}
+
 }  // namespace
 }  // namespace umbrameter

@@ -63,6 +63,33 @@ TEST(BiasFormulas, Axes_that_change_a_fact_are_in_the_formula_and_others_separat
       << formula_text(*curves.formulas.front().formula);
 }
 
+TEST(BiasFormulas, Numbers_have_the_digits_that_their_standard_error_justifies) {
+  const auto expect_rounded = [](const Fitted& fitted, double value, double error) {
+    EXPECT_EQ(rounded(fitted).value, value) << fitted.value;
+    EXPECT_EQ(*rounded(fitted).standard_error, error) << fitted.value;
+  };
+  expect_rounded({1.8e-30, 0.00123}, 0.0, 0.0012);
+  expect_rounded({0.50137, 0.0123}, 0.501, 0.012);
+  expect_rounded({-0.50137, 0.0123}, -0.501, 0.012);
+  expect_rounded({1234.5, 567.8}, 1230.0, 570.0);
+  expect_rounded({0.004, 0.3}, 0.0, 0.3);
+  EXPECT_EQ(rounded({2.5}).value, 2.5);
+}
+
+TEST(BiasFormulas, A_term_that_is_zero_within_its_standard_error_is_not_printed) {
+  BiasCurves curves = make_curves();
+  add_formulas(curves);
+  BiasFormula& formula = *curves.formulas.front().formula;
+  formula.terms = {Fitted{1.8e-30, 0.0001}, Fitted{0.50137, 0.0123}, Fitted{-0.0004, 0.02}, std::nullopt};
+  EXPECT_EQ(formula_text(formula), "bias ≈ 0 + 0.501·Δz");
+  EXPECT_EQ(formulas_json(curves)[0]["bias_m"], "0.501 * depth_per_texel");
+  formula.terms[1] = Fitted{-1e-17, 0.01};
+  EXPECT_EQ(formula_text(formula), "bias ≈ 0");
+  EXPECT_EQ(formulas_json(curves)[0]["bias_m"], "0");
+  formula.terms[0] = Fitted{0.0023, 0.0001};
+  EXPECT_EQ(formulas_json(curves)[0]["bias_m"], "0.0023");
+}
+
 TEST(BiasFormulas, The_figure_has_a_point_for_each_combination_and_what_the_formula_misses_there) {
   BiasCurves curves = make_curves();
   add_formulas(curves);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "compare/shadow_edges.h"
 #include "experiments/sweep_table.h"
 #include "tests/experiments/two_occluders_gl.h"
 
@@ -51,6 +52,60 @@ TEST_F(ShadowReferenceGl, At_a_point_no_light_has_extent) {
   ASSERT_TRUE(of_point != nullptr && of_none != nullptr);
   EXPECT_EQ(point.truth->visibility.pixels, without.truth->visibility.pixels);
   EXPECT_EQ(of_point->acne, of_none->acne);
+}
+
+// An edge of a sampled reference would be where it passes ½, which the noise of few rays makes ragged.
+TEST_F(ShadowReferenceGl, Edges_are_those_of_the_hard_shadow_at_any_number_of_rays) {
+  struct Edges {
+    std::uint64_t of_shape = 0;
+    std::vector<std::uint8_t> of_samples{};  // of each pixel, in the sampled reference
+    double near_edges = 0.0;
+  };
+  const auto edges_of = [&](int spp) {
+    experiment_.truth.spp = spp;
+    ShadowMeasurement measured = measure_shadow(*stages_, experiment_, 0, {});
+    EXPECT_EQ(measured.is_sampled, experiment_.truth.shadow != ShadowReference::point);
+    const GBuffer& gbuffer = stages_->surfels(experiment_).gbuffer;
+    const std::vector<std::uint32_t> lights = {0};
+    return Edges{measure_shape(*stages_, measured).error.edges,
+                 find_shadow_edges(measured.truth->visibility, gbuffer, measured.counted).bits.pixels,
+                 measure_image(*stages_, experiment_, lights, {}).statistics->near_edges};
+  };
+  experiment_.truth.shadow = ShadowReference::point;
+  const Edges hard = edges_of(16);
+  ASSERT_GT(hard.of_shape, 50u);
+  ASSERT_GT(hard.near_edges, 0.0);
+  for (const ShadowReference reference : {ShadowReference::pixel, ShadowReference::light}) {
+    experiment_.truth.shadow = reference;
+    if (reference == ShadowReference::light) experiment_.light.angle = 16.0;
+    const Edges few = edges_of(16);
+    const Edges many = edges_of(1024);
+    EXPECT_FALSE(few.of_samples == many.of_samples) << "else this test shows nothing";
+    EXPECT_EQ(few.of_shape, many.of_shape);
+    EXPECT_EQ(few.near_edges, many.near_edges);
+    // An area light also counts pixels that face a part of it without its centre.
+    if (reference != ShadowReference::pixel) continue;
+    EXPECT_EQ(many.of_shape, hard.of_shape);
+    EXPECT_EQ(many.near_edges, hard.near_edges);
+  }
+}
+
+TEST_F(ShadowReferenceGl, The_hard_shadow_of_an_area_light_is_traced_once_and_for_edges_alone) {
+  experiment_.light.angle = 4.0;
+  const auto rays_for = [&](const auto& work) {
+    const std::uint64_t before = stages_->costs().shadow.rays;
+    work();
+    return stages_->costs().shadow.rays - before;
+  };
+  for (const int spp : {16, 32}) {
+    experiment_.truth.spp = spp;
+    std::optional<ShadowMeasurement> shadow;
+    const std::uint64_t sampled = rays_for([&] { shadow = measure_shadow(*stages_, experiment_, 0, {}); });
+    EXPECT_EQ(sampled, stages_->truth(experiment_, 0).statistics.rays) << "statistics need no edges";
+    const std::uint64_t hard = rays_for([&] { measure_shape(*stages_, *shadow); });
+    EXPECT_EQ(hard > 0, spp == 16) << "it does not depend on the number of rays";
+    EXPECT_LE(hard, std::uint64_t{96 * 54}) << "one ray a pixel";
+  }
 }
 
 TEST_F(ShadowReferenceGl, Is_an_axis_of_a_sweep_of_shadows) {

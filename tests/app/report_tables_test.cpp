@@ -1,0 +1,59 @@
+// Tables and intervals of `report` on runs of one light that are made here.
+#include <gtest/gtest.h>
+
+#include "experiments/presentation/runs_report.h"
+#include "reports/files/exr.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr int side = 64;
+
+// A run of one light with these statistics and layers; all of its pixels are counted.
+StoredRun stored_shadow(const std::vector<std::pair<std::string, double>>& statistics,
+                        const std::vector<std::pair<std::string, Image<float>>>& layers) {
+  StoredRun run;
+  run.name = "run";
+  run.layers["sun"] = "sun";
+  run.images.emplace();
+  for (const auto& [name, values] : layers) add_layer(*run.images, name + "_sun", values);
+  add_layer(*run.images, "gbuffer_position", Image<vec3>(side, side, vec3(1.0f)));
+  for (const auto& [name, value] : statistics) {
+    MeasuredStatistic& measured = run.statistics.emplace_back();
+    measured.kind = "shadow";
+    measured.light = "sun";
+    measured.name = name;
+    measured.unit = "1";
+    measured.value = value;
+  }
+  return run;
+}
+
+TEST(RunsReportTables, Name_errors_in_words_and_show_too_dark_and_too_bright) {
+  const std::vector<StoredRun> runs = {
+      stored_shadow({{"lit", 0.5}, {"mae", 0.03}, {"false_blocked", 0.02}, {"false_lit", 0.01}}, {})};
+  const std::vector<ComparedStatistic> compared = compare_runs(runs);
+  const PartTables part = part_tables(runs, compared).at(0);
+  std::vector<std::string> heads;
+  for (const Column& column : part.values.columns) heads.push_back(column.name);
+  EXPECT_EQ(heads, (std::vector<std::string>{"run", "Mean absolute error", "Too dark", "Too bright"}));
+  ASSERT_EQ(part.printed_values.rows.size(), 3u);
+  EXPECT_EQ(to_string(part.printed_values.rows[1][0]), "Too dark");
+  EXPECT_EQ(to_string(part.all.rows.at(0)[0]), "Share lit in the reference");
+  const Table rows = comparison_rows(runs, compared);
+  EXPECT_EQ(to_string(rows.rows.at(2)[column_index(rows, "statistic")]), "false_blocked") << "names are for programs";
+}
+
+// Runs of earlier versions hold the main cause of a pixel alone: here 6 % of acne in pixels whose error is 10 %.
+TEST(RunsReportIntervals, Causes_of_a_filter_without_their_layers_have_values_and_no_intervals) {
+  const Image<float> error(side, side, -0.1f);
+  const Image<float> acne_is_main(side, side, 1.0f);
+  const StoredRun run = stored_shadow({{"mae", 0.1}, {"acne", 0.06}, {"false_occlusion", 0.04}},
+                                      {{"error_visibility", error}, {"class", acne_is_main}});
+  EXPECT_TRUE(estimate_over_blocks(run, run.statistics[0]));
+  EXPECT_FALSE(estimate_over_blocks(run, run.statistics[1]));
+  EXPECT_FALSE(estimate_over_blocks(run, run.statistics[2]));
+}
+
+}  // namespace
+}  // namespace umbrameter
