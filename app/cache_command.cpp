@@ -7,7 +7,7 @@
 
 #include "app/commands.h"
 #include "core/standard_streams.h"
-#include "experiments/reference_cache.h"
+#include "experiments/stages/reference_cache.h"
 #include "reports/files/text_layout.h"
 
 namespace umbrameter {

@@ -5,10 +5,10 @@
 
 #include "app/commands.h"
 #include "core/standard_streams.h"
-#include "experiments/gate.h"
-#include "experiments/presentation/gate_report.h"
-#include "experiments/run_record.h"
+#include "present/gate_report.h"
 #include "reports/files/output.h"
+#include "store/gate.h"
+#include "store/run_record.h"
 
 namespace umbrameter {
 namespace {

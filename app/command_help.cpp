@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/command_options.h"
-#include "experiments/experiment.h"
+#include "experiments/settings/experiment.h"
 
 namespace umbrameter {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/command_options.h"
 #include "core/error.h"
 #include "core/suggestion.h"
-#include "experiments/experiment.h"
+#include "experiments/settings/experiment.h"
 
 namespace umbrameter {
 namespace {

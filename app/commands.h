@@ -5,11 +5,11 @@
 
 #include "app/command_line.h"
 #include "core/error.h"
-#include "experiments/cache_folder.h"
-#include "experiments/console.h"
-#include "experiments/experiment.h"
-#include "experiments/gate.h"
+#include "experiments/settings/experiment.h"
+#include "experiments/stages/cache_folder.h"
+#include "reports/files/console.h"
 #include "scenes/load_options.h"
+#include "store/gate.h"
 
 namespace umbrameter {
 

@@ -3,8 +3,8 @@
 
 #include "app/command_line.h"
 #include "core/error.h"
-#include "experiments/console.h"
-#include "experiments/sweep_evaluator.h"
+#include "experiments/sweep/sweep_evaluator.h"
+#include "reports/files/console.h"
 
 namespace umbrameter {
 

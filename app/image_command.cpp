@@ -7,19 +7,29 @@
 #include "app/commands.h"
 #include "app/dry_run.h"
 #include "core/parallel.h"
-#include "experiments/experiment_file.h"
-#include "experiments/gate.h"
-#include "experiments/known_statistics.h"
-#include "experiments/metric_scores.h"
-#include "experiments/presentation/ao_stages_report.h"
-#include "experiments/presentation/debug_views.h"
-#include "experiments/presentation/run_output.h"
-#include "experiments/reference_cache.h"
-#include "experiments/sweep.h"
+#include "experiments/measure/ao_input_files.h"
+#include "experiments/measure/bias_advice.h"
+#include "experiments/measure/debug_views.h"
+#include "experiments/measure/map_files.h"
+#include "experiments/measure/measure.h"
+#include "experiments/measure/measure_ao_stages.h"
+#include "experiments/measure/measure_image.h"
+#include "experiments/measure/shadow_shape.h"
+#include "experiments/measure/shimmer.h"
+#include "experiments/settings/sweep.h"
+#include "experiments/stages/reference_cache.h"
+#include "present/ao_stages_report.h"
+#include "present/debug_views_report.h"
+#include "present/run_output.h"
+#include "present/shadow_shape_report.h"
 #include "reports/files/data.h"
 #include "reports/files/markup.h"
+#include "results/known_statistics.h"
+#include "results/metric_columns.h"
 #include "scenes/builtin.h"
 #include "scenes/emitter.h"
+#include "store/experiment_file.h"
+#include "store/gate.h"
 
 namespace umbrameter {
 namespace {
@@ -172,28 +182,40 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
         measure_ao_stages(stages, experiment, *measurement.ao->truth, *measurement.ao->raster, console);
   }
   if (has_image) measurement.image = measure_image(stages, experiment, lights, sides);
+  measurement.picture = picture_of(stages, measurement);
+  if (sides.raster && !experiment.run.overlay.empty()) {
+    measurement.debug_views = make_debug_views(stages, measurement);
+  }
 
   RunOutput output;
   output.title = fmt::format("{}: {}", scene_title(experiment),
                              line.command == "compare" ? "technique against reference"
                              : line.command == "trace" ? "reference"
                                                        : "technique");
-  output.subtitle = subtitle_of(stages, measurement.surfels.view);
-  if (!measurement.image) output.parts.push_back(present_picture(stages, measurement));
+  const SceneFacts& scene = stages.facts();
+  output.subtitle = subtitle_of(scene, measurement.surfels.view);
+  if (!measurement.image) output.parts.push_back(present_picture(measurement));
   for (const ShadowMeasurement& shadow : measurement.shadows) {
-    output.parts.push_back(present_shadow(stages, shadow));
-    if (shadow.shape) present_shape(output.parts.back(), stages, shadow);
+    output.parts.push_back(present_shadow(scene, shadow));
+    if (shadow.shape) present_shape(output.parts.back(), scene, shadow);
   }
   if (measurement.ao) output.parts.push_back(present_ao(*measurement.ao));
   if (measurement.ao && measurement.ao->stages) output.parts.push_back(present_ao_stages(*measurement.ao));
-  if (measurement.image) output.parts.push_back(present_image(stages, *measurement.image));
-  if (sides.raster && !experiment.run.overlay.empty()) {
-    output.parts.push_back(present_debug_views(stages, measurement));
-  }
-  output.summary = {line.command, given, &stages, &measurement, {}, {}, {}, {}};
+  if (measurement.image) output.parts.push_back(present_image(scene, *measurement.image));
+  if (!measurement.debug_views.empty()) output.parts.push_back(present_debug_views(measurement));
+  output.summary = {line.command, given, scene, &measurement, {}, stages.notes(), embree_version(), {}, {}, {}};
   if (sides.raster) output.summary.gl_renderer = stages.context().device().renderer;
-  if (sides.raster && experiment.run.write_maps) output.maps = lights;
-  output.with_ao_inputs = sides.raster && experiment.run.write_ao_inputs;
+  if (sides.raster && experiment.run.write_maps) {
+    for (const std::uint32_t light : lights) {
+      output.images.emplace_back(map_file_name(stages, light), map_layers(stages, experiment, light));
+    }
+  }
+  if (sides.raster && experiment.run.write_ao_inputs) {
+    output.images.emplace_back(ao_input_image_file, ao_input_layers(stages, experiment));
+    output.texts.emplace_back(ao_input_values_file, ao_input_values(stages, experiment));
+  }
+  output.costs = stages.costs();
+  output.peak_resident_bytes = peak_resident_bytes();
   output.figure_style = style;
   output.with_figures = !line.no_figures;
   output.with_full_images = line.full_images;

@@ -4,7 +4,8 @@
 
 #include "app/commands.h"
 #include "core/standard_streams.h"
-#include "experiments/presentation/scene_report.h"
+#include "experiments/measure/scene_report.h"
+#include "present/scene_report.h"
 #include "raster/gl/context.h"
 #include "raytrace/tracer.h"
 #include "reports/files/text_layout.h"

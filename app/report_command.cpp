@@ -8,15 +8,15 @@
 #include "app/commands.h"
 #include "core/parallel.h"
 #include "core/standard_streams.h"
-#include "experiments/presentation/error_backdrop.h"
-#include "experiments/presentation/runs_report.h"
-#include "experiments/presentation/stored_figures.h"
-#include "experiments/presentation/stored_sweep_figures.h"
-#include "experiments/run_folder.h"
+#include "present/error_backdrop.h"
+#include "present/runs_report.h"
+#include "present/stored_figures.h"
+#include "present/stored_sweep_figures.h"
 #include "reports/files/data.h"
 #include "reports/files/latex.h"
 #include "reports/files/markup.h"
 #include "reports/files/output.h"
+#include "store/run_folder.h"
 
 namespace umbrameter {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "app/commands.h"
 #include "core/standard_streams.h"
-#include "experiments/byte_size.h"
+#include "experiments/stages/byte_size.h"
 #include "reports/files/output.h"
 #include "reports/files/text_layout.h"
 #include "scenes/builtin.h"

@@ -10,19 +10,24 @@
 #include "app/dry_run.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
-#include "experiments/axis_effects.h"
-#include "experiments/measure_biases.h"
-#include "experiments/presentation/run_output.h"
-#include "experiments/presentation/sweep_report.h"
-#include "experiments/reference_key.h"
-#include "experiments/stored_sweep.h"
-#include "experiments/sweep_evaluator.h"
-#include "experiments/sweep_progress.h"
+#include "experiments/measure/measure_biases.h"
+#include "experiments/settings/stage_inputs.h"
+#include "experiments/stages/reference_key.h"
+#include "experiments/sweep/axis_effects.h"
+#include "experiments/sweep/page_cells.h"
+#include "experiments/sweep/sweep_evaluator.h"
+#include "experiments/sweep/sweep_progress.h"
+#include "present/page_viewer.h"
+#include "present/run_output.h"
+#include "present/sweep_cells.h"
+#include "present/sweep_report.h"
 #include "reports/files/data.h"
 #include "reports/files/output.h"
 #include "scenes/builtin.h"
 #include "scenes/floor.h"
 #include "scenes/view.h"
+#include "store/read_bias_curves.h"
+#include "store/stored_sweep.h"
 
 namespace umbrameter {
 namespace {
@@ -230,38 +235,38 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
     cell.view = experiment.view;
     return mean_depth_unit(stages, cell, light);
   };
-  const auto bias_facts = [&](const std::vector<Value>& values) {
+  const auto measure_context = [&](const std::vector<Value>& values, bool with_facts) {
+    BiasContext context;
+    context.depth_unit = depth_unit(values);
     const Experiment cell = stages.in_metres(at_cell(experiment, axes, values));
-    return measure_bias_facts(stages, cell, stages.lights(cell.view.light).front());
+    const std::uint32_t light = stages.lights(cell.view.light).front();
+    if (with_facts) context.facts = measure_bias_facts(stages, cell, light);
+    if (!has_floor(stages.scene())) context.evidence = measure_bias_evidence(stages, cell, light);
+    return context;
   };
   const bool is_limit_fixed = quantity == SweptQuantity::ao && !varies_group(axes, "truth.ao-distance");
   const std::string ao_limit = is_limit_fixed ? ao_limit_text(stages.in_metres(experiment).truth) : "";
-  SweepResults results{parameters, plan, store, statistics, depth_unit, bias_facts, ao_limit, metrics};
-  if (results.is_by_cause() && !has_floor(stages.scene())) {
-    results.bias_evidence = [&](const std::vector<Value>& values) {
-      const Experiment cell = stages.in_metres(at_cell(experiment, axes, values));
-      return measure_bias_evidence(stages, cell, stages.lights(cell.view.light).front());
-    };
-  }
+  const SweepResults results{parameters, plan, store, statistics, ao_limit, metrics};
   const Table best_of_lines = best_rows(results);
-  const std::optional<BiasCurves> curves = read_bias_curves(results);
+  const std::optional<BiasCurves> curves = read_bias_curves(results, measure_context);
   const std::vector<Value> least = least_row(results);
   PageCells page_cells = choose_page_cells(stages, results, experiment, best_of_lines, line.page_cells);
   const Measurement measurement = page_cells.measure(page_cells.cells.front());
   RunOutput output;
   output.title = fmt::format("{}: sweep", scene_title(experiment));
-  output.subtitle = subtitle_of(stages, measurement.surfels.view);
+  const SceneFacts& scene = stages.facts();
+  output.subtitle = subtitle_of(scene, measurement.surfels.view);
   const std::vector<OpenEnd> ends = open_ends(results, best_of_lines);
   output.parts.push_back(present_sweep(results, best_of_lines, curves, ends));
   if (measurement.ao) {
     output.parts.push_back(present_ao(*measurement.ao));
   } else if (measurement.image) {
-    output.parts.push_back(present_image(stages, *measurement.image));
+    output.parts.push_back(present_image(scene, *measurement.image));
   } else {
     // Without the advice that the page's bias slider needs: the sweep's own part has recommended a bias.
     ShadowMeasurement shadow = measurement.shadows.front();
     shadow.advice.reset();
-    output.parts.push_back(present_shadow(stages, shadow));
+    output.parts.push_back(present_shadow(scene, shadow));
   }
   // The sweep's own part has the answer.
   Presentation& of_cell = output.parts.back();
@@ -269,21 +274,35 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   ReportSection& section = of_cell.section;
   section.title += " in the cell of least error";
   section.text = fmt::format("This section shows the cell {}.\n\n", cell_text(results, least)) + section.text;
-  output.parts.push_back(present_picture(stages, measurement));
+  output.parts.push_back(present_picture(measurement));
   output.results = &store;
   output.summary = {line.command,
                     experiment,
-                    &stages,
+                    scene,
                     &measurement,
                     SweepSummary{plan.cells, best_of_lines, cell_values(axes, least), curves, ends},
+                    stages.notes(),
+                    embree_version(),
                     stages.context().device().renderer,
                     {},
                     {}};
   output.figure_style = style;
   output.with_figures = !line.no_figures;
   output.with_full_images = line.full_images;
-  output.rows = report_cells(results, experiment, page_cells);
-  output.cells = std::move(page_cells);
+  output.rows = report_cells(results, experiment, page_cells.cells);
+  output.costs = stages.costs();
+  output.peak_resident_bytes = peak_resident_bytes();
+  output.cell = page_cells.cells.front().cell;
+  output.add_cells = [&](ViewerPack& pack) {
+    const std::vector<PageCell>& cells = page_cells.cells;
+    ProgressBar bar(console, "images of cells");
+    for (std::size_t i = 1; i < cells.size(); ++i) {
+      bar.show(static_cast<double>(i) / static_cast<double>(cells.size()), fmt::format("{} of {}", i, cells.size()));
+      ViewerData data = further_viewer_data(scene, page_cells.measure(cells[i]), line.full_images);
+      data.cell = cells[i].cell;
+      add_set(pack, data);
+    }
+  };
   return write_run(folder, console, std::move(output));
 }
 

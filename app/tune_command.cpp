@@ -9,18 +9,21 @@
 #include "core/interrupt.h"
 #include "core/parallel.h"
 #include "core/standard_streams.h"
-#include "experiments/axis_effects.h"
-#include "experiments/presentation/run_output.h"
-#include "experiments/presentation/tune_images.h"
-#include "experiments/presentation/tune_report.h"
-#include "experiments/presentation/tune_text.h"
-#include "experiments/reference_key.h"
-#include "experiments/summary_version.h"
-#include "experiments/tuning/tune_cases.h"
+#include "experiments/stages/reference_key.h"
+#include "experiments/sweep/axis_effects.h"
+#include "experiments/sweep/page_cells.h"
+#include "experiments/tune/tune_cases.h"
+#include "experiments/tune/tune_journal.h"
+#include "experiments/tune/tune_judgement.h"
+#include "present/run_output.h"
+#include "present/tune_images.h"
+#include "present/tune_report.h"
+#include "present/tune_text.h"
 #include "reports/files/data.h"
 #include "reports/files/markup.h"
 #include "reports/files/output.h"
 #include "scenes/builtin.h"
+#include "store/summary_version.h"
 
 namespace umbrameter {
 namespace {
@@ -273,6 +276,18 @@ TuneResult search(const Job& job, const std::vector<TuneCase>& cases, const Tune
   }
 }
 
+ViewerPack draw_points(Presentation& part, const TuneCase& first, const TuneSummary& summary) {
+  Stages& stages = *first.stages;
+  const auto images = [&](const char* name, const Experiment& experiment, const TunePoint& point) {
+    return TunePointImages{name, point_text(summary.axes, point.values),
+                           measure_swept(stages, experiment, first.quantity)};
+  };
+  const TuneResult& result = summary.result;
+  return add_tune_images(part, stages.facts(), first.title,
+                         {images("best", at_point(first, summary.axes, result.best.values), result.best),
+                          images("default", stages.in_metres(first.experiment), result.before)});
+}
+
 std::vector<std::string> tune_files() {
   return {"experiment.toml", tuned_name, "evaluations.csv", "summary.json", "index.html", tune_journal_name};
 }
@@ -319,7 +334,8 @@ ExitCode run_tune_command(const CommandLine& line, const Console& console) {
     ProgressBar bar(console, "significance");
     return judge({job.axes, cases, unseen, result.goal, job.shown, result}, [&](double share) { bar.show(share); });
   }();
-  const TuneSummary summary{job.axes, cases, result.goal, job.shown, result, judgement};
+  const std::vector<std::string> titles = titles_of(cases);
+  const TuneSummary summary{job.axes, titles, result.goal, job.shown, result, judgement};
 
   Presentation part = present_tuning(summary);
   for (const std::string& text : part.answers) print_line(console, text);
@@ -335,7 +351,7 @@ ExitCode run_tune_command(const CommandLine& line, const Console& console) {
     part.section.figure_titles.clear();
     part.section.captions.clear();
   } else {
-    images = add_tune_images(part, summary);
+    images = draw_points(part, cases.front(), summary);
     folder.require_free(figure_files(part));
     folder.announce(figure_files(part));
     problems = write_figures(folder.path() / "figures", {part.images, part.plots}).problems;

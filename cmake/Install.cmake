@@ -2,13 +2,13 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(UMBRAMETER_MODULES core scenes techniques raster raytrace compare reports experiments)
+set(UMBRAMETER_MODULES core scenes techniques raster raytrace compare reports settings results store present experiments)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/umbrameter)
 
 foreach(module IN LISTS UMBRAMETER_MODULES)
   set_target_properties(umbrameter_${module} PROPERTIES EXPORT_NAME ${module})
   install(TARGETS umbrameter_${module} EXPORT umbrameter ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${module} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/umbrameter
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${module} OPTIONAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/umbrameter
           FILES_MATCHING PATTERN "*.h" PATTERN "techniques/shading/*.glsl" PATTERN "techniques/shadow/*.glsl" PATTERN "techniques/ao/*.glsl" PATTERN "shaders" EXCLUDE
           PATTERN "templates" EXCLUDE PATTERN "gl/api.h" EXCLUDE PATTERN "embree*" EXCLUDE
           PATTERN "gltf_*" EXCLUDE PATTERN "results_schema.h" EXCLUDE)

@@ -1,5 +1,5 @@
 // Why a screen-space method of ambient occlusion is wrong: its error as a sum of stages, from the requested reference
-// to the blurred result. Knows only images; experiments/measure_ao_stages.h makes them.
+// to the blurred result. Knows only images; experiments/measure/measure_ao_stages.h makes them.
 #pragma once
 
 #include <array>

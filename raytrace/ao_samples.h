@@ -8,9 +8,9 @@
 
 #include "core/math.h"
 #include "raytrace/adaptive_sampling.h"
-#include "raytrace/parameters.h"
 #include "raytrace/ray_lanes.h"
 #include "raytrace/sampler.h"
+#include "techniques/truth/parameters.h"
 
 namespace umbrameter {
 

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "core/math.h"
-#include "raytrace/parameters.h"
 #include "raytrace/spherical_rectangle.h"
 #include "scenes/scene.h"
+#include "techniques/truth/parameters.h"
 
 namespace umbrameter {
 

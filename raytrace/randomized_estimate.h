@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "raytrace/parameters.h"
 #include "raytrace/sampler.h"
+#include "techniques/truth/parameters.h"
 
 namespace umbrameter {
 

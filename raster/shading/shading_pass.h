@@ -13,6 +13,7 @@
 #include "scenes/view.h"
 #include "techniques/shading/light_volume.h"
 #include "techniques/shading/parameters.h"
+#include "techniques/shading/shaded_image.h"
 
 namespace umbrameter {
 
@@ -20,13 +21,6 @@ namespace umbrameter {
 struct LitLight {
   const Light* light = nullptr;
   const Image<float>* visibility = nullptr;
-};
-
-struct ShadedImage {
-  Image<vec3> radiance;      ///< linear, without exposure; 0 on the background
-  Image<vec3> light_buffer;  ///< deferred path only: the sum over the lights, without ambient light
-  /// Deferred path only: one per light; zeros for a light that is drawn over the whole image.
-  std::vector<LightCounters> counters;
 };
 
 /// Of the forward path. The deferred path keeps as many visibility images at a time.

@@ -36,10 +36,6 @@ ShadowMap draw_shadow_map(const gl::Context& context, const UploadedScene& scene
                           const MapLayout& layout, const MapDepthParams& params = {});
 
 /// The nearest and the farthest depth in the map, metres; nothing if the light hits no surface.
-struct DepthRange {
-  double nearest = 0.0;
-  double farthest = 0.0;
-};
 std::optional<DepthRange> depth_range_of(const gl::Context& context, const ShadowMap& map);
 
 ShadowMapImages read_back(const gl::Context& context, const ShadowMap& map);

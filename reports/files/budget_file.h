@@ -1,4 +1,4 @@
-// Budget files: the bounds that statistics of a run must keep. experiments/gate.h checks them.
+// Budget files: the bounds that statistics of a run must keep. store/gate.h checks them.
 #pragma once
 
 #include <filesystem>

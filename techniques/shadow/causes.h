@@ -25,6 +25,14 @@ struct WrongTaps {
   std::uint32_t weight_sum = 1;
 };
 
+/// What a technique draws.
+struct RasterVisibility {
+  Image<float> visibility;  ///< 1 lit, 0 blocked; back-facing: 0; background and outside the map: 1
+  /// 0 on background, on back-facing surfels, where the truth is below 0, and everywhere if there is no truth. For a
+  /// binary truth, the sum of a pixel's weights divided by weight_sum is |visibility − truth|.
+  WrongTaps wrong;
+};
+
 /// A point of a triangle.
 struct SurfacePoint {
   dvec3 in_light{0.0};  ///< light space, metres

@@ -34,6 +34,12 @@ enum class StoredSurface : int { nearest, midpoint, second, dual };
 /// The map of a point light.
 enum class PointMap : int { cube, paraboloid };
 
+/// The nearest and the farthest depth in a map, metres.
+struct DepthRange {
+  double nearest = 0.0;
+  double farthest = 0.0;
+};
+
 struct MapDepthParams {
   MapDepthFormat format = MapDepthFormat::f32;
   DepthEncoding encoding = DepthEncoding::linear;

@@ -16,8 +16,9 @@
 #include <vector>
 
 #include "core/error.h"
-#include "experiments/measure.h"
-#include "experiments/presentation/image_scales.h"
+#include "experiments/measure/measure.h"
+#include "experiments/measure/measure_ao_stages.h"
+#include "present/image_scales.h"
 #include "raster/ao/ao_pass.h"
 #include "raster/gbuffer/gbuffer_pass.h"
 #include "raster/gl/timer.h"

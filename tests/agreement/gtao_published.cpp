@@ -15,7 +15,7 @@
 #include "core/error.h"
 #include "core/quantiles.h"
 #include "core/statistics.h"
-#include "experiments/stages.h"
+#include "experiments/stages/stages.h"
 #include "scenes/builtin.h"
 
 namespace umbrameter {

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "experiments/measure.h"
+#include "experiments/measure/measure.h"
 #include "raster/gl/timer.h"
 #include "raster/shadow/technique_passes.h"
 #include "reports/figures/drawing.h"

@@ -6,7 +6,7 @@
 
 #include "core/jackknife.h"
 #include "core/quantiles.h"
-#include "experiments/run_comparison.h"
+#include "store/run_comparison.h"
 #include "tests/app/gl_run.h"
 
 namespace umbrameter {

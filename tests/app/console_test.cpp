@@ -1,4 +1,4 @@
-#include "experiments/console.h"
+#include "reports/files/console.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Tables and intervals of `report` on runs of one light that are made here.
 #include <gtest/gtest.h>
 
-#include "experiments/presentation/runs_report.h"
+#include "present/runs_report.h"
 #include "reports/files/exr.h"
 
 namespace umbrameter {

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "core/error.h"
-#include "experiments/presentation/presentation.h"
-#include "experiments/presentation/runs_report.h"
+#include "present/presentation.h"
+#include "present/runs_report.h"
 #include "reports/files/exr.h"
 #include "tests/app/run_program.h"
 

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "core/table.h"
-#include "experiments/results_store.h"
+#include "store/results_store.h"
 #include "tests/app/gl_run.h"
 
 namespace umbrameter {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/random.h"
-#include "experiments/sweep.h"
+#include "experiments/settings/sweep.h"
 #include "row_check.h"
 
 namespace umbrameter {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "experiments/sweep.h"
+#include "experiments/settings/sweep.h"
 #include "row_check.h"
 
 namespace umbrameter {

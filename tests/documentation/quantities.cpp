@@ -13,9 +13,9 @@
 #include "compare/metrics/color_metric.h"
 #include "compare/soft_visibility.h"
 #include "compare/visibility.h"
-#include "experiments/experiment.h"
-#include "experiments/metric_scores.h"
-#include "experiments/summary_version.h"
+#include "experiments/measure/metric_scores.h"
+#include "experiments/settings/experiment.h"
+#include "store/summary_version.h"
 
 namespace umbrameter {
 namespace {

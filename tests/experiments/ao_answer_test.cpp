@@ -1,8 +1,8 @@
 // What the console says of ambient occlusion.
 #include <gtest/gtest.h>
 
-#include "experiments/presentation/ao_stages_report.h"
-#include "experiments/presentation/presentation.h"
+#include "present/ao_stages_report.h"
+#include "present/presentation.h"
 
 namespace umbrameter {
 namespace {

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "experiments/measure.h"
+#include "experiments/measure/measure.h"
+#include "experiments/measure/measure_ao_stages.h"
 #include "scenes/builtin.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/shapes.h"

@@ -1,4 +1,4 @@
-#include "experiments/axis_effects.h"
+#include "experiments/sweep/axis_effects.h"
 
 #include <gtest/gtest.h>
 

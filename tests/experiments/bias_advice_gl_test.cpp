@@ -5,8 +5,9 @@
 #include <memory>
 
 #include "core/error.h"
-#include "experiments/measure_biases.h"
-#include "experiments/presentation/bias_advice.h"
+#include "experiments/measure/bias_advice.h"
+#include "experiments/measure/measure_biases.h"
+#include "present/bias_advice_report.h"
 #include "scenes/builtin.h"
 #include "scenes/builtin/shapes.h"
 

@@ -1,10 +1,13 @@
 // The report of formulas, from curves whose facts and biases are known: (½ + r) · Δz on a plane.
-#include "experiments/presentation/bias_formulas.h"
+#include "present/bias_formulas.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "store/fit_bias_formulas.h"
 
 namespace umbrameter {
 namespace {

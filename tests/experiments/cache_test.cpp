@@ -8,7 +8,7 @@
 #include <csignal>
 
 #include "core/random.h"
-#include "experiments/cache_folder.h"
+#include "experiments/stages/cache_folder.h"
 #include "tests/support/temporary_folder.h"
 
 namespace umbrameter {

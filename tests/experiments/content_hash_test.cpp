@@ -1,4 +1,4 @@
-#include "experiments/content_hash.h"
+#include "core/content_hash.h"
 
 #include <gtest/gtest.h>
 

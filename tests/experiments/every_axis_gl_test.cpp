@@ -5,8 +5,8 @@
 #include <map>
 
 #include "core/error.h"
-#include "experiments/axis_effects.h"
-#include "experiments/sweep_table.h"
+#include "experiments/sweep/axis_effects.h"
+#include "experiments/sweep/sweep_table.h"
 #include "tests/experiments/stages_gl.h"
 
 namespace umbrameter {

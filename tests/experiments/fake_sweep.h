@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/stage_inputs.h"
-#include "experiments/stored_sweep.h"
+#include "experiments/settings/stage_inputs.h"
+#include "store/stored_sweep.h"
 
 namespace umbrameter {
 

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/known_statistics.h"
-#include "experiments/sweep_table.h"
+#include "experiments/measure/measure_image.h"
+#include "experiments/sweep/sweep_table.h"
+#include "results/known_statistics.h"
 #include "tests/experiments/two_occluders_gl.h"
 
 namespace umbrameter {

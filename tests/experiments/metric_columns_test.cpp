@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "experiments/known_statistics.h"
-#include "experiments/metric_scores.h"
+#include "experiments/measure/metric_scores.h"
+#include "results/known_statistics.h"
 
 namespace umbrameter {
 namespace {

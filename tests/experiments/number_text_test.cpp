@@ -1,4 +1,4 @@
-#include "experiments/number_text.h"
+#include "results/number_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What the cache returns is the traced result bit for bit, or a fresh one.
-#include "experiments/reference_cache.h"
+#include "experiments/stages/reference_cache.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The key of a cached reference changes with everything that rays depend on, and with nothing else.
-#include "experiments/reference_key.h"
+#include "experiments/stages/reference_key.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <functional>
 #include <set>
 
-#include "experiments/experiment.h"
+#include "experiments/settings/experiment.h"
 #include "raytrace/tracer.h"
 #include "scenes/builtin.h"
 

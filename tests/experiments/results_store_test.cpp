@@ -1,4 +1,4 @@
-#include "experiments/results_store.h"
+#include "store/results_store.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Whose an output folder is: which runs are refused, what a later run removes, and what a failed run leaves.
-#include "experiments/run_folder.h"
+#include "store/run_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "compare/shadow_edges.h"
-#include "experiments/sweep_table.h"
+#include "experiments/measure/measure_image.h"
+#include "experiments/measure/shadow_shape.h"
+#include "experiments/sweep/sweep_table.h"
 #include "tests/experiments/two_occluders_gl.h"
 
 namespace umbrameter {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "experiments/results_store.h"
+#include "store/results_store.h"
 
 namespace umbrameter {
 

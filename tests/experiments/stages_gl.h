@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "experiments/stages.h"
+#include "experiments/stages/stages.h"
 #include "scenes/builtin.h"
 
 namespace umbrameter {

@@ -7,10 +7,11 @@
 #include <memory>
 
 #include "core/error.h"
-#include "experiments/measure.h"
-#include "experiments/stages.h"
-#include "experiments/sweep_evaluator.h"
-#include "experiments/sweep_table.h"
+#include "experiments/measure/measure.h"
+#include "experiments/measure/measure_image.h"
+#include "experiments/stages/stages.h"
+#include "experiments/sweep/sweep_evaluator.h"
+#include "experiments/sweep/sweep_table.h"
 
 namespace umbrameter {
 namespace {

@@ -1,4 +1,4 @@
-#include "experiments/stored_sweep.h"
+#include "store/stored_sweep.h"
 
 #include <gtest/gtest.h>
 

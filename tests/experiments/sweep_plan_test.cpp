@@ -1,4 +1,4 @@
-#include "experiments/sweep_plan.h"
+#include "experiments/settings/sweep_plan.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/error.h"
-#include "experiments/stage_inputs.h"
+#include "experiments/settings/stage_inputs.h"
 
 namespace umbrameter {
 namespace {

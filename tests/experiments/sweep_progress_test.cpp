@@ -1,4 +1,4 @@
-#include "experiments/sweep_progress.h"
+#include "experiments/sweep/sweep_progress.h"
 
 #include <gtest/gtest.h>
 

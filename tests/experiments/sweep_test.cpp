@@ -1,4 +1,4 @@
-#include "experiments/sweep.h"
+#include "experiments/settings/sweep.h"
 
 #include <gtest/gtest.h>
 

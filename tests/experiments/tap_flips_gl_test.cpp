@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "core/error.h"
-#include "experiments/stages.h"
+#include "experiments/stages/stages.h"
 #include "scenes/builtin.h"
 
 namespace umbrameter {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "experiments/measure.h"
+#include "experiments/measure/measure.h"
 #include "scenes/builtin.h"
 
 namespace umbrameter {

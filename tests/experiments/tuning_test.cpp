@@ -7,12 +7,12 @@
 
 #include "core/error.h"
 #include "core/random.h"
-#include "experiments/experiment.h"
-#include "experiments/presentation/tune_report.h"
-#include "experiments/tuning/minimize.h"
-#include "experiments/tuning/tune_goal.h"
-#include "experiments/tuning/tune_journal.h"
-#include "experiments/tuning/tune_significance.h"
+#include "experiments/settings/experiment.h"
+#include "experiments/tune/minimize.h"
+#include "experiments/tune/tune_journal.h"
+#include "experiments/tune/tune_significance.h"
+#include "present/tune_report.h"
+#include "results/tune_goal.h"
 #include "tests/support/temporary_folder.h"
 
 namespace umbrameter {

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "core/error.h"
-#include "experiments/measure.h"
+#include "experiments/measure/measure.h"
 #include "scenes/builtin.h"
 
 namespace umbrameter {

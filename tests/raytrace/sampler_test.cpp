@@ -8,7 +8,7 @@
 #include <set>
 
 #include "core/random.h"
-#include "raytrace/parameters.h"
+#include "techniques/truth/parameters.h"
 
 namespace umbrameter {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "raytrace/parameters.h"
+#include "techniques/truth/parameters.h"
 #include "tests/support/polygons.h"
 #include "tests/support/shapes.h"
 

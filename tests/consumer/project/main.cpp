@@ -2,8 +2,8 @@
 #include <iostream>
 
 #include "core/error.h"
-#include "experiments/measure.h"
-#include "experiments/sweep_table.h"
+#include "experiments/measure/measure.h"
+#include "experiments/sweep/sweep_table.h"
 #include "reports/files/data.h"
 #include "scenes/builtin.h"
 

@@ -1,0 +1,126 @@
+#include "experiments/settings/stage_inputs.h"
+
+#include <algorithm>
+#include <array>
+
+#include "techniques/shadow/technique.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::size_t stage_count = static_cast<std::size_t>(Stage::ao_reference) + 1;
+
+// The parameters of the view, except the scene (loaded before any stage) and the light (an argument of the stages).
+Parameters view_parameters(Experiment& experiment) {
+  Parameters all = describe(experiment.view);
+  std::erase_if(all, [](const Parameter& parameter) {
+    const auto* text = std::get_if<std::string*>(&parameter.field);
+    return text != nullptr && parameter.key != "view.camera";
+  });
+  return all;
+}
+
+Parameters run_parameter(Experiment& experiment, std::string_view key) {
+  return {require(describe(experiment.run), key)};
+}
+
+// The parameters of shadows that neither the map nor its filter reads.
+Parameters visibility_parameters(Experiment& experiment) {
+  Parameters all = describe(experiment.shadow);
+  const Parameters earlier =
+      concatenate({describe(experiment.shadow.map), describe(experiment.shadow.fit),
+                   describe(experiment.shadow.map_depth), filtered_map_parameters(experiment.shadow)});
+  std::erase_if(all, [&](const Parameter& parameter) { return find(earlier, parameter.key) != nullptr; });
+  return concatenate({all, run_parameter(experiment, "run.classes")});
+}
+
+// All of ambient occlusion but what follows the blur.
+Parameters ao_parameters(Experiment& experiment) {
+  Parameters all = describe(experiment.ao);
+  const Parameters later = describe(experiment.ao.tone);
+  std::erase_if(all, [&](const Parameter& parameter) { return find(later, parameter.key) != nullptr; });
+  return concatenate({all, run_parameter(experiment, "run.seed")});
+}
+
+// Whether lights have extent for reference and statistics.
+Parameters emitter_parameters(Experiment& experiment) {
+  return concatenate({describe(experiment.light), {require(describe(experiment.truth), "truth.shadow")}});
+}
+
+Parameters ao_sampling_parameters(Experiment& experiment) {
+  Parameters all = concatenate({describe(experiment.truth), run_parameter(experiment, "run.seed")});
+  std::erase_if(all, [](const Parameter& parameter) { return parameter.key == "truth.shadow"; });
+  return all;
+}
+
+Parameters sampling_parameters(Experiment& experiment) {
+  return concatenate({describe(experiment.truth), run_parameter(experiment, "run.seed")});
+}
+
+const std::array<StageInputs, stage_count>& stages() {
+  static const std::array<StageInputs, stage_count> all = {{
+      {"surfels", view_parameters, {}, 10.0},
+      {"light", [](Experiment& e) { return Parameters{require(describe(e.view), "view.light")}; }, {}, 0.0},
+      {"emitter", emitter_parameters, {Stage::light}, 0.0},
+      {"layout",
+       [](Experiment& e) {
+         return concatenate({describe(e.shadow.map),
+                             describe(e.shadow.fit),
+                             {require(describe(e.shadow.map_depth), "shadow.point-map")}});
+       },
+       {Stage::surfels, Stage::light},
+       1.0},
+      {"counted pixels",
+       [](Experiment&) { return Parameters{}; },
+       {Stage::surfels, Stage::emitter, Stage::layout},
+       1.0},
+      {"shadow map", [](Experiment& e) { return describe(e.shadow.map_depth); }, {Stage::layout}, 10.0},
+      {"filtered map", [](Experiment& e) { return filtered_map_parameters(e.shadow); }, {Stage::map}, 3.0},
+      {"visibility", visibility_parameters, {Stage::surfels, Stage::filtered_map, Stage::emitter}, 2.0},
+      {"reference", [](Experiment&) { return Parameters{}; }, {Stage::surfels, Stage::light}, 100.0},
+      {"reference of an area light", sampling_parameters, {Stage::surfels, Stage::emitter}, 1000.0},
+      {"reference over the pixel", sampling_parameters, {Stage::surfels, Stage::emitter}, 1000.0},
+      {"stored G-buffer", [](Experiment& e) { return gbuffer_parameters(e.shading); }, {Stage::surfels}, 3.0},
+      {"shading",
+       [](Experiment& e) { return describe(e.shading); },
+       {Stage::stored_gbuffer, Stage::visibility, Stage::finished_ao},
+       5.0},
+      {"ambient occlusion", ao_parameters, {Stage::surfels}, 2.0},
+      {"finished ambient occlusion", [](Experiment& e) { return describe(e.ao.tone); }, {Stage::ao}, 0.1},
+      {"reference of ambient occlusion", ao_sampling_parameters, {Stage::surfels}, 1000.0},
+  }};
+  return all;
+}
+
+bool reads(Stage stage, std::string_view parameter) {
+  Experiment experiment;
+  return find(inputs_of(stage).reads(experiment), parameter) != nullptr;
+}
+
+}  // namespace
+
+const StageInputs& inputs_of(Stage stage) { return stages()[static_cast<std::size_t>(stage)]; }
+
+std::string own_key_of(Stage stage, Experiment experiment) { return key_of(inputs_of(stage).reads(experiment)); }
+
+std::string key_of(Stage stage, Experiment experiment) {
+  std::string key;
+  for (const Stage before : inputs_of(stage).after) key += key_of(before, experiment);
+  return key + std::string(inputs_of(stage).name) + "\n" + own_key_of(stage, std::move(experiment));
+}
+
+bool depends_on(Stage stage, std::string_view parameter) {
+  const std::vector<Stage>& before = inputs_of(stage).after;
+  return reads(stage, parameter) ||
+         std::any_of(before.begin(), before.end(), [&](Stage earlier) { return depends_on(earlier, parameter); });
+}
+
+double cost_of_change(std::string_view parameter) {
+  double cost = 0.0;
+  for (std::size_t s = 0; s < stage_count; ++s) {
+    if (depends_on(static_cast<Stage>(s), parameter)) cost += stages()[s].cost;
+  }
+  return cost;
+}
+
+}  // namespace umbrameter

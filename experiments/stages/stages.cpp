@@ -1,0 +1,368 @@
+#include "experiments/stages/stages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "core/error.h"
+#include "raster/shadow/polygon_offset.h"
+#include "raytrace/pixel_shadow.h"
+#include "scenes/ground.h"
+
+namespace umbrameter {
+namespace {
+
+// Both sides multiply three lengths in single precision, whose range is about 1e-38 to 1e38.
+void require_measurable(const Bounds& bounds, const dvec3& origin, const std::string& name) {
+  constexpr double longest = 1e12;
+  constexpr double shortest = 1e-10;
+  const dvec3 corner = glm::max(glm::abs(origin + bounds.min), glm::abs(origin + bounds.max));
+  const double reach = std::max({corner.x, corner.y, corner.z});
+  const auto refuse = [&](const std::string& why) {
+    throw Error(ExitCode::unreadable_input, name, why,
+                "scale the scene or set --scene.unit; 'umbrameter info' shows its bounds");
+  };
+  if (reach > longest)
+    refuse(fmt::format("it extends to {:.3g} m from its origin; the limit is {:g} m", reach, longest));
+  if (bounds.radius() < shortest) {
+    refuse(fmt::format("its size is {:.3g} m; the minimum is {:g} m", 2.0 * bounds.radius(), shortest));
+  }
+}
+
+}  // namespace
+
+Stages::Stages(Scene scene, StageOptions options, const Console& console)
+    : scene_(std::move(scene)),
+      options_(std::move(options)),
+      console_(console),
+      bounds_(bounds_of(scene_), ground_of(scene_)),
+      cache_(options_.cache, console) {
+  add_notes(scene_.notes);
+  if (bounds().empty()) {
+    throw Error(ExitCode::unreadable_input, options_.source, "the scene has no triangles",
+                "give a scene with meshes, or a built-in one ('umbrameter scenes')");
+  }
+  require_measurable(bounds(), scene_.origin, options_.source);
+  std::vector<std::string> assumed;
+  add_missing_light(scene_, assumed);
+  add_notes(assumed);
+  facts_ = facts_of(scene_);
+}
+
+void Stages::add_notes(const std::vector<std::string>& notes) {
+  for (const std::string& text : notes) {
+    if (std::find(notes_.begin(), notes_.end(), text) != notes_.end()) continue;
+    notes_.push_back(text);
+    note(console_, text);
+  }
+}
+
+std::vector<std::uint32_t> Stages::lights(const std::string& name_or_index) const {
+  return select_lights(scene_, name_or_index);
+}
+
+void Stages::check_is_meaningful(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const {
+  std::vector<Light> measured;
+  for (const std::uint32_t light : lights) measured.push_back(scene_.lights[light]);
+  require_sense(experiment.light, measured);
+  require_sense(experiment.shadow.map, experiment.shadow.fit, measured);
+}
+
+void Stages::keep_cases(std::size_t cases, bool with_maps) {
+  const auto keep = [&](auto&... memos) { (memos.keep(cases), ...); };
+  keep(surfels_, gpu_surfels_, layout_, counted_, hard_truth_, sampled_truth_, gpu_truth_, ao_truth_);
+  if (with_maps) keep(map_, stored_depths_, filtered_map_);
+}
+
+ProgressBar Stages::bar(const char* stage) const {
+  if (tracing_) return ProgressBar(Progress());
+  return ProgressBar(console_, stage);
+}
+
+ProgressBar Stages::tracing_bar(const char* stage, std::function<std::uint64_t()> count_rays) const {
+  if (tracing_) return ProgressBar(tracing_);
+  return ProgressBar(console_, stage, std::move(count_rays));
+}
+
+const Tracer& Stages::tracer() {
+  if (!tracer_) {
+    ProgressBar progress = bar("acceleration structure");
+    tracer_.emplace(scene_, progress.callback());
+    costs_.build = tracer_->build_statistics();
+  }
+  return *tracer_;
+}
+
+const gl::Context& Stages::context() {
+  if (!context_) {
+    context_ = options_.context;
+    if (!context_) {
+      context_ = std::make_shared<gl::Context>(gl::Context::make({options_.gl_device, options_.threads}));
+    }
+    if (!context_->note().empty()) add_notes({context_->note()});
+  }
+  return *context_;
+}
+
+const UploadedScene& Stages::uploaded() {
+  if (!uploaded_) uploaded_ = std::make_unique<UploadedScene>(upload(context(), scene_));
+  return *uploaded_;
+}
+
+const Surfels& Stages::surfels(const Experiment& experiment) {
+  return surfels_.get(key_of(Stage::surfels, experiment), [&] {
+    const ViewParams& params = experiment.view;
+    const double aspect = static_cast<double>(params.size.width) / params.size.height;
+    std::vector<std::string> assumed;
+    View view{params.size.width, params.size.height, select_camera(scene_, params.camera, aspect, assumed)};
+    add_notes(assumed);
+    GBuffer gbuffer;
+    if (params.surfels == SurfelSource::traced) {
+      ProgressBar progress = bar("primary rays");
+      gbuffer = trace_gbuffer(tracer(), view, progress.callback());
+    } else {
+      gbuffer = read_back(context(), draw_gbuffer(context(), uploaded(), view));
+    }
+    return Surfels{std::move(view), std::move(gbuffer)};
+  });
+}
+
+const GpuGBuffer& Stages::gpu_surfels(const Experiment& experiment) {
+  const Surfels& both = surfels(experiment);
+  return gpu_surfels_.get(key_of(Stage::surfels, experiment), [&] { return upload(context(), both.gbuffer); });
+}
+
+std::string Stages::key(Stage stage, const Experiment& experiment, std::uint32_t light) const {
+  return key_of(stage, experiment) + "of light " + std::to_string(light);
+}
+
+const MapLayout& Stages::layout(const Experiment& experiment, std::uint32_t light) {
+  return layout_.get(key(Stage::layout, experiment, light), [&] {
+    const Surfels& seen = surfels(experiment);
+    return with_point_map(
+        fit_map(scene_.lights[light], bounds_, experiment.shadow.map, {seen.gbuffer, seen.view}, experiment.shadow.fit),
+        experiment.shadow.map_depth.point_map);
+  });
+}
+
+const CountedPixels& Stages::counted(const Experiment& experiment, std::uint32_t light) {
+  return counted_.get(key(Stage::counted, experiment, light), [&] {
+    return count_pixels(surfels(experiment).gbuffer, this->light(experiment, light), layout(experiment, light));
+  });
+}
+
+ReferenceKey Stages::reference_key(const Experiment& experiment, Stage stage, const std::string& kind) {
+  if (!cache_.enabled()) return {};
+  return {kind,
+          tracer_identity_.get("", tracer_identity),
+          scene_content_.get("", [&] { return scene_content(scene_); }),
+          surfel_content_.get(key_of(Stage::surfels, experiment),
+                              [&] { return surfel_content(surfels(experiment).gbuffer); }),
+          "",
+          own_key_of(stage, in_metres(experiment)),
+          static_cast<std::uint32_t>(experiment.run.seed)};
+}
+
+Light Stages::light(const Experiment& experiment, std::uint32_t light) const {
+  Light lamp = with_extent(scene_.lights[light], experiment.light);
+  if (experiment.truth.shadow == ShadowReference::point) lamp.emitter = std::monostate{};
+  return lamp;
+}
+
+Stage Stages::reference_stage(const Experiment& experiment, std::uint32_t light) const {
+  if (experiment.truth.shadow == ShadowReference::pixel) return Stage::pixel_reference;
+  return is_area(this->light(experiment, light)) ? Stage::area_reference : Stage::binary_reference;
+}
+
+const TracedVisibility& Stages::truth(const Experiment& experiment, std::uint32_t light) {
+  const Stage stage = reference_stage(experiment, light);
+  if (stage == Stage::binary_reference) return hard_truth(experiment, light);
+  return sampled_truth_.get(key(stage, experiment, light), [&] { return trace(experiment, stage, light); });
+}
+
+const TracedVisibility& Stages::hard_truth(const Experiment& experiment, std::uint32_t light) {
+  constexpr Stage stage = Stage::binary_reference;
+  return hard_truth_.get(key(stage, experiment, light), [&] { return trace(experiment, stage, light); });
+}
+
+TracedVisibility Stages::trace(const Experiment& experiment, Stage reference, std::uint32_t light) {
+  Light lamp = this->light(experiment, light);
+  if (reference == Stage::binary_reference) lamp.emitter = std::monostate{};
+  ReferenceKey key = reference_key(experiment, reference, "visibility");
+  key.light = light_content(lamp);
+  const Surfels& seen = surfels(experiment);
+  const bool is_over_pixel = reference == Stage::pixel_reference;
+  if (is_over_pixel) key.surfels += camera_content(seen.view.camera);
+  const std::function<TracedVisibility()> trace = [&] {
+    const Tracer& rays = tracer();
+    ProgressBar progress = tracing_bar("shadow rays", [&] { return rays.rays_traced(); });
+    const TruthSampling sampling{experiment.truth, static_cast<std::uint32_t>(experiment.run.seed)};
+    if (is_over_pixel) {
+      return trace_pixel_visibility(rays, seen.gbuffer, seen.view, lamp, sampling, progress.callback());
+    }
+    return trace_visibility(rays, seen.gbuffer, lamp, sampling, progress.callback());
+  };
+  TracedVisibility traced = cache_.get(key, {scene_title(experiment), "visibility of " + title(light)}, trace);
+  add(costs_.shadow, traced.statistics);
+  costs_.largest_offset = std::max(costs_.largest_offset, traced.statistics.largest_offset);
+  return traced;
+}
+
+Experiment Stages::in_metres(const Experiment& experiment) const {
+  return umbrameter::in_metres(experiment, 2.0 * bounds().radius());
+}
+
+AoInBackground::~AoInBackground() {
+  is_cancelled = true;
+  if (traced.valid()) traced.wait();
+}
+
+void Stages::begin_ao_truth(const Experiment& experiment) {
+  struct Cancelled {};
+  ao_in_background_ = std::make_unique<AoInBackground>();
+  AoInBackground& work = *ao_in_background_;
+  work.key = key_of(Stage::ao_reference, in_metres(experiment));
+  // Computed here, because the thread must not run stages; the memo keeps the surfels until the view changes.
+  const Tracer& rays = tracer();
+  const GBuffer& gbuffer = surfels(experiment).gbuffer;
+  work.traced =
+      std::async(std::launch::async, [&work, &rays, &gbuffer, params = in_metres(experiment).truth,
+                                      seed = static_cast<std::uint32_t>(experiment.run.seed),
+                                      key = reference_key(experiment, Stage::ao_reference, "ao"),
+                                      title = scene_title(experiment), folder = options_.cache, console = console_] {
+        ReferenceCache cache(folder, console);
+        const std::function<TracedAo()> trace = [&] {
+          return trace_ao(rays, gbuffer, params, seed, [&work](double share) {
+            if (work.is_cancelled) throw Cancelled{};
+            work.share = share;
+          });
+        };
+        return cache.get(key, {title, "ambient occlusion"}, trace);
+      });
+}
+
+const TracedAo& Stages::ao_truth(const Experiment& experiment) {
+  const TruthParams params = in_metres(experiment).truth;
+  const std::string key = key_of(Stage::ao_reference, in_metres(experiment));
+  const auto counted = [&](TracedAo traced) {
+    add(costs_.hemisphere, traced.statistics);
+    costs_.largest_offset = std::max(costs_.largest_offset, traced.statistics.largest_offset);
+    return traced;
+  };
+  return ao_truth_.get(key, [&] {
+    if (ao_in_background_ && ao_in_background_->key == key) {
+      const std::unique_ptr<AoInBackground> work = std::move(ao_in_background_);
+      const Tracer& rays = tracer();
+      ProgressBar progress = tracing_bar("hemisphere rays", [&] { return rays.rays_traced(); });
+      while (work->traced.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
+        progress.show(work->share);
+      }
+      return counted(work->traced.get());
+    }
+    const std::function<TracedAo()> trace = [&] {
+      const Tracer& rays = tracer();
+      ProgressBar progress = tracing_bar("hemisphere rays", [&] { return rays.rays_traced(); });
+      return trace_ao(rays, surfels(experiment).gbuffer, params, static_cast<std::uint32_t>(experiment.run.seed),
+                      progress.callback());
+    };
+    return counted(cache_.get(reference_key(experiment, Stage::ao_reference, "ao"),
+                              {scene_title(experiment), "ambient occlusion"}, trace));
+  });
+}
+
+const ShadowMap& Stages::map(const Experiment& experiment, std::uint32_t light) {
+  return map_.remake(key(Stage::map, experiment, light), [&](std::optional<ShadowMap> last) {
+    const MapLayout& layout = this->layout(experiment, light);
+    // Software drivers clear every page of a new texture, which takes longer than drawing a small scene.
+    ShadowMap drawn = last && has_textures_for(*last, layout) ? std::move(*last) : make_shadow_map(context(), layout);
+    drawn.layout = layout;
+    redraw_shadow_map(context(), uploaded(), scene_.lights[light], drawn, experiment.shadow.map_depth);
+    return drawn;
+  });
+}
+
+const StoredDepths& Stages::stored_depths(const Experiment& experiment, std::uint32_t light) {
+  return stored_depths_.get(key(Stage::map, experiment, light), [&] {
+    const MapDepthParams& params = experiment.shadow.map_depth;
+    const ShadowMap& map = this->map(experiment, light);
+    StoredDepths depths;
+    depths.polygon_offset_unit = measure_offset_unit(context(), params.format);
+    depths.range = depth_range_of(context(), map);
+    if (depths.range) {
+      depths.step_at_nearest = depth_step(params, map.layout, depths.range->nearest);
+      depths.step_at_farthest = depth_step(params, map.layout, depths.range->farthest);
+    }
+    return depths;
+  });
+}
+
+ShadowLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth) {
+  const GpuGBuffer& gpu = gpu_surfels(experiment);
+  const ShadowMap& map = this->map(experiment, light);
+  const gl::Texture* gpu_truth = nullptr;
+  if (with_truth) {
+    const Stage reference = reference_stage(experiment, light);
+    gpu_truth = &gpu_truth_.get(key(reference, experiment, light) + key(Stage::counted, experiment, light), [&] {
+      return upload_truth(context(), truth(experiment, light).visibility, counted(experiment, light).exclusion);
+    });
+  }
+  const ShadowTechnique technique =
+      make_technique(experiment.shadow, half_size(with_extent(scene_.lights[light], experiment.light).emitter));
+  const FilteredMap& filtered = filtered_map_.get(key(Stage::filtered_map, experiment, light), [&] {
+    return filter_map({context(), uploaded(), scene_.lights[light], map, experiment.shadow.map_depth}, technique);
+  });
+  return {uploaded(), gpu,       map,       scene_.lights[light],     experiment.shadow.bias,
+          technique,  gpu_truth, &filtered, &surfels(experiment).view};
+}
+
+RasterVisibility Stages::draw(const Experiment& experiment, std::uint32_t light, bool with_truth) {
+  return draw_visibility(context(), shadow_lookup(experiment, light, with_truth));
+}
+
+std::vector<Image<float>> Stages::draw_lookups(std::span<const Experiment> experiments, std::uint32_t light) {
+  const ShadowLookup lookup = shadow_lookup(experiments.front(), light, false);
+  std::vector<PrefilteredLookup> lookups;
+  for (const Experiment& each : experiments) {
+    lookups.push_back(lookup_of(each.shadow.bias, std::get<Prefiltered>(make_technique(each.shadow))));
+  }
+  return umbrameter::draw_lookups(context(), lookup, std::get<Prefiltered>(lookup.technique), lookups);
+}
+
+const StoredSurfels& Stages::stored_surfels(const Experiment& experiment) {
+  const GpuGBuffer& exact = gpu_surfels(experiment);
+  return stored_surfels_.get(key_of(Stage::stored_gbuffer, experiment), [&] {
+    const View& view = surfels(experiment).view;
+    StoredGBuffer stored = store_gbuffer(context(), exact, view, experiment.shading);
+    GpuGBuffer gpu = decode_surfels(context(), stored, exact, view);
+    GBuffer gbuffer = read_back(context(), gpu);
+    return StoredSurfels{std::move(stored), std::move(gpu), std::move(gbuffer)};
+  });
+}
+
+ShadingSurfels Stages::shading_surfels(const Experiment& experiment) {
+  if (experiment.shading.path == ShadingPath::forward) {
+    return {gpu_surfels(experiment), surfels(experiment).gbuffer, true};
+  }
+  const StoredSurfels& stored = stored_surfels(experiment);
+  return {stored.gpu, stored.gbuffer, false};
+}
+
+Image<float> Stages::draw_visibility_of(const GpuGBuffer& surfels, const Experiment& experiment, std::uint32_t light) {
+  const ShadowLookup exact = shadow_lookup(experiment, light, false);
+  return draw_visibility(context(), {exact.scene, surfels, exact.map, exact.light, exact.bias, exact.technique, nullptr,
+                                     exact.filtered, exact.view})
+      .visibility;
+}
+
+ShadedImage Stages::shade(const Experiment& experiment, std::span<const LitLight> lights, const Image<float>& ao) {
+  const View& view = surfels(experiment).view;
+  const GpuGBuffer& exact = gpu_surfels(experiment);
+  if (experiment.shading.path == ShadingPath::forward) {
+    return draw_forward(context(), {uploaded(), exact, view, experiment.shading}, lights, ao);
+  }
+  return draw_deferred(context(), {stored_surfels(experiment).stored, exact, view, experiment.shading}, lights, ao);
+}
+
+}  // namespace umbrameter

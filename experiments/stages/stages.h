@@ -1,0 +1,255 @@
+// Runs the stages of one scene on demand. The last result of each stage is kept, with the values of the parameters that
+// it depends on (stage_inputs.h), so that the cells of a sweep share results.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <functional>
+#include <future>
+#include <list>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "compare/unresolved_taps.h"
+#include "compare/visibility.h"
+#include "experiments/settings/experiment.h"
+#include "experiments/settings/stage_inputs.h"
+#include "experiments/stages/costs.h"
+#include "experiments/stages/reference_cache.h"
+#include "raster/rasterizer.h"
+#include "raster/shading/shading_pass.h"
+#include "raytrace/tracer.h"
+#include "reports/files/console.h"
+#include "results/measurement.h"
+#include "results/scene_facts.h"
+#include "scenes/scene.h"
+#include "techniques/shadow/cascades.h"
+#include "techniques/shadow/map_layout.h"
+
+namespace umbrameter {
+
+/// The last computed values and their keys; one, unless keep() allows more. A value stays where it is until it gives
+/// way to a newer one.
+template <class T>
+class Memo {
+ public:
+  void keep(std::size_t values) { most_ = values; }
+
+  const T& get(const std::string& key, const std::function<T()>& make) {
+    return remake(key, [&](std::optional<T> last) {
+      last.reset();
+      return make();
+    });
+  }
+
+  /// make() receives the oldest value, if it has to give way, and may reuse its parts.
+  const T& remake(const std::string& key, const std::function<T(std::optional<T>)>& make) {
+    const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& each) { return each.key == key; });
+    if (found != kept_.end()) {
+      kept_.splice(kept_.begin(), kept_, found);
+      return kept_.front().value;
+    }
+    std::optional<T> oldest;
+    while (kept_.size() >= most_) {
+      oldest.emplace(std::move(kept_.back().value));
+      kept_.pop_back();
+    }
+    kept_.push_front({key, make(std::move(oldest))});
+    return kept_.front().value;
+  }
+
+ private:
+  struct Kept {
+    std::string key;
+    T value;
+  };
+  std::list<Kept> kept_;  // the newest first
+  std::size_t most_ = 1;
+};
+
+/// A reference of ambient occlusion that another thread traces. The destructor cancels it and waits.
+struct AoInBackground {
+  std::string key;
+  std::atomic<double> share{0.0};  ///< share that is done, 0 to 1
+  std::atomic<bool> is_cancelled{false};
+  std::future<TracedAo> traced{};
+
+  ~AoInBackground();
+};
+
+/// Which results a command needs. The difference is computed if both are needed.
+struct Sides {
+  bool raster = true;
+  bool truth = true;
+};
+
+/// The deferred path's G-buffer, and the surfels decoded from it, on the GPU and in memory.
+struct StoredSurfels {
+  StoredGBuffer stored;
+  GpuGBuffer gpu;
+  GBuffer gbuffer;
+};
+
+/// The surfels that the technique shades. Forward path: the exact ones. Deferred path: those decoded from its G-buffer.
+struct ShadingSurfels {
+  const GpuGBuffer& gpu;
+  const GBuffer& gbuffer;
+  bool is_exact = true;
+};
+
+struct StageOptions {
+  std::string gl_device;
+  int threads = 0;
+  std::optional<CacheFolder> cache{};  ///< for references
+  std::string source{};                ///< the scene's file or built-in name, for messages
+  /// The GL context, current on the calling thread. If empty, Stages creates one.
+  std::shared_ptr<gl::Context> context{};
+};
+
+class Stages {
+ public:
+  /// If the scene has no lights, adds a sun and a note.
+  Stages(Scene scene, StageOptions options, const Console& console);
+
+  const Scene& scene() const { return scene_; }
+  /// Of the scene without its ground.
+  const Bounds& bounds() const { return bounds_.scene; }
+  const MappedBounds& mapped_bounds() const { return bounds_; }
+  /// in_metres() with the size of this scene.
+  Experiment in_metres(const Experiment& experiment) const;
+  /// Of the scene with the light that was added.
+  const SceneFacts& facts() const { return facts_; }
+  const std::string& layer(std::uint32_t light) const { return facts_.layer(light); }
+  const std::string& title(std::uint32_t light) const { return facts_.title(light); }
+  /// The light with the extent that the experiment gives it; without extent if truth.shadow is point.
+  Light light(const Experiment& experiment, std::uint32_t light) const;
+  /// Whether the reference of the light's shadow is sampled and takes values between 0 and 1, so that it has no causes.
+  bool is_sampled(const Experiment& experiment, std::uint32_t light) const {
+    return reference_stage(experiment, light) != Stage::binary_reference;
+  }
+  /// Throws Error (usage) if the light.* parameters, or those of cascades, make no sense for these lights.
+  void check_is_meaningful(const Experiment& experiment, const std::vector<std::uint32_t>& lights) const;
+  /// Indices of the lights that a name or index selects; all when empty.
+  std::vector<std::uint32_t> lights(const std::string& name_or_index) const;
+
+  const Tracer& tracer();
+  const gl::Context& context();
+  const UploadedScene& uploaded();
+
+  const Surfels& surfels(const Experiment& experiment);
+  const GpuGBuffer& gpu_surfels(const Experiment& experiment);
+  const MapLayout& layout(const Experiment& experiment, std::uint32_t light);
+  const CountedPixels& counted(const Experiment& experiment, std::uint32_t light);
+  ShadowMapImages read_map(const Experiment& experiment, std::uint32_t light);
+  /// The values that a filtered map holds: for each view the same number of layers, one after the other; none if the
+  /// technique has no such map.
+  std::vector<Image<vec4>> read_filtered_map(const Experiment& experiment, std::uint32_t light);
+
+  /// Capabilities of the experiment's technique.
+  TechniqueCapabilities capabilities(const Experiment& experiment) const {
+    return capabilities_of(make_technique(experiment.shadow));
+  }
+
+  const TracedVisibility& truth(const Experiment& experiment, std::uint32_t light);
+  /// The hard shadow: from each pixel's centre to the light's centre. It is truth() where that is not sampled. Its
+  /// edges are the shadow edges of the statistics; those of a sampled reference would depend on the number of rays.
+  const TracedVisibility& hard_truth(const Experiment& experiment, std::uint32_t light);
+  const TracedAo& ao_truth(const Experiment& experiment);
+  /// Starts tracing on another thread; ao_truth() for the same experiment waits for the result. The view must not
+  /// change before that.
+  void begin_ao_truth(const Experiment& experiment);
+  /// If with_truth, also classifies wrong taps by the two-plane rule.
+  RasterVisibility draw(const Experiment& experiment, std::uint32_t light, bool with_truth);
+  /// Tests with rays the taps that the two-plane rule calls false occlusion, and moves those on the receiver's surface
+  /// to acne in `wrong`, the result of draw() for the same experiment.
+  ClassAgreement reclassify(const Experiment& experiment, std::uint32_t light, WrongTaps& wrong);
+  /// The error at every bias of the axes, which replace the experiment's biases. Classifies taps by run.classes.
+  BiasHistogram bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes);
+  /// Where the tap of each pixel flips, for a technique with one tap per pixel. Classifies taps by run.classes.
+  TapFlips tap_flips(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes);
+  /// The visibility of experiments that differ only in lookup_parameters(), at most max_lookups, in one pass.
+  std::vector<Image<float>> draw_lookups(std::span<const Experiment> experiments, std::uint32_t light);
+  Image<float> draw_ao(const Experiment& experiment);
+  /// The samples of hemisphere SSAO that occlude at the axes' first bias or more. The axes replace the experiment's
+  /// bias and number of samples.
+  void draw_ao_response(const Experiment& experiment, const AoAxes& axes, const AoResponseSink& sink);
+
+  /// What the technique of ambient occlusion reads of surfels().
+  AoSurfelImages read_ao_surfels(const Experiment& experiment);
+
+  ShadingSurfels shading_surfels(const Experiment& experiment);
+  /// The technique's results at these surfels instead of surfels().
+  Image<float> draw_visibility_of(const GpuGBuffer& surfels, const Experiment& experiment, std::uint32_t light);
+  Image<float> draw_ao_of(const GpuGBuffer& surfels, const Experiment& experiment);
+  /// The technique's image, by the path of the experiment.
+  ShadedImage shade(const Experiment& experiment, std::span<const LitLight> lights, const Image<float>& ao);
+  /// The light's shadow map.
+  const ShadowMap& map(const Experiment& experiment, std::uint32_t light);
+  /// What the light's shadow map can store.
+  const StoredDepths& stored_depths(const Experiment& experiment, std::uint32_t light);
+
+  /// From now on keeps the surfels, references and, if with_maps, shadow maps of this many views and lights, for
+  /// commands that go round them.
+  void keep_cases(std::size_t cases, bool with_maps);
+
+  /// Reports the progress of tracing to `to`, for a bar that covers several stages; the stages then show no bars. If
+  /// `to` is empty, each stage shows its bar again.
+  void report_tracing(Progress to) { tracing_ = std::move(to); }
+
+  /// Costs of tracing so far.
+  const Costs& costs() const { return costs_; }
+  /// Every assumption made so far, each once.
+  const std::vector<std::string>& notes() const { return notes_; }
+  /// Adds and prints those notes that are new.
+  void add_notes(const std::vector<std::string>& notes);
+
+ private:
+  using TestedTaps = std::function<void(std::span<const UnresolvedTap>, std::span<const std::uint8_t>)>;
+  void test_unresolved_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes, bool of_lit,
+                            const TestedTaps& take);
+  ShadowLookup shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth);
+  const StoredSurfels& stored_surfels(const Experiment& experiment);
+  ProgressBar bar(const char* stage) const;
+  ProgressBar tracing_bar(const char* stage, std::function<std::uint64_t()> count_rays) const;
+  ReferenceKey reference_key(const Experiment& experiment, Stage stage, const std::string& kind);
+  std::string key(Stage stage, const Experiment& experiment, std::uint32_t light) const;
+  Stage reference_stage(const Experiment& experiment, std::uint32_t light) const;
+  TracedVisibility trace(const Experiment& experiment, Stage reference, std::uint32_t light);
+
+  Scene scene_;
+  StageOptions options_;
+  Console console_;
+  Progress tracing_;
+  MappedBounds bounds_;
+  SceneFacts facts_;
+  std::vector<std::string> notes_;
+  ReferenceCache cache_;
+  Costs costs_;
+  std::optional<Tracer> tracer_;
+  // Before all members that hold GPU objects, so that these are destroyed before their context.
+  std::shared_ptr<gl::Context> context_;
+  std::unique_ptr<UploadedScene> uploaded_;
+  Memo<Surfels> surfels_;
+  Memo<GpuGBuffer> gpu_surfels_;
+  Memo<StoredSurfels> stored_surfels_;
+  Memo<MapLayout> layout_;
+  Memo<CountedPixels> counted_;
+  Memo<ShadowMap> map_;
+  Memo<StoredDepths> stored_depths_;
+  Memo<FilteredMap> filtered_map_;
+  Memo<Image<float>> ao_;
+  Memo<TracedVisibility> hard_truth_;
+  Memo<TracedVisibility> sampled_truth_;
+  Memo<gl::Texture> gpu_truth_;
+  Memo<TracedAo> ao_truth_;
+  Memo<std::string> tracer_identity_;
+  Memo<std::string> scene_content_;
+  Memo<std::string> surfel_content_;
+  // The last member, destroyed first: its thread reads the tracer and the surfels until it ends.
+  std::unique_ptr<AoInBackground> ao_in_background_;
+};
+
+}  // namespace umbrameter

@@ -1,0 +1,304 @@
+#include "experiments/tune/tune_case.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+
+#include "core/error.h"
+#include "experiments/measure/measure.h"
+#include "experiments/measure/measure_biases.h"
+#include "experiments/measure/measure_image.h"
+#include "experiments/measure/metric_scores.h"
+#include "raster/gl/timer.h"
+
+namespace umbrameter {
+namespace {
+
+std::vector<SweepAxis> sweep_axes(const std::vector<TuneAxis>& axes) {
+  std::vector<SweepAxis> result;
+  for (const TuneAxis& axis : axes) result.push_back(axis.axis);
+  return result;
+}
+
+double value_of(const Statistic& statistic) {
+  if (const auto* const* estimate = std::get_if<Estimate*>(&statistic.field)) return (*estimate)->value;
+  if (const auto* const* count = std::get_if<std::uint64_t*>(&statistic.field)) return static_cast<double>(**count);
+  return *std::get<double*>(statistic.field);
+}
+
+// The described object's values at the goal's columns; NaN over no pixels, and for a column that it does not describe.
+class GoalReader {
+ public:
+  GoalReader(Statistics statistics, const TuneGoal& goal) : statistics_(std::move(statistics)) {
+    for (const Statistic& each : statistics_) {
+      if (each.name == pixels_statistic) pixels_ = &each;
+    }
+    for (const Column& column : goal.columns) {
+      const auto found = std::find_if(statistics_.begin(), statistics_.end(),
+                                      [&](const Statistic& each) { return each.name == column.name; });
+      columns_.push_back(found == statistics_.end() ? nullptr : &*found);
+    }
+  }
+  CaseValues read() const {
+    CaseValues values(columns_.size(), std::numeric_limits<double>::quiet_NaN());
+    if (pixels_ != nullptr && value_of(*pixels_) == 0.0) return values;
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+      if (columns_[c] != nullptr) values[c] = value_of(*columns_[c]);
+    }
+    return values;
+  }
+  bool has(std::size_t column) const { return columns_[column] != nullptr; }
+  const Statistics& statistics() const { return statistics_; }
+
+ private:
+  Statistics statistics_;
+  const Statistic* pixels_ = nullptr;
+  std::vector<const Statistic*> columns_;
+};
+
+// What is measured: technique and reference, drawn once, and their statistics over the pixels that are not left out.
+struct Drawn {
+  std::function<CellStatistics(const std::function<bool(std::size_t)>& is_left_out)> analyze;
+  ComparedImages images;
+};
+
+CountedPixels without(CountedPixels counted, const std::function<bool(std::size_t)>& is_left_out) {
+  for (std::size_t i = 0; i < counted.exclusion.size(); ++i) {
+    if (is_left_out(i)) counted.exclusion[i] = PixelExclusion::background;
+  }
+  return counted;
+}
+
+Drawn draw_shadow(const TuneCase& tuned, const Experiment& experiment) {
+  Stages& stages = *tuned.stages;
+  auto measured = std::make_shared<ShadowMeasurement>(measure_shadow(stages, experiment, tuned.light, {}));
+  Drawn drawn;
+  drawn.images = compared_visibility(stages, experiment, tuned.light, measured->raster->visibility);
+  drawn.analyze = [measured, &stages, experiment, light = tuned.light](const auto& is_left_out) -> CellStatistics {
+    const auto as_cell = [](const auto& statistics) -> CellStatistics { return statistics; };
+    if (!is_left_out) return std::visit(as_cell, *measured->statistics);
+    const CountedPixels counted = without(measured->counted, is_left_out);
+    const Image<float>& technique = measured->raster->visibility;
+    if (by_cause(*measured) != nullptr) {
+      return analyze_visibility(measured->raster->wrong, measured->truth->visibility, counted);
+    }
+    if (measured->is_sampled) return analyze_soft_visibility(technique, sampled(*measured->truth), counted);
+    const Light lamp = stages.light(experiment, light);
+    const ShapeInput input{stages.surfels(experiment).gbuffer, measured->truth->visibility, counted, lamp,
+                           measured->layout};
+    return analyze_edges(input, technique, analyze_error_shape(input, technique));
+  };
+  return drawn;
+}
+
+Drawn draw_occlusion(const TuneCase& tuned, const Experiment& experiment) {
+  Stages& stages = *tuned.stages;
+  auto measured = std::make_shared<AoMeasurement>(measure_ao(stages, experiment, {}));
+  auto gbuffer = std::make_shared<GBuffer>(stages.surfels(experiment).gbuffer);
+  Drawn drawn;
+  drawn.images = compared_ao(stages, experiment, *measured->raster);
+  drawn.analyze = [measured, gbuffer](const auto& is_left_out) -> CellStatistics {
+    if (!is_left_out) return *measured->statistics;
+    const Image<std::uint32_t> before = gbuffer->instance;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      if (is_left_out(i)) gbuffer->instance[i] = no_id;
+    }
+    const TracedAo& truth = *measured->truth;
+    AoStatistics statistics =
+        analyze_ao(*measured->raster, {truth.ao, truth.variance, truth.samples, truth.degrees_of_freedom}, *gbuffer);
+    gbuffer->instance = before;
+    return statistics;
+  };
+  return drawn;
+}
+
+Drawn draw_image(const TuneCase& tuned, const Experiment& experiment) {
+  Stages& stages = *tuned.stages;
+  const ImageMeasurement measured = measure_image(stages, experiment, stages.lights(experiment.view.light), {});
+  Drawn drawn;
+  drawn.images = compared_image(stages, experiment, {measured.raster->radiance, *measured.truth});
+  drawn.analyze = [statistics = *measured.statistics](const auto&) -> CellStatistics { return statistics; };
+  return drawn;
+}
+
+Drawn draw(const TuneCase& tuned, const Experiment& experiment) {
+  if (tuned.quantity == SweptQuantity::ao) return draw_occlusion(tuned, experiment);
+  return tuned.quantity == SweptQuantity::image ? draw_image(tuned, experiment) : draw_shadow(tuned, experiment);
+}
+
+// The least of some runs: everything else on the machine can only add to it.
+double pass_time(const TuneCase& tuned, const Experiment& experiment) {
+  constexpr int runs = 3;
+  Stages& stages = *tuned.stages;
+  double least = std::numeric_limits<double>::infinity();
+  for (int run = 0; run < runs; ++run) {
+    gl::PassTime time;
+    gl::run_timed(&time, [&] {
+      if (tuned.quantity == SweptQuantity::ao) {
+        stages.draw_ao(experiment);
+      } else {
+        stages.draw(experiment, tuned.light, false);
+      }
+    });
+    least = std::min(least, time.wall);
+  }
+  return 1000.0 * least;
+}
+
+std::optional<MetricColumn> find_metric(const std::string& name, SweptQuantity quantity) {
+  for (const Metric& metric : color_metrics()) {
+    for (const MetricColumn& column : columns_of(metric, quantity == SweptQuantity::visibility)) {
+      if (column.name == name) return column;
+    }
+  }
+  return {};
+}
+
+bool is_of_causes(const std::string& name) {
+  VisibilityStatistics statistics;
+  const Statistics described = describe(statistics);
+  return std::any_of(described.begin(), described.end(), [&](const Statistic& each) { return each.name == name; });
+}
+
+// Image metrics are computed from the images; all else must be described.
+void require_columns(const GoalReader& reader, const TuneCase& tuned, const TuneGoal& goal) {
+  for (std::size_t c = 0; c < goal.columns.size(); ++c) {
+    const std::string& name = goal.columns[c].name;
+    if (reader.has(c) || name == pass_time_statistic || find_metric(name, tuned.quantity)) continue;
+    std::string names;
+    for (const Statistic& each : reader.statistics()) names += (names.empty() ? "" : ", ") + each.name;
+    const bool needs_binary = tuned.quantity == SweptQuantity::visibility && is_of_causes(name) &&
+                              tuned.stages->is_sampled(tuned.experiment, tuned.light);
+    throw Error(ExitCode::usage, tuned.title,
+                needs_binary ? fmt::format("'{}' needs a binary reference", name)
+                             : fmt::format("this technique and light report no '{}'", name),
+                needs_binary ? "set --truth.shadow point" : "choose from: " + names);
+  }
+}
+
+CaseValues values_of(Drawn& drawn, const TuneCase& tuned, const TuneGoal& goal,
+                     const std::function<bool(std::size_t)>& is_left_out) {
+  CellStatistics statistics = drawn.analyze(is_left_out);
+  const GoalReader reader(describe(statistics), goal);
+  require_columns(reader, tuned, goal);
+  CaseValues values = reader.read();
+  std::vector<std::size_t> places;
+  std::vector<MetricColumn> metrics;
+  for (std::size_t c = 0; c < values.size(); ++c) {
+    if (reader.has(c) || goal.columns[c].name == pass_time_statistic) continue;
+    places.push_back(c);
+    metrics.push_back(*find_metric(goal.columns[c].name, tuned.quantity));
+  }
+  if (metrics.empty()) return values;
+  const auto is_counted = drawn.images.is_counted;
+  if (is_left_out) {
+    drawn.images.is_counted = [&](std::size_t i) { return is_counted(i) && !is_left_out(i); };
+  }
+  const std::vector<MetricScore> scores = score(metrics, drawn.images);
+  drawn.images.is_counted = is_counted;
+  for (std::size_t i = 0; i < places.size(); ++i) values[places[i]] = scores[i].score;
+  return values;
+}
+
+void set_time(CaseValues& values, const TuneGoal& goal, double time) {
+  for (std::size_t c = 0; c < values.size(); ++c) {
+    if (goal.columns[c].name == pass_time_statistic) values[c] = time;
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> titles_of(const std::vector<TuneCase>& cases) {
+  std::vector<std::string> titles;
+  for (const TuneCase& each : cases) titles.push_back(each.title);
+  return titles;
+}
+
+void require_statistics(const TuneCase& tuned, const TuneGoal& goal) {
+  CellStatistics statistics = choose_statistics(*tuned.stages, tuned.experiment, {}, tuned.quantity);
+  require_columns(GoalReader(describe(statistics), goal), tuned, goal);
+}
+
+void prepare(const TuneCase& tuned) {
+  if (tuned.quantity == SweptQuantity::visibility) {
+    tuned.stages->truth(tuned.experiment, tuned.light);
+  } else if (tuned.quantity == SweptQuantity::ao) {
+    tuned.stages->ao_truth(tuned.experiment);
+  }
+}
+
+Experiment at_point(const TuneCase& tuned, const std::vector<TuneAxis>& axes, const std::vector<Value>& point) {
+  return tuned.stages->in_metres(at_cell(tuned.experiment, sweep_axes(axes), point));
+}
+
+CaseValues measure_case(const TuneCase& tuned, const Experiment& experiment, const TuneGoal& goal) {
+  Drawn drawn = draw(tuned, experiment);
+  CaseValues values = values_of(drawn, tuned, goal, {});
+  if (goal.measures_time) set_time(values, goal, pass_time(tuned, experiment));
+  return values;
+}
+
+bool has_exact_bias(const TuneCase& tuned, const std::vector<TuneAxis>& axes, const TuneGoal& goal) {
+  if (tuned.quantity != SweptQuantity::visibility) return false;
+  VisibilityStatistics statistics;
+  const GoalReader reader(describe(statistics), goal);
+  for (std::size_t c = 0; c < goal.columns.size(); ++c) {
+    if (!reader.has(c)) return false;
+  }
+  const std::vector<SweepAxis> varied = sweep_axes(axes);
+  return is_one_pass(*tuned.stages, tuned.experiment, varied,
+                     choose_statistics(*tuned.stages, tuned.experiment, varied, tuned.quantity));
+}
+
+std::vector<CaseValues> measure_biases_of(const TuneCase& tuned, const Experiment& experiment, const TuneGoal& goal,
+                                          const std::vector<double>& constants) {
+  Experiment described = experiment;
+  const double slope = to_number(require(describe(described), slope_bias_key).value());
+  const auto measured = measure_biases(*tuned.stages, experiment, tuned.light, constants, {slope});
+  VisibilityStatistics statistics;
+  const GoalReader reader(describe(statistics), goal);
+  std::vector<CaseValues> values;
+  for (const VisibilityStatistics& each : measured.front()) {
+    statistics = each;
+    values.push_back(reader.read());
+  }
+  return values;
+}
+
+std::vector<CaseValues> measure_without_blocks(const TuneCase& tuned, const Experiment& experiment,
+                                               const TuneGoal& goal) {
+  std::vector<CaseValues> blocks;
+  if (tuned.quantity == SweptQuantity::image) {
+    ImageStatistics statistics;
+    const GoalReader reader(describe(statistics), goal);
+    for (std::size_t c = 0; c < goal.columns.size(); ++c) {
+      if (reader.has(c)) return blocks;
+    }
+  }
+  Drawn drawn = draw(tuned, experiment);
+  const double time = goal.measures_time ? pass_time(tuned, experiment) : 0.0;
+  const int width = tuned.experiment.view.size.width, height = tuned.experiment.view.size.height;
+  const auto block_of = [&](std::size_t i) {
+    const int x = static_cast<int>(i % static_cast<std::size_t>(width));
+    const int y = static_cast<int>(i / static_cast<std::size_t>(width));
+    return y * block_grid / height * block_grid + x * block_grid / width;
+  };
+  std::vector<bool> is_used(std::size_t{block_grid} * block_grid);
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    if (drawn.images.is_counted(i)) is_used[static_cast<std::size_t>(block_of(i))] = true;
+  }
+  if (std::count(is_used.begin(), is_used.end(), true) < 2) return blocks;
+  for (int block = 0; block < block_grid * block_grid; ++block) {
+    if (!is_used[static_cast<std::size_t>(block)]) continue;
+    blocks.push_back(values_of(drawn, tuned, goal, [&](std::size_t i) { return block_of(i) == block; }));
+    set_time(blocks.back(), goal, time);
+  }
+  return blocks;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,95 @@
+#include "experiments/tune/tune_judgement.h"
+
+#include <utility>
+
+#include "core/interrupt.h"
+
+namespace umbrameter {
+namespace {
+
+using AtCase = std::function<Experiment(const TuneCase&)>;
+
+AtCase at(const JudgeInput& in, const std::vector<Value>& values) {
+  return [&in, values](const TuneCase& each) { return at_point(each, in.axes, values); };
+}
+
+AtCase as_given() {
+  return [](const TuneCase& each) { return each.experiment; };
+}
+
+std::vector<CaseValues> measure_all(const std::vector<TuneCase>& cases, const TuneGoal& goal, const AtCase& at) {
+  std::vector<CaseValues> values;
+  for (const TuneCase& each : cases) {
+    throw_if_interrupted();
+    values.push_back(measure_case(each, at(each), goal));
+  }
+  return values;
+}
+
+// In the unit of the cost: the default's costs are those of other cases.
+HeldOut check_held_out(const JudgeInput& in) {
+  const TuneGoal goal = not_relative(in.goal);
+  const auto measure = [&](const std::vector<Value>& values, const AtCase& at) {
+    TunePoint point{values, measure_all(in.unseen, goal, at), {}};
+    point.score = score_of(goal, point.values, point.cases);
+    return point;
+  };
+  const AtCase best = at(in, in.result.best.values);
+  HeldOut held{
+      titles_of(in.unseen), measure(in.result.before.values, as_given()), measure(in.result.best.values, best), {}};
+  held.difference = cost_difference(goal, held.best.cases, leave_out_blocks(in.unseen, goal, best), held.before.cases,
+                                    leave_out_blocks(in.unseen, goal, as_given()));
+  return held;
+}
+
+}  // namespace
+
+TuneJudgement judge(const JudgeInput& in, const std::function<void(double)>& progress) {
+  const TuneResult& result = in.result;
+  const bool shows_more = in.shown.columns.size() > in.goal.columns.size();
+  const double steps = 4.0 + static_cast<double>(result.of_words.size());
+  double done = 0.0;
+  const auto step = [&] { progress(++done / steps); };
+  const auto shown_at = [&](const TunePoint& point, const AtCase& at) {
+    return shows_more ? measure_all(in.cases, in.shown, at) : point.cases;
+  };
+
+  TuneJudgement judgement;
+  const AtCase best = at(in, result.best.values);
+  const LeftOutBlocks of_best = leave_out_blocks(in.cases, in.goal, best);
+  judgement.best = cost_interval(in.goal, result.best.cases, of_best);
+  step();
+  const LeftOutBlocks of_before = leave_out_blocks(in.cases, in.goal, as_given());
+  judgement.against_before = cost_difference(in.goal, result.best.cases, of_best, result.before.cases, of_before);
+  step();
+  if (result.runner_up) {
+    judgement.against_runner_up =
+        cost_difference(in.goal, result.best.cases, of_best, result.runner_up->cases,
+                        leave_out_blocks(in.cases, in.goal, at(in, result.runner_up->values)));
+  }
+  step();
+  if (!result.of_words.empty() || shows_more) {
+    judgement.compared.push_back(
+        {{},
+         result.before,
+         shown_at(result.before, as_given()),
+         cost_difference(in.goal, result.before.cases, of_before, result.best.cases, of_best)});
+  }
+  for (const auto& [axis, point] : result.of_words) {
+    ComparedPoint compared{axis, point, shown_at(point, at(in, point.values)), {}, point.values == result.best.values};
+    if (!compared.is_best) {
+      compared.difference = cost_difference(
+          in.goal, point.cases, leave_out_blocks(in.cases, in.goal, at(in, point.values)), result.best.cases, of_best);
+    }
+    judgement.compared.push_back(std::move(compared));
+    step();
+  }
+  if (result.of_words.empty() && shows_more) {
+    judgement.compared.push_back({{}, result.best, shown_at(result.best, best), {}, true});
+  }
+  if (!in.unseen.empty()) judgement.held_out = check_held_out(in);
+  step();
+  return judgement;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,67 @@
+#include "experiments/tune/tune_significance.h"
+
+#include <cmath>
+
+#include "core/interrupt.h"
+#include "core/jackknife.h"
+#include "core/quantiles.h"
+
+namespace umbrameter {
+namespace {
+
+// value_without(case, block) is the whole value with that block of that case left out. Cases are independent, so that
+// their variances add up.
+std::optional<Estimate> jackknife(double value, const LeftOutBlocks& blocks,
+                                  const std::function<double(std::size_t, std::size_t)>& value_without) {
+  double variance = 0.0;
+  double squares = 0.0;  // of the cases' variances over their degrees of freedom
+  for (std::size_t c = 0; c < blocks.size(); ++c) {
+    const std::size_t count = blocks[c].size();
+    if (count < 2) return std::nullopt;
+    std::vector<double> values;
+    for (std::size_t b = 0; b < count; ++b) values.push_back(value_without(c, b));
+    const JackknifeVariance of_case = jackknife_variance(values);
+    variance += of_case.variance;
+    squares += of_case.variance * of_case.variance / of_case.degrees_of_freedom;
+  }
+  if (!std::isfinite(variance) || !std::isfinite(value)) return std::nullopt;
+  // Degrees of freedom of a sum of variances: Welch 1947.
+  const double half_width = variance > 0.0 ? student_95(variance * variance / squares) * std::sqrt(variance) : 0.0;
+  return Estimate{value, value - half_width, value + half_width};
+}
+
+double cost(const TuneGoal& goal, std::vector<CaseValues> cases, std::size_t replaced, const CaseValues& by) {
+  cases[replaced] = by;
+  return total_cost(goal, cases);
+}
+
+}  // namespace
+
+LeftOutBlocks leave_out_blocks(const std::vector<TuneCase>& cases, const TuneGoal& goal,
+                               const std::function<Experiment(const TuneCase&)>& at) {
+  LeftOutBlocks blocks;
+  for (const TuneCase& each : cases) {
+    throw_if_interrupted();
+    blocks.push_back(measure_without_blocks(each, at(each), goal));
+  }
+  return blocks;
+}
+
+std::optional<Estimate> cost_interval(const TuneGoal& goal, const std::vector<CaseValues>& cases,
+                                      const LeftOutBlocks& blocks) {
+  return jackknife(total_cost(goal, cases), blocks,
+                   [&](std::size_t c, std::size_t b) { return cost(goal, cases, c, blocks[c][b]); });
+}
+
+std::optional<Estimate> cost_difference(const TuneGoal& goal, const std::vector<CaseValues>& a,
+                                        const LeftOutBlocks& blocks_a, const std::vector<CaseValues>& b,
+                                        const LeftOutBlocks& blocks_b) {
+  for (std::size_t c = 0; c < blocks_a.size(); ++c) {
+    if (blocks_a[c].size() != blocks_b[c].size()) return std::nullopt;
+  }
+  return jackknife(total_cost(goal, a) - total_cost(goal, b), blocks_a, [&](std::size_t c, std::size_t block) {
+    return cost(goal, a, c, blocks_a[c][block]) - cost(goal, b, c, blocks_b[c][block]);
+  });
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,32 @@
+// Whether one point is better than another beyond chance: both are measured with each block of pixels left out, so that
+// what both have in common cancels (delete-a-group jackknife, Quenouille 1956; Kott 2001).
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/statistics.h"
+#include "experiments/tune/tuner.h"
+
+namespace umbrameter {
+
+/// For each case and each of its blocks: the goal's columns over all other pixels.
+using LeftOutBlocks = std::vector<std::vector<CaseValues>>;
+
+/// `at` makes the experiment of a case.
+LeftOutBlocks leave_out_blocks(const std::vector<TuneCase>& cases, const TuneGoal& goal,
+                               const std::function<Experiment(const TuneCase&)>& at);
+
+/// The cost of all cases with its 95 % interval, which covers the choice of pixels and the noise of the reference's
+/// rays: these differ from pixel to pixel. It does not cover that the point was chosen for its cost. Nothing where a
+/// case has no blocks.
+std::optional<Estimate> cost_interval(const TuneGoal& goal, const std::vector<CaseValues>& cases,
+                                      const LeftOutBlocks& blocks);
+
+/// Cost of `a` − cost of `b`, paired. Nothing where a case has no blocks.
+std::optional<Estimate> cost_difference(const TuneGoal& goal, const std::vector<CaseValues>& a,
+                                        const LeftOutBlocks& blocks_a, const std::vector<CaseValues>& b,
+                                        const LeftOutBlocks& blocks_b);
+
+}  // namespace umbrameter

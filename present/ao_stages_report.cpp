@@ -1,0 +1,159 @@
+#include "present/ao_stages_report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "present/presentation_parts.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::array<const char*, ao_stage_count> meanings = {
+    "The method's own radius, falloff and weight on the full geometry, instead of the requested reference.",
+    "Occluders outside the view vanish.",
+    "Occluders inside the view that no pixel sees vanish.",
+    "All behind the visible surface counts as solid, as thick as the method takes it.",
+    "The method with very many samples, instead of its integral over what the depth buffer knows.",
+    "The method's own number of samples, without blur.",
+    "Its blur.",
+};
+
+const ColorScale stage_scale{ColorMap::error, -0.25, 0.25, "change of accessibility [1]: below 0 darkens"};
+
+std::string signed_text(double value) { return fmt::format("{:+.4f}", value); }
+
+std::string interval_text(const Estimate& estimate) {
+  return fmt::format("{:+.4f} … {:+.4f}", estimate.lower, estimate.upper);
+}
+
+ReportTable stages_table(const AoStageStatistics& statistics) {
+  Table table{{{"stage", "", ""},
+               {"mean", "1", ""},
+               {"95 % interval", "1", ""},
+               {"RMS", "1", ""},
+               {"mean, sRGB", "1", ""},
+               {"meaning", "", ""}},
+              {}};
+  for (std::size_t k = 0; k < ao_stage_count; ++k) {
+    const AoStageError& stage = statistics.stages[k];
+    table.rows.push_back({std::string(ao_stage_titles[k]), signed_text(stage.mean.value), interval_text(stage.mean),
+                          fmt::format("{:.4f}", stage.rms.value), signed_text(stage.srgb_mean),
+                          std::string(meanings[k])});
+  }
+  const SampledError& total = statistics.total;
+  table.rows.push_back({std::string("total"), signed_text(total.mean_error.value), interval_text(total.mean_error),
+                        fmt::format("{:.4f}", total.rmse.value), signed_text(statistics.srgb_mean_error),
+                        std::string("Technique − reference.")});
+  return {"Error by stage", std::move(table)};
+}
+
+struct SplitTitle {
+  std::string_view name;
+  const char* title;
+};
+constexpr SplitTitle split_titles[] = {
+    {"depth", "depth"},
+    {"cosine_to_viewer", "N·V"},
+    {"depth_edge_distance", "distance to a depth edge"},
+    {"image_edge_distance", "distance to the image's edge"},
+    {"error", "error"},
+};
+
+std::string range_text(const AoStageBin& bin) {
+  const std::string unit = bin.unit == "1" ? "" : " " + bin.unit;
+  const bool is_open_above = std::isinf(bin.last) || (bin.split == "cosine_to_viewer" && bin.last > 1.0);
+  if (std::isinf(bin.first)) return fmt::format("below {:.4g}{}", bin.last, unit);
+  if (is_open_above) return fmt::format("{:.4g}{} and more", bin.first, unit);
+  return fmt::format("{:.4g} to {:.4g}{}", bin.first, bin.last, unit);
+}
+
+ReportTable splits_table(const std::vector<AoStageBin>& bins) {
+  Table table{{{"pixels by", "", ""}, {"range", "", ""}, {"pixels", "px", ""}, {"total", "1", ""}}, {}};
+  for (const std::string_view title : ao_stage_titles) table.columns.push_back({std::string(title), "1", ""});
+  for (const AoStageBin& bin : bins) {
+    if (bin.statistics.total.pixels == 0) continue;
+    std::string title = bin.split;
+    for (const SplitTitle& split : split_titles) {
+      if (split.name == bin.split) title = split.title;
+    }
+    std::vector<Value> row = {title, range_text(bin), static_cast<std::int64_t>(bin.statistics.total.pixels),
+                              signed_text(bin.statistics.total.mean_error.value)};
+    for (const AoStageError& stage : bin.statistics.stages) row.emplace_back(signed_text(stage.mean.value));
+    table.rows.push_back(std::move(row));
+  }
+  return {"Signed means of the stages where", std::move(table)};
+}
+
+}  // namespace
+
+WaterfallFigure ao_stages_waterfall(const AoStageStatistics& statistics) {
+  WaterfallFigure figure;
+  figure.stem = "ao_stages";
+  figure.title = "Ambient occlusion: error by stage";
+  figure.caption =
+      "Signed means over all surface pixels; black lines are 95 % intervals. Opposite signs cancel in a mean: compare "
+      "with the RMS below each stage.";
+  figure.label = "technique − reference, mean accessibility [1]";
+  figure.below = "darkens";
+  figure.above = "brightens";
+  const auto step = [](std::string name, const Estimate& mean, const Estimate& rms) {
+    return WaterfallStep{std::move(name), fmt::format("RMS {:.3f}", rms.value), mean.value, mean.lower, mean.upper};
+  };
+  for (std::size_t k = 0; k < ao_stage_count; ++k) {
+    const AoStageError& stage = statistics.stages[k];
+    figure.steps.push_back(step(std::string(ao_stage_titles[k]), stage.mean, stage.rms));
+  }
+  figure.total = step("total", statistics.total.mean_error, statistics.total.rmse);
+  return figure;
+}
+
+ImageFigure ao_stage_figure(AoStage stage, const Image<float>& change) {
+  const auto k = static_cast<std::size_t>(stage);
+  return scalar_figure("ao_stage_" + std::string(ao_stage_names[k]), "AO stage: " + std::string(ao_stage_titles[k]),
+                       std::string(meanings[k]) + " Blue darkens, red brightens.", change, stage_scale);
+}
+
+Presentation present_ao_stages(const AoMeasurement& ao) {
+  const AoStages& stages = *ao.stages;
+  const AoStageStatistics& statistics = stages.statistics;
+  Presentation presentation;
+  ReportSection& section = presentation.section;
+  section.title = "Ambient occlusion: why it is wrong";
+  if (statistics.total.pixels == 0) {
+    section.text = "Nothing to measure: all pixels are background.";
+    return presentation;
+  }
+  section.text = fmt::format(
+      "Each stage changes one thing on the way from the reference to the technique's result. The signed means of the "
+      "stages add up to the total.\n\nThe method's integral: {}.\n\nThe stages up to thin use the same rays, {} per "
+      "pixel. The stage approximation shows the mean of {} draws with at least 1024 samples each.",
+      stages.integral, ao.experiment.truth.spp, stages.many_draws);
+  WaterfallFigure waterfall = ao_stages_waterfall(statistics);
+  waterfall.conditions =
+      fmt::format("{}, radius {}, reference {}", title_of(make_technique(ao.experiment.ao)),
+                  metres_text(ao.experiment.ao.sampling.radius.number), ao_limit_text(ao.experiment.truth));
+  add_figure(presentation, std::move(waterfall));
+  for (std::size_t k = 0; k < ao_stage_count; ++k) {
+    const auto stage = static_cast<AoStage>(k);
+    add_figure(presentation, ao_stage_figure(stage, stage_difference(stages.images, stage)));
+  }
+  section.headlines = {
+      {"mean signed error", signed_text(statistics.total.mean_error.value), "sum of the stages"},
+      {"sRGB PSNR", fmt::format("{:.2f} dB", statistics.srgb_psnr), "of encoded accessibility, peak 1"},
+  };
+  section.tables = {stages_table(statistics), splits_table(stages.bins)};
+  std::size_t largest = 0;
+  for (std::size_t k = 1; k < ao_stage_count; ++k) {
+    if (statistics.stages[k].rms.value > statistics.stages[largest].rms.value) largest = k;
+  }
+  const AoStageError& most = statistics.stages[largest];
+  const double total = statistics.total.rmse.value;
+  presentation.lines.push_back(
+      fmt::format("AO: the stage {} changes most: mean {}, RMS {:.4f}; {}RMS of the error: {:.4f}",
+                  ao_stage_titles[largest], signed_text(most.mean.value), most.rms.value,
+                  most.rms.value > total ? "other stages undo a part of it; " : "", total));
+  return presentation;
+}
+
+}  // namespace umbrameter

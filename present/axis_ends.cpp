@@ -1,0 +1,122 @@
+#include "present/axis_ends.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "present/plot_axes.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::size_t max_rows = 200;
+
+std::vector<double> numbers_of(const SweepAxis& axis) {
+  std::vector<double> numbers;
+  for (const Value& value : axis.values) numbers.push_back(to_number(value));
+  return numbers;
+}
+
+std::size_t index_in(const SweepAxis& axis, const Value& value) {
+  return static_cast<std::size_t>(std::find(axis.values.begin(), axis.values.end(), value) - axis.values.begin());
+}
+
+// The value next to an end of the axis, towards its middle.
+std::size_t neighbour_of_end(const std::vector<double>& numbers, std::size_t end) {
+  std::vector<std::size_t> order(numbers.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });
+  return order.front() == end ? order[1] : order[order.size() - 2];
+}
+
+std::optional<double> error_at(const SweepResults& sweep, std::size_t cell) {
+  const std::vector<std::size_t> cells = {cell};
+  const Table rows = sweep.store.rows(cells, {std::string(error_statistic)});
+  if (rows.rows.empty()) return std::nullopt;
+  return to_number(rows.rows[0][0]);
+}
+
+}  // namespace
+
+AxisEnd end_of(std::span<const double> values, double value, const FieldDescription& limits) {
+  if (values.size() < 2) return AxisEnd::none;
+  const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+  if (value == *least && value != 0.0 && value > limits.min) return AxisEnd::lower;
+  if (value == *largest && value != 0.0 && value < limits.max) return AxisEnd::upper;
+  return AxisEnd::none;
+}
+
+std::vector<OpenEnd> find_open_ends(const SweepResults& sweep, const Table& best,
+                                    std::span<const std::size_t> listed_axes) {
+  const SweepPlan& plan = sweep.plan;
+  std::vector<OpenEnd> ends;
+  for (std::size_t r = 0; r < std::min(best.rows.size(), max_rows); ++r) {
+    const std::vector<Value>& row = best.rows[r];
+    const double error = to_number(row[column_index(best, error_statistic)]);
+    std::size_t cell = 0;
+    for (std::size_t a = 0; a < plan.axes.size(); ++a) cell += index_in(plan.axes[a], row[a]) * plan.strides[a];
+    for (std::size_t a = 0; a < plan.axes.size(); ++a) {
+      const SweepAxis& axis = plan.axes[a];
+      const Parameter& parameter = require(sweep.parameters, axis.key);
+      const bool is_listed = std::find(listed_axes.begin(), listed_axes.end(), a) != listed_axes.end();
+      if (is_listed || !parameter.is_number()) continue;
+      const std::vector<double> numbers = numbers_of(axis);
+      AxisEnd end = end_of(numbers, to_number(row[a]), parameter.description);
+      // A constant bias may be negative: where another bias is too large, it has to be.
+      if (axis.key == constant_bias_key && to_number(row[a]) == 0.0 && numbers.size() > 1) {
+        const auto [least, largest] = std::minmax_element(numbers.begin(), numbers.end());
+        end = *least == 0.0 ? AxisEnd::lower : *largest == 0.0 ? AxisEnd::upper : AxisEnd::none;
+      }
+      if (end == AxisEnd::none) continue;
+      const std::size_t index = index_in(axis, row[a]);
+      const std::size_t next = cell - index * plan.strides[a] + neighbour_of_end(numbers, index) * plan.strides[a];
+      const std::optional<double> beside = error_at(sweep, next);
+      if (!beside || !(*beside > error)) continue;
+      std::string setting;
+      for (const std::size_t t : listed_axes) {
+        const std::string& key = plan.axes[t].key;
+        setting += (setting.empty() ? "" : ", ") + key.substr(key.find('.') + 1) + " " + short_text(row[t]);
+      }
+      ends.push_back({axis.key, end, to_number(row[a]), axis.unit, std::move(setting)});
+    }
+  }
+  return ends;
+}
+
+std::vector<std::string> to_lines(const std::vector<OpenEnd>& ends) {
+  std::vector<std::string> lines;
+  std::vector<OpenEnd> seen;
+  for (const OpenEnd& first : ends) {
+    const auto is_same = [&](const OpenEnd& e) { return e.axis == first.axis && e.end == first.end; };
+    if (std::any_of(seen.begin(), seen.end(), is_same)) continue;
+    seen.push_back(first);
+    const auto count = std::count_if(ends.begin(), ends.end(), is_same);
+    const bool has_setting = !first.setting.empty();
+    const std::string where = !has_setting ? ""
+                              : count == 1 ? " for " + first.setting
+                                           : fmt::format(" for {} and {} more", first.setting, count - 1);
+    lines.push_back(fmt::format("{}: the error still falls at the {} end of the axis ({:.6g}{}{}){}; extend it",
+                                first.axis, first.end == AxisEnd::upper ? "upper" : "lower", first.value,
+                                first.unit.empty() || first.unit == "1" ? "" : " ", first.unit == "1" ? "" : first.unit,
+                                where));
+  }
+  return lines;
+}
+
+nlohmann::ordered_json to_json(const std::vector<OpenEnd>& ends) {
+  auto list = nlohmann::ordered_json::array();
+  for (const OpenEnd& end : ends) {
+    list.push_back({{"axis", end.axis},
+                    {"end", end.end == AxisEnd::upper ? "upper" : "lower"},
+                    {"value", end.value},
+                    {"unit", end.unit},
+                    {"at", end.setting}});
+  }
+  return list;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,106 @@
+#include "present/bias_advice_report.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "present/plateau_text.h"
+#include "present/presentation.h"
+#include "present/summary.h"
+
+namespace umbrameter {
+namespace {
+
+std::array<double, cause_count> shares_of(const BiasCell& cell) {
+  return {cell.acne, cell.false_occlusion, cell.peter_panning, cell.leak};
+}
+
+BiasInUnits in_units(const BiasAdvice& advice, const BiasCell& cell) {
+  return in_units(Length{cell.constant, advice.unit}, advice.mean_texel, advice.depth_unit);
+}
+
+std::string short_bias_text(const BiasAdvice& advice, const BiasCell& cell) {
+  return length_text(Length{cell.constant, advice.unit});
+}
+
+// In the unit in use first, then in texels or metres.
+std::string bias_text(const BiasAdvice& advice, const BiasCell& cell) {
+  const BiasInUnits bias = in_units(advice, cell);
+  const std::string texels = fmt::format("{:.3g} texels", bias.texels);
+  if (advice.unit == LengthUnit::texels) return fmt::format("{} ({})", texels, metres_text(bias.metres));
+  const std::string own =
+      advice.unit == LengthUnit::map_depth ? short_bias_text(advice, cell) : metres_text(bias.metres);
+  return fmt::format("{} ({})", own, texels);
+}
+
+}  // namespace
+
+std::string advice_text(const BiasAdvice& advice) {
+  const BiasCell& used = advice.used;
+  const BiasCell& recommended = advice.plateau.recommended;
+  if (advice.withheld) {
+    const std::optional<BiasCell>& little = advice.line.little_acne;
+    const bool shows_acne = advice.evidence.lit >= enough_pixels && advice.evidence.pixels >= enough_pixels;
+    return fmt::format("no bias recommended: {}; error {} at {}{}", withheld_text(*advice.withheld, advice.evidence),
+                       percent(used.mae), bias_text(advice, used),
+                       shows_acne && little ? ", acne at most 0.1 % from " + bias_text(advice, *little) : "");
+  }
+  const std::string range = range_text(advice.plateau, advice.unit, "error", percent(advice.plateau.least.mae));
+  const auto acne_left = [](const BiasCell& cell) {
+    return cell.acne > little_acne_share ? fmt::format("; acne of {} remains", percent(cell.acne)) : "";
+  };
+  if (keeps_bias(advice)) {
+    return fmt::format("keep {}: error {}; {}{}", bias_text(advice, used), percent(used.mae), range, acne_left(used));
+  }
+  // A bias with as little error changes for its acne alone.
+  const bool is_for_acne = used.mae <= plateau_limit(advice.plateau.least.mae);
+  return fmt::format("use {}: {}error {} → {}; {}{}", bias_text(advice, recommended),
+                     is_for_acne ? fmt::format("acne {} → {}, ", percent(used.acne), percent(recommended.acne)) : "",
+                     percent(used.mae), percent(recommended.mae), range, acne_left(recommended));
+}
+
+ReportTable advice_table(const BiasAdvice& advice) {
+  Table table{{{"constant bias", "", "all other parameters as in this run"},
+               {"along the light", "m", "length along the light; texels are converted at their mean size"},
+               {"in texels", "texels", "in texels of mean size over the counted pixels"},
+               {"in depth", "1", "of the depth that the map stores, from 0 to 1"},
+               {"error", "%", "mean absolute error of visibility"}},
+              {}};
+  for (std::size_t c = 0; c < cause_count; ++c) {
+    const auto cause = static_cast<Cause>(c);
+    table.columns.push_back({std::string(cause_title(cause)), "%", std::string(cause_meaning(cause))});
+  }
+  const auto add_row = [&](const char* name, const BiasCell& cell) {
+    const BiasInUnits bias = in_units(advice, cell);
+    std::vector<Value> row = {std::string(name), fmt::format("{:.3g}", bias.metres), fmt::format("{:.3g}", bias.texels),
+                              fmt::format("{:.2e}", bias.depth), share_text(cell.mae)};
+    for (const double share : shares_of(cell)) row.emplace_back(share_text(share));
+    table.rows.push_back(std::move(row));
+  };
+  add_row("in this run", advice.used);
+  if (!advice.withheld) add_row("recommended", advice.plateau.recommended);
+  add_row("least error", advice.plateau.least);
+  add_row(advice.plateau.open_below ? "smallest bias tested" : "smallest bias within 5 % of it", advice.plateau.first);
+  add_row(advice.plateau.open_above ? "largest bias tested" : "largest bias within 5 % of it", advice.plateau.last);
+  if (advice.line.little_acne) add_row("smallest bias with acne below 0.1 %", *advice.line.little_acne);
+  if (advice.line.acne_free) add_row("smallest bias without acne", *advice.line.acne_free);
+  return {"Recommended bias", std::move(table), {"in texels", "in depth"}};
+}
+
+nlohmann::ordered_json to_json(const BiasAdvice& advice) {
+  using Json = nlohmann::ordered_json;
+  const auto cell_json = [&](const BiasCell& cell) {
+    Json object = {{"constant_bias", to_json(in_units(advice, cell))}, {"mae", cell.mae}};
+    const std::array<double, cause_count> shares = shares_of(cell);
+    for (std::size_t c = 0; c < cause_count; ++c) object[std::string(cause_names[c])] = shares[c];
+    return object;
+  };
+  Json object = {{"used", cell_json(advice.used)}, {"least_error", cell_json(advice.plateau.least)}};
+  add_plateau(object, advice.plateau, advice.evidence, advice.withheld, cell_json);
+  object["acne_at_most_0.1_percent"] = advice.line.little_acne ? cell_json(*advice.line.little_acne) : Json(nullptr);
+  object["acne_free"] = advice.line.acne_free ? cell_json(*advice.line.acne_free) : Json(nullptr);
+  return object;
+}
+
+}  // namespace umbrameter

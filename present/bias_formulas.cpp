@@ -1,0 +1,54 @@
+#include "present/bias_formulas.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "results/number_text.h"
+
+namespace umbrameter {
+namespace {
+
+int power_of(double number) { return static_cast<int>(std::floor(std::log10(std::abs(number)))); }
+
+// As many significant digits as leave two of the standard error.
+int digits_of(const Fitted& fitted) {
+  const double error = fitted.standard_error.value_or(0.0);
+  if (!(error > 0.0) || fitted.value == 0.0) return 3;
+  return std::clamp(power_of(fitted.value) - power_of(error) + 2, 1, 4);
+}
+
+std::string factor_text(const Fitted& fitted) {
+  return fmt::format("{:#.{}g}", std::abs(fitted.value), digits_of(fitted));
+}
+
+const char* sign_of(const Fitted& fitted) { return fitted.value < 0.0 ? " − " : " + "; }
+
+}  // namespace
+
+std::optional<Fitted> printed_term(const BiasFormula& formula, FormulaTerm which) {
+  const std::optional<Fitted>& term = formula.term(which);
+  if (!term || rounded(*term).value == 0.0) return std::nullopt;
+  return rounded(*term);
+}
+
+std::string formula_text(const BiasFormula& formula) {
+  const std::optional<Fitted> constant = printed_term(formula, FormulaTerm::constant);
+  const std::optional<Fitted> slope = printed_term(formula, FormulaTerm::slope);
+  const std::optional<Fitted> radius = printed_term(formula, FormulaTerm::slope_radius);
+  const std::optional<Fitted> step = printed_term(formula, FormulaTerm::depth_step);
+  std::string text = "bias ≈ " + (constant ? metres_text(constant->value, digits_of(*constant)) : "0");
+  if (slope && radius) {
+    text += fmt::format(" + ({}{}{}{}·r)·Δz", slope->value < 0.0 ? "−" : "", factor_text(*slope), sign_of(*radius),
+                        factor_text(*radius));
+  } else if (slope) {
+    text += fmt::format("{}{}·Δz", sign_of(*slope), factor_text(*slope));
+  } else if (radius) {
+    text += fmt::format("{}{}·r·Δz", sign_of(*radius), factor_text(*radius));
+  }
+  if (step) text += fmt::format("{}{}·δ", sign_of(*step), factor_text(*step));
+  return text;
+}
+
+}  // namespace umbrameter

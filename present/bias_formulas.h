@@ -1,0 +1,29 @@
+// Formulas of the bias over the axes of a sweep besides biases, for engines: from the bias curves, as text, table,
+// figure and JSON.
+#pragma once
+
+#include "present/bias_report.h"
+
+namespace umbrameter {
+
+/// Share of a step of the bias axis below which a length is the rounding of 0.
+inline constexpr double formula_rounding = 1e-6;
+
+/// "bias ≈ 0.31 mm + (0.502 + 1.003·r)·Δz", of printed_term().
+std::string formula_text(const BiasFormula& formula);
+
+/// A term of the formula, rounded(); empty if it is absent or nothing of it is left.
+std::optional<Fitted> printed_term(const BiasFormula& formula, FormulaTerm which);
+
+/// The meaning of the symbols in formula_text().
+inline constexpr const char* formula_symbols =
+    "Δz: change of the surface's depth from texel to texel, texel size · tan θ · (|cos ψ| + |sin ψ|) for a direction "
+    "whose azimuth on the map is ψ; r: reach of the filter in texels; δ: step of the stored depth";
+
+/// Adds table, text, lines for the console, and figures of what each formula misses at its points.
+void present_formulas(Presentation& presentation, const BiasCurves& curves);
+
+/// "formulas" of the curves in summary.json.
+nlohmann::ordered_json formulas_json(const BiasCurves& curves);
+
+}  // namespace umbrameter

@@ -1,0 +1,282 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "present/bias_formulas.h"
+#include "present/summary.h"
+#include "reports/files/value_json.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* method =
+    "least squares over all points, each weighted by 1 / h², where h is the step of the bias axis at the point";
+
+constexpr std::size_t max_formula_plots = 3;
+
+const Value empty_cell = std::string();
+const char* name_of(const CurveFormula& of) { return law_names[static_cast<std::size_t>(of.of)]; }
+
+std::string range_text(const FormulaRange& range, const auto& text_of) {
+  if (range.min == range.max) return text_of(range.min);
+  return text_of(range.min) + " to " + text_of(range.max);
+}
+std::string length_range(const FormulaRange& range) {
+  return range_text(range, [](double metres) { return metres_text(metres); });
+}
+std::string radius_range(const FormulaRange& range) {
+  return range_text(range, [](double texels) { return fmt::format("{:.3g}", texels); });
+}
+
+std::string residual_text(const BiasFormula& formula) {
+  if (formula.residual < formula_rounding * formula.axis_step) return "exact through its points";
+  return fmt::format("RMS residual {} ({:.2g} texels), largest {}", metres_text(formula.residual, 2),
+                     formula.residual_texels, metres_text(formula.worst_residual, 2));
+}
+
+std::string points_text(const CurveFormula& of) {
+  const std::size_t independent = of.formula->independent;
+  if (independent == of.points.size()) return fmt::format("{} points", independent);
+  return fmt::format("{} points, of which {} are independent", of.points.size(), independent);
+}
+
+std::string names_of(const std::vector<Column>& columns) {
+  std::string names;
+  for (const Column& column : columns) names += (names.empty() ? "" : ", ") + column.name;
+  return names;
+}
+
+Table formulas_table(const BiasCurves& curves) {
+  Table table;
+  table.columns = curves.of_a_formula;
+  const std::vector<Column> rest = {
+      {"formula of", "", "which bias is fitted, at the slope-scaled bias nearest to 0"},
+      {"points", "1", "fitted points: one per combination of the formula's axes"},
+      {"independent points", "1", "those that differ in a fact of the formula; only they count in the standard errors"},
+      {"left out", "1", "combinations without such a bias on the axis, or with one at its end"},
+      {"c0", "m", "constant part"},
+      {"error of c0", "m", "standard error"},
+      {"factor of Δz", "1", "Δz: change of the surface's depth from texel to texel"},
+      {"error for Δz", "1", "standard error"},
+      {"factor of r·Δz", "1/texels", "r: reach of the filter"},
+      {"error for r·Δz", "1/texels", "standard error"},
+      {"factor of δ", "1", "δ: step of the stored depth"},
+      {"error for δ", "1", "standard error"},
+      {"residual", "m", "RMS residual"},
+      {"residual in texels", "texels", "the same in texels of each point"},
+      {"largest residual", "m", "at the worst point"},
+      {"texels", "", "texel sizes of the points"},
+      {"Δz", "", "depths per texel of the points"},
+      {"r", "texels", "filter radii of the points"},
+      {"δ", "", "steps of the stored depth of the points"}};
+  table.columns.insert(table.columns.end(), rest.begin(), rest.end());
+  for (const CurveFormula& of : curves.formulas) {
+    std::vector<Value> row = of.others;
+    row.emplace_back(std::string(name_of(of)));
+    row.emplace_back(static_cast<std::int64_t>(of.points.size()));
+    row.push_back(of.formula ? Value(static_cast<std::int64_t>(of.formula->independent)) : empty_cell);
+    row.emplace_back(static_cast<std::int64_t>(of.left_out));
+    if (of.formula) {
+      const BiasFormula& formula = *of.formula;
+      for (const std::optional<Fitted>& fitted : formula.terms) {
+        if (fitted) {
+          const Fitted shown = rounded(*fitted);
+          row.insert(row.end(), {shown.value, *shown.standard_error});
+        } else {
+          row.insert(row.end(), 2, empty_cell);
+        }
+      }
+      row.insert(row.end(), {formula.residual, formula.residual_texels, formula.worst_residual,
+                             length_range(formula.texel), length_range(formula.depth_per_texel),
+                             radius_range(formula.radius), length_range(formula.depth_step)});
+    }
+    row.resize(table.columns.size(), empty_cell);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::vector<std::string> warnings_of(const CurveFormula& of) { return of.warnings; }
+std::vector<std::string> refused_of(const CurveFormula& of) {
+  return of.formula ? of.formula->refused : std::vector<std::string>();
+}
+
+// Each different remark on these formulas once, with the formulas that it is about.
+std::vector<std::string> remarks_on(std::span<const CurveFormula* const> formulas,
+                                    std::vector<std::string> (*remarks_of)(const CurveFormula&)) {
+  std::vector<std::pair<std::string, std::string>> lines;  // remark, names
+  for (const CurveFormula* of : formulas) {
+    for (const std::string& warning : remarks_of(*of)) {
+      const auto found =
+          std::find_if(lines.begin(), lines.end(), [&](const auto& line) { return line.first == warning; });
+      if (found == lines.end()) {
+        lines.emplace_back(warning, name_of(*of));
+      } else {
+        found->second += std::string(", ") + name_of(*of);
+      }
+    }
+  }
+  std::vector<std::string> texts;
+  for (const auto& [warning, names] : lines) texts.push_back(fmt::format("formula ({}): {}", names, warning));
+  return texts;
+}
+
+// The formulas at one combination of the axes that are not in the formulas.
+std::vector<const CurveFormula*> formulas_at(const BiasCurves& curves, const std::vector<Value>& others) {
+  std::vector<const CurveFormula*> formulas;
+  for (const CurveFormula& of : curves.formulas) {
+    if (of.others == others) formulas.push_back(&of);
+  }
+  return formulas;
+}
+
+std::vector<std::vector<Value>> settings_of(const BiasCurves& curves) {
+  std::vector<std::vector<Value>> settings;
+  for (const CurveFormula& of : curves.formulas) {
+    if (settings.empty() || settings.back() != of.others) settings.push_back(of.others);
+  }
+  return settings;
+}
+
+std::string ranges_text(const BiasFormula& formula) {
+  std::string text = fmt::format("fitted over texels of {}, Δz of {}, r of {} texels", length_range(formula.texel),
+                                 length_range(formula.depth_per_texel), radius_range(formula.radius));
+  if (formula.term(FormulaTerm::depth_step)) text += ", δ of " + length_range(formula.depth_step);
+  return text;
+}
+
+// What each formula misses at each of its points.
+PlotFigure formula_plot(const BiasCurves& curves, const std::vector<Value>& setting) {
+  PlotFigure plot;
+  plot.stem = "formula";
+  plot.title = "Bias by the formula less the measured bias";
+  plot.conditions = setting_text(curves.of_a_formula, setting);
+  plot.caption = fmt::format("Points: one for each combination of {}. Above 0 the formula's bias is larger.",
+                             names_of(curves.formula_axes));
+  plot.series = "formula";
+  plot.series_label = "formula of";
+  plot.is_scatter = true;
+  for (const char* name : {"measured", "missed", "formula"}) plot.data.columns.push_back({name, "", ""});
+  double least = std::numeric_limits<double>::infinity();
+  double largest = -least;
+  for (const CurveFormula* of : formulas_at(curves, setting)) {
+    if (!of->formula) continue;
+    for (const FormulaPoint& point : of->points) {
+      const double missed = bias_of(*of->formula, point) - point.fit.bias;
+      if (!std::isfinite(missed)) continue;
+      const bool is_rounding = std::abs(missed) < formula_rounding * of->formula->axis_step;
+      least = std::min(least, point.fit.bias);
+      largest = std::max(largest, point.fit.bias);
+      plot.data.rows.push_back(
+          {point.fit.bias, is_rounding ? 0.0 : missed / point.fit.texel, std::string(name_of(*of))});
+    }
+    plot.caption += fmt::format(" {}: {}, {}.", name_of(*of), formula_text(*of->formula), residual_text(*of->formula));
+  }
+  plot.caption += fmt::format(" {}.", formula_symbols);
+  plot.x = {"measured", "measured bias [m]", least > 0.0 && largest > 10.0 * least};
+  plot.y = {"missed", "formula less measured bias [texels]"};
+  return plot;
+}
+
+Json range_json(const FormulaRange& range) { return {range.min, range.max}; }
+
+// The right side of "bias =", in metres, as C, GLSL and HLSL have it.
+std::string expression(const BiasFormula& formula) {
+  constexpr std::array<const char*, formula_term_count> lengths = {"", " * depth_per_texel",
+                                                                   " * radius * depth_per_texel", " * depth_step"};
+  std::string text;
+  for (std::size_t t = 0; t < formula_term_count; ++t) {
+    const std::optional<Fitted> fitted = printed_term(formula, static_cast<FormulaTerm>(t));
+    if (!fitted) continue;
+    const double value = text.empty() ? fitted->value : std::abs(fitted->value);
+    text += fmt::format("{}{:.6g}{}", text.empty() ? "" : fitted->value < 0.0 ? " - " : " + ", value, lengths[t]);
+  }
+  return text.empty() ? "0" : text;
+}
+
+Json formula_json(const BiasCurves& curves, const CurveFormula& of) {
+  Json object = {{"bias", name_of(of)},           {"at", row_json(curves.of_a_formula, of.others)},
+                 {"slope_bias_texels", of.slope}, {"points", of.points.size()},
+                 {"left_out", of.left_out},       {"warnings", of.warnings}};
+  if (!of.formula) return object;
+  const BiasFormula& formula = *of.formula;
+  constexpr std::array<const char*, formula_term_count> keys = {"c0_m", "per_depth_per_texel",
+                                                                "per_radius_and_depth_per_texel", "per_depth_step"};
+  object["independent_points"] = formula.independent;
+  object["bias_m"] = expression(formula);
+  for (std::size_t t = 0; t < formula_term_count; ++t) {
+    if (formula.terms[t]) object[keys[t]] = fitted_json(*formula.terms[t]);
+  }
+  object["not_in_the_formula"] = formula.refused;
+  object["residual_m"] = formula.residual;
+  object["residual_texels"] = formula.residual_texels;
+  object["largest_residual_m"] = formula.worst_residual;
+  object["fitted_over"] = {{"texel_m", range_json(formula.texel)},
+                           {"depth_per_texel_m", range_json(formula.depth_per_texel)},
+                           {"radius_texels", range_json(formula.radius)},
+                           {"depth_step_m", range_json(formula.depth_step)}};
+  return object;
+}
+
+}  // namespace
+
+void present_formulas(Presentation& presentation, const BiasCurves& curves) {
+  if (curves.formulas.empty()) return;
+  ReportSection& section = presentation.section;
+  section.tables.push_back({"Formulas of the bias over several axes",
+                            formulas_table(curves),
+                            {"left out", "error of c0", "error for Δz", "error for r·Δz", "error for δ",
+                             "residual in texels", "largest residual"}});
+  section.text += fmt::format(
+      "\n\nThe table 'Formulas of the bias over several axes' fits bias ≈ c0 + (a + b·r)·Δz + q·δ over {} by {}. {}. "
+      "Use a formula only within the range that it was fitted over.",
+      names_of(curves.formula_axes), method, formula_symbols);
+  const std::vector<std::vector<Value>> settings = settings_of(curves);
+  for (std::size_t i = 0; i < std::min(settings.size(), max_formula_plots); ++i) {
+    PlotFigure plot = formula_plot(curves, settings[i]);
+    if (plot.data.rows.empty()) continue;
+    if (settings.size() > 1) plot.stem += fmt::format("_{}", i);
+    add_figure(presentation, std::move(plot));
+  }
+  for (const std::vector<Value>& setting : settings) {
+    const std::vector<const CurveFormula*> formulas = formulas_at(curves, setting);
+    const bool is_first = setting == settings.front();
+    const std::string at = setting.empty() ? "" : setting_text(curves.of_a_formula, setting) + ", ";
+    const BiasFormula* any = nullptr;
+    for (const CurveFormula* of : formulas) {
+      if (!of->formula) continue;
+      if (any == nullptr) any = &*of->formula;
+      const std::string slope = of->slope != 0.0 ? fmt::format(", slope-scaled bias {:g} texels", of->slope) : "";
+      const std::string line = fmt::format("formula ({}{}{}): {}, {}, {}", at, name_of(*of), slope,
+                                           formula_text(*of->formula), residual_text(*of->formula), points_text(*of));
+      section.text += "\n\n" + line + "; " + ranges_text(*of->formula) + ".";
+      if (is_first) presentation.lines.push_back(line);
+    }
+    for (const std::string& reason : remarks_on(formulas, refused_of)) section.text += "\n\nNot in the " + reason + ".";
+    if (any != nullptr) {
+      if (is_first) presentation.lines.push_back(fmt::format("  {}; {}", formula_symbols, ranges_text(*any)));
+    }
+    for (const std::string& warning : remarks_on(formulas, warnings_of)) {
+      section.text += "\n\nWarning: " + at + warning + ".";
+      if (is_first) presentation.lines.push_back("warning: " + warning);
+    }
+  }
+  if (settings.size() > 1) {
+    presentation.lines.push_back(fmt::format("… and formulas for {} more combinations of {}: see the report",
+                                             settings.size() - 1, names_of(curves.of_a_formula)));
+  }
+}
+
+nlohmann::ordered_json formulas_json(const BiasCurves& curves) {
+  Json list = Json::array();
+  for (const CurveFormula& of : curves.formulas) list.push_back(formula_json(curves, of));
+  return list;
+}
+
+}  // namespace umbrameter

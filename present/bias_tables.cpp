@@ -1,0 +1,287 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "present/bias_formulas.h"
+#include "present/plateau_text.h"
+#include "present/plot_axes.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::size_t max_console_curves = 6;
+constexpr std::size_t max_console_laws = 2;
+constexpr std::size_t max_rows_by_slope = 400;
+
+const Value nothing = std::string();
+
+Value known(double number) { return std::isfinite(number) ? Value(number) : nothing; }
+
+// One recommended bias of one curve.
+struct NamedBias {
+  const char* name;
+  std::optional<BiasCell> cell;
+};
+
+std::vector<NamedBias> choices_of(const BiasCurve& curve, const BiasCurves& curves) {
+  const BiasOptima& optima = curve.optima;
+  const BiasLine& line = flattest(optima);
+  std::optional<BiasCell> recommended;
+  if (curve.plateau && !curve.withheld) recommended = curve.plateau->recommended;
+  std::vector<NamedBias> choices = {{"recommended", recommended},
+                                    {law_names[0], least_error(optima)},
+                                    {law_names[1], line.little_acne},
+                                    {law_names[2], line.acne_free},
+                                    {"least error without acne", best_without_acne(optima)},
+                                    {"knee of the Pareto front", knee(optima.front)}};
+  if (!curves.varies_constant) {
+    choices.erase(choices.begin() + 2, choices.begin() + 4);
+    choices.erase(choices.begin());
+  }
+  return choices;
+}
+
+Table choices_table(const BiasCurves& curves) {
+  Table table;
+  table.columns = curves.others;
+  const std::vector<Column> rest = {
+      {"choice", "", "which bias; 'acne at most 0.1 %' and 'no acne' use the slope-scaled bias nearest to 0"},
+      {"constant bias", "m", "along the light"},
+      {"in texels", "texels", "constant bias in texels of mean size"},
+      {"in depth", "1", "constant bias in the depth that the map stores, from 0 to 1"},
+      {"slope bias", "texels", "slope-scaled bias"},
+      {"error", "%", "mean absolute error of visibility"},
+      {"extra error", "%", "error minus that of 'least error'"}};
+  table.columns.insert(table.columns.end(), rest.begin(), rest.end());
+  for (const Cause cause : {Cause::acne, Cause::false_occlusion, Cause::peter_panning, Cause::light_leak}) {
+    table.columns.push_back({std::string(cause_title(cause)), "%", std::string(cause_meaning(cause))});
+    if (cause != Cause::peter_panning) continue;
+    table.columns.push_back({"extra peter-panning", "%", "peter-panning minus that of 'least error'"});
+  }
+  for (const BiasCurve& curve : curves.curves) {
+    const BiasCell least = *least_error(curve.optima);
+    for (const NamedBias& choice : choices_of(curve, curves)) {
+      std::vector<Value> row = curve.others;
+      row.push_back(std::string(choice.name));
+      if (!choice.cell) {
+        row.resize(table.columns.size(), nothing);
+        table.rows.push_back(std::move(row));
+        continue;
+      }
+      const BiasCell& cell = *choice.cell;
+      const BiasInUnits bias = in_units(curves, curve, cell);
+      const std::vector<Value> values = {known(bias.metres),         known(bias.texels),
+                                         known(bias.depth),          cell.slope,
+                                         100.0 * cell.mae,           100.0 * (cell.mae - least.mae),
+                                         100.0 * cell.acne,          100.0 * cell.false_occlusion,
+                                         100.0 * cell.peter_panning, 100.0 * (cell.peter_panning - least.peter_panning),
+                                         100.0 * cell.leak};
+      row.insert(row.end(), values.begin(), values.end());
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+Table slopes_table(const BiasCurves& curves) {
+  Table table;
+  table.columns = curves.others;
+  const std::vector<Column> rest = {{"slope bias", "texels", "slope-scaled bias"},
+                                    {"least error", "%", "of all constant biases at this slope bias"},
+                                    {"at", "m", "constant bias of least error"},
+                                    {"at, in texels", "texels", "the same in texels of mean size"},
+                                    {"acne at most 0.1 % from", "m", "smallest such constant bias"},
+                                    {"from, in texels", "texels", "the same in texels of mean size"},
+                                    {"no acne from", "m", "smallest such constant bias"},
+                                    {"none from, in texels", "texels", "the same in texels of mean size"}};
+  table.columns.insert(table.columns.end(), rest.begin(), rest.end());
+  for (const BiasCurve& curve : curves.curves) {
+    for (const BiasLine& line : curve.optima.lines) {
+      if (!line.least_error || table.rows.size() >= max_rows_by_slope) continue;
+      std::vector<Value> row = curve.others;
+      row.insert(row.end(), {line.slope, 100.0 * line.least_error->mae});
+      for (const std::optional<BiasCell>& cell : {line.least_error, line.little_acne, line.acne_free}) {
+        row.push_back(cell ? known(in_units(curves, curve, *cell).metres) : nothing);
+        row.push_back(cell ? known(in_units(curves, curve, *cell).texels) : nothing);
+      }
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+Value value_of(const std::optional<Fitted>& fitted) { return fitted ? Value(rounded(*fitted).value) : nothing; }
+Value error_of(const std::optional<Fitted>& fitted) {
+  return fitted && fitted->standard_error ? Value(*rounded(*fitted).standard_error) : nothing;
+}
+
+Table laws_table(const BiasCurves& curves) {
+  Table table;
+  table.columns = curves.of_a_law;
+  std::vector<Column> rest = {{"fit of", "", "which bias is fitted, at the slope-scaled bias nearest to 0"},
+                              {"points", "1", "fitted points: one per resolution"},
+                              {"left out", "1", "resolutions without such a bias on the axis"},
+                              {"c0", "m", "part of the bias that does not depend on the texel size"},
+                              {"error of c0", "m", "standard error"},
+                              {"c1·tan θ", "texels", "part of the bias proportional to the texel size"},
+                              {"error of c1·tan θ", "texels", "standard error"},
+                              {"residual", "m", "RMS residual of the fit"},
+                              {"residual in texels", "texels", "the same in texels of each resolution"}};
+  const std::size_t columns_of_a_law = rest.size();
+  if (curves.varies_slope) {
+    rest.insert(rest.end(),
+                {{"tan θ", "1", "slope of the surface that needs most bias, from a fit over all slope-scaled biases"},
+                 {"error of tan θ", "1", "standard error"},
+                 {"c1", "texels", "slope-scaled bias needed in addition to c0, from the same fit"},
+                 {"error of c1", "texels", "standard error, to first order"},
+                 {"residual over slopes", "texels", "RMS residual of that fit"}});
+  }
+  table.columns.insert(table.columns.end(), rest.begin(), rest.end());
+  for (const CurveLaw& law : curves.laws) {
+    std::vector<Value> row = law.others;
+    row.push_back(std::string(law_names[static_cast<std::size_t>(law.of)]));
+    row.emplace_back(static_cast<std::int64_t>(law.law ? law.law->points : 0));
+    row.emplace_back(static_cast<std::int64_t>(law.left_out));
+    if (law.law) {
+      for (const Fitted& fitted : {law.law->constant, law.law->per_texel}) {
+        row.push_back(value_of(fitted));
+        row.push_back(error_of(fitted));
+      }
+      row.insert(row.end(), {law.law->residual, law.law->residual_texels});
+    }
+    row.resize(curves.of_a_law.size() + columns_of_a_law, nothing);
+    if (law.over_slopes) {
+      for (const std::optional<Fitted>& fitted : {law.over_slopes->tangent, law.over_slopes->slope_factor}) {
+        row.push_back(value_of(fitted));
+        row.push_back(error_of(fitted));
+      }
+      row.emplace_back(law.over_slopes->residual_texels);
+    }
+    row.resize(table.columns.size(), nothing);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+// No axis of biases and no interval justifies more digits. The values of the axes, in front, stay as they are.
+Table in_four_digits(Table table, std::size_t first_column) {
+  for (std::vector<Value>& row : table.rows) {
+    for (std::size_t c = first_column; c < row.size(); ++c) {
+      if (double* const number = std::get_if<double>(&row[c])) *number = std::stod(fmt::format("{:.4g}", *number));
+    }
+  }
+  return table;
+}
+
+// As many digits as tell the value from its neighbours on the axis, and no fewer than the range has.
+int digits_of(const BiasCurves& curves, const BiasCell& cell) {
+  const std::vector<double>& axis = curves.constants;
+  const auto place = std::lower_bound(axis.begin(), axis.end(), cell.constant);
+  const bool is_between = place != axis.begin() && place != axis.end() && std::next(place) != axis.end();
+  if (!is_between || cell.constant == 0.0) return 3;
+  const double step = 0.5 * (*std::next(place) - *std::prev(place)) / std::abs(cell.constant);
+  return std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 3, 6);
+}
+
+// What the sweep says of one curve, after the name of its setting.
+std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
+  const BiasCell least = *least_error(curve.optima);
+  const std::string lowest = fmt::format("lowest error {} at {}", percent(least.mae), bias_text(curves, curve, least));
+  if (!curve.plateau) return lowest;
+  const BiasPlateau& plateau = *curve.plateau;
+  if (curve.withheld) {
+    return fmt::format("no bias recommended: {}; {}", withheld_text(*curve.withheld, curve.evidence), lowest);
+  }
+  const BiasCell& recommended = plateau.recommended;
+  std::string text =
+      fmt::format("use {}: error {}; {}", bias_text(curves, curve, recommended), percent(recommended.mae),
+                  range_text(plateau, curves.unit, "error", percent(plateau.least.mae)));
+  if (!plateau.has_little_acne()) text += fmt::format("; acne of {} remains", percent(recommended.acne));
+  if (plateau.open_below || plateau.open_above) text += "; the range may go on beyond the axis";
+  return text;
+}
+
+std::string explanation(const BiasCurves& curves) {
+  std::string text =
+      "\n\nThe table 'Recommended biases' gives each constant bias in metres along the light, in texels of mean size "
+      "and as normalised depth. 'Extra error' and 'extra peter-panning' compare each choice with 'least error'. ";
+  text += curves.laws.empty() ? "For a fit of bias against texel size, vary both the constant bias and the resolution."
+                              : "The fit bias ≈ c0 + c1·texel·tan θ has one point per resolution, weighted by the "
+                                "step of the bias axis there; it needs at least three.";
+  if (curves.curves.size() < curves.combinations) {
+    text += fmt::format(" The table lists {} of {} combinations of the other axes.", curves.curves.size(),
+                        curves.combinations);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
+  const BiasInUnits bias = in_units(curves, curve, cell);
+  const int digits = digits_of(curves, cell);
+  const bool is_in_texels = curves.unit == LengthUnit::texels;
+  std::string text = curves.unit == LengthUnit::metres
+                         ? metres_text(cell.constant, digits)
+                         : fmt::format("{:.{}g} {}", cell.constant, digits, unit_name(curves.unit));
+  if (is_in_texels) {
+    text += fmt::format(" ({})", metres_text(bias.metres, digits));
+  } else if (std::isfinite(bias.texels)) {
+    text += fmt::format(" ({:.{}g} texels)", bias.texels, digits);
+  }
+  if (curves.varies_slope) text += fmt::format(", slope-scaled bias {:.3g} texels", cell.slope);
+  return text;
+}
+
+std::string law_text(const BiasFit& law) {
+  const double per_texel = rounded(law.per_texel).value;
+  return fmt::format("{} {} {:.3g} texels", metres_text(rounded(law.constant).value), per_texel < 0.0 ? "−" : "+",
+                     std::abs(per_texel));
+}
+
+std::string residual_text(const BiasFit& law) {
+  return fmt::format("RMS residual {} ({:.2g} texels)", metres_text(law.residual, 2), law.residual_texels);
+}
+
+void present_bias(Presentation& presentation, const BiasCurves& curves) {
+  ReportSection& section = presentation.section;
+  section.text += explanation(curves);
+  section.tables.push_back({"Recommended biases",
+                            in_four_digits(choices_table(curves), curves.others.size()),
+                            {"in texels", "in depth", "extra error", "extra peter-panning"}});
+  if (curves.varies_slope && curves.varies_constant)
+    section.tables.push_back({"Constant biases by slope-scaled bias",
+                              in_four_digits(slopes_table(curves), curves.others.size() + 1),
+                              {"at, in texels", "from, in texels", "none from, in texels"}});
+  if (!curves.laws.empty()) {
+    section.tables.push_back(
+        {"Fits of bias against texel size",
+         in_four_digits(laws_table(curves), curves.of_a_law.size()),
+         {"left out", "error of c0", "error of c1·tan θ", "residual in texels", "error of tan θ", "error of c1"}});
+  }
+  present_formulas(presentation, curves);
+
+  std::size_t printed = 0;
+  for (const BiasCurve& curve : curves.curves) {
+    if (printed++ == max_console_curves) {
+      presentation.answers.push_back(
+          fmt::format("… and {} more: see the report", curves.curves.size() - max_console_curves));
+      break;
+    }
+    const std::string setting = setting_text(curves.others, curve.others);
+    presentation.answers.push_back((setting.empty() ? "" : setting + ": ") + answer_of(curves, curve));
+  }
+  printed = 0;
+  for (const CurveLaw& law : curves.laws) {
+    if (!law.law || printed == max_console_laws || law.of == LawOf::no_acne) continue;
+    ++printed;
+    const std::string setting = setting_text(curves.of_a_law, law.others);
+    presentation.lines.push_back(fmt::format("fit ({}{}{}): bias ≈ {}, {}", law_names[static_cast<std::size_t>(law.of)],
+                                             setting.empty() ? "" : ", ", setting, law_text(*law.law),
+                                             residual_text(*law.law)));
+  }
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,185 @@
+#include "present/gate_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "reports/files/markup.h"
+#include "reports/files/text_layout.h"
+#include "results/number_text.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// With as many decimals as show two digits of the half width.
+std::string number_text(double value, const MeasuredStatistic& measured) {
+  if (!std::isfinite(value)) return "—";
+  const bool is_share = measured.unit == "1";
+  const double scale = is_share ? 100.0 : 1.0;
+  const std::string unit = is_share ? "%" : measured.unit;
+  const double half_width = scale * measured.head_room();
+  const double size = half_width > 0.0 ? half_width : 0.01 * std::abs(scale * value);
+  const int decimals = decimals_of(size, 2);
+  return fmt::format("{:.{}f}{}{}", scale * value, decimals, unit.empty() ? "" : " ", unit);
+}
+
+std::string statistic_text(const GateCheck& check) {
+  return check.budget.is_magnitude ? fmt::format("|{}|", check.budget.statistic) : check.budget.statistic;
+}
+
+// "courtyard, sun"; "courtyard, ao".
+std::string where_text(const GateCheck& check) {
+  const BudgetEntry& budget = check.budget;
+  std::string scene = budget.scene, part = budget.light.empty() ? budget.kind : budget.light;
+  if (check.measured) {
+    scene = check.measured->scene;
+    part = check.measured->light.empty() ? check.measured->kind : check.measured->light;
+  }
+  return plain_text(scene.empty() ? part : part.empty() ? scene : scene + ", " + part);
+}
+
+std::string bound_text(const GateCheck& check) {
+  const Bound& bound = check.budget.bound;
+  const std::string number = check.measured ? number_text(check.bound, *check.measured)
+                                            : fmt::format("{:.6g}{}{}", bound.quantity.number,
+                                                          bound.quantity.unit.empty() ? "" : " ", bound.quantity.unit);
+  return fmt::format("{} {}", relation_text(bound.relation), number);
+}
+
+std::string measured_text(const GateCheck& check) {
+  if (!check.measured) return "not measured";
+  const double value = check.measured->value;
+  return number_text(check.budget.is_magnitude ? std::abs(value) : value, *check.measured);
+}
+
+bool is_judged(const GateCheck& check) { return check.measured && std::isfinite(check.measured->value); }
+
+std::string excess_text(const GateCheck& check) {
+  return is_judged(check) ? number_text(check.excess, *check.measured) : "—";
+}
+
+std::string intervals_text(const GateCheck& check) {
+  return is_judged(check) && std::isfinite(check.intervals) ? fmt::format("{:+.1f}", check.intervals) : "—";
+}
+
+// What the half width covers that the excess is measured in.
+std::string interval_of(const MeasuredStatistic& measured) {
+  return measured.half_width > 0.0 ? "rays" : measured.choice_half_width > 0.0 ? "pixels" : "";
+}
+
+std::string allowed_text(const GateCheck& check) {
+  const std::string of = check.measured ? interval_of(*check.measured) : "";
+  return of.empty() ? "—" : of;
+}
+
+std::vector<std::vector<std::string>> rows_of(const std::vector<GateCheck>& checks, bool all) {
+  std::vector<std::vector<std::string>> rows;
+  for (const GateCheck& check : checks) {
+    if (check.is_kept && !all) continue;
+    rows.push_back({check.is_kept ? "kept" : "FAILED", where_text(check), statistic_text(check), measured_text(check),
+                    bound_text(check), excess_text(check), intervals_text(check), allowed_text(check)});
+  }
+  return rows;
+}
+
+// A failure in one sentence.
+std::string failure_text(const GateCheck& check) {
+  if (!check.measured) return "no run measured it";
+  if (!is_judged(check)) return "nothing was measured: no pixel counts";
+  const std::string by =
+      fmt::format("{} is not {}: off by {}", measured_text(check), bound_text(check), excess_text(check));
+  return std::isfinite(check.intervals) ? fmt::format("{}, {:.1f} intervals", by, check.intervals) : by;
+}
+
+std::string markdown_cell(std::string text) {
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, 1, '\\');
+  return escape_markup(text);
+}
+
+const std::vector<std::string> header = {"", "where", "statistic", "value", "bound", "excess", "in intervals", "of"};
+
+}  // namespace
+
+std::size_t count_failed(const std::vector<GateCheck>& checks) {
+  return static_cast<std::size_t>(
+      std::count_if(checks.begin(), checks.end(), [](const GateCheck& check) { return !check.is_kept; }));
+}
+
+std::string gate_answer(const std::vector<GateCheck>& checks) {
+  const std::size_t failed = count_failed(checks);
+  if (failed == 0)
+    return checks.size() == 1 ? "the bound is kept" : fmt::format("all {} bounds are kept", checks.size());
+  return fmt::format("{} of {} bounds {} broken", failed, checks.size(), failed == 1 ? "is" : "are");
+}
+
+std::vector<std::string> gate_lines(const std::vector<GateCheck>& checks, bool all) {
+  std::vector<std::vector<std::string>> rows = rows_of(checks, all);
+  if (rows.empty()) return {};
+  rows.insert(rows.begin(), header);
+  return aligned(rows);
+}
+
+std::string junit_xml(const std::vector<GateCheck>& checks) {
+  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  const std::string counts =
+      fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\"", checks.size(), count_failed(checks));
+  xml += fmt::format("<testsuites {}>\n  <testsuite name=\"umbrameter\" {}>\n", counts, counts);
+  for (const GateCheck& check : checks) {
+    const std::string where = where_text(check);
+    xml += fmt::format("    <testcase classname=\"{}\" name=\"{} {}\"", escape_markup(where.empty() ? "run" : where),
+                       escape_markup(statistic_text(check)), escape_markup(bound_text(check)));
+    if (check.is_kept) {
+      xml += fmt::format("><system-out>{}</system-out></testcase>\n", escape_markup(measured_text(check)));
+    } else {
+      xml += fmt::format(">\n      <failure message=\"{}\"/>\n    </testcase>\n", escape_markup(failure_text(check)));
+    }
+  }
+  return xml + "  </testsuite>\n</testsuites>\n";
+}
+
+std::string gate_markdown(const std::vector<GateCheck>& checks) {
+  const std::size_t failed = count_failed(checks);
+  std::string text = fmt::format("### {} Umbrameter: {}\n\n", failed == 0 ? "✅" : "❌", gate_answer(checks));
+  text +=
+      "| | where | statistic | value | bound | excess | in intervals | of |\n| --- | --- | --- | ---: | ---: | ---: | "
+      "---: "
+      "| --- |\n";
+  std::vector<GateCheck> sorted = checks;
+  std::stable_partition(sorted.begin(), sorted.end(), [](const GateCheck& check) { return !check.is_kept; });
+  for (std::vector<std::string>& row : rows_of(sorted, true)) {
+    row.front() = row.front() == "kept" ? "✅" : "❌";
+    text += "|";
+    for (const std::string& cell : row) text += " " + markdown_cell(cell) + " |";
+    text += "\n";
+  }
+  return text;
+}
+
+Json to_json(const std::vector<GateCheck>& checks) {
+  Json list = Json::array();
+  for (const GateCheck& check : checks) {
+    Json object = {{"kept", check.is_kept}, {"statistic", statistic_text(check)}};
+    if (check.measured) {
+      const MeasuredStatistic& measured = *check.measured;
+      object.update({{"scene", measured.scene},
+                     {"kind", measured.kind},
+                     {"light", measured.light},
+                     {"unit", measured.unit},
+                     {"value", measured.value},
+                     {"half_width_95", measured.head_room()},
+                     {"interval_of", interval_of(measured)},
+                     {"excess", check.excess},
+                     {"excess_in_intervals", check.intervals}});
+    }
+    object["relation"] = relation_text(check.budget.bound.relation);
+    object["bound"] = check.bound;
+    list.push_back(std::move(object));
+  }
+  return {{"checks", list}, {"failed", count_failed(checks)}};
+}
+
+}  // namespace umbrameter

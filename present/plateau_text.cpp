@@ -1,0 +1,80 @@
+#include "present/plateau_text.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "results/number_text.h"
+
+namespace umbrameter {
+namespace {
+
+// "no counted pixel is lit, so a small bias costs nothing", "only 12 of 5184 counted pixels are lit, too few to show
+// what a small bias costs".
+std::string few_text(std::uint64_t pixels, std::uint64_t counted, const char* what, const char* bias) {
+  if (pixels == 0) return fmt::format("no counted pixel is {}, so a {} bias costs nothing", what, bias);
+  return fmt::format("only {} of {} counted pixels {} {}, too few to show what a {} bias costs", pixels, counted,
+                     pixels == 1 ? "is" : "are", what, bias);
+}
+
+}  // namespace
+
+std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::string& what, const std::string& least) {
+  const double first = plateau.first.constant;
+  const double last = plateau.last.constant;
+  const auto number = [&](double bias) {
+    return unit == LengthUnit::metres ? metres_text(bias) : fmt::format("{:.3g}", bias);
+  };
+  const std::string of_unit = unit == LengthUnit::metres ? "" : fmt::format(" {}", unit_name(unit));
+  const std::string good = plateau.least.mae == 0.0
+                               ? fmt::format("no {}", what)
+                               : fmt::format("within 5 % of the least {}{}", what, least.empty() ? "" : ", " + least);
+  const char* verb = plateau.least.mae == 0.0 ? "have" : "are";
+  if (first == last) {
+    return plateau.least.mae == 0.0 ? fmt::format("no other bias has no {}", what)
+                                    : fmt::format("no other bias is {}", good);
+  }
+  return fmt::format("{} to {}{} {} {}", number(first), number(last), of_unit, verb, good);
+}
+
+std::string withheld_text(NoBias reason, const BiasEvidence& evidence) {
+  const char* remedy = evidence.has_floor ? "choose a view with more shadows" : "--scene.ground adds a floor";
+  switch (reason) {
+    case NoBias::few_pixels:
+      return fmt::format("only {} counted pixel{}; choose a view in which the light reaches more", evidence.pixels,
+                         evidence.pixels == 1 ? "" : "s");
+    case NoBias::nothing_lit:
+      return few_text(evidence.lit, evidence.pixels, "lit", "small") + "; choose a view with more light";
+    case NoBias::nothing_blocked:
+      return few_text(evidence.blocked, evidence.pixels, "in shadow", "large") + "; " + remedy;
+    case NoBias::no_receiver:
+      return std::string(
+                 "the scene has no floor, and most shadows fall on the object that casts them, so a large bias "
+                 "costs little; ") +
+             remedy;
+    case NoBias::unbounded:
+      return "a bias that removes every shadow has hardly more error, because the map is too coarse; raise "
+             "--shadow.resolution";
+  }
+  return {};
+}
+
+std::string few_pixels_text(std::uint64_t counted) {
+  if (counted >= enough_pixels) return {};
+  return fmt::format(" (only {} counted pixel{})", counted, counted == 1 ? "" : "s");
+}
+
+void add_plateau(nlohmann::ordered_json& object, const BiasPlateau& plateau, const BiasEvidence& evidence,
+                 std::optional<NoBias> withheld,
+                 const std::function<nlohmann::ordered_json(const BiasCell&)>& cell_json) {
+  using Json = nlohmann::ordered_json;
+  object["recommended"] = withheld ? Json(nullptr) : cell_json(plateau.recommended);
+  object["withheld"] = withheld ? Json(withheld_text(*withheld, evidence)) : Json(nullptr);
+  object["range"] = {{"tolerance", plateau_tolerance},
+                     {"smallest", cell_json(plateau.first).at("constant_bias")},
+                     {"largest", cell_json(plateau.last).at("constant_bias")},
+                     {"open_below", plateau.open_below},
+                     {"open_above", plateau.open_above}};
+}
+
+}  // namespace umbrameter

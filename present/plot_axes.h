@@ -1,0 +1,29 @@
+// How the axes of a sweep become those of its figures: labels with units, and as many values as a reader can tell
+// apart.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/settings/sweep.h"
+
+namespace umbrameter {
+
+/// "shadow.constant-bias" in metres is "constant bias [m]".
+std::string label_of(const SweepAxis& axis);
+
+/// Whether a figure shows the axis on a logarithmic scale: the range was given so, or its positive values are a
+/// resolution or in equal ratios.
+bool is_logarithmic(const SweepAxis& axis);
+
+/// Every so many of `count` indices, the last one too.
+struct Thinned {
+  std::vector<std::size_t> indices;
+  std::size_t step = 1;
+};
+Thinned thin(std::size_t count, std::size_t most);
+
+/// What a caption says of it; empty where nothing was left out.
+std::string thinning_text(const Thinned& thinned, const std::string& key);
+
+}  // namespace umbrameter

@@ -1,0 +1,261 @@
+#include "present/presentation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "present/image_scales.h"
+#include "present/presentation_parts.h"
+#include "present/scene_report.h"
+
+namespace umbrameter {
+namespace {
+
+std::string ao_technique_text(const AoParams& params) {
+  AoTechnique technique = make_technique(params);
+  const bool has_bias = find(describe(technique), "ao.bias") != nullptr;
+  AoBlurParams blur = blur_of(params);
+  const std::string kind = to_string(require(describe(blur), "ao.blur").value());
+  return fmt::format("{} samples, radius {}{}{}.", params.sampling.samples, metres_text(params.sampling.radius.number),
+                     has_bias ? fmt::format(", bias {}", metres_text(params.bias.depth.number)) : "",
+                     blur.kind == AoBlur::none ? "" : fmt::format(", {0}×{0} {1} blur", taps_of(blur).count, kind));
+}
+
+// "mean absolute error 10.645 to 10.752 %, mean signed error +8.974 ± 0.002 %": as many digits in both as the wider
+// interval justifies. The interval of the absolute error has no middle to name: noise of the reference only raises it.
+struct AoErrorText {
+  std::string absolute;
+  std::string with_sign;
+};
+AoErrorText error_text(const SampledError& error) {
+  const Estimate& absolute = error.mae;
+  const Estimate& with_sign = error.mean_error;
+  const double width = 50.0 * std::max(absolute.upper - absolute.lower, with_sign.upper - with_sign.lower);
+  if (!(width > 0.0)) return {percent(absolute.value), fmt::format("{:+.3g} %", 100.0 * with_sign.value)};
+  const int decimals = decimals_of(width, 2);
+  return {fmt::format("{:.{}f} to {:.{}f} %", 100.0 * absolute.lower, decimals, 100.0 * absolute.upper, decimals),
+          fmt::format("{:+.{}f} ± {:.{}f} %", 100.0 * with_sign.value, decimals,
+                      50.0 * (with_sign.upper - with_sign.lower), decimals)};
+}
+
+template <class Figure>
+void add_to(ReportSection& section, std::vector<Figure>& figures, Figure figure) {
+  section.figures.push_back(figure.stem);
+  section.figure_titles.push_back(figure.title);
+  section.captions.push_back(figure.caption);
+  if constexpr (requires { figure.conditions; }) {
+    std::string& caption = section.captions.back();
+    if (!figure.conditions.empty()) caption += (caption.empty() ? "" : " ") + figure.conditions + ".";
+  }
+  figures.push_back(std::move(figure));
+}
+
+}  // namespace
+
+std::string value_text(Experiment experiment, std::string_view key) {
+  return to_string(require(describe(experiment), key).value());
+}
+
+ImageFigure scalar_figure(std::string stem, std::string title, std::string caption, const Image<float>& values,
+                          const ColorScale& scale) {
+  ImageFigure figure;
+  figure.stem = std::move(stem);
+  figure.title = std::move(title);
+  figure.caption = std::move(caption);
+  figure.values = values;
+  figure.scale = scale;
+  return figure;
+}
+
+ReportTable statistics_table(std::string title, const Statistics& statistics) {
+  const std::vector<Column> columns = columns_of(statistics);
+  const std::vector<Value> row = row_of(statistics);
+  Table table{{{"quantity", "", ""}, {"value", "", ""}, {"unit", "", ""}, {"meaning", "", ""}}, {}};
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const bool is_share = columns[i].unit == "1";
+    const std::string value = is_share                 ? share_text(to_number(row[i]))
+                              : columns[i].unit == "m" ? fmt::format("{:.5g}", to_number(row[i]))
+                                                       : to_string(row[i]);
+    table.rows.push_back({columns[i].name, value, std::string(is_share ? "%" : columns[i].unit), columns[i].meaning});
+  }
+  return {std::move(title), std::move(table)};
+}
+
+void add_metrics_table(ReportSection& section, const std::vector<MetricScore>& scores) {
+  if (scores.empty()) return;
+  Table table{{{"metric", "", ""}, {"value", "", ""}, {"unit", "", ""}, {"range", "", ""}, {"formula", "", ""}}, {}};
+  for (const auto& [column, score] : scores) {
+    table.rows.push_back({std::string(column.metric->title), fmt::format("{:.4g}", score), column.unit,
+                          std::string(column.metric->range), std::string(column.metric->formula)});
+  }
+  section.tables.push_back({"Image metrics", std::move(table)});
+}
+
+std::string offset_text(const TraceStatistics& statistics) {
+  return fmt::format("rays start at an offset of at most {} from the surfaces.",
+                     metres_text(statistics.largest_offset));
+}
+
+std::string precision_text(const SamplingPrecision& precision, const TruthParams& truth) {
+  if (precision.pixels == 0) return {};
+  std::string text = fmt::format(
+      "The 95 % confidence intervals account for the sampling noise of the reference. The interval of a single pixel "
+      "has a half width of {:.2g} on average and {:.2g} at most, with {:.0f} samples per pixel on average.",
+      precision.mean_half_width, precision.worst_half_width, precision.mean_samples);
+  if (truth.tolerance > 0.0) {
+    text +=
+        fmt::format(" {} of {} pixels stopped at truth.max-spp ({} rays) before they reached the tolerance of {:g}.",
+                    precision.pixels_at_limit, precision.pixels, truth.max_spp, truth.tolerance);
+  }
+  return text;
+}
+
+std::string precision_line(const SamplingPrecision& precision) {
+  std::string line =
+      fmt::format("{:.0f} samples per pixel; half width of a pixel's 95 % interval: mean {:.2g}, largest {:.2g}",
+                  precision.mean_samples, precision.mean_half_width, precision.worst_half_width);
+  if (precision.pixels_at_limit > 0) {
+    line += fmt::format("; {} of {} pixels stopped at truth.max-spp", precision.pixels_at_limit, precision.pixels);
+  }
+  return line;
+}
+
+Table in_percent(Table table, std::size_t first_column) {
+  for (std::size_t c = first_column; c < table.columns.size(); ++c) {
+    if (table.columns[c].unit != "1") continue;
+    table.columns[c].unit = "%";
+    for (std::vector<Value>& row : table.rows) row[c] = share_text(to_number(row[c]));
+  }
+  return table;
+}
+
+const std::vector<CategoryColor>& class_colors() {
+  // The palette of Okabe and Ito without its yellow, which is hard to see on white. Printed in grey, the causes have a
+  // CIE L* of 53, 61, 46 and 70; the other classes are lighter. Figures for print are hatched, too.
+  static const std::vector<CategoryColor> colors = [] {
+    constexpr std::array<glm::u8vec3, 7> inks = {{{240, 240, 240},
+                                                  {213, 94, 0},
+                                                  {204, 121, 167},
+                                                  {0, 114, 178},
+                                                  {86, 180, 233},
+                                                  {200, 200, 200},
+                                                  {255, 255, 255}}};
+    constexpr std::array<Hatch, 7> hatches = {Hatch::none, Hatch::none, Hatch::rising, Hatch::horizontal,
+                                              Hatch::dots, Hatch::none, Hatch::none};
+    std::vector<CategoryColor> named;
+    for (std::size_t i = 0; i < inks.size(); ++i) {
+      named.push_back({std::string(pixel_class_names[i]), inks[i], hatches[i]});
+    }
+    return named;
+  }();
+  return colors;
+}
+
+void add_figure(Presentation& presentation, ImageFigure figure) {
+  add_to(presentation.section, presentation.images, std::move(figure));
+}
+
+void add_figure(Presentation& presentation, PlotFigure figure) {
+  add_to(presentation.section, presentation.plots, std::move(figure));
+}
+
+void add_figure(Presentation& presentation, HeatMapFigure figure) {
+  add_to(presentation.section, presentation.heat_maps, std::move(figure));
+}
+
+void add_figure(Presentation& presentation, WaterfallFigure figure) {
+  add_to(presentation.section, presentation.waterfalls, std::move(figure));
+}
+
+Presentation present_picture(const Measurement& measurement) {
+  Presentation presentation;
+  presentation.section.title = "The view";
+  ImageFigure figure;
+  figure.stem = "picture";
+  figure.title = "The view, shaded";
+  figure.caption = "Diffuse shading with the measured visibility and ambient occlusion, for orientation only.";
+  figure.color = tone_map(measurement.picture, 1.0f);
+  add_figure(presentation, std::move(figure));
+  return presentation;
+}
+
+std::string ao_limit_text(const TruthParams& params) {
+  return has_distance_limit(params) ? "up to " + metres_text(params.ao_distance.number) : "without distance limit";
+}
+
+std::string nothing_counted_text(const CountedPixels& counted) {
+  constexpr std::array<std::string_view, 6> reasons = {"",
+                                                       "are background",
+                                                       "face away from the light",
+                                                       "lie outside its shadow map",
+                                                       "lie outside its cone",
+                                                       "lie beyond its range"};
+  if (counted.totals[static_cast<std::size_t>(PixelExclusion::none)] > 0) return {};
+  std::uint64_t all = 0;
+  for (const std::uint64_t total : counted.totals) all += total;
+  std::string text;
+  for (std::size_t i = 0; i < reasons.size(); ++i) {
+    const std::uint64_t total = counted.totals[i];
+    if (total == all) return fmt::format("nothing to measure: all {} pixels {}", all, reasons[i]);
+    if (total > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", total, reasons[i]);
+  }
+  return fmt::format("nothing to measure: of {} pixels, {}", all, text);
+}
+
+Presentation present_ao(const AoMeasurement& ao) {
+  const Experiment& experiment = ao.experiment;
+  Presentation presentation;
+  ReportSection& section = presentation.section;
+  section.title = "Ambient occlusion";
+  const std::string limit = ao_limit_text(experiment.truth);
+  if (ao.truth) {
+    add_figure(presentation,
+               scalar_figure("truth_ao", "Reference: ambient occlusion",
+                             fmt::format("Hemisphere rays {}, {:.0f} per pixel, {} weight.", limit,
+                                         ao.truth->precision.mean_samples, value_text(experiment, "truth.ao-weight")),
+                             ao.truth->ao, ao_scale));
+  }
+  if (ao.raster) {
+    add_figure(presentation, scalar_figure("raster_ao", std::string(title_of(make_technique(experiment.ao))),
+                                           ao_technique_text(experiment.ao), *ao.raster, ao_scale));
+  }
+  if (ao.truth) {
+    section.text = precision_text(ao.truth->precision, experiment.truth);
+    presentation.details.push_back("AO: " + offset_text(ao.truth->statistics));
+  }
+  if (!ao.statistics) {
+    if (ao.truth) {
+      presentation.answers.push_back(fmt::format("AO: reference {}, {}", limit, precision_line(ao.truth->precision)));
+    }
+    return presentation;
+  }
+  if (ao.statistics->error.pixels == 0) {
+    presentation.answers.emplace_back("AO: nothing to measure: all pixels are background");
+    section.text += "\n\nNothing to measure: all pixels are background.";
+    return presentation;
+  }
+  const SampledError& s = ao.statistics->error;
+  add_figure(presentation, scalar_figure("error_ao", "Error: ambient occlusion",
+                                         "Technique − reference: blue is too dark, red is too bright.",
+                                         signed_error(*ao.raster, ao.truth->ao), ao_error_scale));
+  const AoErrorText text = error_text(s);
+  section.headlines = {
+      {"mean absolute error", text.absolute, fmt::format("of {} pixels", s.pixels)},
+      {"RMS error", percent(s.rmse), "corrected for the reference's variance"},
+      {"mean signed error", text.with_sign, "below 0: too dark"},
+  };
+  section.text += fmt::format(
+      "\n\nThe technique looks for occluders up to {}, the reference {}. Noise in the reference can only raise the "
+      "mean "
+      "absolute error, so that it is given as a range, whose lower end is corrected for this noise.",
+      metres_text(experiment.ao.sampling.radius.number), limit);
+  section.tables = {statistics_table("Ambient occlusion error", *ao.statistics)};
+  add_metrics_table(section, ao.metrics);
+  presentation.answers.push_back(fmt::format(
+      "AO: mean absolute error {}, mean signed error {} ({} radius {}, reference {})", text.absolute, text.with_sign,
+      title_of(make_technique(experiment.ao)), metres_text(experiment.ao.sampling.radius.number), limit));
+  return presentation;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,61 @@
+// Turns measurements into sections of the page, figures and lines for the console.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/figures/figures.h"
+#include "reports/page/page.h"
+#include "results/measurement.h"
+#include "results/number_text.h"
+#include "results/scene_facts.h"
+
+namespace umbrameter {
+
+/// Formats shares (unit 1) as per cent with four decimals, in `first_column` and those after it.
+Table in_percent(Table table, std::size_t first_column = 0);
+
+/// Name and colour of each PixelClass, in its order; the same in all figures.
+const std::vector<CategoryColor>& class_colors();
+
+/// Name and colour of each cause of the error of the image, and of pixels without one.
+std::vector<CategoryColor> image_cause_colors();
+
+/// Section, figures and text lines of one part of a run.
+struct Presentation {
+  ReportSection section;
+  std::vector<ImageFigure> images;
+  std::vector<PlotFigure> plots;
+  std::vector<HeatMapFigure> heat_maps;
+  std::vector<WaterfallFigure> waterfalls{};
+  std::vector<std::string> answers{};  ///< for the console, printed first: the main results
+  std::vector<std::string> lines{};    ///< for the console: further results
+  std::vector<std::string> details{};  ///< diagnostics: for the page's last section and --verbose
+};
+
+Presentation present_picture(const Measurement& measurement);
+Presentation present_shadow(const SceneFacts& scene, const ShadowMeasurement& shadow);
+Presentation present_ao(const AoMeasurement& ao);
+Presentation present_image(const SceneFacts& scene, const ImageMeasurement& image);
+
+/// How far the reference of ambient occlusion looks: "up to 58.6 cm" or "without distance limit".
+std::string ao_limit_text(const TruthParams& params);
+
+/// The limit of the mean absolute error against a hard shadow, for pages that compare filters.
+inline constexpr const char* filter_caution =
+    "The reference of a light without extent is a hard shadow. Against it every blurred pixel is wrong, so the mean "
+    "absolute error always favours no filter: use it to choose a bias or a resolution, not a filter.";
+
+/// Why statistics count no pixel: "nothing to measure: all 230400 pixels are background". Empty if they count some.
+std::string nothing_counted_text(const CountedPixels& counted);
+
+/// The constant bias in metres, in texels of the mean size, and as normalised depth.
+ReportTable bias_table(const ShadowMeasurement& shadow);
+
+/// Adds a figure to the presentation's section and to its list of this kind of figure.
+void add_figure(Presentation& presentation, ImageFigure figure);
+void add_figure(Presentation& presentation, PlotFigure figure);
+void add_figure(Presentation& presentation, HeatMapFigure figure);
+void add_figure(Presentation& presentation, WaterfallFigure figure);
+
+}  // namespace umbrameter

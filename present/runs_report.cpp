@@ -1,0 +1,227 @@
+#include "present/runs_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "results/known_statistics.h"
+#include "results/number_text.h"
+
+namespace umbrameter {
+namespace {
+
+// Shares are shown in per cent.
+double scale_of(const std::string& unit) { return unit == "1" ? 100.0 : 1.0; }
+std::string shown_unit(const std::string& unit) { return unit == "1" ? "%" : unit; }
+
+std::string with_minus(std::string text) {
+  if (text.starts_with('-')) text.replace(0, 1, "−");
+  return text;
+}
+
+double half_width_of(const Estimate& estimate) { return 0.5 * (estimate.upper - estimate.lower); }
+
+// Marks an interval that does not cover the choice of pixels.
+constexpr const char* rays_only_mark = "*";
+
+std::string compared_text(const ComparedValue& value) {
+  const double scale = scale_of(value.measured.unit);
+  return with_half_width(scale * value.measured.value, scale * value.half_width) +
+         (value.interval == IntervalOf::rays ? rays_only_mark : "");
+}
+
+std::string difference_text(const ComparedValue& value) {
+  if (value.verdict == Verdict::base) return "—";
+  const double scale = scale_of(value.measured.unit);
+  const std::string text = with_half_width(scale * value.difference.value, scale * half_width_of(value.difference)) +
+                           (value.verdict == Verdict::rays_only ? rays_only_mark : "");
+  const bool is_shown = value.verdict == Verdict::significant || value.verdict == Verdict::equal;
+  return is_shown ? text : "(" + text + ")";
+}
+
+std::string verdict_text(const ComparedValue& value) {
+  const std::string test = value.blocks > 0 ? fmt::format("paired over {} blocks", value.blocks) : "from the intervals";
+  switch (value.verdict) {
+    case Verdict::base:
+      return "—";
+    case Verdict::equal:
+      return "equal";
+    case Verdict::significant:
+      return "significant, " + test;
+    case Verdict::not_significant:
+      return "not significant, " + test;
+    case Verdict::rays_only:
+      return "not tested: the interval covers the rays only";
+    case Verdict::no_interval:
+      return "no interval";
+  }
+  return "";
+}
+
+bool are_of_one_part(const ComparedStatistic& a, const ComparedStatistic& b) {
+  return a.kind == b.kind && a.light == b.light;
+}
+
+std::string part_title(const ComparedStatistic& compared) {
+  if (compared.kind == "shadow") return "Shadow of " + compared.light;
+  return compared.kind == "ao" ? "Ambient occlusion" : "The shaded image";
+}
+
+std::string file_stem(const std::vector<StoredRun>& runs, const ComparedStatistic& compared) {
+  if (compared.light.empty()) return compared.kind;
+  return compared.kind + "_" + runs.front().layers.at(compared.light);
+}
+
+// "Mean absolute error". What it is an error of is the table's subject.
+std::string title_text(const ComparedStatistic& compared) {
+  std::string title = compared.name;
+  for (const KnownStatistic& known : known_statistics()) {
+    if (known.kind == compared.kind && known.name == compared.name) title = known.title;
+  }
+  for (const std::string_view subject : {" of visibility", " of accessibility", " of the image"}) {
+    if (title.ends_with(subject)) title.resize(title.size() - subject.size());
+  }
+  title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+  return title;
+}
+
+std::string with_unit(const std::string& text, const std::string& unit) {
+  return unit.empty() ? text : fmt::format("{} [{}]", text, unit);
+}
+
+// Without an interval nothing can be said of a difference that the values do not say.
+std::string printed_difference(const ComparedValue& value) {
+  if (value.verdict == Verdict::no_interval) return "—";
+  if (value.verdict == Verdict::equal) return "0";
+  const double scale = scale_of(value.measured.unit);
+  const std::string text = with_half_width(scale * value.difference.value, scale * half_width_of(value.difference));
+  return value.verdict == Verdict::significant ? text + "*" : text;
+}
+
+// One row for each error, one column for each run. A unit common to all rows is in the head.
+template <class Text>
+Table rows_of_errors(const std::vector<StoredRun>& runs, const std::vector<const ComparedStatistic*>& errors,
+                     std::size_t first_run, const Text& text) {
+  std::string unit = errors.empty() ? "" : shown_unit(errors.front()->unit);
+  for (const ComparedStatistic* each : errors) {
+    if (shown_unit(each->unit) != unit) unit.clear();
+  }
+  Table table{{{with_unit("Error", unit), "", ""}}, {}};
+  for (std::size_t run = first_run; run < runs.size(); ++run) table.columns.push_back({runs[run].name, "", ""});
+  for (const ComparedStatistic* each : errors) {
+    std::vector<Value> row(table.columns.size(), std::string("—"));
+    row.front() = unit.empty() ? with_unit(title_text(*each), shown_unit(each->unit)) : title_text(*each);
+    for (const ComparedValue& value : each->values) {
+      if (value.run >= first_run) row[value.run - first_run + 1] = text(value);
+    }
+    const auto is_dash = [](const Value& cell) { return to_string(cell) == "—"; };
+    if (!std::all_of(row.begin() + 1, row.end(), is_dash)) table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+// One row for each run, one column for each statistic that is an error. `text` makes a cell.
+template <class Text>
+Table rows_of_runs(const std::vector<StoredRun>& runs, const std::vector<const ComparedStatistic*>& errors,
+                   std::size_t first_run, const Text& text) {
+  Table table{{{"run", "", ""}}, {}};
+  for (const ComparedStatistic* each : errors) table.columns.push_back({title_text(*each), shown_unit(each->unit), ""});
+  for (std::size_t run = first_run; run < runs.size(); ++run) {
+    std::vector<Value> row = {runs[run].name};
+    for (const ComparedStatistic* each : errors) {
+      const auto found = std::find_if(each->values.begin(), each->values.end(),
+                                      [&](const ComparedValue& value) { return value.run == run; });
+      row.emplace_back(found == each->values.end() ? "—" : text(*found));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace
+
+std::string with_half_width(double value, double half_width) {
+  if (!std::isfinite(value)) return "—";
+  if (!(half_width > 0.0)) return with_minus(fmt::format("{:.{}g}", value, std::abs(value) >= 1e4 ? 12 : 4));
+  const int decimals = decimals_of(half_width, 2);
+  return with_minus(fmt::format("{:.{}f} ± {:.{}f}", value, decimals, half_width, decimals));
+}
+
+std::vector<PartTables> part_tables(const std::vector<StoredRun>& runs,
+                                    const std::vector<ComparedStatistic>& compared) {
+  std::vector<PartTables> parts;
+  for (auto first = compared.begin(); first != compared.end();) {
+    const auto last = std::find_if(first, compared.end(),
+                                   [&](const ComparedStatistic& each) { return !are_of_one_part(*first, each); });
+    std::vector<const ComparedStatistic*> errors;
+    PartTables part{file_stem(runs, *first), part_title(*first), {}, {}, {}, {}, {}};
+    part.all.columns = {{"statistic", "", ""}, {"unit", "", ""},       {"run", "", ""},
+                        {"value", "", ""},     {"difference", "", ""}, {"verdict", "", ""}};
+    for (auto each = first; each != last; ++each) {
+      if (each->is_error) errors.push_back(&*each);
+      for (const ComparedValue& value : each->values) {
+        part.all.rows.push_back({title_text(*each), shown_unit(each->unit), runs[value.run].name, compared_text(value),
+                                 difference_text(value), verdict_text(value)});
+      }
+    }
+    part.values = rows_of_runs(runs, errors, 0, compared_text);
+    part.differences = rows_of_runs(runs, errors, 1, difference_text);
+    part.printed_values = rows_of_errors(runs, errors, 0, compared_text);
+    part.printed_differences = rows_of_errors(runs, errors, 1, printed_difference);
+    parts.push_back(std::move(part));
+    first = last;
+  }
+  return parts;
+}
+
+Table comparison_rows(const std::vector<StoredRun>& runs, const std::vector<ComparedStatistic>& compared) {
+  Table table{{{"kind", "", ""},
+               {"light", "", ""},
+               {"statistic", "", ""},
+               {"unit", "", ""},
+               {"run", "", ""},
+               {"value", "", ""},
+               {"half_width", "", ""},
+               {"interval_of", "", ""},
+               {"difference", "", ""},
+               {"difference_lo", "", ""},
+               {"difference_hi", "", ""},
+               {"blocks", "", ""},
+               {"verdict", "", ""}},
+              {}};
+  constexpr const char* verdicts[] = {"base", "equal", "significant", "not significant", "rays only", "no interval"};
+  constexpr const char* intervals[] = {"", "rays", "pixels and rays"};
+  for (const ComparedStatistic& each : compared) {
+    for (const ComparedValue& value : each.values) {
+      table.rows.push_back({each.kind, each.light, each.name, each.unit, runs[value.run].name, value.measured.value,
+                            value.half_width, std::string(intervals[static_cast<std::size_t>(value.interval)]),
+                            value.difference.value, value.difference.lower, value.difference.upper,
+                            static_cast<std::int64_t>(value.blocks),
+                            std::string(verdicts[static_cast<std::size_t>(value.verdict)])});
+    }
+  }
+  return table;
+}
+
+std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
+                                            const std::vector<ComparedStatistic>& compared) {
+  std::vector<std::string> answers;
+  for (const ComparedStatistic& each : compared) {
+    if (each.name != error_statistic) continue;
+    const std::string what = each.light.empty() ? each.kind : each.light;
+    for (const ComparedValue& value : each.values) {
+      std::string line = fmt::format("{}, {}: error {} %", what, runs[value.run].name, compared_text(value));
+      if (value.verdict != Verdict::base) {
+        line += fmt::format("; difference {} % ({})",
+                            with_half_width(100.0 * value.difference.value, 100.0 * half_width_of(value.difference)),
+                            verdict_text(value));
+      }
+      answers.push_back(std::move(line));
+    }
+  }
+  return answers;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,257 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "compare/bias_units.h"
+#include "present/bias_advice_report.h"
+#include "present/image_scales.h"
+#include "present/plateau_text.h"
+#include "present/presentation.h"
+#include "present/presentation_parts.h"
+#include "present/scene_report.h"
+
+namespace umbrameter {
+namespace {
+
+ImageFigure class_figure(const std::string& layer, const std::string& title, const ShadowMeasurement& shadow) {
+  ImageFigure figure;
+  figure.stem = "class_" + layer;
+  figure.title = "Causes: " + title;
+  figure.caption = "Main cause of the wrong taps of each pixel.";
+  const Image<PixelClass> classes = classify(shadow.raster->wrong, shadow.counted);
+  figure.category = Image<std::uint8_t>(classes.width, classes.height);
+  for (std::size_t i = 0; i < classes.size(); ++i) figure.category[i] = static_cast<std::uint8_t>(classes[i]);
+  figure.categories = class_colors();
+  return figure;
+}
+
+std::string counted_text(const CountedPixels& counted, bool is_soft) {
+  const auto total = [&](PixelExclusion c) { return counted.totals[static_cast<std::size_t>(c)]; };
+  return fmt::format(
+      "{} counted pixels face {}the light and lie inside its map, cone and range. Not counted: {} back-facing, {} "
+      "outside the map, {} outside the cone, {} out of range, {} background.",
+      total(PixelExclusion::none), is_soft ? "part of " : "", total(PixelExclusion::back_facing),
+      total(PixelExclusion::outside_map), total(PixelExclusion::outside_cone), total(PixelExclusion::outside_range),
+      total(PixelExclusion::background));
+}
+
+// What one light's shadow rays went to.
+std::string truth_caption(const ShadowMeasurement& shadow) {
+  std::string common = "Shadow rays against the exact geometry. Back-facing pixels are 0.";
+  if (!shadow.is_sampled) return common;
+  const double samples = shadow.truth->precision.mean_samples;
+  if (shadow.experiment.truth.shadow == ShadowReference::pixel) {
+    return fmt::format("{} Mean over the part of each pixel that shows the surface of its centre, of {:.0f} rays.",
+                       common, samples);
+  }
+  return fmt::format("{} The light is {}{}; {:.0f} samples per pixel measure the visible share of its {}.", common,
+                     std::holds_alternative<DistantEmitter>(shadow.emitter) ? "" : "a ", extent_text(shadow.emitter),
+                     samples, shadow.experiment.truth.light_sampling == LightSampling::area ? "area" : "solid angle");
+}
+
+void add_error_figure(Presentation& presentation, const SceneFacts& scene, const ShadowMeasurement& shadow) {
+  add_figure(presentation,
+             scalar_figure("error_visibility_" + scene.layer(shadow.light), "Error: " + scene.title(shadow.light),
+                           "Technique − reference: blue is too dark, red is too bright.",
+                           signed_error(shadow.raster->visibility, shadow.truth->visibility), visibility_error_scale));
+}
+
+void present_edge_error(Presentation& presentation, const SceneFacts& scene, const ShadowMeasurement& shadow,
+                        const EdgeStatistics& s) {
+  const std::string title = scene.title(shadow.light);
+  ReportSection& section = presentation.section;
+  add_error_figure(presentation, scene, shadow);
+  section.text += fmt::format(
+      "\n\nThis technique does not sum depth comparisons, so no single tap is right or wrong and its error has no "
+      "causes. The error is split by sign and by distance to the reference's shadow edges instead; at an edge means at "
+      "most {:g} texels from it.",
+      edge_band_texels);
+  if (s.max_x >= 0) {
+    section.text +=
+        fmt::format(" The largest error is {:.3g}, for example at pixel ({}, {}).", s.max_error, s.max_x, s.max_y);
+  }
+  section.headlines = {
+      {"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", s.pixels)},
+      {"too dark away from edges", percent(s.too_dark_away), "like acne"},
+      {"too dark at edges", percent(s.too_dark_at_edge), "blur and occluders in the kernel"},
+      {"too bright at edges", percent(s.too_bright_at_edge), "blur and lost contact"},
+      {"too bright away from edges", percent(s.too_bright_away), "light bleeding"},
+  };
+  section.tables = {statistics_table("Visibility error: " + title, s), bias_table(shadow)};
+  section.text += "\n\n" + std::string(filter_caution);
+  presentation.answers.push_back(
+      fmt::format("{}: error {}{}; away from edges too dark {}, too bright {}; at edges too dark {}, too bright {}",
+                  title, percent(s.mae), few_pixels_text(s.pixels), percent(s.too_dark_away),
+                  percent(s.too_bright_away), percent(s.too_dark_at_edge), percent(s.too_bright_at_edge)));
+}
+
+void present_soft_error(Presentation& presentation, const SceneFacts& scene, const ShadowMeasurement& shadow,
+                        const SoftVisibilityStatistics& s) {
+  const std::string title = scene.title(shadow.light);
+  ReportSection& section = presentation.section;
+  add_error_figure(presentation, scene, shadow);
+  const bool is_over_pixel = shadow.experiment.truth.shadow == ShadowReference::pixel;
+  section.text += is_over_pixel ? "\n\nThe reference is the mean over each pixel (truth.shadow pixel)"
+                                : "\n\nThis is an area light. Its reference is the visible share of the light";
+  section.text +=
+      ", so a single tap is neither right nor wrong and has no cause of error. The error is split into too dark and "
+      "too bright instead. Causes need a binary reference: truth.shadow point.";
+  if (s.error.max_x >= 0) {
+    section.text += fmt::format(" The largest error is {:.3g}, for example at pixel ({}, {}).", s.error.max_error,
+                                s.error.max_x, s.error.max_y);
+  }
+  section.headlines = {
+      {"mean absolute error", percent(s.error.mae), fmt::format("of {} counted pixels", s.error.pixels)},
+      {"too dark", percent(s.error.too_dark), "part where the technique is darker than the reference"},
+      {"too bright", percent(s.error.too_bright), "part where the technique is brighter than the reference"},
+      {"RMS error", percent(s.error.rmse), "corrected for the reference's variance"},
+      {"penumbra", percent(s.penumbra), "of the counted pixels"},
+  };
+  section.tables = {statistics_table("Visibility error: " + title, s), bias_table(shadow)};
+  presentation.answers.push_back(fmt::format(
+      "{}: error {}{} against {}; too dark {}, too bright {}; penumbra {} of the counted pixels", title,
+      percent(s.error.mae), few_pixels_text(s.error.pixels),
+      is_over_pixel ? "the mean over each pixel" : fmt::format("its soft shadow ({})", extent_text(shadow.emitter)),
+      percent(s.error.too_dark), percent(s.error.too_bright), percent(s.penumbra)));
+}
+
+std::string agreement_text(const ClassAgreement& agreement) {
+  std::string text = fmt::format(
+      "ray tests reclassified {:.2g} % of {} taps from false occlusion to acne: {:.2g} % of all wrong taps.",
+      100.0 * share_of_unresolved(agreement), agreement.taps, 100.0 * share_of_wrong(agreement));
+  if (agreement.peter_panning > 0) {
+    text += fmt::format(" Rays find {:.2g} % of peter-panning on the receiver's own layer, where it is light leak.",
+                        100.0 * share_on_own_layer(agreement));
+  }
+  return text;
+}
+
+ReportTable worst_parts(const char* what, PartKind kind, const std::vector<PartError>& parts,
+                        std::uint32_t weight_sum) {
+  constexpr std::size_t most = 10;
+  const bool are_more = parts.size() > most;
+  return {fmt::format("Error by {}{}", what, are_more ? fmt::format(" (top {})", most) : ""),
+          in_percent(part_table(kind, parts, weight_sum, most))};
+}
+
+std::string technique_text(const ShadowMeasurement& shadow) {
+  const Experiment& experiment = shadow.experiment;
+  const std::size_t cascades = shadow.layout.kind == MapKind::orthographic ? shadow.layout.views.size() : 1;
+  const std::string views = cascades > 1 ? fmt::format("{} cascades of ", cascades) : "";
+  const bool has_kernel = capabilities_of(make_technique(experiment.shadow)).sums_comparisons;
+  return fmt::format(
+      "{}{}² texels, {}", views, shadow.layout.resolution,
+      has_kernel ? value_text(experiment, "shadow.filter") + " filter" : value_text(experiment, "shadow.technique"));
+}
+
+std::string stored_depths_text(const ShadowMeasurement& shadow) {
+  const StoredDepths& depths = *shadow.stored_depths;
+  return fmt::format(
+      "the map holds depths from {} to {} in steps of {} and {} ({}, {}); unit of polygon offsets {:.3g}",
+      metres_text(depths.range->nearest), metres_text(depths.range->farthest), metres_text(depths.step_at_nearest),
+      metres_text(depths.step_at_farthest), value_text(shadow.experiment, "shadow.depth-format"),
+      value_text(shadow.experiment, "shadow.depth-encoding"), depths.polygon_offset_unit);
+}
+
+Presentation present_shadow_error(const SceneFacts& scene, const ShadowMeasurement& shadow) {
+  const Experiment& experiment = shadow.experiment;
+  const std::string& layer = scene.layer(shadow.light);
+  const std::string title = scene.title(shadow.light);
+  Presentation presentation;
+  ReportSection& section = presentation.section;
+  section.title = "Shadow of " + title;
+  section.text = counted_text(shadow.counted, !std::holds_alternative<std::monostate>(shadow.emitter));
+  if (shadow.truth) {
+    add_figure(presentation, scalar_figure("truth_visibility_" + layer, "Reference: " + title, truth_caption(shadow),
+                                           shadow.truth->visibility, visibility_scale));
+    presentation.details.push_back(title + ": " + offset_text(shadow.truth->statistics));
+    if (shadow.is_sampled) section.text += "\n\n" + precision_text(shadow.truth->precision, experiment.truth);
+  }
+  if (shadow.raster) {
+    add_figure(presentation,
+               scalar_figure("raster_visibility_" + layer, "Shadow map: " + title,
+                             fmt::format("{}, constant bias {}, slope bias {:g} texels.", technique_text(shadow),
+                                         length_text(experiment.shadow.bias.constant), experiment.shadow.bias.slope),
+                             shadow.raster->visibility, visibility_scale));
+  }
+  if (shadow.stored_depths && shadow.stored_depths->range) {
+    presentation.details.push_back(title + ": " + stored_depths_text(shadow));
+  }
+  if (const std::string reason = nothing_counted_text(shadow.counted); !reason.empty()) {
+    section.text += "\n\n" + title + ": " + reason + ".";
+    presentation.answers.push_back(title + ": " + reason);
+    return presentation;
+  }
+  if (!shadow.statistics) {
+    const double pixels = static_cast<double>(shadow.counted.totals[0]);
+    std::string line = fmt::format("{}: {:.0f} counted pixels", title, pixels);
+    if (shadow.raster) line += fmt::format(", mean texel {}", metres_text(shadow.counted.mean_texel));
+    if (shadow.truth && shadow.is_sampled) line += "; " + precision_line(shadow.truth->precision);
+    presentation.answers.push_back(std::move(line));
+    return presentation;
+  }
+  if (const auto* soft = std::get_if<SoftVisibilityStatistics>(&*shadow.statistics)) {
+    present_soft_error(presentation, scene, shadow, *soft);
+    return presentation;
+  }
+  if (const auto* edges = std::get_if<EdgeStatistics>(&*shadow.statistics)) {
+    present_edge_error(presentation, scene, shadow, *edges);
+    return presentation;
+  }
+  const VisibilityStatistics& s = *by_cause(shadow);
+  add_error_figure(presentation, scene, shadow);
+  add_figure(presentation, class_figure(layer, title, shadow));
+  section.headlines = {{"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", s.pixels)}};
+  const std::array<double, cause_count> shares = {s.acne, s.false_occlusion, s.peter_panning, s.leak};
+  for (std::size_t c = 0; c < cause_count; ++c) {
+    const auto cause = static_cast<Cause>(c);
+    section.headlines.push_back(
+        {std::string(cause_title(cause)), percent(shares[c]), std::string(cause_meaning(cause))});
+  }
+  const std::uint32_t weight_sum = shadow.raster->wrong.weight_sum;
+  if (shadow.advice) section.tables.push_back(advice_table(*shadow.advice));
+  section.tables.insert(section.tables.end(),
+                        {statistics_table("Visibility error: " + title, s), bias_table(shadow),
+                         worst_parts("object", PartKind::object, shadow.objects, weight_sum),
+                         worst_parts("material", PartKind::material, shadow.materials, weight_sum)});
+  if (shadow.agreement) presentation.details.push_back(title + ": " + agreement_text(*shadow.agreement));
+  if (experiment.shadow.pcf.filter != ShadowFilter::nearest) section.text += "\n\n" + std::string(filter_caution);
+  if (s.max_x >= 0) {
+    section.text +=
+        fmt::format("\n\nThe largest error is {:.3g}, for example at pixel ({}, {}).", s.max_error, s.max_x, s.max_y);
+  }
+  const std::string parts = fmt::format("acne {}, false occlusion {}, peter-panning {}, light leak {}", percent(s.acne),
+                                        percent(s.false_occlusion), percent(s.peter_panning), percent(s.leak));
+  if (shadow.advice) {
+    presentation.answers.push_back(title + ": " + advice_text(*shadow.advice));
+    presentation.lines.push_back(fmt::format("  {}: {}", title, parts));
+  } else {
+    presentation.answers.push_back(fmt::format("{}: error {}{} at a bias of {}; {}", title, percent(s.mae),
+                                               few_pixels_text(s.pixels), length_text(experiment.shadow.bias.constant),
+                                               parts));
+  }
+  return presentation;
+}
+
+}  // namespace
+
+ReportTable bias_table(const ShadowMeasurement& shadow) {
+  Table table{{{"constant bias", "", ""}, {"value", "", ""}, {"unit", "", ""}}, {}};
+  const double texel = shadow.counted.mean_texel;
+  const BiasInUnits bias = in_units(shadow.experiment.shadow.bias.constant, texel, shadow.depth_unit);
+  const auto known = [](double number) { return std::isfinite(number) ? fmt::format("{:.4g}", number) : "—"; };
+  table.rows.push_back({std::string("along the light"), known(bias.metres), std::string("m")});
+  table.rows.push_back(
+      {std::string("in texels of mean size ") + metres_text(texel), known(bias.texels), std::string("texels")});
+  table.rows.push_back({std::string("of the depth that the map stores, of mean size ") + metres_text(shadow.depth_unit),
+                        known(bias.depth), std::string("normalised depth")});
+  return {"Constant bias of these images", std::move(table)};
+}
+
+Presentation present_shadow(const SceneFacts& scene, const ShadowMeasurement& shadow) {
+  Presentation presentation = present_shadow_error(scene, shadow);
+  add_metrics_table(presentation.section, shadow.metrics);
+  return presentation;
+}
+
+}  // namespace umbrameter

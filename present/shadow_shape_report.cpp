@@ -1,0 +1,177 @@
+#include "present/shadow_shape_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "present/map_views_report.h"
+#include "present/presentation.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::size_t max_casters = 12;  // that the page lists
+
+constexpr std::array<std::string_view, 2> soft_titles = {"too dark", "too bright"};
+
+std::string_view title_of(const ErrorShape& shape, std::size_t part) {
+  return shape.components ? cause_title(static_cast<Cause>(part)) : soft_titles[part];
+}
+
+Table distance_table(const ErrorShape& shape) {
+  Table table;
+  table.columns = {{"error", "", "part of the error"}};
+  for (const auto& [unit, where] :
+       {std::pair{"texels", "perpendicular to the light"}, {"px", "in the image"}, {"m", "in the world"}}) {
+    for (const char* which : {"median", "95 %", "largest"}) {
+      table.columns.push_back({which, unit, std::string("distance to the nearest edge of the hard shadow, ") + where});
+    }
+  }
+  table.columns.push_back({"within 1 texel", "%", "share of this error at most one texel from an edge"});
+  table.columns.push_back({"within 2 texels", "%", "share of this error at most two texels from an edge"});
+  const auto add = [&](std::string_view part, const EdgeDistances& distances) {
+    if (!distances.texels) return;
+    std::vector<Value> row = {std::string(part)};
+    for (const Spread* spread : {&*distances.texels, &*distances.pixels, &*distances.metres}) {
+      for (const double value : {spread->median, spread->upper, spread->largest}) {
+        row.emplace_back(fmt::format("{:.3g}", value));
+      }
+    }
+    for (const std::size_t reach : {one_texel, two_texels}) {
+      row.emplace_back(fmt::format("{:.2f}", 100.0 * distances.within[reach]));
+    }
+    table.rows.push_back(std::move(row));
+  };
+  add("all", shape.all);
+  for (std::size_t p = 0; p < shape.parts.size(); ++p) add(title_of(shape, p), shape.parts[p]);
+  return table;
+}
+
+std::string edges_text(const ErrorShape& shape) {
+  std::string text = fmt::format(
+      "\n\nThe hard shadow of the light's centre has {} edges: pairs of adjacent pixels on one surface, one lit and "
+      "one "
+      "blocked.",
+      shape.edges);
+  if (shape.outside_penumbra) {
+    text += fmt::format(
+        " {:.2f} % of the error lies outside the penumbra (weight 1 − 4V(1 − V), V the visibility of the reference).",
+        100.0 * *shape.outside_penumbra);
+  }
+  return text;
+}
+
+Table component_table(const ErrorShape& shape) {
+  Table table{{{"wrong pixels", "", "regions of wrong pixels that touch at a side or corner"},
+               {"regions", "1", "number of regions"},
+               {"mean area", "px", "mean pixels per region"},
+               {"largest", "px", "pixels of the largest region"},
+               {"share of largest", "%", "share of the error in the largest region"},
+               {"centre x", "px", "of the largest region"},
+               {"centre y", "px", "of the largest region"}},
+              {}};
+  const auto add = [&](std::string_view name, const ComponentStatistics& s) {
+    if (s.count == 0) return;
+    table.rows.push_back({std::string(name), static_cast<std::int64_t>(s.count), fmt::format("{:.2f}", s.mean_area),
+                          static_cast<std::int64_t>(s.largest_area), fmt::format("{:.2f}", 100.0 * s.largest_share),
+                          fmt::format("{:.1f}", s.largest_x), fmt::format("{:.1f}", s.largest_y)});
+  };
+  add("all", *shape.components);
+  for (std::size_t c = 0; c < cause_count; ++c) add(cause_title(static_cast<Cause>(c)), shape.class_components[c]);
+  return table;
+}
+
+Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& casters) {
+  std::vector<CasterShape> listed = casters;
+  std::stable_sort(listed.begin(), listed.end(), [](const CasterShape& a, const CasterShape& b) {
+    return a.contacts + a.edges > b.contacts + b.edges;
+  });
+  if (listed.size() > max_casters) listed.resize(max_casters);
+  const std::string gap = "lit strip between the foot of the caster and its shadow, ";
+  const std::string inset =
+      "how far the outline of the shadow lies inside that of the reference; negative: outside; median";
+  Table table{{{"caster", "", "object that casts the shadow; most pixels first"},
+               {"contacts", "px", "pixels where the reference shadow touches the foot of the caster"},
+               {"contact gap", "m", gap + "median"},
+               {"contact gap", "texels", gap + "median"},
+               {"contact gap", "px", gap + "median"},
+               {"largest gap", "m", gap + "largest"},
+               {"edges", "px", "edges of the reference shadow"},
+               {"shadow inset", "m", inset},
+               {"shadow inset", "texels", inset},
+               {"shadow inset", "px", inset}},
+              {}};
+  for (const CasterShape& caster : listed) {
+    const auto cell = [](bool is_known, double value) { return is_known ? fmt::format("{:.3g}", value) : "—"; };
+    const bool touches = caster.contacts > 0;
+    const bool has_edges = caster.edges > 0;
+    table.rows.push_back({scene.by_object.names[caster.object], static_cast<std::int64_t>(caster.contacts),
+                          cell(touches, caster.gap_median.metres), cell(touches, caster.gap_median.texels),
+                          cell(touches, caster.gap_median.pixels), cell(touches, caster.gap_largest.metres),
+                          static_cast<std::int64_t>(caster.edges), cell(has_edges, caster.inset_median.metres),
+                          cell(has_edges, caster.inset_median.texels), cell(has_edges, caster.inset_median.pixels)});
+  }
+  return table;
+}
+
+Table shimmer_table(const Shimmer& shimmer) {
+  Table table{{{"what moved", "", ""}, {"change", "%", "mean change of visibility"}, {"over", "", ""}}, {}};
+  const auto add = [&](const char* what, double share, const char* over) {
+    table.rows.push_back({std::string(what), share_text(share), std::string(over)});
+  };
+  add("map's grid", shimmer.grid_mean, "counted pixels; mean of four shifts by a quarter or half a texel");
+  add("map's grid, worst", shimmer.grid_largest, "counted pixels; largest of the four shifts");
+  add("camera", shimmer.camera.share,
+      "counted pixels that see the same triangle; mean of four shifts by a quarter or half a pixel");
+  if (shimmer.camera_truth) add("camera, reference", shimmer.camera_truth->share, "the same for the reference");
+  return table;
+}
+
+PlotFigure distance_figure(const std::string& layer, const std::string& title, const ErrorShape& shape) {
+  PlotFigure figure;
+  figure.stem = "edge_distance_" + layer;
+  figure.title = "Distance of errors from shadow edges: " + title;
+  figure.caption =
+      "Share of the error within a distance of the nearest edge of the hard shadow. Aliasing lies within one or "
+      "two texels of an edge, acne farther away.";
+  figure.x = {"distance", "distance to the nearest edge [texels]", true};
+  figure.y = {"share", "share of the error [%]", false};
+  figure.series = "part";
+  figure.series_label = "part of the error";
+  figure.series_colors = class_colors();
+  figure.data.columns = {{"part", "", "part of the error"},
+                         {"distance", "texels", "perpendicular to the light"},
+                         {"share", "%", "share of this error at most that far from an edge"}};
+  for (std::size_t p = 0; p < shape.parts.size(); ++p) {
+    if (!shape.parts[p].texels) continue;
+    for (std::size_t k = 0; k < edge_reaches.size(); ++k) {
+      figure.data.rows.push_back({std::string(title_of(shape, p)), edge_reaches[k], 100.0 * shape.parts[p].within[k]});
+    }
+  }
+  return figure;
+}
+
+}  // namespace
+
+void present_shape(Presentation& presentation, const SceneFacts& scene, const ShadowMeasurement& shadow) {
+  const ShadowShape& shape = *shadow.shape;
+  ReportSection& section = presentation.section;
+  section.text += edges_text(shape.error);
+  section.tables.push_back({"Distance of errors from the edges of the hard shadow", distance_table(shape.error)});
+  if (shape.error.components && shape.error.components->count > 0) {
+    section.tables.push_back({"Connected error regions", component_table(shape.error)});
+  }
+  const std::string missing = shape.contact_search ? missing_contacts_text(*shape.contact_search) : std::string();
+  if (!missing.empty()) section.text += fmt::format("\n\nFor this light {}.", missing);
+  if (!shape.casters.empty()) {
+    section.tables.push_back({"Contact gap and shadow inset by caster", caster_table(scene, shape.casters)});
+  }
+  if (shape.shimmer) section.tables.push_back({"Shimmer", shimmer_table(*shape.shimmer)});
+  present_map_views(section, shape.views);
+  if (shape.error.all.texels) {
+    add_figure(presentation, distance_figure(scene.layer(shadow.light), scene.title(shadow.light), shape.error));
+  }
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,307 @@
+#include "present/sweep_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <span>
+
+#include "present/bias_figures.h"
+#include "present/plot_axes.h"
+
+namespace umbrameter {
+namespace {
+
+// What a reader can tell apart and a page can hold; all else is in the store.
+constexpr std::size_t max_plots = 12;
+constexpr std::size_t max_points = 16'000;  // of a plot
+constexpr std::size_t max_points_of_line = 2'000;
+constexpr std::size_t max_drawn_lines = 64;
+constexpr std::size_t max_best_rows = 1'000;
+
+// How the axes are laid out in figures: x is the numeric axis with the most values, lines are the next, and every
+// combination of the rest gets a figure of its own.
+struct Layout {
+  std::size_t x = 0;
+  std::optional<std::size_t> series;
+  std::vector<std::size_t> rest;
+};
+
+Layout lay_out(const Parameters& parameters, const std::vector<SweepAxis>& axes) {
+  std::vector<std::size_t> order;
+  for (std::size_t a = 0; a < axes.size(); ++a) order.push_back(a);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const bool number_a = require(parameters, axes[a].key).is_number();
+    const bool number_b = require(parameters, axes[b].key).is_number();
+    if (number_a != number_b) return number_a;
+    return axes[a].values.size() > axes[b].values.size();
+  });
+  Layout layout;
+  if (order.empty()) return layout;
+  layout.x = order[0];
+  if (order.size() > 1) layout.series = order[1];
+  if (order.size() > 2) layout.rest.assign(order.begin() + 2, order.end());
+  return layout;
+}
+
+// The cells of one plot: a combination of the axes that are neither x nor series.
+struct PlotCells {
+  std::vector<std::size_t> cells;  ///< in the order of rows
+  std::string conditions;
+  std::string caption;
+};
+
+std::size_t count_values(const SweepPlan& plan, std::size_t axis) { return plan.axes[axis].values.size(); }
+
+PlotCells cells_of_plot(const SweepPlan& plan, const Layout& layout, std::size_t part) {
+  PlotCells plot;
+  std::size_t first = 0;
+  std::size_t rest = part;
+  for (auto a = layout.rest.rbegin(); a != layout.rest.rend(); ++a) {
+    const std::size_t index = rest % count_values(plan, *a);
+    rest /= count_values(plan, *a);
+    first += index * plan.strides[*a];
+    plot.conditions = plan.axes[*a].key + " = " + short_text(plan.axes[*a].values[index]) +
+                      (plot.conditions.empty() ? "" : ", ") + plot.conditions;
+  }
+  const Thinned lines = thin(layout.series ? count_values(plan, *layout.series) : 1, max_drawn_lines);
+  const Thinned points =
+      thin(count_values(plan, layout.x), std::min(max_points_of_line, max_points / lines.indices.size()));
+  for (const std::size_t line : lines.indices) {
+    const std::size_t of_line = first + (layout.series ? line * plan.strides[*layout.series] : 0);
+    for (const std::size_t point : points.indices) plot.cells.push_back(of_line + point * plan.strides[layout.x]);
+  }
+  std::sort(plot.cells.begin(), plot.cells.end());
+  if (layout.series) plot.caption += thinning_text(lines, plan.axes[*layout.series].key);
+  plot.caption += thinning_text(points, plan.axes[layout.x].key);
+  return plot;
+}
+
+PlotFigure make_plot(const SweepResults& sweep, const Layout& layout, const PlotCells& cells,
+                     const Statistic& statistic) {
+  const SweepAxis& x = sweep.plan.axes[layout.x];
+  PlotFigure plot;
+  plot.title = statistic.curve.title;
+  plot.conditions = cells.conditions;
+  plot.caption = cells.caption;
+  plot.x = {x.key, label_of(x), is_logarithmic(x)};
+  plot.y = {statistic.name, statistic.curve.label, statistic.curve.logarithmic};
+  std::vector<std::string> names = {x.key, statistic.name};
+  if (layout.series) {
+    plot.series = sweep.plan.axes[*layout.series].key;
+    plot.series_label = label_of(sweep.plan.axes[*layout.series]);
+    names.push_back(*plot.series);
+  }
+  if (statistic.has_interval()) {
+    plot.lower = lower_name(statistic.name);
+    plot.upper = upper_name(statistic.name);
+    names.push_back(*plot.lower);
+    names.push_back(*plot.upper);
+  }
+  plot.data = sweep.store.rows(cells.cells, names);
+  const bool is_metric = std::any_of(sweep.metrics.begin(), sweep.metrics.end(),
+                                     [&](const MetricColumn& column) { return column.name == statistic.name; });
+  if (is_metric) return plot;
+  for (std::vector<Value>& row : plot.data.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      // The label says per cent.
+      if (names[i] != x.key && names[i] != plot.series) row[i] = 100.0 * to_number(row[i]);
+    }
+  }
+  return plot;
+}
+
+// The statistics that have a figure. Those of image metrics are in their own units.
+std::vector<Statistic> drawn_metrics(const SweepResults& sweep) {
+  std::vector<Statistic> drawn;
+  for (const MetricColumn& column : sweep.metrics) {
+    const std::string title(column.metric->title);
+    const std::string unit = column.unit == "1" ? "" : " [" + column.unit + "]";
+    drawn.push_back({column.name,
+                     column.unit,
+                     column.meaning(),
+                     {static_cast<char>(std::toupper(title.front())) + title.substr(1) +
+                          (column.other_unit > 0 ? ", " + column.unit : ""),
+                      title + unit + ": " + std::string(column.metric->range)},
+                     static_cast<double*>(nullptr)});
+  }
+  return drawn;
+}
+
+std::vector<Statistic> drawn_statistics(const SweepResults& sweep) {
+  CellStatistics statistics = sweep.statistics;
+  std::vector<Statistic> drawn = describe(statistics);
+  std::erase_if(drawn, [](const Statistic& each) { return each.curve.title.empty(); });
+  return drawn;
+}
+
+// Which cell each point of a plot shows.
+ChartCells chart_cells(const SweepResults& sweep, const Layout& layout, const PlotCells& cells,
+                       const std::string& stem) {
+  const std::vector<SweepAxis>& axes = sweep.plan.axes;
+  ChartCells chart{stem, {{axes[layout.x].key, axes[layout.x].key}}, {}};
+  if (layout.series) chart.columns.emplace_back(axes[*layout.series].key, axes[*layout.series].key);
+  const std::vector<Value> values = values_at(sweep.plan, cells.cells.front());
+  for (const std::size_t a : layout.rest) chart.fixed.emplace_back(axes[a].key, values[a]);
+  return chart;
+}
+
+std::vector<std::pair<PlotFigure, ChartCells>> make_plots(const SweepResults& sweep, const Layout& layout,
+                                                          const std::vector<Statistic>& statistics) {
+  std::size_t parts = 1;
+  for (const std::size_t a : layout.rest) parts *= count_values(sweep.plan, a);
+  std::vector<std::pair<PlotFigure, ChartCells>> plots;
+  for (std::size_t part = 0; part < parts; ++part) {
+    const PlotCells cells = cells_of_plot(sweep.plan, layout, part);
+    for (const Statistic& statistic : statistics) {
+      if (plots.size() >= max_plots) return plots;
+      PlotFigure plot = make_plot(sweep, layout, cells, statistic);
+      plot.stem = statistic.name + (layout.rest.empty() ? "" : fmt::format("_{}", part));
+      ChartCells chart = chart_cells(sweep, layout, cells, plot.stem);
+      plots.emplace_back(std::move(plot), std::move(chart));
+    }
+  }
+  return plots;
+}
+
+void add_plots(Presentation& presentation, const SweepResults& sweep, const Layout& layout,
+               const std::vector<Statistic>& statistics) {
+  for (auto& [plot, cells] : make_plots(sweep, layout, statistics)) {
+    add_figure(presentation, std::move(plot));
+    presentation.section.charts.push_back(std::move(cells));
+  }
+}
+
+// Rows of least error are listed for each value of these. Where biases are varied one bias is chosen for each
+// combination of the rest, else one cell for each line of the figures.
+std::vector<std::size_t> listed_axes(const SweepResults& sweep) {
+  const SweepPlan& plan = sweep.plan;
+  if (plan.constant_bias.axis || plan.slope_bias.axis) return outer_axes_as_given(plan);
+  const Layout layout = lay_out(sweep.parameters, plan.axes);
+  std::vector<std::size_t> axes;
+  if (layout.series) axes.push_back(*layout.series);
+  for (const std::size_t a : layout.rest) axes.push_back(a);
+  return axes;
+}
+
+std::string row_text(const Table& table, const std::vector<Value>& row, std::size_t axes) {
+  std::string text;
+  for (std::size_t a = 0; a < axes; ++a) {
+    text += (a > 0 ? ", " : "") + table.columns[a].name + " " + short_text(row[a]);
+    if (!table.columns[a].unit.empty() && table.columns[a].unit != "1") text += " " + table.columns[a].unit;
+  }
+  return text;
+}
+
+// Whether every cell has the same value in each measured column.
+bool are_all_equal(const SweepResults& sweep) {
+  std::vector<std::string> measured;
+  const std::vector<StoredColumn>& columns = sweep.store.description().columns;
+  for (std::size_t c = sweep.plan.axes.size(); c < columns.size(); ++c) measured.push_back(columns[c].column.name);
+  const auto is_nan = [](const Value& value) {
+    const auto* number = std::get_if<double>(&value);
+    return number != nullptr && std::isnan(*number);
+  };
+  std::vector<Value> first;
+  bool are_equal = true;
+  sweep.store.read(measured, [&](std::span<const Value> values) {
+    if (first.empty()) first.assign(values.begin(), values.end());
+    are_equal = are_equal && std::ranges::equal(values, first, [&](const Value& a, const Value& b) {
+                  return a == b || (is_nan(a) && is_nan(b));
+                });
+  });
+  return are_equal;
+}
+
+std::string equal_cells_text(const SweepResults& sweep, const std::string& error) {
+  std::string keys;
+  for (const SweepAxis& axis : sweep.plan.axes) keys += (keys.empty() ? "" : ", ") + axis.key;
+  return fmt::format("all {} cells are equal: error {}; {} {} nothing here", sweep.plan.cells, error, keys,
+                     sweep.plan.axes.size() > 1 ? "change" : "changes");
+}
+
+}  // namespace
+
+Table best_rows(const SweepResults& sweep) {
+  std::vector<std::string> keys;
+  for (const std::size_t a : listed_axes(sweep)) keys.push_back(sweep.plan.axes[a].key);
+  return sweep.store.least(std::string(error_statistic), keys, max_best_rows);
+}
+
+std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row) {
+  Table table;
+  for (const StoredColumn& stored : sweep.store.description().columns) table.columns.push_back(stored.column);
+  return row_text(table, row, sweep.plan.axes.size());
+}
+
+std::vector<OpenEnd> open_ends(const SweepResults& sweep, const Table& best) {
+  return find_open_ends(sweep, best, listed_axes(sweep));
+}
+
+Presentation present_sweep(const SweepResults& sweep, const Table& best, const std::optional<BiasCurves>& curves,
+                           const std::vector<OpenEnd>& open_ends) {
+  Presentation presentation;
+  const std::size_t axes = sweep.plan.axes.size();
+  ReportSection& section = presentation.section;
+  section.title = fmt::format("Error of {} in all cells", quantity_title(sweep.quantity()));
+  section.tables_first = true;
+  const std::vector<Value> least = least_row(sweep);
+  const std::size_t mae = column_index(best, error_statistic);
+  const std::string error = percent(to_number(least[mae]));
+  if (!std::isfinite(to_number(least[mae]))) {
+    presentation.answers.emplace_back("nothing to measure: no cell of the sweep has counted pixels");
+    section.text = "Nothing to measure: no cell of the sweep has counted pixels.";
+    return presentation;
+  }
+  const bool is_flat = sweep.plan.cells > 1 && are_all_equal(sweep);
+  if (is_flat) presentation.answers.push_back(equal_cells_text(sweep, error));
+  const char* headline = open_ends.empty() ? "least mean absolute error" : "lowest mean absolute error tested";
+  section.headlines = {{headline, error, row_text(best, least, axes)},
+                       {"cells", std::to_string(sweep.plan.cells), "one row each in sweep.csv"}};
+  const std::vector<std::string> warnings = to_lines(open_ends);
+  const Layout layout = lay_out(sweep.parameters, sweep.plan.axes);
+  if (curves && curves->varies_constant) {
+    add_bias_figures(presentation, sweep, *curves, max_plots);
+  } else {
+    add_plots(presentation, sweep, layout, drawn_statistics(sweep));
+  }
+  add_plots(presentation, sweep, layout, drawn_metrics(sweep));
+  section.text = "All cells are in sweep.csv.";
+  if (is_flat) section.text += " All cells are equal: what is varied changes nothing here.";
+  if (!sweep.ao_limit.empty())
+    section.text += " The reference looks for occluders " + sweep.ao_limit + " in every cell.";
+  const bool varies_filter =
+      varies_group(sweep.plan.axes, "shadow.filter") || varies_group(sweep.plan.axes, "shadow.technique");
+  if (varies_filter && sweep.quantity() == SweptQuantity::visibility)
+    section.text += "\n\n" + std::string(filter_caution);
+  for (const std::string& warning : warnings) section.text += "\n\nWarning: " + warning + ".";
+  if (is_flat) {
+    section.headlines.front() = {"error of every cell", error, "all cells are equal"};
+    return presentation;
+  }
+  if (!curves) {
+    std::size_t lines = 1;
+    for (const std::size_t a : listed_axes(sweep)) lines *= count_values(sweep.plan, a);
+    section.text += fmt::format("\n\nThe table lists the cell of least error for {} line{} of the figures.",
+                                best.rows.size() < lines ? fmt::format("the first {}", best.rows.size()) : "every",
+                                best.rows.size() < lines ? "s" : "");
+    section.tables.push_back({"Cells of least error", in_percent(best, axes)});
+  }
+  if (curves) {
+    present_bias(presentation, *curves);
+  } else {
+    presentation.answers.push_back(fmt::format("lowest error {} at {}{}", error, row_text(best, least, axes),
+                                               sweep.ao_limit.empty() ? "" : " (reference " + sweep.ao_limit + ")"));
+  }
+  for (const std::string& warning : warnings) presentation.answers.push_back("warning: " + warning);
+  if (curves) return presentation;
+  for (const std::vector<Value>& row : best.rows) {
+    if (presentation.lines.size() > 8) break;
+    if (std::equal(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(axes), least.begin())) continue;
+    presentation.lines.push_back(fmt::format("  {} at {}", percent(to_number(row[mae])), row_text(best, row, axes)));
+  }
+  return presentation;
+}
+
+}  // namespace umbrameter

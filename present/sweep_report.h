@@ -1,0 +1,26 @@
+// How a sweep is shown: its best rows and its curves, read from the store by what each needs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "present/axis_ends.h"
+#include "present/bias_report.h"
+#include "present/presentation.h"
+#include "store/sweep_results.h"
+
+namespace umbrameter {
+
+/// For each line of the plots its row of least error, by the values that tell the lines apart; at most 1,000.
+Table best_rows(const SweepResults& sweep);
+
+/// "shadow.constant-bias 0.05 m, shadow.resolution 256": the cell of a row.
+std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row);
+
+/// The axes whose optimum lies at an end of theirs, of the rows of best_rows().
+std::vector<OpenEnd> open_ends(const SweepResults& sweep, const Table& best);
+
+Presentation present_sweep(const SweepResults& sweep, const Table& best, const std::optional<BiasCurves>& curves,
+                           const std::vector<OpenEnd>& open_ends);
+
+}  // namespace umbrameter

@@ -1,0 +1,109 @@
+#include "present/tune_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "present/plot_axes.h"
+#include "present/tune_text.h"
+
+namespace umbrameter {
+namespace {
+
+double shown(const TuneGoal& goal, double cost) { return cost_unit(goal) == "1" ? 100.0 * cost : cost; }
+
+std::string cost_label(const TuneGoal& goal) {
+  const std::string unit = cost_unit(goal) == "1" ? "%" : cost_unit(goal);
+  return fmt::format("{}{}{}", cost_name(goal), goal.is_worst_case ? ", worst case" : "",
+                     unit.empty() ? "" : " [" + unit + "]");
+}
+
+}  // namespace
+
+PlotFigure scan_figure(const TuneSummary& summary, const AxisScan& scan) {
+  const TuneAxis& axis = summary.axes[scan.axis];
+  PlotFigure plot;
+  plot.stem = fmt::format("cost_{}", scan.axis);
+  plot.title = "Cost along " + axis.key();
+  plot.caption = "The other parameters have their best values. The ring is the best point.";
+  plot.x = {"value", label_of(axis.axis), axis.is_logarithmic};
+  plot.y = {"cost", cost_label(summary.goal)};
+  plot.mark = "best";
+  plot.data.columns = {{"value", axis.axis.unit, "value"}, {"cost", "1", "cost"}, {"best", "", "best point"}};
+  for (const TunePoint& point : scan.points) {
+    const Value& value = point.values[scan.axis];
+    plot.data.rows.push_back({to_number(value), shown(summary.goal, point.score.cost), false});
+  }
+  plot.data.rows.push_back(
+      {to_number(summary.result.best.values[scan.axis]), shown(summary.goal, summary.result.best.score.cost), true});
+  return plot;
+}
+
+PlotFigure search_figure(const TuneSummary& summary) {
+  const auto words =
+      std::find_if(summary.axes.begin(), summary.axes.end(), [](const TuneAxis& axis) { return axis.is_word(); });
+  const bool has_words = words != summary.axes.end();
+  const auto axis = static_cast<std::size_t>(words - summary.axes.begin());
+  PlotFigure plot;
+  plot.stem = "search";
+  plot.title = "Least cost during the search";
+  plot.caption =
+      fmt::format("The least cost so far, after each evaluation{}. Points that break a constraint do not count.",
+                  has_words ? " with the same " + words->key() : "");
+  plot.x = {"evaluation", "evaluation"};
+  plot.y = {"cost", cost_label(summary.goal)};
+  plot.data.columns = {{"evaluation", "1", "number"}, {"cost", "1", "least cost so far"}, {"word", "", "value"}};
+  if (has_words) {
+    plot.series = "word";
+    plot.series_label = words->key().substr(words->key().find('.') + 1);
+  }
+  struct Search {
+    std::int64_t number = 0;
+    std::optional<TuneScore> best{};
+  };
+  std::map<std::string, Search> by_word;
+  for (const TunePoint& point : summary.result.points) {
+    const std::string word = has_words ? to_string(point.values[axis]) : "";
+    Search& progress = by_word[word];
+    ++progress.number;
+    if (!progress.best || is_better(point.score, *progress.best)) progress.best = point.score;
+    if (progress.best->is_kept()) {
+      plot.data.rows.push_back({progress.number, shown(summary.goal, progress.best->cost), word});
+    }
+  }
+  return plot;
+}
+
+PlotFigure front_figure(const TuneSummary& summary, const std::vector<TunePoint>& front) {
+  const TuneGoal& goal = summary.goal;
+  const std::vector<std::size_t> objectives = objectives_of(goal);
+  const Column& x = goal.columns[objectives[0]];
+  const Column& y = goal.columns[objectives[1]];
+  const auto label = [&](std::size_t column) {
+    const std::string& unit = goal.columns[column].unit;
+    return fmt::format("{} [{}]", shown_name(goal, column), unit == "1" ? "%" : unit);
+  };
+  const auto number = [](const Column& column, double value) { return column.unit == "1" ? 100.0 * value : value; };
+  PlotFigure plot;
+  plot.stem = "pareto_front";
+  plot.title = "Pareto front";
+  plot.caption = fmt::format(
+      "Points of which none is better in every objective, {} against {}. The ring is the best point by the cost and "
+      "the "
+      "constraints.",
+      shown_name(goal, objectives[1]), shown_name(goal, objectives[0]));
+  plot.x = {"x", label(objectives[0])};
+  plot.y = {"y", label(objectives[1])};
+  plot.mark = "best";
+  plot.data.columns = {{"x", "1", x.meaning}, {"y", "1", y.meaning}, {"best", "", "best point"}};
+  const auto add = [&](const TunePoint& point, bool best) {
+    plot.data.rows.push_back({number(x, aggregate(goal, objectives[0], point.cases)),
+                              number(y, aggregate(goal, objectives[1], point.cases)), best});
+  };
+  for (const TunePoint& point : front) add(point, false);
+  add(summary.result.best, true);
+  return plot;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,358 @@
+#include "present/tune_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "present/axis_ends.h"
+#include "present/plateau_text.h"
+#include "present/plot_axes.h"
+#include "present/tune_comparison.h"
+#include "present/tune_figures.h"
+#include "present/tune_text.h"
+#include "reports/files/text_layout.h"
+
+namespace umbrameter {
+namespace {
+
+std::string column_title(const Column& column) { return column.name; }
+
+// Signed so that smaller is better.
+double objective(const TuneGoal& goal, std::size_t column, const std::vector<CaseValues>& cases) {
+  double value = aggregate(goal, column, cases);
+  for (const TuneTerm& term : goal.terms) {
+    if (term.column != column) continue;
+    if (term.weight < 0.0) value = -value;
+  }
+  for (const TuneConstraint& constraint : goal.constraints) {
+    if (constraint.axis || constraint.column != column) continue;
+    const Relation relation = constraint.condition.bound.relation;
+    if (relation == Relation::greater || relation == Relation::at_least) value = -value;
+  }
+  return value;
+}
+
+std::string judged(const TuneGoal& goal, const std::optional<Estimate>& difference, double plain) {
+  if (!difference) return fmt::format("a difference of {}, not tested", cost_text(goal, plain));
+  const std::string text = cost_text(goal, difference->value, difference);
+  if (difference->upper < 0.0) return fmt::format("a difference of {}: significantly better", text);
+  if (difference->lower > 0.0) return fmt::format("a difference of {}: significantly worse", text);
+  return fmt::format("a difference of {}: not significant", text);
+}
+
+std::string comparison(const TuneSummary& summary, const std::string& what, const TunePoint& other,
+                       const TunePoint& best, const std::optional<Estimate>& difference) {
+  const TuneGoal& goal = summary.goal;
+  std::string verdict = judged(goal, difference, best.score.cost - other.score.cost);
+  if (best.score.is_kept() && !other.score.is_kept()) {
+    verdict += ", and it breaks a constraint that the best point keeps";
+  }
+  return fmt::format("{}: {}; {}", what, cost_text(goal, other.score.cost), verdict);
+}
+
+Table case_table(const TuneSummary& summary) {
+  Table table{{{"case", "", "scene, camera and light"}}, {}};
+  for (const char* when : {"default", "best"}) {
+    for (const Column& column : summary.goal.columns) {
+      table.columns.push_back({fmt::format("{}: {}", when, column_title(column)), "", column.meaning});
+    }
+  }
+  const auto add = [&](const std::vector<std::string>& cases, const TunePoint& before, const TunePoint& best,
+                       const char* prefix) {
+    for (std::size_t c = 0; c < cases.size(); ++c) {
+      std::vector<Value> row = {prefix + cases[c]};
+      for (const TunePoint* point : {&before, &best}) {
+        for (std::size_t k = 0; k < summary.goal.columns.size(); ++k) {
+          row.emplace_back(statistic_text(point->cases[c][k], summary.goal.columns[k].unit));
+        }
+      }
+      table.rows.push_back(std::move(row));
+    }
+  };
+  add(summary.cases, summary.result.before, summary.result.best, "");
+  if (const auto& held = summary.judgement.held_out) add(held->cases, held->before, held->best, "held out: ");
+  return table;
+}
+
+std::string tolerance_text(const TuneSummary& summary, const AxisScan& scan) {
+  const TuneAxis& axis = summary.axes[scan.axis];
+  const auto range = range_within(summary, scan);
+  return range ? fmt::format("{} to {}", value_text(axis, range->first), value_text(axis, range->second)) : "—";
+}
+
+// The largest cost along the axis, in multiples of the least.
+std::string worst_text(const TuneSummary& summary, const AxisScan& scan) {
+  double worst = summary.result.best.score.cost;
+  for (const TunePoint& point : scan.points) {
+    if (std::isfinite(point.score.cost)) worst = std::max(worst, point.score.cost);
+  }
+  return cost_text(summary.goal, worst);
+}
+
+Table sensitivity_table(const TuneSummary& summary) {
+  Table table{{{"parameter", "", "varied; the others keep their best values"},
+               {"axis", "", "values that were allowed"},
+               {"best", "", "value of least cost"},
+               {"within 5 %", "",
+                "range around it in which the cost is at most 5 % higher: of a constant bias from its whole "
+                "curve, else of the measured values"},
+               {"highest cost", "", "on the measured values of the axis"}},
+              {}};
+  for (const AxisScan& scan : summary.result.scans) {
+    const TuneAxis& axis = summary.axes[scan.axis];
+    table.rows.push_back({axis.key(), axis.axis.text, value_text(axis, summary.result.best.values[scan.axis]),
+                          tolerance_text(summary, scan), worst_text(summary, scan)});
+  }
+  return table;
+}
+
+std::vector<std::string> lines_of(const Table& table) {
+  std::vector<std::vector<std::string>> rows(1);
+  for (const Column& column : table.columns) rows.front().push_back(column.name);
+  for (const std::vector<Value>& row : table.rows) {
+    std::vector<std::string>& cells = rows.emplace_back();
+    for (const Value& value : row) cells.push_back(to_string(value));
+  }
+  return aligned(rows);
+}
+
+Table front_table(const TuneSummary& summary, const std::vector<TunePoint>& front) {
+  Table table;
+  for (const TuneAxis& axis : summary.axes) table.columns.push_back({axis.key(), "", "value"});
+  for (const std::size_t c : objectives_of(summary.goal)) {
+    table.columns.push_back({shown_name(summary.goal, c), "", summary.goal.columns[c].meaning});
+  }
+  constexpr std::size_t max_rows = 30;
+  for (const std::size_t i : thin(front.size(), max_rows).indices) {
+    std::vector<Value> row;
+    for (std::size_t a = 0; a < summary.axes.size(); ++a) {
+      row.emplace_back(value_text(summary.axes[a], front[i].values[a]));
+    }
+    for (const std::size_t c : objectives_of(summary.goal)) {
+      row.emplace_back(statistic_text(aggregate(summary.goal, c, front[i].cases), summary.goal.columns[c].unit));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::string constraint_line(const TuneSummary& summary) {
+  if (summary.goal.constraints.empty()) return {};
+  if (!summary.result.best.score.is_kept())
+    return "no point keeps every constraint in every case; this one breaks them least";
+  return "every constraint is kept in every case";
+}
+
+// The plateau of the constant bias, by the rule of every command.
+std::string bias_range_text(const TuneSummary& summary) {
+  const BiasPlateau& plateau = *summary.result.plateau;
+  const auto axis = std::find_if(summary.axes.begin(), summary.axes.end(),
+                                 [](const TuneAxis& each) { return each.key() == constant_bias_key; });
+  std::string text = "constant-bias: " +
+                     range_text(plateau, axis->axis.length_unit, "cost", cost_text(summary.goal, plateau.least.mae));
+  if (!plateau.has_little_acne()) return text + "; acne of more than 0.1 % remains at each";
+  return text + fmt::format("; {} is the smallest of them with acne of at most 0.1 % in every case",
+                            value_text(*axis, plateau.recommended.constant));
+}
+
+std::string method_text(const TuneSummary& summary) {
+  const TuneResult& result = summary.result;
+  const auto counted = [](std::size_t count, const char* what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  };
+  return fmt::format("Search: {}; {} of {}{}.", result.method, counted(result.evaluations, "evaluation"),
+                     counted(summary.cases.size(), "case"),
+                     result.stopped_by.empty() ? "" : ", stopped after " + result.stopped_by);
+}
+
+bool have_equal_scores(const TunePoint& a, const TunePoint& b) {
+  return !is_better(a.score, b.score) && !is_better(b.score, a.score);
+}
+
+std::string equal_points_text(const TuneSummary& summary) {
+  const TuneResult& result = summary.result;
+  std::string keys;
+  for (const TuneAxis& axis : summary.axes) keys += (keys.empty() ? "" : ", ") + axis.key();
+  return fmt::format("all {} evaluated points are equal: {} {}; {} {} nothing here",
+                     std::max(result.points.size(), result.curve.size()), cost_name(summary.goal),
+                     cost_text(summary.goal, result.best.score.cost), keys,
+                     summary.axes.size() > 1 ? "change" : "changes");
+}
+
+// The axes along which the cost is the same while the others keep their best values.
+std::vector<std::string> idle_axes(const TuneSummary& summary) {
+  std::vector<std::string> lines;
+  for (const AxisScan& scan : summary.result.scans) {
+    const bool is_idle = scan.points.size() > 1 && std::ranges::all_of(scan.points, [&](const TunePoint& point) {
+                           return have_equal_scores(point, scan.points.front());
+                         });
+    if (is_idle) lines.push_back(fmt::format("{} changes nothing at the best point", summary.axes[scan.axis].key()));
+  }
+  return lines;
+}
+
+// What the search found, with its significance.
+void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) {
+  const TuneResult& result = summary.result;
+  const TuneGoal& goal = summary.goal;
+  answers.push_back(fmt::format(
+      "best: {}: {} {}{}", point_text(summary.axes, result.best.values), cost_name(goal),
+      cost_text(goal, result.best.score.cost, summary.judgement.best),
+      summary.cases.size() == 1
+          ? ""
+          : fmt::format(", {} of {} cases", goal.is_worst_case ? "the worst" : "the mean", summary.cases.size())));
+  if (const std::string line = constraint_line(summary); !line.empty()) answers.push_back("constraints: " + line);
+  answers.push_back(comparison(summary, "default", result.before, result.best, summary.judgement.against_before));
+  if (result.runner_up) {
+    answers.push_back(comparison(summary,
+                                 fmt::format("runner-up {}", point_text(summary.axes, result.runner_up->values)),
+                                 *result.runner_up, result.best, summary.judgement.against_runner_up));
+  }
+  if (summary.judgement.held_out) {
+    const HeldOut& held = *summary.judgement.held_out;
+    const TuneGoal absolute = not_relative(goal);
+    answers.push_back(
+        fmt::format("held out, {}: {} → {}; {}",
+                    held.cases.size() == 1 ? held.cases.front() : fmt::format("{} cases", held.cases.size()),
+                    cost_text(absolute, held.before.score.cost), cost_text(absolute, held.best.score.cost),
+                    judged(absolute, held.difference, held.best.score.cost - held.before.score.cost)));
+  } else {
+    answers.emplace_back("held out: nothing; the scenes have no camera left, name one with --held-out");
+  }
+  if (result.plateau) answers.push_back(bias_range_text(summary));
+  for (std::string& line : ranking_lines(summary)) answers.push_back(std::move(line));
+  for (const std::string& warning : end_warnings(summary)) answers.push_back("warning: " + warning);
+  for (std::string& line : idle_axes(summary)) answers.push_back(std::move(line));
+}
+
+}  // namespace
+
+bool are_all_equal(const TuneResult& result) {
+  const auto are_equal = [&](const std::vector<TunePoint>& points) {
+    return std::ranges::all_of(points, [&](const TunePoint& point) { return have_equal_scores(point, result.before); });
+  };
+  return result.points.size() + result.curve.size() > 1 && are_equal(result.points) && are_equal(result.curve);
+}
+
+std::optional<std::pair<Value, Value>> range_within(const TuneSummary& summary, const AxisScan& scan) {
+  const TuneAxis& axis = summary.axes[scan.axis];
+  if (axis.is_word() || scan.points.empty()) return std::nullopt;
+  const std::optional<BiasPlateau>& plateau = summary.result.plateau;
+  if (plateau && axis.key() == constant_bias_key)
+    return std::pair<Value, Value>{plateau->first.constant, plateau->last.constant};
+  std::vector<double> costs;
+  std::size_t inside = 0;
+  for (const TunePoint& point : scan.points) {
+    if (point.values[scan.axis] == summary.result.best.values[scan.axis]) inside = costs.size();
+    costs.push_back(point.score.is_kept() ? point.score.cost : std::numeric_limits<double>::infinity());
+  }
+  const ConnectedRange range = connected_range(costs, inside, plateau_limit(summary.result.best.score.cost));
+  return std::pair{scan.points[range.first].values[scan.axis], scan.points[range.last].values[scan.axis]};
+}
+
+std::vector<TunePoint> pareto_front(const TuneGoal& goal, const std::vector<TunePoint>& points) {
+  const std::vector<std::size_t> objectives = objectives_of(goal);
+  std::vector<std::vector<double>> values;
+  for (const TunePoint& point : points) {
+    std::vector<double>& of_point = values.emplace_back();
+    for (const std::size_t c : objectives) of_point.push_back(objective(goal, c, point.cases));
+  }
+  const auto dominates = [&](std::size_t a, std::size_t b) {
+    bool is_less = false;
+    for (std::size_t k = 0; k < objectives.size(); ++k) {
+      if (!(values[a][k] <= values[b][k])) return false;
+      is_less = is_less || values[a][k] < values[b][k];
+    }
+    return is_less || a < b;  // of equal points the first
+  };
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    bool is_dominated = std::any_of(values[i].begin(), values[i].end(), [](double v) { return std::isnan(v); });
+    for (std::size_t j = 0; j < points.size() && !is_dominated; ++j) is_dominated = j != i && dominates(j, i);
+    if (!is_dominated) kept.push_back(i);
+  }
+  std::sort(kept.begin(), kept.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::vector<TunePoint> front;
+  for (const std::size_t i : kept) front.push_back(points[i]);
+  return front;
+}
+
+std::vector<std::string> end_warnings(const TuneSummary& summary) {
+  std::vector<std::string> warnings;
+  Experiment experiment;
+  const Parameters parameters = describe(experiment);
+  for (std::size_t a = 0; a < summary.axes.size(); ++a) {
+    const TuneAxis& axis = summary.axes[a];
+    if (axis.is_word() || axis.count() < 2) continue;
+    const Value& value = summary.result.best.values[a];
+    const double position = position_of(axis, value);
+    constexpr double near_end = 0.005;
+    if (axis.is_continuous ? position > near_end && position < 1.0 - near_end : position > 0.0 && position < 1.0)
+      continue;
+    // Where the cost does not depend on the parameter, any value is as good.
+    const std::vector<TunePoint>& scanned = summary.result.scans[a].points;
+    const bool matters = std::any_of(scanned.begin(), scanned.end(), [&](const TunePoint& point) {
+      return is_better(summary.result.best.score, point.score);
+    });
+    if (!matters) continue;
+    std::vector<double> ends;
+    for (const Value& each : axis.axis.values) ends.push_back(to_number(each));
+    const double end = to_number(position < 0.5 ? axis.axis.values.front() : axis.axis.values.back());
+    const AxisEnd at = end_of(ends, end, require(parameters, axis.key()).description);
+    if (at == AxisEnd::none) continue;
+    warnings.push_back(fmt::format("{}: the best value {} is the {} end of the axis; extend it", axis.key(),
+                                   value_text(axis, value), at == AxisEnd::lower ? "lower" : "upper"));
+  }
+  return warnings;
+}
+
+Presentation present_tuning(const TuneSummary& summary) {
+  const TuneResult& result = summary.result;
+  const TuneGoal& goal = summary.goal;
+  Presentation shown_part;
+  std::vector<std::string>& answers = shown_part.answers;
+  if (are_all_equal(result)) {
+    answers.push_back(equal_points_text(summary));
+  } else {
+    add_answers(summary, answers);
+  }
+
+  std::vector<TunePoint> candidates = result.points;
+  candidates.insert(candidates.end(), result.curve.begin(), result.curve.end());
+  const std::vector<TunePoint> front = pareto_front(goal, candidates);
+  const Table sensitivity = sensitivity_table(summary);
+  shown_part.lines = lines_of(sensitivity);
+  ReportSection& section = shown_part.section;
+  section.title = "Tuning";
+  section.tables_first = true;
+  section.text =
+      method_text(summary) +
+      "\n\nIntervals are 95 % over the choice of pixels: each of up to 64 blocks of the image is left out in "
+      "turn (jackknife). Differences are paired: both points lose the same block.";
+  if (const Table compared = comparison_table(summary); !compared.rows.empty()) {
+    const std::vector<std::string> lines = lines_of(compared);
+    shown_part.lines.insert(shown_part.lines.end(), lines.begin(), lines.end());
+    section.tables.push_back({"The best point with each value", compared});
+  }
+  section.tables.push_back({"Sensitivity to each parameter", sensitivity});
+  section.tables.push_back({"Each case", case_table(summary)});
+  if (objectives_of(goal).size() > 1) {
+    section.tables.push_back({"Pareto front", front_table(summary, front)});
+    add_figure(shown_part, front_figure(summary, front));
+  }
+  for (const AxisScan& scan : result.scans) {
+    if (!summary.axes[scan.axis].is_word() && scan.points.size() > 1) {
+      add_figure(shown_part, scan_figure(summary, scan));
+    }
+  }
+  if (result.points.size() > 1) {
+    PlotFigure search = search_figure(summary);
+    if (search.data.rows.size() > 1) add_figure(shown_part, std::move(search));
+  }
+  shown_part.details.push_back(method_text(summary));
+  return shown_part;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,37 @@
+// The result of a tuning as text, figures, a page section, a table and JSON.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "present/presentation.h"
+#include "results/tune_results.h"
+
+namespace umbrameter {
+
+/// The connected range of an axis of numbers around its best value in which the cost is at most 5 % above the least: of
+/// an exact constant bias from its whole curve, else between the measured values.
+std::optional<std::pair<Value, Value>> range_within(const TuneSummary& summary, const AxisScan& scan);
+
+/// Points of which none is better in every objective: each statistic of the cost, and each constrained one. Ordered by
+/// the first objective; one point where there is one objective.
+std::vector<TunePoint> pareto_front(const TuneGoal& goal, const std::vector<TunePoint>& points);
+
+/// Whether every evaluated point, the default included, has the same cost and keeps the constraints as well.
+bool are_all_equal(const TuneResult& result);
+
+/// Axes at whose end the best value lies, although the parameter could go on: "shadow.normal-offset: the best value 3
+/// is the upper end of the axis; extend it".
+std::vector<std::string> end_warnings(const TuneSummary& summary);
+
+Presentation present_tuning(const TuneSummary& summary);
+
+/// A row for each evaluated point: its values, cost, violation, then each statistic over the cases.
+Table evaluation_table(const TuneSummary& summary);
+
+nlohmann::ordered_json to_json(const TuneSummary& summary);
+
+}  // namespace umbrameter

@@ -1,0 +1,59 @@
+#include "present/tune_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "results/number_text.h"
+
+namespace umbrameter {
+
+std::string statistic_text(double value, const std::string& unit) {
+  if (!std::isfinite(value)) return "—";
+  if (unit == "1") return percent(value);
+  if (unit == "m") return metres_text(value);
+  return fmt::format("{:.3g} {}", value, unit);
+}
+
+std::string cost_unit(const TuneGoal& goal) {
+  if (goal.is_relative) return "1";
+  std::string unit;
+  for (const TuneTerm& term : goal.terms) {
+    const std::string& of_term = goal.columns[term.column].unit;
+    if (!unit.empty() && unit != of_term) return "";
+    unit = of_term;
+  }
+  return unit;
+}
+
+std::string cost_text(const TuneGoal& goal, double value, const std::optional<Estimate>& interval) {
+  const std::string unit = cost_unit(goal);
+  if (!interval || !(interval->upper > interval->lower)) return statistic_text(value, unit);
+  return unit == "1" ? percent(*interval) : estimate_text(*interval, unit);
+}
+
+std::string value_text(const TuneAxis& axis, const Value& value) {
+  const auto* number = std::get_if<double>(&value);
+  // The tuned file has all digits; values that differ in the fourth cost the same.
+  std::string text =
+      number != nullptr ? fmt::format("{:.{}g}", *number, std::abs(*number) < 100.0 ? 3 : 5) : to_string(value);
+  if (number != nullptr && std::isnan(*number)) text = "in another unit";
+  const std::string& unit = axis.axis.unit;
+  return unit.empty() || unit == "1" || axis.is_word() ? text : text + " " + unit;
+}
+
+std::string point_text(const std::vector<TuneAxis>& axes, const std::vector<Value>& values) {
+  std::string text;
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    const std::string& key = axes[a].key();
+    text += fmt::format("{}{} {}", a > 0 ? ", " : "", key.substr(key.find('.') + 1), value_text(axes[a], values[a]));
+  }
+  return text;
+}
+
+std::string kept_text(const TuneGoal& goal, const TuneScore& score) {
+  if (goal.constraints.empty() || score.is_kept()) return "";
+  return goal.constraints.size() == 1 ? " (breaks the constraint)" : " (breaks constraints)";
+}
+
+}  // namespace umbrameter

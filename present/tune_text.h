@@ -1,0 +1,27 @@
+// Numbers and points of a tuning as text.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/statistics.h"
+#include "results/tune_results.h"
+
+namespace umbrameter {
+
+/// A value in its unit: shares in per cent.
+std::string statistic_text(double value, const std::string& unit);
+
+/// The unit of the cost: that of its statistics if they have one; "1" if the goal is relative; empty if they differ.
+std::string cost_unit(const TuneGoal& goal);
+/// The cost, or a difference of costs, with its interval.
+std::string cost_text(const TuneGoal& goal, double value, const std::optional<Estimate>& interval = {});
+
+/// "constant-bias 2.4 texels, slope-bias 0.8".
+std::string point_text(const std::vector<TuneAxis>& axes, const std::vector<Value>& values);
+std::string value_text(const TuneAxis& axis, const Value& value);
+
+/// " (breaks a constraint)" or nothing.
+std::string kept_text(const TuneGoal& goal, const TuneScore& score);
+
+}  // namespace umbrameter

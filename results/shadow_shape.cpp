@@ -1,0 +1,24 @@
+#include "results/shadow_shape.h"
+
+#include <fmt/format.h>
+
+namespace umbrameter {
+
+std::string missing_contacts_text(const ContactSearch& search) {
+  if (search.shadowed == 0 || search.measured > 0) return {};
+  std::string text =
+      fmt::format("no contact gap could be measured: of {} pixels in the reference shadow", search.shadowed);
+  const char* separator = ", ";
+  const auto add = [&](std::uint64_t pixels, const char* reason) {
+    if (pixels == 0) return;
+    text += fmt::format("{}{} {}", separator, pixels, reason);
+    separator = "; ";
+  };
+  add(search.own_object, "are shadowed by the object that they belong to");
+  add(search.head_on, "face the light head-on");
+  add(search.distant, "are farther than one texel and 1.5 pixels from their caster");
+  add(search.hidden, "touch their caster, but the receiver is hidden, bends or leaves the image before the gap ends");
+  return text;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,83 @@
+// What a sweep says about the bias: recommended biases and fits. Only for hard shadows, because it needs the causes of
+// wrong taps.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compare/bias_curves.h"
+#include "compare/bias_formula.h"
+#include "compare/bias_law.h"
+#include "compare/bias_plateau.h"
+#include "compare/bias_units.h"
+#include "core/parameters.h"
+#include "core/table.h"
+
+namespace umbrameter {
+
+inline constexpr std::string_view resolution_key = "shadow.resolution";
+
+/// All biases at one combination of the other axes.
+struct BiasCurve {
+  std::vector<Value> others;  ///< values of the other axes
+  BiasOptima optima;
+  double depth_unit = 0.0;               ///< mean_depth_unit()
+  BiasFacts facts{};                     ///< known if may_have_formula()
+  std::size_t first_cell = 0;            ///< of the sweep: the one with the first value of each bias
+  std::optional<BiasPlateau> plateau{};  ///< along the constant bias, at the slope-scaled bias of least error
+  BiasEvidence evidence{};
+  std::optional<NoBias> withheld{};  ///< why plateau->recommended is not recommended
+};
+
+/// The bias of a BiasLine to which a law is fitted.
+enum class LawOf : int { least_error, little_acne, no_acne };
+inline constexpr std::array<const char*, 3> law_names = {"least error", "acne at most 0.1 %", "no acne"};
+
+/// The law over the resolutions, at one combination of the remaining axes.
+struct CurveLaw {
+  LawOf of = LawOf::least_error;
+  std::vector<Value> others;           ///< values of BiasCurves::of_a_law
+  std::optional<BiasFit> law;          ///< at the slope-scaled bias nearest to 0
+  std::size_t left_out = 0;            ///< resolutions that have no point for `law`
+  std::optional<BiasFit> over_slopes;  ///< at all slope-scaled biases; empty if they are not varied
+};
+
+/// A formula over all axes along which a fact of the bias changes, at one combination of the remaining axes.
+struct CurveFormula {
+  LawOf of = LawOf::least_error;
+  std::vector<Value> others;           ///< values of BiasCurves::of_a_formula
+  std::optional<BiasFormula> formula;  ///< at the slope-scaled bias nearest to 0
+  std::vector<FormulaPoint> points;    ///< what it is fitted to
+  double slope = 0.0;                  ///< slope-scaled bias of the points, texels
+  std::size_t left_out = 0;            ///< combinations of the formula's axes that have no point
+  std::vector<std::string> warnings;   ///< why it may be poorly determined: sentences without a full stop
+};
+
+struct BiasCurves {
+  std::vector<Column> others;    ///< the axes other than biases
+  std::vector<Column> of_a_law;  ///< the axes other than biases and the resolution
+  bool varies_constant = false;
+  bool varies_slope = false;
+  std::vector<BiasCurve> curves;         ///< in the order of cells
+  std::vector<CurveLaw> laws;            ///< empty unless resolution and constant bias are varied
+  std::vector<Column> formula_axes;      ///< the axes that enter the formulas through the facts that they change
+  std::vector<Column> of_a_formula;      ///< the axes other than biases that do not
+  std::vector<CurveFormula> formulas;    ///< empty unless may_have_formula() and the constant bias is varied
+  std::vector<double> constants;         ///< the axis of constant biases, ascending, in `unit`
+  LengthUnit unit = LengthUnit::metres;  ///< of all constant biases
+  std::size_t combinations = 0;          ///< number of curves in the sweep; only the first ones are read
+};
+
+/// The cell's constant bias in all units.
+BiasInUnits in_units(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell);
+
+/// "resolution 512, filter nearest".
+std::string setting_text(const std::vector<Column>& columns, const std::vector<Value>& values);
+
+/// Value and standard error, rounded to two digits of the latter.
+Fitted rounded(const Fitted& fitted);
+
+}  // namespace umbrameter

@@ -1,0 +1,109 @@
+#include "results/swept.h"
+
+#include <algorithm>
+
+#include "core/error.h"
+
+namespace umbrameter {
+namespace {
+
+// Calls `take` for each combination of axis values that are words: techniques, kernels, switches and lights. Other axes
+// stay at their first value, because capabilities do not depend on numbers.
+void for_each_technique_from(Experiment experiment, const std::vector<SweepAxis>& axes,
+                             const std::function<void(const Experiment&)>& take, std::size_t axis) {
+  if (axis == axes.size()) return take(experiment);
+  const Parameters parameters = describe(experiment);
+  const std::vector<Value>& values = axes[axis].values;
+  const bool is_word = !values.empty() && (std::holds_alternative<std::string>(values.front()) ||
+                                           std::holds_alternative<bool>(values.front()));
+  for (const Value& value : axes[axis].values) {
+    set_value(parameters, axes[axis], value);
+    for_each_technique_from(experiment, axes, take, axis + 1);
+    if (!is_word) return;
+  }
+}
+
+}  // namespace
+
+std::string_view quantity_name(SweptQuantity quantity) {
+  return quantity == SweptQuantity::ao ? "ao" : quantity == SweptQuantity::image ? "image" : "visibility";
+}
+
+std::string_view quantity_title(SweptQuantity quantity) {
+  return quantity == SweptQuantity::ao      ? "ambient occlusion"
+         : quantity == SweptQuantity::image ? "the shaded image"
+                                            : "shadows";
+}
+
+SweptQuantity quantity_of(const CellStatistics& statistics) {
+  if (std::holds_alternative<AoStatistics>(statistics)) return SweptQuantity::ao;
+  return std::holds_alternative<ImageStatistics>(statistics) ? SweptQuantity::image : SweptQuantity::visibility;
+}
+
+bool varies_group(const std::vector<SweepAxis>& axes, std::string_view group) {
+  return std::any_of(axes.begin(), axes.end(), [&](const SweepAxis& axis) { return axis.key.rfind(group, 0) == 0; });
+}
+
+SweptQuantity choose_quantity(SweepMeasure given, const std::vector<SweepAxis>& axes) {
+  if (given == SweepMeasure::visibility) return SweptQuantity::visibility;
+  if (given == SweepMeasure::ao) return SweptQuantity::ao;
+  if (given == SweepMeasure::image || varies_group(axes, "shading.")) return SweptQuantity::image;
+  const bool ao = std::any_of(axes.begin(), axes.end(), [](const SweepAxis& axis) {
+    return axis.key.starts_with("ao.") || (axis.key.starts_with("truth.") && axis.key != "truth.shadow");
+  });
+  if (ao && (varies_group(axes, "shadow.") || varies_group(axes, "light."))) {
+    throw Error(ExitCode::usage, "sweep", "the axes vary both shadows and ambient occlusion",
+                "choose what to measure: --measure visibility, ao or image");
+  }
+  return ao ? SweptQuantity::ao : SweptQuantity::visibility;
+}
+
+Experiment at_cell(Experiment experiment, const std::vector<SweepAxis>& axes, const std::vector<Value>& values) {
+  const Parameters parameters = describe(experiment);
+  for (std::size_t a = 0; a < axes.size(); ++a) set_value(parameters, axes[a], values[a]);
+  return experiment;
+}
+
+void for_each_technique(const Experiment& experiment, const std::vector<SweepAxis>& axes,
+                        const std::function<void(const Experiment&)>& take) {
+  for_each_technique_from(experiment, axes, take, 0);
+}
+
+bool is_ao_one_pass(const AoParams& params) {
+  return blur_of(params).kind == AoBlur::none && params.resolution.kind == AoResolution::full &&
+         !reads_surface(params.tone) && capabilities_of(make_technique(params)).flips_at_bias;
+}
+
+std::vector<MetricColumn> swept_metrics(const Experiment& experiment, const CellStatistics& statistics) {
+  CellStatistics described = statistics;
+  return metric_columns(experiment.run, quantity_of(statistics) == SweptQuantity::visibility, describe(described));
+}
+
+std::vector<Column> measured_columns(const Experiment& experiment, CellStatistics statistics) {
+  std::vector<Column> columns = columns_of(describe(statistics));
+  for (const MetricColumn& metric : swept_metrics(experiment, statistics)) {
+    columns.push_back({metric.name, metric.unit, metric.meaning()});
+  }
+  return columns;
+}
+
+std::vector<Value> sample_row(const Experiment& experiment, CellStatistics statistics) {
+  std::vector<Value> row = row_of(describe(statistics));
+  row.resize(row.size() + swept_metrics(experiment, statistics).size(), 0.0);
+  return row;
+}
+
+InnerKeys inner_keys(const Experiment& experiment, const std::vector<SweepAxis>& axes, SweptQuantity quantity) {
+  if (quantity != SweptQuantity::ao) return {constant_bias_key, slope_bias_key};
+  bool is_one_pass = true;
+  bool is_prefix = true;
+  for_each_technique(experiment, axes, [&](const Experiment& cell) {
+    is_one_pass = is_one_pass && is_ao_one_pass(cell.ao);
+    is_prefix = is_prefix && capabilities_of(make_technique(cell.ao)).samples_are_prefix;
+  });
+  if (!is_one_pass) return {};
+  if (!is_prefix) return {ao_bias_key, ao_intensity_key, ao_power_key};
+  return {ao_bias_key, ao_samples_key, ao_intensity_key, ao_power_key};
+}
+
+}  // namespace umbrameter

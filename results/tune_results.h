@@ -1,0 +1,85 @@
+// What a tuning found: the evaluated points, the best of them, and what it is compared with.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/bias_plateau.h"
+#include "core/statistics.h"
+#include "experiments/settings/tune_axis.h"
+#include "results/tune_goal.h"
+
+namespace umbrameter {
+
+/// One evaluated point.
+struct TunePoint {
+  std::vector<Value> values;  ///< of each axis
+  std::vector<CaseValues> cases;
+  TuneScore score;
+};
+
+/// The cost along one axis while the others keep their best values.
+struct AxisScan {
+  std::size_t axis = 0;
+  std::vector<TunePoint> points;  ///< in the order of the axis
+};
+
+/// The best point that was found with one value of an axis of words.
+struct WordPoint {
+  std::size_t axis = 0;
+  TunePoint point;
+};
+
+struct TuneResult {
+  TuneGoal goal;  ///< of a relative one, with the default's costs
+  TunePoint best;
+  TunePoint before;                    ///< the experiment's values as given: the default
+  std::optional<TunePoint> runner_up;  ///< the best point that differs by a twentieth of an axis, or in a word
+  std::vector<TunePoint> points;       ///< every evaluated point, in order; with an exact bias the best for each
+  std::vector<TunePoint> curve;        ///< with an exact bias: along it, thinned
+  /// With an exact bias: along it at the best values of the others, with the cost as the error and the acne of the case
+  /// that has most. Empty where no bias keeps the constraints.
+  std::optional<BiasPlateau> plateau{};
+  std::vector<AxisScan> scans;
+  std::vector<WordPoint> of_words;  ///< for each axis of words and each of its values that was evaluated
+  std::string method;               ///< "all 12 combinations", "DIRECT-L, then subplex"
+  std::size_t evaluations = 0;
+  bool is_exact = false;     ///< the constant bias is measured at all values at once
+  std::string stopped_by{};  ///< "2.0 minutes"; empty if the search ended by itself or by evaluations
+};
+
+/// A point beside the best one.
+struct ComparedPoint {
+  std::optional<std::size_t> axis;  ///< of words, of which it is the best point with its value; nothing: the default
+  TunePoint point;
+  std::vector<CaseValues> shown;       ///< the columns of JudgeInput::shown in each case
+  std::optional<Estimate> difference;  ///< its cost − the cost of the best point, paired
+  bool is_best = false;
+};
+
+/// The check on cases that the search did not see.
+struct HeldOut {
+  std::vector<std::string> cases;  ///< their titles
+  TunePoint before, best;
+  std::optional<Estimate> difference;  ///< best − default
+};
+
+struct TuneJudgement {
+  std::optional<Estimate> best;               ///< cost, with its interval
+  std::optional<Estimate> against_before;     ///< best − default
+  std::optional<Estimate> against_runner_up;  ///< best − runner-up
+  std::vector<ComparedPoint> compared;        ///< the default, then the best point with each word, or the best point
+  std::optional<HeldOut> held_out;
+};
+
+struct TuneSummary {
+  const std::vector<TuneAxis>& axes;
+  const std::vector<std::string>& cases;  ///< their titles
+  const TuneGoal& goal;
+  const TuneGoal& shown;  ///< the goal, with the columns that are only shown
+  const TuneResult& result;
+  const TuneJudgement& judgement;
+};
+
+}  // namespace umbrameter

@@ -1,0 +1,244 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "compare/soft_visibility.h"
+#include "compare/visibility.h"
+#include "core/jackknife.h"
+#include "core/quantiles.h"
+#include "store/run_comparison.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr int max_blocks_of_a_side = 16;
+constexpr int min_block_side = 8;           // [px]
+constexpr std::size_t fewest_blocks = 20;   // with fewer, their variance is too uncertain
+constexpr double most_moved_pixels = 0.01;  // share of pixels that may see another surface and still be the same view
+
+// The images of which a statistic is a mean; null where a run has none.
+struct StoredImages {
+  const Image<float>* error = nullptr;
+  const Image<float>* truth = nullptr;
+  const Image<float>* raster = nullptr;
+  const Image<float>* variance = nullptr;        // of the reference
+  const Image<float>* standard_error = nullptr;  // its root
+  const Image<float>* classes = nullptr;
+  const Image<float>* counted = nullptr;
+  const Image<float>* position = nullptr;                 // NaN on background
+  std::array<const Image<float>*, cause_count> causes{};  // of a filter with several taps
+};
+
+StoredImages images_of(const StoredRun& run, const MeasuredStatistic& statistic) {
+  StoredImages images;
+  const auto find = [&](const std::string& layer) { return find_channel(run, layer + ".Y"); };
+  images.position = find_channel(run, "gbuffer_position.X");
+  if (statistic.kind == "shadow") {
+    const auto layer = run.layers.find(statistic.light);
+    if (layer == run.layers.end()) return images;
+    const std::string& light = layer->second;
+    images.error = find("error_visibility_" + light);
+    images.truth = find("truth_visibility_" + light);
+    images.raster = find("raster_visibility_" + light);
+    images.variance = find("truth_visibility_variance_" + light);
+    images.classes = find("class_" + light);
+    images.counted = find("counted_" + light);
+    for (std::size_t c = 0; c < cause_count; ++c) images.causes[c] = find(std::string(cause_names[c]) + "_" + light);
+  } else if (statistic.kind == "ao") {
+    images.error = find("error_ao");
+    images.truth = find("truth_ao");
+    images.raster = find("raster_ao");
+    images.variance = find("truth_ao_variance");
+  } else {
+    images.error = find("error_image");
+    images.standard_error = find("truth_image_standard_error");
+  }
+  return images;
+}
+
+bool is_counted(const StoredImages& images, std::size_t i) {
+  if (images.counted != nullptr) return (*images.counted)[i] > 0.0f;
+  if (images.classes == nullptr) return !std::isnan((*images.position)[i]);
+  const auto pixel = static_cast<PixelClass>(std::lround((*images.classes)[i]));
+  return pixel != PixelClass::not_counted && pixel != PixelClass::background;
+}
+
+// What the images hold of a pixel; 0 where there is no image, which gives() finds out.
+struct PixelValues {
+  double error = 0.0;
+  double truth = 0.0;
+  double raster = 0.0;
+  double variance = 0.0;
+  std::array<double, cause_count> causes{};  // parts of the absolute error
+};
+
+PixelValues values_at(const StoredImages& images, std::size_t i) {
+  const auto value = [i](const Image<float>* image) {
+    return image != nullptr ? static_cast<double>((*image)[i]) : 0.0;
+  };
+  const double standard_error = value(images.standard_error);
+  PixelValues values{value(images.error), value(images.truth), value(images.raster),
+                     value(images.variance) + standard_error * standard_error};
+  const long main_cause = std::lround(value(images.classes)) - static_cast<long>(PixelClass::acne);
+  for (std::size_t c = 0; c < cause_count; ++c) {
+    const double of_one_tap = static_cast<long>(c) == main_cause ? std::abs(values.error) : 0.0;
+    values.causes[c] = images.causes[c] != nullptr ? value(images.causes[c]) : of_one_tap;
+  }
+  return values;
+}
+
+double one(const PixelValues&) { return 1.0; }
+
+// A statistic as a ratio of sums over pixels.
+struct PixelMean {
+  double (*term)(const PixelValues&) = nullptr;  // what a pixel adds; null: it is no such ratio
+  bool is_root = false;                          // the statistic is the root of the ratio
+  double (*weight)(const PixelValues&) = one;
+};
+
+template <Cause cause>
+double error_of_cause(const PixelValues& p) {
+  return p.causes[static_cast<std::size_t>(cause)];
+}
+
+PixelMean mean_of(const std::string& name) {
+  const auto too_dark = [](const PixelValues& p) { return std::max(0.0, -p.error); };
+  const auto too_bright = [](const PixelValues& p) { return std::max(0.0, p.error); };
+  const auto truth = [](const PixelValues& p) { return p.truth; };
+  const auto raster = [](const PixelValues& p) { return p.raster; };
+  const auto penumbra = [](const PixelValues& p) { return penumbra_weight(p.truth, p.variance); };
+  const std::pair<const char*, PixelMean> means[] = {
+      {"mae", {[](const PixelValues& p) { return std::abs(p.error); }}},
+      {"rmse", {[](const PixelValues& p) { return p.error * p.error - p.variance; }, true}},
+      {"mean_error", {[](const PixelValues& p) { return p.error; }}},
+      {"lit", {truth}},
+      {"mean_truth", {truth}},
+      {"blocked", {[](const PixelValues& p) { return 1.0 - p.truth; }}},
+      {"mean_raster", {raster}},
+      {"penumbra", {penumbra}},
+      {"penumbra_mae",
+       {[](const PixelValues& p) { return penumbra_error(p.raster, p.truth, p.variance); }, false, penumbra}},
+      {"too_dark", {too_dark}},
+      {"too_bright", {too_bright}},
+      {"false_blocked", {too_dark}},
+      {"false_lit", {too_bright}},
+      {"acne", {error_of_cause<Cause::acne>}},
+      {"false_occlusion", {error_of_cause<Cause::false_occlusion>}},
+      {"peter_panning", {error_of_cause<Cause::peter_panning>}},
+      {"leak", {error_of_cause<Cause::light_leak>}}};
+  for (const auto& [known, mean] : means) {
+    if (name == known) return mean;
+  }
+  return {};
+}
+
+struct BlockSum {
+  double sum = 0.0;
+  double weight = 0.0;
+};
+
+struct BlockSums {
+  std::vector<BlockSum> blocks;
+  BlockSum all;
+  bool is_root = false;
+
+  double value() const { return value_of(all.sum, all.weight); }
+  double value_without(std::size_t block) const {
+    return value_of(all.sum - blocks[block].sum, all.weight - blocks[block].weight);
+  }
+
+ private:
+  double value_of(double sum, double weight) const {
+    return is_root ? std::sqrt(std::max(0.0, sum) / weight) : sum / weight;
+  }
+};
+
+BlockSums sum_blocks(const StoredImages& images, const PixelMean& of) {
+  const Image<float>& error = *images.error;
+  const int columns = std::clamp(error.width / min_block_side, 1, max_blocks_of_a_side);
+  const int rows = std::clamp(error.height / min_block_side, 1, max_blocks_of_a_side);
+  BlockSums sums{
+      std::vector<BlockSum>(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)), {}, of.is_root};
+  for (int y = 0; y < error.height; ++y) {
+    for (int x = 0; x < error.width; ++x) {
+      const std::size_t i = error.index(x, y);
+      if (!is_counted(images, i)) continue;
+      const int block = y * rows / error.height * columns + x * columns / error.width;
+      const PixelValues values = values_at(images, i);
+      const double term = of.term(values);
+      const double weight = of.weight(values);
+      for (BlockSum* each : {&sums.blocks[static_cast<std::size_t>(block)], &sums.all}) {
+        each->sum += term;
+        each->weight += weight;
+      }
+    }
+  }
+  return sums;
+}
+
+bool see_the_same(const Image<float>& a, const Image<float>& b) {
+  if (a.width != b.width || a.height != b.height) return false;
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const bool is_same = std::isnan(a[i]) || std::isnan(b[i])
+                             ? std::isnan(a[i]) && std::isnan(b[i])
+                             : std::abs(a[i] - b[i]) <= 1e-3f * std::max(1.0f, std::abs(a[i]));
+    moved += is_same ? 0u : 1u;
+  }
+  return static_cast<double>(moved) <= most_moved_pixels * static_cast<double>(a.size());
+}
+
+bool gives(const BlockSums& sums, double reported) {
+  return sums.all.weight > 0.0 && std::abs(sums.value() - reported) <= 1e-6 + 1e-4 * std::abs(reported);
+}
+
+// The sums of a statistic, if the run's images give its value. Runs of earlier versions do not hold the causes of each
+// tap, or the counted pixels.
+std::optional<BlockSums> sums_of(const StoredRun& run, const MeasuredStatistic& statistic) {
+  const PixelMean mean = mean_of(statistic.name);
+  const StoredImages images = images_of(run, statistic);
+  if (mean.term == nullptr || images.error == nullptr || images.position == nullptr) return std::nullopt;
+  BlockSums sums = sum_blocks(images, mean);
+  if (!gives(sums, statistic.value)) return std::nullopt;
+  return sums;
+}
+
+// The interval about `value` from the values without each block.
+std::optional<BlockEstimate> jackknife(double value, const std::vector<double>& without) {
+  if (without.size() < fewest_blocks) return std::nullopt;
+  const JackknifeVariance spread = jackknife_variance(without);
+  const double half_width = student_95(spread.degrees_of_freedom) * std::sqrt(spread.variance);
+  return BlockEstimate{{value, value - half_width, value + half_width}, without.size()};
+}
+
+}  // namespace
+
+std::optional<BlockEstimate> estimate_over_blocks(const StoredRun& run, const MeasuredStatistic& statistic) {
+  const std::optional<BlockSums> sums = sums_of(run, statistic);
+  if (!sums) return std::nullopt;
+  std::vector<double> without;
+  for (std::size_t i = 0; i < sums->blocks.size(); ++i) {
+    if (sums->blocks[i].weight > 0.0 && std::isfinite(sums->value_without(i)))
+      without.push_back(sums->value_without(i));
+  }
+  return jackknife(statistic.value, without);
+}
+
+std::optional<BlockEstimate> paired_difference(const StoredRun& a, const MeasuredStatistic& of_a, const StoredRun& b,
+                                               const MeasuredStatistic& of_b) {
+  const std::optional<BlockSums> sums_a = sums_of(a, of_a);
+  const std::optional<BlockSums> sums_b = sums_of(b, of_b);
+  if (!sums_a || !sums_b || !see_the_same(*images_of(a, of_a).position, *images_of(b, of_b).position)) {
+    return std::nullopt;
+  }
+  std::vector<double> without;
+  for (std::size_t i = 0; i < sums_a->blocks.size(); ++i) {
+    if (sums_a->blocks[i].weight + sums_b->blocks[i].weight == 0.0) continue;
+    const double difference = sums_b->value_without(i) - sums_a->value_without(i);
+    if (std::isfinite(difference)) without.push_back(difference);
+  }
+  return jackknife(of_b.value - of_a.value, without);
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,14 @@
+// Reads experiment.toml, the settings of a run.
+#pragma once
+
+#include <filesystem>
+
+#include "experiments/settings/experiment.h"
+
+namespace umbrameter {
+
+/// The experiment that a file describes; parameters that it does not name have their defaults. Throws Error, with file
+/// and line, for what it names wrong, and as read_experiment() does.
+Experiment load_experiment(const std::filesystem::path& path);
+
+}  // namespace umbrameter

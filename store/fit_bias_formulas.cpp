@@ -1,0 +1,167 @@
+#include "store/fit_bias_formulas.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "results/number_text.h"
+#include "store/read_bias_curves.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr double min_significance = 2.0;     // standard errors
+constexpr double poor_residual_share = 0.1;  // of the RMS bias
+
+bool is_same(double a, double b) {
+  return !(std::abs(a - b) > BiasFacts::tolerance * std::max(std::abs(a), std::abs(b)));
+}
+
+bool have_same_facts(const BiasCurve& a, const BiasCurve& b) {
+  return is_same(a.optima.mean_texel, b.optima.mean_texel) &&
+         is_same(a.facts.depth_per_texel, b.facts.depth_per_texel) && is_same(a.facts.radius, b.facts.radius) &&
+         is_same(a.facts.depth_step, b.facts.depth_step);
+}
+
+// Whether a fact changes along the axis while the other axes stay.
+bool changes_a_fact(const BiasCurves& curves, std::size_t axis) {
+  for (const BiasCurve& a : curves.curves) {
+    for (const BiasCurve& b : curves.curves) {
+      if (a.others[axis] == b.others[axis] || have_same_facts(a, b)) continue;
+      std::vector<Value> moved = b.others;
+      moved[axis] = a.others[axis];
+      if (moved == a.others) return true;
+    }
+  }
+  return false;
+}
+
+std::vector<Value> select(const std::vector<Value>& values, const std::vector<std::size_t>& indices) {
+  std::vector<Value> selected;
+  for (const std::size_t i : indices) selected.push_back(values[i]);
+  return selected;
+}
+
+double rms_bias(const std::vector<FormulaPoint>& points) {
+  double squares = 0.0;
+  for (const FormulaPoint& point : points) squares += point.fit.bias * point.fit.bias;
+  return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(points.size(), 1)));
+}
+
+constexpr std::array<const char*, formula_term_count> term_symbols = {"", "Δz", "r·Δz", "δ"};
+
+// Warnings about the fit itself.
+void add_fit_warnings(CurveFormula& of, const BiasFormula& formula) {
+  for (const auto& [term, fact, range] :
+       {std::tuple{FormulaTerm::slope, "the depth per texel", formula.depth_per_texel},
+        std::tuple{FormulaTerm::slope_radius, "the filter radius", formula.radius}}) {
+    if (!formula.term(term) || range.values != min_formula_values) continue;
+    of.warnings.push_back(
+        fmt::format("{} takes only {} values: nothing shows whether the bias is linear in it", fact, range.values));
+  }
+  std::size_t unknowns = 0;
+  for (std::size_t t = 0; t < formula_term_count; ++t) {
+    const std::optional<Fitted>& fitted = formula.terms[t];
+    if (!fitted) continue;
+    ++unknowns;
+    const bool is_constant = t == static_cast<std::size_t>(FormulaTerm::constant);
+    if (is_constant || !(std::abs(fitted->value) < min_significance * *fitted->standard_error)) continue;
+    of.warnings.push_back(fmt::format("the factor of {}, {:.2g} with a standard error of {:.2g}, may be 0",
+                                      term_symbols[t], rounded(*fitted).value, *fitted->standard_error));
+  }
+  if (formula.independent < formula.points) {
+    of.warnings.push_back(
+        fmt::format("only {} of {} points are independent: an axis changes nothing that the formula depends on, and "
+                    "points that differ in it alone count as one",
+                    formula.independent, formula.points));
+  }
+  if (formula.independent < 2 * unknowns) {
+    of.warnings.push_back(fmt::format("{} points for {} unknowns are few", formula.independent, unknowns));
+  }
+  const double share = formula.residual / rms_bias(of.points);
+  if (formula.residual > formula.axis_step && share > poor_residual_share) {
+    of.warnings.push_back(fmt::format(
+        "the RMS residual is {:.2g} % of the biases: they depend on more than these axes, so check the largest one",
+        100.0 * share));
+  }
+}
+
+struct LeftOut {
+  std::vector<Value> values;  ///< of BiasCurves::formula_axes
+  FormulaPoint point;
+};
+
+void add_warnings(const BiasCurves& curves, CurveFormula& of, const std::vector<LeftOut>& left_out) {
+  if (curves.curves.size() < curves.combinations) {
+    of.warnings.push_back(
+        fmt::format("only {} of {} combinations are read: the sweep is too large, or the others count "
+                    "no pixels",
+                    curves.curves.size(), curves.combinations));
+  }
+  if (!left_out.empty()) {
+    of.warnings.push_back(
+        fmt::format("{} of {} combinations are left out, because no bias on the axis qualifies or the best lies at an "
+                    "end of it; extend shadow.constant-bias",
+                    left_out.size(), left_out.size() + of.points.size()));
+  }
+  if (!of.formula) {
+    of.warnings.push_back(fmt::format("no formula: {} points do not determine it", of.points.size()));
+    return;
+  }
+  std::vector<Value> first;
+  std::size_t outside = 0;
+  for (const LeftOut& left : left_out) {
+    if (is_outside(*of.formula, left.point) && outside++ == 0) first = left.values;
+  }
+  if (outside > 0) {
+    of.warnings.push_back(fmt::format("the formula is extrapolated for {}{}", setting_text(curves.formula_axes, first),
+                                      outside > 1 ? fmt::format(" and {} more", outside - 1) : ""));
+  }
+  add_fit_warnings(of, *of.formula);
+}
+
+}  // namespace
+
+bool may_have_formula(const std::vector<Column>& others) {
+  return others.size() > 1 || (others.size() == 1 && others.front().name != resolution_key);
+}
+
+void add_formulas(BiasCurves& curves) {
+  std::vector<std::size_t> in_formula;
+  std::vector<std::size_t> rest;
+  for (std::size_t a = 0; a < curves.others.size(); ++a) {
+    const bool is_in_formula = changes_a_fact(curves, a);
+    (is_in_formula ? curves.formula_axes : curves.of_a_formula).push_back(curves.others[a]);
+    (is_in_formula ? in_formula : rest).push_back(a);
+  }
+  if (!may_have_formula(curves.formula_axes)) return;
+  std::vector<std::vector<Value>> settings;
+  for (const BiasCurve& curve : curves.curves) {
+    std::vector<Value> setting = select(curve.others, rest);
+    if (std::find(settings.begin(), settings.end(), setting) == settings.end()) settings.push_back(std::move(setting));
+  }
+  for (const std::vector<Value>& setting : settings) {
+    for (const LawOf kind : {LawOf::least_error, LawOf::little_acne, LawOf::no_acne}) {
+      CurveFormula of{kind, setting, {}, {}, flattest(curves.curves.front().optima).slope, 0, {}};
+      std::vector<LeftOut> left_out;
+      for (const BiasCurve& curve : curves.curves) {
+        if (select(curve.others, rest) != setting) continue;
+        const auto point = fit_point(curves, kind, flattest(curve.optima), curve.optima.mean_texel, curve.depth_unit);
+        if (point) {
+          of.points.push_back({*point, curve.facts});
+        } else {
+          left_out.push_back({select(curve.others, in_formula), {{}, curve.facts}});
+        }
+      }
+      of.left_out = left_out.size();
+      of.formula = fit_formula(of.points);
+      add_warnings(curves, of, left_out);
+      curves.formulas.push_back(std::move(of));
+    }
+  }
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,204 @@
+#include "store/read_bias_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <span>
+
+#include "store/fit_bias_formulas.h"
+
+namespace umbrameter {
+namespace {
+
+constexpr std::size_t max_curves = 200;
+constexpr std::size_t max_stored_slopes = 4096;
+constexpr std::size_t max_stored_lines = 16'384;
+
+std::size_t index_of(std::size_t cell, std::size_t stride, std::size_t count) {
+  return stride == 0 ? 0 : cell / stride % count;
+}
+
+std::size_t curve_of(const SweepPlan& plan, const std::vector<std::size_t>& others, std::size_t cell) {
+  std::size_t curve = 0;
+  for (const std::size_t a : others) {
+    const std::size_t count = plan.axes[a].values.size();
+    curve = curve * count + index_of(cell, plan.strides[a], count);
+  }
+  return curve;
+}
+
+BiasEvidence evidence_of(const VisibilityStatistics& statistics) {
+  const auto count = [&](double share) {
+    return static_cast<std::uint64_t>(std::llround(share * static_cast<double>(statistics.pixels)));
+  };
+  return {statistics.pixels, count(statistics.lit), count(statistics.blocked)};
+}
+
+void fill(BiasCurves& curves, const SweepResults& sweep, const MeasureBiasContext& measure,
+          const std::vector<std::size_t>& others) {
+  const SweepPlan& plan = sweep.plan;
+  VisibilityStatistics statistics;
+  const Statistics described = describe(statistics);
+  const std::vector<std::string> names = names_of(
+      described, {&statistics.pixels, &statistics.lit, &statistics.blocked, &statistics.mae, &statistics.acne,
+                  &statistics.false_occlusion, &statistics.peter_panning, &statistics.leak, &statistics.mean_texel});
+  const RowReader reader(described, names);
+  std::size_t cell = 0;
+  sweep.store.read(names, [&](std::span<const Value> row) {
+    const std::size_t at = cell++;
+    const std::size_t place = curve_of(plan, others, at);
+    if (place >= curves.curves.size()) return;
+    reader.read(row);
+    if (statistics.pixels == 0) return;
+    BiasCurve& curve = curves.curves[place];
+    if (curve.others.empty() && !others.empty()) {
+      const std::vector<Value> values = values_at(plan, at);
+      for (const std::size_t a : others) curve.others.push_back(values[a]);
+    }
+    if (curve.optima.mean_texel == 0.0) {
+      curve.optima.mean_texel = statistics.mean_texel;
+      curve.first_cell =
+          at - index_of(at, plan.constant_bias.stride, plan.constant_bias.values.size()) * plan.constant_bias.stride -
+          index_of(at, plan.slope_bias.stride, plan.slope_bias.values.size()) * plan.slope_bias.stride;
+      const bool needs_facts = curves.varies_constant && may_have_formula(curves.others);
+      const BiasContext context = measure ? measure(values_at(plan, at), needs_facts) : BiasContext{};
+      curve.evidence = context.evidence.value_or(evidence_of(statistics));
+      curve.depth_unit = context.depth_unit;
+      curve.facts = context.facts;
+    }
+    const InnerAxis& constant = plan.constant_bias;
+    const InnerAxis& slope = plan.slope_bias;
+    const std::size_t line = index_of(at, slope.stride, slope.values.size());
+    const BiasCell read{constant.values[index_of(at, constant.stride, constant.values.size())],
+                        slope.values[line],
+                        statistics.mae,
+                        statistics.acne,
+                        statistics.false_occlusion,
+                        statistics.peter_panning,
+                        statistics.leak};
+    add(curve.optima.lines[line], read);
+    add(curve.optima.front, read);
+  });
+  // A curve whose cells count no pixel has no error.
+  std::erase_if(curves.curves, [](const BiasCurve& curve) { return !least_error(curve.optima); });
+}
+
+// Reads one line of cells after the other, so that memory does not grow with the number of curves.
+void add_plateaus(BiasCurves& curves, const SweepResults& sweep) {
+  const InnerAxis& constant = sweep.plan.constant_bias;
+  const InnerAxis& slope = sweep.plan.slope_bias;
+  std::map<double, std::size_t> by_bias;
+  for (std::size_t i = 0; i < constant.values.size(); ++i) by_bias.emplace(constant.values[i], i);
+  for (BiasCurve& curve : curves.curves) {
+    const double at_slope = least_error(curve.optima)->slope;
+    const auto line = std::find(slope.values.begin(), slope.values.end(), at_slope) - slope.values.begin();
+    std::vector<std::size_t> numbers;
+    for (const auto& [bias, index] : by_bias) {
+      numbers.push_back(curve.first_cell + index * constant.stride + static_cast<std::size_t>(line) * slope.stride);
+    }
+    const std::vector<std::string> names = {"mae", "acne", "false_occlusion", "peter_panning", "leak"};
+    const Table rows = sweep.store.rows(numbers, names);
+    std::vector<BiasCell> cells;
+    for (const auto& [bias, index] : by_bias) {
+      const std::vector<Value>& row = rows.rows[cells.size()];
+      cells.push_back({bias, at_slope, to_number(row[0]), to_number(row[1]), to_number(row[2]), to_number(row[3]),
+                       to_number(row[4])});
+    }
+    curve.plateau = plateau_of(cells);
+    curve.withheld = reason_against(*curve.plateau, curve.evidence);
+    // A range that reaches the end of the axis may end beyond it.
+    if (curve.withheld == NoBias::unbounded) curve.withheld.reset();
+  }
+}
+
+void add_laws(BiasCurves& curves, std::size_t resolution) {
+  const auto without_resolution = [&](std::vector<Value> values) {
+    values.erase(values.begin() + static_cast<std::ptrdiff_t>(resolution));
+    return values;
+  };
+  std::vector<std::vector<Value>> combinations;
+  for (const BiasCurve& curve : curves.curves) {
+    const std::vector<Value> others = without_resolution(curve.others);
+    if (std::find(combinations.begin(), combinations.end(), others) == combinations.end()) {
+      combinations.push_back(others);
+    }
+  }
+  for (const std::vector<Value>& others : combinations) {
+    for (const LawOf of : {LawOf::least_error, LawOf::little_acne, LawOf::no_acne}) {
+      CurveLaw law{of, others, {}, 0, {}};
+      std::vector<FitPoint> flat;
+      std::vector<FitPoint> all;
+      for (const BiasCurve& curve : curves.curves) {
+        if (without_resolution(curve.others) != others) continue;
+        const double texel = curve.optima.mean_texel;
+        for (const BiasLine& line : curve.optima.lines) {
+          if (const auto point = fit_point(curves, of, line, texel, curve.depth_unit)) all.push_back(*point);
+        }
+        const auto point = fit_point(curves, of, flattest(curve.optima), texel, curve.depth_unit);
+        if (point) flat.push_back(*point);
+        if (!point) ++law.left_out;
+      }
+      law.law = fit_law(flat);
+      if (curves.varies_slope) law.over_slopes = fit_law(all);
+      curves.laws.push_back(std::move(law));
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<FitPoint> fit_point(const BiasCurves& curves, LawOf of, const BiasLine& line, double mean_texel,
+                                  double depth_unit) {
+  const std::span<const double> axis = curves.constants;
+  std::optional<FitPoint> point;
+  if (of == LawOf::least_error) {
+    if (line.least_error) point = point_of_least_error(*line.least_error, mean_texel, axis);
+  } else {
+    const std::optional<BiasCell>& cell = of == LawOf::no_acne ? line.acne_free : line.little_acne;
+    if (cell) point = point_of_least_free(*cell, mean_texel, axis);
+  }
+  if (point && curves.unit != LengthUnit::metres) {
+    const double metres = curves.unit == LengthUnit::texels ? mean_texel : depth_unit;
+    point->bias *= metres;
+    point->step *= metres;
+  }
+  return point;
+}
+
+std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep, const MeasureBiasContext& measure) {
+  const SweepPlan& plan = sweep.plan;
+  BiasCurves curves;
+  curves.varies_constant = plan.constant_bias.values.size() > 1;
+  curves.varies_slope = plan.slope_bias.values.size() > 1;
+  const std::size_t slopes = plan.slope_bias.values.size();
+  if (!sweep.is_by_cause() || slopes > max_stored_slopes) return std::nullopt;
+  if (!curves.varies_constant && !curves.varies_slope) return std::nullopt;
+
+  const std::vector<std::size_t> others = outer_axes_as_given(plan);
+  std::optional<std::size_t> resolution;
+  curves.combinations = 1;
+  for (const std::size_t a : others) {
+    const std::string& key = plan.axes[a].key;
+    if (key == resolution_key) resolution = curves.others.size();
+    curves.others.push_back({key, plan.axes[a].unit, require(sweep.parameters, key).description.meaning});
+    if (key != resolution_key) curves.of_a_law.push_back(curves.others.back());
+    curves.combinations *= plan.axes[a].values.size();
+  }
+  BiasCurve empty;
+  for (const double slope : plan.slope_bias.values) {
+    empty.optima.lines.emplace_back();
+    empty.optima.lines.back().slope = slope;
+  }
+  curves.curves.assign(std::min({curves.combinations, max_curves, max_stored_lines / slopes}), empty);
+  fill(curves, sweep, measure, others);
+  if (curves.curves.empty()) return std::nullopt;
+  curves.constants = plan.constant_bias.values;
+  curves.unit = plan.constant_unit;
+  std::sort(curves.constants.begin(), curves.constants.end());
+  if (curves.varies_constant) add_plateaus(curves, sweep);
+  if (resolution && curves.varies_constant) add_laws(curves, *resolution);
+  if (measure && curves.varies_constant && may_have_formula(curves.others)) add_formulas(curves);
+  return curves;
+}
+
+}  // namespace umbrameter

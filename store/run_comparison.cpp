@@ -1,0 +1,147 @@
+#include "store/run_comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "results/known_statistics.h"
+
+namespace umbrameter {
+namespace {
+
+const MeasuredStatistic* find_same(const StoredRun& run, const MeasuredStatistic& of_base) {
+  const auto found = std::find_if(run.statistics.begin(), run.statistics.end(), [&](const MeasuredStatistic& each) {
+    return each.kind == of_base.kind && each.light == of_base.light && each.name == of_base.name;
+  });
+  return found == run.statistics.end() ? nullptr : &*found;
+}
+
+ComparedValue value_of_run(const std::vector<StoredRun>& runs, std::size_t index, const MeasuredStatistic& measured) {
+  ComparedValue value{index, measured};
+  if (const std::optional<BlockEstimate> over_blocks = estimate_over_blocks(runs[index], measured)) {
+    value.half_width = 0.5 * (over_blocks->estimate.upper - over_blocks->estimate.lower);
+    value.interval = IntervalOf::pixels;
+  } else if (measured.half_width > 0.0) {
+    value.half_width = measured.half_width;
+    value.interval = IntervalOf::rays;
+  }
+  return value;
+}
+
+void compare_to(const ComparedValue& base, const std::vector<StoredRun>& runs, ComparedValue& value) {
+  const double difference = value.measured.value - base.measured.value;
+  value.difference = {difference, difference, difference};
+  value.verdict = Verdict::no_interval;
+  if (!std::isfinite(difference)) return;
+  if (difference == 0.0) {
+    value.verdict = Verdict::equal;
+    return;
+  }
+  if (const auto paired = paired_difference(runs[base.run], base.measured, runs[value.run], value.measured)) {
+    value.difference = paired->estimate;
+    value.blocks = paired->blocks;
+  } else if (base.interval != IntervalOf::nothing && value.interval != IntervalOf::nothing) {
+    const double half_width = std::hypot(base.half_width, value.half_width);
+    value.difference = {difference, difference - half_width, difference + half_width};
+    if (base.interval == IntervalOf::rays || value.interval == IntervalOf::rays) {
+      value.verdict = Verdict::rays_only;
+      return;
+    }
+  } else {
+    return;
+  }
+  const bool excludes_0 = value.difference.lower > 0.0 || value.difference.upper < 0.0;
+  value.verdict = excludes_0 ? Verdict::significant : Verdict::not_significant;
+}
+
+bool is_error(const MeasuredStatistic& measured) {
+  for (const KnownStatistic& known : known_statistics()) {
+    if (known.kind == measured.kind && known.name == measured.name) return known.is_error;
+  }
+  return false;
+}
+
+const std::string& value_of(const std::vector<std::pair<std::string, std::string>>& pairs, const std::string& key) {
+  static const std::string none = "—";
+  for (const auto& [name, value] : pairs) {
+    if (name == key) return value;
+  }
+  return none;
+}
+
+std::string size_of(const StoredRun& run) { return value_of(run.parameters, "view.size"); }
+
+}  // namespace
+
+std::vector<ComparedStatistic> compare_runs(const std::vector<StoredRun>& runs) {
+  std::vector<ComparedStatistic> all;
+  for (const MeasuredStatistic& base : runs.front().statistics) {
+    ComparedStatistic compared{base.kind, base.light, base.name, base.unit, is_error(base), {}};
+    compared.values.push_back(value_of_run(runs, 0, base));
+    for (std::size_t i = 1; i < runs.size(); ++i) {
+      const MeasuredStatistic* measured = find_same(runs[i], base);
+      if (measured == nullptr) continue;
+      ComparedValue value = value_of_run(runs, i, *measured);
+      compare_to(compared.values.front(), runs, value);
+      compared.values.push_back(std::move(value));
+    }
+    all.push_back(std::move(compared));
+  }
+  return all;
+}
+
+std::vector<std::string> limits_of_comparison(const std::vector<StoredRun>& runs) {
+  std::vector<std::string> limits;
+  const StoredRun& base = runs.front();
+  for (const StoredRun& run : runs) {
+    if (run.scene != base.scene) {
+      throw Error(ExitCode::usage, "report " + run.name,
+                  fmt::format("it shows the scene '{}', and {} '{}': none of their statistics can be compared",
+                              run.scene, base.name, base.scene),
+                  "compare runs of one scene");
+    }
+    if (size_of(run) != size_of(base)) {
+      limits.push_back(
+          fmt::format("{} is {} pixels large, {} {}: no difference is paired over pixels, and errors at "
+                      "edges depend on the size",
+                      run.name, size_of(run), base.name, size_of(base)));
+    } else if (value_of(run.environment, "camera") != value_of(base.environment, "camera")) {
+      limits.push_back(fmt::format("{} looks through another camera than {}: differences come from the view, too",
+                                   run.name, base.name));
+    }
+    for (const auto& [what, value] : run.environment) {
+      if (what == "camera" || value == value_of(base.environment, what)) continue;
+      limits.push_back(fmt::format("{}: {} of {}, {} of {}", what, value.empty() ? "none" : value, run.name,
+                                   value_of(base.environment, what), base.name));
+    }
+    for (const MeasuredStatistic& measured : base.statistics) {
+      if (measured.name != pixels_statistic || find_same(run, measured) != nullptr) continue;
+      limits.push_back(fmt::format("{} did not measure {}", run.name,
+                                   measured.light.empty() ? measured.kind : "the shadow of " + measured.light));
+    }
+  }
+  return limits;
+}
+
+Table differing_parameters(const std::vector<StoredRun>& runs) {
+  Table table{{{"parameter", "", ""}}, {}};
+  for (const StoredRun& run : runs) table.columns.push_back({run.name, "", ""});
+  std::vector<std::string> keys;
+  for (const StoredRun& run : runs) {
+    for (const auto& [key, value] : run.parameters) {
+      if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+    }
+  }
+  for (const std::string& key : keys) {
+    std::vector<Value> row = {key};
+    for (const StoredRun& run : runs) row.emplace_back(value_of(run.parameters, key));
+    if (std::any_of(row.begin() + 2, row.end(), [&](const Value& value) { return value != row[1]; })) {
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+}  // namespace umbrameter
