@@ -124,8 +124,16 @@ std::vector<ReportSection> figure_sections(const Figures& figures) {
   return sections;
 }
 
+// Whether a cell of a table has a text that passes the test; the first column has names.
+template <class Test>
+bool has_cell(const Table& table, const Test& test) {
+  return std::ranges::any_of(table.rows, [&](const std::vector<Value>& row) {
+    return std::any_of(row.begin() + 1, row.end(), [&](const Value& cell) { return test(to_string(cell)); });
+  });
+}
+
 bool has_differences(const PartTables& part) {
-  return part.printed_differences.columns.size() > 1 && !part.printed_differences.rows.empty();
+  return has_cell(part.printed_differences, [](const std::string& text) { return text != "0" && text != "—"; });
 }
 
 std::vector<std::string> planned_files(const CommandLine& line, const std::vector<ReportSection>& figures,
@@ -148,8 +156,10 @@ void write_latex(const fs::path& folder, const std::vector<PartTables>& parts) {
   for (const PartTables& part : parts) {
     write_text(folder / "figures" / (part.stem + ".tex"), to_latex(part.printed_values));
     if (!has_differences(part)) continue;
+    const Table& differences = part.printed_differences;
+    const bool is_marked = has_cell(differences, [](const std::string& text) { return text.ends_with('*'); });
     write_text(folder / "figures" / (part.stem + "_difference.tex"),
-               to_latex(part.printed_differences, significance_note));
+               to_latex(differences, is_marked ? significance_note : ""));
   }
 }
 
@@ -174,13 +184,13 @@ Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTab
     section.title = part.title;
     section.tables.push_back({"Errors, with 95 % intervals", part.values});
     section.text =
-        "Intervals cover the choice of pixels and the noise of the reference's rays: blocks of pixels are left out in "
-        "turn. Those marked * cover the rays alone, because the run does not store what the statistic is a mean of.";
+        "95 % intervals cover the choice of pixels and the noise of the reference: blocks of pixels are left out in "
+        "turn. An interval marked * covers the noise of the reference only, because the images of the run do not give "
+        "this statistic. Values without an interval are those of the run.";
     if (!part.differences.rows.empty()) {
       section.text += fmt::format(
-          " Differences are to {}; those in parentheses are not significant, or have no interval that covers the "
-          "choice of "
-          "pixels.",
+          " Differences are to {}; those in parentheses are not significant, or cannot be tested because they have no "
+          "such interval.",
           runs.front().name);
       section.tables.push_back({"Difference to " + runs.front().name, part.differences});
     }
