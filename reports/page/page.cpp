@@ -244,12 +244,15 @@ Json page_data(const fs::path& folder, const Report& report) {
           {"settings", table_data(report.settings, "Every parameter of this run")}};
 }
 
-// Moves figures of what the viewer shows to a part that can be folded away.
+// Moves figures of what the viewer shows, in full, to a part that can be folded away.
 void fold_figures(Json& section, const std::set<std::string>& layers) {
   Json shown = Json::array();
   Json folded = Json::array();
   for (Json& figure : section["figures"]) {
     const bool is_layer = layers.contains(figure["stem"].get_ref<const std::string&>());
+    if (is_layer && figure.contains("drawing")) {
+      figure["drawing"] = with_reduced_images(figure["drawing"].get_ref<const std::string&>());
+    }
     (is_layer ? folded : shown).push_back(std::move(figure));
   }
   section["has_one_figure"] = shown.size() == 1;
