@@ -34,7 +34,7 @@ double objective(const TuneGoal& goal, std::size_t column, const std::vector<Cas
 
 // How the best point compares; `difference` and `plain` are its cost less the other's.
 std::string judged(const TuneGoal& goal, const std::optional<Estimate>& difference, double plain) {
-  if (plain == 0.0) return "the best point has the same";
+  if (plain == 0.0) return "the best point has the same cost";
   if (!difference) return fmt::format("the best point differs by {}, not tested", cost_text(goal, plain));
   if (difference->upper < 0.0) {
     const Estimate less{-difference->value, -difference->upper, -difference->lower};
