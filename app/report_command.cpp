@@ -132,9 +132,9 @@ bool has_cell(const Table& table, const Test& test) {
   });
 }
 
-bool has_differences(const PartTables& part) {
-  return has_cell(part.printed_differences, [](const std::string& text) { return text != "0" && text != "—"; });
-}
+bool is_difference(const std::string& text) { return text != "0" && text != "—"; }
+
+bool has_differences(const PartTables& part) { return has_cell(part.printed_differences, is_difference); }
 
 std::vector<std::string> planned_files(const CommandLine& line, const std::vector<ReportSection>& figures,
                                        const std::vector<PartTables>& parts) {
@@ -185,14 +185,21 @@ Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTab
     section.tables.push_back({"Errors, with 95 % intervals", part.values});
     section.text =
         "95 % intervals cover the choice of pixels and the noise of the reference: blocks of pixels are left out in "
-        "turn. An interval marked * covers the noise of the reference only, because the images of the run do not give "
-        "this statistic. Values without an interval are those of the run.";
-    if (!part.differences.rows.empty()) {
-      section.text += fmt::format(
-          " Differences are to {}; those in parentheses are not significant, or cannot be tested because they have no "
-          "such interval.",
-          runs.front().name);
+        "turn.";
+    if (has_cell(part.all, [](const std::string& text) { return text.ends_with('*'); })) {
+      section.text +=
+          " An interval marked * covers the noise of the reference only, because the images of the run do not give "
+          "this statistic.";
+    }
+    if (has_cell(part.differences, is_difference)) {
+      section.text += fmt::format(" Differences are to {}.", runs.front().name);
+      if (has_cell(part.differences, [](const std::string& text) { return text.starts_with('('); })) {
+        section.text +=
+            " Those in parentheses are not significant, or cannot be tested because they have no such interval.";
+      }
       section.tables.push_back({"Difference to " + runs.front().name, part.differences});
+    } else if (runs.size() > 1) {
+      section.text += " All runs have the same errors.";
     }
     section.tables.push_back({"All statistics", part.all});
     report.sections.push_back(std::move(section));

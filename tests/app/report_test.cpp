@@ -289,7 +289,10 @@ TEST_F(RunsReport, Of_equal_runs_there_is_no_table_of_differences_and_three_stan
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(std::filesystem::exists(output() + "/figures/shadow_sun.tex"));
   EXPECT_FALSE(std::filesystem::exists(output() + "/figures/shadow_sun_difference.tex"));
-  EXPECT_NE(text_of(output() + "/index.html").find("class=\"figures threes\""), std::string::npos);
+  const std::string page = text_of(output() + "/index.html");
+  EXPECT_NE(page.find("class=\"figures threes\""), std::string::npos);
+  EXPECT_NE(page.find("All runs have the same errors."), std::string::npos);
+  EXPECT_EQ(page.find("Difference to one"), std::string::npos);
 }
 
 TEST_F(RunsReport, The_region_of_most_error_can_be_drawn_enlarged) {
