@@ -124,9 +124,17 @@ std::vector<ReportSection> figure_sections(const Figures& figures) {
   return sections;
 }
 
-bool has_differences(const PartTables& part) {
-  return part.printed_differences.columns.size() > 1 && !part.printed_differences.rows.empty();
+// Whether a cell of a table has a text that passes the test; the first column has names.
+template <class Test>
+bool has_cell(const Table& table, const Test& test) {
+  return std::ranges::any_of(table.rows, [&](const std::vector<Value>& row) {
+    return std::any_of(row.begin() + 1, row.end(), [&](const Value& cell) { return test(to_string(cell)); });
+  });
 }
+
+bool is_difference(const std::string& text) { return text != "0" && text != "—"; }
+
+bool has_differences(const PartTables& part) { return has_cell(part.printed_differences, is_difference); }
 
 std::vector<std::string> planned_files(const CommandLine& line, const std::vector<ReportSection>& figures,
                                        const std::vector<PartTables>& parts) {
@@ -148,8 +156,10 @@ void write_latex(const fs::path& folder, const std::vector<PartTables>& parts) {
   for (const PartTables& part : parts) {
     write_text(folder / "figures" / (part.stem + ".tex"), to_latex(part.printed_values));
     if (!has_differences(part)) continue;
+    const Table& differences = part.printed_differences;
+    const bool is_marked = has_cell(differences, [](const std::string& text) { return text.ends_with('*'); });
     write_text(folder / "figures" / (part.stem + "_difference.tex"),
-               to_latex(part.printed_differences, significance_note));
+               to_latex(differences, is_marked ? significance_note : ""));
   }
 }
 
@@ -174,15 +184,22 @@ Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTab
     section.title = part.title;
     section.tables.push_back({"Errors, with 95 % intervals", part.values});
     section.text =
-        "Intervals cover the choice of pixels and the noise of the reference's rays: blocks of pixels are left out in "
-        "turn. Those marked * cover the rays alone, because the run does not store what the statistic is a mean of.";
-    if (!part.differences.rows.empty()) {
-      section.text += fmt::format(
-          " Differences are to {}; those in parentheses are not significant, or have no interval that covers the "
-          "choice of "
-          "pixels.",
-          runs.front().name);
+        "95 % intervals cover the choice of pixels and the noise of the reference: blocks of pixels are left out in "
+        "turn.";
+    if (has_cell(part.all, [](const std::string& text) { return text.ends_with('*'); })) {
+      section.text +=
+          " An interval marked * covers the noise of the reference only, because the images of the run do not give "
+          "this statistic.";
+    }
+    if (has_cell(part.differences, is_difference)) {
+      section.text += fmt::format(" Differences are to {}.", runs.front().name);
+      if (has_cell(part.differences, [](const std::string& text) { return text.starts_with('('); })) {
+        section.text +=
+            " Those in parentheses are not significant, or cannot be tested because they have no such interval.";
+      }
       section.tables.push_back({"Difference to " + runs.front().name, part.differences});
+    } else if (runs.size() > 1) {
+      section.text += " All runs have the same errors.";
     }
     section.tables.push_back({"All statistics", part.all});
     report.sections.push_back(std::move(section));

@@ -359,8 +359,9 @@ ExitCode run_tune_command(const CommandLine& line, const Console& console) {
   Report report;
   report.title = fmt::format("{}{}: tuning", scene_title(job.experiments.front()),
                              job.experiments.size() > 1 ? fmt::format(" and {} more", job.experiments.size() - 1) : "");
-  report.subtitle = fmt::format("{} case{}, {}×{} pixels each", cases.size(), cases.size() == 1 ? "" : "s",
-                                job.experiments.front().view.size.width, job.experiments.front().view.size.height);
+  report.subtitle =
+      fmt::format("{}, {}×{} pixels", cases.size() == 1 ? "1 case" : fmt::format("{} cases", cases.size()),
+                  job.experiments.front().view.size.width, job.experiments.front().view.size.height);
   report.command = fmt::format("umbrameter compare -c {} -o OUT", tuned_name);
   report.answers = part.answers;
   std::set<std::string> notes;

@@ -19,7 +19,7 @@ constexpr std::array<const char*, ao_stage_count> meanings = {
     "Its blur.",
 };
 
-const ColorScale stage_scale{ColorMap::error, -0.25, 0.25, "change of accessibility [1]: below 0 darkens"};
+const ColorScale stage_scale{ColorMap::error, -0.25, 0.25, "change of accessibility: below 0 darkens"};
 
 std::string signed_text(double value) { return fmt::format("{:+.4f}", value); }
 
@@ -94,7 +94,7 @@ WaterfallFigure ao_stages_waterfall(const AoStageStatistics& statistics) {
   figure.caption =
       "Signed means over all surface pixels; black lines are 95 % intervals. Opposite signs cancel in a mean: compare "
       "with the RMS below each stage.";
-  figure.label = "technique − reference, mean accessibility [1]";
+  figure.label = "technique − reference, mean accessibility";
   figure.below = "darkens";
   figure.above = "brightens";
   const auto step = [](std::string name, const Estimate& mean, const Estimate& rms) {

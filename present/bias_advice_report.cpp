@@ -74,7 +74,7 @@ ReportTable advice_table(const BiasAdvice& advice) {
   const auto add_row = [&](const char* name, const BiasCell& cell) {
     const BiasInUnits bias = in_units(advice, cell);
     std::vector<Value> row = {std::string(name), fmt::format("{:.3g}", bias.metres), fmt::format("{:.3g}", bias.texels),
-                              fmt::format("{:.2e}", bias.depth), share_text(cell.mae)};
+                              fmt::format("{:.3g}", bias.depth), share_text(cell.mae)};
     for (const double share : shares_of(cell)) row.emplace_back(share_text(share));
     table.rows.push_back(std::move(row));
   };

@@ -229,6 +229,13 @@ Json formula_json(const BiasCurves& curves, const CurveFormula& of) {
 void present_formulas(Presentation& presentation, const BiasCurves& curves) {
   if (curves.formulas.empty()) return;
   ReportSection& section = presentation.section;
+  if (std::ranges::none_of(curves.formulas, [](const CurveFormula& of) { return of.formula.has_value(); })) {
+    const std::string text = fmt::format("no formula of the bias over {}: too few of its cells have such a bias",
+                                         names_of(curves.formula_axes));
+    section.text += fmt::format("\n\nThere is {}; vary more values, or extend the axis of the bias.", text);
+    presentation.lines.push_back(text);
+    return;
+  }
   section.tables.push_back({"Formulas of the bias over several axes",
                             formulas_table(curves),
                             {"left out", "error of c0", "error for Δz", "error for r·Δz", "error for δ",

@@ -66,6 +66,7 @@ Table choices_table(const BiasCurves& curves) {
       std::vector<Value> row = curve.others;
       row.push_back(std::string(choice.name));
       if (!choice.cell) {
+        row.emplace_back("—");
         row.resize(table.columns.size(), nothing);
         table.rows.push_back(std::move(row));
         continue;
@@ -203,13 +204,18 @@ std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
   return text;
 }
 
+bool has_fit(const BiasCurves& curves) {
+  return std::ranges::any_of(curves.laws, [](const CurveLaw& law) { return law.law.has_value(); });
+}
+
 std::string explanation(const BiasCurves& curves) {
   std::string text =
       "\n\nThe table 'Recommended biases' gives each constant bias in metres along the light, in texels of mean size "
-      "and as normalised depth. 'Extra error' and 'extra peter-panning' compare each choice with 'least error'. ";
-  text += curves.laws.empty() ? "For a fit of bias against texel size, vary both the constant bias and the resolution."
-                              : "The fit bias ≈ c0 + c1·texel·tan θ has one point per resolution, weighted by the "
-                                "step of the bias axis there; it needs at least three.";
+      "and as normalised depth; a dash means that no bias of the axis qualifies. 'Extra error' and 'extra "
+      "peter-panning' compare each choice with 'least error'. ";
+  text += has_fit(curves) ? "The fit bias ≈ c0 + c1·texel·tan θ has one point per resolution, weighted by the step of "
+                            "the bias axis there."
+                          : "A fit of the bias against texel size needs a bias axis and at least three resolutions.";
   if (curves.curves.size() < curves.combinations) {
     text += fmt::format(" The table lists {} of {} combinations of the other axes.", curves.curves.size(),
                         curves.combinations);
@@ -255,7 +261,7 @@ void present_bias(Presentation& presentation, const BiasCurves& curves) {
     section.tables.push_back({"Constant biases by slope-scaled bias",
                               in_four_digits(slopes_table(curves), curves.others.size() + 1),
                               {"at, in texels", "from, in texels", "none from, in texels"}});
-  if (!curves.laws.empty()) {
+  if (has_fit(curves)) {
     section.tables.push_back(
         {"Fits of bias against texel size",
          in_four_digits(laws_table(curves), curves.of_a_law.size()),

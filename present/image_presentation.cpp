@@ -55,11 +55,11 @@ void add_gbuffer_figures(Presentation& presentation, const SceneFacts& scene, co
   add_figure(presentation, scalar_figure("gbuffer_change_image", "What the G-buffer changes: the image", caption,
                                          change.image, scale(0.25, "luminance [1 is white]")));
   add_figure(presentation, scalar_figure("gbuffer_change_ao", "What the G-buffer changes: ambient occlusion", caption,
-                                         change.ao, scale(0.5, "accessibility [1]")));
+                                         change.ao, scale(0.5, "accessibility")));
   for (std::size_t i = 0; i < image.lights.size(); ++i) {
     add_figure(presentation, scalar_figure("gbuffer_change_visibility_" + scene.layer(image.lights[i]),
                                            "What the G-buffer changes: visibility of " + scene.title(image.lights[i]),
-                                           caption, change.visibility[i], scale(1.0, "visibility [1]")));
+                                           caption, change.visibility[i], scale(1.0, "visibility")));
   }
 }
 

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "present/image_scales.h"
 #include "present/presentation_parts.h"
 #include "present/scene_report.h"
+#include "results/known_statistics.h"
 
 namespace umbrameter {
 namespace {
@@ -128,6 +130,22 @@ Table in_percent(Table table, std::size_t first_column) {
     for (std::vector<Value>& row : table.rows) row[c] = share_text(to_number(row[c]));
   }
   return table;
+}
+
+std::string statistic_words(std::string_view name) {
+  std::string words(name);
+  const auto known = std::ranges::find_if(
+      known_statistics(), [&](const KnownStatistic& each) { return each.name == name && !each.title.empty(); });
+  if (known != known_statistics().end()) words = known->title;
+  for (const std::string_view subject : {" of visibility", " of accessibility", " of the image"}) {
+    if (words.ends_with(subject)) words.resize(words.size() - subject.size());
+  }
+  std::replace(words.begin(), words.end(), '_', ' ');
+  const auto is_upper = [&](std::size_t i) { return std::isupper(static_cast<unsigned char>(words[i])) != 0; };
+  if (words.size() > 1 && is_upper(0) && !is_upper(1)) {
+    words.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(words.front())));
+  }
+  return words;
 }
 
 const std::vector<CategoryColor>& class_colors() {

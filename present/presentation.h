@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reports/figures/figures.h"
@@ -14,6 +15,9 @@ namespace umbrameter {
 
 /// Formats shares (unit 1) as per cent with four decimals, in `first_column` and those after it.
 Table in_percent(Table table, std::size_t first_column = 0);
+
+/// "mean absolute error", "light leak": a statistic's name in words, without what it is an error of.
+std::string statistic_words(std::string_view name);
 
 /// Name and colour of each PixelClass, in its order; the same in all figures.
 const std::vector<CategoryColor>& class_colors();

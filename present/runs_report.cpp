@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "present/presentation.h"
 #include "results/known_statistics.h"
 #include "results/number_text.h"
 
@@ -76,13 +77,7 @@ std::string file_stem(const std::vector<StoredRun>& runs, const ComparedStatisti
 
 // "Mean absolute error". What it is an error of is the table's subject.
 std::string title_text(const ComparedStatistic& compared) {
-  std::string title = compared.name;
-  for (const KnownStatistic& known : known_statistics()) {
-    if (known.kind == compared.kind && known.name == compared.name) title = known.title;
-  }
-  for (const std::string_view subject : {" of visibility", " of accessibility", " of the image"}) {
-    if (title.ends_with(subject)) title.resize(title.size() - subject.size());
-  }
+  std::string title = statistic_words(compared.name);
   title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
   return title;
 }
@@ -127,7 +122,8 @@ template <class Text>
 Table rows_of_runs(const std::vector<StoredRun>& runs, const std::vector<const ComparedStatistic*>& errors,
                    std::size_t first_run, const Text& text) {
   Table table{{{"run", "", ""}}, {}};
-  for (const ComparedStatistic* each : errors) table.columns.push_back({title_text(*each), shown_unit(each->unit), ""});
+  for (const ComparedStatistic* each : errors)
+    table.columns.push_back({statistic_words(each->name), shown_unit(each->unit), ""});
   for (std::size_t run = first_run; run < runs.size(); ++run) {
     std::vector<Value> row = {runs[run].name};
     for (const ComparedStatistic* each : errors) {
@@ -210,7 +206,7 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
   std::vector<std::string> answers;
   for (const ComparedStatistic& each : compared) {
     if (each.name != error_statistic) continue;
-    const std::string what = each.light.empty() ? each.kind : each.light;
+    const std::string what = each.light.empty() ? (each.kind == "ao" ? "AO" : each.kind) : each.light;
     for (const ComparedValue& value : each.values) {
       std::string line = fmt::format("{}, {}: error {} %", what, runs[value.run].name, compared_text(value));
       if (value.verdict != Verdict::base) {

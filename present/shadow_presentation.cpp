@@ -120,8 +120,9 @@ std::string agreement_text(const ClassAgreement& agreement) {
       "ray tests reclassified {:.2g} % of {} taps from false occlusion to acne: {:.2g} % of all wrong taps.",
       100.0 * share_of_unresolved(agreement), agreement.taps, 100.0 * share_of_wrong(agreement));
   if (agreement.peter_panning > 0) {
-    text += fmt::format(" Rays find {:.2g} % of peter-panning on the receiver's own layer, where it is light leak.",
-                        100.0 * share_on_own_layer(agreement));
+    text +=
+        fmt::format(" By rays, {:.2g} % of the peter-panning is light leak: the sample is on the receiver's own layer.",
+                    100.0 * share_on_own_layer(agreement));
   }
   return text;
 }
@@ -130,8 +131,15 @@ ReportTable worst_parts(const char* what, PartKind kind, const std::vector<PartE
                         std::uint32_t weight_sum) {
   constexpr std::size_t most = 10;
   const bool are_more = parts.size() > most;
-  return {fmt::format("Error by {}{}", what, are_more ? fmt::format(" (top {})", most) : ""),
-          in_percent(part_table(kind, parts, weight_sum, most))};
+  Table table = part_table(kind, parts, weight_sum, most);
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    if (table.columns[c].unit != "1") continue;
+    table.columns[c].name = statistic_words(table.columns[c].name);
+    table.columns[c].unit = "%";
+    for (std::vector<Value>& row : table.rows) row[c] = fmt::format("{:.3g}", 100.0 * to_number(row[c]));
+  }
+  return {fmt::format("Error by {}{}", what, are_more ? fmt::format(", the {} with most of it", most) : ""),
+          std::move(table)};
 }
 
 std::string technique_text(const ShadowMeasurement& shadow) {
@@ -147,7 +155,7 @@ std::string technique_text(const ShadowMeasurement& shadow) {
 std::string stored_depths_text(const ShadowMeasurement& shadow) {
   const StoredDepths& depths = *shadow.stored_depths;
   return fmt::format(
-      "the map holds depths from {} to {} in steps of {} and {} ({}, {}); unit of polygon offsets {:.3g}",
+      "the map holds depths from {} to {} in steps of {} to {} ({}, {}); the unit of polygon offsets is {:.3g}",
       metres_text(depths.range->nearest), metres_text(depths.range->farthest), metres_text(depths.step_at_nearest),
       metres_text(depths.step_at_farthest), value_text(shadow.experiment, "shadow.depth-format"),
       value_text(shadow.experiment, "shadow.depth-encoding"), depths.polygon_offset_unit);

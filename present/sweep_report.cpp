@@ -188,7 +188,11 @@ std::vector<std::size_t> listed_axes(const SweepResults& sweep) {
 std::string row_text(const Table& table, const std::vector<Value>& row, std::size_t axes) {
   std::string text;
   for (std::size_t a = 0; a < axes; ++a) {
-    text += (a > 0 ? ", " : "") + table.columns[a].name + " " + short_text(row[a]);
+    // As the answers have it; sweep.csv has all digits.
+    const auto* number = std::get_if<double>(&row[a]);
+    const std::string value =
+        number != nullptr && std::abs(*number) < 1e4 ? fmt::format("{:.4g}", *number) : short_text(row[a]);
+    text += (a > 0 ? ", " : "") + table.columns[a].name + " " + value;
     if (!table.columns[a].unit.empty() && table.columns[a].unit != "1") text += " " + table.columns[a].unit;
   }
   return text;
@@ -267,10 +271,9 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     add_plots(presentation, sweep, layout, drawn_statistics(sweep));
   }
   add_plots(presentation, sweep, layout, drawn_metrics(sweep));
-  section.text = "All cells are in sweep.csv.";
-  if (is_flat) section.text += " All cells are equal: what is varied changes nothing here.";
+  if (is_flat) section.text = "All cells are equal: what is varied changes nothing here. ";
   if (!sweep.ao_limit.empty())
-    section.text += " The reference looks for occluders " + sweep.ao_limit + " in every cell.";
+    section.text += "The reference looks for occluders " + sweep.ao_limit + " in every cell.";
   const bool varies_filter =
       varies_group(sweep.plan.axes, "shadow.filter") || varies_group(sweep.plan.axes, "shadow.technique");
   if (varies_filter && sweep.quantity() == SweptQuantity::visibility)

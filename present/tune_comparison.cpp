@@ -44,7 +44,7 @@ std::vector<double> shown_values(const TuneSummary& summary, const ComparedPoint
 Table comparison_table(const TuneSummary& summary) {
   const TuneGoal& goal = summary.goal;
   Table table{{{"point", "", "the default, or the best point with this value"},
-               {cost_name(goal), "", "cost"},
+               {cost_words(goal), "", "cost"},
                {"more than the best", "", "difference of the costs, paired over blocks of pixels"}},
               {}};
   if (!goal.constraints.empty()) table.columns.push_back({"constraints", "", "whether all are kept in every case"});
@@ -53,7 +53,7 @@ Table comparison_table(const TuneSummary& summary) {
     const Column& column = summary.shown.columns[c];
     if (is_the_cost(goal, c)) continue;
     shown.push_back(c);
-    table.columns.push_back({shown_name(summary.shown, c), "", column.meaning});
+    table.columns.push_back({column_words(summary.shown, c), "", column.meaning});
   }
   for (const TuneAxis& axis : summary.axes) table.columns.push_back({name_of(axis), "", "value"});
   for (const ComparedPoint& compared : summary.judgement.compared) {

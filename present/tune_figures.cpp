@@ -15,7 +15,7 @@ double shown(const TuneGoal& goal, double cost) { return cost_unit(goal) == "1" 
 
 std::string cost_label(const TuneGoal& goal) {
   const std::string unit = cost_unit(goal) == "1" ? "%" : cost_unit(goal);
-  return fmt::format("{}{}{}", cost_name(goal), goal.is_worst_case ? ", worst case" : "",
+  return fmt::format("{}{}{}", cost_words(goal), goal.is_worst_case ? ", worst case" : "",
                      unit.empty() ? "" : " [" + unit + "]");
 }
 
@@ -82,7 +82,7 @@ PlotFigure front_figure(const TuneSummary& summary, const std::vector<TunePoint>
   const Column& y = goal.columns[objectives[1]];
   const auto label = [&](std::size_t column) {
     const std::string& unit = goal.columns[column].unit;
-    return fmt::format("{} [{}]", shown_name(goal, column), unit == "1" ? "%" : unit);
+    return fmt::format("{} [{}]", column_words(goal, column), unit == "1" ? "%" : unit);
   };
   const auto number = [](const Column& column, double value) { return column.unit == "1" ? 100.0 * value : value; };
   PlotFigure plot;
@@ -92,7 +92,7 @@ PlotFigure front_figure(const TuneSummary& summary, const std::vector<TunePoint>
       "Points of which none is better in every objective, {} against {}. The ring is the best point by the cost and "
       "the "
       "constraints.",
-      shown_name(goal, objectives[1]), shown_name(goal, objectives[0]));
+      column_words(goal, objectives[1]), column_words(goal, objectives[0]));
   plot.x = {"x", label(objectives[0])};
   plot.y = {"y", label(objectives[1])};
   plot.mark = "best";

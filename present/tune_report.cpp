@@ -17,8 +17,6 @@
 namespace umbrameter {
 namespace {
 
-std::string column_title(const Column& column) { return column.name; }
-
 // Signed so that smaller is better.
 double objective(const TuneGoal& goal, std::size_t column, const std::vector<CaseValues>& cases) {
   double value = aggregate(goal, column, cases);
@@ -34,12 +32,17 @@ double objective(const TuneGoal& goal, std::size_t column, const std::vector<Cas
   return value;
 }
 
+// How the best point compares; `difference` and `plain` are its cost less the other's.
 std::string judged(const TuneGoal& goal, const std::optional<Estimate>& difference, double plain) {
-  if (!difference) return fmt::format("a difference of {}, not tested", cost_text(goal, plain));
+  if (plain == 0.0) return "the best point has the same cost";
+  if (!difference) return fmt::format("the best point differs by {}, not tested", cost_text(goal, plain));
+  if (difference->upper < 0.0) {
+    const Estimate less{-difference->value, -difference->upper, -difference->lower};
+    return "the best point is significantly better, by " + cost_text(goal, less.value, less);
+  }
   const std::string text = cost_text(goal, difference->value, difference);
-  if (difference->upper < 0.0) return fmt::format("a difference of {}: significantly better", text);
-  if (difference->lower > 0.0) return fmt::format("a difference of {}: significantly worse", text);
-  return fmt::format("a difference of {}: not significant", text);
+  if (difference->lower > 0.0) return "the best point is significantly worse, by " + text;
+  return fmt::format("the best point differs by {}, not significantly", text);
 }
 
 std::string comparison(const TuneSummary& summary, const std::string& what, const TunePoint& other,
@@ -47,7 +50,7 @@ std::string comparison(const TuneSummary& summary, const std::string& what, cons
   const TuneGoal& goal = summary.goal;
   std::string verdict = judged(goal, difference, best.score.cost - other.score.cost);
   if (best.score.is_kept() && !other.score.is_kept()) {
-    verdict += ", and it breaks a constraint that the best point keeps";
+    verdict += "; this point breaks a constraint that the best point keeps";
   }
   return fmt::format("{}: {}; {}", what, cost_text(goal, other.score.cost), verdict);
 }
@@ -56,7 +59,7 @@ Table case_table(const TuneSummary& summary) {
   Table table{{{"case", "", "scene, camera and light"}}, {}};
   for (const char* when : {"default", "best"}) {
     for (const Column& column : summary.goal.columns) {
-      table.columns.push_back({fmt::format("{}: {}", when, column_title(column)), "", column.meaning});
+      table.columns.push_back({fmt::format("{}: {}", when, statistic_words(column.name)), "", column.meaning});
     }
   }
   const auto add = [&](const std::vector<std::string>& cases, const TunePoint& before, const TunePoint& best,
@@ -79,6 +82,7 @@ Table case_table(const TuneSummary& summary) {
 std::string tolerance_text(const TuneSummary& summary, const AxisScan& scan) {
   const TuneAxis& axis = summary.axes[scan.axis];
   const auto range = range_within(summary, scan);
+  if (range && range->first == range->second) return "only " + value_text(axis, range->first);
   return range ? fmt::format("{} to {}", value_text(axis, range->first), value_text(axis, range->second)) : "—";
 }
 
@@ -122,7 +126,7 @@ Table front_table(const TuneSummary& summary, const std::vector<TunePoint>& fron
   Table table;
   for (const TuneAxis& axis : summary.axes) table.columns.push_back({axis.key(), "", "value"});
   for (const std::size_t c : objectives_of(summary.goal)) {
-    table.columns.push_back({shown_name(summary.goal, c), "", summary.goal.columns[c].meaning});
+    table.columns.push_back({column_words(summary.goal, c), "", summary.goal.columns[c].meaning});
   }
   constexpr std::size_t max_rows = 30;
   for (const std::size_t i : thin(front.size(), max_rows).indices) {
@@ -176,7 +180,7 @@ std::string equal_points_text(const TuneSummary& summary) {
   std::string keys;
   for (const TuneAxis& axis : summary.axes) keys += (keys.empty() ? "" : ", ") + axis.key();
   return fmt::format("all {} evaluated points are equal: {} {}; {} {} nothing here",
-                     std::max(result.points.size(), result.curve.size()), cost_name(summary.goal),
+                     std::max(result.points.size(), result.curve.size()), cost_words(summary.goal),
                      cost_text(summary.goal, result.best.score.cost), keys,
                      summary.axes.size() > 1 ? "change" : "changes");
 }
@@ -198,7 +202,7 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
   const TuneResult& result = summary.result;
   const TuneGoal& goal = summary.goal;
   answers.push_back(fmt::format(
-      "best: {}: {} {}{}", point_text(summary.axes, result.best.values), cost_name(goal),
+      "best: {}: {} {}{}", point_text(summary.axes, result.best.values), cost_words(goal),
       cost_text(goal, result.best.score.cost, summary.judgement.best),
       summary.cases.size() == 1
           ? ""
@@ -207,19 +211,20 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
   answers.push_back(comparison(summary, "default", result.before, result.best, summary.judgement.against_before));
   if (result.runner_up) {
     answers.push_back(comparison(summary,
-                                 fmt::format("runner-up {}", point_text(summary.axes, result.runner_up->values)),
+                                 fmt::format("runner-up, {}", point_text(summary.axes, result.runner_up->values)),
                                  *result.runner_up, result.best, summary.judgement.against_runner_up));
   }
   if (summary.judgement.held_out) {
     const HeldOut& held = *summary.judgement.held_out;
     const TuneGoal absolute = not_relative(goal);
     answers.push_back(
-        fmt::format("held out, {}: {} → {}; {}",
+        fmt::format("held out of the search, {}: {} → {}; {}",
                     held.cases.size() == 1 ? held.cases.front() : fmt::format("{} cases", held.cases.size()),
                     cost_text(absolute, held.before.score.cost), cost_text(absolute, held.best.score.cost),
                     judged(absolute, held.difference, held.best.score.cost - held.before.score.cost)));
   } else {
-    answers.emplace_back("held out: nothing; the scenes have no camera left, name one with --held-out");
+    answers.emplace_back(
+        "held out of the search: nothing; the scenes have no other camera, name a scene with --held-out");
   }
   if (result.plateau) answers.push_back(bias_range_text(summary));
   for (std::string& line : ranking_lines(summary)) answers.push_back(std::move(line));
@@ -329,8 +334,10 @@ Presentation present_tuning(const TuneSummary& summary) {
   section.tables_first = true;
   section.text =
       method_text(summary) +
-      "\n\nIntervals are 95 % over the choice of pixels: each of up to 64 blocks of the image is left out in "
-      "turn (jackknife). Differences are paired: both points lose the same block.";
+      "\n\n95 % intervals in brackets cover the choice of pixels: each of up to 64 blocks of the image is left out in "
+      "turn (jackknife). Differences are paired: both points lose the same block. What is held out of the search "
+      "checks "
+      "the best point on a view that did not choose it.";
   if (const Table compared = comparison_table(summary); !compared.rows.empty()) {
     const std::vector<std::string> lines = lines_of(compared);
     shown_part.lines.insert(shown_part.lines.end(), lines.begin(), lines.end());

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "present/presentation.h"
 #include "results/number_text.h"
 
 namespace umbrameter {
@@ -13,6 +14,17 @@ std::string statistic_text(double value, const std::string& unit) {
   if (unit == "1") return percent(value);
   if (unit == "m") return metres_text(value);
   return fmt::format("{:.3g} {}", value, unit);
+}
+
+std::string column_words(const TuneGoal& goal, std::size_t column) {
+  const std::string words = statistic_words(goal.columns[column].name);
+  return is_magnitude(goal, column) ? "|" + words + "|" : words;
+}
+
+std::string cost_words(const TuneGoal& goal) {
+  const std::size_t first = goal.terms.front().column;
+  if (goal.terms.size() > 1 || goal.text != shown_name(goal, first)) return cost_name(goal);
+  return column_words(goal, first) + (goal.is_relative ? " / default" : "");
 }
 
 std::string cost_unit(const TuneGoal& goal) {

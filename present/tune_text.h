@@ -14,6 +14,11 @@ std::string statistic_text(double value, const std::string& unit);
 
 /// The unit of the cost: that of its statistics if they have one; "1" if the goal is relative; empty if they differ.
 std::string cost_unit(const TuneGoal& goal);
+/// The statistic that is minimised in words, "mean absolute error"; of several the sum as it was given.
+std::string cost_words(const TuneGoal& goal);
+/// A statistic of the goal in words; |…| where its magnitude counts.
+std::string column_words(const TuneGoal& goal, std::size_t column);
+
 /// The cost, or a difference of costs, with its interval.
 std::string cost_text(const TuneGoal& goal, double value, const std::optional<Estimate>& interval = {});
 

@@ -65,14 +65,23 @@ std::size_t image_of(std::string_view object, std::size_t images) {
   return std::min(images, height - first_marker_height);
 }
 
+// ISO 32000-1, section 8.6.6.3: the last index, and the colours as a string.
+std::string color_space(const DeflatedImage& image) {
+  if (image.palette.empty()) return "/DeviceRGB";
+  std::string colors;
+  for (const char byte : image.palette) colors += fmt::format("{:02x}", static_cast<unsigned char>(byte));
+  return fmt::format("[/Indexed /DeviceRGB {} <{}>]", image.palette.size() / 3 - 1, colors);
+}
+
 // Its rows are those of a PNG, which PDF knows as "predictor 15" (ISO 32000-1, section 7.4.4.4). /Interpolate is what
 // cairo writes, too.
 std::string image_object(std::size_t number, const DeflatedImage& image) {
   return fmt::format(
-             "{} 0 obj\n<< /Type /XObject /Subtype /Image /Width {} /Height {} /ColorSpace /DeviceRGB "
-             "/BitsPerComponent 8 /Interpolate true /Filter /FlateDecode /DecodeParms << /Predictor 15 /Colors 3 "
+             "{} 0 obj\n<< /Type /XObject /Subtype /Image /Width {} /Height {} /ColorSpace {} "
+             "/BitsPerComponent 8 /Interpolate true /Filter /FlateDecode /DecodeParms << /Predictor 15 /Colors {} "
              "/BitsPerComponent 8 /Columns {} >> /Length {} >>\nstream\n",
-             number, image.width, image.height, image.width, image.rows.size()) +
+             number, image.width, image.height, color_space(image), image.palette.empty() ? 3 : 1, image.width,
+             image.rows.size()) +
          image.rows + "\nendstream\nendobj\n";
 }
 

@@ -58,6 +58,23 @@ bool is_number_text(const Value& value) {
   return text.empty() || text == "—" || (!rest.empty() && rest.front() >= '0' && rest.front() <= '9');
 }
 
+// A column of a two-column page holds about as many characters of ten points.
+constexpr std::size_t most_characters = 45;
+
+std::size_t characters_of(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & '\xc0') != '\x80'; }));
+}
+
+std::size_t width_of(const Table& table) {
+  std::size_t width = 0;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    std::size_t widest = characters_of(table.columns[c].name);
+    for (const std::vector<Value>& row : table.rows) widest = std::max(widest, characters_of(to_string(row[c])));
+    width += widest;
+  }
+  return width;
+}
+
 }  // namespace
 
 std::string escape_latex(std::string_view text) {
@@ -92,7 +109,10 @@ std::string to_latex(const Table& table, std::string_view note) {
     units.push_back(column.unit.empty() ? "" : escape_latex("[" + column.unit + "]"));
     has_units = has_units || !column.unit.empty();
   }
-  std::string text = "% Needs \\usepackage{booktabs}.\n\\begin{tabular}{" + alignment + "}\n  \\toprule\n";
+  const bool is_wide = width_of(table) > most_characters;
+  std::string text = "% Needs \\usepackage{booktabs}.\n";
+  if (is_wide) text += "{\\footnotesize\\setlength{\\tabcolsep}{2.5pt}%\n";
+  text += "\\begin{tabular}{" + alignment + "}\n  \\toprule\n";
   text += row_text(names);
   if (has_units) text += row_text(units);
   text += "  \\midrule\n";
@@ -106,7 +126,7 @@ std::string to_latex(const Table& table, std::string_view note) {
     text += "  \\multicolumn{" + std::to_string(table.columns.size()) + "}{l}{\\footnotesize " + escape_latex(note) +
             "} \\\\\n";
   }
-  return text + "\\end{tabular}\n";
+  return text + "\\end{tabular}" + (is_wide ? "}\n" : "\n");
 }
 
 }  // namespace umbrameter

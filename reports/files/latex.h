@@ -14,7 +14,8 @@ namespace umbrameter {
 std::string escape_latex(std::string_view text);
 
 /// A tabular with the columns' names, their units in brackets below, and the rows. Columns of numbers are aligned
-/// right. A note is set small below them. The document needs \usepackage{booktabs}.
+/// right. A note is set small below them. What is wider than a column of a two-column page is set small with narrow
+/// gaps. The document needs \usepackage{booktabs}.
 std::string to_latex(const Table& table, std::string_view note = {});
 
 }  // namespace umbrameter

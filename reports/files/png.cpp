@@ -12,6 +12,8 @@
 #include <cstring>
 #include <limits>
 #include <new>
+#include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -43,17 +45,37 @@ void add_chunk(std::string& png, std::string_view name, std::string_view data) {
   png += four_bytes(libdeflate_crc32(0, png.data() + begin, png.size() - begin));
 }
 
+struct Indexed {
+  std::string palette;  // RGB triples
+  std::string indices;
+};
+
+// Nothing if the image has more colours than a byte can number.
+std::optional<Indexed> indexed(const Image<glm::u8vec3>& image) {
+  Indexed result;
+  result.indices.reserve(image.size());
+  std::unordered_map<std::uint32_t, char> numbers;
+  for (const glm::u8vec3& color : image.pixels) {
+    const std::uint32_t key = std::uint32_t{color.x} << 16u | std::uint32_t{color.y} << 8u | color.z;
+    const auto [place, is_new] = numbers.try_emplace(key, static_cast<char>(numbers.size()));
+    if (is_new && numbers.size() > 256) return std::nullopt;
+    if (is_new)
+      result.palette.append({static_cast<char>(color.x), static_cast<char>(color.y), static_cast<char>(color.z)});
+    result.indices += place->second;
+  }
+  return result;
+}
+
 // Each row after the number of its filter: 2, the difference to the row above, if the rows are equal, as in enlarged
 // images; else 0, none. Maps of errors, causes and accessibility repeat few colours, which the filters hide from the
 // search for repetitions: such files are smaller without, and written several times as fast.
-std::string filtered_rows(const Image<glm::u8vec3>& image) {
-  const std::size_t length = 3 * static_cast<std::size_t>(image.width);
+std::string filtered_rows(std::string_view bytes, std::size_t length) {
   const std::string zeros(length, '\0');
   std::string rows;
-  rows.reserve((length + 1) * static_cast<std::size_t>(image.height));
+  rows.reserve(bytes.size() + bytes.size() / length);
   std::string_view above;
-  for (int y = 0; y < image.height; ++y) {
-    const std::string_view row(reinterpret_cast<const char*>(&image.at(0, y)), length);
+  for (; !bytes.empty(); bytes.remove_prefix(length)) {
+    const std::string_view row = bytes.substr(0, length);
     const bool repeats = row == above;
     rows += repeats ? '\2' : '\0';
     rows += repeats ? zeros : row;
@@ -66,17 +88,24 @@ std::string filtered_rows(const Image<glm::u8vec3>& image) {
 
 DeflatedImage::DeflatedImage(const Image<glm::u8vec3>& image) : width(image.width), height(image.height) {
   if (image.empty()) throw Error(ExitCode::partial, "PNG", "the image has no pixels");
-  rows = deflate(filtered_rows(image));
+  const auto columns = static_cast<std::size_t>(width);
+  if (std::optional<Indexed> few = indexed(image)) {
+    palette = std::move(few->palette);
+    rows = deflate(filtered_rows(few->indices, columns));
+  } else {
+    rows = deflate(filtered_rows({reinterpret_cast<const char*>(image.pixels.data()), 3 * image.size()}, 3 * columns));
+  }
 }
 
 std::string to_png(const DeflatedImage& image) {
   constexpr std::size_t longest_chunk = std::numeric_limits<std::int32_t>::max();
   std::string png = "\x89PNG\r\n\x1a\n";
-  // 8 bits a channel, colour type RGB, then the only methods there are, not interlaced.
+  // 8 bits a channel, colour type RGB or indexed, then the only methods there are, not interlaced.
   add_chunk(png, "IHDR",
             four_bytes(static_cast<std::uint32_t>(image.width)) + four_bytes(static_cast<std::uint32_t>(image.height)) +
-                std::string("\x08\x02\0\0\0", 5));
+                "\x08" + (image.palette.empty() ? "\x02" : "\x03") + std::string(3, '\0'));
   add_chunk(png, "sRGB", std::string_view("\0", 1));  // rendering intent: perceptual
+  if (!image.palette.empty()) add_chunk(png, "PLTE", image.palette);
   for (std::string_view rest = image.rows; !rest.empty(); rest.remove_prefix(std::min(rest.size(), longest_chunk))) {
     add_chunk(png, "IDAT", rest.substr(0, longest_chunk));
   }

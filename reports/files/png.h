@@ -13,7 +13,8 @@ namespace umbrameter {
 struct DeflatedImage {
   int width = 0;
   int height = 0;
-  std::string rows;  ///< zlib stream (RFC 1950) of the rows: the number of a PNG filter, then RGB triples
+  std::string palette;  ///< RGB triples of at most 256 colours; empty if the image has more
+  std::string rows;     ///< zlib stream (RFC 1950) of the rows: the number of a PNG filter, then indices or RGB triples
 
   DeflatedImage() = default;
   explicit DeflatedImage(const Image<glm::u8vec3>& image);

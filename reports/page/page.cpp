@@ -60,7 +60,8 @@ Json table_data(const Table& table, const std::string& caption, const std::vecto
   Json columns = Json::array();
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const auto& [name, unit, meaning] = table.columns[c];
-    columns.push_back({{"name", name}, {"unit", unit}, {"meaning", meaning}, {"numeric", is_set_right(table, c)}});
+    columns.push_back(
+        {{"name", name}, {"unit", unit == "1" ? "" : unit}, {"meaning", meaning}, {"numeric", is_set_right(table, c)}});
     if (std::find(below.begin(), below.end(), name) != below.end()) columns.back()["below"] = true;
   }
   Json rows = Json::array();
@@ -85,7 +86,7 @@ Json cell_data(const Json& column, std::size_t c, const Json& text) {
 std::string label_below(const Json& column) {
   const std::string name = column["name"];
   const std::string unit = column["unit"];
-  return unit.empty() || unit == "1" || name.ends_with(unit) ? name : fmt::format("{} [{}]", name, unit);
+  return unit.empty() || name.ends_with(unit) ? name : fmt::format("{} [{}]", name, unit);
 }
 
 // Readies a table for its template: columns and cells that stand below others become their parts.
@@ -179,6 +180,14 @@ struct Numbers {
   std::size_t tables = 0;
 };
 
+// `report` numbers the figures of several runs: "error_ao_1", "error_ao_2", …
+bool are_of_three_runs(const std::vector<std::string>& stems) {
+  for (std::size_t i = 0; i < stems.size(); ++i) {
+    if (!stems[i].ends_with(fmt::format("_{}", i % 3 + 1))) return false;
+  }
+  return stems.size() % 3 == 0;
+}
+
 Json figures_data(const fs::path& folder, const ReportSection& section, Numbers& numbers) {
   const auto text_at = [](const std::vector<std::string>& texts, std::size_t i) {
     return i < texts.size() ? texts[i] : std::string();
@@ -205,9 +214,13 @@ Json section_data(const fs::path& folder, const ReportSection& section, Numbers&
     if (table.columns.empty()) continue;
     tables.push_back(table_data(table, fmt::format("Table {}. {}", ++numbers.tables, title), below));
   }
-  return {{"anchor", fmt::format("section-{}", ++numbers.sections)}, {"title", section.title},
-          {"headlines", headlines_data(section.headlines)},          {"paragraphs", paragraphs_data(section.text)},
-          {"figures", figures_data(folder, section, numbers)},       {"tables", tables}};
+  return {{"anchor", fmt::format("section-{}", ++numbers.sections)},
+          {"title", section.title},
+          {"headlines", headlines_data(section.headlines)},
+          {"paragraphs", paragraphs_data(section.text)},
+          {"in_threes", are_of_three_runs(section.figures)},
+          {"figures", figures_data(folder, section, numbers)},
+          {"tables", tables}};
 }
 
 // All that the page shows but its pictures; numbers are texts with the digits that are shown.
@@ -231,12 +244,15 @@ Json page_data(const fs::path& folder, const Report& report) {
           {"settings", table_data(report.settings, "Every parameter of this run")}};
 }
 
-// Moves figures of what the viewer shows to a part that can be folded away.
+// Moves figures of what the viewer shows, in full, to a part that can be folded away.
 void fold_figures(Json& section, const std::set<std::string>& layers) {
   Json shown = Json::array();
   Json folded = Json::array();
   for (Json& figure : section["figures"]) {
     const bool is_layer = layers.contains(figure["stem"].get_ref<const std::string&>());
+    if (is_layer && figure.contains("drawing")) {
+      figure["drawing"] = with_reduced_images(figure["drawing"].get_ref<const std::string&>());
+    }
     (is_layer ? folded : shown).push_back(std::move(figure));
   }
   section["has_one_figure"] = shown.size() == 1;

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "reports/files/markup.h"
+#include "reports/files/png.h"
 
 namespace umbrameter {
 namespace {
@@ -18,6 +19,9 @@ using Json = nlohmann::ordered_json;
 
 // Beyond this a browser is quicker with the pixels than with the drawing.
 constexpr std::size_t largest_inline_svg = 12u << 20;
+
+constexpr std::string_view base64_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+constexpr int least_columns = 640;  // of a reduced image
 
 bool is_file_stem(std::string_view stem) {
   const auto fits = [](char c) {
@@ -33,7 +37,52 @@ std::string read_file(const fs::path& path) {
   return bytes.str();
 }
 
+std::string from_base64(std::string_view text) {
+  std::string bytes;
+  std::uint32_t group = 0;
+  int bits = 0;
+  for (const char c : text) {
+    const std::size_t digit = base64_digits.find(c);
+    if (digit == std::string_view::npos) break;  // the padding
+    group = group << 6u | static_cast<std::uint32_t>(digit);
+    bits += 6;
+    if (bits < 8) continue;
+    bits -= 8;
+    bytes += static_cast<char>(group >> static_cast<unsigned>(bits) & 0xffu);
+  }
+  return bytes;
+}
+
+Image<glm::u8vec3> reduced(const Image<glm::u16vec4>& image, int n) {
+  Image<glm::u8vec3> result(image.width / n, image.height / n);
+  for (int y = 0; y < result.height; ++y) {
+    for (int x = 0; x < result.width; ++x) {
+      glm::ivec3 sum(0);
+      for (int k = 0; k < n * n; ++k) sum += glm::ivec3(image.at(n * x + k % n, n * y + k / n)) / 257;
+      result.at(x, y) = glm::u8vec3((sum + n * n / 2) / (n * n));
+    }
+  }
+  return result;
+}
+
 }  // namespace
+
+std::string with_reduced_images(std::string_view drawing) {
+  static constexpr std::string_view start = "data:image/png;base64,";
+  std::string result;
+  for (;;) {
+    const std::size_t begin = drawing.find(start);
+    if (begin == std::string_view::npos) return result + std::string(drawing);
+    const std::size_t end = std::min(drawing.size(), drawing.find('"', begin));
+    const std::string png = from_base64(drawing.substr(begin + start.size(), end - begin - start.size()));
+    const PngHeader header = png_header(png);
+    const int n = std::min(header.width / least_columns, header.height);
+    result += drawing.substr(0, begin);
+    result += n > 1 ? data_uri("image/png", to_png(reduced(from_png(png), n)))
+                    : std::string(drawing.substr(begin, end - begin));
+    drawing.remove_prefix(end);
+  }
+}
 
 std::string inline_svg(std::string_view document, std::string_view id_prefix) {
   const std::size_t begin = document.find("<svg");

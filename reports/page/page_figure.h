@@ -20,4 +20,8 @@ nlohmann::ordered_json figure_files(const std::filesystem::path& folder, const s
 /// true when there is neither.
 void add_picture(nlohmann::ordered_json& figure, const std::filesystem::path& folder);
 
+/// The element with its embedded PNGs reduced to 640 to 1279 columns: each pixel is the mean of n × n. A page at full
+/// width gives a figure about as many.
+std::string with_reduced_images(std::string_view drawing);
+
 }  // namespace umbrameter

@@ -65,26 +65,29 @@ std::size_t place_of(ViewerPack& pack, const Json& item) {
   return pack.items.size() - 1;
 }
 
-bool is_difference(const ViewerData& data, const ViewerLayer& layer) {
-  const auto has = [&](ViewerRole role) {
-    return std::any_of(data.layers.begin(), data.layers.end(), [&](const ViewerLayer& each) {
-      return each.group == layer.group && each.role == role && each.kind == ViewerKind::share;
-    });
-  };
-  return data.rounded && layer.role == ViewerRole::error && has(ViewerRole::reference) && has(ViewerRole::technique);
+// The share of this role in the layer's group, if the layer is an error.
+const ViewerLayer* share_of(const ViewerData& data, const ViewerLayer& error, ViewerRole role) {
+  if (error.role != ViewerRole::error) return nullptr;
+  const auto found = std::find_if(data.layers.begin(), data.layers.end(), [&](const ViewerLayer& each) {
+    return each.group == error.group && each.role == role && each.kind == ViewerKind::share;
+  });
+  return found != data.layers.end() ? &*found : nullptr;
 }
 
-std::vector<Json> planes_json(const ViewerData& data, const ViewerLayer& layer, int stride) {
-  std::vector<Json> planes;
-  if (is_difference(data, layer)) return planes;
+std::vector<Json> layer_planes(const ViewerData& data, const ViewerLayer& layer, int stride) {
+  const ViewerLayer* const reference = share_of(data, layer, ViewerRole::reference);
+  const ViewerLayer* const technique = share_of(data, layer, ViewerRole::technique);
+  if (reference != nullptr && technique != nullptr) {
+    if (data.rounded) return {};
+    return {difference_json(layer.planes[0], technique->planes[0], reference->planes[0], stride)};
+  }
   // The reference is the same in most cells: in full it is stored once.
   const bool is_picture = layer.kind == ViewerKind::color && layer.role == ViewerRole::other;
   const bool is_rounded = (data.rounded || is_picture) && layer.role != ViewerRole::reference;
   const PlaneDigits digits = !is_rounded                       ? PlaneDigits::half
                              : layer.kind == ViewerKind::share ? PlaneDigits::byte
                                                                : PlaneDigits::few;
-  for (const Image<float>& plane : layer.planes) planes.push_back(plane_json(plane, stride, digits));
-  return planes;
+  return planes_json(layer.planes, stride, digits);
 }
 
 Json layer_json(const ViewerLayer& layer) {
@@ -121,7 +124,7 @@ Json bias_json(ViewerPack& pack, const ViewerBias& bias, int stride) {
         {six_digits(acne), six_digits(false_occlusion), six_digits(peter_panning), six_digits(leak)});
   }
   if (bias.missing.empty()) {
-    json["bin"] = place_of(pack, plane_json(bias.bin, stride));
+    json["bin"] = place_of(pack, plane_json(bias.bin, bias.cause, stride));
     json["cause"] = place_of(pack, plane_json(bias.cause, stride));
   }
   return json;
@@ -146,7 +149,7 @@ void add_set(ViewerPack& pack, const ViewerData& data) {
   Json json = {{"width", data.width},     {"height", data.height},   {"stride", stride},
                {"rounded", data.rounded}, {"layers", Json::array()}, {"biases", Json::array()}};
   std::vector<std::vector<Json>> planes(data.layers.size());
-  parallel_for(planes.size(), [&](std::size_t i) { planes[i] = planes_json(data, data.layers[i], stride); });
+  parallel_for(planes.size(), [&](std::size_t i) { planes[i] = layer_planes(data, data.layers[i], stride); });
   for (std::size_t i = 0; i < planes.size(); ++i) {
     Json& layer = json["layers"].emplace_back(layer_json(data.layers[i]));
     for (const Json& plane : planes[i]) layer["planes"].push_back(place_of(pack, plane));

@@ -64,6 +64,21 @@ TEST_F(BiasFormulaRun, Warns_of_optima_at_the_end_of_the_axis_and_of_extrapolati
   EXPECT_NE(text_of(out / "index.html").find("Formulas of the bias over several axes"), std::string::npos);
 }
 
+TEST_F(BiasFormulaRun, Two_resolutions_have_neither_a_fit_nor_a_formula_and_no_empty_tables) {
+  const std::filesystem::path out = folder_ / "out";
+  const ProgramResult result =
+      run_program({"sweep", "tilted-plane", "-o", out, "--size", "64x36", "--light", "sun-60", "--no-figures", "--vary",
+                   "shadow.constant-bias=0.05texels:4texels:20", "--vary", "shadow.filter-size=3,5", "--vary",
+                   "shadow.resolution=256,512", "--shadow.filter", "box"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("no formula of the bias over "), std::string::npos) << result.out;
+  const std::string page = text_of(out / "index.html");
+  EXPECT_NE(page.find("There is no formula of the bias over "), std::string::npos);
+  for (const char* title : {"Fits of bias against texel size", "Formulas of the bias over several axes"}) {
+    EXPECT_EQ(page.find(title), std::string::npos) << title;
+  }
+}
+
 TEST_F(BiasFormulaRun, The_resolution_alone_has_a_law_and_no_formula) {
   const ProgramResult result =
       run_program({"sweep", "tilted-plane", "-o", folder_ / "out", "--size", "64x36", "--light", "sun-60", "--quiet",

@@ -265,6 +265,7 @@ TEST_F(RunsReport, Writes_page_rows_figures_and_tables_and_names_only_the_parame
   const std::string page = text_of(output() + "/index.html");
   EXPECT_NE(page.find("shadow.constant-bias"), std::string::npos);
   EXPECT_EQ(page.find("shadow.filter"), std::string::npos) << "it is the same in both";
+  EXPECT_NE(page.find(">mean absolute error</th>"), std::string::npos) << "heads are words";
   EXPECT_NE(text_of(output() + "/comparison.csv").find("significant"), std::string::npos);
   for (const char* file : {"error_visibility_sun_1.pdf", "error_visibility_sun_2.svg", "class_sun_1.png"}) {
     EXPECT_TRUE(std::filesystem::exists(output() + "/figures/" + file)) << file;
@@ -278,6 +279,20 @@ TEST_F(RunsReport, Writes_page_rows_figures_and_tables_and_names_only_the_parame
   EXPECT_NE(differences.find("{*} \\\\"), std::string::npos) << differences;
   EXPECT_NE(differences.find("{*} significant"), std::string::npos) << differences;
   for (const std::string& text : {table, differences}) EXPECT_EQ(text.find("---"), std::string::npos) << text;
+}
+
+TEST_F(RunsReport, Of_equal_runs_there_is_no_table_of_differences_and_three_stand_in_a_row) {
+  MadeRun made;
+  made.error = noise(7, 0.5f);
+  const ProgramResult result =
+      run_program({"report", write("one", made), write("two", made), write("three", made), "-o", output(), "--latex"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(std::filesystem::exists(output() + "/figures/shadow_sun.tex"));
+  EXPECT_FALSE(std::filesystem::exists(output() + "/figures/shadow_sun_difference.tex"));
+  const std::string page = text_of(output() + "/index.html");
+  EXPECT_NE(page.find("class=\"figures threes\""), std::string::npos);
+  EXPECT_NE(page.find("All runs have the same errors."), std::string::npos);
+  EXPECT_EQ(page.find("Difference to one"), std::string::npos);
 }
 
 TEST_F(RunsReport, The_region_of_most_error_can_be_drawn_enlarged) {

@@ -66,6 +66,15 @@ TEST_F(Tune, Of_the_bias_alone_is_at_least_as_good_as_a_grid_of_a_thousand) {
   EXPECT_NEAR(again["mae"].get<double>(), tuned["best"]["cost"].get<double>(), 1e-12);
 }
 
+TEST_F(Tune, Says_in_words_what_was_minimised_and_how_much_better_the_best_point_is) {
+  const ProgramResult result =
+      run_program(arguments("words", {"--light", "sun", "--vary", "shadow.constant-bias=0:0.2"}));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find(" m: mean absolute error "), std::string::npos) << result.out;
+  const std::string default_line = result.out.substr(result.out.find("default: "));
+  EXPECT_NE(default_line.substr(0, default_line.find('\n')).find("; the best point "), std::string::npos) << result.out;
+}
+
 TEST_F(Tune, Over_several_lights_and_parameters_beats_the_default_and_repeats_to_the_bit) {
   const std::vector<std::string> flags = {"--vary",        "shadow.constant-bias=0:8texels",
                                           "--vary",        "shadow.slope-bias=0:4",

@@ -4,6 +4,7 @@ import {close_all, skip_unless_possible} from './runs.mjs';
 
 skip_unless_possible();
 after(close_all);
+await import('./planes_test.mjs');
 await import('./page_test.mjs');
 await import('./sweep_test.mjs');
 await import('./look_test.mjs');

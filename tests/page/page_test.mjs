@@ -282,7 +282,7 @@ test('tables are sorted, filtered and downloaded', async () => {
   const {page, problems, close} = await open_page(out);
   const region = page.getByRole('region', {name: /Error by object/});
   const errors = async () => (await region.locator('tbody tr:visible td:nth-child(3)').allInnerTexts()).map(Number);
-  const head = region.getByRole('button', {name: 'mae'});
+  const head = region.getByRole('button', {name: 'mean absolute error'});
   await head.click();
   const ascending = await errors();
   assert.deepEqual(ascending, [...ascending].sort((a, b) => a - b));
@@ -295,7 +295,7 @@ test('tables are sorted, filtered and downloaded', async () => {
   const download = page.waitForEvent('download');
   await region.getByRole('button', {name: 'CSV'}).click();
   const lines = readFileSync(await (await download).path(), 'utf8').split('\r\n');
-  assert.match(lines[0], /^object,pixels \[px\],mae \[%\],acne \[%\]/);
+  assert.match(lines[0], /^object,pixels \[px\],mean absolute error \[%\],acne \[%\]/);
   assert.equal(lines[1].split(',')[0], name);
   assert.deepEqual(problems, []);
   await close();

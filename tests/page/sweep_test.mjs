@@ -166,6 +166,9 @@ test('a page of 10,000 cells and 20 sets of images stays small, and all of it ca
   await page.keyboard.press('Enter');
   await expect_fragment(page, {cell: '9999'});
   const best = csv_of(out).slice(1).map((row) => Number(row[5])).reduce((least, each) => Math.min(least, each), 1);
+  for (const name of ['peter-panning', 'light leak']) {
+    assert.equal(await page.locator('.cells').getByRole('button', {name, exact: true}).count(), 1, name);
+  }
   const mae = page.locator('.cells').getByRole('button', {name: 'mae'});
   await mae.click();
   await page.keyboard.press('Tab');

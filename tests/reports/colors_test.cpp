@@ -126,14 +126,14 @@ TEST(Colors, Linear_colours_become_srgb_after_exposure) {
   EXPECT_EQ(tone_map(Image<vec3>(1, 1, vec3(-1.0f)), 1.0f)[0], Color(0));
 }
 
-// PNG specification, section 5.2 and 11.3: signature, then IHDR with width, height, 8 bits, colour type 2.
+// PNG specification, section 5.2 and 11.3: signature, then IHDR with width, height, 8 bits, and for one colour type 3.
 TEST(Png, It_is_an_srgb_file_of_the_images_size) {
   const TemporaryFolder folder;
   write_png(folder / "a.png", Image<Color>(300, 2, Color(1, 2, 3)));
   const std::string bytes = text_of(folder / "a.png");
   EXPECT_EQ(bytes.substr(0, 8), "\x89PNG\r\n\x1a\n");
   EXPECT_EQ(bytes.substr(12, 4), "IHDR");
-  EXPECT_EQ(bytes.substr(16, 10), std::string("\0\0\x01\x2c\0\0\0\x02\x08\x02", 10));
+  EXPECT_EQ(bytes.substr(16, 10), std::string("\0\0\x01\x2c\0\0\0\x02\x08\x03", 10));
   EXPECT_NE(bytes.find("sRGB"), std::string::npos);
   write_png(folder / "b.png", Image<Color>(300, 2, Color(1, 2, 3)));
   EXPECT_EQ(text_of(folder / "b.png"), bytes);

@@ -71,5 +71,17 @@ TEST(Latex, A_note_is_a_row_over_all_columns_below_the_table) {
       << text;
 }
 
+// Set by pdflatex, these cells are 306 pt wide at ten points; a column of 85 mm has 242 pt.
+TEST(Latex, A_table_that_is_wider_than_a_column_is_set_small) {
+  Table table{{{"Error [%]", "", ""}, {"nearest", "", ""}, {"box", "", ""}}, {}};
+  table.rows.push_back({std::string("Mean absolute error"), std::string("10.89 ± 0.70"), std::string("16.66 ± 0.81")});
+  EXPECT_EQ(to_latex(table).find("\\footnotesize"), std::string::npos);
+  table.columns.push_back({"gaussian", "", ""});
+  table.rows[0].push_back(std::string("16.66 ± 0.81"));
+  const std::string text = to_latex(table);
+  EXPECT_NE(text.find("{\\footnotesize\\setlength{\\tabcolsep}{2.5pt}%\n\\begin{tabular}"), std::string::npos) << text;
+  EXPECT_TRUE(text.ends_with("\\end{tabular}}\n")) << text;
+}
+
 }  // namespace
 }  // namespace umbrameter

@@ -1,7 +1,10 @@
 // What of a page is folded, and in which order its parts stand.
 #include <gtest/gtest.h>
 
+#include "reports/files/markup.h"
+#include "reports/files/png.h"
 #include "reports/page/page.h"
+#include "reports/page/page_figure.h"
 #include "reports/page/viewer_data.h"
 #include "tests/support/temporary_folder.h"
 
@@ -64,6 +67,21 @@ TEST(PageParts, Figures_of_what_the_viewer_shows_are_folded_and_others_are_not) 
   EXPECT_TRUE(contains(page.substr(fold), "data-stem=\"layer\""));
   EXPECT_TRUE(contains(page.substr(0, fold), "data-stem=\"absent\""));
   EXPECT_FALSE(contains(page_of(folder, report), "viewer-figures\" open"));
+}
+
+// 1281 columns become 640 means of 2 × 2: of 10, 20, 30 and 40 it is 25. The bar below is narrow enough.
+TEST(PageParts, Embedded_images_are_reduced_to_what_a_page_can_show) {
+  Image<glm::u8vec3> wide(1281, 2, glm::u8vec3(10));
+  Image<glm::u8vec3> narrow(1279, 2, glm::u8vec3(9));
+  for (int x = 1; x < wide.width; x += 2) wide.at(x, 0) = glm::u8vec3(20);
+  for (int x = 0; x < wide.width; ++x) wide.at(x, 1) = glm::u8vec3(x % 2 == 0 ? 30 : 40);
+  const auto element = [](const Image<glm::u8vec3>& image) {
+    return "<image width=\"9\" xlink:href=\"" + data_uri("image/png", to_png(image)) + "\"/>";
+  };
+  const std::string drawing = "<svg>" + element(wide) + element(narrow) + "</svg>";
+  const Image<glm::u8vec3> means(640, 1, glm::u8vec3(25));
+  EXPECT_EQ(with_reduced_images(drawing), "<svg>" + element(means) + element(narrow) + "</svg>");
+  EXPECT_EQ(with_reduced_images("<svg/>"), "<svg/>");
 }
 
 TEST(PageParts, Tables_stand_before_figures_where_the_section_wants_it) {

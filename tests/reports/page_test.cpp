@@ -256,7 +256,7 @@ TEST(Page, The_viewer_has_its_data_as_json_whatever_the_names_are) {
     EXPECT_EQ(layer["range"], (nlohmann::json{-0.5, 0.5}));
     const nlohmann::json& objects = data["items"][set["objects"].get<std::size_t>()];
     EXPECT_EQ(layer["name"], objects["names"][0]);
-    EXPECT_EQ(objects["plane"]["type"], "u16");
+    EXPECT_EQ(objects["plane"]["type"], "u8");
     const nlohmann::json& plane = data["items"][layer["planes"][0].get<std::size_t>()];
     EXPECT_EQ(plane["type"], "pal");
     EXPECT_EQ(plane["palette"], nlohmann::json{0x3400}) << "0.25 as a half float";

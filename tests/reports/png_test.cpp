@@ -38,6 +38,21 @@ TEST(Png, Pixels_come_back_as_they_went_in) {
   }
 }
 
+// PNG specification (third edition), 11.2.1: with at most 256 colours a pixel is one byte, an index.
+TEST(Png, Up_to_256_colours_are_a_palette) {
+  for (const int colors : {1, 256, 257}) {
+    Image<glm::u8vec3> image(64, 64);
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      const int color = static_cast<int>(i * 997) % colors;
+      image[i] = {color & 255, color >> 8, 7};
+    }
+    const DeflatedImage deflated(image);
+    EXPECT_EQ(deflated.palette.size(), colors > 256 ? 0u : 3u * static_cast<unsigned>(colors));
+    EXPECT_EQ(to_png(deflated)[25], colors > 256 ? 2 : 3) << "the colour type";
+    EXPECT_TRUE(from_png(to_png(deflated)) == codes(image)) << colors;
+  }
+}
+
 // Section 5.2 and 11.3.2.5 of the specification: the signature, and a chunk that says sRGB.
 TEST(Png, Is_marked_as_srgb) {
   const std::string png = to_png(Image<glm::u8vec3>(2, 2));

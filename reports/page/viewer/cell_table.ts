@@ -1,4 +1,5 @@
 // The table of all cells of a sweep. Only the rows in view are elements, so that ten thousand rows open at once.
+import {head_of} from './cause_bars';
 import {parse_filter} from './cell_filter';
 import {Cells, CellValue, Selection} from './cells';
 import {download, make} from './dom';
@@ -23,7 +24,7 @@ export class CellTable {
               private readonly has_images: (row: number) => boolean) {
     this.order = cells.rows.map((_, row) => row);
     this.heads = cells.columns.map(({name, meaning}, c) => make('th', {scope: 'col', title: meaning, role: 'columnheader'},
-      make('button', {type: 'button', class: 'sort', click: () => this.sort_by(c)}, name.replace(/_/g, ' '))));
+      make('button', {type: 'button', class: 'sort', click: () => this.sort_by(c)}, head_of(name))));
     const units = cells.columns.map((_, c) => make('td', {class: 'unit', role: 'gridcell'}, cells.unit(c)));
     const table = make('table', {role: 'grid', 'aria-label': 'All cells', 'aria-rowcount': cells.rows.length + 2},
       make('thead', {}, make('tr', {role: 'row'}, make('th', {scope: 'col', role: 'columnheader'}, 'cell'), ...this.heads),

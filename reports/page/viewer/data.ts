@@ -1,14 +1,10 @@
 // The run as the program writes it into the page (reports/page/viewer_json.cpp), unpacked to typed arrays.
+import {bytes_of, PackedPlane, unpack, unpack_error, ungroup} from './planes';
 
 export type Kind = 'share' | 'error' | 'number' | 'category' | 'color' | 'vector';
 export type Role = 'reference' | 'technique' | 'error' | 'cause' | 'other';
 export type Color = [number, number, number];
 
-interface PackedPlane {
-  type: 'u8' | 'u16' | 'f16' | 'pal' | 'share';
-  data: string;
-  palette?: number[]; // bits of half floats
-}
 interface LayerHead {
   name: string;
   title: string;
@@ -89,47 +85,6 @@ export interface Run {
   picture: Layer | null; // of the view; cells of a sweep have that of the first set
 }
 
-function bytes_of(base64: string): Uint8Array {
-  const text = atob(base64);
-  const bytes = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
-  return bytes;
-}
-
-async function inflate(bytes: Uint8Array): Promise<Uint8Array> {
-  const stream = new Blob([bytes as BlobPart]).stream().pipeThrough(new DecompressionStream('deflate'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
-// IEEE 754 binary16.
-export function from_half(bits: number): number {
-  const sign = bits & 0x8000 ? -1 : 1;
-  const exponent = (bits >> 10) & 31;
-  const fraction = bits & 1023;
-  if (exponent === 31) return fraction ? NaN : sign * Infinity;
-  return sign * (exponent ? (1 + fraction / 1024) * 2 ** (exponent - 15) : fraction * 2 ** -24);
-}
-
-let half_table: Float32Array | undefined;
-
-async function unpack(plane: PackedPlane): Promise<Float32Array> {
-  const bytes = await inflate(bytes_of(plane.data));
-  if (plane.type === 'u8') return Float32Array.from(bytes);
-  if (plane.type === 'share') return Float32Array.from(bytes, (byte) => byte / 255);
-  half_table ??= Float32Array.from({length: 65536}, (_, bits) => from_half(bits));
-  if (plane.type === 'pal') {
-    const values = Float32Array.from(plane.palette!, (bits) => half_table![bits]);
-    return Float32Array.from(bytes, (byte) => values[byte]);
-  }
-  const count = bytes.length / 2;
-  const values = new Float32Array(count);
-  for (let i = 0; i < count; ++i) {
-    const word = bytes[i] | (bytes[count + i] << 8); // all low bytes come first
-    values[i] = plane.type === 'u16' ? word : half_table[word];
-  }
-  return values;
-}
-
 export function nearest_index(axis: number[], wanted: number): number {
   let best = 0;
   axis.forEach((value, i) => {
@@ -148,7 +103,7 @@ export class Pack {
   readonly titles: string[]; // of sets that are no cells; empty for others
   private readonly packed: PackedPage;
   private readonly maps: Run['maps'];
-  private readonly planes = new Map<number, Promise<Float32Array>>();
+  private readonly planes = new Map<number, Promise<Float32Array[]>>();
   private readonly parts = new Map<number, Promise<Parts>>();
   private readonly runs = new Map<number, Promise<Run>>();
 
@@ -165,14 +120,17 @@ export class Pack {
     return once(this.runs, index, () => this.read_set(index));
   }
 
-  private plane(item: number): Promise<Float32Array> {
-    return once(this.planes, item, () => unpack(this.packed.items[item] as PackedPlane));
+  private packed_plane(item: number): PackedPlane {
+    return this.packed.items[item] as PackedPlane;
+  }
+  private plane(item: number): Promise<Float32Array[]> {
+    return once(this.planes, item, () => unpack(this.packed_plane(item)));
   }
   private async named(item: number | null): Promise<Parts | null> {
     if (item === null) return null;
     return once(this.parts, item, async () => {
       const {names, plane} = this.packed.items[item] as PackedParts;
-      return {names, index: await unpack(plane)};
+      return {names, index: (await unpack(plane))[0]};
     });
   }
 
@@ -187,19 +145,28 @@ export class Pack {
     const set = this.packed.sets[index];
     const biases = await Promise.all(set.biases.map(async ({bin, cause, ...head}) => {
       const bias: Bias = {...head, index: used_index(head), range: null};
-      if (bin !== undefined && cause !== undefined) [bias.bin, bias.cause] = await Promise.all([this.plane(bin), this.plane(cause)]);
+      if (bin !== undefined && cause !== undefined) {
+        const [[numbers], [category]] = await Promise.all([this.plane(bin), this.plane(cause)]);
+        [bias.bin, bias.cause] = [ungroup(numbers, category), category];
+      }
       return bias;
     }));
+    const is_predicted = (planes: number[]) => planes.length === 1 && this.packed_plane(planes[0]).predictor === 'difference';
     const layers = await Promise.all(set.layers.map(async ({planes, ...head}): Promise<Layer> => {
-      const values = await Promise.all(planes.map((item) => this.plane(item)));
+      if (is_predicted(planes)) return {...head, planes: [], version: 0};
+      const values = (await Promise.all(planes.map((item) => this.plane(item)))).flat();
       // Several sets may have the same plane, and the bias slider redraws these.
       const is_redrawn = head.role !== 'other' && biases.some((bias) => bias.bin && bias.group === head.group);
       return {...head, planes: is_redrawn ? values.map((plane) => plane.slice()) : values, version: 0};
     }));
-    for (const layer of layers.filter((each) => each.planes.length === 0)) {
+    // The errors.
+    for (const [k, layer] of layers.entries()) {
+      if (layer.planes.length > 0) continue;
       const plane_of = (role: Role) => layers.find((each) => each.group === layer.group && each.role === role)!.planes[0];
-      const reference = plane_of('reference');
-      layer.planes = [plane_of('technique').map((value, i) => value - reference[i])];
+      const [technique, reference] = [plane_of('technique'), plane_of('reference')];
+      const {planes} = set.layers[k];
+      layer.planes = [is_predicted(planes) ? await unpack_error(this.packed_plane(planes[0]), technique, reference)
+                                           : technique.map((value, i) => value - reference[i])];
     }
     return {
       rounded: set.rounded,
