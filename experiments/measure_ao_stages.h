@@ -8,6 +8,7 @@
 #include "compare/ao_stages.h"
 #include "experiments/console.h"
 #include "experiments/stages.h"
+#include "raytrace/ao_integral.h"
 
 namespace umbrameter {
 
@@ -19,6 +20,16 @@ struct AoStages {
   int many_draws = 0;         ///< draws with many samples, each with another seed, whose mean is the approximation
   TraceStatistics integrals;  ///< cost of the rays of the method's integral
 };
+
+/// What the technique draws.
+struct AoDraws {
+  Image<float> with_many_samples;
+  Image<float> without_blur;
+  Image<float> result;
+};
+
+/// `truth` and `traced` are independent.
+AoStageImages ao_stage_images(const TracedAo& truth, TracedIntegral traced, AoDraws drawn);
 
 /// The stages from the requested reference, `truth`, to the result of the technique, `drawn`. Traces truth.spp rays per
 /// pixel. Throws Error (usage) if the technique has no integral.
