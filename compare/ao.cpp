@@ -13,8 +13,8 @@ Statistics describe(AoStatistics& statistics) {
   SampledError& s = statistics.error;
   return StatisticsDescription()
       .field("pixels", s.pixels, "px", "pixels that see a surface")
-      .field("mae", s.mae, "1", "mean absolute error of accessibility",
-             {"Mean absolute error of accessibility", "mean absolute error [%], 95 % interval"})
+      .field("mae", s.mae, "1", with_bounds("mean absolute error of accessibility"),
+             {"Mean absolute error of accessibility", "mean absolute error [%], bounds"})
       .field("rmse", s.rmse, "1", "root mean square error, corrected for the variance of the reference",
              {"RMS error of accessibility", "RMS error [%], 95 % interval"})
       .field("mean_error", s.mean_error, "1", "mean of technique − reference",

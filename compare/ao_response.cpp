@@ -103,7 +103,7 @@ void add_up(const Pixel& pixel, std::span<const float> accessibilities, double* 
     out[value * tones + t] = accessible - open[value];
     out[absolute * tones + t] = std::abs(error) - open[absolute];
     out[squared * tones + t] = error * error - open[squared];
-    out[squared_noise * tones + t] = std::max(error * error - variance, 0.0) * variance - open[squared_noise];
+    out[squared_noise * tones + t] = error * error * variance - open[squared_noise];
   }
   if (variance <= 0.0) {
     std::fill_n(out + excess * tones, tones, 0.0);
@@ -212,7 +212,7 @@ void AoResponse::add_row(Part& part, const AoResponseRow& row) const {
     open.absolute += pixel.open[absolute];
     open.absolute_bias += pixel.open[excess];
     open.squared += pixel.open[squared];
-    open.squared_variance += 4.0 * pixel.open[squared_noise] + 2.0 * pixel.variance * pixel.variance;
+    open.squared_noise += pixel.open[squared_noise];
     open.variance += pixel.variance;
     open.variance_squared += pixel.variance * pixel.variance;
     open.scatter += pixel.deviation;
@@ -264,7 +264,7 @@ std::vector<AoStatistics> AoResponse::statistics() const {
     open.absolute += part.open.absolute;
     open.absolute_bias += part.open.absolute_bias;
     open.squared += part.open.squared;
-    open.squared_variance += part.open.squared_variance;
+    open.squared_noise += part.open.squared_noise;
     open.variance += part.open.variance;
     open.variance_squared += part.open.variance_squared;
     open.scatter += part.open.scatter;
@@ -281,7 +281,7 @@ std::vector<AoStatistics> AoResponse::statistics() const {
           sums.raster += change[value * tones];
           sums.absolute += change[absolute * tones];
           sums.squared += change[squared * tones];
-          sums.squared_variance += 4.0 * change[squared_noise * tones];
+          sums.squared_noise += change[squared_noise * tones];
           sums.absolute_bias += change[excess * tones];
         }
         sums.error = sums.raster - sums.truth;

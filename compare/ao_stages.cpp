@@ -119,11 +119,13 @@ Statistics describe(AoStageStatistics& statistics) {
   SampledError& total = statistics.total;
   StatisticsDescription description;
   description.field("pixels", total.pixels, "px", "pixels that see a surface")
-      .field("mae", total.mae, "1", "mean absolute error of accessibility")
+      .field("mae", total.mae, "1", with_bounds("mean absolute error of accessibility"))
       .field("rmse", total.rmse, "1", "root mean square error, corrected for the variance of the reference")
       .field("mean_error", total.mean_error, "1", "mean of technique − reference; the sum of the stages' means")
-      .field("too_dark", total.too_dark, "1", "part of the mean absolute error in pixels that are too dark")
-      .field("too_bright", total.too_bright, "1", "part of the mean absolute error in pixels that are too bright")
+      .field("too_dark", total.too_dark, "1",
+             with_bounds("part of the mean absolute error in pixels that are too dark"))
+      .field("too_bright", total.too_bright, "1",
+             with_bounds("part of the mean absolute error in pixels that are too bright"))
       .field("srgb_mean_error", statistics.srgb_mean_error, "1", "mean error of sRGB-encoded accessibility")
       .field("srgb_mse", statistics.srgb_mse, "1",
              "mean square error of sRGB-encoded accessibility, corrected for the variance of the reference")

@@ -25,7 +25,7 @@ struct ErrorSums {
   double absolute = 0.0;
   double absolute_bias = 0.0;  // what noise of the truth may have added to the absolute error
   double squared = 0.0;
-  double squared_variance = 0.0;
+  double squared_noise = 0.0;  // of each pixel's squared error times its variance
   double variance = 0.0;
   double variance_squared = 0.0;
   double min_samples = std::numeric_limits<double>::infinity();

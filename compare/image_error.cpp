@@ -87,10 +87,11 @@ Image<std::uint8_t> classify_image(const ImageErrorInput& input, float threshold
 }
 
 Statistics describe(ImageStatistics& s) {
-  const CurveDescription mae{"Mean absolute error of the image", "mean absolute error [% of white], 95 % interval"};
+  const CurveDescription mae{"Mean absolute error of the image", "mean absolute error [% of white], bounds"};
   return StatisticsDescription()
       .field("pixels", s.error.pixels, "px", "pixels that see a surface")
-      .field("mae", s.error.mae, "1", "mean absolute error of linear luminance × exposure; 1 is white", mae)
+      .field("mae", s.error.mae, "1", with_bounds("mean absolute error of linear luminance × exposure; 1 is white"),
+             mae)
       .field("rmse", s.error.rmse, "1", "root mean square error, corrected for the variance of the reference",
              {"RMS error of the image", "RMS error [% of white], 95 % interval"})
       .field("mean_error", s.error.mean_error, "1", "mean of technique − reference")

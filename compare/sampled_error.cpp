@@ -74,8 +74,7 @@ ErrorSums sum_row(int y, const Image<float>& raster, const SampledImage& truth, 
     sums.absolute += std::abs(error);
     sums.absolute_bias += folded_excess(std::max(std::abs(error) - reach * s, 0.0), s);
     sums.squared += error * error;
-    // Var((e + sZ)²) = 4e²s² + 2s⁴, with e² estimated without bias by the measured square less s².
-    sums.squared_variance += 4.0 * std::max(error * error - variance, 0.0) * variance + 2.0 * variance * variance;
+    sums.squared_noise += error * error * variance;
     sums.variance += variance;
     sums.scatter += s;
     const NoiseBound noise = noise_bound(error, s, truth.degrees_of_freedom);
@@ -96,6 +95,16 @@ ErrorSums sum_row(int y, const Image<float>& raster, const SampledImage& truth, 
 double quantile_of(double variance, double squares, int degrees_of_freedom) {
   if (squares <= 0.0) return student_95(degrees_of_freedom);
   return student_95(degrees_of_freedom * variance * variance / squares);
+}
+
+// Of the sum of ê² − v̂, which estimates the squared errors e²: ê = e + √v·Z is measured, and v̂ estimates v with d
+// degrees of freedom, independently. A pixel has the variance 4e²v + 2v² + 2v²/d. As ê²v̂ is (e² + v)v on average, and
+// v̂² is (1 + 2/d)v², the sum of 4ê²v̂ − 2(1 − 1/d)/(1 + 2/d)·v̂² is that without bias; 2(1 + 1/d)/(1 + 2/d)·v̂² is its
+// least, where the technique is right. Single pixels may be below theirs: cut off, they would add up to too much.
+double variance_of_squares(const ErrorSums& total, int degrees_of_freedom) {
+  const double inverse = degrees_of_freedom > 0 ? 1.0 / degrees_of_freedom : 0.0;
+  const double scale = 2.0 * total.variance_squared / (1.0 + 2.0 * inverse);
+  return std::max(4.0 * total.squared_noise - (1.0 - inverse) * scale, (1.0 + inverse) * scale);
 }
 
 Estimate estimate_part(double value, const PartSums& part, int degrees_of_freedom, double unseen) {
@@ -144,7 +153,7 @@ SampledError statistics_of(const ErrorSums& total, int degrees_of_freedom) {
   statistics.too_bright = part(0.5 * (total.absolute + total.error), total.too_bright);
   statistics.mean_standard_error = total.scatter * scale;
   const double mean_square = (total.squared - total.variance) * scale;
-  const double square_half_width = quantile * std::sqrt(total.squared_variance) * scale;
+  const double square_half_width = quantile * std::sqrt(variance_of_squares(total, degrees_of_freedom)) * scale;
   const auto root = [](double square) { return std::sqrt(std::max(square, 0.0)); };
   statistics.rmse = {root(mean_square), root(mean_square - square_half_width), root(mean_square + square_half_width)};
   return statistics;
@@ -167,7 +176,7 @@ SampledError analyze_sampled(const Image<float>& raster, const SampledImage& tru
     total.absolute += row.absolute;
     total.absolute_bias += row.absolute_bias;
     total.squared += row.squared;
-    total.squared_variance += row.squared_variance;
+    total.squared_noise += row.squared_noise;
     total.variance += row.variance;
     total.scatter += row.scatter;
     total.variance_squared += row.variance_squared;

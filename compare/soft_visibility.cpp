@@ -126,29 +126,27 @@ SoftVisibilityStatistics analyze_soft_visibility(const Image<float>& raster, con
   return statistics;
 }
 Statistics describe(SoftVisibilityStatistics& s) {
-  const std::string conservative =
-      "; the lower end is conservative: it is corrected for about twice the noise of the reference";
   return StatisticsDescription()
       .field("pixels", s.error.pixels, "px",
              "counted pixels: they face part of the light and lie inside its map, cone and range")
       .field("lit", s.error.mean_truth, "1", "mean visibility of the reference")
       .field("penumbra", s.penumbra, "1", "share in the penumbra: mean of 4V(1 − V), V the visibility of the reference")
-      .field("mae", s.error.mae, "1", "mean absolute error of visibility",
-             {"Mean absolute error of visibility", "mean absolute error [%], 95 % interval"})
+      .field("mae", s.error.mae, "1", with_bounds("mean absolute error of visibility"),
+             {"Mean absolute error of visibility", "mean absolute error [%], bounds"})
       .field("rmse", s.error.rmse, "1", "root mean square error, corrected for the variance of the reference")
       .field("mean_error", s.error.mean_error, "1", "mean of technique − reference")
       .field("false_blocked", s.error.too_dark, "1",
-             "part of the mean absolute error where the technique is too dark" + conservative,
-             {"Too dark", "too dark [% of counted pixels], 95 % interval"})
+             with_bounds("part of the mean absolute error where the technique is too dark"),
+             {"Too dark", "too dark [% of counted pixels], bounds"})
       .field("false_lit", s.error.too_bright, "1",
-             "part of the mean absolute error where the technique is too bright" + conservative,
-             {"Too bright", "too bright [% of counted pixels], 95 % interval"})
+             with_bounds("part of the mean absolute error where the technique is too bright"),
+             {"Too bright", "too bright [% of counted pixels], bounds"})
       .share("mean_raster", s.error.mean_raster, "mean visibility of the technique")
       .field("max_error", s.error.max_error, "1", "largest absolute error, including the noise of the reference")
       .field("mean_texel", s.mean_texel, "m", mean_texel_meaning)
       .field("penumbra_mae", s.penumbra_mae, "1",
-             "mean absolute error of visibility in the penumbra, each pixel weighted by 4V(1 − V)",
-             {"Error in the penumbra", "mean absolute error in the penumbra [%], 95 % interval"})
+             with_bounds("mean absolute error of visibility in the penumbra, each pixel weighted by 4V(1 − V)"),
+             {"Error in the penumbra", "mean absolute error in the penumbra [%], bounds"})
       .take();
 }
 

@@ -17,7 +17,7 @@
 
 namespace umbrameter {
 
-/// A statistic and its 95 % interval from the reference's sampling.
+/// A statistic and its 95 % interval from the reference's sampling, or bounds that hold in at least 95 %.
 struct Estimate {
   double value = 0.0;
   double lower = 0.0;

@@ -15,15 +15,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// With as many decimals as show two digits of the half width.
+// With as many decimals as show two digits of the head room.
 std::string number_text(double value, const MeasuredStatistic& measured) {
   if (!std::isfinite(value)) return "—";
   const bool is_share = measured.unit == "1";
   const double scale = is_share ? 100.0 : 1.0;
   const std::string unit = is_share ? "%" : measured.unit;
-  const double half_width = scale * measured.head_room();
-  const double size = half_width > 0.0 ? half_width : 0.01 * std::abs(scale * value);
-  const int decimals = decimals_of(size, 2);
+  const int decimals = decimals_of(scale * measured.head_room(), 2);
   return fmt::format("{:.{}f}{}{}", scale * value, decimals, unit.empty() ? "" : " ", unit);
 }
 
@@ -66,22 +64,12 @@ std::string intervals_text(const GateCheck& check) {
   return is_judged(check) && std::isfinite(check.intervals) ? fmt::format("{:+.1f}", check.intervals) : "—";
 }
 
-// What the half width covers that the excess is measured in.
-std::string interval_of(const MeasuredStatistic& measured) {
-  return measured.half_width > 0.0 ? "rays" : measured.choice_half_width > 0.0 ? "pixels" : "";
-}
-
-std::string allowed_text(const GateCheck& check) {
-  const std::string of = check.measured ? interval_of(*check.measured) : "";
-  return of.empty() ? "—" : of;
-}
-
 std::vector<std::vector<std::string>> rows_of(const std::vector<GateCheck>& checks, bool all) {
   std::vector<std::vector<std::string>> rows;
   for (const GateCheck& check : checks) {
     if (check.is_kept && !all) continue;
     rows.push_back({check.is_kept ? "kept" : "FAILED", where_text(check), statistic_text(check), measured_text(check),
-                    bound_text(check), excess_text(check), intervals_text(check), allowed_text(check)});
+                    bound_text(check), excess_text(check), intervals_text(check)});
   }
   return rows;
 }
@@ -100,7 +88,7 @@ std::string markdown_cell(std::string text) {
   return escape_markup(text);
 }
 
-const std::vector<std::string> header = {"", "where", "statistic", "value", "bound", "excess", "in intervals", "of"};
+const std::vector<std::string> header = {"", "where", "statistic", "value", "bound", "excess", "in intervals"};
 
 }  // namespace
 
@@ -145,9 +133,8 @@ std::string gate_markdown(const std::vector<GateCheck>& checks) {
   const std::size_t failed = count_failed(checks);
   std::string text = fmt::format("### {} Umbrameter: {}\n\n", failed == 0 ? "✅" : "❌", gate_answer(checks));
   text +=
-      "| | where | statistic | value | bound | excess | in intervals | of |\n| --- | --- | --- | ---: | ---: | ---: | "
-      "---: "
-      "| --- |\n";
+      "| | where | statistic | value | bound | excess | in intervals |\n"
+      "| --- | --- | --- | ---: | ---: | ---: | ---: |\n";
   std::vector<GateCheck> sorted = checks;
   std::stable_partition(sorted.begin(), sorted.end(), [](const GateCheck& check) { return !check.is_kept; });
   for (std::vector<std::string>& row : rows_of(sorted, true)) {
@@ -170,8 +157,7 @@ Json to_json(const std::vector<GateCheck>& checks) {
                      {"light", measured.light},
                      {"unit", measured.unit},
                      {"value", measured.value},
-                     {"half_width_95", measured.head_room()},
-                     {"interval_of", interval_of(measured)},
+                     {"half_width_95", measured.half_width},
                      {"excess", check.excess},
                      {"excess_in_intervals", check.intervals}});
     }

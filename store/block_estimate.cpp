@@ -12,7 +12,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr int max_blocks_of_a_side = 16;
+constexpr int max_blocks_of_a_side = 8;
 constexpr int min_block_side = 8;           // [px]
 constexpr std::size_t fewest_blocks = 20;   // with fewer, their variance is too uncertain
 constexpr double most_moved_pixels = 0.01;  // share of pixels that may see another surface and still be the same view

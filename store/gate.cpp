@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "core/quantiles.h"
 #include "results/known_statistics.h"
 #include "store/run_record.h"
 #include "store/summary_version.h"
@@ -18,12 +17,6 @@ namespace umbrameter {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Half width of Wilson's score interval of a share of N (Wilson 1927, "Probable inference").
-double wilson_half_width(double share, double pixels) {
-  const double z = normal_975;
-  return z / (1.0 + z * z / pixels) * std::sqrt(share * (1.0 - share) / pixels + z * z / (4.0 * pixels * pixels));
-}
 
 double number_of(const Json& value) {
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
@@ -56,9 +49,10 @@ void read_part(const Json& part, const MeasuredStatistic& of_part, std::vector<M
       if (known != nullptr) measured.unit = known->unit;
       measured.value = number_of(value);
       if (values.contains(name + "_lo") && values.contains(name + "_hi")) {
-        measured.half_width = 0.5 * (number_of(values[name + "_hi"]) - number_of(values[name + "_lo"]));
+        // Below the value, bounds also hold what its noise may have added.
+        measured.half_width = number_of(values[name + "_hi"]) - measured.value;
       } else if (known != nullptr && known->is_share && pixels > 0.0) {
-        measured.choice_half_width = wilson_half_width(measured.value, pixels);
+        measured.pixel_share = 1.0 / pixels;
       }
     }
   }
@@ -102,7 +96,7 @@ GateCheck check(const BudgetEntry& entry, const MeasuredStatistic& measured) {
   result.is_kept = holds(value, entry.bound.relation, result.bound);  // false for NaN
   result.excess = is_upper(entry.bound.relation) ? value - result.bound : result.bound - value;
   result.intervals =
-      measured.head_room() > 0.0 ? result.excess / measured.head_room() : std::numeric_limits<double>::quiet_NaN();
+      measured.half_width > 0.0 ? result.excess / measured.half_width : std::numeric_limits<double>::quiet_NaN();
   return result;
 }
 
@@ -121,7 +115,7 @@ void set_bound(BudgetEntry& entry, const std::vector<const MeasuredStatistic*>& 
         return up ? value_for(entry, *a) < value_for(entry, *b) : value_for(entry, *a) > value_for(entry, *b);
       });
   const double value = value_for(entry, worst);
-  const double room = worst.head_room() > 0.0 ? worst.head_room() : 0.01 * std::abs(value);
+  const double room = worst.head_room();
   const double scale = worst.unit == "1" ? 100.0 : 1.0;
   const double bound = rounded_out(scale * (up ? value + room : value - room), scale * room, up);
   entry.bound.relation = up ? Relation::at_most : Relation::at_least;

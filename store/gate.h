@@ -2,6 +2,8 @@
 // summary.json, so that it needs neither OpenGL nor Embree.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -19,14 +21,13 @@ struct MeasuredStatistic {
   std::string light;  ///< name; empty unless of a shadow
   int light_index = -1;
   std::string name;
-  std::string unit;         ///< empty if it is not a known statistic
-  double value = 0.0;       ///< NaN if nothing was measured
-  double half_width = 0.0;  ///< of the 95 % interval of the reference's sampling; 0 where nothing was sampled
-  /// Of a share without that: of the choice of N pixels as if they were independent (Wilson 1927); else 0. Neighbouring
-  /// pixels are alike, so it is a scale for head room and no test.
-  double choice_half_width = 0.0;
-  /// The half width that a bound allows: the one of these that is known; 0 if neither is.
-  double head_room() const { return half_width > 0.0 ? half_width : choice_half_width; }
+  std::string unit;          ///< empty if it is not a known statistic
+  double value = 0.0;        ///< NaN if nothing was measured
+  double half_width = 0.0;   ///< how far other rays may move the value, 95 % of them; 0 where nothing was sampled
+  double pixel_share = 0.0;  ///< what a whole pixel adds to a share whose reference is exact; else 0
+  /// What a bound allows beyond a value: the noise of other rays, else 1 % and at least a pixel. Without rays a value
+  /// repeats to the bit, so that head room is a choice and no interval.
+  double head_room() const { return half_width > 0.0 ? half_width : std::max(0.01 * std::abs(value), pixel_share); }
 };
 
 /// The statistics in a summary. `file` is for messages. Throws Error (unreadable_input) if it is no summary of a run.
@@ -52,9 +53,8 @@ std::vector<GateCheck> check_budget(const std::vector<BudgetEntry>& budget,
 /// The conditions under which a run fails, as budgets: acne>0.1% becomes acne <= 0.1%.
 std::vector<BudgetEntry> budgets_of(const std::vector<std::string>& fail_if);
 
-/// Sets the bounds to the measured values with head room of one half width (1 % of the value without an interval),
-/// rounded away from it. A budget over several statistics takes the worst. Without any budget, makes one for each error
-/// of the runs.
+/// Sets the bounds to the measured values with their head room, rounded away from it. A budget over several statistics
+/// takes the worst. Without any budget, makes one for each error of the runs.
 std::vector<BudgetEntry> update_budget(std::vector<BudgetEntry> budget, const std::vector<MeasuredStatistic>& measured);
 
 }  // namespace umbrameter

@@ -57,7 +57,7 @@ std::vector<std::string> limits_of_comparison(const std::vector<StoredRun>& runs
 Table differing_parameters(const std::vector<StoredRun>& runs);
 
 /// A statistic, or the difference of two runs, with its 95 % interval over the choice of pixels and the noise of the
-/// reference's rays: up to 16 × 16 blocks are left out in turn (jackknife_variance()).
+/// reference's rays: up to 8 × 8 blocks are left out in turn (jackknife_variance()).
 struct BlockEstimate {
   Estimate estimate;
   std::size_t blocks = 0;

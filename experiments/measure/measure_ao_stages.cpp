@@ -2,7 +2,6 @@
 
 #include "core/error.h"
 #include "core/random.h"
-#include "raytrace/ao_integral.h"
 #include "raytrace/visible_surface.h"
 
 namespace umbrameter {
@@ -29,6 +28,27 @@ Image<float> sum(Image<float> a, const Image<float>& b) {
 }
 
 }  // namespace
+
+AoStageImages ao_stage_images(const TracedAo& truth, TracedIntegral traced, AoDraws drawn) {
+  AoStageImages images;
+  images.reference_variance = truth.variance;
+  images.reference_samples = truth.samples;
+  images.degrees_of_freedom = std::min(truth.degrees_of_freedom, traced.degrees_of_freedom);
+  const auto at = [](AoStage stage) { return static_cast<std::size_t>(stage); };
+  images.accessibility[0] = truth.ao;
+  for (std::size_t k = 0; k < occluder_kinds; ++k) {
+    images.accessibility[k + 1] = std::move(traced.accessibility[k]);
+    images.variance[k] = std::move(traced.step_variance[k]);
+    images.samples[k] = traced.samples;
+  }
+  images.variance[at(AoStage::model)] = sum(std::move(images.variance[at(AoStage::model)]), truth.variance);
+  images.accessibility[at(AoStage::approximation) + 1] = std::move(drawn.with_many_samples);
+  images.variance[at(AoStage::approximation)] = std::move(traced.variance[static_cast<std::size_t>(Occluders::solid)]);
+  images.samples[at(AoStage::approximation)] = std::move(traced.samples);
+  images.accessibility[at(AoStage::sampling) + 1] = std::move(drawn.without_blur);
+  images.accessibility[at(AoStage::blur) + 1] = std::move(drawn.result);
+  return images;
+}
 
 AoStages measure_ao_stages(Stages& stages, const Experiment& experiment, const TracedAo& truth,
                            const Image<float>& drawn, const Console& console) {
@@ -57,25 +77,11 @@ AoStages measure_ao_stages(Stages& stages, const Experiment& experiment, const T
   result.integral = integral->formula;
   result.many_draws = many_draws;
   result.integrals = traced.statistics;
-  AoStageImages& images = result.images;
-  images.reference_variance = truth.variance;
-  images.reference_samples = truth.samples;
-  images.degrees_of_freedom = std::min(truth.degrees_of_freedom, traced.degrees_of_freedom);
   Experiment unblurred = experiment;
   unblurred.ao.blur.kind = AoBlur::none;
-  const auto at = [](AoStage stage) { return static_cast<std::size_t>(stage); };
-  images.accessibility[0] = truth.ao;
-  for (std::size_t k = 0; k < occluder_kinds; ++k) {
-    images.accessibility[k + 1] = std::move(traced.accessibility[k]);
-    images.variance[k] = std::move(traced.step_variance[k]);
-    images.samples[k] = traced.samples;
-  }
-  images.variance[at(AoStage::model)] = sum(std::move(images.variance[at(AoStage::model)]), truth.variance);
-  images.accessibility[at(AoStage::approximation) + 1] = draw_many(stages, experiment);
-  images.variance[at(AoStage::approximation)] = std::move(traced.variance[static_cast<std::size_t>(Occluders::solid)]);
-  images.samples[at(AoStage::approximation)] = std::move(traced.samples);
-  images.accessibility[at(AoStage::sampling) + 1] = stages.draw_ao(unblurred);
-  images.accessibility[at(AoStage::blur) + 1] = drawn;
+  result.images =
+      ao_stage_images(truth, std::move(traced), {draw_many(stages, experiment), stages.draw_ao(unblurred), drawn});
+  const AoStageImages& images = result.images;
   const GBuffer& gbuffer = surfels.gbuffer;
   result.statistics = analyze_ao_stages(images, [&](std::size_t i) { return gbuffer.is_surface(i); });
   const VisibleSurface surface(gbuffer, surfels.view);

@@ -7,9 +7,20 @@
 
 #include "compare/ao_stages.h"
 #include "experiments/stages/stages.h"
+#include "raytrace/ao_integral.h"
 #include "reports/files/console.h"
 
 namespace umbrameter {
+
+/// What the technique draws.
+struct AoDraws {
+  Image<float> with_many_samples;
+  Image<float> without_blur;
+  Image<float> result;
+};
+
+/// `truth` and `traced` are independent.
+AoStageImages ao_stage_images(const TracedAo& truth, TracedIntegral traced, AoDraws drawn);
 
 /// The stages from the requested reference, `truth`, to the result of the technique, `drawn`. Traces truth.spp rays per
 /// pixel. Throws Error (usage) if the technique has no integral.

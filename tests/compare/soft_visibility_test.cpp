@@ -150,6 +150,22 @@ TEST(SoftVisibility, The_lower_end_of_a_part_allows_for_what_noise_adds_and_for_
   }
 }
 
+TEST(SoftVisibility, The_interval_of_the_rms_error_holds_it_95_times_in_100_for_errors_below_the_noise_and_above) {
+  for (const double reach : {0.5, 3.0}) {
+    constexpr std::uint32_t pixels = noisy_side * noisy_side;
+    const auto true_error = [&](std::uint32_t i) { return reach * noise * (2.0 * (i + 0.5) / pixels - 1.0); };
+    double squares = 0.0;
+    for (std::uint32_t i = 0; i < pixels; ++i) squares += true_error(i) * true_error(i) / pixels;
+    constexpr int seeds = 300;
+    int held = 0;
+    for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+      held += holds(measure_noisy(seed, true_error).error.rmse, std::sqrt(squares)) ? 1 : 0;
+    }
+    EXPECT_GE(held, 0.92 * seeds) << reach;
+    EXPECT_LE(held, 0.98 * seeds) << reach;
+  }
+}
+
 // A penumbra that fades from lit to blocked over the width of the image, seen by N random rays in groups of equal size,
 // and one tap that is right to within them.
 struct Ramp {

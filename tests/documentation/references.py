@@ -26,7 +26,7 @@ def statistics_definition(group):
         properties[each["name"]] = number(each, "integer" if each["integer"] else ["number", "null"])
         if each["interval"]:
             for end, text in (("lo", "lower"), ("hi", "upper")):
-                limit = {**each, "meaning": f"{text} end of the 95 % interval of `{each['name']}`"}
+                limit = {**each, "meaning": f"{text} end of the interval of `{each['name']}`"}
                 properties[f"{each['name']}_{end}"] = number(limit, ["number", "null"])
     return {"description": group["title"], "type": "object", "properties": properties, "required": list(properties)}
 

@@ -13,7 +13,7 @@ check-jsonschema --schemafile /usr/local/share/umbrameter/summary.schema.json ou
 
 - Shares and errors of visibility, AO and images are from 0 to 1. `1` in the column "unit" is a plain number.
 - A number is `null` if it is undefined, for example an error over no pixels.
-- `name_lo` and `name_hi` are the ends of the 95 % interval of `name`.
+- `name_lo` and `name_hi` are the ends of the 95 % interval of `name`, or of its [bounds](glossary.md), as the meaning of `name` says.
 - Pixels are counted from the top left.
 - `schema_version` is the version of this schema. `check`, `report` and a rerun refuse a file of a later version; they read
   older ones, which have no version.
