@@ -140,8 +140,13 @@ struct BlockSum {
 
 struct BlockSums {
   std::vector<BlockSum> blocks;
+  int columns = 1;
   BlockSum all;
   bool is_root = false;
+
+  BlockPlace place(std::size_t block) const {
+    return {static_cast<int>(block) % columns, static_cast<int>(block) / columns};
+  }
 
   double value() const { return value_of(all.sum, all.weight); }
   double value_without(std::size_t block) const {
@@ -158,8 +163,10 @@ BlockSums sum_blocks(const StoredImages& images, const PixelMean& of) {
   const Image<float>& error = *images.error;
   const int columns = std::clamp(error.width / min_block_side, 1, max_blocks_of_a_side);
   const int rows = std::clamp(error.height / min_block_side, 1, max_blocks_of_a_side);
-  BlockSums sums{
-      std::vector<BlockSum>(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)), {}, of.is_root};
+  BlockSums sums{std::vector<BlockSum>(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)),
+                 columns,
+                 {},
+                 of.is_root};
   for (int y = 0; y < error.height; ++y) {
     for (int x = 0; x < error.width; ++x) {
       const std::size_t i = error.index(x, y);
@@ -205,9 +212,10 @@ std::optional<BlockSums> sums_of(const StoredRun& run, const MeasuredStatistic& 
 }
 
 // The interval about `value` from the values without each block.
-std::optional<BlockEstimate> jackknife(double value, const std::vector<double>& without) {
+std::optional<BlockEstimate> jackknife(double value, const std::vector<double>& without,
+                                       const std::vector<BlockPlace>& places) {
   if (without.size() < fewest_blocks) return std::nullopt;
-  const JackknifeVariance spread = jackknife_variance(without);
+  const JackknifeVariance spread = jackknife_variance(without, places);
   const double half_width = student_95(spread.degrees_of_freedom) * std::sqrt(spread.variance);
   return BlockEstimate{{value, value - half_width, value + half_width}, without.size()};
 }
@@ -218,11 +226,13 @@ std::optional<BlockEstimate> estimate_over_blocks(const StoredRun& run, const Me
   const std::optional<BlockSums> sums = sums_of(run, statistic);
   if (!sums) return std::nullopt;
   std::vector<double> without;
+  std::vector<BlockPlace> places;
   for (std::size_t i = 0; i < sums->blocks.size(); ++i) {
-    if (sums->blocks[i].weight > 0.0 && std::isfinite(sums->value_without(i)))
-      without.push_back(sums->value_without(i));
+    if (sums->blocks[i].weight == 0.0 || !std::isfinite(sums->value_without(i))) continue;
+    without.push_back(sums->value_without(i));
+    places.push_back(sums->place(i));
   }
-  return jackknife(statistic.value, without);
+  return jackknife(statistic.value, without, places);
 }
 
 std::optional<BlockEstimate> paired_difference(const StoredRun& a, const MeasuredStatistic& of_a, const StoredRun& b,
@@ -233,12 +243,15 @@ std::optional<BlockEstimate> paired_difference(const StoredRun& a, const Measure
     return std::nullopt;
   }
   std::vector<double> without;
+  std::vector<BlockPlace> places;
   for (std::size_t i = 0; i < sums_a->blocks.size(); ++i) {
     if (sums_a->blocks[i].weight + sums_b->blocks[i].weight == 0.0) continue;
     const double difference = sums_b->value_without(i) - sums_a->value_without(i);
-    if (std::isfinite(difference)) without.push_back(difference);
+    if (!std::isfinite(difference)) continue;
+    without.push_back(difference);
+    places.push_back(sums_a->place(i));
   }
-  return jackknife(of_b.value - of_a.value, without);
+  return jackknife(of_b.value - of_a.value, without, places);
 }
 
 }  // namespace umbrameter

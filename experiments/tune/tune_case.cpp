@@ -269,9 +269,8 @@ std::vector<CaseValues> measure_biases_of(const TuneCase& tuned, const Experimen
   return values;
 }
 
-std::vector<CaseValues> measure_without_blocks(const TuneCase& tuned, const Experiment& experiment,
-                                               const TuneGoal& goal) {
-  std::vector<CaseValues> blocks;
+BlocksOfCase measure_without_blocks(const TuneCase& tuned, const Experiment& experiment, const TuneGoal& goal) {
+  BlocksOfCase blocks;
   if (tuned.quantity == SweptQuantity::image) {
     ImageStatistics statistics;
     const GoalReader reader(describe(statistics), goal);
@@ -295,8 +294,9 @@ std::vector<CaseValues> measure_without_blocks(const TuneCase& tuned, const Expe
   if (std::count(is_used.begin(), is_used.end(), true) < 2) return blocks;
   for (int block = 0; block < block_grid * block_grid; ++block) {
     if (!is_used[static_cast<std::size_t>(block)]) continue;
-    blocks.push_back(values_of(drawn, tuned, goal, [&](std::size_t i) { return block_of(i) == block; }));
-    set_time(blocks.back(), goal, time);
+    blocks.without.push_back(values_of(drawn, tuned, goal, [&](std::size_t i) { return block_of(i) == block; }));
+    blocks.places.push_back({block % block_grid, block / block_grid});
+    set_time(blocks.without.back(), goal, time);
   }
   return blocks;
 }

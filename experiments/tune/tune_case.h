@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/jackknife.h"
 #include "experiments/stages/stages.h"
 #include "experiments/sweep/sweep_evaluator.h"
 #include "results/tune_goal.h"
@@ -41,13 +42,18 @@ bool has_exact_bias(const TuneCase& tuned, const std::vector<TuneAxis>& axes, co
 std::vector<CaseValues> measure_biases_of(const TuneCase& tuned, const Experiment& experiment, const TuneGoal& goal,
                                           const std::vector<double>& constants);
 
+/// The goal's columns over all pixels of a case but those of one block, for each block.
+struct BlocksOfCase {
+  std::vector<CaseValues> without;
+  std::vector<BlockPlace> places{};  ///< of the blocks; empty: they are independent
+};
+
 /// The image is divided into block_grid² blocks.
 inline constexpr int block_grid = 8;
 
 /// The goal's columns over all pixels but those of one block, for each block that holds a counted pixel. Empty where
 /// fewer than two blocks are counted, and for the statistics of a shaded image, of which no part can be left out; its
 /// image metrics can. The time of a pass is the same in all.
-std::vector<CaseValues> measure_without_blocks(const TuneCase& tuned, const Experiment& experiment,
-                                               const TuneGoal& goal);
+BlocksOfCase measure_without_blocks(const TuneCase& tuned, const Experiment& experiment, const TuneGoal& goal);
 
 }  // namespace umbrameter

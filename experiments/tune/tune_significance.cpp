@@ -16,11 +16,11 @@ std::optional<Estimate> jackknife(double value, const LeftOutBlocks& blocks,
   double variance = 0.0;
   double squares = 0.0;  // of the cases' variances over their degrees of freedom
   for (std::size_t c = 0; c < blocks.size(); ++c) {
-    const std::size_t count = blocks[c].size();
+    const std::size_t count = blocks[c].without.size();
     if (count < 2) return std::nullopt;
     std::vector<double> values;
     for (std::size_t b = 0; b < count; ++b) values.push_back(value_without(c, b));
-    const JackknifeVariance of_case = jackknife_variance(values);
+    const JackknifeVariance of_case = jackknife_variance(values, blocks[c].places);
     variance += of_case.variance;
     squares += of_case.variance * of_case.variance / of_case.degrees_of_freedom;
   }
@@ -50,17 +50,17 @@ LeftOutBlocks leave_out_blocks(const std::vector<TuneCase>& cases, const TuneGoa
 std::optional<Estimate> cost_interval(const TuneGoal& goal, const std::vector<CaseValues>& cases,
                                       const LeftOutBlocks& blocks) {
   return jackknife(total_cost(goal, cases), blocks,
-                   [&](std::size_t c, std::size_t b) { return cost(goal, cases, c, blocks[c][b]); });
+                   [&](std::size_t c, std::size_t b) { return cost(goal, cases, c, blocks[c].without[b]); });
 }
 
 std::optional<Estimate> cost_difference(const TuneGoal& goal, const std::vector<CaseValues>& a,
                                         const LeftOutBlocks& blocks_a, const std::vector<CaseValues>& b,
                                         const LeftOutBlocks& blocks_b) {
   for (std::size_t c = 0; c < blocks_a.size(); ++c) {
-    if (blocks_a[c].size() != blocks_b[c].size()) return std::nullopt;
+    if (blocks_a[c].without.size() != blocks_b[c].without.size()) return std::nullopt;
   }
   return jackknife(total_cost(goal, a) - total_cost(goal, b), blocks_a, [&](std::size_t c, std::size_t block) {
-    return cost(goal, a, c, blocks_a[c][block]) - cost(goal, b, c, blocks_b[c][block]);
+    return cost(goal, a, c, blocks_a[c].without[block]) - cost(goal, b, c, blocks_b[c].without[block]);
   });
 }
 

@@ -11,8 +11,8 @@
 
 namespace umbrameter {
 
-/// For each case and each of its blocks: the goal's columns over all other pixels.
-using LeftOutBlocks = std::vector<std::vector<CaseValues>>;
+/// Of each case.
+using LeftOutBlocks = std::vector<BlocksOfCase>;
 
 /// `at` makes the experiment of a case.
 LeftOutBlocks leave_out_blocks(const std::vector<TuneCase>& cases, const TuneGoal& goal,

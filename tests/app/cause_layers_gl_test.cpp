@@ -67,7 +67,7 @@ TEST_F(CauseLayers, Of_one_tap_are_the_class_layer_alone) {
   for (const char* cause : causes) EXPECT_EQ(find_channel(stored, std::string(cause) + "_sun.Y"), nullptr) << cause;
 }
 
-// Blocks of 8 × 8 pixels: 16 × 9 of them in 128 × 72 pixels.
+// 8 × 8 blocks of 16 × 9 pixels in 128 × 72 pixels.
 TEST_F(CauseLayers, Give_a_filtered_map_intervals_and_paired_differences_of_its_causes) {
   const StoredRun stored = box("box", "0.2texels");
   const Image<float>& acne = *find_channel(stored, "acne_sun.Y");
@@ -75,23 +75,27 @@ TEST_F(CauseLayers, Give_a_filtered_map_intervals_and_paired_differences_of_its_
     double share = 0.0;
     double pixels = 0.0;
   };
-  std::array<Sum, 16 * 9> blocks{};
+  std::array<Sum, 64> blocks{};
   Sum all;
   for (int y = 0; y < 72; ++y) {
     for (int x = 0; x < 128; ++x) {
       const std::size_t i = acne.index(x, y);
       if (!is_counted(stored, i)) continue;
-      for (Sum* sum : {&blocks[static_cast<std::size_t>(y / 8 * 16 + x / 8)], &all}) {
+      for (Sum* sum : {&blocks[static_cast<std::size_t>(y / 9 * 8 + x / 16)], &all}) {
         sum->share += acne[i];
         sum->pixels += 1.0;
       }
     }
   }
   std::vector<double> without;
-  for (const Sum& block : blocks) {
-    if (block.pixels > 0.0) without.push_back((all.share - block.share) / (all.pixels - block.pixels));
+  std::vector<BlockPlace> places;
+  for (int b = 0; b < 64; ++b) {
+    const Sum& block = blocks[static_cast<std::size_t>(b)];
+    if (block.pixels == 0.0) continue;
+    without.push_back((all.share - block.share) / (all.pixels - block.pixels));
+    places.push_back({b % 8, b / 8});
   }
-  const JackknifeVariance spread = jackknife_variance(without);
+  const JackknifeVariance spread = jackknife_variance(without, places);
   const double half_width = student_95(spread.degrees_of_freedom) * std::sqrt(spread.variance);
   const MeasuredStatistic& measured = statistic(stored, "acne");
   ASSERT_GT(measured.value, 0.001);

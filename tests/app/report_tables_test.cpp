@@ -36,7 +36,7 @@ TEST(RunsReportTables, Name_errors_in_words_and_show_too_dark_and_too_bright) {
   const PartTables part = part_tables(runs, compared).at(0);
   std::vector<std::string> heads;
   for (const Column& column : part.values.columns) heads.push_back(column.name);
-  EXPECT_EQ(heads, (std::vector<std::string>{"run", "Mean absolute error", "Too dark", "Too bright"}));
+  EXPECT_EQ(heads, (std::vector<std::string>{"run", "mean absolute error", "too dark", "too bright"}));
   ASSERT_EQ(part.printed_values.rows.size(), 3u);
   EXPECT_EQ(to_string(part.printed_values.rows[1][0]), "Too dark");
   EXPECT_EQ(to_string(part.all.rows.at(0)[0]), "Share lit in the reference");

@@ -4,6 +4,7 @@
 
 #include "core/random.h"
 #include "coverage.h"
+#include "experiments/measure/measure.h"
 #include "experiments/tune/tune_significance.h"
 #include "results/layers.h"
 #include "store/run_comparison.h"
@@ -95,7 +96,7 @@ double value_of(const Statistic& statistic) {
 StoredRun run_of(Stages& stages, const Experiment& experiment, SweptQuantity quantity) {
   StoredRun run;
   run.scene = "field";
-  Measurement measurement{experiment, stages.surfels(experiment), {}, {}, {}};
+  Measurement measurement{.experiment = experiment, .surfels = stages.surfels(experiment)};
   MeasuredStatistic measured;
   CellStatistics statistics;
   if (quantity == SweptQuantity::ao) {
@@ -114,7 +115,8 @@ StoredRun run_of(Stages& stages, const Experiment& experiment, SweptQuantity qua
     measured.value = value_of(each);
     run.statistics.push_back(measured);
   }
-  run.images = layers_of(stages, measurement);
+  measurement.picture = picture_of(stages, measurement);
+  run.images = layers_of(stages.facts(), measurement);
   return run;
 }
 

@@ -172,8 +172,8 @@ TEST(ParetoFront, Holds_the_points_of_which_none_is_better_in_both) {
 TEST(CostDifference, Of_points_that_differ_alike_in_every_block_is_significant) {
   const TuneGoal mae = goal("mae");
   // One case of four blocks. b is worse by 0.1 whichever block is left out, although both vary by much more.
-  const LeftOutBlocks a = {{{0.5}, {0.9}, {0.1}, {0.5}}};
-  const LeftOutBlocks b = {{{0.6}, {1.0}, {0.2}, {0.6}}};
+  const LeftOutBlocks a = {{{{0.5}, {0.9}, {0.1}, {0.5}}}};
+  const LeftOutBlocks b = {{{{0.6}, {1.0}, {0.2}, {0.6}}}};
   const std::optional<Estimate> difference = cost_difference(mae, {{0.5}}, a, {{0.6}}, b);
   ASSERT_TRUE(difference.has_value());
   EXPECT_NEAR(difference->value, -0.1, 1e-12);
@@ -221,8 +221,8 @@ TEST(CostDifference, Has_an_interval_that_holds_it_95_times_in_100_for_few_block
         without_a.emplace_back();
         without_b.emplace_back();
         for (std::size_t k = 0; k < blocks; ++k) {
-          without_a.back().push_back(mean(costs_a, k));
-          without_b.back().push_back(mean(costs_b, k));
+          without_a.back().without.push_back(mean(costs_a, k));
+          without_b.back().without.push_back(mean(costs_b, k));
         }
       }
       const Estimate cost = *cost_interval(mae, a, without_a);
