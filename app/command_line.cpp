@@ -46,11 +46,11 @@ constexpr CommandDescription raster_command = {
 constexpr CommandDescription diff_command = {"diff", "Measure the difference of two images: FLIP, SSIM, PSNR, ...",
                                              "Example: umbrameter diff test.exr reference.exr -o error.png --json"};
 constexpr CommandDescription check_command = {
-    "check", "Hold finished runs against a budget; exit code 1 if they break it",
+    "check", "Check finished runs against a budget; exit code 1 if a bound is broken",
     "Example: umbrameter check out --budget budget.toml --junit report.xml\n"
     "'umbrameter check out --budget budget.toml --update' writes the budget."};
 constexpr CommandDescription report_command = {
-    "report", "Set finished runs side by side: differences, figures, LaTeX tables",
+    "report", "Compare finished runs: differences, figures, LaTeX tables",
     "Example: umbrameter report before after -o both --latex --figure-style column\n"
     "Then open both/index.html; both/comparison.csv has all differences."};
 constexpr CommandDescription scenes_command = {"scenes", "List the built-in scenes, or draw them on a contact sheet",
@@ -161,7 +161,7 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   if (&description == &compare_command) {
     add_switch(command, line, "shimmer");
     add_switch(command, line, "ao-stages");
-    command.add_option("--fail-if", line.fail_if, "exit with 1 if a statistic is so: 'acne>0.1%'; repeatable")
+    command.add_option("--fail-if", line.fail_if, "exit with 1 if this holds: 'acne>0.1%'; repeatable")
         ->type_name("CONDITION")
         ->take_all();
   }

@@ -51,7 +51,7 @@ void add_tune_options(CLI::App& command, CommandLine& line) {
   command.add_option("--constraint", tune.constraints, "condition that every case must keep: 'acne<0.1%'; repeatable")
       ->type_name("CONDITION")
       ->take_all();
-  command.add_option("--over", tune.over, "go over these values: view.camera=all, light.angle=0,0.5; repeatable")
+  command.add_option("--over", tune.over, "measure all these values: view.camera=all, light.angle=0,0.5; repeatable")
       ->type_name("PARAM=LIST")
       ->take_all();
   command.add_flag("--worst-case", tune.worst_case, "minimize the largest cost of all cases, not their mean");

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <span>
 
@@ -137,7 +139,7 @@ std::string zsh_escaped(const std::string& text) {
 }
 
 std::string zsh_action(const OptionHelp& option) {
-  if (!option.choices.empty()) return "(" + spaced(option.choices) + ")";
+  if (!option.choices.empty()) return fmt::format("({})", spaced(option.choices));
   switch (completes(option)) {
     case Completes::files:
       return "_files";
@@ -165,11 +167,11 @@ std::vector<std::string> zsh_specifications(const OptionHelp& option) {
   const std::vector<std::string> flags = flags_of(option);
   const bool repeats = completes(option) == Completes::axes;
   for (const std::string& flag : flags) {
-    std::string text = repeats ? "*" : flags.size() > 1 ? "(" + spaced(flags) + ")" : "";
+    std::string text = repeats ? "*" : flags.size() > 1 ? fmt::format("({})", spaced(flags)) : "";
     text += flag;
     if (!option.value.empty()) text += flag.starts_with("--") ? "=" : "+";
-    text += "[" + zsh_escaped(option.meaning) + "]";
-    if (!option.value.empty()) text += ":" + zsh_escaped(option.value) + ":" + action;
+    text += fmt::format("[{}]", zsh_escaped(option.meaning));
+    if (!option.value.empty()) text += fmt::format(":{}:{}", zsh_escaped(option.value), action);
     specifications.push_back(shell_quoted(text));
   }
   return specifications;
@@ -244,9 +246,10 @@ std::string bash_completion(const ProgramHelp& program) {
       if (option.is_positional || option.value.empty()) continue;
       std::string patterns;
       for (const std::string& flag : flags_of(option)) {
-        patterns += (patterns.empty() ? "" : "|") + shell_quoted(command.name + " " + flag);
+        if (!patterns.empty()) patterns += "|";
+        patterns += shell_quoted(command.name + " " + flag);
       }
-      text += "    " + patterns + ") " + bash_values(option) + "; return ;;\n";
+      text += fmt::format("    {}) {}; return ;;\n", patterns, bash_values(option));
     }
   }
   text += "  esac\n\n  case $command in\n";

@@ -24,7 +24,7 @@ std::string wrapped(std::string_view text, std::size_t at, std::size_t margin) {
     text.remove_prefix(std::min(end + 1, text.size()));
     const std::size_t width = count_characters(word);
     if (!is_first && column + 1 + width > static_cast<std::size_t>(help_width)) {
-      result += "\n" + spaces(margin);
+      result.append("\n").append(margin, ' ');
       column = margin;
     } else if (!is_first) {
       result += ' ';
@@ -43,8 +43,8 @@ std::string row(const std::string& left, const std::string& right, std::size_t c
   if (right.empty()) return text + "\n";
   // A name that is too long takes a whole line.
   const std::size_t gap = used + 2 > column ? 0 : column - used;
-  text += gap == 0 ? "\n" + spaces(column) : spaces(gap);
-  return text + wrapped(right, column, column);
+  if (gap == 0) text += "\n";
+  return text + spaces(gap == 0 ? column : gap) + wrapped(right, column, column);
 }
 
 std::string left_of(const OptionHelp& option) {
@@ -119,7 +119,8 @@ std::string full_help_text(const ProgramHelp& program) {
   const std::vector<OptionHelp>* parameters = nullptr;
   for (const CommandHelp& command : program.commands) {
     if (command.options.empty()) continue;
-    text += "\n" + wrapped("umbrameter " + command.name + " " + command.usage, 0, 4);
+    text += "\n";
+    text += wrapped("umbrameter " + command.name + " " + command.usage, 0, 4);
     const std::string own =
         options_text(command.options, true, [](const OptionHelp& option) { return !option.is_parameter; });
     text += own.substr(std::min<std::size_t>(1, own.size()));

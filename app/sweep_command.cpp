@@ -98,8 +98,7 @@ std::string bounds_text(const Light& light) {
 // All that the rows depend on besides the axes: who asks again with one of these changed gets no old row.
 std::vector<std::pair<std::string, std::string>> settings_of(Stages& stages, Experiment experiment,
                                                              SweptQuantity quantity) {
-  std::vector<std::pair<std::string, std::string>> settings;
-  settings.emplace_back("scene", experiment.scene);
+  std::vector<std::pair<std::string, std::string>> settings = {{"scene", experiment.scene}};
   for (const Parameter& parameter : describe(experiment)) {
     settings.emplace_back(parameter.key, to_string(parameter.value()));
   }

@@ -140,7 +140,7 @@ std::string gate_markdown(const std::vector<GateCheck>& checks) {
   for (std::vector<std::string>& row : rows_of(sorted, true)) {
     row.front() = row.front() == "kept" ? "✅" : "❌";
     text += "|";
-    for (const std::string& cell : row) text += " " + markdown_cell(cell) + " |";
+    for (const std::string& cell : row) text += fmt::format(" {} |", markdown_cell(cell));
     text += "\n";
   }
   return text;

@@ -31,12 +31,11 @@ PlotFigure scan_figure(const TuneSummary& summary, const AxisScan& scan) {
   plot.y = {"cost", cost_label(summary.goal)};
   plot.mark = "best";
   plot.data.columns = {{"value", axis.axis.unit, "value"}, {"cost", "1", "cost"}, {"best", "", "best point"}};
-  for (const TunePoint& point : scan.points) {
-    const Value& value = point.values[scan.axis];
-    plot.data.rows.push_back({to_number(value), shown(summary.goal, point.score.cost), false});
-  }
-  plot.data.rows.push_back(
-      {to_number(summary.result.best.values[scan.axis]), shown(summary.goal, summary.result.best.score.cost), true});
+  const auto add = [&](const TunePoint& point, bool is_best) {
+    plot.data.rows.push_back({to_number(point.values[scan.axis]), shown(summary.goal, point.score.cost), is_best});
+  };
+  for (const TunePoint& point : scan.points) add(point, false);
+  add(summary.result.best, true);
   return plot;
 }
 

@@ -118,7 +118,9 @@ void judge(std::vector<Candidate>& candidates, const TriangleSample& sample, dou
                [&](std::size_t i) { candidates[i].content = look(sample, candidates[i].camera, aspect); });
 }
 
-std::string vector_text(const dvec3& v) { return "(" + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ")"; }
+std::string vector_text(const dvec3& v) {
+  return std::string("(") + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ")";
+}
 
 std::string direction_text(double azimuth, double elevation) {
   return text_of(azimuth) + " degrees from the front (+Z) towards +X and " + text_of(std::abs(elevation)) +

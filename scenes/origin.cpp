@@ -20,7 +20,7 @@ std::string text_of(double value, const char* format) {
 }
 
 std::string text_of(const dvec3& v) {
-  return "(" + text_of(v.x, "%.12g") + ", " + text_of(v.y, "%.12g") + ", " + text_of(v.z, "%.12g") + ")";
+  return std::string("(") + text_of(v.x, "%.12g") + ", " + text_of(v.y, "%.12g") + ", " + text_of(v.z, "%.12g") + ")";
 }
 
 // The components that are farther than `limit`, as multiples of the power of ten that is at least `step`, so that they

@@ -36,8 +36,8 @@ class MaterialGroup {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < is_used_.size(); ++i) {
       if (is_used_[i] == 0) continue;
-      const std::string& name = scene.materials[i].name;
-      names.push_back(name.empty() ? std::to_string(i) : "'" + name.substr(0, longest_name) + "'");
+      const std::string name = scene.materials[i].name.substr(0, longest_name);
+      names.push_back(name.empty() ? std::to_string(i) : "'" + name + "'");
     }
     std::string list;
     const std::size_t listed = std::min(names.size(), max_listed);

@@ -11,7 +11,7 @@ struct WeightedTap {
 };
 
 #if FILTER_IS_GRID
-const uint kernel[FILTER_KERNEL_SIZE] = uint[](FILTER_KERNEL);
+const uint kernel_sums[FILTER_KERNEL_SIZE + 1] = uint[](FILTER_KERNEL_SUMS);  // of the first 0, 1, … n weights
 const int kernel_size = FILTER_KERNEL_SIZE;
 #if FILTER_LINEAR
 const int side = kernel_size + 1;
@@ -53,16 +53,19 @@ uint area_tent_part(int x) {
 }
 #endif
 
-uint axis_weight(int i, uint part) {
+// axis_weights() of techniques/shadow/filter.cpp.
+uint weight_left_of(int i, uint part) {
 #if FILTER_AREA_SUM
-  int left = i * FILTER_PARTS - int(part);
-  return area_tent_part(left + FILTER_PARTS) - area_tent_part(left);
+  return area_tent_part(i * FILTER_PARTS - int(part));
 #elif FILTER_LINEAR
-  return (i < kernel_size ? kernel[i] * (uint(FILTER_PARTS) - part) : 0u) + (i > 0 ? kernel[i - 1] * part : 0u);
+  uint sum = kernel_sums[min(i, kernel_size)] * (uint(FILTER_PARTS) - part) + kernel_sums[max(i - 1, 0)] * part;
+  return (sum + FILTER_DIVISOR / 2u) / FILTER_DIVISOR;
 #else
-  return kernel[i];
+  return kernel_sums[i];
 #endif
 }
+
+uint axis_weight(int i, uint part) { return weight_left_of(i + 1, part) - weight_left_of(i, part); }
 
 WeightedTap filter_tap(Receiver receiver, Pattern pattern, int i) {
   ivec2 at = ivec2(i % side, i / side);

@@ -1,6 +1,7 @@
 #include "raster/shadow/filter_defines.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "raster/shader_interface.h"
 
@@ -23,10 +24,10 @@ std::string filter_defines(const FilterKernel& filter) {
     text += define("FILTER_KERNEL_SIZE", static_cast<unsigned>(filter.kernel.size())) +
             define("FILTER_LINEAR", filter.linear_taps ? 1 : 0) +
             define("FILTER_AREA_SUM", filter.is_area_tent ? FilterKernel::area_sum : 0) +
-            define("FILTER_PARTS", FilterKernel::texel_parts) + "#define FILTER_KERNEL ";
-    for (std::size_t i = 0; i < filter.kernel.size(); ++i)
-      text += fmt::format("{}{}u", i > 0 ? ", " : "", filter.kernel[i]);
-    return text + "\n";
+            define("FILTER_PARTS", FilterKernel::texel_parts) +
+            fmt::format("#define FILTER_DIVISOR {}u\n#define FILTER_KERNEL_SUMS {}u\n", filter.divisor,
+                        fmt::join(running_sums(filter.kernel), "u, "));
+    return text;
   }
   text += define("FILTER_ROTATION", static_cast<unsigned>(filter.rotation)) +
           define("FILTER_SEARCH", filter.search ? static_cast<unsigned>(filter.search->points.size()) : 0);

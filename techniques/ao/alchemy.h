@@ -42,7 +42,7 @@ Parameters describe(AlchemyParams& params);
 
 struct Alchemy {
   static constexpr std::string_view title = "Alchemy AO";
-  static constexpr AoBlur denoiser = AoBlur::bilateral;  ///< the papers' code: 7 taps along each axis, by depth
+  static constexpr AoBlur denoiser = AoBlur::bilateral;  ///< SAO_blur.pix: 9 taps along each axis, by depth
   AoSamplingParams sampling;
   AoNoiseParams noise;
   AlchemyParams params;

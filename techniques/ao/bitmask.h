@@ -35,7 +35,7 @@ Parameters describe(BitmaskParams& params);
 
 struct Bitmask {
   static constexpr std::string_view title = "Visibility bitmask";
-  static constexpr AoBlur denoiser = AoBlur::xegtao;  ///< that of GTAO, whose slices and noise it has
+  static constexpr AoBlur denoiser = AoBlur::xegtao;  ///< ours: that of GTAO, whose slices and noise it has
   AoSamplingParams sampling;
   AoNoiseParams noise;
   AoSliceParams slices;

@@ -24,7 +24,7 @@ struct CrytekMethod : AoScreen {
 
 struct Crytek {
   static constexpr std::string_view title = "Full-sphere SSAO";
-  static constexpr AoBlur denoiser = AoBlur::bilateral;  ///< published with a blur that keeps depth edges
+  static constexpr AoBlur denoiser = AoBlur::bilateral;  ///< described with a blur that keeps depth edges
   AoSamplingParams sampling;
   AoBiasParams bias;
   AoNoiseParams noise;

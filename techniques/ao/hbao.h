@@ -33,7 +33,7 @@ Parameters describe(HbaoParams& params);
 
 struct Hbao {
   static constexpr std::string_view title = "HBAO";
-  static constexpr AoBlur denoiser = AoBlur::bilateral;  ///< the authors' code: 17 taps along each axis, by depth
+  static constexpr AoBlur denoiser = AoBlur::bilateral;  ///< NVIDIA's sample: 7 taps along each axis, by depth
   AoSamplingParams sampling;
   AoNoiseParams noise;
   HbaoParams params;

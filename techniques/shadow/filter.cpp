@@ -10,10 +10,12 @@ namespace umbrameter {
 namespace {
 
 constexpr int turn_count = 64;
-// Sums of a Gaussian's weights along a side. Weights are integers, so that sums and histograms of them are exact; the
-// square of the sum, with linear taps that of its texel_parts-fold, fits into 32 bits.
+// Sum of a Gaussian's weights along a side. Weights are integers, so that sums and histograms of them are exact; the
+// square of the sum fits into 32 bits.
 constexpr std::uint32_t gaussian_sum = 1u << 15;
-constexpr std::uint32_t linear_gaussian_sum = 224;  // 225, that of the largest tent, has no half
+// The kernel under linear taps is finer, so that the rounding after them is all that counts; times texel_parts, its sum
+// fits into 32 bits.
+constexpr std::uint32_t linear_gaussian_sum = 1u << 23;
 
 std::vector<std::uint32_t> tent(int size) {
   std::vector<std::uint32_t> weights;
@@ -134,6 +136,7 @@ FilterKernel make_filter(const PcfParams& params) {
       break;
     case ShadowFilter::gaussian:
       filter.kernel = gaussian(params.size, filter.linear_taps ? linear_gaussian_sum : gaussian_sum);
+      if (filter.linear_taps) filter.divisor = linear_gaussian_sum / gaussian_sum * FilterKernel::texel_parts;
       break;
     case ShadowFilter::optimized:
       filter.linear_taps = true;
@@ -171,6 +174,30 @@ FilterKernel make_dpcf_filter(const PcfParams& params, const PcssParams& pcss, d
   FilterKernel filter = make_filter(of_disk(params));
   filter.hardening = {static_cast<float>(extent * pcss.light_scale), static_cast<float>(pcss.max_radius)};
   return filter;
+}
+
+std::vector<std::uint32_t> running_sums(const std::vector<std::uint32_t>& kernel) {
+  std::vector<std::uint32_t> sums = {0};
+  for (const std::uint32_t weight : kernel) sums.push_back(sums.back() + weight);
+  return sums;
+}
+
+AxisWeights axis_weights(const FilterKernel& filter, std::uint32_t part) {
+  const std::vector<std::uint32_t> sums = running_sums(filter.kernel);
+  const auto size = static_cast<std::uint32_t>(filter.kernel.size());
+  // weight_left_of() of shadow_filter.glsl.
+  const auto weight_left_of = [&](std::uint32_t i) {
+    constexpr std::uint32_t parts = FilterKernel::texel_parts;
+    if (filter.is_area_tent) return area_tent_part(size, std::min(std::max(i * parts, part) - part, size * parts));
+    if (!filter.linear_taps) return sums[i];
+    const std::uint32_t sum = sums[std::min(i, size)] * (parts - part) + sums[std::max(i, 1u) - 1] * part;
+    return (sum + filter.divisor / 2) / filter.divisor;
+  };
+  AxisWeights weights{};
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(filter.side()); ++i) {
+    weights[i] = weight_left_of(i + 1) - weight_left_of(i);
+  }
+  return weights;
 }
 
 std::uint32_t area_tent_part(std::uint32_t size, std::uint32_t x) {

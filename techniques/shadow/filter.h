@@ -1,6 +1,7 @@
 // PCF kernels: which texels a filter reads and what each weighs.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -49,6 +50,8 @@ struct FilterKernel {
 
   std::vector<std::uint32_t> kernel;  ///< of a grid: weights along one side; of an area tent only their number counts
   bool linear_taps = false;
+  /// With linear taps the sums of the weights from the left are divided by this and rounded.
+  std::uint32_t divisor = 1;
   bool is_area_tent = false;    ///< linear_taps is true too
   std::vector<vec2> points;     ///< of a disk: within the unit disk; empty for a grid
   std::vector<vec2> rotations;  ///< of a disk: cosine and sine
@@ -66,7 +69,7 @@ struct FilterKernel {
     if (is_area_tent) return area_sum * area_sum;
     std::uint32_t sum = 0;
     for (const std::uint32_t weight : kernel) sum += weight;
-    if (linear_taps) sum *= texel_parts;
+    if (linear_taps) sum = sum * texel_parts / divisor;
     return sum * sum;
   }
 };
@@ -78,17 +81,24 @@ constexpr std::uint64_t largest_weight_sum(std::uint64_t size) {
 }
 static_assert(largest_weight_sum(FilterKernel::largest_size) < std::uint64_t{1} << 32);
 
-/// Box: equal weights. Tent: 1 2 … 2 1. Gaussian: exp(−x²/2σ²) at the texels' centres, σ = (size + 1) / 6 texels, in
-/// units that 32 bits allow. Bilinear: one linear tap, like `sampler2DShadow` with a linear filter. Poisson:
-/// best-candidate samples (D. Mitchell, Spectrally Optimal Sampling for Distribution Ray Tracing, 1991). Optimized: the
-/// kernels of linear taps in The Witness (I. Castaño, Shadow Mapping Summary, 2013). Area tent: Unity's tent filters.
-/// Throws Error (usage) for a size that the kernel does not have.
+/// Box: equal weights. Tent: 1 2 … 2 1. Gaussian: exp(−x²/2σ²) at the texels' centres, σ = (size + 1) / 6 texels; sums
+/// of weights from the left are rounded to 2⁻¹⁵. Bilinear: one linear tap, like `sampler2DShadow` with a linear filter.
+/// Poisson: best-candidate samples (D. Mitchell, Spectrally Optimal Sampling for Distribution Ray Tracing, 1991).
+/// Optimized: the kernels of linear taps in The Witness (I. Castaño, Shadow Mapping Summary, 2013). Area tent: Unity's
+/// tent filters. Throws Error (usage) for a size that the kernel does not have.
 FilterKernel make_filter(const PcfParams& params);
 
 /// The disk of PCSS for a light of this extent: see BlockerSearch.
 FilterKernel make_pcss_filter(const PcfParams& params, const PcssParams& pcss, double extent);
 /// The disk of DPCF for a light of this extent: see ContactHardening.
 FilterKernel make_dpcf_filter(const PcfParams& params, const PcssParams& pcss, double extent);
+
+using AxisWeights = std::array<std::uint32_t, FilterKernel::largest_size + 1>;
+/// Weights of the texels along a side of a grid, from the left; the rest is 0. `part`: with linear taps, how far right
+/// of the middle's left tap the receiver is, in 1/texel_parts texel.
+AxisWeights axis_weights(const FilterKernel& filter, std::uint32_t part);
+/// Of a grid: the sums of the first 0, 1, … n weights of the kernel.
+std::vector<std::uint32_t> running_sums(const std::vector<std::uint32_t>& kernel);
 
 /// Share of the left `x` 1/256 texels of an area tent with `size` texels along a side, in 1/area_sum.
 std::uint32_t area_tent_part(std::uint32_t size, std::uint32_t x);

@@ -44,11 +44,13 @@ NamedFilter filter(const char* name, ShadowFilter kind, int size, FilterTaps tap
 }
 
 TEST_F(TapsGl, Even_kernels_area_tents_and_rotations_agree) {
-  std::vector<NamedFilter> filters = {filter("4×4 Gaussian", ShadowFilter::gaussian, 4),
-                                      filter("4×4 tent of linear taps", ShadowFilter::tent, 4, FilterTaps::linear),
-                                      filter("5×5 optimized", ShadowFilter::optimized, 5),
-                                      filter("5×5 area tent", ShadowFilter::area_tent, 5),
-                                      filter("4×4 area tent", ShadowFilter::area_tent, 4)};
+  std::vector<NamedFilter> filters = {
+      filter("4×4 Gaussian", ShadowFilter::gaussian, 4),
+      filter("4×4 tent of linear taps", ShadowFilter::tent, 4, FilterTaps::linear),
+      filter("6×6 Gaussian of linear taps", ShadowFilter::gaussian, 6, FilterTaps::linear),
+      filter("5×5 optimized", ShadowFilter::optimized, 5),
+      filter("5×5 area tent", ShadowFilter::area_tent, 5),
+      filter("4×4 area tent", ShadowFilter::area_tent, 4)};
   for (const DiskRotation rotation : {DiskRotation::fixed, DiskRotation::gradient}) {
     NamedFilter disk = filter("Vogel disk", ShadowFilter::vogel, 1);
     disk.params.pcf.rotation = rotation;

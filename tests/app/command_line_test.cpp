@@ -43,7 +43,7 @@ std::string completions(const TemporaryFolder& folder, const std::vector<std::st
                              "); COMP_CWORD=" + std::to_string(words.size() - 1) +
                              "; _umbrameter; printf '%s\\n' \"${COMPREPLY[@]}\"";
   folder.write("complete.sh", script);
-  return " " + shell(folder, "bash " + (folder / "complete.sh").string() + " | tr '\\n' ' '").out;
+  return std::string(" ") + shell(folder, "bash " + (folder / "complete.sh").string() + " | tr '\\n' ' '").out;
 }
 
 TEST(CommandLine, Help_is_on_stdout_and_shows_an_example_for_each_command) {

@@ -34,7 +34,7 @@ TEST(PageParts, Columns_that_stand_below_another_are_parts_of_its_cells) {
   const auto below = [](const std::string& text) {
     return "<span class=\"belows\"><span class=\"below\">" + text + "</span></span></td>";
   };
-  EXPECT_TRUE(contains(page, "m" + below("in texels"))) << page;
+  EXPECT_TRUE(contains(page, std::string("m") + below("in texels"))) << page;
   EXPECT_TRUE(contains(page, "<td class=\"number\">0.25" + below("3.5") + "<td class=\"number\">1</td>")) << page;
 }
 

@@ -48,7 +48,7 @@ TEST(ShadowFilter, A_gaussian_of_five_has_a_deviation_of_one_texel) {
 
 TEST(ShadowFilter, A_gaussian_of_any_size_is_symmetric_and_off_by_half_a_unit_at_an_edge) {
   for (const FilterTaps taps : {FilterTaps::nearest, FilterTaps::linear}) {
-    const std::uint32_t unit = taps == FilterTaps::nearest ? 32768 : 224;
+    const std::uint32_t unit = taps == FilterTaps::nearest ? 1u << 15 : 1u << 23;
     for (int size = 1; size <= FilterKernel::largest_size; ++size) {
       const FilterKernel filter = filter_of(ShadowFilter::gaussian, size, taps);
       const Weights& weights = filter.kernel;
@@ -59,11 +59,42 @@ TEST(ShadowFilter, A_gaussian_of_any_size_is_symmetric_and_off_by_half_a_unit_at
         sum += weights[static_cast<std::size_t>(i)];
       }
       EXPECT_EQ(sum, unit) << size;
-      // 32768², (224 · 256)²
-      EXPECT_EQ(filter.weight_sum(), taps == FilterTaps::nearest ? 1'073'741'824u : 3'288'334'336u) << size;
-      EXPECT_TRUE(weights.front() > 0 || taps == FilterTaps::linear) << size;
+      EXPECT_EQ(filter.weight_sum(), 1'073'741'824u) << size;  // 32768²
+      EXPECT_GT(weights.front(), 0u) << size;
     }
   }
+}
+
+// A texel of linear taps weighs w_i (1 − f) + w_{i−1} f: the weight left of it is G_i (1 − f) + G_{i−1} f, where G are
+// the sums of the Gaussian's weights. Half a unit of 2⁻¹⁵, and that of the kernel, 2⁻²³.
+TEST(ShadowFilter, Linear_taps_of_a_gaussian_are_off_by_half_a_unit_wherever_the_receiver_is) {
+  for (int size = 1; size <= FilterKernel::largest_size; ++size) {
+    const FilterKernel filter = filter_of(ShadowFilter::gaussian, size, FilterTaps::linear);
+    for (std::uint32_t part = 0; part <= FilterKernel::texel_parts; ++part) {
+      const double f = part / 256.0;
+      const AxisWeights weights = axis_weights(filter, part);
+      std::uint32_t left = 0;
+      for (int i = 0; i <= size; ++i) {
+        const double exact = gaussian_left_of(size, i) * (1.0 - f) + gaussian_left_of(size, i - 1) * f;
+        EXPECT_NEAR(left, 32768.0 * exact, 0.5 + 0.5 / 256 + 1e-6) << size << " " << part << " " << i;
+        left += weights[static_cast<std::size_t>(i)];
+      }
+      EXPECT_EQ(left, 32768u) << size << " " << part;
+    }
+  }
+}
+
+TEST(ShadowFilter, Linear_taps_of_a_gaussian_weigh_what_the_documentation_says) {
+  // docs/techniques/comparing-filters.md, n = 5, f = 1/4: the sums of exp(−x²/2) are 0, 0.0544887, 0.2986900,
+  // 0.7013100, 0.9455113 and 1, times 2^23 and rounded: 0, 457084, 2505594, 5883014, 7931524 and 8388608.
+  const AxisWeights weights = axis_weights(filter_of(ShadowFilter::gaussian, 5, FilterTaps::linear), 64);
+  EXPECT_EQ(Weights(weights.begin(), weights.begin() + 6), (Weights{1339, 6448, 11895, 9300, 3340, 446}));
+}
+
+TEST(ShadowFilter, Exact_kernels_of_linear_taps_are_not_rounded) {
+  const AxisWeights weights = axis_weights(filter_of(ShadowFilter::tent, 3, FilterTaps::linear), 64);
+  // 1 2 1 at a quarter of a texel: 1 · 192; 2 · 192 + 1 · 64; 1 · 192 + 2 · 64; 1 · 64
+  EXPECT_EQ(Weights(weights.begin(), weights.begin() + 4), (Weights{192, 448, 320, 64}));
 }
 
 TEST(ShadowFilter, Even_kernels_are_symmetric_about_a_texel_corner) {

@@ -135,25 +135,12 @@ void fetch_grid(const MapLookup& lookup, const Receiver& receiver, std::vector<T
   } else if (is_even) {
     first += floor_of(receiver.texels + 0.5) - receiver.texel;
   }
-  const auto area_part = [&](int x) {
-    const auto width = size * static_cast<int>(FilterKernel::texel_parts);
-    return area_tent_part(static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(std::clamp(x, 0, width)));
-  };
-  const auto axis_weight = [&](int i, std::uint32_t right) {
-    const auto at = static_cast<std::size_t>(i);
-    if (filter.is_area_tent) {
-      const int parts = static_cast<int>(FilterKernel::texel_parts);
-      const int left = i * parts - static_cast<int>(right);
-      return area_part(left + parts) - area_part(left);
-    }
-    if (!filter.linear_taps) return filter.kernel[at];
-    return (i < size ? filter.kernel[at] * (FilterKernel::texel_parts - right) : 0u) +
-           (i > 0 ? filter.kernel[at - 1] * right : 0u);
-  };
+  const AxisWeights columns = axis_weights(filter, part[0]);
+  const AxisWeights rows = axis_weights(filter, part[1]);
   for (int y = 0; y < filter.side(); ++y) {
     for (int x = 0; x < filter.side(); ++x) {
       Tap& tap = taps.emplace_back(fetch_tap(lookup, receiver, first + ivec2(x, y)));
-      tap.weight = axis_weight(x, part[0]) * axis_weight(y, part[1]);
+      tap.weight = columns[static_cast<std::size_t>(x)] * rows[static_cast<std::size_t>(y)];
     }
   }
 }
