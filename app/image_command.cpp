@@ -203,7 +203,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   if (measurement.ao && measurement.ao->stages) output.parts.push_back(present_ao_stages(*measurement.ao));
   if (measurement.image) output.parts.push_back(present_image(scene, *measurement.image));
   if (!measurement.debug_views.empty()) output.parts.push_back(present_debug_views(measurement));
-  output.summary = {line.command, given, scene, &measurement, {}, stages.notes(), embree_version(), {}, {}, {}};
+  output.summary = {line.command, given, scene, &measurement, {}, {}, stages.notes(), embree_version(), {}, {}, {}};
   if (sides.raster) output.summary.gl_renderer = stages.context().device().renderer;
   if (sides.raster && experiment.run.write_maps) {
     for (const std::uint32_t light : lights) {

@@ -280,6 +280,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
                     scene,
                     &measurement,
                     SweepSummary{plan.cells, best_of_lines, cell_values(axes, least), curves, ends},
+                    {},
                     stages.notes(),
                     embree_version(),
                     stages.context().device().renderer,

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
+#include <optional>
+#include <string>
 
 #include "compare/image_error.h"
 #include "compare/metrics/color_space.h"
 #include "compare/visibility.h"
+#include "results/layer_description.h"
 
 namespace umbrameter {
 namespace {
@@ -29,20 +31,13 @@ Image<std::uint8_t> backdrop_of(const LayeredImage& layers) {
   return grey;
 }
 
-// A blank keeps the parts of AO and image apart from lights of these names. "sun" of "error_visibility_sun", " ao" and
-// " image" of their layers; empty for all other figures.
-std::string part_of(std::string_view layer) {
-  for (const std::string_view quantity : {"truth_visibility_", "raster_visibility_", "error_visibility_", "class_"}) {
-    if (layer.starts_with(quantity)) return std::string(layer.substr(quantity.size()));
-  }
-  for (const char* layer_of_ao : {"truth_ao", "raster_ao", "error_ao"}) {
-    if (layer == layer_of_ao) return " ao";
-  }
-  if (layer.starts_with("ao_stage_")) return " ao";
-  for (const char* layer_of_image : {"truth_image", "raster_image", "error_image", "cause_image"}) {
-    if (layer == layer_of_image) return " image";
-  }
-  return {};
+// Which figures show one part of a run: those of one light, of ambient occlusion or of the shaded image. A blank keeps
+// the latter apart from lights of these names. Empty for figures that compare nothing.
+std::string part_of(const NamedLayer& layer) {
+  const LayerDescription& d = *layer.description;
+  const bool is_stage = d.layer >= Layer::ao_stage_model && d.layer <= Layer::ao_stage_blur;
+  if (d.role == ViewerRole::other && !is_stage) return {};
+  return d.subject == LayerSubject::light ? layer.light : d.subject == LayerSubject::ao ? " ao" : " image";
 }
 
 }  // namespace
@@ -51,19 +46,20 @@ ErrorImages error_images_of(const std::vector<ImageFigure>& figures, const Layer
   const Image<std::uint8_t> backdrop = backdrop_of(layers);
   ErrorImages errors;
   for (const ImageFigure& figure : figures) {
-    const std::string_view layer = figure.stem;
+    const std::optional<NamedLayer> layer = find_layer(figure.stem);
     ErrorImage error;
-    error.part = part_of(layer);
+    if (layer) error.part = part_of(*layer);
     if (error.part.empty()) continue;
-    if (layer.starts_with("class_")) {
+    const LayerDescription& described = *layer->description;
+    if (described.layer == Layer::classes) {
       error.right_category = static_cast<int>(PixelClass::correct);
       error.wrong_category.assign(static_cast<std::size_t>(PixelClass::light_leak) + 1, true);
       error.wrong_category.front() = false;
-    } else if (layer == "cause_image") {
+    } else if (described.layer == Layer::cause_image) {
       error.right_category = static_cast<int>(image_cause_count);
       error.wrong_category.assign(image_cause_count, true);
     }
-    error.shows_errors = layer.starts_with("error_") || !error.wrong_category.empty();
+    error.shows_errors = described.role == ViewerRole::error || !error.wrong_category.empty();
     if (error.shows_errors && image_size(figure) == ivec2(backdrop.width, backdrop.height)) error.backdrop = backdrop;
     errors.emplace(figure.stem, std::move(error));
   }

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "compare/metrics/color_space.h"
-#include "present/image_scales.h"
 #include "present/presentation.h"
 #include "present/presentation_parts.h"
+#include "results/layer_description.h"
 
 namespace umbrameter {
 namespace {
@@ -135,7 +135,7 @@ Presentation present_image(const SceneFacts& scene, const ImageMeasurement& imag
   add_figure(presentation,
              scalar_figure("error_image", "Error: the image", "Luminance, technique − reference.",
                            signed_error(luminance(image.raster->radiance, exposure), luminance(*image.truth, exposure)),
-                           image_error_scale));
+                           color_scale(Layer::error_image)));
   ImageFigure causes;
   causes.stem = "cause_image";
   causes.title = "Cause of the image's error";

@@ -2,99 +2,79 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "core/quantiles.h"
 #include "present/presentation.h"
 #include "present/presentation_parts.h"
+#include "results/layer_description.h"
 #include "results/layers.h"
 
 namespace umbrameter {
 namespace {
 
-constexpr const char* ao_group = "ambient occlusion";
-constexpr const char* image_group = "shaded image";
-constexpr const char* scene_group = "scene";
 constexpr const char* picture_name = "picture";
 
-// Titles, colours and roles of the layers by name.
-using LayerTable = std::map<std::string, ViewerLayer>;
-
-void add_light(LayerTable& table, const std::string& light, const std::string& group) {
-  using enum ViewerKind;
-  const auto add = [&](const std::string& prefix, ViewerLayer layer) {
-    layer.group = group;
-    table[prefix + light] = std::move(layer);
-  };
-  add("truth_visibility_", {{}, "Reference", {}, ViewerRole::reference, share});
-  add("raster_visibility_", {{}, "Technique", {}, ViewerRole::technique, share});
-  add("error_visibility_", {{}, "Error", {}, ViewerRole::error, error, 1.0});
-  add("class_", {{}, "Cause", {}, ViewerRole::cause, category, 1.0, "", class_colors()});
-  add("truth_visibility_standard_error_", {{}, "Standard error of the reference"});
-  add("truth_visibility_samples_", {{}, "Samples per pixel of the reference"});
-  add("gbuffer_change_visibility_", {{}, "Change by the G-buffer", {}, ViewerRole::other, error, 1.0});
+std::string group_of(const NamedLayer& layer, const SceneFacts& scene) {
+  switch (layer.description->subject) {
+    case LayerSubject::light: {
+      const auto found = std::find(scene.layers.begin(), scene.layers.end(), layer.light);
+      return found != scene.layers.end() ? scene.title(static_cast<std::uint32_t>(found - scene.layers.begin()))
+                                         : layer.light;
+    }
+    case LayerSubject::ao:
+      return "ambient occlusion";
+    case LayerSubject::image:
+      return "shaded image";
+    case LayerSubject::scene:
+      break;
+  }
+  return "scene";
 }
 
-LayerTable layer_table(const SceneFacts& scene, const Measurement& measurement) {
-  using enum ViewerKind;
-  LayerTable table = {
-      {"truth_ao", {{}, "Reference", ao_group, ViewerRole::reference, share}},
-      {"raster_ao", {{}, "Technique", ao_group, ViewerRole::technique, share}},
-      {"error_ao", {{}, "Error", ao_group, ViewerRole::error, error, 0.5}},
-      {"truth_ao_standard_error", {{}, "Standard error of the reference", ao_group}},
-      {"truth_ao_samples", {{}, "Rays per pixel of the reference", ao_group}},
-      {"truth_ao_hit_distance", {{}, "Distance of occluders", ao_group, ViewerRole::other, number, 1.0, "m"}},
-      {"truth_bent_normal", {{}, "Bent normal", ao_group, ViewerRole::other, vector}},
-      {"gbuffer_change_ao", {{}, "Change by the G-buffer", ao_group, ViewerRole::other, error, 0.5}},
-      {"truth_image", {{}, "Reference", image_group, ViewerRole::reference, color}},
-      {"raster_image", {{}, "Technique", image_group, ViewerRole::technique, color}},
-      {"error_image", {{}, "Error of luminance", image_group, ViewerRole::error, error, 0.25}},
-      {"cause_image", {{}, "Cause", image_group, ViewerRole::cause, category, 1.0, "", image_cause_colors()}},
-      {"truth_image_standard_error", {{}, "Standard error of the reference", image_group}},
-      {"raster_light_buffer", {{}, "Light buffer", image_group, ViewerRole::other, color}},
-      {"gbuffer_change_image", {{}, "Change by the G-buffer", image_group, ViewerRole::other, error, 0.25}},
-      {"", {{}, "Picture", scene_group, ViewerRole::other, color}},
-      {"Z", {{}, "Depth", scene_group, ViewerRole::other, number, 1.0, "m"}},
-      {"gbuffer_normal", {{}, "Geometric normal", scene_group, ViewerRole::other, vector}},
-  };
+// What makes a standard error the half width of a 95 % interval.
+double half_width_of_standard_error(Layer layer, const std::string& light, const SceneFacts& scene,
+                                    const Measurement& measurement) {
+  if (layer == Layer::truth_ao_standard_error) return student_95(measurement.ao->truth->degrees_of_freedom);
   for (const ShadowMeasurement& shadow : measurement.shadows) {
-    add_light(table, scene.layer(shadow.light), scene.title(shadow.light));
-    if (shadow.truth && shadow.is_sampled) {
-      table["truth_visibility_standard_error_" + scene.layer(shadow.light)].reach =
-          student_95(shadow.truth->degrees_of_freedom);
+    if (layer == Layer::truth_visibility_standard_error && scene.layer(shadow.light) == light) {
+      return student_95(shadow.truth->degrees_of_freedom);
     }
   }
-  if (measurement.ao && measurement.ao->truth) {
-    table["truth_ao_standard_error"].reach = student_95(measurement.ao->truth->degrees_of_freedom);
+  return 1.0;
+}
+
+// Nothing for a layer that the viewer leaves out.
+std::optional<ViewerLayer> start_layer(const std::string& name, const SceneFacts& scene,
+                                       const Measurement& measurement) {
+  const std::optional<NamedLayer> layer = find_layer(name);
+  if (!layer || layer->description->is_for_programs) return std::nullopt;
+  const LayerDescription& d = *layer->description;
+  const std::string unit(d.unit == "1" ? "" : d.unit);
+  ViewerLayer started{
+      name.empty() ? picture_name : name, std::string(d.title), group_of(*layer, scene), d.role, d.kind, d.reach, unit};
+  if (d.layer == Layer::classes) started.categories = class_colors();
+  if (d.layer == Layer::cause_image) started.categories = image_cause_colors();
+  if (d.role == ViewerRole::other && d.kind == ViewerKind::number) {
+    started.reach = half_width_of_standard_error(d.layer, layer->light, scene, measurement);
   }
-  return table;
+  return started;
 }
 
-// Positions and variances are incompressible and of no use to the eye.
-bool is_for_programs(const std::string& name) {
-  return name == "gbuffer_position" || name == "truth_ao_variance" || name.starts_with("truth_visibility_variance_") ||
-         name.starts_with("counted_");
-}
-
-// A layer that the table does not list is shown as a number.
-ViewerLayer start_layer(const LayerTable& table, const std::string& name) {
-  const auto found = table.find(name);
-  ViewerLayer layer = found != table.end() ? found->second : ViewerLayer{{}, name, "further layers"};
-  layer.name = name.empty() ? picture_name : name;
-  return layer;
-}
-
-std::vector<ViewerLayer> viewer_layers(const LayerTable& table, const LayeredImage& image) {
+std::vector<ViewerLayer> viewer_layers(const SceneFacts& scene, const Measurement& measurement,
+                                       const LayeredImage& image) {
   std::vector<ViewerLayer> layers;
   for (const Channel& channel : image.channels) {
     const std::size_t dot = channel.name.rfind('.');
     const std::string component = dot == std::string::npos ? channel.name : channel.name.substr(dot + 1);
     if (component == "A") continue;
     const std::string name = dot != std::string::npos ? channel.name.substr(0, dot) : component == "Z" ? "Z" : "";
-    if (is_for_programs(name)) continue;
-    const ViewerLayer layer = start_layer(table, name);
-    if (layers.empty() || layers.back().name != layer.name) layers.push_back(layer);
+    const std::optional<ViewerLayer> layer = start_layer(name, scene, measurement);
+    if (!layer) continue;
+    if (layers.empty() || layers.back().name != layer->name) layers.push_back(*layer);
     layers.back().planes.push_back(channel.values);
   }
   return layers;
@@ -181,7 +161,7 @@ ViewerData viewer_data(const SceneFacts& scene, const Measurement& measurement, 
   data.width = gbuffer.width;
   data.height = gbuffer.height;
   data.full = is_full;
-  data.layers = viewer_layers(layer_table(scene, measurement), image);
+  data.layers = viewer_layers(scene, measurement, image);
   for (const ShadowMeasurement& shadow : measurement.shadows) {
     if (shadow.raster && shadow.truth) data.biases.push_back(viewer_bias(scene, shadow));
   }

@@ -6,10 +6,10 @@
 #include <cctype>
 #include <cmath>
 
-#include "present/image_scales.h"
 #include "present/presentation_parts.h"
 #include "present/scene_report.h"
 #include "results/known_statistics.h"
+#include "results/layer_description.h"
 
 namespace umbrameter {
 namespace {
@@ -232,11 +232,11 @@ Presentation present_ao(const AoMeasurement& ao) {
                scalar_figure("truth_ao", "Reference: ambient occlusion",
                              fmt::format("Hemisphere rays {}, {:.0f} per pixel, {} weight.", limit,
                                          ao.truth->precision.mean_samples, value_text(experiment, "truth.ao-weight")),
-                             ao.truth->ao, ao_scale));
+                             ao.truth->ao, color_scale(Layer::truth_ao)));
   }
   if (ao.raster) {
     add_figure(presentation, scalar_figure("raster_ao", std::string(title_of(make_technique(experiment.ao))),
-                                           ao_technique_text(experiment.ao), *ao.raster, ao_scale));
+                                           ao_technique_text(experiment.ao), *ao.raster, color_scale(Layer::truth_ao)));
   }
   if (ao.truth) {
     section.text = precision_text(ao.truth->precision, experiment.truth);
@@ -256,7 +256,7 @@ Presentation present_ao(const AoMeasurement& ao) {
   const SampledError& s = ao.statistics->error;
   add_figure(presentation, scalar_figure("error_ao", "Error: ambient occlusion",
                                          "Technique − reference: blue is too dark, red is too bright.",
-                                         signed_error(*ao.raster, ao.truth->ao), ao_error_scale));
+                                         signed_error(*ao.raster, ao.truth->ao), color_scale(Layer::error_ao)));
   const AoErrorText text = error_text(s);
   section.headlines = {
       {"mean absolute error", text.absolute, fmt::format("of {} pixels", s.pixels)},

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <future>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
@@ -119,10 +120,13 @@ void write_figures_of(const std::filesystem::path& folder, const Console& consol
       }).problems;
 }
 
-LayeredImage run_layers(const SummaryInput& summary) {
+// Fills in summary.layers.
+LayeredImage run_layers(SummaryInput& summary) {
   LayeredImage image = layers_of(summary.scene, *summary.measurement);
   image.attributes["scene"] = scene_title(summary.experiment);
   image.attributes["version"] = UMBRAMETER_VERSION;
+  summary.layers = named_layers(image);
+  image.attributes["layers"] = to_json(summary.layers).dump();
   return image;
 }
 

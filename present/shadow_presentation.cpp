@@ -4,11 +4,11 @@
 
 #include "compare/bias_units.h"
 #include "present/bias_advice_report.h"
-#include "present/image_scales.h"
 #include "present/plateau_text.h"
 #include "present/presentation.h"
 #include "present/presentation_parts.h"
 #include "present/scene_report.h"
+#include "results/layer_description.h"
 
 namespace umbrameter {
 namespace {
@@ -53,7 +53,8 @@ void add_error_figure(Presentation& presentation, const SceneFacts& scene, const
   add_figure(presentation,
              scalar_figure("error_visibility_" + scene.layer(shadow.light), "Error: " + scene.title(shadow.light),
                            "Technique − reference: blue is too dark, red is too bright.",
-                           signed_error(shadow.raster->visibility, shadow.truth->visibility), visibility_error_scale));
+                           signed_error(shadow.raster->visibility, shadow.truth->visibility),
+                           color_scale(Layer::error_visibility)));
 }
 
 void present_edge_error(Presentation& presentation, const SceneFacts& scene, const ShadowMeasurement& shadow,
@@ -171,7 +172,7 @@ Presentation present_shadow_error(const SceneFacts& scene, const ShadowMeasureme
   section.text = counted_text(shadow.counted, !std::holds_alternative<std::monostate>(shadow.emitter));
   if (shadow.truth) {
     add_figure(presentation, scalar_figure("truth_visibility_" + layer, "Reference: " + title, truth_caption(shadow),
-                                           shadow.truth->visibility, visibility_scale));
+                                           shadow.truth->visibility, color_scale(Layer::truth_visibility)));
     presentation.details.push_back(title + ": " + offset_text(shadow.truth->statistics));
     if (shadow.is_sampled) section.text += "\n\n" + precision_text(shadow.truth->precision, experiment.truth);
   }
@@ -180,7 +181,7 @@ Presentation present_shadow_error(const SceneFacts& scene, const ShadowMeasureme
                scalar_figure("raster_visibility_" + layer, "Shadow map: " + title,
                              fmt::format("{}, constant bias {}, slope bias {:g} texels.", technique_text(shadow),
                                          length_text(experiment.shadow.bias.constant), experiment.shadow.bias.slope),
-                             shadow.raster->visibility, visibility_scale));
+                             shadow.raster->visibility, color_scale(Layer::truth_visibility)));
   }
   if (shadow.stored_depths && shadow.stored_depths->range) {
     presentation.details.push_back(title + ": " + stored_depths_text(shadow));

@@ -1,5 +1,6 @@
 #include "present/summary.h"
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -169,6 +170,24 @@ Json to_json(const BiasInUnits& bias) {
   return {{"m", known(bias.metres)}, {"texels", known(bias.texels)}, {"normalised_depth", known(bias.depth)}};
 }
 
+nlohmann::ordered_json to_json(const std::vector<NamedLayer>& layers) {
+  static constexpr std::array<const char*, 5> roles = {"reference", "technique", "error", "cause", "other"};
+  static constexpr std::array<const char*, 6> kinds = {"share", "error", "number", "category", "color", "vector"};
+  Json list = Json::array();
+  for (const NamedLayer& layer : layers) {
+    const LayerDescription& d = *layer.description;
+    Json object = {{"name", layer_name(d.layer, layer.light)}, {"title", d.title}};
+    if (!layer.light.empty()) object["light"] = layer.light;
+    object["unit"] = d.unit;
+    object["role"] = roles[static_cast<std::size_t>(d.role)];
+    object["kind"] = kinds[static_cast<std::size_t>(d.kind)];
+    if (d.kind == ViewerKind::share) object["range"] = {0.0, d.reach};
+    if (d.kind == ViewerKind::error) object["range"] = {-d.reach, d.reach};
+    list.push_back(std::move(object));
+  }
+  return list;
+}
+
 std::string to_summary_json(const SummaryInput& input) {
   Json summary = summary_head(input.command);
   summary["scene"] = {{"name", scene_title(input.experiment)},
@@ -207,6 +226,7 @@ std::string to_summary_json(const SummaryInput& input) {
     summary["sweep"]["open_ends"] = to_json(input.sweep->open_ends);
     if (input.sweep->curves) summary["curves"] = to_json(*input.sweep->curves);
   }
+  if (!input.layers.empty()) summary["layers"] = to_json(input.layers);
   summary["files"] = input.files;
   summary["problems"] = input.problems;
   // Names come from files: bytes that are no UTF-8 are replaced, never thrown on.

@@ -10,6 +10,7 @@
 
 #include "present/axis_ends.h"
 #include "present/bias_report.h"
+#include "results/layer_description.h"
 #include "results/measurement.h"
 #include "results/scene_facts.h"
 
@@ -32,6 +33,7 @@ struct SummaryInput {
   SceneFacts scene;
   const Measurement* measurement = nullptr;
   std::optional<SweepSummary> sweep;
+  std::vector<NamedLayer> layers{};   ///< of images.exr, in its order
   std::vector<std::string> notes;     ///< every assumption made
   std::string embree;                 ///< version
   std::string gl_renderer;            ///< empty when OpenGL was not used
@@ -41,6 +43,9 @@ struct SummaryInput {
 
 /// {"m", "texels", "normalised_depth"}; null for one that is not known.
 nlohmann::ordered_json to_json(const BiasInUnits& bias);
+
+/// "layers" of summary.json, and an attribute of images.exr.
+nlohmann::ordered_json to_json(const std::vector<NamedLayer>& layers);
 
 /// The JSON text. Holds no times or paths, so that equal runs give equal bytes.
 std::string to_summary_json(const SummaryInput& input);

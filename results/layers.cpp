@@ -2,31 +2,34 @@
 
 #include <limits>
 
+#include "results/layer_description.h"
+
 namespace umbrameter {
 namespace {
 
 void add_shadow(LayeredImage& image, const std::string& light, const ShadowMeasurement& shadow) {
-  if (shadow.truth) add_layer(image, "truth_visibility_" + light, shadow.truth->visibility);
+  if (shadow.truth) add_layer(image, layer_name(Layer::truth_visibility, light), shadow.truth->visibility);
   if (shadow.truth && shadow.is_sampled) {
-    add_layer(image, "truth_visibility_standard_error_" + light, shadow.truth->standard_error);
-    add_layer(image, "truth_visibility_variance_" + light, shadow.truth->variance);
-    add_layer(image, "truth_visibility_samples_" + light, shadow.truth->samples);
+    add_layer(image, layer_name(Layer::truth_visibility_standard_error, light), shadow.truth->standard_error);
+    add_layer(image, layer_name(Layer::truth_visibility_variance, light), shadow.truth->variance);
+    add_layer(image, layer_name(Layer::truth_visibility_samples, light), shadow.truth->samples);
   }
-  if (shadow.raster) add_layer(image, "raster_visibility_" + light, shadow.raster->visibility);
+  if (shadow.raster) add_layer(image, layer_name(Layer::raster_visibility, light), shadow.raster->visibility);
   if (!shadow.truth || !shadow.raster) return;
-  add_layer(image, "error_visibility_" + light, signed_error(shadow.raster->visibility, shadow.truth->visibility));
+  add_layer(image, layer_name(Layer::error_visibility, light),
+            signed_error(shadow.raster->visibility, shadow.truth->visibility));
   if (by_cause(shadow) == nullptr) {
     Image<float> counted(shadow.counted.exclusion.width, shadow.counted.exclusion.height);
     for (std::size_t i = 0; i < counted.size(); ++i) {
       counted[i] = shadow.counted.exclusion[i] == PixelExclusion::none ? 1.0f : 0.0f;
     }
-    add_layer(image, "counted_" + light, counted);
+    add_layer(image, layer_name(Layer::counted, light), counted);
     return;
   }
   const Image<PixelClass> classes = classify(shadow.raster->wrong, shadow.counted);
   Image<float> numbers(classes.width, classes.height);
   for (std::size_t i = 0; i < classes.size(); ++i) numbers[i] = static_cast<float>(classes[i]);
-  add_layer(image, "class_" + light, numbers);
+  add_layer(image, layer_name(Layer::classes, light), numbers);
   const WrongTaps& wrong = shadow.raster->wrong;
   if (wrong.weight_sum == 1) return;
   for (std::size_t c = 0; c < cause_count; ++c) {
@@ -34,47 +37,49 @@ void add_shadow(LayeredImage& image, const std::string& light, const ShadowMeasu
     for (std::size_t i = 0; i < share.size(); ++i) {
       share[i] = static_cast<float>(wrong.weights[i][static_cast<int>(c)]) / static_cast<float>(wrong.weight_sum);
     }
-    add_layer(image, std::string(cause_names[c]) + "_" + light, share);
+    add_layer(image, layer_name(layer_of(static_cast<Cause>(c)), light), share);
   }
 }
 
 void add_ao(LayeredImage& image, const AoMeasurement& ao) {
   if (ao.truth) {
-    add_layer(image, "truth_ao", ao.truth->ao);
-    add_layer(image, "truth_ao_standard_error", ao.truth->standard_error);
-    add_layer(image, "truth_ao_variance", ao.truth->variance);
-    add_layer(image, "truth_ao_samples", ao.truth->samples);
-    if (!ao.truth->bent_normal.empty()) add_layer(image, "truth_bent_normal", ao.truth->bent_normal);
-    if (!ao.truth->hit_distance.empty()) add_layer(image, "truth_ao_hit_distance", ao.truth->hit_distance);
+    add_layer(image, layer_name(Layer::truth_ao), ao.truth->ao);
+    add_layer(image, layer_name(Layer::truth_ao_standard_error), ao.truth->standard_error);
+    add_layer(image, layer_name(Layer::truth_ao_variance), ao.truth->variance);
+    add_layer(image, layer_name(Layer::truth_ao_samples), ao.truth->samples);
+    if (!ao.truth->bent_normal.empty()) add_layer(image, layer_name(Layer::truth_bent_normal), ao.truth->bent_normal);
+    if (!ao.truth->hit_distance.empty())
+      add_layer(image, layer_name(Layer::truth_ao_hit_distance), ao.truth->hit_distance);
   }
-  if (ao.raster) add_layer(image, "raster_ao", *ao.raster);
-  if (ao.statistics) add_layer(image, "error_ao", signed_error(*ao.raster, ao.truth->ao));
+  if (ao.raster) add_layer(image, layer_name(Layer::raster_ao), *ao.raster);
+  if (ao.statistics) add_layer(image, layer_name(Layer::error_ao), signed_error(*ao.raster, ao.truth->ao));
   if (!ao.stages) return;
   for (std::size_t k = 0; k < ao_stage_count; ++k) {
-    add_layer(image, "ao_stage_" + std::string(ao_stage_names[k]),
+    add_layer(image, layer_name(static_cast<Layer>(static_cast<std::size_t>(Layer::ao_stage_model) + k)),
               stage_difference(ao.stages->images, static_cast<AoStage>(k)));
   }
 }
 
 void add_image(LayeredImage& image, const SceneFacts& scene, const ImageMeasurement& shaded) {
   const auto exposure = static_cast<float>(shaded.experiment.shading.exposure);
-  if (shaded.truth) add_color_layer(image, "truth_image", *shaded.truth);
-  if (!shaded.standard_error.empty()) add_layer(image, "truth_image_standard_error", shaded.standard_error);
-  if (shaded.raster) add_color_layer(image, "raster_image", shaded.raster->radiance);
+  if (shaded.truth) add_color_layer(image, layer_name(Layer::truth_image), *shaded.truth);
+  if (!shaded.standard_error.empty())
+    add_layer(image, layer_name(Layer::truth_image_standard_error), shaded.standard_error);
+  if (shaded.raster) add_color_layer(image, layer_name(Layer::raster_image), shaded.raster->radiance);
   if (shaded.raster && !shaded.raster->light_buffer.empty()) {
-    add_color_layer(image, "raster_light_buffer", shaded.raster->light_buffer);
+    add_color_layer(image, layer_name(Layer::raster_light_buffer), shaded.raster->light_buffer);
   }
   if (!shaded.statistics) return;
-  add_layer(image, "error_image",
+  add_layer(image, layer_name(Layer::error_image),
             signed_error(luminance(shaded.raster->radiance, exposure), luminance(*shaded.truth, exposure)));
   Image<float> causes(shaded.causes.width, shaded.causes.height);
   for (std::size_t i = 0; i < causes.size(); ++i) causes[i] = static_cast<float>(shaded.causes[i]);
-  add_layer(image, "cause_image", causes);
+  add_layer(image, layer_name(Layer::cause_image), causes);
   if (!shaded.gbuffer_change) return;
-  add_layer(image, "gbuffer_change_image", shaded.gbuffer_change->image);
-  add_layer(image, "gbuffer_change_ao", shaded.gbuffer_change->ao);
+  add_layer(image, layer_name(Layer::gbuffer_change_image), shaded.gbuffer_change->image);
+  add_layer(image, layer_name(Layer::gbuffer_change_ao), shaded.gbuffer_change->ao);
   for (std::size_t i = 0; i < shaded.lights.size(); ++i) {
-    add_layer(image, "gbuffer_change_visibility_" + scene.layer(shaded.lights[i]),
+    add_layer(image, layer_name(Layer::gbuffer_change_visibility, scene.layer(shaded.lights[i])),
               shaded.gbuffer_change->visibility[i]);
   }
 }
@@ -89,7 +94,7 @@ void add_picture(LayeredImage& image, const Image<vec3>& picture, const GBuffer&
   Channel alpha{"A", Image<float>(picture.width, picture.height)};
   for (std::size_t i = 0; i < picture.size(); ++i) alpha.values[i] = gbuffer.is_surface(i) ? 1.0f : 0.0f;
   image.channels.push_back(std::move(alpha));
-  image.channels.push_back({"Z", gbuffer.depth});
+  image.channels.push_back({layer_name(Layer::depth), gbuffer.depth});
 }
 
 // A background pixel has no position; the G-buffer's zeros would read as points at the origin.
@@ -109,13 +114,27 @@ LayeredImage layers_of(const SceneFacts& scene, const Measurement& measurement) 
   for (const ShadowMeasurement& shadow : measurement.shadows) add_shadow(image, scene.layer(shadow.light), shadow);
   if (measurement.ao) add_ao(image, *measurement.ao);
   if (measurement.image) add_image(image, scene, *measurement.image);
-  add_layer(image, "gbuffer_position", surface_positions(gbuffer));
-  add_layer(image, "gbuffer_normal", gbuffer.geometric_normal);
+  add_layer(image, layer_name(Layer::gbuffer_position), surface_positions(gbuffer));
+  add_layer(image, layer_name(Layer::gbuffer_normal), gbuffer.geometric_normal);
   add_picture(image, measurement.picture, gbuffer);
   const dmat4 view_from = view_from_world(measurement.surfels.view);
   image.world_to_camera = mat4(view_from);
   image.world_to_ndc = mat4(clip_from_view(measurement.surfels.view) * view_from);
   return image;
+}
+
+std::vector<NamedLayer> named_layers(const LayeredImage& image) {
+  std::vector<NamedLayer> layers;
+  std::string last = "none";
+  for (const Channel& channel : image.channels) {
+    const std::size_t dot = channel.name.rfind('.');
+    const bool is_depth = channel.name == layer_name(Layer::depth);
+    std::string name = dot != std::string::npos ? channel.name.substr(0, dot) : is_depth ? channel.name : "";
+    if (name == last) continue;
+    if (const std::optional<NamedLayer> layer = find_layer(name)) layers.push_back(*layer);
+    last = std::move(name);
+  }
+  return layers;
 }
 
 }  // namespace umbrameter

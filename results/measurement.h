@@ -136,10 +136,10 @@ struct DebugView {
 struct Measurement {
   Experiment experiment;  ///< the parameters of all parts
   Surfels surfels;
-  Image<vec3> picture;  ///< the view, shaded; linear, 1 is about white
-  std::vector<ShadowMeasurement> shadows;
-  std::optional<AoMeasurement> ao;
-  std::optional<ImageMeasurement> image;
+  Image<vec3> picture{};  ///< the view, shaded; linear, 1 is about white
+  std::vector<ShadowMeasurement> shadows{};
+  std::optional<AoMeasurement> ao{};
+  std::optional<ImageMeasurement> image{};
   std::vector<DebugView> debug_views{};  ///< that run.overlay lists
 };
 

@@ -7,6 +7,7 @@
 #include "compare/visibility.h"
 #include "core/jackknife.h"
 #include "core/quantiles.h"
+#include "results/layer_description.h"
 #include "store/run_comparison.h"
 
 namespace umbrameter {
@@ -32,27 +33,28 @@ struct StoredImages {
 
 StoredImages images_of(const StoredRun& run, const MeasuredStatistic& statistic) {
   StoredImages images;
-  const auto find = [&](const std::string& layer) { return find_channel(run, layer + ".Y"); };
-  images.position = find_channel(run, "gbuffer_position.X");
+  std::string light;
+  const auto find = [&](Layer layer) { return find_channel(run, layer_name(layer, light) + ".Y"); };
+  images.position = find_channel(run, layer_name(Layer::gbuffer_position) + ".X");
   if (statistic.kind == "shadow") {
     const auto layer = run.layers.find(statistic.light);
     if (layer == run.layers.end()) return images;
-    const std::string& light = layer->second;
-    images.error = find("error_visibility_" + light);
-    images.truth = find("truth_visibility_" + light);
-    images.raster = find("raster_visibility_" + light);
-    images.variance = find("truth_visibility_variance_" + light);
-    images.classes = find("class_" + light);
-    images.counted = find("counted_" + light);
-    for (std::size_t c = 0; c < cause_count; ++c) images.causes[c] = find(std::string(cause_names[c]) + "_" + light);
+    light = layer->second;
+    images.error = find(Layer::error_visibility);
+    images.truth = find(Layer::truth_visibility);
+    images.raster = find(Layer::raster_visibility);
+    images.variance = find(Layer::truth_visibility_variance);
+    images.classes = find(Layer::classes);
+    images.counted = find(Layer::counted);
+    for (std::size_t c = 0; c < cause_count; ++c) images.causes[c] = find(layer_of(static_cast<Cause>(c)));
   } else if (statistic.kind == "ao") {
-    images.error = find("error_ao");
-    images.truth = find("truth_ao");
-    images.raster = find("raster_ao");
-    images.variance = find("truth_ao_variance");
+    images.error = find(Layer::error_ao);
+    images.truth = find(Layer::truth_ao);
+    images.raster = find(Layer::raster_ao);
+    images.variance = find(Layer::truth_ao_variance);
   } else {
-    images.error = find("error_image");
-    images.standard_error = find("truth_image_standard_error");
+    images.error = find(Layer::error_image);
+    images.standard_error = find(Layer::truth_image_standard_error);
   }
   return images;
 }

@@ -18,11 +18,11 @@
 #include "core/error.h"
 #include "experiments/measure/measure.h"
 #include "experiments/measure/measure_ao_stages.h"
-#include "present/image_scales.h"
 #include "raster/ao/ao_pass.h"
 #include "raster/gbuffer/gbuffer_pass.h"
 #include "raster/gl/timer.h"
 #include "reports/figures/drawing.h"
+#include "results/layer_description.h"
 #include "scenes/builtin.h"
 #include "techniques/ao/integral.h"
 #include "tests/agreement/labelled_sheet.h"
@@ -225,12 +225,14 @@ void add_cells(std::vector<SheetCell>& cells, const Sheet& sheet, const Pictured
       s.stages.begin());
   const Image<float>& reference = ao.truth->ao;
   const Image<float>& drawn = *ao.raster;
-  cells.push_back({fmt::format("{}: reference", pictured.scene), colorize(half(reference), ao_scale)});
-  cells.push_back({"result", colorize(half(drawn), ao_scale)});
+  cells.push_back(
+      {fmt::format("{}: reference", pictured.scene), colorize(half(reference), color_scale(Layer::truth_ao))});
+  cells.push_back({"result", colorize(half(drawn), color_scale(Layer::truth_ao))});
   cells.push_back({fmt::format("error: RMS {:.3f}, mean {:+.3f}", s.total.rmse.value, s.total.mean_error.value),
-                   colorize(half(difference(drawn, reference)), ao_error_scale)});
-  cells.push_back({fmt::format("{}: RMS {:.3f}", ao_stage_titles[largest], s.stages[largest].rms.value),
-                   colorize(half(stage_difference(measured.images, static_cast<AoStage>(largest))), ao_error_scale)});
+                   colorize(half(difference(drawn, reference)), color_scale(Layer::error_ao))});
+  cells.push_back(
+      {fmt::format("{}: RMS {:.3f}", ao_stage_titles[largest], s.stages[largest].rms.value),
+       colorize(half(stage_difference(measured.images, static_cast<AoStage>(largest))), color_scale(Layer::error_ao))});
 }
 
 void draw_sheets(const std::filesystem::path& folder, const std::vector<std::string>& pages) {

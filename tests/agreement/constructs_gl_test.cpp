@@ -31,14 +31,14 @@ double mean(const Image<float>& image) {
 }
 
 /// How two coverages compare in pixels that are away from the edges of both: all neighbours are alike.
-struct Agreement {
+struct SideAgreement {
   int compared = 0;
   int different = 0;
 };
-Agreement compare(const Image<float>& drawn, const Image<float>& traced) {
+SideAgreement compare(const Image<float>& drawn, const Image<float>& traced) {
   const Image<std::uint8_t> drawn_edges = near_edges(drawn);
   const Image<std::uint8_t> traced_edges = near_edges(traced);
-  Agreement agreement;
+  SideAgreement agreement;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
     if (drawn_edges[i] != 0 || traced_edges[i] != 0) continue;
     ++agreement.compared;
@@ -81,7 +81,7 @@ TEST_F(ConstructsGl, Drawn_and_traced_surfels_cover_the_same_pixels_away_from_ed
     const GBuffer drawn = read_back(context(), draw_gbuffer(context(), upload(context(), scene), view));
     const GBuffer traced = trace_gbuffer(Tracer(scene), view);
     const Image<float> coverage = coverage_of(drawn.instance);
-    const Agreement agreement = compare(coverage, coverage_of(traced.instance));
+    const SideAgreement agreement = compare(coverage, coverage_of(traced.instance));
     EXPECT_EQ(agreement.different, 0);
     EXPECT_GT(agreement.compared, 192 * 144 / 2);
     if (is_hidden_whole(construct)) {
@@ -119,7 +119,7 @@ TEST_F(ConstructsGl, A_shadow_map_and_rays_along_the_light_meet_the_same_surface
     const GBuffer traced = trace_gbuffer(Tracer(scene), view);
     const std::vector<Image<float>> depths = to_metres(map, frame);
     const Image<float> coverage = coverage_of(map.instance[0]);
-    const Agreement agreement = compare(coverage, coverage_of(traced.instance));
+    const SideAgreement agreement = compare(coverage, coverage_of(traced.instance));
     EXPECT_EQ(agreement.different, 0);
     EXPECT_GT(agreement.compared, side * side / 2);
     if (!is_hidden_whole(construct)) {

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-class ReferenceCache : public testing::Test {
+class CacheCommand : public testing::Test {
  protected:
   ProgramOptions here() const { return {{"XDG_CACHE_HOME=" + home_.string()}, {}, 0, 0.0}; }
   ProgramResult trace(const std::string& output, const std::vector<std::string>& more = {}) const {
@@ -53,7 +53,7 @@ class ReferenceCache : public testing::Test {
 
 constexpr const char* hit = "using the cached reference";
 
-TEST_F(ReferenceCache, Gives_the_same_files_bit_for_bit) {
+TEST_F(CacheCommand, Gives_the_same_files_bit_for_bit) {
   const ProgramResult first = trace("first");
   ASSERT_EQ(first.exit_code, 0) << first.err;
   EXPECT_EQ(first.err.find(hit), std::string::npos) << first.err;
@@ -68,8 +68,7 @@ TEST_F(ReferenceCache, Gives_the_same_files_bit_for_bit) {
   }
 }
 
-TEST_F(ReferenceCache,
-       Gives_the_same_files_for_soft_shadows_and_pixels_that_stop_on_their_own_at_any_number_of_threads) {
+TEST_F(CacheCommand, Gives_the_same_files_for_soft_shadows_and_pixels_that_stop_on_their_own_at_any_number_of_threads) {
   const std::vector<std::string> soft = {"--light.angle", "6"};
   const std::vector<std::string> adaptive = {"--light.angle",   "6",  "--truth.tolerance", "0.2",
                                              "--truth.min-spp", "64", "--truth.ao-layers", "all"};
@@ -94,7 +93,7 @@ TEST_F(ReferenceCache,
   }
 }
 
-TEST_F(ReferenceCache, Another_seed_view_or_sample_count_is_traced_anew) {
+TEST_F(CacheCommand, Another_seed_view_or_sample_count_is_traced_anew) {
   trace("first");
   for (const std::vector<std::string>& more : {std::vector<std::string>{"--seed", "2"},
                                                {"--size", "64x32"},
@@ -106,12 +105,12 @@ TEST_F(ReferenceCache, Another_seed_view_or_sample_count_is_traced_anew) {
   EXPECT_NE(trace("again").err.find(hit), std::string::npos);
 }
 
-TEST_F(ReferenceCache, No_cache_leaves_no_trace_of_itself) {
+TEST_F(CacheCommand, No_cache_leaves_no_trace_of_itself) {
   EXPECT_EQ(trace("first", {"--no-cache"}).exit_code, 0);
   EXPECT_FALSE(fs::exists(home_));
 }
 
-TEST_F(ReferenceCache, A_damaged_entry_is_traced_anew_with_a_note) {
+TEST_F(CacheCommand, A_damaged_entry_is_traced_anew_with_a_note) {
   trace("first");
   for (const fs::path& entry : entries()) {
     std::string bytes = text_of(entry);
@@ -128,7 +127,7 @@ TEST_F(ReferenceCache, A_damaged_entry_is_traced_anew_with_a_note) {
   EXPECT_NE(third.err.find(hit), std::string::npos) << third.err;
 }
 
-TEST_F(ReferenceCache, What_cannot_be_kept_is_a_note_and_no_failure) {
+TEST_F(CacheCommand, What_cannot_be_kept_is_a_note_and_no_failure) {
   put_text(home_, "a file where the folder should be");
   const ProgramResult blocked = trace("blocked");
   EXPECT_EQ(blocked.exit_code, 0);
@@ -139,7 +138,7 @@ TEST_F(ReferenceCache, What_cannot_be_kept_is_a_note_and_no_failure) {
   EXPECT_EQ(image("homeless"), image("blocked"));
 }
 
-TEST_F(ReferenceCache, A_read_only_folder_still_gives_hits) {
+TEST_F(CacheCommand, A_read_only_folder_still_gives_hits) {
   trace("first");
   const std::string mount = "mount --bind '" + home_.string() + "' '" + home_.string() +
                             "' && mount -o remount,bind,ro '" + home_.string() + "'";
@@ -157,7 +156,7 @@ TEST_F(ReferenceCache, A_read_only_folder_still_gives_hits) {
   EXPECT_NE(other.err.find("Read-only file system"), std::string::npos) << other.err;
 }
 
-TEST_F(ReferenceCache, The_limit_is_kept_and_wrong_ones_are_refused) {
+TEST_F(CacheCommand, The_limit_is_kept_and_wrong_ones_are_refused) {
   const std::uint64_t limit = bytes_of_a_run() * 5 / 2;
   ProgramOptions limited = here();
   limited.environment.push_back("UMBRAMETER_CACHE_SIZE=" + std::to_string(limit));
@@ -173,7 +172,7 @@ TEST_F(ReferenceCache, The_limit_is_kept_and_wrong_ones_are_refused) {
   EXPECT_NE(refused.err.find("UMBRAMETER_CACHE_SIZE=plenty"), std::string::npos) << refused.err;
 }
 
-TEST_F(ReferenceCache, Is_listed_and_cleared) {
+TEST_F(CacheCommand, Is_listed_and_cleared) {
   EXPECT_EQ(list()["entries"].size(), 0u);
   trace("out");
   const Json listing = list();
@@ -187,7 +186,7 @@ TEST_F(ReferenceCache, Is_listed_and_cleared) {
   EXPECT_TRUE(entries().empty());
 }
 
-TEST_F(ReferenceCache, Serves_many_processes_at_once) {
+TEST_F(CacheCommand, Serves_many_processes_at_once) {
   ProgramOptions limited = here();
   const std::uint64_t limit = bytes_of_a_run() * 7 / 2;
   limited.environment.push_back("UMBRAMETER_CACHE_SIZE=" + std::to_string(limit));
@@ -214,7 +213,7 @@ TEST_F(ReferenceCache, Serves_many_processes_at_once) {
   }
 }
 
-TEST_F(ReferenceCache, Ctrl_c_during_a_trace_keeps_no_entry) {
+TEST_F(CacheCommand, Ctrl_c_during_a_trace_keeps_no_entry) {
   ProgramOptions options = here();
   options.signal = SIGINT;
   options.signal_after_seconds = 1.5;

@@ -7,7 +7,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr int side = 64;
+constexpr int image_side = 64;
 
 // A run of one light with these statistics and layers; all of its pixels are counted.
 StoredRun stored_shadow(const std::vector<std::pair<std::string, double>>& statistics,
@@ -17,7 +17,7 @@ StoredRun stored_shadow(const std::vector<std::pair<std::string, double>>& stati
   run.layers["sun"] = "sun";
   run.images.emplace();
   for (const auto& [name, values] : layers) add_layer(*run.images, name + "_sun", values);
-  add_layer(*run.images, "gbuffer_position", Image<vec3>(side, side, vec3(1.0f)));
+  add_layer(*run.images, "gbuffer_position", Image<vec3>(image_side, image_side, vec3(1.0f)));
   for (const auto& [name, value] : statistics) {
     MeasuredStatistic& measured = run.statistics.emplace_back();
     measured.kind = "shadow";
@@ -46,8 +46,8 @@ TEST(RunsReportTables, Name_errors_in_words_and_show_too_dark_and_too_bright) {
 
 // Runs of earlier versions hold the main cause of a pixel alone: here 6 % of acne in pixels whose error is 10 %.
 TEST(RunsReportIntervals, Causes_of_a_filter_without_their_layers_have_values_and_no_intervals) {
-  const Image<float> error(side, side, -0.1f);
-  const Image<float> acne_is_main(side, side, 1.0f);
+  const Image<float> error(image_side, image_side, -0.1f);
+  const Image<float> acne_is_main(image_side, image_side, 1.0f);
   const StoredRun run = stored_shadow({{"mae", 0.1}, {"acne", 0.06}, {"false_occlusion", 0.04}},
                                       {{"error_visibility", error}, {"class", acne_is_main}});
   EXPECT_TRUE(estimate_over_blocks(run, run.statistics[0]));

@@ -23,7 +23,7 @@ std::string write_triangle(const TemporaryFolder& folder, double size, bool is_b
   return folder.write("triangle.glb", test::glb(json, test::triangle_positions())).string();
 }
 
-Json info(std::vector<std::string> words) {
+Json info_of(std::vector<std::string> words) {
   words.insert(words.begin(), {"info", "--json"});
   const ProgramResult result = run_program(words);
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -37,20 +37,20 @@ std::string usage_error(const std::vector<std::string>& words) {
   return result.err;
 }
 
-void expect_words(const std::string& text, const std::vector<std::string>& words) {
+void expect_all_words(const std::string& text, const std::vector<std::string>& words) {
   for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << " in: " << text;
 }
 
 TEST(SceneFlags, Info_and_scene_read_the_file_in_the_given_unit) {
   const TemporaryFolder folder;
   const std::string file = write_triangle(folder, 300);
-  EXPECT_DOUBLE_EQ(info({file})["extent_m"][0], 300.0);
-  EXPECT_DOUBLE_EQ(info({file, "--scene.unit", "cm"})["extent_m"][0], 3.0);
-  EXPECT_DOUBLE_EQ(info({"corner", "--scene.unit", "0.5"})["extent_m"][0].get<double>(),
-                   0.5 * info({"corner"})["extent_m"][0].get<double>());
+  EXPECT_DOUBLE_EQ(info_of({file})["extent_m"][0], 300.0);
+  EXPECT_DOUBLE_EQ(info_of({file, "--scene.unit", "cm"})["extent_m"][0], 3.0);
+  EXPECT_DOUBLE_EQ(info_of({"corner", "--scene.unit", "0.5"})["extent_m"][0].get<double>(),
+                   0.5 * info_of({"corner"})["extent_m"][0].get<double>());
   const ProgramResult written = run_program({"scene", file, "--scene.unit", "cm", "-o", folder / "written.glb"});
   EXPECT_EQ(written.exit_code, 0) << written.err;
-  EXPECT_DOUBLE_EQ(info({folder / "written.glb"})["extent_m"][0], 3.0);
+  EXPECT_DOUBLE_EQ(info_of({folder / "written.glb"})["extent_m"][0], 3.0);
 }
 
 TEST(SceneFlags, A_run_stores_them_and_repeats_them) {
@@ -60,8 +60,8 @@ TEST(SceneFlags, A_run_stores_them_and_repeats_them) {
   std::vector<std::string> first = {"trace", file, "-o", folder / "a", "--scene.unit", "cm", "--scene.blend", "mask"};
   first.insert(first.end(), rest.begin(), rest.end());
   ASSERT_EQ(run_program(first).exit_code, 0);
-  expect_words(text_of(folder / "a/experiment.toml"),
-               {"[scene]\nsource = \"" + file + "\"", "unit = \"cm\"", "blend = \"mask\""});
+  expect_all_words(text_of(folder / "a/experiment.toml"),
+                   {"[scene]\nsource = \"" + file + "\"", "unit = \"cm\"", "blend = \"mask\""});
   ASSERT_EQ(run_program({"trace", "-c", folder / "a/experiment.toml", "-o", folder / "b", "--quiet"}).exit_code, 0);
   EXPECT_EQ(text_of(folder / "a/images.exr"), text_of(folder / "b/images.exr"));
   const Json summary = Json::parse(text_of(folder / "b/summary.json"));
@@ -73,8 +73,8 @@ TEST(SceneFlags, A_sweep_cannot_vary_them) {
   const TemporaryFolder folder;
   const std::string file = write_triangle(folder, 1);
   for (const std::string axis : {"scene.unit=m,cm", "scene.blend=opaque,mask", "scene.ground=false,true"}) {
-    expect_words(usage_error({"sweep", file, "-o", folder / "out", "--vary", axis}),
-                 {"--vary " + axis.substr(0, axis.find('=')), "one scene"});
+    expect_all_words(usage_error({"sweep", file, "-o", folder / "out", "--vary", axis}),
+                     {"--vary " + axis.substr(0, axis.find('=')), "one scene"});
   }
 }
 
@@ -90,22 +90,22 @@ TEST(SceneFlags, A_ground_is_named_with_its_size_and_belongs_to_the_settings_of_
     words.insert(words.end(), {"-o", folder / "out"});
     const ProgramResult traced = run_program(words);
     ASSERT_EQ(traced.exit_code, 0) << traced.err;
-    expect_words(traced.err, {said});
-    expect_words(text_of(folder / "out/experiment.toml"), {"ground = true"});
-    expect_words(text_of(folder / "out/index.html"), {"a ground of 21.2 m"});
+    expect_all_words(traced.err, {said});
+    expect_all_words(text_of(folder / "out/experiment.toml"), {"ground = true"});
+    expect_all_words(text_of(folder / "out/index.html"), {"a ground of 21.2 m"});
   }
-  const Json with = info({file, "--scene.ground"});
-  EXPECT_EQ(with["extent_m"], info({file})["extent_m"]);
+  const Json with = info_of({file, "--scene.ground"});
+  EXPECT_EQ(with["extent_m"], info_of({file})["extent_m"]);
   EXPECT_EQ(with["triangles"], 3);
-  expect_words(usage_error({"info", "--scene.ground", file}), {"scene.ground", "triangle.glb"});
+  expect_all_words(usage_error({"info", "--scene.ground", file}), {"scene.ground", "triangle.glb"});
 }
 
 TEST(SceneFlags, What_makes_no_sense_is_a_usage_error) {
   const TemporaryFolder folder;
-  expect_words(usage_error({"info", "corner", "--scene.unit", "furlong"}), {"--scene.unit furlong", "inch"});
-  expect_words(usage_error({"trace", "corner", "--scene.unit", "-1", "-o", folder / "out"}), {"--scene.unit -1"});
-  expect_words(usage_error({"info", "corner", "--scene.blend", "glass"}), {"scene.blend", "leave-out"});
-  expect_words(usage_error({"info", "--scene.unit", "cm"}), {"--scene.unit cm", "no file"});
+  expect_all_words(usage_error({"info", "corner", "--scene.unit", "furlong"}), {"--scene.unit furlong", "inch"});
+  expect_all_words(usage_error({"trace", "corner", "--scene.unit", "-1", "-o", folder / "out"}), {"--scene.unit -1"});
+  expect_all_words(usage_error({"info", "corner", "--scene.blend", "glass"}), {"scene.blend", "leave-out"});
+  expect_all_words(usage_error({"info", "--scene.unit", "cm"}), {"--scene.unit cm", "no file"});
 }
 
 TEST(SceneFlags, Each_command_says_what_is_taken_as_opaque) {
@@ -114,11 +114,11 @@ TEST(SceneFlags, Each_command_says_what_is_taken_as_opaque) {
   const std::string said = "1 triangle of the material 'glass'";
   const ProgramResult traced = run_program({"trace", file, "-o", folder / "out", "--size", "16x9", "--truth.spp", "1"});
   ASSERT_EQ(traced.exit_code, 0) << traced.err;
-  expect_words(traced.err, {said, "--scene.blend"});
-  expect_words(text_of(folder / "out/summary.json"), {said});
-  expect_words(text_of(folder / "out/index.html"), {"1 triangle of the material"});
-  expect_words(run_program({"info", file}).out, {"1 triangle of the material"});
-  expect_words(run_program({"scene", file, "-o", folder / "copy.glb"}).err, {said});
+  expect_all_words(traced.err, {said, "--scene.blend"});
+  expect_all_words(text_of(folder / "out/summary.json"), {said});
+  expect_all_words(text_of(folder / "out/index.html"), {"1 triangle of the material"});
+  expect_all_words(run_program({"info", file}).out, {"1 triangle of the material"});
+  expect_all_words(run_program({"scene", file, "-o", folder / "copy.glb"}).err, {said});
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 namespace umbrameter {
 namespace {
 
-constexpr int width = 37;
-constexpr int height = 19;
+constexpr int image_width = 37;
+constexpr int image_height = 19;
 constexpr int samples = 24;
 
 float number(std::uint32_t purpose, std::size_t i, std::uint32_t j = 0) {
@@ -22,9 +22,9 @@ float number(std::uint32_t purpose, std::size_t i, std::uint32_t j = 0) {
 
 struct Case {
   GBuffer gbuffer;
-  Image<float> truth{width, height};
-  Image<float> variance{width, height};
-  Image<float> rays{width, height};
+  Image<float> truth{image_width, image_height};
+  Image<float> variance{image_width, image_height};
+  Image<float> rays{image_width, image_height};
   std::vector<std::uint32_t> counts;
   std::vector<OccludingSample> occluding;
   AoAxes axes;
@@ -32,7 +32,7 @@ struct Case {
   SampledImage sampled() const { return {truth, variance, rays, 12}; }
   // As the technique draws it.
   Image<float> draw(std::size_t bias, int count, const AoToneParams& tone) const {
-    Image<float> ao(width, height);
+    Image<float> ao(image_width, image_height);
     for (std::size_t i = 0; i < ao.size(); ++i) {
       float sum = 0.0f;
       for (std::size_t k = 0; k < counts[i]; ++k) {
@@ -48,7 +48,7 @@ struct Case {
 Case make_case() {
   Case c;
   c.axes = {{-0.1f, 0.0f, 0.01f, 0.02f, 0.5f}, {1, 2, 3, 7, 16, 24}, {{1, 1}, {1, 2.2}, {0.5, 1}, {3.0, 0.7}}};
-  c.gbuffer = GBuffer(width, height);
+  c.gbuffer = GBuffer(image_width, image_height);
   c.occluding.resize(c.truth.size() * samples);
   for (std::size_t i = 0; i < c.truth.size(); ++i) {
     c.gbuffer.instance[i] = number(1, i) < 0.1f ? no_id : 0;
@@ -77,10 +77,10 @@ TEST(AoResponse, Every_cell_has_the_error_of_its_own_image) {
   const Case c = make_case();
   AoResponse response(c.sampled(), c.gbuffer, c.axes);
   std::vector<AoResponseRow> rows;
-  for (int y = 0; y < height; ++y) {
-    const std::size_t at = static_cast<std::size_t>(y) * width;
-    rows.push_back({y, samples, std::span(c.counts).subspan(at, width),
-                    std::span(c.occluding).subspan(at * samples, std::size_t{width} * samples)});
+  for (int y = 0; y < image_height; ++y) {
+    const std::size_t at = static_cast<std::size_t>(y) * image_width;
+    rows.push_back({y, samples, std::span(c.counts).subspan(at, image_width),
+                    std::span(c.occluding).subspan(at * samples, std::size_t{image_width} * samples)});
   }
   // In two parts, as a pass gives them.
   response.add(std::span(rows).first(8));

@@ -10,15 +10,15 @@
 namespace umbrameter {
 namespace {
 
-constexpr int width = 24;
-constexpr int height = 16;
+constexpr int columns = 24;
+constexpr int rows = 16;
 
 // Stage k changes every pixel by a random amount about `step_of(k)`.
 double step_of(std::size_t k) { return 0.01 * (static_cast<double>(k) - 2.5); }
 
 AoStageImages random_images() {
   AoStageImages images;
-  images.accessibility[0] = Image<float>(width, height);
+  images.accessibility[0] = Image<float>(columns, rows);
   for (std::size_t i = 0; i < images.accessibility[0].size(); ++i) {
     images.accessibility[0][i] = 0.4f + 0.3f * to_unit_float(hash(static_cast<std::uint32_t>(i), 7u));
   }
@@ -33,9 +33,9 @@ AoStageImages random_images() {
 }
 
 GBuffer surfaces() {
-  GBuffer gbuffer(width, height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
+  GBuffer gbuffer(columns, rows);
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < columns; ++x) {
       const std::size_t i = gbuffer.instance.index(x, y);
       if (x < 2) continue;  // background
       gbuffer.instance[i] = 0;
@@ -48,7 +48,7 @@ GBuffer surfaces() {
 }
 
 View orthographic() {
-  View view{width, height, {}};
+  View view{columns, rows, {}};
   view.camera.projection = OrthographicProjection{8.0, 8.0, 0.1, 100.0};
   return view;
 }
@@ -57,7 +57,7 @@ TEST(AoStages, Signed_means_add_up_to_the_total_in_linear_and_in_sRGB) {
   const AoStageImages images = random_images();
   const GBuffer gbuffer = surfaces();
   const AoStageStatistics s = analyze_ao_stages(images, [&](std::size_t i) { return gbuffer.is_surface(i); });
-  EXPECT_EQ(s.total.pixels, static_cast<std::uint64_t>((width - 2) * height));
+  EXPECT_EQ(s.total.pixels, static_cast<std::uint64_t>((columns - 2) * rows));
   double sum = 0.0;
   double srgb = 0.0;
   for (const AoStageError& stage : s.stages) {
@@ -66,7 +66,7 @@ TEST(AoStages, Signed_means_add_up_to_the_total_in_linear_and_in_sRGB) {
   }
   EXPECT_NEAR(sum, s.total.mean_error.value, 1e-12);
   EXPECT_NEAR(srgb, s.srgb_mean_error, 1e-12);
-  // Uniform noise of width 0.02 has the variance 0.02²/12.
+  // Uniform noise of columns 0.02 has the variance 0.02²/12.
   for (std::size_t k = 0; k < ao_stage_count; ++k) {
     EXPECT_NEAR(s.stages[k].mean.value, step_of(k), 1e-3) << k;
     EXPECT_NEAR(s.stages[k].rms.value, std::sqrt(step_of(k) * step_of(k) + 0.02 * 0.02 / 12.0), 1e-3) << k;
@@ -93,7 +93,7 @@ TEST(AoStages, Noise_of_the_references_is_not_taken_for_an_error) {
   for (std::size_t k = 0; k <= ao_stage_count; ++k) images.accessibility[k] = Image<float>(side, side, 0.5f);
   Image<float>& model = images.accessibility[1];
   for (std::size_t i = 0; i < model.size(); ++i) {
-    // Uniform of width √12 · 0.1.
+    // Uniform of columns √12 · 0.1.
     model[i] += 0.34641f * (to_unit_float(hash(static_cast<std::uint32_t>(i), 3u)) - 0.5f);
   }
   images.variance[0] = images.variance[1] = Image<float>(side, side, 0.01f);
@@ -110,7 +110,7 @@ TEST(AoStages, The_bins_of_each_split_hold_every_surface_pixel_once) {
   const AoStageImages images = random_images();
   const GBuffer gbuffer = surfaces();
   // A depth edge between the columns 11 and 12.
-  const auto is_joined = [](std::size_t a, std::size_t b) { return !(a % width == 11 && b % width == 12); };
+  const auto is_joined = [](std::size_t a, std::size_t b) { return !(a % columns == 11 && b % columns == 12); };
   const std::vector<AoStageBin> bins = split_ao_stages(images, gbuffer, orthographic(), is_joined);
   const AoStageStatistics all = analyze_ao_stages(images, [&](std::size_t i) { return gbuffer.is_surface(i); });
   for (const std::string split : {"depth", "cosine_to_viewer", "depth_edge_distance", "image_edge_distance", "error"}) {
@@ -134,7 +134,7 @@ TEST(AoStages, The_bins_of_each_split_hold_every_surface_pixel_once) {
   // Two columns to either side have a centre within 2 px of the edge.
   for (const AoStageBin& bin : bins) {
     if (bin.split != "depth_edge_distance" || bin.first != 0.0) continue;
-    EXPECT_EQ(bin.statistics.total.pixels, static_cast<std::uint64_t>(4 * height));
+    EXPECT_EQ(bin.statistics.total.pixels, static_cast<std::uint64_t>(4 * rows));
   }
 }
 

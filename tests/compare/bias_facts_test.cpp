@@ -11,7 +11,7 @@ namespace {
 constexpr double degrees = pi / 180.0;
 
 // Texels of 0.1 m, light along −z.
-MapLayout orthographic() {
+MapLayout orthographic_layout() {
   MapLayout layout;
   layout.resolution = 200;
   layout.views[0].half_extent = 10.0;
@@ -30,8 +30,9 @@ TEST(BiasFacts, Depth_per_texel_is_texel_times_tangent_times_p_plus_q) {
     for (const double psi : {0.0, 20.0, 45.0, 250.0}) {
       const double expected =
           0.1 * std::tan(theta * degrees) * (std::abs(std::cos(psi * degrees)) + std::abs(std::sin(psi * degrees)));
-      EXPECT_NEAR(depth_per_texel_at(orthographic(), {1.23, -4.56, 0.0}, normal_of(theta * degrees, psi * degrees)),
-                  expected, 1e-9)
+      EXPECT_NEAR(
+          depth_per_texel_at(orthographic_layout(), {1.23, -4.56, 0.0}, normal_of(theta * degrees, psi * degrees)),
+          expected, 1e-9)
           << theta << " " << psi;
     }
   }
@@ -49,7 +50,7 @@ TEST(BiasFacts, Of_a_spot_light_is_that_of_its_texels_at_the_receiver) {
 }
 
 TEST(BiasFacts, A_plane_that_faces_away_has_none) {
-  EXPECT_TRUE(std::isinf(depth_per_texel_at(orthographic(), dvec3(0.0), {0.0, 0.0, -1.0})));
+  EXPECT_TRUE(std::isinf(depth_per_texel_at(orthographic_layout(), dvec3(0.0), {0.0, 0.0, -1.0})));
 }
 
 FilterKernel filter_of(ShadowFilter filter, int size, FilterTaps taps = FilterTaps::nearest) {
@@ -92,7 +93,7 @@ TEST(BiasFacts, Are_those_that_90_percent_of_the_counted_pixels_do_not_exceed) {
   depth.format = MapDepthFormat::fixed16;
   FilterKernel kernel;
   kernel.kernel = {1, 1, 1};
-  const BiasFacts facts = measure_facts(gbuffer, orthographic(), counted, depth, kernel);
+  const BiasFacts facts = measure_facts(gbuffer, orthographic_layout(), counted, depth, kernel);
   EXPECT_NEAR(facts.depth_per_texel, 0.1 * 90.0, 1e-3);
   EXPECT_EQ(facts.radius, 1.0);
   EXPECT_NEAR(facts.depth_step, 100.0 / 65535.0, 1e-12);
@@ -103,7 +104,7 @@ TEST(BiasFacts, Without_counted_pixels_are_unknown) {
   counted.exclusion = Image<PixelExclusion>(4, 4, PixelExclusion::background);
   FilterKernel kernel;
   kernel.kernel = {1};
-  EXPECT_TRUE(std::isnan(measure_facts(GBuffer(4, 4), orthographic(), counted, {}, kernel).depth_per_texel));
+  EXPECT_TRUE(std::isnan(measure_facts(GBuffer(4, 4), orthographic_layout(), counted, {}, kernel).depth_per_texel));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace umbrameter {
 namespace {
 
-BiasCell cell(double constant, double acne, double peter_panning) {
+BiasCell plateau_cell(double constant, double acne, double peter_panning) {
   return {constant, 0.0, acne + peter_panning, acne, 0.0, peter_panning, 0.0};
 }
 
@@ -24,7 +24,7 @@ struct Taps {
   BiasCell at(double bias) const {
     const auto above = acne.end() - std::upper_bound(acne.begin(), acne.end(), bias);
     const auto below = std::upper_bound(panning.begin(), panning.end(), bias) - panning.begin();
-    return cell(bias, static_cast<double>(above) / pixels, static_cast<double>(below) / pixels);
+    return plateau_cell(bias, static_cast<double>(above) / pixels, static_cast<double>(below) / pixels);
   }
   // The error changes at flips alone, so that one bias between each two neighbours, and one beyond the ends, tells all.
   double least() const {
@@ -61,8 +61,9 @@ std::vector<BiasCell> cells_of(const Taps& taps, double first, double last, int 
 TEST(BiasPlateau, Recommends_its_smallest_bias_with_little_acne) {
   // Least 0.270 % at 18; the limit is 1.05 · 0.270 = 0.2835 %. 2.2 has 0.283 % and acne of 0.1 %, the level; 2.1 has
   // 0.2834 % but acne of 0.2 %.
-  const std::vector<BiasCell> cells = {cell(1.0, 0.005, 0.0),     cell(2.1, 0.002, 0.000834), cell(2.2, 0.001, 0.00183),
-                                       cell(5.0, 0.0005, 0.0023), cell(18.0, 0.0, 0.0027),    cell(30.0, 0.0, 0.004)};
+  const std::vector<BiasCell> cells = {plateau_cell(1.0, 0.005, 0.0),     plateau_cell(2.1, 0.002, 0.000834),
+                                       plateau_cell(2.2, 0.001, 0.00183), plateau_cell(5.0, 0.0005, 0.0023),
+                                       plateau_cell(18.0, 0.0, 0.0027),   plateau_cell(30.0, 0.0, 0.004)};
   const auto plateau = plateau_of(cells);
   ASSERT_TRUE(plateau);
   EXPECT_EQ(plateau->least.constant, 18.0);
@@ -75,30 +76,32 @@ TEST(BiasPlateau, Recommends_its_smallest_bias_with_little_acne) {
 }
 
 TEST(BiasPlateau, Without_little_acne_on_it_recommends_the_least_error) {
-  const auto plateau =
-      plateau_of(std::vector<BiasCell>{cell(0, 0.1, 0), cell(1, 0.02, 0.001), cell(2, 0.01, 0.01), cell(3, 0.0, 0.05)});
+  const auto plateau = plateau_of(std::vector<BiasCell>{plateau_cell(0, 0.1, 0), plateau_cell(1, 0.02, 0.001),
+                                                        plateau_cell(2, 0.01, 0.01), plateau_cell(3, 0.0, 0.05)});
   EXPECT_EQ(plateau->recommended.constant, 2.0);
   EXPECT_FALSE(plateau->has_little_acne());
 }
 
 TEST(BiasPlateau, Is_connected_around_the_least_error) {
   // 1 has as little error as 3, but 2 between them has more.
-  const auto plateau = plateau_of(std::vector<BiasCell>{cell(0, 0.5, 0), cell(1, 0.0, 0.0102), cell(2, 0.0, 0.02),
-                                                        cell(3, 0.0, 0.01), cell(4, 0.0, 0.0104), cell(5, 0.0, 0.5)});
+  const auto plateau = plateau_of(std::vector<BiasCell>{plateau_cell(0, 0.5, 0), plateau_cell(1, 0.0, 0.0102),
+                                                        plateau_cell(2, 0.0, 0.02), plateau_cell(3, 0.0, 0.01),
+                                                        plateau_cell(4, 0.0, 0.0104), plateau_cell(5, 0.0, 0.5)});
   EXPECT_EQ(plateau->first.constant, 3.0);
   EXPECT_EQ(plateau->last.constant, 4.0);
 }
 
 TEST(BiasPlateau, Of_a_curve_that_reaches_0_holds_the_biases_without_error) {
-  const auto plateau =
-      plateau_of(std::vector<BiasCell>{cell(0, 0.5, 0), cell(1, 0.0, 0.0), cell(2, 0.0, 0.0), cell(3, 0.0, 1e-6)});
+  const auto plateau = plateau_of(std::vector<BiasCell>{plateau_cell(0, 0.5, 0), plateau_cell(1, 0.0, 0.0),
+                                                        plateau_cell(2, 0.0, 0.0), plateau_cell(3, 0.0, 1e-6)});
   EXPECT_EQ(plateau->first.constant, 1.0);
   EXPECT_EQ(plateau->last.constant, 2.0);
   EXPECT_EQ(plateau->recommended.constant, 1.0);
 }
 
 TEST(BiasPlateau, Names_its_ends_open_where_the_biases_end) {
-  const auto plateau = plateau_of(std::vector<BiasCell>{cell(0, 0.5, 0), cell(1, 0.0, 0.01), cell(2, 0.0, 0.01)});
+  const auto plateau = plateau_of(
+      std::vector<BiasCell>{plateau_cell(0, 0.5, 0), plateau_cell(1, 0.0, 0.01), plateau_cell(2, 0.0, 0.01)});
   EXPECT_FALSE(plateau->open_below);
   EXPECT_TRUE(plateau->open_above);
   EXPECT_FALSE(plateau_of({}));
@@ -151,12 +154,14 @@ TEST(BiasPlateau, With_the_bound_the_recommended_bias_has_at_most_5_percent_more
 
 TEST(LeastPossibleError, Intervals_that_may_hold_less_are_named) {
   // Between 1 and 2: A(2) + P(1) = 0.01 + 0 < 0.02. Between 0 and 1: 0.03 + 0; between 2 and 3: 0 + 0.01.
-  const std::vector<BiasCell> cells = {cell(0, 0.1, 0), cell(1, 0.03, 0), cell(2, 0.01, 0.01), cell(3, 0.0, 0.05)};
+  const std::vector<BiasCell> cells = {plateau_cell(0, 0.1, 0), plateau_cell(1, 0.03, 0), plateau_cell(2, 0.01, 0.01),
+                                       plateau_cell(3, 0.0, 0.05)};
   EXPECT_EQ(intervals_below(cells, 0.02), (std::vector<std::size_t>{1, 2}));
 }
 
 TEST(ReasonAgainst, A_bias_is_recommended_only_where_it_can_be_known) {
-  const BiasPlateau known{cell(2, 0, 0.01), cell(1, 0, 0.01), cell(3, 0, 0.01), cell(1, 0, 0.01)};
+  const BiasPlateau known{plateau_cell(2, 0, 0.01), plateau_cell(1, 0, 0.01), plateau_cell(3, 0, 0.01),
+                          plateau_cell(1, 0, 0.01)};
   const BiasEvidence enough{1000, 500, 500};
   EXPECT_EQ(reason_against(known, enough), std::nullopt);
   EXPECT_EQ(reason_against(known, {2, 1, 1}), NoBias::few_pixels);

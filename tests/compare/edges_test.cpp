@@ -11,19 +11,19 @@
 namespace umbrameter {
 namespace {
 
-constexpr int side = 80;
+constexpr int image_side = 80;
 constexpr int many = 10;
 
 // Each pixel is the mean of a function at this many places along each of its sides. x and y from the image's centre,
 // px, y down.
 Image<float> drawn(const std::function<double(double x, double y)>& lit, int samples = many) {
-  Image<float> image(side, side);
-  for (int y = 0; y < side; ++y) {
-    for (int x = 0; x < side; ++x) {
+  Image<float> image(image_side, image_side);
+  for (int y = 0; y < image_side; ++y) {
+    for (int x = 0; x < image_side; ++x) {
       double sum = 0.0;
       for (int s = 0; s < samples * samples; ++s) {
         const int row = s / samples;
-        sum += lit(x + (s % samples + 0.5) / samples - side / 2.0, y + (row + 0.5) / samples - side / 2.0);
+        sum += lit(x + (s % samples + 0.5) / samples - image_side / 2.0, y + (row + 0.5) / samples - image_side / 2.0);
       }
       image.at(x, y) = static_cast<float>(sum / (samples * samples));
     }
@@ -50,8 +50,8 @@ Image<float> straight(double angle, double moved, double width = 0.0) {
 }
 
 bool inside(std::size_t pixel) {
-  const int x = static_cast<int>(pixel) % side - side / 2;
-  const int y = static_cast<int>(pixel) / side - side / 2;
+  const int x = static_cast<int>(pixel) % image_side - image_side / 2;
+  const int y = static_cast<int>(pixel) / image_side - image_side / 2;
   return x * x + y * y < 36 * 36;
 }
 
@@ -83,9 +83,9 @@ Extent extent_of(const Image<float>& test, const Image<float>& reference, double
   double most = -1e9;
   for (const EdgePoint& point : find_edge_points({test, reference, inside})) {
     if (!point.is_found) continue;
-    const int row = static_cast<int>(point.pixel) / side;
-    const double x = static_cast<int>(point.pixel) % side + 0.5 - side / 2.0;
-    const double y = row + 0.5 - side / 2.0;
+    const int row = static_cast<int>(point.pixel) / image_side;
+    const double x = static_cast<int>(point.pixel) % image_side + 0.5 - image_side / 2.0;
+    const double y = row + 0.5 - image_side / 2.0;
     const double along = y * std::cos(angle) - x * std::sin(angle);
     least = std::min(least, along);
     most = std::max(most, along);
@@ -143,7 +143,8 @@ TEST(Edges, The_width_of_a_penumbra_without_antialiasing_is_found_from_two_pixel
 
 TEST(Edges, Details_tell_how_many_edges_were_found) {
   const Image<float> reference = straight(0.3, 0.0);
-  const MetricResult lost = edge_displacement_metric.measure({Image<float>(side, side, 1.0f), reference, inside});
+  const MetricResult lost =
+      edge_displacement_metric.measure({Image<float>(image_side, image_side, 1.0f), reference, inside});
   EXPECT_TRUE(std::isnan(lost.score)) << "no shadow at all is no edge in another place";
   EXPECT_GT(lost.details[0].second, 60.0);
   EXPECT_EQ(lost.details[1].second, 0.0);
@@ -186,7 +187,7 @@ TEST(Edges, Points_know_the_direction_of_their_edge) {
 TEST(Edges, The_share_of_found_edges_is_a_score) {
   const Image<float> reference = straight(0.3, 0.0);
   EXPECT_GT(score(edges_found_metric, reference, reference), 0.9);
-  EXPECT_EQ(score(edges_found_metric, Image<float>(side, side, 1.0f), reference), 0.0);
+  EXPECT_EQ(score(edges_found_metric, Image<float>(image_side, image_side, 1.0f), reference), 0.0);
 }
 
 }  // namespace

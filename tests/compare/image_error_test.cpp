@@ -9,8 +9,8 @@ namespace umbrameter {
 namespace {
 
 // A row of pixels, all surfaces but the last.
-struct Row {
-  explicit Row(std::size_t n)
+struct ImageRow {
+  explicit ImageRow(std::size_t n)
       : width(static_cast<int>(n)), gbuffer(width, 1), distance(width, 1, std::numeric_limits<float>::infinity()) {
     for (std::size_t i = 0; i + 1 < n; ++i) gbuffer.instance[i] = 0;
   }
@@ -26,7 +26,7 @@ struct Row {
 };
 
 TEST(ImageError, Parts_are_what_the_error_loses_and_background_does_not_count) {
-  Row row(5);
+  ImageRow row(5);
   row.distance[0] = 1.0f;
   const Image<float> truth = row.image({0.5f, 0.5f, 0.5f, 0.5f, 0.0f});
   const Image<float> raster = row.image({0.9f, 0.4f, 0.5f, 0.52f, 7.0f});
@@ -49,7 +49,7 @@ TEST(ImageError, Parts_are_what_the_error_loses_and_background_does_not_count) {
 }
 
 TEST(ImageError, An_input_that_hides_the_error_of_another_has_a_negative_part) {
-  const Row row(2);
+  const ImageRow row(2);
   const Image<float> truth = row.image({0.5f, 0.0f});
   const Image<float> raster = row.image({0.5f, 0.0f});
   const Image<float> worse = row.image({0.7f, 0.0f});
@@ -59,7 +59,7 @@ TEST(ImageError, An_input_that_hides_the_error_of_another_has_a_negative_part) {
 }
 
 TEST(ImageError, Without_a_surface_nothing_is_measured) {
-  const Row row(1);
+  const ImageRow row(1);
   const Image<float> any = row.image({0.5f});
   const ImageStatistics s =
       analyze_image({any, {any, row.none, row.none, 0}, {&any, &any, &any, &any}, row.distance, row.gbuffer});

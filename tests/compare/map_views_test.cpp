@@ -10,13 +10,13 @@ namespace umbrameter {
 namespace {
 
 // Ten surfels on the ground along x; the light shines straight down.
-struct Row {
+struct MapRow {
   GBuffer gbuffer{10, 1};
   Light light;
   MapLayout layout;
   CountedPixels counted{Image<PixelExclusion>(10, 1, PixelExclusion::none)};
 
-  Row() {
+  MapRow() {
     light.shape = DirectionalLight{};
     layout.resolution = 320;
     layout.far_depth = 10.0;
@@ -36,7 +36,7 @@ struct Row {
 };
 
 TEST(MapViews, Each_view_gets_the_error_of_the_pixels_that_it_serves) {
-  Row row;
+  MapRow row;
   const Image<float> truth(10, 1, 1.0f);
   Image<float> drawn(10, 1, 1.0f);
   WrongTaps wrong{Image<uvec4>(10, 1, uvec4(0)), 4};
@@ -63,7 +63,7 @@ TEST(MapViews, Each_view_gets_the_error_of_the_pixels_that_it_serves) {
 }
 
 TEST(MapViews, A_seam_is_the_outer_tenth_of_a_cascade_that_the_next_one_also_holds) {
-  Row row;
+  MapRow row;
   // The first serves |x| ≤ 6; its outer tenth starts at 5.4: the surfel at 5.5.
   Image<std::uint8_t> seams = find_seams(row.gbuffer, row.layout, row.counted);
   for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(seams[i], i == 5 ? 1 : 0) << i;

@@ -11,10 +11,10 @@
 namespace umbrameter {
 namespace {
 
-const dvec3 zenith(0, 1, 0);
+const dvec3 overhead(0, 1, 0);
 
 TEST(ShadowEdges, Lie_between_lit_and_blocked_neighbours) {
-  const FlatGround ground(6, 4, 1.0, zenith, 1.0);
+  const FlatGround ground(6, 4, 1.0, overhead, 1.0);
   const ShadowEdges edges = find_shadow_edges(blocked_from(ground, 3), ground.gbuffer, ground.counted);
   EXPECT_EQ(edges.count, 4u);
   for (int y = 0; y < 4; ++y) {
@@ -23,7 +23,7 @@ TEST(ShadowEdges, Lie_between_lit_and_blocked_neighbours) {
 }
 
 TEST(ShadowEdges, A_silhouette_is_none) {
-  FlatGround ground(6, 2, 1.0, zenith, 1.0);
+  FlatGround ground(6, 2, 1.0, overhead, 1.0);
   for (int y = 0; y < 2; ++y) {
     for (int x = 3; x < 6; ++x) ground.gbuffer.instance.at(x, y) = 1;
   }
@@ -31,7 +31,7 @@ TEST(ShadowEdges, A_silhouette_is_none) {
 }
 
 TEST(ShadowEdges, A_jump_in_depth_within_one_instance_is_none) {
-  FlatGround ground(6, 2, 1.0, zenith, 1.0);
+  FlatGround ground(6, 2, 1.0, overhead, 1.0);
   for (int y = 0; y < 2; ++y) {
     for (int x = 3; x < 6; ++x) ground.gbuffer.position.at(x, y).y = -5.0f;
   }
@@ -39,19 +39,19 @@ TEST(ShadowEdges, A_jump_in_depth_within_one_instance_is_none) {
 }
 
 TEST(ShadowEdges, A_slope_below_45_degrees_between_neighbours_is_no_jump) {
-  FlatGround ground(6, 1, 1.0, zenith, 1.0);
+  FlatGround ground(6, 1, 1.0, overhead, 1.0);
   for (int x = 3; x < 6; ++x) ground.gbuffer.position.at(x, 0).y = -0.9f;
   EXPECT_EQ(find_shadow_edges(blocked_from(ground, 3), ground.gbuffer, ground.counted).count, 1u);
 }
 
 TEST(ShadowEdges, Pixels_that_are_not_counted_have_none) {
-  FlatGround ground(6, 3, 1.0, zenith, 1.0);
+  FlatGround ground(6, 3, 1.0, overhead, 1.0);
   ground.counted.exclusion.at(3, 1) = PixelExclusion::back_facing;
   EXPECT_EQ(find_shadow_edges(blocked_from(ground, 3), ground.gbuffer, ground.counted).count, 2u);
 }
 
 TEST(ShadowEdges, The_distance_to_a_straight_edge_counts_from_the_pixels_centre) {
-  const FlatGround ground(8, 3, 1.0, zenith, 1.0);
+  const FlatGround ground(8, 3, 1.0, overhead, 1.0);
   const NearestEdges nearest =
       nearest_edges(find_shadow_edges(blocked_from(ground, 3), ground.gbuffer, ground.counted));
   for (int x = 0; x < 8; ++x) {
@@ -61,7 +61,7 @@ TEST(ShadowEdges, The_distance_to_a_straight_edge_counts_from_the_pixels_centre)
 }
 
 TEST(ShadowEdges, Without_an_edge_every_distance_is_infinite) {
-  const FlatGround ground(5, 5, 1.0, zenith, 1.0);
+  const FlatGround ground(5, 5, 1.0, overhead, 1.0);
   const NearestEdges nearest =
       nearest_edges(find_shadow_edges(Image<float>(5, 5, 1.0f), ground.gbuffer, ground.counted));
   for (std::size_t i = 0; i < 25; ++i) {
@@ -71,7 +71,7 @@ TEST(ShadowEdges, Without_an_edge_every_distance_is_infinite) {
 }
 
 TEST(ShadowEdges, An_image_of_no_pixels_has_none) {
-  const FlatGround ground(0, 0, 1.0, zenith, 1.0);
+  const FlatGround ground(0, 0, 1.0, overhead, 1.0);
   EXPECT_TRUE(nearest_edges(find_shadow_edges({}, ground.gbuffer, ground.counted)).distance.empty());
 }
 

@@ -9,10 +9,10 @@
 namespace umbrameter {
 namespace {
 
-bool all_pixels(std::size_t) { return true; }
+bool every_pixel(std::size_t) { return true; }
 
 MetricResult measure(const Metric& metric, const Image<float>& test, const Image<float>& reference) {
-  return metric.measure({test, reference, all_pixels});
+  return metric.measure({test, reference, every_pixel});
 }
 
 /// Columns of a and b in turn.
@@ -102,7 +102,7 @@ TEST(Ssim, Of_colour_images_reads_the_luma_or_each_channel) {
   Image<vec3> test = reference;
   for (vec3& color : test.pixels) color.b = 0.25f;
   const auto score = [&](const Metric& metric) {
-    return measure_color(metric, {test, reference, all_pixels, ImageContent::data, {}}).score;
+    return measure_color(metric, {test, reference, every_pixel, ImageContent::data, {}}).score;
   };
   const auto luminance = [](double a, double b) { return (2.0 * a * b + 1e-4) / (a * a + b * b + 1e-4); };
   EXPECT_NEAR(score(ssim_metric), luminance(0.5, 0.5 - 0.114 * 0.25), 1e-5);

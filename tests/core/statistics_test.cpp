@@ -7,13 +7,13 @@
 namespace umbrameter {
 namespace {
 
-struct Sample {
+struct Sampled {
   std::uint64_t pixels = 3;
   double mae = 0.5;
   Estimate rmse{0.25, 0.125, 0.375};
 };
 
-Statistics describe(Sample& s) {
+Statistics describe(Sampled& s) {
   return StatisticsDescription()
       .field("pixels", s.pixels, "px", "counted")
       .field("mae", s.mae, "1", "mean absolute error", {"Error", "error [%]", true})
@@ -22,7 +22,7 @@ Statistics describe(Sample& s) {
 }
 
 TEST(Statistics, An_estimate_makes_three_columns) {
-  const std::vector<Column> columns = columns_of(Sample{});
+  const std::vector<Column> columns = columns_of(Sampled{});
   std::vector<std::string> names;
   for (const Column& column : columns) {
     names.push_back(column.name);
@@ -33,11 +33,11 @@ TEST(Statistics, An_estimate_makes_three_columns) {
 }
 
 TEST(Statistics, A_row_read_by_name_gives_the_object_back) {
-  const std::vector<Value> row = row_of(Sample{7, 0.1, {0.2, 0.3, 0.4}});
+  const std::vector<Value> row = row_of(Sampled{7, 0.1, {0.2, 0.3, 0.4}});
   // In another order, with a column that the object does not know and without one that it does.
   const std::vector<std::string> columns = {"rmse_hi", "unknown", "rmse", "pixels", "rmse_lo"};
   const std::vector<Value> shuffled = {row[4], Value(9.0), row[2], row[0], row[3]};
-  Sample read;
+  Sampled read;
   RowReader(describe(read), columns).read(shuffled);
   EXPECT_EQ(read.pixels, 7u);
   EXPECT_EQ(read.mae, 0.5) << "kept";
@@ -47,13 +47,13 @@ TEST(Statistics, A_row_read_by_name_gives_the_object_back) {
 }
 
 TEST(Statistics, Over_no_pixels_real_numbers_are_no_numbers) {
-  const std::vector<Value> row = row_of(Sample{0, 0.0, {}});
+  const std::vector<Value> row = row_of(Sampled{0, 0.0, {}});
   EXPECT_EQ(std::get<std::int64_t>(row[0]), 0);
   for (std::size_t i = 1; i < row.size(); ++i) EXPECT_TRUE(std::isnan(std::get<double>(row[i]))) << i;
 }
 
 TEST(Statistics, A_description_follows_the_object_that_it_is_bound_to) {
-  Sample sample;
+  Sampled sample;
   const Statistics described = describe(sample);
   sample.mae = 0.75;
   EXPECT_EQ(std::get<double>(row_of(described)[1]), 0.75);

@@ -9,13 +9,13 @@
 namespace umbrameter {
 namespace {
 
-struct Sample {
+struct SweptSample {
   int resolution = 256;
   double bias = 0.0;
   std::string name = "a";
 };
 
-Parameters describe(Sample& s) {
+Parameters describe(SweptSample& s) {
   return Description("s")
       .field("resolution", s.resolution, {"texels", "a resolution", 1, 4096})
       .field("bias", s.bias, {"m", "a bias", -1, 1})
@@ -30,7 +30,7 @@ std::vector<double> numbers(const SweepAxis& axis) {
 }
 
 TEST(Sweep, A_linear_axis_meets_both_ends) {
-  Sample sample;
+  SweptSample sample;
   EXPECT_EQ(numbers(parse_axis(describe(sample), "s.bias=0:1:5")), (std::vector<double>{0, 0.25, 0.5, 0.75, 1}));
   EXPECT_EQ(numbers(parse_axis(describe(sample), "s.bias=0.3:0.3:1")), (std::vector<double>{0.3}));
   EXPECT_EQ(numbers(parse_axis(describe(sample), "s.bias=0:0.8:9"))[7], 0.7) << "0.7, not 0.7000000000000001";
@@ -38,7 +38,7 @@ TEST(Sweep, A_linear_axis_meets_both_ends) {
 }
 
 TEST(Sweep, A_log_axis_has_a_constant_ratio_and_meets_both_ends) {
-  Sample sample;
+  SweptSample sample;
   const std::vector<double> values = numbers(parse_axis(describe(sample), "s.bias=0.001:1:4:log"));
   ASSERT_EQ(values.size(), 4u);
   EXPECT_EQ(values.front(), 0.001);
@@ -69,13 +69,13 @@ TEST(Sweep, An_axis_of_lengths_has_one_unit_and_a_bare_zero_goes_with_any) {
 }
 
 TEST(Sweep, Lists_hold_numbers_or_names) {
-  Sample sample;
+  SweptSample sample;
   EXPECT_EQ(numbers(parse_axis(describe(sample), "s.resolution=256,512,1024")), (std::vector<double>{256, 512, 1024}));
   EXPECT_EQ(parse_axis(describe(sample), "s.name=a,b").values, (std::vector<Value>{"a", "b"}));
 }
 
 TEST(Sweep, What_is_no_axis_is_a_usage_error_that_names_it) {
-  Sample sample;
+  SweptSample sample;
   const Parameters parameters = describe(sample);
   for (const char* text :
        {"s.bias", "s.bias=", "s.bias=0:1", "s.bias=0:1:0", "s.bias=0:1:2.5", "s.bias=0:1:1", "s.bias=0:1:9999999",

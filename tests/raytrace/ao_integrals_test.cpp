@@ -34,12 +34,12 @@ TruthParams with_rays(int spp) {
   return params;
 }
 
-struct Mean {
+struct IntegralMean {
   double value = 0.0;
   double error = 0.0;  // standard
 };
-Mean mean_of(const TracedAo& traced) {
-  Mean mean;
+IntegralMean mean_of(const TracedAo& traced) {
+  IntegralMean mean;
   for (std::size_t i = 0; i < traced.ao.size(); ++i) {
     mean.value += traced.ao[i] / static_cast<double>(traced.ao.size());
     mean.error += traced.variance[i];
@@ -49,7 +49,7 @@ Mean mean_of(const TracedAo& traced) {
 }
 
 void expect_mean(const TracedAo& traced, double exact, const std::string& what) {
-  const Mean mean = mean_of(traced);
+  const IntegralMean mean = mean_of(traced);
   EXPECT_NEAR(mean.value, exact, 5.0 * mean.error + 2e-5) << what;
   EXPECT_LT(mean.error, 3e-4) << what;
 }

@@ -15,7 +15,7 @@ double half_width(const TracedAo& traced, std::size_t i) {
   return student_95(traced.degrees_of_freedom) * static_cast<double>(traced.standard_error[i]);
 }
 
-// Share of pixels whose interval holds the case's answer.
+// Share of interval_pixels whose interval holds the case's answer.
 double coverage(const ao_cases::Case& c, const TracedAo& traced) {
   int held = 0;
   for (std::size_t i = 0; i < traced.ao.size(); ++i) {
@@ -30,8 +30,8 @@ double mean_square_error(const ao_cases::Case& c, const TracedAo& traced) {
   return sum / static_cast<double>(traced.ao.size());
 }
 
-// (Mean of the pixels − answer) over the mean's standard error, which four exceed once in 16000 cases. What the meshes
-// differ from their ideals by is less than an eighth of it, see ambient_occlusion_test.cpp.
+// (Mean of the interval_pixels − answer) over the mean's standard error, which four exceed once in 16000 cases. What
+// the meshes differ from their ideals by is less than an eighth of it, see ambient_occlusion_test.cpp.
 double normal_deviation(const ao_cases::Case& c, const TracedAo& traced) {
   double difference = 0.0;
   double variance = 0.0;
@@ -44,7 +44,7 @@ double normal_deviation(const ao_cases::Case& c, const TracedAo& traced) {
 constexpr double most_deviation = 4.0;
 
 // Pixels a case: the standard error of a coverage of 95 % is √(.95·.05/3000) = 0.4 %.
-constexpr int pixels = 3000;
+constexpr int interval_pixels = 3000;
 constexpr double expected = 0.95;
 constexpr double allowed = 0.015;
 
@@ -53,7 +53,7 @@ TEST(AoInterval, With_a_fixed_number_of_rays_it_holds_the_known_answer_95_times_
     const Scene scene = ao_cases::scene_of(c);
     TruthParams params = ao_cases::params_of(c);
     params.spp = 256;
-    const TracedAo traced = trace_ao(Tracer(scene), ao_cases::surfels_of(c, pixels), params, 11);
+    const TracedAo traced = trace_ao(Tracer(scene), ao_cases::surfels_of(c, interval_pixels), params, 11);
     EXPECT_NEAR(coverage(c, traced), expected, allowed) << c.name;
     EXPECT_LT(std::abs(normal_deviation(c, traced)), most_deviation) << c.name;
   }
@@ -64,7 +64,7 @@ TEST(AoInterval, With_a_tolerance_it_holds_the_known_answer_95_times_in_100) {
     const Scene scene = ao_cases::scene_of(c);
     TruthParams params = ao_cases::params_of(c);
     params.tolerance = 0.04;
-    const TracedAo traced = trace_ao(Tracer(scene), ao_cases::surfels_of(c, pixels), params, 11);
+    const TracedAo traced = trace_ao(Tracer(scene), ao_cases::surfels_of(c, interval_pixels), params, 11);
     EXPECT_NEAR(coverage(c, traced), expected, allowed) << c.name;
     EXPECT_LT(std::abs(normal_deviation(c, traced)), most_deviation) << c.name;
     EXPECT_LE(traced.precision.worst_half_width, params.tolerance) << c.name;
@@ -73,7 +73,7 @@ TEST(AoInterval, With_a_tolerance_it_holds_the_known_answer_95_times_in_100) {
 }
 
 TEST(AoInterval, Other_weights_limits_planes_polygons_and_solids_are_held_as_well) {
-  // Of 1500 pixels 93 % is 3.6 standard deviations of the binomial count below 95 %.
+  // Of 1500 interval_pixels 93 % is 3.6 standard deviations of the binomial count below 95 %.
   constexpr int fewer = 1500;
   for (const ao_cases::Case& c : ao_cases::others()) {
     const Scene scene = ao_cases::scene_of(c);
@@ -134,14 +134,15 @@ TEST(AoInterval, A_smaller_tolerance_costs_more_rays_and_open_pixels_need_what_t
 }
 
 TEST(AoInterval, Occluders_too_small_to_be_met_are_within_the_interval_of_pixels_that_look_open) {
-  // A sphere that covers p = (R/L)² of the hemisphere: 64 rays meet none of it in about e^(−64 p) of the pixels.
+  // A sphere that covers p = (R/L)² of the hemisphere: 64 rays meet none of it in about e^(−64 p) of the
+  // interval_pixels.
   for (const double p : {0.005, 0.02}) {
     ao_cases::Case c{"speck", shapes::sphere({0, 2, 0}, 2.0f * static_cast<float>(std::sqrt(p)), 60, 120)};
     c.accessibility = 1.0 - p;
     const Scene scene = ao_cases::scene_of(c);
     TruthParams params;
     params.spp = 64;
-    const TracedAo traced = trace_ao(Tracer(scene), ao_cases::surfels_of(c, pixels), params, 5);
+    const TracedAo traced = trace_ao(Tracer(scene), ao_cases::surfels_of(c, interval_pixels), params, 5);
     int open = 0;
     for (std::size_t i = 0; i < traced.ao.size(); ++i) {
       EXPECT_GT(traced.standard_error[i], 0.0f);
@@ -149,7 +150,7 @@ TEST(AoInterval, Occluders_too_small_to_be_met_are_within_the_interval_of_pixels
       ++open;
       EXPECT_LE(p, half_width(traced, i));
     }
-    EXPECT_GT(open, pixels / 8);
+    EXPECT_GT(open, interval_pixels / 8);
     EXPECT_GT(coverage(c, traced), expected - allowed);
   }
 }
@@ -160,14 +161,14 @@ TEST(AoInterval, Of_random_points_the_variance_is_the_binomial_one) {
   TruthParams params = ao_cases::params_of(c);
   params.sampler = Sampler::random;
   params.spp = 256;
-  const TracedAo traced = trace_ao(Tracer(scene), ao_cases::surfels_of(c, pixels), params, 7);
+  const TracedAo traced = trace_ao(Tracer(scene), ao_cases::surfels_of(c, interval_pixels), params, 7);
   const double binomial = c.accessibility * (1.0 - c.accessibility) / 256.0;
   // A mean of 3000 squares of normal variables has a relative standard error of √(2/3000) = 2.6 %; four of them.
   EXPECT_NEAR(mean_square_error(c, traced) / binomial, 1.0, 0.104);
   double variance = 0.0;
   for (const float v : traced.variance.pixels) variance += v;
   // Of 7 degrees of freedom each: √(2/21000) = 1 %.
-  EXPECT_NEAR(variance / pixels / binomial, 1.0, 0.04);
+  EXPECT_NEAR(variance / interval_pixels / binomial, 1.0, 0.04);
   EXPECT_NEAR(coverage(c, traced), expected, allowed);
 }
 
@@ -211,7 +212,7 @@ TEST(AoInterval, Threads_and_neighbours_change_nothing_when_pixels_stop_on_their
     EXPECT_EQ(runs[0].samples, runs[i].samples);
     EXPECT_EQ(runs[0].precision.mean_half_width, runs[i].precision.mean_half_width);
   }
-  // Half of the pixels gone: the others fall into other packets.
+  // Half of the interval_pixels gone: the others fall into other packets.
   GBuffer gaps = gbuffer;
   for (std::size_t i = 0; i < 300; i += 2) gaps.instance[i] = gaps.triangle[i] = no_id;
   const TracedAo fewer = trace_ao(tracer, gaps, params, 5);

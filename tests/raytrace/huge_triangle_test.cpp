@@ -97,20 +97,20 @@ TEST(HugeTriangles, The_offset_follows_the_place_on_the_ground_and_not_its_size)
 }
 
 // The plane once, twice, as two instances of one mesh, and under patches of ordinary size around each place.
-enum class Copy { none, mesh, instance, patches };
+enum class CopyOf { none, mesh, instance, patches };
 
 TEST(HugeTriangles, An_open_plane_is_open_and_lit_whatever_its_size_and_tilt) {
   for (const float half : half_sizes) {
     const float far = 0.9f * half;
     const vec3 middles[] = {{0, 0, 0}, {0.4f * half, 0, -0.4f * half}, {far, 0, 0.3f * half}};
     for (const Turn turn : turns) {
-      for (const Copy copy : {Copy::none, Copy::mesh, Copy::instance, Copy::patches}) {
+      for (const CopyOf copy : {CopyOf::none, CopyOf::mesh, CopyOf::instance, CopyOf::patches}) {
         Scene scene = shapes::empty_scene();
         add(scene, ground(half), turn);
-        if (copy == Copy::mesh) add(scene, ground(half), turn);
-        if (copy == Copy::instance) scene.instances.push_back(scene.instances[0]);
+        if (copy == CopyOf::mesh) add(scene, ground(half), turn);
+        if (copy == CopyOf::instance) scene.instances.push_back(scene.instances[0]);
         for (const vec3& middle : middles) {
-          if (copy != Copy::patches) break;
+          if (copy != CopyOf::patches) break;
           add(scene, shapes::quad(middle + vec3(-1.3f, 0, 1.1f), {2.9f, 0, 0.2f}, {0.1f, 0, -2.7f}), turn);
           add(scene, shapes::quad(middle + vec3(-13, 0, 14), {31, 0, 1}, {2, 0, -29}), turn);
         }

@@ -131,10 +131,10 @@ TEST_P(Packets, Do_not_carry_visibility_from_pixel_to_pixel) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Packets, testing::Values("courtyard", "contact-box", "fence"));
 
-using Ray = std::array<float, 7>;  // source, origin, direction
+using PacketRay = std::array<float, 7>;  // source, origin, direction
 
-std::vector<Ray> rays_of(const HemisphereSamples& samples) {
-  std::vector<Ray> rays;
+std::vector<PacketRay> rays_of(const HemisphereSamples& samples) {
+  std::vector<PacketRay> rays;
   std::array<float, packet_width> x{}, y{}, z{}, dx{}, dy{}, dz{}, reach{};
   LiftedLanes lifted;
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -164,7 +164,7 @@ TEST(HemisphereSamples, Are_the_same_on_every_processor) {
     HemisphereSamples samples;
     samples.make(params, hemisphere, pixels);
     ASSERT_EQ(samples.size(), 1037u + 201u + 50u + 11u);
-    std::vector<Ray> expected;
+    std::vector<PacketRay> expected;
     for (std::size_t p = 0; p < std::size(pixels); ++p) {
       const PixelRays& pixel = pixels[p];
       const Randomisations before{pixel.range.split.count, pixel.range.begin};
@@ -188,7 +188,7 @@ TEST(HemisphereSamples, Are_the_same_on_every_processor) {
         }
       }
     }
-    std::vector<Ray> made = rays_of(samples);
+    std::vector<PacketRay> made = rays_of(samples);
     std::sort(expected.begin(), expected.end());
     std::sort(made.begin(), made.end());
     EXPECT_EQ(made, expected);
@@ -202,8 +202,8 @@ TEST(HemisphereSamples, Of_a_pixel_keep_their_order_among_those_of_others_if_ask
   const auto rays_of_pixel = [&](std::span<const PixelRays> pixels, std::size_t pixel) {
     HemisphereSamples samples;
     samples.make(TruthParams{}, hemisphere, pixels, RayOrder::as_alone);
-    std::vector<Ray> of_pixel;
-    for (Ray ray : rays_of(samples)) {
+    std::vector<PacketRay> of_pixel;
+    for (PacketRay ray : rays_of(samples)) {
       const auto source = static_cast<std::size_t>(ray[0]);
       if (HemisphereSamples::pixel_of(source) != pixel) continue;
       ray[0] = static_cast<float>(HemisphereSamples::randomisation_of(source));

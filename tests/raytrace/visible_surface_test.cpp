@@ -13,9 +13,9 @@
 namespace umbrameter {
 namespace {
 
-constexpr auto in_view = static_cast<std::size_t>(Occluders::in_view);
-constexpr auto seen = static_cast<std::size_t>(Occluders::seen);
-constexpr auto solid = static_cast<std::size_t>(Occluders::solid);
+constexpr auto occluders_in_view = static_cast<std::size_t>(Occluders::in_view);
+constexpr auto occluders_seen = static_cast<std::size_t>(Occluders::seen);
+constexpr auto occluders_solid = static_cast<std::size_t>(Occluders::solid);
 
 AoIntegral plain(double reach) {
   return {AoDirections::cosine, reach, [](const AoHit&) { return 1.0; }, [](double a) { return a; }, {}};
@@ -58,8 +58,8 @@ Difference difference(const TracedIntegral& traced, std::size_t occluders, const
   double variance = 0.0;
   for (std::size_t i = 0; i < is_counted.size(); ++i) {
     if (is_counted[i] == 0) continue;
-    difference.mean += traced.accessibility[occluders][i] - traced.accessibility[in_view][i];
-    variance += traced.step_variance[seen][i];
+    difference.mean += traced.accessibility[occluders][i] - traced.accessibility[occluders_in_view][i];
+    variance += traced.step_variance[occluders_seen][i];
     ++difference.pixels;
   }
   difference.mean /= difference.pixels;
@@ -82,7 +82,7 @@ TEST(VisibleSurface, Away_from_depth_edges_corner_is_what_it_is_on_the_full_geom
     constexpr double nearest = 5.0;  // metres from camera to scene, or more
     const std::vector<char> is_far =
         far_from_depth_edges(gbuffer, VisibleSurface(gbuffer, view), reach * focal / nearest);
-    for (const std::size_t occluders : {seen, solid}) {
+    for (const std::size_t occluders : {occluders_seen, occluders_solid}) {
       const Difference d = difference(traced, occluders, is_far);
       EXPECT_GT(d.pixels, 0.7 * width * view.height * 0.66);
       // One ray of 16 in one pixel may pass a crease by less than the rounding of positions.
@@ -93,8 +93,8 @@ TEST(VisibleSurface, Away_from_depth_edges_corner_is_what_it_is_on_the_full_geom
 }
 
 TEST(VisibleSurface, Seen_from_above_the_slots_of_trench_are_solid_but_for_the_place_of_their_edges_in_a_pixel) {
-  // Walls are seen edge-on: where within a pixel they are is unknown. The error has either sign and is 0 on average
-  // over cameras that differ by parts of a pixel.
+  // Walls are occluders_seen edge-on: where within a pixel they are is unknown. The error has either sign and is 0 on
+  // average over cameras that differ by parts of a pixel.
   const Scene scene = load_scene("trench");
   const Tracer tracer(scene);
   constexpr int cameras = 8;
@@ -107,10 +107,11 @@ TEST(VisibleSurface, Seen_from_above_the_slots_of_trench_are_solid_but_for_the_p
     view.camera.world_from_camera[3].x += pixel * (i + 0.5) / cameras;
     const GBuffer gbuffer = trace_gbuffer(tracer, view);
     const TracedIntegral traced = trace_integral(tracer, gbuffer, view, plain(0.33), {8, 1});
-    const Difference d = difference(traced, solid, std::vector<char>(gbuffer.position.size(), 1));
+    const Difference d = difference(traced, occluders_solid, std::vector<char>(gbuffer.position.size(), 1));
     sum += d.mean / cameras;
     squares += d.mean * d.mean / cameras;
-    EXPECT_GT(difference(traced, seen, std::vector<char>(gbuffer.position.size(), 1)).mean, 0.1) << "without thickness";
+    EXPECT_GT(difference(traced, occluders_seen, std::vector<char>(gbuffer.position.size(), 1)).mean, 0.1)
+        << "without thickness";
   }
   const double scatter = std::sqrt(squares - sum * sum);
   EXPECT_LT(scatter, 2e-3);

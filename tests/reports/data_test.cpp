@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace umbrameter {
 namespace {
@@ -53,8 +54,6 @@ Loaded load(const std::string& text) {
   }
   return loaded;
 }
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(Csv, The_header_comes_first_and_numbers_read_back_the_same) {
   const Table table{{{"shadow.resolution", "texels", ""}, {"mae", "1", ""}, {"ok", "", ""}},

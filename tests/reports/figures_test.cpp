@@ -12,13 +12,12 @@
 #include "reports/figures/svg_drawing.h"
 #include "reports/files/png.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace umbrameter {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 ImageFigure ramp_figure(int width = 64, int height = 36) {
   ImageFigure figure;

@@ -25,7 +25,7 @@ Error error_of(const Call& call) {
   return Error(ExitCode::ok, "no error", "");
 }
 
-bool contains(const Error& error, const std::string& text) {
+bool says(const Error& error, const std::string& text) {
   return std::string(error.what()).find(text) != std::string::npos;
 }
 
@@ -115,8 +115,8 @@ TEST(Output, A_file_size_limit_is_an_error_with_the_systems_reason) {
   const FileSizeLimit limit(8192);
   const Error error = error_of([&] { write_text(folder / "a.txt", std::string(100000, 'x')); });
   EXPECT_EQ(error.code(), ExitCode::partial);
-  EXPECT_TRUE(contains(error, (folder / "a.txt").string())) << error.what();
-  EXPECT_TRUE(contains(error, "File too large")) << error.what();
+  EXPECT_TRUE(says(error, (folder / "a.txt").string())) << error.what();
+  EXPECT_TRUE(says(error, "File too large")) << error.what();
   EXPECT_EQ(count_files(folder.path()), 0u);
 }
 
@@ -127,8 +127,8 @@ TEST(Output, A_full_disk_is_an_error_with_the_systems_reason) {
   write_text(folder / "disk/small.txt", "fits");
   const Error error = error_of([&] { write_text(folder / "disk/a.txt", std::string(200000, 'x')); });
   EXPECT_EQ(error.code(), ExitCode::partial);
-  EXPECT_TRUE(contains(error, (folder / "disk/a.txt").string())) << error.what();
-  EXPECT_TRUE(contains(error, "No space left on device")) << error.what();
+  EXPECT_TRUE(says(error, (folder / "disk/a.txt").string())) << error.what();
+  EXPECT_TRUE(says(error, "No space left on device")) << error.what();
   EXPECT_EQ(count_files(folder / "disk"), 1u);
 }
 
@@ -136,8 +136,8 @@ TEST(Output, A_missing_folder_is_an_error_that_names_the_file) {
   const TemporaryFolder folder;
   const Error error = error_of([&] { write_text(folder / "none/a.txt", "x"); });
   EXPECT_EQ(error.code(), ExitCode::partial);
-  EXPECT_TRUE(contains(error, (folder / "none/a.txt").string())) << error.what();
-  EXPECT_TRUE(contains(error, "No such file or directory")) << error.what();
+  EXPECT_TRUE(says(error, (folder / "none/a.txt").string())) << error.what();
+  EXPECT_TRUE(says(error, "No such file or directory")) << error.what();
 }
 
 TEST(Output, A_folder_in_the_place_of_the_file_is_an_error_and_is_kept) {
@@ -163,8 +163,8 @@ TEST(OutputFolder, A_file_in_its_place_is_a_usage_error) {
   for (const char* name : {"file", "file/below"}) {
     const Error error = error_of([&] { prepare_output_folder(folder / name); });
     EXPECT_EQ(error.code(), ExitCode::usage) << name;
-    EXPECT_TRUE(contains(error, (folder / name).string())) << error.what();
-    EXPECT_TRUE(contains(error, "Not a directory")) << error.what();
+    EXPECT_TRUE(says(error, (folder / name).string())) << error.what();
+    EXPECT_TRUE(says(error, "Not a directory")) << error.what();
   }
   EXPECT_EQ(text_of(folder / "file"), "x");
 }
@@ -173,7 +173,7 @@ TEST(OutputFolder, A_place_where_nothing_can_be_written_is_a_usage_error) {
   for (const char* name : {"/proc", "/proc/umbrameter"}) {
     const Error error = error_of([&] { prepare_output_folder(name); });
     EXPECT_EQ(error.code(), ExitCode::usage) << name;
-    EXPECT_TRUE(contains(error, name)) << error.what();
+    EXPECT_TRUE(says(error, name)) << error.what();
   }
 }
 
@@ -184,7 +184,7 @@ TEST(OutputFolder, A_folder_without_write_permission_is_a_usage_error) {
   fs::permissions(folder / "locked", fs::perms::owner_read | fs::perms::owner_exec);
   const Error error = error_of([&] { prepare_output_folder(folder / "locked"); });
   EXPECT_EQ(error.code(), ExitCode::usage);
-  EXPECT_TRUE(contains(error, "Permission denied")) << error.what();
+  EXPECT_TRUE(says(error, "Permission denied")) << error.what();
 }
 
 TEST(OutputFolder, An_empty_name_is_a_usage_error) {
@@ -198,7 +198,7 @@ TEST(OutputFolder, A_full_disk_is_found_before_the_run) {
   put_text(folder / "disk/filler", std::string(200000, 'x'));
   const Error error = error_of([&] { prepare_output_folder(folder / "disk"); });
   EXPECT_EQ(error.code(), ExitCode::partial);
-  EXPECT_TRUE(contains(error, "No space left on device")) << error.what();
+  EXPECT_TRUE(says(error, "No space left on device")) << error.what();
 }
 
 }  // namespace

@@ -7,11 +7,10 @@
 #include "reports/page/page_figure.h"
 #include "reports/page/viewer_data.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace umbrameter {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::string page_of(const TemporaryFolder& folder, const Report& report, const ViewerPack* viewer = nullptr) {
   write_page(folder.path(), report, viewer);

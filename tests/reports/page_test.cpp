@@ -16,6 +16,7 @@
 #include "reports/page/template.h"
 #include "reports/page/viewer_data.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace umbrameter {
 namespace {
@@ -28,8 +29,6 @@ const std::string hostile =
     "\u202E\u009B31m\\" +
     std::string(300, 'x');
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 std::size_t count(const std::string& text, const std::string& part) {
   std::size_t found = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
@@ -37,7 +36,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 }
 
 // The page without the text of its script, which a build without Node does not have.
-std::string page_of(const TemporaryFolder& folder, const Report& report, const ViewerPack* viewer = nullptr) {
+std::string written_page(const TemporaryFolder& folder, const Report& report, const ViewerPack* viewer = nullptr) {
   write_page(folder.path(), report, viewer);
   std::string page = text_of(folder / "index.html");
   const std::string script = "<script>" + std::string(page_script()) + "</script>\n";
@@ -135,15 +134,15 @@ TEST(Page, Its_elements_are_closed_in_order_whatever_the_names_are) {
   const TemporaryFolder folder;
   put_drawing(folder, "drawn");
   EXPECT_EQ(unbalanced("<p><b></p>"), "</p> in b");
-  EXPECT_EQ(unbalanced(page_of(folder, sample("plain"))), "");
-  EXPECT_EQ(unbalanced(page_of(folder, sample(hostile))), "");
-  EXPECT_EQ(unbalanced(page_of(folder, Report())), "");
+  EXPECT_EQ(unbalanced(written_page(folder, sample("plain"))), "");
+  EXPECT_EQ(unbalanced(written_page(folder, sample(hostile))), "");
+  EXPECT_EQ(unbalanced(written_page(folder, Report())), "");
 }
 
 TEST(Page, Hostile_names_stay_text) {
   const TemporaryFolder folder;
   put_drawing(folder, "drawn");
-  const std::string page = page_of(folder, sample(hostile));
+  const std::string page = written_page(folder, sample(hostile));
   EXPECT_EQ(count(page, "<script"), 1u) << "the data";
   EXPECT_EQ(count(page, "</script"), 1u);
   EXPECT_EQ(count(page, "<!--"), 0u);
@@ -160,7 +159,7 @@ TEST(Page, Its_data_are_the_texts_that_it_shows_in_ascii_and_without_tags) {
   const TemporaryFolder folder;
   put_drawing(folder, "drawn");
   for (const std::string& text : {std::string("plain"), hostile}) {
-    const std::string json = data_text(page_of(folder, sample(text)));
+    const std::string json = data_text(written_page(folder, sample(text)));
     EXPECT_TRUE(std::all_of(json.begin(), json.end(), [](char c) { return c >= ' ' && c <= '~' && c != '<'; })) << json;
     const nlohmann::json data = nlohmann::json::parse(json);
     const nlohmann::json& section = data.at("sections").at(1);
@@ -184,7 +183,7 @@ TEST(Page, It_loads_nothing) {
   const TemporaryFolder folder;
   put_drawing(folder, "drawn");
   write_png(folder / "figures/absent.png", Image<glm::u8vec3>(2, 2));
-  const std::string page = page_of(folder, sample("plain"));
+  const std::string page = written_page(folder, sample("plain"));
   const std::regex reference("(?:src|href|action|data|poster)=\"([^\"]*)\"|url\\(([^)]*)\\)|@import");
   std::size_t references = 0;
   for (std::sregex_iterator m(page.begin(), page.end(), reference), end; m != end; ++m) {
@@ -204,7 +203,7 @@ TEST(Page, It_loads_nothing) {
 
 TEST(Page, Its_policy_forbids_all_but_its_own_style_its_own_script_and_inlined_pictures) {
   const TemporaryFolder folder;
-  const std::string page = page_of(folder, sample("plain"));
+  const std::string page = written_page(folder, sample("plain"));
   const std::size_t begin = page.find("<style>") + 7;
   const std::string style = sha256_of(folder, page.substr(begin, page.find("</style>") - begin));
   if (style.empty()) GTEST_SKIP() << "sha256sum is missing";
@@ -246,7 +245,7 @@ TEST(Page, The_viewer_has_its_data_as_json_whatever_the_names_are) {
     Report report = sample(text);
     report.cells = ReportCells{{{{text, text, text}}, {{text}}}, 1, {}, 1, text, {text}, text};
     report.sections[0].charts = {{report.sections[0].figures.at(0), {{text, text}}, {{text, text}}}};
-    const std::string page = page_of(folder, report, &pack);
+    const std::string page = written_page(folder, report, &pack);
     EXPECT_EQ(unbalanced(page), "");
     EXPECT_EQ(count(page, "<script"), 3u) << "three blocks of data";
     const nlohmann::json data = json_of(page, "viewer-data");
@@ -270,7 +269,7 @@ TEST(Page, The_viewer_has_its_data_as_json_whatever_the_names_are) {
 TEST(Page, Ids_are_used_once_even_when_a_figure_is_shown_twice) {
   const TemporaryFolder folder;
   put_drawing(folder, "drawn");
-  const std::string page = page_of(folder, sample("plain"));
+  const std::string page = written_page(folder, sample("plain"));
   std::set<std::string> ids;
   const std::regex id(" id=\"([^\"]*)\"");
   const std::string without_texts = std::regex_replace(page, std::regex("<text>[^<]*</text>"), "");
@@ -299,43 +298,43 @@ TEST(Page, A_figure_is_drawn_or_shown_as_pixels_or_said_to_be_missing) {
   put_drawing(folder, "drawn");
   write_png(folder / "figures/pixels.png", Image<glm::u8vec3>(2, 2));
   put_text(folder / "secret.svg", "<svg>secret</svg>");
-  const std::string drawn = page_of(folder, with_figure("drawn", "Title", "Caption."));
+  const std::string drawn = written_page(folder, with_figure("drawn", "Title", "Caption."));
   EXPECT_TRUE(contains(drawn, "role=\"img\" aria-label=\"Title. Caption.\"")) << drawn;
   EXPECT_TRUE(contains(drawn, "<strong>Figure 1.</strong> Title. Caption.\n")) << drawn;
   EXPECT_TRUE(contains(drawn, "href=\"figures/drawn.svg\">SVG<"));
   EXPECT_FALSE(contains(drawn, "href=\"figures/drawn.pdf\""));
-  const std::string untitled = page_of(folder, with_figure("drawn", "", "Caption."));
+  const std::string untitled = written_page(folder, with_figure("drawn", "", "Caption."));
   EXPECT_TRUE(contains(untitled, "role=\"img\" aria-label=\"Caption.\"")) << untitled;
-  const std::string pixels = page_of(folder, with_figure("pixels", "T", "C"));
+  const std::string pixels = written_page(folder, with_figure("pixels", "T", "C"));
   EXPECT_TRUE(contains(pixels, "<img alt=\"T. C\" src=\"data:image/png;base64,iVBORw0KGgo")) << pixels;
   for (const std::string& stem : {std::string("absent"), std::string("../secret"), std::string("../figures/drawn"),
                                   std::string(), std::string("."), std::string("dr\0awn", 6)}) {
-    const std::string missing = page_of(folder, with_figure(stem, "Title", ""));
+    const std::string missing = written_page(folder, with_figure(stem, "Title", ""));
     EXPECT_TRUE(contains(missing, "could not be drawn")) << stem;
     EXPECT_FALSE(contains(missing, "<svg")) << stem;
     EXPECT_FALSE(contains(missing, "href=\"figures/")) << stem;
     EXPECT_TRUE(contains(missing, "<strong>Figure 1.</strong> Title\n")) << stem;
-    EXPECT_TRUE(contains(page_of(folder, with_figure(stem, "Title", "Caption.")), "</strong> Title. Caption.\n"));
+    EXPECT_TRUE(contains(written_page(folder, with_figure(stem, "Title", "Caption.")), "</strong> Title. Caption.\n"));
   }
 }
 
 TEST(Page, Files_of_the_run_are_linked_when_they_are_there) {
   const TemporaryFolder folder;
   for (const char* name : {"images.exr", "sweep.csv", "experiment.toml", "summary.json"}) {
-    EXPECT_FALSE(contains(page_of(folder, sample("plain")), std::string("href=\"") + name));
+    EXPECT_FALSE(contains(written_page(folder, sample("plain")), std::string("href=\"") + name));
     put_text(folder / name, "x");
-    EXPECT_TRUE(contains(page_of(folder, sample("plain")), std::string("href=\"") + name + "\""));
+    EXPECT_TRUE(contains(written_page(folder, sample("plain")), std::string("href=\"") + name + "\""));
   }
 }
 
 TEST(Page, Equal_reports_are_equal_pages) {
   const TemporaryFolder folder;
-  EXPECT_EQ(page_of(folder, sample("plain")), page_of(folder, sample("plain")));
+  EXPECT_EQ(written_page(folder, sample("plain")), written_page(folder, sample("plain")));
 }
 
 TEST(Page, Headings_descend_one_level_at_a_time) {
   const TemporaryFolder folder;
-  const std::string page = page_of(folder, sample("plain"));
+  const std::string page = written_page(folder, sample("plain"));
   EXPECT_EQ(count(page, "<h1>"), 1u);
   EXPECT_EQ(count(page, "<h2 id=\"section-"), 2u);
   EXPECT_EQ(count(page, "<h3"), 0u);
@@ -352,7 +351,7 @@ TEST(PageTable, It_has_a_caption_headers_and_a_row_of_units) {
   const TemporaryFolder folder;
   const Table table{{{"filter", "", "how"}, {"bias", "m", "along the light"}, {"mae", "1", ""}},
                     {{std::string("box"), 0.1 + 0.2, std::int64_t{5}}}};
-  const std::string page = page_of(folder, with_table(table));
+  const std::string page = written_page(folder, with_table(table));
   EXPECT_TRUE(contains(page, "<div class=\"caption\">Table 1. Bias</div>"));
   EXPECT_TRUE(contains(page, "<th scope=\"col\" title=\"how\">filter</th>")) << page;
   EXPECT_TRUE(contains(page, "<th scope=\"col\" class=\"number\" title=\"along the light\">bias</th>")) << page;
@@ -362,10 +361,11 @@ TEST(PageTable, It_has_a_caption_headers_and_a_row_of_units) {
 
 TEST(PageTable, Tables_without_rows_columns_or_cells_are_no_trouble) {
   const TemporaryFolder folder;
-  EXPECT_FALSE(contains(page_of(folder, with_table({})), "<table"));
-  EXPECT_FALSE(contains(page_of(folder, with_table({})), "Table 1"));
-  EXPECT_TRUE(contains(page_of(folder, with_table({{{"a", "", ""}, {"b", "", ""}}, {}})), "colspan=\"2\">no rows<"));
-  EXPECT_TRUE(contains(page_of(folder, with_table({{{"a", "", ""}, {"b", "", ""}}, {{}}})),
+  EXPECT_FALSE(contains(written_page(folder, with_table({})), "<table"));
+  EXPECT_FALSE(contains(written_page(folder, with_table({})), "Table 1"));
+  EXPECT_TRUE(
+      contains(written_page(folder, with_table({{{"a", "", ""}, {"b", "", ""}}, {}})), "colspan=\"2\">no rows<"));
+  EXPECT_TRUE(contains(written_page(folder, with_table({{{"a", "", ""}, {"b", "", ""}}, {{}}})),
                        "<tr><th scope=\"row\"></th><td></td></tr>"));
 }
 
@@ -373,7 +373,7 @@ TEST(PageTable, Texts_of_up_to_40_characters_stay_on_one_line) {
   const TemporaryFolder folder;
   const std::string brief = "<" + std::string(39, 'x');
   const Table table{{{"a", "", ""}, {"b", "", ""}}, {{std::string("r"), brief}, {std::string("r"), brief + "x"}}};
-  const std::string page = page_of(folder, with_table(table));
+  const std::string page = written_page(folder, with_table(table));
   EXPECT_TRUE(contains(page, "<td class=\"short\">&lt;" + brief.substr(1) + "</td>")) << page;
   EXPECT_TRUE(contains(page, "<td>&lt;" + brief.substr(1) + "x</td>")) << page;
 }
@@ -382,7 +382,7 @@ TEST(PageTable, A_long_table_says_how_much_of_it_is_shown) {
   const TemporaryFolder folder;
   Table table{{{"a", "1", ""}}, {}};
   table.rows.assign(501, {Value(1.0)});
-  const std::string page = page_of(folder, with_table(table));
+  const std::string page = written_page(folder, with_table(table));
   EXPECT_TRUE(contains(page, "<div class=\"caption\">Table 1. Bias, the first 500 of 501 rows</div>"));
   EXPECT_EQ(count(page, "<td class=\"number\">1</td>"), 500u);
 }

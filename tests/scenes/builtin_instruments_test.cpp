@@ -16,7 +16,7 @@ namespace {
 
 constexpr double far_away = 1e3;
 
-const Light& light_named(const Scene& scene, const std::string& name) {
+const Light& lamp_named(const Scene& scene, const std::string& name) {
   for (const Light& light : scene.lights) {
     if (light.name == name) return light;
   }
@@ -111,7 +111,7 @@ TEST(Trench, Has_the_ambient_occlusion_of_an_infinite_trench_in_the_middle_of_ea
 TEST(Trench, Has_three_eighths_of_the_shallow_floors_in_the_sun_and_nothing_of_the_others) {
   const Scene scene = load_scene("trench");
   const ReferenceCaster caster(scene);
-  const dvec3 to_sun = -light_named(scene, "sun").axis();
+  const dvec3 to_sun = -lamp_named(scene, "sun").axis();
   for (const Slot& slot : slots_of(scene)) {
     int lit = 0;
     for (int i = 0; i < 800; ++i) {
@@ -231,7 +231,7 @@ TEST(LongPosts, Have_the_thickness_and_the_distance_in_their_names_and_stand_in_
 // One map over the whole road: a texel is wider than the posts of 2, 5 and 10 cm, at the viewer's feet as far away.
 TEST(LongPosts, Are_thinner_than_the_texels_of_a_single_map) {
   const Scene scene = load_scene("long-posts");
-  const MapLayout frame = fit_light(light_named(scene, "sun"), bounds_of(scene), 1024);
+  const MapLayout frame = fit_light(lamp_named(scene, "sun"), bounds_of(scene), 1024);
   EXPECT_GT(texel_at(frame, dvec3(0, 0, 5)), 0.1);
   EXPECT_LT(texel_at(frame, dvec3(0, 0, 5)), 0.25);
   EXPECT_EQ(texel_at(frame, dvec3(0, 0, 5)), texel_at(frame, dvec3(0, 0, -155)));
@@ -240,7 +240,7 @@ TEST(LongPosts, Are_thinner_than_the_texels_of_a_single_map) {
 TEST(TwoOccluders, Have_the_edge_of_the_roofs_shadow_across_the_middle_of_each_plates_shadow) {
   const Scene scene = load_scene("two-occluders");
   const ReferenceCaster caster(scene);
-  const dvec3 to_sun = -light_named(scene, "sun").axis();
+  const dvec3 to_sun = -lamp_named(scene, "sun").axis();
   for (const int gap : {10, 20, 40, 80, 160}) {
     const std::string plate = "plate " + std::to_string(gap) + " cm";
     const Bounds bounds = bounds_of_object(scene, plate);
@@ -265,7 +265,7 @@ TEST(TwoOccluders, Have_the_edge_of_the_roofs_shadow_across_the_middle_of_each_p
 TEST(TwoOccluders, Bleed_by_the_less_the_higher_the_plate) {
   const Scene scene = load_scene("two-occluders");
   const ReferenceCaster caster(scene);
-  const dvec3 to_sun = -light_named(scene, "sun").axis();
+  const dvec3 to_sun = -lamp_named(scene, "sun").axis();
   for (const auto& [gap, expected] : {std::pair{10, 0.4563}, {20, 0.4254}, {40, 0.3651}, {80, 0.2544}, {160, 0.0941}}) {
     const Bounds bounds = bounds_of_object(scene, "plate " + std::to_string(gap) + " cm");
     const dvec3 under(bounds.center().x + 0.15, bounds.min.y, bounds.center().z);
@@ -328,7 +328,7 @@ TEST_F(RoomRays, Find_walls_30_cm_thick_all_round) {
 }
 
 TEST_F(RoomRays, Find_a_patch_of_sun_on_the_floor) {
-  const dvec3 to_sun = -light_named(scene, "sun").axis();
+  const dvec3 to_sun = -lamp_named(scene, "sun").axis();
   int lit = 0;
   for (int i = 0; i < 50; ++i) {
     for (int j = 0; j < 40; ++j) {
@@ -343,7 +343,7 @@ TEST_F(RoomRays, Find_a_patch_of_sun_on_the_floor) {
 
 TEST_F(RoomRays, Leave_both_lamps_in_most_directions) {
   for (const char* name : {"lamp", "reading-lamp"}) {
-    const dvec3 lamp = light_named(scene, name).position();
+    const dvec3 lamp = lamp_named(scene, name).position();
     int open = 0;
     for (const dvec3& direction : directions(4000)) {
       if (caster.nearest(lamp, direction, 0.0, 0.3, false)) continue;

@@ -12,13 +12,12 @@
 #include "scenes/builtin.h"
 #include "scenes/gltf.h"
 #include "scenes/view.h"
+#include "tests/support/text.h"
 
 namespace umbrameter {
 namespace {
 
 using test::TemporaryFolder;
-
-bool contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
 const Light& light_named(const Scene& scene, const std::string& name) {
   for (const Light& light : scene.lights) {

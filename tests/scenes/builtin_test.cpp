@@ -14,6 +14,7 @@
 #include "gltf_files.h"
 #include "scenes/gltf.h"
 #include "scenes/view.h"
+#include "tests/support/text.h"
 
 namespace umbrameter {
 namespace {
@@ -64,8 +65,6 @@ bool is_rigid(const dmat4& pose) {
   }
   return glm::determinant(axes) > 0.0;
 }
-
-bool contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
 class EveryBuiltinScene : public testing::TestWithParam<std::string> {
  protected:

@@ -18,7 +18,7 @@ using test::load;
 using test::TemporaryFolder;
 
 template <class T>
-bool same_bits(const T& a, const T& b) {
+bool equal_bits(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
@@ -40,7 +40,7 @@ void expect_same(const Scene& a, const Scene& b) {
   ASSERT_EQ(a.materials.size(), b.materials.size());
   for (std::size_t i = 0; i < a.materials.size(); ++i) {
     EXPECT_EQ(a.materials[i].name, b.materials[i].name);
-    EXPECT_TRUE(same_bits(a.materials[i].base_color, b.materials[i].base_color));
+    EXPECT_TRUE(equal_bits(a.materials[i].base_color, b.materials[i].base_color));
     for (const auto texture : texture_members) EXPECT_EQ(a.materials[i].*texture, b.materials[i].*texture);
     EXPECT_EQ(a.materials[i].alpha_mode, b.materials[i].alpha_mode);
     EXPECT_EQ(a.materials[i].alpha_cutoff, b.materials[i].alpha_cutoff);
@@ -65,30 +65,30 @@ void expect_same(const Scene& a, const Scene& b) {
   for (std::size_t i = 0; i < a.instances.size(); ++i) {
     EXPECT_EQ(a.instances[i].mesh, b.instances[i].mesh);
     EXPECT_EQ(a.instances[i].object, b.instances[i].object);
-    EXPECT_TRUE(same_bits(a.instances[i].world_from_mesh, b.instances[i].world_from_mesh));
+    EXPECT_TRUE(equal_bits(a.instances[i].world_from_mesh, b.instances[i].world_from_mesh));
   }
   ASSERT_EQ(a.cameras.size(), b.cameras.size());
   for (std::size_t i = 0; i < a.cameras.size(); ++i) {
     EXPECT_EQ(a.cameras[i].name, b.cameras[i].name);
-    EXPECT_TRUE(same_bits(a.cameras[i].world_from_camera, b.cameras[i].world_from_camera));
+    EXPECT_TRUE(equal_bits(a.cameras[i].world_from_camera, b.cameras[i].world_from_camera));
     ASSERT_EQ(a.cameras[i].projection.index(), b.cameras[i].projection.index());
     if (const auto* lens = std::get_if<PerspectiveProjection>(&a.cameras[i].projection)) {
-      EXPECT_TRUE(same_bits(*lens, std::get<PerspectiveProjection>(b.cameras[i].projection)));
+      EXPECT_TRUE(equal_bits(*lens, std::get<PerspectiveProjection>(b.cameras[i].projection)));
     } else {
-      EXPECT_TRUE(same_bits(std::get<OrthographicProjection>(a.cameras[i].projection),
-                            std::get<OrthographicProjection>(b.cameras[i].projection)));
+      EXPECT_TRUE(equal_bits(std::get<OrthographicProjection>(a.cameras[i].projection),
+                             std::get<OrthographicProjection>(b.cameras[i].projection)));
     }
   }
   ASSERT_EQ(a.lights.size(), b.lights.size());
   for (std::size_t i = 0; i < a.lights.size(); ++i) {
     EXPECT_EQ(a.lights[i].name, b.lights[i].name);
-    EXPECT_TRUE(same_bits(a.lights[i].world_from_light, b.lights[i].world_from_light));
-    EXPECT_TRUE(same_bits(a.lights[i].color, b.lights[i].color));
+    EXPECT_TRUE(equal_bits(a.lights[i].world_from_light, b.lights[i].world_from_light));
+    EXPECT_TRUE(equal_bits(a.lights[i].color, b.lights[i].color));
     EXPECT_EQ(a.lights[i].intensity, b.lights[i].intensity);
     EXPECT_EQ(gltf::emitter_extras(a.lights[i]), gltf::emitter_extras(b.lights[i]));
     ASSERT_EQ(a.lights[i].shape.index(), b.lights[i].shape.index());
     if (const auto* spot = std::get_if<SpotLight>(&a.lights[i].shape)) {
-      EXPECT_TRUE(same_bits(*spot, std::get<SpotLight>(b.lights[i].shape)));
+      EXPECT_TRUE(equal_bits(*spot, std::get<SpotLight>(b.lights[i].shape)));
     }
     if (const auto* point = std::get_if<PointLight>(&a.lights[i].shape)) {
       EXPECT_EQ(point->range, std::get<PointLight>(b.lights[i].shape).range);

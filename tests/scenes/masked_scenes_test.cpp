@@ -9,7 +9,7 @@
 namespace umbrameter {
 namespace {
 
-std::map<std::string, Bounds> bounds_of_objects(const Scene& scene) {
+std::map<std::string, Bounds> object_bounds(const Scene& scene) {
   std::map<std::string, Bounds> bounds;
   for (const Instance& instance : scene.instances) {
     for (const vec3& position : scene.meshes[instance.mesh].positions) {
@@ -21,7 +21,7 @@ std::map<std::string, Bounds> bounds_of_objects(const Scene& scene) {
 }
 
 TEST(Fence, Has_a_mask_and_a_geometric_twin_of_one_size_and_every_kind_of_light) {
-  const auto bounds = bounds_of_objects(load_scene("fence"));
+  const auto bounds = object_bounds(load_scene("fence"));
   const Bounds& mask = bounds.at("fence mask");
   const Bounds& geometry = bounds.at("fence geometry");
   // 320 × 192 texels of 1/128 m; the heads of the pickets stay 5 texels below the upper edge.
@@ -63,7 +63,7 @@ TEST(Foliage, Casts_through_masked_leaves_on_a_plain_wall) {
     if (scene.materials[mesh.material].alpha_mode == AlphaMode::mask) cards += mesh.triangles.size() / 2;
   }
   EXPECT_GE(cards, 1000u);
-  EXPECT_EQ(bounds_of_objects(scene).at("wall").max.z, 0.0);
+  EXPECT_EQ(object_bounds(scene).at("wall").max.z, 0.0);
 }
 
 }  // namespace

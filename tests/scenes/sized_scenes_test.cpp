@@ -6,11 +6,10 @@
 
 #include "core/error.h"
 #include "scenes/builtin.h"
+#include "tests/support/text.h"
 
 namespace umbrameter {
 namespace {
-
-bool contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
 struct Sized {
   const char* text;
@@ -92,7 +91,7 @@ TEST(SizedScenes, Sizes_beyond_the_limits_are_errors_that_give_them) {
 }
 
 // Whether a light's range and cone contain a point.
-bool contains(const Light& light, const dvec3& point) {
+bool reaches(const Light& light, const dvec3& point) {
   const dvec3 offset = point - light.position();
   if (const auto* spot = std::get_if<SpotLight>(&light.shape)) {
     return glm::length(offset) < spot->range &&
@@ -125,7 +124,7 @@ TEST(SizedScenes, The_courtyard_can_have_small_lights_in_place_of_its_own) {
 TEST(SizedScenes, The_first_two_small_lights_of_the_courtyard_contain_its_cameras) {
   const Scene scene = load_scene("courtyard:2");
   for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_TRUE(contains(scene.lights[i], dvec3(scene.cameras[i].world_from_camera[3]))) << i;
+    EXPECT_TRUE(reaches(scene.lights[i], dvec3(scene.cameras[i].world_from_camera[3]))) << i;
   }
 }
 
