@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "tests/experiments/small_store.h"
+#include "tests/store/small_store.h"
 #include "tests/support/temporary_folder.h"
 
 namespace umbrameter {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "tests/experiments/small_store.h"
+#include "tests/store/small_store.h"
 #include "tests/support/temporary_folder.h"
 
 namespace umbrameter {

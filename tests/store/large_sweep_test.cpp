@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "reports/files/data.h"
-#include "tests/experiments/fake_sweep.h"
+#include "tests/store/fake_sweep.h"
 #include "tests/support/temporary_folder.h"
 
 namespace umbrameter {

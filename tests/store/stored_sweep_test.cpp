@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "reports/files/data.h"
-#include "tests/experiments/fake_sweep.h"
+#include "tests/store/fake_sweep.h"
 #include "tests/support/temporary_folder.h"
 
 namespace umbrameter {
