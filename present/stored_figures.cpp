@@ -58,7 +58,8 @@ Figures stored_figures(const StoredRun& run) {
   add_scalar(figures, run, "error_ao", "Error: ambient occlusion", error_caption, ao_error_scale);
   add_scalar(figures, run, "error_image", "Error: the image", "Luminance, technique − reference.", image_error_scale);
   add_classes(figures, run, "cause_image", "Cause of the image's error",
-              "The input whose replacement by the reference's changes the pixel most, where the error is visible.",
+              "The input that matters most: replacing it by the reference's changes the pixel most. Only where the "
+              "error is visible.",
               image_cause_colors());
   for (std::size_t k = 0; k < ao_stage_count; ++k) {
     const Image<float>* change = find_channel(run, "ao_stage_" + std::string(ao_stage_names[k]) + ".Y");
