@@ -153,7 +153,8 @@ std::vector<std::string> table_lines(const std::vector<Measured>& all) {
       {"metric", "score", "map: min", "weighted 25 %", "weighted 50 %", "weighted 75 %", "99 %", "max", "at x,y"}};
   for (const Measured& each : all) {
     const PooledMap& p = each.pooled;
-    rows.push_back({std::string(each.metric->name), cell(each.result.score, 6), cell(p.min, 4),
+    const std::string unit = each.metric->unit == "1" ? "" : " " + std::string(each.metric->unit);
+    rows.push_back({std::string(each.metric->name), cell(each.result.score, 6) + unit, cell(p.min, 4),
                     cell(p.weighted_quartile_1, 4), cell(p.weighted_median, 4), cell(p.weighted_quartile_3, 4),
                     cell(p.percentile_99, 4), cell(p.max, 4),
                     std::isnan(p.max) ? "-" : fmt::format("{},{}", p.max_at.x, p.max_at.y)});
@@ -280,7 +281,10 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
   for (const Measured& each : all) {
     for (const auto& [name, value] : each.result.details) {
       if (std::isnan(value)) continue;
-      add_line(console, fmt::format("{}: {} {:.4g}", each.metric->name, name, value));
+      const bool is_count = value == std::floor(value) && value > 1.0 && value < 1e15;
+      add_line(console,
+               fmt::format("{}: {} {}", each.metric->name, name,
+                           is_count ? grouped(static_cast<std::uint64_t>(value)) : fmt::format("{:.4g}", value)));
     }
   }
   if (!line.output.empty()) {

@@ -45,7 +45,6 @@ std::string value_of(Experiment experiment, const std::string& key) {
 }
 
 std::string time_text(double seconds) {
-  if (seconds < 1.0) return "less than 1 s";
   if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
   return seconds < 5400.0 ? fmt::format("{:.0f} min", seconds / 60.0) : fmt::format("{:.1f} h", seconds / 3600.0);
 }
@@ -167,9 +166,11 @@ ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSw
     evaluate(group_at(plan, index), [](std::size_t, std::span<const Value>) {});
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   });
-  rows.emplace_back("time", fmt::format("{} {} to measure, plus the report; estimated from {} measured groups of {}",
-                                        estimate.is_upper_bound ? "at most about" : "about",
-                                        time_text(estimate.seconds), estimate.measured, grouped(groups)));
+  const std::string time = estimate.seconds < 1.0
+                               ? "less than 1 s"
+                               : (estimate.is_upper_bound ? "at most about " : "about ") + time_text(estimate.seconds);
+  rows.emplace_back("time", fmt::format("{} to measure, plus the report; estimated from {} of {} groups", time,
+                                        estimate.measured, grouped(groups)));
   return show(console, rows);
 }
 

@@ -269,7 +269,8 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   }
   // The sweep's own part has the answer.
   Presentation& of_cell = output.parts.back();
-  of_cell.lines = std::exchange(of_cell.answers, {});
+  of_cell.lines = {"cell of least error: " + cell_text(results, least)};
+  for (const std::string& answer : std::exchange(of_cell.answers, {})) of_cell.lines.push_back("  " + answer);
   ReportSection& section = of_cell.section;
   section.title += " in the cell of least error";
   section.text = fmt::format("This section shows the cell {}.\n\n", cell_text(results, least)) + section.text;

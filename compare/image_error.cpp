@@ -98,14 +98,13 @@ Statistics describe(ImageStatistics& s) {
       .field("mae_off_edges", s.mae_off_edges, "1",
              "mean absolute error of the pixels farther than 3 px from every edge of a hard shadow")
       .share("near_edges", s.near_edges, "share of the pixels within 3 px of an edge of a light's hard shadow")
-      .field("shadows", s.parts[0], "1", "error that goes when the reference's visibility replaces the technique's",
+      .field("shadows", s.parts[0], "1", "error removed by using the reference's visibility",
              {"Error from shadows", "mean absolute error from shadows [% of white]"})
-      .field("ao", s.parts[1], "1", "error that goes when the reference's ambient occlusion replaces the technique's",
+      .field("ao", s.parts[1], "1", "error removed by using the reference's ambient occlusion",
              {"Error from ambient occlusion", "mean absolute error from AO [% of white]"})
-      .field("gbuffer", s.parts[2], "1", "error that goes when the exact surfels replace the G-buffer's",
+      .field("gbuffer", s.parts[2], "1", "error removed by using the exact surfels",
              {"Error from the G-buffer", "mean absolute error from the G-buffer [% of white]"})
-      .field("shading", s.parts[3], "1",
-             "error that goes when the processor evaluates the light model with the same inputs")
+      .field("shading", s.parts[3], "1", "error removed by evaluating the light model on the CPU")
       .field("gbuffer_visibility", s.gbuffer_visibility, "1",
              "mean absolute change of visibility by the G-buffer, over pixels and lights")
       .field("gbuffer_ao", s.gbuffer_ao, "1", "mean absolute change of accessibility by the G-buffer")

@@ -13,10 +13,10 @@ constexpr std::array<const char*, ao_stage_count> meanings = {
     "The method's own radius, falloff and weight on the full geometry, instead of the requested reference.",
     "Occluders outside the view vanish.",
     "Occluders inside the view that no pixel sees vanish.",
-    "All behind the visible surface counts as solid, as thick as the method takes it.",
+    "Everything behind the visible surface counts as solid, as thick as the method assumes.",
     "The method with very many samples, instead of its integral over what the depth buffer knows.",
     "The method's own number of samples, without blur.",
-    "Its blur.",
+    "The method's blur.",
 };
 
 const ColorScale stage_scale{ColorMap::error, -0.25, 0.25, "change of accessibility: below 0 darkens"};
@@ -82,7 +82,7 @@ ReportTable splits_table(const std::vector<AoStageBin>& bins) {
     for (const AoStageError& stage : bin.statistics.stages) row.emplace_back(signed_text(stage.mean.value));
     table.rows.push_back(std::move(row));
   }
-  return {"Signed means of the stages where", std::move(table)};
+  return {"Signed means of the stages in parts of the image", std::move(table)};
 }
 
 }  // namespace
@@ -127,11 +127,12 @@ Presentation present_ao_stages(const AoMeasurement& ao) {
   section.text = fmt::format(
       "Each stage changes one thing on the way from the reference to the technique's result. The signed means of the "
       "stages add up to the total.\n\nThe method's integral: {}.\n\nThe stages up to thin use the same rays, {} per "
-      "pixel. The stage approximation shows the mean of {} draws with at least 1024 samples each.",
+      "pixel. Values are accessibilities, from 0 to 1. The stage approximation shows the mean of {} draws with at "
+      "least 1024 samples each.",
       stages.integral, ao.experiment.truth.spp, stages.many_draws);
   WaterfallFigure waterfall = ao_stages_waterfall(statistics);
   waterfall.conditions =
-      fmt::format("{}, radius {}, reference {}", title_of(make_technique(ao.experiment.ao)),
+      fmt::format("{}, radius {}, reference rays {}", title_of(make_technique(ao.experiment.ao)),
                   metres_text(ao.experiment.ao.sampling.radius.number), ao_limit_text(ao.experiment.truth));
   add_figure(presentation, std::move(waterfall));
   for (std::size_t k = 0; k < ao_stage_count; ++k) {
@@ -139,7 +140,7 @@ Presentation present_ao_stages(const AoMeasurement& ao) {
     add_figure(presentation, ao_stage_figure(stage, stage_difference(stages.images, stage)));
   }
   section.headlines = {
-      {"mean signed error", signed_text(statistics.total.mean_error.value), "sum of the stages"},
+      {"mean signed error", fmt::format("{:+.3g} %", 100.0 * statistics.total.mean_error.value), "sum of the stages"},
       {"sRGB PSNR", fmt::format("{:.2f} dB", statistics.srgb_psnr), "of encoded accessibility, peak 1"},
   };
   section.tables = {stages_table(statistics), splits_table(stages.bins)};
@@ -150,9 +151,9 @@ Presentation present_ao_stages(const AoMeasurement& ao) {
   const AoStageError& most = statistics.stages[largest];
   const double total = statistics.total.rmse.value;
   presentation.lines.push_back(
-      fmt::format("AO: the stage {} changes most: mean {}, RMS {:.4f}; {}RMS of the error: {:.4f}",
-                  ao_stage_titles[largest], signed_text(most.mean.value), most.rms.value,
-                  most.rms.value > total ? "other stages undo a part of it; " : "", total));
+      fmt::format("AO by stage: {} changes most: mean {:+.3g} %, RMS {}{}; all stages together: RMS {}",
+                  ao_stage_titles[largest], 100.0 * most.mean.value, percent(most.rms.value),
+                  most.rms.value > total ? ", partly undone by other stages" : "", percent(total)));
   return presentation;
 }
 

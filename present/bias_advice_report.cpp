@@ -83,7 +83,7 @@ ReportTable advice_table(const BiasAdvice& advice) {
   add_row("least error", advice.plateau.least);
   add_row(advice.plateau.open_below ? "smallest bias tested" : "smallest bias within 5 % of it", advice.plateau.first);
   add_row(advice.plateau.open_above ? "largest bias tested" : "largest bias within 5 % of it", advice.plateau.last);
-  if (advice.line.little_acne) add_row("smallest bias with acne below 0.1 %", *advice.line.little_acne);
+  if (advice.line.little_acne) add_row("smallest bias with acne of at most 0.1 %", *advice.line.little_acne);
   if (advice.line.acne_free) add_row("smallest bias without acne", *advice.line.acne_free);
   return {"Recommended bias", std::move(table), {"in texels", "in depth"}};
 }

@@ -196,7 +196,7 @@ HeatMapFigure heat_map(const Drawing& drawing, HeatRows kind) {
                      : "Mean absolute error over bias and " + drawing.line_key.substr(drawing.line_key.find('.') + 1);
   figure.stem = (by_slope ? "mae_biases" : "mae_lines") + drawing.part.suffix;
   figure.conditions = by_slope ? drawing.part.conditions : drawing.conditions;
-  figure.caption = "Rings mark the cells of least error. Colours change at quantiles of the cells of this figure.";
+  figure.caption = "Rings mark the cells of least error. Colour steps are closer near the least error.";
   const SweepAxis& constant = plan.axes[*plan.constant_bias.axis];
   figure.x = {"bias", label_of(constant), is_logarithmic(constant)};
   figure.y = {"row", label_of(plan.axes[by_slope ? *plan.slope_bias.axis : *drawing.part.line_axis])};

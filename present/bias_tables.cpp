@@ -189,11 +189,12 @@ int digits_of(const BiasCurves& curves, const BiasCell& cell) {
 // What the sweep says of one curve, after the name of its setting.
 std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
   const BiasCell least = *least_error(curve.optima);
-  const std::string lowest = fmt::format("lowest error {} at {}", percent(least.mae), bias_text(curves, curve, least));
-  if (!curve.plateau) return lowest;
+  const std::string least_text =
+      fmt::format("least error {} at {}", percent(least.mae), bias_text(curves, curve, least));
+  if (!curve.plateau) return least_text;
   const BiasPlateau& plateau = *curve.plateau;
   if (curve.withheld) {
-    return fmt::format("no bias recommended: {}; {}", withheld_text(*curve.withheld, curve.evidence), lowest);
+    return fmt::format("no bias recommended: {}; {}", withheld_text(*curve.withheld, curve.evidence), least_text);
   }
   const BiasCell& recommended = plateau.recommended;
   std::string text =

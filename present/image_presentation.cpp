@@ -139,7 +139,9 @@ Presentation present_image(const SceneFacts& scene, const ImageMeasurement& imag
   ImageFigure causes;
   causes.stem = "cause_image";
   causes.title = "Cause of the image's error";
-  causes.caption = "The input whose replacement by the reference's changes the pixel most, where the error is visible.";
+  causes.caption =
+      "The input that matters most: replacing it by the reference's changes the pixel most. Only where the error is "
+      "visible.";
   causes.category = image.causes;
   causes.categories = image_cause_colors();
   add_figure(presentation, std::move(causes));
@@ -152,8 +154,9 @@ Presentation present_image(const SceneFacts& scene, const ImageMeasurement& imag
     parts += fmt::format("{}{} {}", c > 0 ? ", " : "", image_cause_names[c], part_text(s.parts[c]));
   }
   section.text += fmt::format(
-      "{}. Errors are of linear luminance times shading.exposure, in per cent of white. A part is what the error loses "
-      "when that input is replaced by the reference's; parts can overlap or cancel, so they need not add up. An area "
+      "{}. Errors are of linear luminance times shading.exposure, in per cent of white. A part is how much the "
+      "error falls when the reference's input replaces the technique's; parts can overlap or cancel, so they need not "
+      "add up. An area "
       "light is shaded from its centre on both sides, and only its visibility is integrated.",
       path_text(experiment));
   section.tables.insert(section.tables.begin(), statistics_table("Error of the image", s));

@@ -31,8 +31,7 @@ std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::s
                                : fmt::format("within 5 % of the least {}{}", what, least.empty() ? "" : ", " + least);
   const char* verb = plateau.least.mae == 0.0 ? "have" : "are";
   if (first == last) {
-    return plateau.least.mae == 0.0 ? fmt::format("no other bias has no {}", what)
-                                    : fmt::format("no other bias is {}", good);
+    return fmt::format("only this bias {} {}", plateau.least.mae == 0.0 ? "has" : "is", good);
   }
   return fmt::format("{} to {}{} {} {}", number(first), number(last), of_unit, verb, good);
 }

@@ -8,6 +8,7 @@
 
 #include "present/presentation_parts.h"
 #include "present/scene_report.h"
+#include "reports/files/text_layout.h"
 #include "results/known_statistics.h"
 #include "results/layer_description.h"
 
@@ -103,20 +104,20 @@ std::string precision_text(const SamplingPrecision& precision, const TruthParams
   if (precision.pixels == 0) return {};
   std::string text = fmt::format(
       "The 95 % confidence intervals account for the sampling noise of the reference. The interval of a single pixel "
-      "has a half width of {:.2g} on average and {:.2g} at most, with {:.0f} samples per pixel on average.",
-      precision.mean_half_width, precision.worst_half_width, precision.mean_samples);
+      "is ± {:.2g} % on average and ± {:.2g} % at most, with {:.0f} rays per pixel on average.",
+      100.0 * precision.mean_half_width, 100.0 * precision.worst_half_width, precision.mean_samples);
   if (truth.tolerance > 0.0) {
-    text +=
-        fmt::format(" {} of {} pixels stopped at truth.max-spp ({} rays) before they reached the tolerance of {:g}.",
-                    precision.pixels_at_limit, precision.pixels, truth.max_spp, truth.tolerance);
+    text += fmt::format(
+        " {} of {} pixels stopped at truth.max-spp ({} rays) before they reached the tolerance of ± {:g} %.",
+        precision.pixels_at_limit, precision.pixels, truth.max_spp, 100.0 * truth.tolerance);
   }
   return text;
 }
 
 std::string precision_line(const SamplingPrecision& precision) {
   std::string line =
-      fmt::format("{:.0f} samples per pixel; half width of a pixel's 95 % interval: mean {:.2g}, largest {:.2g}",
-                  precision.mean_samples, precision.mean_half_width, precision.worst_half_width);
+      fmt::format("{:.0f} rays per pixel; 95 % interval of a pixel: ± {:.2g} % on average, ± {:.2g} % at most",
+                  precision.mean_samples, 100.0 * precision.mean_half_width, 100.0 * precision.worst_half_width);
   if (precision.pixels_at_limit > 0) {
     line += fmt::format("; {} of {} pixels stopped at truth.max-spp", precision.pixels_at_limit, precision.pixels);
   }
@@ -132,10 +133,11 @@ Table in_percent(Table table, std::size_t first_column) {
   return table;
 }
 
-std::string statistic_words(std::string_view name) {
+std::string statistic_words(std::string_view name, std::string_view kind) {
   std::string words(name);
-  const auto known = std::ranges::find_if(
-      known_statistics(), [&](const KnownStatistic& each) { return each.name == name && !each.title.empty(); });
+  const auto known = std::ranges::find_if(known_statistics(), [&](const KnownStatistic& each) {
+    return each.name == name && !each.title.empty() && (kind.empty() || each.kind == kind);
+  });
   if (known != known_statistics().end()) words = known->title;
   for (const std::string_view subject : {" of visibility", " of accessibility", " of the image"}) {
     if (words.ends_with(subject)) words.resize(words.size() - subject.size());
@@ -244,7 +246,7 @@ Presentation present_ao(const AoMeasurement& ao) {
   }
   if (!ao.statistics) {
     if (ao.truth) {
-      presentation.answers.push_back(fmt::format("AO: reference {}, {}", limit, precision_line(ao.truth->precision)));
+      presentation.answers.push_back(fmt::format("AO: rays {}; {}", limit, precision_line(ao.truth->precision)));
     }
     return presentation;
   }
@@ -259,20 +261,21 @@ Presentation present_ao(const AoMeasurement& ao) {
                                          signed_error(*ao.raster, ao.truth->ao), color_scale(Layer::error_ao)));
   const AoErrorText text = error_text(s);
   section.headlines = {
-      {"mean absolute error", text.absolute, fmt::format("of {} pixels", s.pixels)},
+      {"mean absolute error", text.absolute, fmt::format("of {} pixels", grouped(s.pixels))},
       {"RMS error", percent(s.rmse), "corrected for the reference's variance"},
       {"mean signed error", text.with_sign, "below 0: too dark"},
   };
   section.text += fmt::format(
       "\n\nThe technique looks for occluders up to {}, the reference {}. Noise in the reference can only raise the "
       "mean "
-      "absolute error, so that it is given as a range, whose lower end is corrected for this noise.",
+      "absolute error, which is therefore given as a range; its lower end is corrected for this noise.",
       metres_text(experiment.ao.sampling.radius.number), limit);
   section.tables = {statistics_table("Ambient occlusion error", *ao.statistics)};
   add_metrics_table(section, ao.metrics);
-  presentation.answers.push_back(fmt::format(
-      "AO: mean absolute error {}, mean signed error {} ({} radius {}, reference {})", text.absolute, text.with_sign,
-      title_of(make_technique(experiment.ao)), metres_text(experiment.ao.sampling.radius.number), limit));
+  presentation.answers.push_back(
+      fmt::format("AO: mean absolute error {}, mean signed error {} ({} radius {}, reference rays {})", text.absolute,
+                  text.with_sign, title_of(make_technique(experiment.ao)),
+                  metres_text(experiment.ao.sampling.radius.number), limit));
   return presentation;
 }
 

@@ -17,7 +17,7 @@ namespace umbrameter {
 Table in_percent(Table table, std::size_t first_column = 0);
 
 /// "mean absolute error", "light leak": a statistic's name in words, without what it is an error of.
-std::string statistic_words(std::string_view name);
+std::string statistic_words(std::string_view name, std::string_view kind = {});
 
 /// Name and colour of each PixelClass, in its order; the same in all figures.
 const std::vector<CategoryColor>& class_colors();

@@ -17,6 +17,7 @@
 #include "reports/files/data.h"
 #include "reports/files/markup.h"
 #include "reports/files/output.h"
+#include "reports/files/text_layout.h"
 #include "results/layers.h"
 
 namespace umbrameter {
@@ -158,7 +159,7 @@ ViewerPack pack_images(const RunOutput& output, const LayeredImage& image) {
 
 std::string subtitle_of(const SceneFacts& scene, const View& view) {
   return fmt::format("{}×{} pixels, camera {}, {} triangles", view.width, view.height,
-                     view.camera.name.empty() ? "without a name" : view.camera.name, scene.triangles);
+                     view.camera.name.empty() ? "without a name" : view.camera.name, grouped(scene.triangles));
 }
 
 std::string experiment_text(Experiment experiment) {

@@ -56,7 +56,7 @@ std::string verdict_text(const ComparedValue& value) {
     case Verdict::rays_only:
       return "not tested: the interval covers the rays only";
     case Verdict::no_interval:
-      return "no interval";
+      return "not tested: no interval";
   }
   return "";
 }
@@ -77,7 +77,7 @@ std::string file_stem(const std::vector<StoredRun>& runs, const ComparedStatisti
 
 // "Mean absolute error". What it is an error of is the table's subject.
 std::string title_text(const ComparedStatistic& compared) {
-  std::string title = statistic_words(compared.name);
+  std::string title = statistic_words(compared.name, compared.kind);
   title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
   return title;
 }
@@ -123,7 +123,7 @@ Table rows_of_runs(const std::vector<StoredRun>& runs, const std::vector<const C
                    std::size_t first_run, const Text& text) {
   Table table{{{"run", "", ""}}, {}};
   for (const ComparedStatistic* each : errors)
-    table.columns.push_back({statistic_words(each->name), shown_unit(each->unit), ""});
+    table.columns.push_back({statistic_words(each->name, each->kind), shown_unit(each->unit), ""});
   for (std::size_t run = first_run; run < runs.size(); ++run) {
     std::vector<Value> row = {runs[run].name};
     for (const ComparedStatistic* each : errors) {

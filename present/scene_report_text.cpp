@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -57,7 +58,7 @@ std::string counted(std::size_t number, const char* noun, const char* plural = "
   return grouped(number) + " " + noun + (number == 1 ? "" : plural);
 }
 
-std::string metres(double value) { return std::isinf(value) ? "infinity" : fmt::format("{:.6g} m", value); }
+std::string metres(double value) { return std::isinf(value) ? "infinity" : fmt::format("{:.4g} m", value); }
 
 std::string vector_of(const dvec3& v) { return vector_text(v.x, v.y, v.z); }
 
@@ -147,7 +148,7 @@ void add_memory(Lines& lines, const SceneReport& report) {
   lines.add_rows("", {{"measured", "total"},
                       {"tracer", tracer, report.tracer_bytes ? "Embree's count" : "not built; use --measure-memory"},
                       {"loading", bytes_text(report.peak_resident),
-                       fmt::format("peak of the process while loading; {:.3g} s", report.load_seconds)}});
+                       fmt::format("peak of the process while loading; {:.2g} s", report.load_seconds)}});
 }
 
 }  // namespace
@@ -176,8 +177,12 @@ std::vector<std::string> to_lines(const SceneReport& report) {
                          counted(scene.textures.size(), "texture"));
   if (!report.bounds.empty()) {
     const dvec3 extent = report.bounds.extent();
-    lines.add("bounds", vector_of(report.bounds.min) + " to " + vector_of(report.bounds.max) + " m");
-    lines.add("extent", fmt::format("{:.6g} × {:.6g} × {:.6g} m (X × Y × Z)", extent.x, extent.y, extent.z));
+    // A thousandth of the longest side; more digits say nothing about the scene.
+    const double longest = std::max({extent.x, extent.y, extent.z});
+    const double step = longest > 0.0 ? std::pow(10.0, std::floor(std::log10(longest)) - 3.0) : 1.0;
+    const auto rounded = [&](const dvec3& v) { return longest > 0.0 ? glm::round(v / step) * step : v; };
+    lines.add("bounds", vector_of(rounded(report.bounds.min)) + " to " + vector_of(rounded(report.bounds.max)) + " m");
+    lines.add("extent", fmt::format("{:.4g} × {:.4g} × {:.4g} m (X × Y × Z)", extent.x, extent.y, extent.z));
     add_units(lines, report.units, report.unit);
   }
   lines.add_list("cameras", scene.cameras, camera_row);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "compare/bias_units.h"
 #include "present/bias_advice_report.h"
@@ -8,6 +9,7 @@
 #include "present/presentation.h"
 #include "present/presentation_parts.h"
 #include "present/scene_report.h"
+#include "reports/files/text_layout.h"
 #include "results/layer_description.h"
 
 namespace umbrameter {
@@ -27,12 +29,19 @@ ImageFigure class_figure(const std::string& layer, const std::string& title, con
 
 std::string counted_text(const CountedPixels& counted, bool is_soft) {
   const auto total = [&](PixelExclusion c) { return counted.totals[static_cast<std::size_t>(c)]; };
-  return fmt::format(
-      "{} counted pixels face {}the light and lie inside its map, cone and range. Not counted: {} back-facing, {} "
-      "outside the map, {} outside the cone, {} out of range, {} background.",
-      total(PixelExclusion::none), is_soft ? "part of " : "", total(PixelExclusion::back_facing),
-      total(PixelExclusion::outside_map), total(PixelExclusion::outside_cone), total(PixelExclusion::outside_range),
-      total(PixelExclusion::background));
+  std::string text = fmt::format("{} counted pixels face {}the light and lie inside its map, cone and range.",
+                                 grouped(total(PixelExclusion::none)), is_soft ? "part of " : "");
+  const char* separator = " Not counted: ";
+  for (const auto& [exclusion, name] : {std::pair{PixelExclusion::back_facing, "back-facing"},
+                                        {PixelExclusion::outside_map, "outside the map"},
+                                        {PixelExclusion::outside_cone, "outside the cone"},
+                                        {PixelExclusion::outside_range, "out of range"},
+                                        {PixelExclusion::background, "background"}}) {
+    if (total(exclusion) == 0) continue;
+    text += fmt::format("{}{} {}", separator, grouped(total(exclusion)), name);
+    separator = ", ";
+  }
+  return separator[0] == ',' ? text + "." : text;
 }
 
 // What one light's shadow rays went to.
@@ -44,7 +53,7 @@ std::string truth_caption(const ShadowMeasurement& shadow) {
     return fmt::format("{} Mean over the part of each pixel that shows the surface of its centre, of {:.0f} rays.",
                        common, samples);
   }
-  return fmt::format("{} The light is {}{}; {:.0f} samples per pixel measure the visible share of its {}.", common,
+  return fmt::format("{} The light is {}{}; {:.0f} rays per pixel measure the visible share of its {}.", common,
                      std::holds_alternative<DistantEmitter>(shadow.emitter) ? "" : "a ", extent_text(shadow.emitter),
                      samples, shadow.experiment.truth.light_sampling == LightSampling::area ? "area" : "solid angle");
 }
@@ -69,10 +78,10 @@ void present_edge_error(Presentation& presentation, const SceneFacts& scene, con
       edge_band_texels);
   if (s.max_x >= 0) {
     section.text +=
-        fmt::format(" The largest error is {:.3g}, for example at pixel ({}, {}).", s.max_error, s.max_x, s.max_y);
+        fmt::format(" The largest error is {}, for example at pixel ({}, {}).", percent(s.max_error), s.max_x, s.max_y);
   }
   section.headlines = {
-      {"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", s.pixels)},
+      {"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", grouped(s.pixels))},
       {"too dark away from edges", percent(s.too_dark_away), "like acne"},
       {"too dark at edges", percent(s.too_dark_at_edge), "blur and occluders in the kernel"},
       {"too bright at edges", percent(s.too_bright_at_edge), "blur and lost contact"},
@@ -98,11 +107,11 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
       ", so a single tap is neither right nor wrong and has no cause of error. The error is split into too dark and "
       "too bright instead. Causes need a binary reference: truth.shadow point.";
   if (s.error.max_x >= 0) {
-    section.text += fmt::format(" The largest error is {:.3g}, for example at pixel ({}, {}).", s.error.max_error,
+    section.text += fmt::format(" The largest error is {}, for example at pixel ({}, {}).", percent(s.error.max_error),
                                 s.error.max_x, s.error.max_y);
   }
   section.headlines = {
-      {"mean absolute error", percent(s.error.mae), fmt::format("of {} counted pixels", s.error.pixels)},
+      {"mean absolute error", percent(s.error.mae), fmt::format("of {} counted pixels", grouped(s.error.pixels))},
       {"too dark", percent(s.error.too_dark), "part where the technique is darker than the reference"},
       {"too bright", percent(s.error.too_bright), "part where the technique is brighter than the reference"},
       {"RMS error", percent(s.error.rmse), "corrected for the reference's variance"},
@@ -121,9 +130,9 @@ std::string agreement_text(const ClassAgreement& agreement) {
       "ray tests reclassified {:.2g} % of {} taps from false occlusion to acne: {:.2g} % of all wrong taps.",
       100.0 * share_of_unresolved(agreement), agreement.taps, 100.0 * share_of_wrong(agreement));
   if (agreement.peter_panning > 0) {
-    text +=
-        fmt::format(" By rays, {:.2g} % of the peter-panning is light leak: the sample is on the receiver's own layer.",
-                    100.0 * share_on_own_layer(agreement));
+    text += fmt::format(
+        " Of the peter-panning, ray tests call {:.2g} % light leak: the sample is on the receiver's own layer.",
+        100.0 * share_on_own_layer(agreement));
   }
   return text;
 }
@@ -139,7 +148,7 @@ ReportTable worst_parts(const char* what, PartKind kind, const std::vector<PartE
     table.columns[c].unit = "%";
     for (std::vector<Value>& row : table.rows) row[c] = fmt::format("{:.3g}", 100.0 * to_number(row[c]));
   }
-  return {fmt::format("Error by {}{}", what, are_more ? fmt::format(", the {} with most of it", most) : ""),
+  return {fmt::format("Error by {}{}", what, are_more ? fmt::format(": the {} largest shares", most) : ""),
           std::move(table)};
 }
 
@@ -179,7 +188,7 @@ Presentation present_shadow_error(const SceneFacts& scene, const ShadowMeasureme
   if (shadow.raster) {
     add_figure(presentation,
                scalar_figure("raster_visibility_" + layer, "Shadow map: " + title,
-                             fmt::format("{}, constant bias {}, slope bias {:g} texels.", technique_text(shadow),
+                             fmt::format("{}, constant bias {}, slope-scaled bias {:g} texels.", technique_text(shadow),
                                          length_text(experiment.shadow.bias.constant), experiment.shadow.bias.slope),
                              shadow.raster->visibility, color_scale(Layer::truth_visibility)));
   }
@@ -192,8 +201,7 @@ Presentation present_shadow_error(const SceneFacts& scene, const ShadowMeasureme
     return presentation;
   }
   if (!shadow.statistics) {
-    const double pixels = static_cast<double>(shadow.counted.totals[0]);
-    std::string line = fmt::format("{}: {:.0f} counted pixels", title, pixels);
+    std::string line = fmt::format("{}: {} counted pixels", title, grouped(shadow.counted.totals[0]));
     if (shadow.raster) line += fmt::format(", mean texel {}", metres_text(shadow.counted.mean_texel));
     if (shadow.truth && shadow.is_sampled) line += "; " + precision_line(shadow.truth->precision);
     presentation.answers.push_back(std::move(line));
@@ -210,7 +218,7 @@ Presentation present_shadow_error(const SceneFacts& scene, const ShadowMeasureme
   const VisibilityStatistics& s = *by_cause(shadow);
   add_error_figure(presentation, scene, shadow);
   add_figure(presentation, class_figure(layer, title, shadow));
-  section.headlines = {{"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", s.pixels)}};
+  section.headlines = {{"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", grouped(s.pixels))}};
   const std::array<double, cause_count> shares = {s.acne, s.false_occlusion, s.peter_panning, s.leak};
   for (std::size_t c = 0; c < cause_count; ++c) {
     const auto cause = static_cast<Cause>(c);
@@ -226,8 +234,8 @@ Presentation present_shadow_error(const SceneFacts& scene, const ShadowMeasureme
   if (shadow.agreement) presentation.details.push_back(title + ": " + agreement_text(*shadow.agreement));
   if (experiment.shadow.pcf.filter != ShadowFilter::nearest) section.text += "\n\n" + std::string(filter_caution);
   if (s.max_x >= 0) {
-    section.text +=
-        fmt::format("\n\nThe largest error is {:.3g}, for example at pixel ({}, {}).", s.max_error, s.max_x, s.max_y);
+    section.text += fmt::format("\n\nThe largest error is {}, for example at pixel ({}, {}).", percent(s.max_error),
+                                s.max_x, s.max_y);
   }
   const std::string parts = fmt::format("acne {}, false occlusion {}, peter-panning {}, light leak {}", percent(s.acne),
                                         percent(s.false_occlusion), percent(s.peter_panning), percent(s.leak));
@@ -252,7 +260,7 @@ ReportTable bias_table(const ShadowMeasurement& shadow) {
   table.rows.push_back({std::string("along the light"), known(bias.metres), std::string("m")});
   table.rows.push_back(
       {std::string("in texels of mean size ") + metres_text(texel), known(bias.texels), std::string("texels")});
-  table.rows.push_back({std::string("of the depth that the map stores, of mean size ") + metres_text(shadow.depth_unit),
+  table.rows.push_back({std::string("in the map's depth, mean range ") + metres_text(shadow.depth_unit),
                         known(bias.depth), std::string("normalised depth")});
   return {"Constant bias of these images", std::move(table)};
 }

@@ -57,7 +57,8 @@ Figures stored_figures(const StoredRun& run) {
   add_scalar(figures, run, Layer::error_ao, "", "Error: ambient occlusion", error_caption);
   add_scalar(figures, run, Layer::error_image, "", "Error: the image", "Luminance, technique − reference.");
   add_classes(figures, run, layer_name(Layer::cause_image), "Cause of the image's error",
-              "The input whose replacement by the reference's changes the pixel most, where the error is visible.",
+              "The input that matters most: replacing it by the reference's changes the pixel most. Only where the "
+              "error is visible.",
               image_cause_colors());
   for (std::size_t k = 0; k < ao_stage_count; ++k) {
     const Image<float>* change =

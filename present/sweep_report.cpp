@@ -192,8 +192,13 @@ std::string row_text(const Table& table, const std::vector<Value>& row, std::siz
     const auto* number = std::get_if<double>(&row[a]);
     const std::string value =
         number != nullptr && std::abs(*number) < 1e4 ? fmt::format("{:.4g}", *number) : short_text(row[a]);
-    text += (a > 0 ? ", " : "") + table.columns[a].name + " " + value;
-    if (!table.columns[a].unit.empty() && table.columns[a].unit != "1") text += " " + table.columns[a].unit;
+    const std::string& unit = table.columns[a].unit;
+    text += (a > 0 ? ", " : "") + table.columns[a].name + " ";
+    if (number != nullptr && unit == "m") {
+      text += metres_text(*number, 4);
+    } else {
+      text += value + (unit.empty() || unit == "1" ? "" : " " + unit);
+    }
   }
   return text;
 }
@@ -294,8 +299,9 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   if (curves) {
     present_bias(presentation, *curves);
   } else {
-    presentation.answers.push_back(fmt::format("lowest error {} at {}{}", error, row_text(best, least, axes),
-                                               sweep.ao_limit.empty() ? "" : " (reference " + sweep.ao_limit + ")"));
+    presentation.answers.push_back(
+        fmt::format("least error {} at {}{}", error, row_text(best, least, axes),
+                    sweep.ao_limit.empty() ? "" : " (reference rays " + sweep.ao_limit + ")"));
   }
   for (const std::string& warning : warnings) presentation.answers.push_back("warning: " + warning);
   if (curves) return presentation;

@@ -88,7 +88,7 @@ PlotFigure front_figure(const TuneSummary& summary, const std::vector<TunePoint>
   plot.stem = "pareto_front";
   plot.title = "Pareto front";
   plot.caption = fmt::format(
-      "Points of which none is better in every objective, {} against {}. The ring is the best point by the cost and "
+      "Points that no other point beats in every objective: {} against {}. The ring is the best point by the cost and "
       "the "
       "constraints.",
       column_words(goal, objectives[1]), column_words(goal, objectives[0]));

@@ -156,7 +156,7 @@ std::string bias_range_text(const TuneSummary& summary) {
                                  [](const TuneAxis& each) { return each.key() == constant_bias_key; });
   std::string text = "constant-bias: " +
                      range_text(plateau, axis->axis.length_unit, "cost", cost_text(summary.goal, plateau.least.mae));
-  if (!plateau.has_little_acne()) return text + "; acne of more than 0.1 % remains at each";
+  if (!plateau.has_little_acne()) return text + "; each leaves acne of more than 0.1 %";
   return text + fmt::format("; {} is the smallest of them with acne of at most 0.1 % in every case",
                             value_text(*axis, plateau.recommended.constant));
 }
@@ -218,13 +218,12 @@ void add_answers(const TuneSummary& summary, std::vector<std::string>& answers) 
     const HeldOut& held = *summary.judgement.held_out;
     const TuneGoal absolute = not_relative(goal);
     answers.push_back(
-        fmt::format("held out of the search, {}: {} → {}; {}",
+        fmt::format("held out ({}): {} → {}; {}",
                     held.cases.size() == 1 ? held.cases.front() : fmt::format("{} cases", held.cases.size()),
                     cost_text(absolute, held.before.score.cost), cost_text(absolute, held.best.score.cost),
                     judged(absolute, held.difference, held.best.score.cost - held.before.score.cost)));
   } else {
-    answers.emplace_back(
-        "held out of the search: nothing; the scenes have no other camera, name a scene with --held-out");
+    answers.emplace_back("held out: nothing; the scenes have no other camera; name a scene with --held-out");
   }
   if (result.plateau) answers.push_back(bias_range_text(summary));
   for (std::string& line : ranking_lines(summary)) answers.push_back(std::move(line));
@@ -335,9 +334,8 @@ Presentation present_tuning(const TuneSummary& summary) {
   section.text =
       method_text(summary) +
       "\n\n95 % intervals in brackets cover the choice of pixels: each of up to 64 blocks of the image is left out in "
-      "turn (jackknife). Differences are paired: both points lose the same block. What is held out of the search "
-      "checks "
-      "the best point on a view that did not choose it.";
+      "turn (jackknife). Differences are paired: both points lose the same block. Cases held out of the "
+      "search check the best point.";
   if (const Table compared = comparison_table(summary); !compared.rows.empty()) {
     const std::vector<std::string> lines = lines_of(compared);
     shown_part.lines.insert(shown_part.lines.end(), lines.begin(), lines.end());

@@ -51,6 +51,7 @@ std::string value_text(const TuneAxis& axis, const Value& value) {
       number != nullptr ? fmt::format("{:.{}g}", *number, std::abs(*number) < 100.0 ? 3 : 5) : to_string(value);
   if (number != nullptr && std::isnan(*number)) text = "in another unit";
   const std::string& unit = axis.axis.unit;
+  if (number != nullptr && std::isfinite(*number) && unit == "m") return metres_text(*number);
   return unit.empty() || unit == "1" || axis.is_word() ? text : text + " " + unit;
 }
 

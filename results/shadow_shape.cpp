@@ -2,16 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "reports/files/text_layout.h"
+
 namespace umbrameter {
 
 std::string missing_contacts_text(const ContactSearch& search) {
   if (search.shadowed == 0 || search.measured > 0) return {};
-  std::string text =
-      fmt::format("no contact gap could be measured: of {} pixels in the reference shadow", search.shadowed);
-  const char* separator = ", ";
+  const bool have_one_reason =
+      std::max({search.own_object, search.head_on, search.distant, search.hidden}) == search.shadowed;
+  std::string text = fmt::format("no contact gap could be measured: {} {} pixels in the reference shadow",
+                                 have_one_reason ? "all" : "of", grouped(search.shadowed));
+  const char* separator = have_one_reason ? " " : ", ";
   const auto add = [&](std::uint64_t pixels, const char* reason) {
     if (pixels == 0) return;
-    text += fmt::format("{}{} {}", separator, pixels, reason);
+    text += separator + (have_one_reason ? reason : grouped(pixels) + " " + reason);
     separator = "; ";
   };
   add(search.own_object, "are shadowed by the object that they belong to");

@@ -259,7 +259,9 @@ json parse_text(std::string_view text, Allowance& allowance, const Path& path) {
   try {
     return json::parse(text.begin(), text.end());
   } catch (const json::exception& error) {
-    fail(path, "", "it is neither binary glTF nor JSON (" + std::string(error.what()).substr(0, 200) + ")", remedy);
+    const std::string message = error.what();
+    const std::size_t start = message.find("] ") + 2;  // after the exception's name
+    fail(path, "", "it is neither binary glTF nor JSON (" + message.substr(start, 200) + ")", remedy);
   }
 }
 

@@ -35,7 +35,9 @@ void compare_to(const ComparedValue& base, const std::vector<StoredRun>& runs, C
   value.difference = {difference, difference, difference};
   value.verdict = Verdict::no_interval;
   if (!std::isfinite(difference)) return;
-  if (difference == 0.0) {
+  // Means differ by rounding where the sums have another order.
+  if (std::abs(difference) <= 1e-12 * std::abs(base.measured.value)) {
+    value.difference = {};
     value.verdict = Verdict::equal;
     return;
   }

@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "experiments/stages/byte_size.h"
+#include "reports/files/text_layout.h"
 
 namespace umbrameter {
 namespace {
@@ -121,8 +122,8 @@ Traced ReferenceCache::get(const ReferenceKey& key, const CacheTitle& title, con
     visit_members(traced, reader);
     if (reader.is_whole && reader.rest.empty()) {
       traced.statistics.from_cache = true;
-      note_once(fmt::format("{}: using the cached reference ({} rays, traced in {:.3g} s)", title.what,
-                            traced.statistics.rays, traced.statistics.seconds));
+      note_once(fmt::format("{}: using the cached reference ({} rays, traced in {:.2g} s)", title.what,
+                            grouped(traced.statistics.rays), traced.statistics.seconds));
       return traced;
     }
   }

@@ -48,7 +48,7 @@ Parameters describe(PcfParams& params) {
               {.unit = {}, .meaning = "PCF kernel", .basic = true, .aliases = {{"pcf", "box"}}})
       .field("filter-size", params.size,
              {.unit = "texels",
-              .meaning = "side of the PCF kernel; not of a disk",
+              .meaning = "side of the PCF kernel, except disks",
               .min = 1,
               .max = FilterKernel::largest_size,
               .basic = true})

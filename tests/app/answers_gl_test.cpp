@@ -27,7 +27,7 @@ struct Answers : GlRun {
 };
 
 TEST_F(Answers, Both_sides_of_ambient_occlusion_look_equally_far_unless_told_otherwise) {
-  EXPECT_NE(run({"compare", "corner", "--ao.radius", "40cm", "--light", "0"}).find("reference up to 40 cm"),
+  EXPECT_NE(run({"compare", "corner", "--ao.radius", "40cm", "--light", "0"}).find("reference rays up to 40 cm"),
             std::string::npos);
   EXPECT_EQ(summary["parameters"]["truth.ao-distance"], 0.4);
   EXPECT_NE(run({"compare", "corner", "--ao.radius", "40cm", "--truth.ao-distance", "0", "--light", "0"}, "unlimited")
@@ -55,7 +55,7 @@ TEST_F(Answers, Are_printed_before_any_figure_is_drawn) {
 
 TEST_F(Answers, A_sweep_over_the_radius_keeps_the_reference_and_says_how_far_it_looks) {
   const std::string out = run({"sweep", "corner", "--vary", "ao.radius=0.2,0.4,0.8", "--ao.radius", "0.5"});
-  EXPECT_NE(first_line(out).find("(reference up to 50 cm)"), std::string::npos) << out;
+  EXPECT_NE(first_line(out).find("(reference rays up to 50 cm)"), std::string::npos) << out;
   EXPECT_EQ(summary["parameters"]["truth.ao-distance"], 0.5);
   // One reference: its mean is the same in every row.
   std::istringstream rows(text_of(folder_ / "out/sweep.csv"));

@@ -121,7 +121,8 @@ TEST(Info, A_scene_of_30000_m_is_told_to_be_in_millimetres) {
 TEST(Info, Text_tells_cameras_lights_materials_and_memory) {
   expect_words(info_text("courtyard"),
                {"overview", "42° high", "0.05 m to infinity", "sun", "directional", "lx", "cone 14° to 24°", "cd",
-                "range 12 m", "opaque", "texture", "computed", "measured", "more (--json lists all)"});
+                "range 12 m", "[-12, -0.4, -10] to [8.9, 8.37, 8.6] m", "20.9 × 8.774 × 18.6 m", "opaque", "texture",
+                "computed", "measured", "more (--json lists all)"});
 }
 
 TEST(Info, A_masked_material_is_told_with_its_cutoff) {

@@ -119,7 +119,10 @@ TEST_F(RunsReport, Without_images_that_give_the_statistic_the_interval_of_the_ra
   b.error = a.error;
   b.mae_offset = 0.05;
   EXPECT_EQ(mae_of(a, b).verdict, Verdict::no_interval);
+  b.mae_offset = 1e-15;
+  EXPECT_EQ(mae_of(a, b).verdict, Verdict::equal) << "rounding of a sum is no difference";
   a.mae_offset = 0.2;
+  b.mae_offset = 0.05;
   a.sampling_half_width = 0.03;
   b.sampling_half_width = 0.04;
   const ComparedValue value = mae_of(a, b);

@@ -170,10 +170,10 @@ TEST_F(SweepOutputs, Agree_on_the_cell_of_least_error_over_slope_bias_and_light)
   expect_one_cell(out(), summary, shadow.at("statistics"),
                   "Visibility error: " + text_in(summary.at("cell").at("view.light")));
   EXPECT_EQ(shadow.at("light"), summary["cell"]["view.light"]);
-  EXPECT_NE(
-      text_of(out() / "index.html")
-          .find("slope bias " + std::string(summary["cell"]["shadow.slope-bias"] == 0.5 ? "0.5" : "1.5") + " texels"),
-      std::string::npos);
+  EXPECT_NE(text_of(out() / "index.html")
+                .find("slope-scaled bias " + std::string(summary["cell"]["shadow.slope-bias"] == 0.5 ? "0.5" : "1.5") +
+                      " texels"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -44,6 +44,15 @@ TEST(RunsReportTables, Name_errors_in_words_and_show_too_dark_and_too_bright) {
   EXPECT_EQ(to_string(rows.rows.at(2)[column_index(rows, "statistic")]), "false_blocked") << "names are for programs";
 }
 
+TEST(RunsReportTables, A_name_of_several_kinds_has_the_words_of_its_kind) {
+  StoredRun run = stored_shadow({{"mean_raster", 0.5}}, {});
+  run.statistics[0].kind = "ao";
+  run.statistics[0].light.clear();
+  const std::vector<StoredRun> runs = {run};
+  const PartTables part = part_tables(runs, compare_runs(runs)).at(0);
+  EXPECT_EQ(to_string(part.all.rows.at(0)[0]), "Mean accessibility of the technique");
+}
+
 // Runs of earlier versions hold the main cause of a pixel alone: here 6 % of acne in pixels whose error is 10 %.
 TEST(RunsReportIntervals, Causes_of_a_filter_without_their_layers_have_values_and_no_intervals) {
   const Image<float> error(image_side, image_side, -0.1f);
