@@ -24,6 +24,23 @@ test('the tables of recommended biases fit into the page, and keep caption and b
   }
 });
 
+test('the five numbers of a shadow share a row at 900 pixels, and a choice of errors is shown in full at 420', async () => {
+  const {page, close} = await open_page(plain_run(), {width: 900});
+  const tops = await page.locator('section', {has: page.getByRole('heading', {name: 'Shadow of sun'})}).locator('.headlines > div')
+    .evaluateAll((all) => all.map((each) => each.getBoundingClientRect().top));
+  assert.equal(tops.length, 5);
+  assert.equal(new Set(tops).size, 1);
+  await page.setViewportSize({width: 420, height: 900});
+  assert.equal(await page.locator('.field.errors select').evaluate((each) => {
+    const shown = each.offsetWidth;
+    each.style.maxWidth = 'none';
+    const whole = each.offsetWidth;
+    each.style.maxWidth = '';
+    return whole - shown;
+  }), 0);
+  await close();
+});
+
 test('values below others are columns of the downloaded table', async () => {
   const {page, close} = await open_page(plain_run());
   const region = page.getByRole('region', {name: /Recommended bias/});
