@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "compare/image_error.h"
@@ -11,7 +12,7 @@
 namespace umbrameter {
 namespace {
 
-const Image<float>* channel_of(const LayeredImage& layers, const char* name) {
+const Image<float>* channel_of(const LayeredImage& layers, std::string_view name) {
   const auto found = std::find_if(layers.channels.begin(), layers.channels.end(),
                                   [&](const Channel& channel) { return channel.name == name; });
   return found == layers.channels.end() ? nullptr : &found->values;
@@ -68,6 +69,20 @@ ErrorImages error_images_of(const std::vector<ImageFigure>& figures, const Layer
     errors.emplace(figure.stem, std::move(error));
   }
   return errors;
+}
+
+void hide_uncounted(Image<float>& values, std::string_view layer, const LayeredImage& layers) {
+  constexpr std::string_view prefix = "error_visibility_";
+  if (!layer.starts_with(prefix)) return;
+  const std::string light(layer.substr(prefix.size()));
+  const Image<float>* counted = channel_of(layers, "counted_" + light + ".Y");
+  const Image<float>* classes = channel_of(layers, "class_" + light + ".Y");
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if ((counted != nullptr && (*counted)[i] == 0.0f) ||
+        (classes != nullptr && (*classes)[i] >= static_cast<float>(PixelClass::not_counted))) {
+      values[i] = 0.0f;
+    }
+  }
 }
 
 }  // namespace umbrameter

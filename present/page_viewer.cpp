@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/quantiles.h"
+#include "present/error_backdrop.h"
 #include "present/presentation.h"
 #include "present/presentation_parts.h"
 #include "results/layers.h"
@@ -96,6 +97,7 @@ std::vector<ViewerLayer> viewer_layers(const LayerTable& table, const LayeredIma
     const ViewerLayer layer = start_layer(table, name);
     if (layers.empty() || layers.back().name != layer.name) layers.push_back(layer);
     layers.back().planes.push_back(channel.values);
+    hide_uncounted(layers.back().planes.back(), name, image);
   }
   return layers;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "present/ao_stages_report.h"
+#include "present/error_backdrop.h"
 #include "present/image_scales.h"
 #include "present/presentation.h"
 
@@ -21,6 +22,7 @@ void add_scalar(std::vector<ImageFigure>& figures, const StoredRun& run, const s
   figure.title = title;
   figure.caption = caption;
   figure.values = *values;
+  hide_uncounted(figure.values, layer, *run.images);
   figure.scale = scale;
 }
 
