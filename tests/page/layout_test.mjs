@@ -209,6 +209,7 @@ test('the count of a table that lists a sample says so', async () => {
 
 test('the page of a tuning shows the best point and the default, and links its files', async () => {
   const {page, problems, close} = await open_page(tune_run(), {width: 1400});
+  assert.equal(await page.getByText('Values are half floats.').count(), 1, 'a tuning writes no images.exr');
   for (const name of ['tuned.toml', 'evaluations.csv']) assert.equal(await page.locator(`a[href="${name}"]`).count(), 1, name);
   const titles = await page.locator('.field.cells select option').allInnerTexts();
   assert.equal(titles.length, 2);
