@@ -138,8 +138,8 @@ bool has_zero(const Drawing& drawing) {
 // Two causes in one figure, the first solid, the second dashed.
 PlotFigure causes_plot(const Drawing& drawing, const char* stem, const char* title,
                        const std::array<Cause, 2>& causes) {
-  PlotFigure plot = make_plot(drawing, stem, title, constant_axis(drawing),
-                              {"share", "share [% of counted pixels], square-root scale", false, true});
+  PlotFigure plot =
+      make_plot(drawing, stem, title, constant_axis(drawing), {"share", "share [%], square-root scale", false, true});
   plot.style = "cause";
   plot.style_label = "cause";
   plot.data.columns = plain_columns({"bias", "share", "line", "cause"});

@@ -13,7 +13,7 @@
 namespace umbrameter {
 namespace {
 
-const Image<float>* channel_of(const LayeredImage& layers, const char* name) {
+const Image<float>* channel_of(const LayeredImage& layers, std::string_view name) {
   const auto found = std::find_if(layers.channels.begin(), layers.channels.end(),
                                   [&](const Channel& channel) { return channel.name == name; });
   return found == layers.channels.end() ? nullptr : &found->values;
@@ -64,6 +64,19 @@ ErrorImages error_images_of(const std::vector<ImageFigure>& figures, const Layer
     errors.emplace(figure.stem, std::move(error));
   }
   return errors;
+}
+
+void hide_uncounted(Image<float>& values, std::string_view layer, const LayeredImage& layers) {
+  const std::optional<NamedLayer> named = find_layer(layer);
+  if (!named || named->description->layer != Layer::error_visibility) return;
+  const Image<float>* counted = channel_of(layers, layer_name(Layer::counted, named->light) + ".Y");
+  const Image<float>* classes = channel_of(layers, layer_name(Layer::classes, named->light) + ".Y");
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if ((counted != nullptr && (*counted)[i] == 0.0f) ||
+        (classes != nullptr && (*classes)[i] >= static_cast<float>(PixelClass::not_counted))) {
+      values[i] = 0.0f;
+    }
+  }
 }
 
 }  // namespace umbrameter

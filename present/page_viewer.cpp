@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/quantiles.h"
+#include "present/error_backdrop.h"
 #include "present/presentation.h"
 #include "present/presentation_parts.h"
 #include "results/layer_description.h"
@@ -76,6 +77,7 @@ std::vector<ViewerLayer> viewer_layers(const SceneFacts& scene, const Measuremen
     if (!layer) continue;
     if (layers.empty() || layers.back().name != layer->name) layers.push_back(*layer);
     layers.back().planes.push_back(channel.values);
+    hide_uncounted(layers.back().planes.back(), name, image);
   }
   return layers;
 }

@@ -59,10 +59,13 @@ std::string truth_caption(const ShadowMeasurement& shadow) {
 }
 
 void add_error_figure(Presentation& presentation, const SceneFacts& scene, const ShadowMeasurement& shadow) {
+  Image<float> error = signed_error(shadow.raster->visibility, shadow.truth->visibility);
+  for (std::size_t i = 0; i < error.size(); ++i) {
+    if (shadow.counted.exclusion[i] != PixelExclusion::none) error[i] = 0.0f;
+  }
   add_figure(presentation,
              scalar_figure("error_visibility_" + scene.layer(shadow.light), "Error: " + scene.title(shadow.light),
-                           "Technique − reference: blue is too dark, red is too bright.",
-                           signed_error(shadow.raster->visibility, shadow.truth->visibility),
+                           "Technique − reference: blue is too dark, red is too bright.", error,
                            color_scale(Layer::error_visibility)));
 }
 
@@ -165,7 +168,7 @@ std::string technique_text(const ShadowMeasurement& shadow) {
 std::string stored_depths_text(const ShadowMeasurement& shadow) {
   const StoredDepths& depths = *shadow.stored_depths;
   return fmt::format(
-      "the map holds depths from {} to {} in steps of {} to {} ({}, {}); the unit of polygon offsets is {:.3g}",
+      "the map holds depths from {} to {} in steps of {} to {} ({}, {}); the unit of polygon offsets is {:.3g}.",
       metres_text(depths.range->nearest), metres_text(depths.range->farthest), metres_text(depths.step_at_nearest),
       metres_text(depths.step_at_farthest), value_text(shadow.experiment, "shadow.depth-format"),
       value_text(shadow.experiment, "shadow.depth-encoding"), depths.polygon_offset_unit);

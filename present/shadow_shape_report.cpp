@@ -139,7 +139,7 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
   figure.y = {"share", "share of the error [%]", false};
   figure.series = "part";
   figure.series_label = "part of the error";
-  figure.series_colors = class_colors();
+  figure.series_colors = {class_colors().begin() + 1, class_colors().begin() + 5};  // the four causes
   figure.data.columns = {{"part", "", "part of the error"},
                          {"distance", "texels", "perpendicular to the light"},
                          {"share", "%", "share of this error at most that far from an edge"}};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "present/ao_stages_report.h"
+#include "present/error_backdrop.h"
 #include "present/presentation.h"
 #include "results/layer_description.h"
 
@@ -22,6 +23,7 @@ void add_scalar(std::vector<ImageFigure>& figures, const StoredRun& run, Layer l
   figure.title = title;
   figure.caption = caption;
   figure.values = *values;
+  hide_uncounted(figure.values, name, *run.images);
   figure.scale = color_scale(layer);
 }
 

@@ -354,7 +354,8 @@ Presentation present_tuning(const TuneSummary& summary) {
   }
   if (result.points.size() > 1) {
     PlotFigure search = search_figure(summary);
-    if (search.data.rows.size() > 1) add_figure(shown_part, std::move(search));
+    const auto is_later = [](const auto& row) { return std::get<std::int64_t>(row.front()) > 1; };
+    if (std::ranges::any_of(search.data.rows, is_later)) add_figure(shown_part, std::move(search));
   }
   shown_part.details.push_back(method_text(summary));
   return shown_part;

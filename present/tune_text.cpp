@@ -49,7 +49,7 @@ std::string value_text(const TuneAxis& axis, const Value& value) {
   // The tuned file has all digits; values that differ in the fourth cost the same.
   std::string text =
       number != nullptr ? fmt::format("{:.{}g}", *number, std::abs(*number) < 100.0 ? 3 : 5) : to_string(value);
-  if (number != nullptr && std::isnan(*number)) text = "in another unit";
+  if (number != nullptr && std::isnan(*number)) return "in another unit";
   const std::string& unit = axis.axis.unit;
   if (number != nullptr && std::isfinite(*number) && unit == "m") return metres_text(*number);
   return unit.empty() || unit == "1" || axis.is_word() ? text : text + " " + unit;

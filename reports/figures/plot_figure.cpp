@@ -31,19 +31,21 @@ const std::array<std::vector<int>, 6> dashes = {std::vector<int>{1, 0}, std::vec
                                                 std::vector<int>{2, 2}, std::vector<int>{9, 3, 2, 3},
                                                 std::vector<int>{4, 4}, std::vector<int>{10, 3, 1, 3, 1, 3}};
 
+std::string hex(const glm::u8vec3& color) { return fmt::format("#{:02x}{:02x}{:02x}", color.x, color.y, color.z); }
+
 std::string ordered_color(std::size_t i, std::size_t count) {
   const double t = count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.0;
   const double place = t * (ordered_colors.size() - 1);
   const std::size_t below = std::min(static_cast<std::size_t>(place), ordered_colors.size() - 2);
   const dvec3 color = glm::mix(ordered_colors[below], ordered_colors[below + 1], place - static_cast<double>(below));
-  return fmt::format("#{:02x}{:02x}{:02x}", std::lround(color.x), std::lround(color.y), std::lround(color.z));
+  return hex(glm::u8vec3(glm::round(color)));
 }
 
-std::optional<std::string> own_color(const PlotFigure& figure, const std::string& name) {
-  for (const CategoryColor& own : figure.series_colors) {
-    if (own.name == name) return fmt::format("#{:02x}{:02x}{:02x}", own.color.x, own.color.y, own.color.z);
-  }
-  return std::nullopt;
+// The place of a value among those that have a colour of their own; past the last one if it has none.
+std::size_t own_place(const PlotFigure& figure, const std::string& name) {
+  const auto& all = figure.series_colors;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const CategoryColor& own) { return own.name == name; });
+  return static_cast<std::size_t>(found - all.begin());
 }
 
 // The rows under the short names x, y, s (series), d (style), k (mark), lo, hi, without points that the axes cannot
@@ -218,10 +220,14 @@ Series make_series(const PlotFigure& figure, const FigureStyle& style, bool has_
   Json patterns = Json::array();
   Json markers = Json::array();
   for (std::size_t i = 0; i < domain.size(); ++i) {
-    colors.push_back(is_ordered ? ordered_color(i, domain.size())
-                                : own_color(figure, domain[i]).value_or(distinct_colors[i % distinct_colors.size()]));
-    patterns.push_back(dashes[i % dashes.size()]);
-    markers.push_back(shapes[i % shapes.size()]);
+    const std::size_t own = own_place(figure, domain[i]);
+    const bool has_own = own < figure.series_colors.size();
+    const std::size_t look = has_own ? own : i;  // the same in every figure, whichever values it lacks
+    std::string color = is_ordered ? ordered_color(i, domain.size()) : distinct_colors[i % distinct_colors.size()];
+    if (has_own) color = hex(figure.series_colors[own].color);
+    colors.push_back(color);
+    patterns.push_back(dashes[look % dashes.size()]);
+    markers.push_back(shapes[look % shapes.size()]);
   }
   Json legend = {
       {"title", fitting_label(figure.series_label.empty() ? *figure.series : figure.series_label, plot_width(style))},

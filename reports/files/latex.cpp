@@ -112,7 +112,7 @@ std::string to_latex(const Table& table, std::string_view note) {
   const bool is_wide = width_of(table) > most_characters;
   std::string text = "% Needs \\usepackage{booktabs}.\n";
   if (is_wide) text += "{\\footnotesize\\setlength{\\tabcolsep}{2.5pt}%\n";
-  text += "\\begin{tabular}{" + alignment + "}\n  \\toprule\n";
+  text += "\\begin{tabular}{@{}" + alignment + "@{}}\n  \\toprule\n";
   text += row_text(names);
   if (has_units) text += row_text(units);
   text += "  \\midrule\n";

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "reports/files/markup.h"
 
@@ -12,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Tag {
-  char kind = ' ';        // one of # ? ^ / > &, or a blank for escaped text
+  char kind = ' ';        // one of # ? ^ / > & ~, or a blank for escaped text
   std::string_view name;  // of a value or of a template
   std::size_t end = 0;    // where the text continues
 };
@@ -21,9 +23,10 @@ Tag tag_at(std::string_view text, std::size_t open) {
   const std::size_t close = text.find("}}", open);
   assert(close != std::string_view::npos);
   const std::string_view inside = text.substr(open + 2, close - open - 2);
-  if (std::string_view("#?^/>&").find(inside.front()) == std::string_view::npos) return {' ', inside, close + 2};
+  if (std::string_view("#?^/>&~").find(inside.front()) == std::string_view::npos) return {' ', inside, close + 2};
   const bool has_line = (open == 0 || text[open - 1] == '\n') && text.substr(close + 2, 1) == "\n";
-  return {inside.front(), inside.substr(1), close + (has_line && inside.front() != '&' ? 3 : 2)};
+  return {inside.front(), inside.substr(1),
+          close + (has_line && inside.front() != '&' && inside.front() != '~' ? 3 : 2)};
 }
 
 const Json* member(const Json& value, std::string_view name) {
@@ -40,6 +43,15 @@ bool is_something(const Json* value) {
 std::string text_of(const Json* value) {
   assert(value != nullptr);
   return value == nullptr ? "" : value->is_string() ? value->get<std::string>() : value->dump();
+}
+
+// With spaces before percent signs and behind ± at which no line breaks.
+std::string unbroken(std::string text) {
+  for (const auto& [plain, kept] : {std::pair{" %", "\u00a0%"}, std::pair{"± ", "±\u00a0"}}) {
+    for (std::size_t at = text.find(plain); at != std::string::npos; at = text.find(plain, at))
+      text.replace(at, std::strlen(plain), kept);
+  }
+  return text;
 }
 
 struct Filler {
@@ -61,6 +73,7 @@ struct Filler {
       if (tag.kind == '>' && shown) page += fill_template(tag.name, value);
       if (tag.kind == '&' && shown) page += text_of(found);
       if (tag.kind == ' ' && shown) page += escape_markup(text_of(found));
+      if (tag.kind == '~' && shown) page += unbroken(escape_markup(text_of(found)));
     }
   }
 

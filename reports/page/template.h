@@ -9,7 +9,8 @@ namespace umbrameter {
 
 /// The template of that name ("table.html"), filled with `data`. A tag names a member of the current value; "." is that
 /// value:
-///   {{name}}             its text, escaped for use between tags and in quotes;  {{&name}} unescaped
+///   {{name}}             its text, escaped for use between tags and in quotes;  {{&name}} unescaped;
+///                        {{~name}} escaped, and numbers stay in one line with their per cent and their half width
 ///   {{#name}}…{{/name}}  once for each item of a list, which becomes the current value; once for any other value but
 ///                        null
 ///   {{?name}}…{{/name}}  if there is such a member, neither null, false nor empty;  {{^name}}…{{/name}} if not

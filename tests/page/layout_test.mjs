@@ -24,6 +24,23 @@ test('the tables of recommended biases fit into the page, and keep caption and b
   }
 });
 
+test('the five numbers of a shadow share a row at 900 pixels, and a choice of errors is shown in full at 420', async () => {
+  const {page, close} = await open_page(plain_run(), {width: 900});
+  const tops = await page.locator('section', {has: page.getByRole('heading', {name: 'Shadow of sun'})}).locator('.headlines > div')
+    .evaluateAll((all) => all.map((each) => each.getBoundingClientRect().top));
+  assert.equal(tops.length, 5);
+  assert.equal(new Set(tops).size, 1);
+  await page.setViewportSize({width: 420, height: 900});
+  assert.equal(await page.locator('.field.errors select').evaluate((each) => {
+    const shown = each.offsetWidth;
+    each.style.maxWidth = 'none';
+    const whole = each.offsetWidth;
+    each.style.maxWidth = '';
+    return whole - shown;
+  }), 0);
+  await close();
+});
+
 test('values below others are columns of the downloaded table', async () => {
   const {page, close} = await open_page(plain_run());
   const region = page.getByRole('region', {name: /Recommended bias/});
@@ -192,6 +209,7 @@ test('the count of a table that lists a sample says so', async () => {
 
 test('the page of a tuning shows the best point and the default, and links its files', async () => {
   const {page, problems, close} = await open_page(tune_run(), {width: 1400});
+  assert.equal(await page.getByText('Values are half floats.').count(), 1, 'a tuning writes no images.exr');
   for (const name of ['tuned.toml', 'evaluations.csv']) assert.equal(await page.locator(`a[href="${name}"]`).count(), 1, name);
   const titles = await page.locator('.field.cells select option').allInnerTexts();
   assert.equal(titles.length, 2);

@@ -226,5 +226,28 @@ TEST(PlotMarks, Are_rings_and_no_part_of_a_line) {
   EXPECT_EQ(layers[0]["encoding"]["strokeDash"]["scale"]["domain"], Json({"acne", "peter-panning"}));
 }
 
+TEST(PlotFigure, A_value_with_a_colour_of_its_own_keeps_its_dashes_where_others_are_missing) {
+  const auto dashes_of_last = [](const std::vector<std::string>& names) {
+    PlotFigure figure;
+    figure.stem = "parts";
+    figure.x = {"x", "x"};
+    figure.y = {"y", "y"};
+    figure.series = "part";
+    figure.series_colors = {{"acne", {1, 2, 3}}, {"panning", {4, 5, 6}}, {"leak", {7, 8, 9}}};
+    figure.data.columns = {{"x", "", ""}, {"y", "", ""}, {"part", "", ""}};
+    for (const std::string& name : names) {
+      for (const double x : {1.0, 2.0}) figure.data.rows.push_back({x, x, name});
+    }
+    Json dashes;
+    const Json specification = Json::parse(to_plot_specification(figure));
+    for (const Json& layer : specification["layer"]) {
+      if (layer["encoding"].contains("strokeDash")) dashes = layer["encoding"]["strokeDash"]["scale"]["range"].back();
+    }
+    return dashes;
+  };
+  EXPECT_FALSE(dashes_of_last({"leak"}).is_null());
+  EXPECT_EQ(dashes_of_last({"acne", "leak"}), dashes_of_last({"acne", "panning", "leak"}));
+}
+
 }  // namespace
 }  // namespace umbrameter

@@ -41,7 +41,7 @@ TEST(Latex, Each_row_of_a_table_has_as_many_cells_as_columns) {
   table.rows.push_back({std::string("[first]"), std::string("2.18 ± 0.04"), std::string("yes")});
   table.rows.push_back({std::string("second \\\\ & third"), std::string("—"), std::string("no")});
   const std::string text = to_latex(table);
-  EXPECT_NE(text.find("\\begin{tabular}{lrl}"), std::string::npos) << "numbers are aligned right";
+  EXPECT_NE(text.find("\\begin{tabular}{@{}lrl@{}}"), std::string::npos) << "numbers are aligned right";
   std::istringstream lines(text);
   std::vector<std::string> seen;
   for (std::string line; std::getline(lines, line);) {

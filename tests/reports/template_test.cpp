@@ -52,6 +52,13 @@ TEST(Template, What_is_false_or_empty_is_left_out_and_its_opposite_is_shown) {
   EXPECT_EQ(markup.find("class=\"unit"), std::string::npos) << markup;
 }
 
+TEST(Template, Numbers_stay_in_one_line_with_their_per_cent_and_their_half_width) {
+  const Json page = {
+      {"title", ""}, {"style_hash", ""}, {"style", ""}, {"data", ""}, {"answers", {"<2.18 ± 0.73 %; 5 % of"}}};
+  EXPECT_NE(fill_template("page.html", page).find("<li>&lt;2.18 ±\u00a00.73\u00a0%; 5\u00a0% of</li>"),
+            std::string::npos);
+}
+
 TEST(Template, Values_are_escaped_and_are_no_templates) {
   Json table = one_table;
   table["caption"] = "<b>\"&' {{column_count}}";

@@ -73,7 +73,7 @@ export class Viewer {
       : `${run.width}×${run.height} pixels.`;
     this.precision.textContent = sampling + (run.rounded
       ? ' Values of this cell are rounded: visibility and AO to 1/255 where they have more than 256 values, others to 7 bits.'
-      : ' Values are half floats; images.exr has them in full.');
+      : ' Values are half floats' + (document.querySelector('a[href="images.exr"]') ? '; images.exr has them in full.' : '.'));
   }
 
   // Shows another set of images; view and layers stay where it has them.
