@@ -36,7 +36,7 @@ Parameters describe(TruthParams& params) {
       .choice("ao-weight", params.ao_weight, weights, {"", "weight of AO directions"})
       .field("ao-distance", params.ao_distance,
              {.unit = "m",
-              .meaning = "max distance of AO occluders; 0: no limit, auto: ao.radius",
+              .meaning = "max distance of occluders; 0: no limit, auto: ao.radius",
               .min = 0.0,
               .units = {.scene_size = true, .automatic = true},
               .basic = true})
