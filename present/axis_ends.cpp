@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "present/plot_axes.h"
+#include "results/number_text.h"
 
 namespace umbrameter {
 namespace {

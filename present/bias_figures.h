@@ -3,6 +3,7 @@
 #pragma once
 
 #include "present/bias_report.h"
+#include "store/sweep_results.h"
 
 namespace umbrameter {
 

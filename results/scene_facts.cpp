@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scenes/light.h"
+#include "scenes/view.h"
 
 namespace umbrameter {
 namespace {

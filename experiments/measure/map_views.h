@@ -1,10 +1,7 @@
 // Measures the views of one light's map in a run: error of each cascade or cube face, seams, and shimmer of the fit.
 #pragma once
 
-#include <optional>
-#include <vector>
-
-#include "compare/map_views.h"
+#include "results/shadow_shape.h"
 
 namespace umbrameter {
 

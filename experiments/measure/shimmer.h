@@ -1,9 +1,7 @@
 // Measures the shimmer of one light's shadow in a run.
 #pragma once
 
-#include <optional>
-
-#include "compare/shimmer.h"
+#include "results/shadow_shape.h"
 
 namespace umbrameter {
 

@@ -8,6 +8,8 @@
 #include "experiments/measure/measure.h"
 #include "experiments/measure/measure_ao_axes.h"
 #include "experiments/measure/measure_biases.h"
+#include "experiments/measure/measure_image.h"
+#include "experiments/measure/metric_scores.h"
 #include "experiments/sweep/look_ahead.h"
 
 namespace umbrameter {

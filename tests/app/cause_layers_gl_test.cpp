@@ -51,7 +51,7 @@ TEST_F(CauseLayers, Of_a_filter_add_up_to_the_absolute_error_of_each_counted_pix
       ASSERT_NE(share, nullptr) << causes[c];
       sum += (*share)[i];
       present += (*share)[i] > 0.0f ? 1 : 0;
-      pixels[c] += (*share)[i] > 0.0f ? 1 : 0;
+      pixels[c] += (*share)[i] > 0.0f ? 1u : 0u;
     }
     of_several += present > 1 ? 1 : 0;
     ASSERT_NEAR(sum, std::abs(error[i]), 1e-6f) << i;
