@@ -31,16 +31,21 @@ ConnectedRange connected_range(std::span<const double> values, std::size_t insid
   return range;
 }
 
-std::optional<BiasPlateau> plateau_of(std::span<const BiasCell> cells, std::optional<double> floor) {
+std::optional<BiasPlateau> plateau_of(std::span<const BiasCell> cells, std::optional<double> floor,
+                                      std::uint64_t pixels) {
   assert(is_ascending(cells));
   if (cells.empty()) return std::nullopt;
   std::vector<double> errors;
   for (const BiasCell& cell : cells) errors.push_back(cell.mae);
   const auto least = static_cast<std::size_t>(std::min_element(errors.begin(), errors.end()) - errors.begin());
-  const double limit = std::max(plateau_limit(floor.value_or(errors[least])), errors[least]);
+  const double of_share = std::max(plateau_limit(floor.value_or(errors[least])), errors[least]);
+  const double of_chance = pixels > 0 ? chance_pixels / static_cast<double>(pixels) : 0.0;
+  const double of_pixels = errors[least] <= of_chance ? errors[least] + of_chance : 0.0;
+  const double limit = std::max(of_share, of_pixels);
   const ConnectedRange range = connected_range(errors, least, limit);
-  BiasPlateau plateau{cells[least], cells[range.first], cells[range.last],
-                      cells[least], range.first == 0,   range.last + 1 == cells.size()};
+  BiasPlateau plateau{cells[least], cells[range.first],  cells[range.last],
+                      cells[least], range.first == 0,    range.last + 1 == cells.size(),
+                      limit,        of_pixels > of_share};
   for (std::size_t i = range.first; i <= range.last; ++i) {
     if (cells[i].acne > little_acne_share) continue;
     plateau.recommended = cells[i];

@@ -26,8 +26,12 @@ struct ConnectedRange {
 /// The longest run of values around index `inside` of which none is above `limit`; NaN is above every limit.
 ConnectedRange connected_range(std::span<const double> values, std::size_t inside, double limit);
 
+/// Where the least error is that of so few pixels, so many more are chance. Rule of three: where none of N pixels is
+/// wrong, a share of 3/N of such pixels may be, with a probability of 5 %.
+inline constexpr double chance_pixels = 3.0;
+
 /// The plateau of an error curve: the connected range of biases around the one of least error (of equals the smallest)
-/// whose error is at most 5 % above the least, relative to it; where the least is 0, the biases without error. The
+/// whose error is at most 5 % above the least, relative to it, or by chance_pixels where it is that of no more. The
 /// reference is binary, so that the curve is exact and the range needs no interval.
 ///
 /// Recommended is the smallest bias of the plateau whose acne is at most little_acne_share; if none has so little, the
@@ -38,16 +42,20 @@ struct BiasPlateau {
   BiasCell first;  ///< the smallest bias of the range
   BiasCell last;   ///< the largest
   BiasCell recommended;
-  bool open_below = false;  ///< the range reaches the smallest bias that was measured: it may go on below
-  bool open_above = false;  ///< the same at the largest
+  bool open_below = false;    ///< the range reaches the smallest bias that was measured: it may go on below
+  bool open_above = false;    ///< the same at the largest
+  double limit = 0.0;         ///< errors in the range are at most this
+  bool is_by_pixels = false;  ///< the limit is that of chance_pixels
 
   bool has_little_acne() const { return recommended.acne <= little_acne_share; }
 };
 
 /// The cells are in strictly ascending order of the constant bias. `floor` is an error that no bias is below, at most
 /// the least of the cells; it takes the place of the least error in the limit, so that the recommended bias has at most
-/// 5 % more error than any bias, measured or not. Empty without cells.
-std::optional<BiasPlateau> plateau_of(std::span<const BiasCell> cells, std::optional<double> floor = {});
+/// 5 % more error than any bias, measured or not. `pixels` are the counted pixels of errors that are shares of them; 0:
+/// the errors are no such shares. Empty without cells.
+std::optional<BiasPlateau> plateau_of(std::span<const BiasCell> cells, std::optional<double> floor = {},
+                                      std::uint64_t pixels = 0);
 
 /// With the bias no tap turns from lit to blocked. So acne and false occlusion fall with it, A(b), and peter-panning
 /// and leak grow, P(b). Between two measured biases b < c no bias has an error below A(c) + P(b); below the first none

@@ -54,7 +54,7 @@ std::string advice_text(const BiasAdvice& advice) {
     return fmt::format("keep {}: error {}; {}{}", bias_text(advice, used), percent(used.mae), range, acne_left(used));
   }
   // A bias with as little error changes for its acne alone.
-  const bool is_for_acne = used.mae <= plateau_limit(advice.plateau.least.mae);
+  const bool is_for_acne = used.mae <= advice.plateau.limit;
   return fmt::format("use {}: {}error {} → {}; {}{}", bias_text(advice, recommended),
                      is_for_acne ? fmt::format("acne {} → {}, ", percent(used.acne), percent(recommended.acne)) : "",
                      percent(used.mae), percent(recommended.mae), range, acne_left(recommended));

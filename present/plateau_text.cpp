@@ -26,13 +26,16 @@ std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::s
     return unit == LengthUnit::metres ? metres_text(bias) : fmt::format("{:.3g}", bias);
   };
   const std::string of_unit = unit == LengthUnit::metres ? "" : fmt::format(" {}", unit_name(unit));
-  const std::string good = plateau.least.mae == 0.0
-                               ? fmt::format("no {}", what)
-                               : fmt::format("within 5 % of the least {}{}", what, least.empty() ? "" : ", " + least);
-  const char* verb = plateau.least.mae == 0.0 ? "have" : "are";
-  if (first == last) {
-    return fmt::format("only this bias {} {}", plateau.least.mae == 0.0 ? "has" : "is", good);
-  }
+  const bool is_only = first == last;
+  const bool has_none = plateau.least.mae == 0.0;
+  const std::string of_least = fmt::format("of the least {}{}", what, least.empty() ? "" : ", " + least);
+  const std::string good = plateau.is_by_pixels
+                               ? has_none ? fmt::format("at most {} wrong pixels", chance_pixels)
+                                          : fmt::format("within {} wrong pixels {}", chance_pixels, of_least)
+                           : has_none ? fmt::format("no {}", what)
+                                      : fmt::format("within 5 % {}", of_least);
+  const char* verb = has_none ? (is_only ? "has" : "have") : is_only ? "is" : "are";
+  if (is_only) return fmt::format("only this bias {} {}", verb, good);
   return fmt::format("{} to {}{} {} {}", number(first), number(last), of_unit, verb, good);
 }
 

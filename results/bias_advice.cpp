@@ -3,7 +3,7 @@
 namespace umbrameter {
 
 bool keeps_bias(const BiasAdvice& advice) {
-  return advice.used.mae <= plateau_limit(advice.plateau.least.mae) &&
+  return advice.used.mae <= advice.plateau.limit &&
          (advice.used.acne <= little_acne_share || !advice.plateau.has_little_acne());
 }
 

@@ -104,7 +104,7 @@ void add_plateaus(BiasCurves& curves, const SweepResults& sweep) {
       cells.push_back({bias, at_slope, to_number(row[0]), to_number(row[1]), to_number(row[2]), to_number(row[3]),
                        to_number(row[4])});
     }
-    curve.plateau = plateau_of(cells);
+    curve.plateau = plateau_of(cells, {}, curve.evidence.pixels);
     curve.withheld = reason_against(*curve.plateau, curve.evidence);
     // A range that reaches the end of the axis may end beyond it.
     if (curve.withheld == NoBias::unbounded) curve.withheld.reset();

@@ -159,7 +159,7 @@ BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32
     return curve.measure(biases);
   };
   std::vector<BiasCell> cells = measure(max_exponent, {});
-  advice.plateau = *plateau_of(cells);
+  advice.plateau = *plateau_of(cells, {}, advice.evidence.pixels);
   const auto is_open = [&] {
     return advice.plateau.open_below || (advice.plateau.open_above && !is_all_lit(cells.back(), advice.evidence));
   };
@@ -167,13 +167,13 @@ BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32
   if (is_open()) {
     last = largest_exponent;
     cells = measure(last, {});
-    advice.plateau = *plateau_of(cells);
+    advice.plateau = *plateau_of(cells, {}, advice.evidence.pixels);
   }
   double best = 0.0;
   const double least_possible = curve.least_possible(cells, best);
   // Where three digits are too few to come near the least error, its own bias takes part.
   if (advice.plateau.least.mae > plateau_limit(least_possible)) cells = measure(last, {best});
-  advice.plateau = *plateau_of(cells, least_possible);
+  advice.plateau = *plateau_of(cells, least_possible, advice.evidence.pixels);
   advice.withheld = reason_against(advice.plateau, advice.evidence);
   advice.line.slope = experiment.shadow.bias.slope;
   for (const BiasCell& cell : cells) {

@@ -107,6 +107,19 @@ TEST(BiasPlateau, Names_its_ends_open_where_the_biases_end) {
   EXPECT_FALSE(plateau_of({}));
 }
 
+// 10,000 pixels: 3 wrong ones at 2 texels and 1 at 150. Two pixels do not decide for 150 texels.
+TEST(BiasPlateau, Of_few_wrong_pixels_is_not_decided_by_one_or_two) {
+  const std::vector<BiasCell> cells = {plateau_cell(1, 0.02, 0.0), plateau_cell(2, 0.0003, 0.0),
+                                       plateau_cell(150, 0.0001, 0.0), plateau_cell(200, 0.0, 0.01)};
+  EXPECT_EQ(plateau_of(cells)->recommended.constant, 150.0);
+  const auto plateau = plateau_of(cells, {}, 10'000);
+  EXPECT_EQ(plateau->recommended.constant, 2.0);
+  EXPECT_EQ(plateau->last.constant, 150.0);
+  EXPECT_TRUE(plateau->is_by_pixels);
+  // Of a million pixels these are 300 against 100.
+  EXPECT_EQ(plateau_of(cells, {}, 1'000'000)->recommended.constant, 150.0);
+}
+
 TEST(BiasPlateau, Costs_below_0_have_a_limit_above_the_least) {
   // −ssim: 5 % of 0.8 above −0.8.
   EXPECT_DOUBLE_EQ(plateau_limit(-0.8), -0.76);
