@@ -18,13 +18,12 @@
 #include "experiments/measure/shimmer.h"
 #include "experiments/settings/sweep.h"
 #include "experiments/stages/reference_cache.h"
-#include "present/ao_stages_report.h"
-#include "present/debug_views_report.h"
+#include "present/costs_text.h"
 #include "present/run_output.h"
-#include "present/shadow_shape_report.h"
 #include "reports/files/data.h"
 #include "reports/files/markup.h"
 #include "results/known_statistics.h"
+#include "results/layers.h"
 #include "results/metric_columns.h"
 #include "scenes/builtin.h"
 #include "scenes/emitter.h"
@@ -187,24 +186,10 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
     measurement.debug_views = make_debug_views(stages, measurement);
   }
 
+  move_to_layers(stages.facts(), measurement);
+
   RunOutput output;
-  output.title = fmt::format("{}: {}", scene_title(experiment),
-                             line.command == "compare" ? "technique against reference"
-                             : line.command == "trace" ? "reference"
-                                                       : "technique");
-  const SceneFacts& scene = stages.facts();
-  output.subtitle = subtitle_of(scene, measurement.surfels.view);
-  if (!measurement.image) output.parts.push_back(present_picture(measurement));
-  for (const ShadowMeasurement& shadow : measurement.shadows) {
-    output.parts.push_back(present_shadow(scene, shadow));
-    if (shadow.shape) present_shape(output.parts.back(), scene, shadow);
-  }
-  if (measurement.ao) output.parts.push_back(present_ao(*measurement.ao));
-  if (measurement.ao && measurement.ao->stages) output.parts.push_back(present_ao_stages(*measurement.ao));
-  if (measurement.image) output.parts.push_back(present_image(scene, *measurement.image));
-  if (!measurement.debug_views.empty()) output.parts.push_back(present_debug_views(measurement));
-  output.summary = {line.command, given, scene, &measurement, {}, {}, stages.notes(), embree_version(), {}, {}, {}};
-  if (sides.raster) output.summary.gl_renderer = stages.context().device().renderer;
+  output.experiment_toml = experiment_text(given);
   if (sides.raster && experiment.run.write_maps) {
     for (const std::uint32_t light : lights) {
       output.images.emplace_back(map_file_name(stages, light), map_layers(stages, experiment, light));
@@ -214,12 +199,14 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
     output.images.emplace_back(ao_input_image_file, ao_input_layers(stages, experiment));
     output.texts.emplace_back(ao_input_values_file, ao_input_values(stages, experiment));
   }
-  output.costs = stages.costs();
-  output.peak_resident_bytes = peak_resident_bytes();
-  output.figure_style = style;
-  output.with_figures = !line.no_figures;
-  output.with_full_images = line.full_images;
-  const ExitCode code = write_run(folder, console, std::move(output));
+  output.costs = costs_text(stages.costs(), peak_resident_bytes());
+  output.page = {style, !line.no_figures};
+  RunResults results{line.command, given, stages.facts(), embree_version()};
+  results.notes = stages.notes();
+  results.full_images = line.full_images;
+  results.measurement = std::move(measurement);
+  if (sides.raster) results.opengl = stages.context().device().renderer;
+  const ExitCode code = write_run(folder, console, std::move(results), std::move(output));
   if (code != ExitCode::ok || conditions.empty()) return code;
   return show_checks(console, check_budget(conditions, read_run(line.output)));
 }

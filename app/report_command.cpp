@@ -4,11 +4,13 @@
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/commands.h"
 #include "core/parallel.h"
 #include "core/standard_streams.h"
 #include "present/error_backdrop.h"
+#include "present/run_page.h"
 #include "present/runs_report.h"
 #include "present/stored_figures.h"
 #include "present/stored_sweep_figures.h"
@@ -16,7 +18,9 @@
 #include "reports/files/latex.h"
 #include "reports/files/markup.h"
 #include "reports/files/output.h"
+#include "store/finished_sweep.h"
 #include "store/run_folder.h"
+#include "store/run_value.h"
 
 namespace umbrameter {
 namespace {
@@ -83,10 +87,8 @@ Figures figures_of(const std::vector<StoredRun>& runs, const std::vector<fs::pat
       figures.heat_maps = std::move(of_sweep.heat_maps);
     }
     const std::size_t number = runs.size() > 1 ? i + 1 : 0;
-    if (runs[i].images) {
-      for (auto& [stem, error] : error_images_of(figures.images, *runs[i].images)) {
-        errors.emplace(number > 0 ? fmt::format("{}_{}", stem, number) : stem, std::move(error));
-      }
+    for (auto& [stem, error] : error_images_of(figures.images, runs[i].images)) {
+      errors.emplace(number > 0 ? fmt::format("{}_{}", stem, number) : stem, std::move(error));
     }
     add_figures(all.images, std::move(figures.images), runs[i].name, number);
     add_figures(all.plots, std::move(figures.plots), runs[i].name, number);
@@ -136,14 +138,9 @@ bool is_difference(const std::string& text) { return text != "0" && text != "—
 
 bool has_differences(const PartTables& part) { return has_cell(part.printed_differences, is_difference); }
 
-std::vector<std::string> planned_files(const CommandLine& line, const std::vector<ReportSection>& figures,
+std::vector<std::string> planned_files(const CommandLine& line, std::vector<std::string> files,
                                        const std::vector<PartTables>& parts) {
-  std::vector<std::string> files = {"index.html", "comparison.csv"};
-  for (const ReportSection& section : figures) {
-    for (const std::string& stem : section.figures) {
-      for (const char* format : {".svg", ".pdf", ".png"}) files.push_back("figures/" + stem + format);
-    }
-  }
+  files.insert(files.end(), {"index.html", "comparison.csv"});
   if (!line.report.latex) return files;
   for (const PartTables& part : parts) {
     files.push_back("figures/" + part.stem + ".tex");
@@ -214,35 +211,101 @@ void check_insets_of(FigureStyle& style, const std::vector<ImageFigure>& figures
   check_insets(style, style.view.x, style.view.y);
 }
 
-}  // namespace
+// The runs side by side, and the tables of both kinds of report.
+struct Comparison {
+  std::vector<StoredRun> runs;
+  std::vector<ComparedStatistic> statistics;
+  std::vector<PartTables> parts;
+};
 
-ExitCode run_report(const CommandLine& line, const Console& console) {
+Comparison compare(const CommandLine& line) {
+  Comparison comparison{read_runs(line), {}, {}};
+  comparison.statistics = compare_runs(comparison.runs);
+  comparison.parts = part_tables(comparison.runs, comparison.statistics);
+  return comparison;
+}
+
+RunFolder open_folder(const CommandLine& line, const std::vector<std::string>& figures, const Comparison& comparison) {
+  std::string plan = "report";
+  for (const fs::path& folder : line.report.folders) plan += " " + folder.string();
+  return {line.output, RunPlan{line.command, plan, planned_files(line, figures, comparison.parts)}, line.force};
+}
+
+// Writes comparison.csv, and the tables as LaTeX if they are asked for.
+void write_tables(const CommandLine& line, const Console& console, const RunFolder& folder,
+                  const Comparison& comparison) {
+  const Table rows = comparison_rows(comparison.runs, comparison.statistics);
+  write_text(folder.path() / "comparison.csv", to_csv(rows));
+  if (line.report.latex) write_latex(folder.path(), comparison.parts);
+  if (!console.json) return;
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const auto& row : rows.rows) {
+    nlohmann::ordered_json object;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      std::visit([&](const auto& value) { object[rows.columns[c].name] = value; }, row[c]);
+    }
+    json.push_back(std::move(object));
+  }
+  write_to(stdout, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
+ExitCode finish(RunFolder& folder, const Console& console, const std::vector<std::string>& problems) {
+  add_line(console, fmt::format("report: {}", (folder.path() / "index.html").string()));
+  folder.finish(problems.empty());
+  for (const std::string& problem : problems) write_to(stderr, "umbrameter: " + plain_text(problem) + "\n");
+  return problems.empty() ? ExitCode::ok : ExitCode::partial;
+}
+
+// The page and the figures of one run again, as the run itself made them, with copies of the files to which it links.
+ExitCode show_again(const CommandLine& line, const Console& console, const RunResults& results) {
+  PageOptions options{make_figure_style(line.figures), !line.no_figures};
+  std::optional<FinishedSweep> sweep;
+  std::optional<SweepResults> rows;
+  if (results.sweep) {
+    sweep.emplace(line.report.folders.front());
+    rows.emplace(sweep->rows(results.sweep->ao_limit));
+  }
+  const SweepResults* const rows_or_none = rows ? &*rows : nullptr;
+  RunPage page = present_run(results, rows_or_none, options);
+  for (const Presentation& part : page.parts) check_insets_of(options.style, part.images);
+  const bool has_statistics = !results.tune;
+  const Comparison comparison = has_statistics ? compare(line) : Comparison{};
+  const fs::path& from = line.report.folders.front();
+  const std::vector<std::string> linked = linked_files(from);
+  std::vector<std::string> files = figure_files(page);
+  files.insert(files.end(), linked.begin(), linked.end());
+  RunFolder folder = open_folder(line, files, comparison);
+  folder.begin();
+  for (const std::string& name : linked) copy_whole(from / name, folder.path() / name);
+  for (const Presentation& part : page.parts) {
+    for (const std::string& text : part.answers) print_line(console, text);
+  }
+  std::fflush(stdout);
+  const std::vector<std::string> problems = draw_figures(folder.path(), console, results, page, options);
+  write_run_page(folder.path(), results, rows_or_none, page, problems, options);
+  if (has_statistics) write_tables(line, console, folder, comparison);
+  return finish(folder, console, problems);
+}
+
+ExitCode show_side_by_side(const CommandLine& line, const Console& console) {
   FigureStyle style = make_figure_style(line.figures);
-  const ThreadLimit threads(line.threads);
-  const std::vector<StoredRun> runs = read_runs(line);
+  const Comparison comparison = compare(line);
+  const std::vector<StoredRun>& runs = comparison.runs;
   const std::vector<std::string> limits = limits_of_comparison(runs);
-  const std::vector<ComparedStatistic> compared = compare_runs(runs);
-  const std::vector<PartTables> parts = part_tables(runs, compared);
   ErrorImages errors;
   Figures figures = line.no_figures ? Figures{} : figures_of(runs, line.report.folders, errors);
   check_insets_of(style, figures.images);
   complete_error_images(figures.images, errors, style);
   const std::vector<ReportSection> sections = figure_sections(figures);
-  const std::vector<std::string> answers = comparison_answers(runs, compared);
+  const std::vector<std::string> answers = comparison_answers(runs, comparison.statistics);
 
-  std::string plan = "report";
-  for (const StoredRun& run : runs) plan += " " + run.name;
-  const std::vector<std::string> files = planned_files(line, sections, parts);
-  RunFolder folder(line.output, RunPlan{line.command, plan, files}, line.force);
+  RunFolder folder = open_folder(line, figure_files(sections), comparison);
   folder.begin();
   for (const std::string& text : answers) print_line(console, text);
   for (const std::string& text : limits) note(console, text);
   std::fflush(stdout);
-  const Table rows = comparison_rows(runs, compared);
-  write_text(folder.path() / "comparison.csv", to_csv(rows));
   const std::vector<std::string> problems = write_figures(folder.path() / "figures", figures, errors, style).problems;
-  if (line.report.latex) write_latex(folder.path(), parts);
-  Report report = make_report(runs, parts, sections);
+  Report report = make_report(runs, comparison.parts, sections);
   report.answers = answers;
   report.notes = limits;
   for (std::size_t i = 0; i < runs.size() && !line.no_figures; ++i) {
@@ -250,21 +313,17 @@ ExitCode run_report(const CommandLine& line, const Console& console) {
     report.notes.push_back(fmt::format("{} has no plots: its results.sqlite is missing.", runs[i].name));
   }
   write_page(folder.path(), report);
-  add_line(console, fmt::format("report: {}", (folder.path() / "index.html").string()));
-  if (console.json) {
-    nlohmann::ordered_json json = nlohmann::ordered_json::array();
-    for (const auto& row : rows.rows) {
-      nlohmann::ordered_json object;
-      for (std::size_t c = 0; c < row.size(); ++c) {
-        std::visit([&](const auto& value) { object[rows.columns[c].name] = value; }, row[c]);
-      }
-      json.push_back(std::move(object));
-    }
-    write_to(stdout, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
-  }
-  folder.finish(problems.empty());
-  for (const std::string& problem : problems) write_to(stderr, "umbrameter: " + plain_text(problem) + "\n");
-  return problems.empty() ? ExitCode::ok : ExitCode::partial;
+  write_tables(line, console, folder, comparison);
+  return finish(folder, console, problems);
+}
+
+}  // namespace
+
+ExitCode run_report(const CommandLine& line, const Console& console) {
+  const ThreadLimit threads(line.threads);
+  std::optional<RunResults> results;
+  if (line.report.folders.size() == 1) results = read_run_value(line.report.folders.front());
+  return results ? show_again(line, console, *results) : show_side_by_side(line, console);
 }
 
 }  // namespace umbrameter

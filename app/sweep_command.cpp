@@ -17,12 +17,13 @@
 #include "experiments/sweep/page_cells.h"
 #include "experiments/sweep/sweep_evaluator.h"
 #include "experiments/sweep/sweep_progress.h"
+#include "present/costs_text.h"
 #include "present/page_viewer.h"
 #include "present/run_output.h"
-#include "present/sweep_cells.h"
 #include "present/sweep_report.h"
 #include "reports/files/data.h"
 #include "reports/files/output.h"
+#include "results/layers.h"
 #include "scenes/builtin.h"
 #include "scenes/floor.h"
 #include "scenes/view.h"
@@ -117,13 +118,6 @@ std::vector<std::pair<std::string, std::string>> settings_of(Stages& stages, Exp
   settings.emplace_back("OpenGL", stages.context().device().renderer);
   settings.emplace_back("program", tracer_identity());
   return settings;
-}
-
-std::vector<std::pair<std::string, Value>> cell_values(const std::vector<SweepAxis>& axes,
-                                                       const std::vector<Value>& row) {
-  std::vector<std::pair<std::string, Value>> cell;
-  for (std::size_t a = 0; a < axes.size(); ++a) cell.emplace_back(axes[a].key, row[a]);
-  return cell;
 }
 
 // One bar for all of it, tracing included.
@@ -245,66 +239,32 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   };
   const bool is_limit_fixed = quantity == SweptQuantity::ao && !varies_group(axes, "truth.ao-distance");
   const std::string ao_limit = is_limit_fixed ? ao_limit_text(stages.in_metres(experiment).truth) : "";
-  const SweepResults results{parameters, plan, store, statistics, ao_limit, metrics};
-  const Table best_of_lines = best_rows(results);
-  const std::optional<BiasCurves> curves = read_bias_curves(results, measure_context);
-  const std::vector<Value> least = least_row(results);
-  PageCells page_cells = choose_page_cells(stages, results, experiment, best_of_lines, line.page_cells);
-  const Measurement measurement = page_cells.measure(page_cells.cells.front());
-  RunOutput output;
-  output.title = fmt::format("{}: sweep", scene_title(experiment));
-  const SceneFacts& scene = stages.facts();
-  output.subtitle = subtitle_of(scene, measurement.surfels.view);
-  const std::vector<OpenEnd> ends = open_ends(results, best_of_lines);
-  output.parts.push_back(present_sweep(results, best_of_lines, curves, ends));
-  if (measurement.ao) {
-    output.parts.push_back(present_ao(*measurement.ao));
-  } else if (measurement.image) {
-    output.parts.push_back(present_image(scene, *measurement.image));
-  } else {
-    // Without the advice that the page's bias slider needs: the sweep's own part has recommended a bias.
-    ShadowMeasurement shadow = measurement.shadows.front();
-    shadow.advice.reset();
-    output.parts.push_back(present_shadow(scene, shadow));
-  }
-  // The sweep's own part has the answer.
-  Presentation& of_cell = output.parts.back();
-  of_cell.lines = {"cell of least error: " + cell_text(results, least)};
-  for (const std::string& answer : std::exchange(of_cell.answers, {})) of_cell.lines.push_back("  " + answer);
-  ReportSection& section = of_cell.section;
-  section.title += " in the cell of least error";
-  section.text = fmt::format("This section shows the cell {}.\n\n", cell_text(results, least)) + section.text;
-  output.parts.push_back(present_picture(measurement));
-  output.results = &store;
-  output.summary = {line.command,
-                    experiment,
-                    scene,
-                    &measurement,
-                    SweepSummary{plan.cells, best_of_lines, cell_values(axes, least), curves, ends},
-                    {},
-                    stages.notes(),
-                    embree_version(),
-                    stages.context().device().renderer,
-                    {},
-                    {}};
-  output.figure_style = style;
-  output.with_figures = !line.no_figures;
-  output.with_full_images = line.full_images;
-  output.rows = report_cells(results, experiment, page_cells.cells);
-  output.costs = stages.costs();
-  output.peak_resident_bytes = peak_resident_bytes();
-  output.cell = page_cells.cells.front().cell;
-  output.add_cells = [&](ViewerPack& pack) {
-    const std::vector<PageCell>& cells = page_cells.cells;
+  const SweepResults rows{parameters, plan, store, statistics, ao_limit, metrics};
+  RunResults results{line.command, experiment, stages.facts(), embree_version(), stages.context().device().renderer};
+  results.full_images = line.full_images;
+  results.sweep = SweepFindings{ao_limit, best_rows(rows), read_bias_curves(rows, measure_context)};
+  SweepFindings& found = *results.sweep;
+  PageCells page_cells = choose_page_cells(stages, rows, experiment, found.best, line.page_cells);
+  found.cells = page_cells.cells;
+  found.images.title = "Images of cells";
+  {
     ProgressBar bar(console, "images of cells");
-    for (std::size_t i = 1; i < cells.size(); ++i) {
-      bar.show(static_cast<double>(i) / static_cast<double>(cells.size()), fmt::format("{} of {}", i, cells.size()));
-      ViewerData data = further_viewer_data(scene, page_cells.measure(cells[i]), line.full_images);
-      data.cell = cells[i].cell;
-      add_set(pack, data);
+    const std::size_t count = line.no_figures ? 1 : found.cells.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      bar.show(static_cast<double>(i) / static_cast<double>(count), fmt::format("{} of {}", i, count));
+      Measurement measurement = page_cells.measure(found.cells[i]);
+      move_to_layers(results.scene, measurement);
+      add_cell_images(found.images, results.scene, measurement, found.cells[i].cell, line.full_images);
+      if (i == 0) results.measurement = std::move(measurement);
     }
-  };
-  return write_run(folder, console, std::move(output));
+  }
+  results.notes = stages.notes();
+  RunOutput output;
+  output.experiment_toml = toml;
+  output.rows = &rows;
+  output.costs = costs_text(stages.costs(), peak_resident_bytes());
+  output.page = {style, !line.no_figures};
+  return write_run(folder, console, std::move(results), std::move(output));
 }
 
 }  // namespace umbrameter

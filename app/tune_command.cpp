@@ -1,14 +1,11 @@
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <deque>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/commands.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
-#include "core/standard_streams.h"
 #include "experiments/stages/reference_key.h"
 #include "experiments/sweep/axis_effects.h"
 #include "experiments/sweep/page_cells.h"
@@ -16,19 +13,16 @@
 #include "experiments/tune/tune_journal.h"
 #include "experiments/tune/tune_judgement.h"
 #include "present/run_output.h"
-#include "present/tune_images.h"
 #include "present/tune_report.h"
 #include "present/tune_text.h"
 #include "reports/files/data.h"
-#include "reports/files/markup.h"
 #include "reports/files/output.h"
+#include "results/layers.h"
 #include "scenes/builtin.h"
-#include "store/summary_version.h"
+#include "store/run_value.h"
 
 namespace umbrameter {
 namespace {
-
-constexpr const char* tuned_name = "tuned.toml";
 
 std::vector<std::pair<std::string, std::string>> split_all(const std::vector<std::string>& assignments,
                                                            const std::string& option) {
@@ -276,28 +270,22 @@ TuneResult search(const Job& job, const std::vector<TuneCase>& cases, const Tune
   }
 }
 
-ViewerPack draw_points(Presentation& part, const TuneCase& first, const TuneSummary& summary) {
+std::vector<TunePointImages> measure_points(const TuneCase& first, const TuneSummary& summary) {
   Stages& stages = *first.stages;
   const auto images = [&](const char* name, const Experiment& experiment, const TunePoint& point) {
-    return TunePointImages{name, point_text(summary.axes, point.values),
-                           measure_swept(stages, experiment, first.quantity)};
+    TunePointImages measured{name, point_text(summary.axes, point.values),
+                             measure_swept(stages, experiment, first.quantity)};
+    move_to_layers(stages.facts(), measured.measurement);
+    return measured;
   };
   const TuneResult& result = summary.result;
-  return add_tune_images(part, stages.facts(), first.title,
-                         {images("best", at_point(first, summary.axes, result.best.values), result.best),
-                          images("default", stages.in_metres(first.experiment), result.before)});
+  return {images("best", at_point(first, summary.axes, result.best.values), result.best),
+          images("default", stages.in_metres(first.experiment), result.before)};
 }
 
 std::vector<std::string> tune_files() {
-  return {"experiment.toml", tuned_name, "evaluations.csv", "summary.json", "index.html", tune_journal_name};
-}
-
-std::vector<std::string> figure_files(const Presentation& part) {
-  std::vector<std::string> files;
-  for (const std::string& stem : part.section.figures) {
-    for (const char* format : {".svg", ".pdf", ".png"}) files.push_back("figures/" + stem + format);
-  }
-  return files;
+  return {"experiment.toml", tuned_file,   "evaluations.csv", run_value_file,
+          "summary.json",    "index.html", tune_journal_name};
 }
 
 }  // namespace
@@ -334,64 +322,26 @@ ExitCode run_tune_command(const CommandLine& line, const Console& console) {
     ProgressBar bar(console, "significance");
     return judge({job.axes, cases, unseen, result.goal, job.shown, result}, [&](double share) { bar.show(share); });
   }();
-  const std::vector<std::string> titles = titles_of(cases);
-  const TuneSummary summary{job.axes, titles, result.goal, job.shown, result, judgement};
-
-  Presentation part = present_tuning(summary);
-  for (const std::string& text : part.answers) print_line(console, text);
-  for (const std::string& text : part.lines) add_line(console, text);
-  for (const std::string& text : part.details) diagnostic(console, text);
-  std::fflush(stdout);
-  write_text(folder.path() / tuned_name, tuned_text(job, summary));
-  write_text(folder.path() / "evaluations.csv", to_csv(evaluation_table(summary)));
-  std::vector<std::string> problems;
-  ViewerPack images;
-  if (line.no_figures) {
-    part.section.figures.clear();
-    part.section.figure_titles.clear();
-    part.section.captions.clear();
-  } else {
-    images = draw_points(part, cases.front(), summary);
-    folder.require_free(figure_files(part));
-    folder.announce(figure_files(part));
-    problems = write_figures(folder.path() / "figures", {part.images, part.plots}).problems;
-  }
-  Report report;
-  report.title = fmt::format("{}{}: tuning", scene_title(job.experiments.front()),
-                             job.experiments.size() > 1 ? fmt::format(" and {} more", job.experiments.size() - 1) : "");
-  report.subtitle =
-      fmt::format("{}, {}×{} pixels", cases.size() == 1 ? "1 case" : fmt::format("{} cases", cases.size()),
-                  job.experiments.front().view.size.width, job.experiments.front().view.size.height);
-  report.command = fmt::format("umbrameter compare -c {} -o OUT", tuned_name);
-  report.answers = part.answers;
+  RunResults results{line.command, job.experiments.front(), cases.front().stages->facts(), embree_version(),
+                     cases.front().stages->context().device().renderer};
+  for (const TuneAxis& axis : job.axes) results.experiment.axes.emplace_back(axis.key(), axis.axis.text);
+  results.tune = TuneFindings{{job.axes, titles_of(cases), result.goal, job.shown, result, judgement}, by_scene.size()};
+  const TuneSummary& summary = results.tune->summary;
+  if (!line.no_figures) results.tune->points = measure_points(cases.front(), summary);
   std::set<std::string> notes;
   for (const auto& of_scene : by_scene) {
     for (const std::string& text : of_scene.front().stages->notes()) {
-      if (notes.insert(text).second) report.notes.push_back(text);
+      if (notes.insert(text).second) results.notes.push_back(text);
     }
   }
-  if (line.no_figures) {
-    report.notes.emplace_back("This page has no pictures: the run used --no-figures. Rerun without it to draw them.");
-  }
-  report.sections.push_back(part.section);
-  Experiment experiment = job.experiments.front();
-  for (const TuneAxis& axis : job.axes) experiment.axes.emplace_back(axis.key(), axis.axis.text);
-  report.settings = settings_table(std::move(experiment));
-  nlohmann::ordered_json json = summary_head(line.command);
-  json["scene"] = {{"name", scene_title(job.experiments.front())}};
-  json["tuning"] = to_json(summary);
-  json["problems"] = problems;
-  const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-  write_text(folder.path() / "summary.json", text);
-  write_page(folder.path(), report, &images);
-  std::filesystem::remove(journal_path);
-  add_line(console, fmt::format("tuned: {}; run it with 'umbrameter compare -c {} -o DIR'",
-                                (folder.path() / tuned_name).string(), (folder.path() / tuned_name).string()));
-  add_line(console, fmt::format("report: {}", (folder.path() / "index.html").string()));
-  if (console.json) write_to(stdout, text);
-  folder.finish(problems.empty());
-  for (const std::string& problem : problems) write_to(stderr, "umbrameter: " + plain_text(problem) + "\n");
-  return problems.empty() ? ExitCode::ok : ExitCode::partial;
+  RunOutput output;
+  output.experiment_toml = experiment_of(job, line);
+  output.texts = {{tuned_file, tuned_text(job, summary)}, {"evaluations.csv", to_csv(evaluation_table(summary))}};
+  output.closing = {
+      fmt::format("tuned: {0}; run it with 'umbrameter compare -c {0} -o DIR'", (folder.path() / tuned_file).string())};
+  output.journal = journal_path;
+  output.page = {make_figure_style(line.figures), !line.no_figures};
+  return write_run(folder, console, std::move(results), std::move(output));
 }
 
 }  // namespace umbrameter

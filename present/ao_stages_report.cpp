@@ -19,8 +19,6 @@ constexpr std::array<const char*, ao_stage_count> meanings = {
     "The method's blur.",
 };
 
-const ColorScale stage_scale{ColorMap::error, -0.25, 0.25, "change of accessibility: below 0 darkens"};
-
 std::string signed_text(double value) { return fmt::format("{:+.4f}", value); }
 
 std::string interval_text(const Estimate& estimate) {
@@ -108,13 +106,15 @@ WaterfallFigure ao_stages_waterfall(const AoStageStatistics& statistics) {
   return figure;
 }
 
-ImageFigure ao_stage_figure(AoStage stage, const Image<float>& change) {
-  const auto k = static_cast<std::size_t>(stage);
-  return scalar_figure("ao_stage_" + std::string(ao_stage_names[k]), "AO stage: " + std::string(ao_stage_titles[k]),
-                       std::string(meanings[k]) + " Blue darkens, red brightens.", change, stage_scale);
+void add_ao_stage_figures(Presentation& presentation, const LayeredImage& layers) {
+  for (std::size_t k = 0; k < ao_stage_count; ++k) {
+    add_layer_figure(presentation, layers, layer_of(static_cast<AoStage>(k)), {},
+                     "AO stage: " + std::string(ao_stage_titles[k]),
+                     std::string(meanings[k]) + " Blue darkens, red brightens.");
+  }
 }
 
-Presentation present_ao_stages(const AoMeasurement& ao) {
+Presentation present_ao_stages(const LayeredImage& layers, const AoMeasurement& ao) {
   const AoStages& stages = *ao.stages;
   const AoStageStatistics& statistics = stages.statistics;
   Presentation presentation;
@@ -135,10 +135,7 @@ Presentation present_ao_stages(const AoMeasurement& ao) {
       fmt::format("{}, radius {}, reference rays {}", title_of(make_technique(ao.experiment.ao)),
                   metres_text(ao.experiment.ao.sampling.radius.number), ao_limit_text(ao.experiment.truth));
   add_figure(presentation, std::move(waterfall));
-  for (std::size_t k = 0; k < ao_stage_count; ++k) {
-    const auto stage = static_cast<AoStage>(k);
-    add_figure(presentation, ao_stage_figure(stage, stage_difference(stages.images, stage)));
-  }
+  add_ao_stage_figures(presentation, layers);
   section.headlines = {
       {"mean signed error", fmt::format("{:+.3g} %", 100.0 * statistics.total.mean_error.value), "sum of the stages"},
       {"sRGB PSNR", fmt::format("{:.2f} dB", statistics.srgb_psnr), "of encoded accessibility, peak 1"},

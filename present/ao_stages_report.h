@@ -6,10 +6,10 @@
 namespace umbrameter {
 
 /// The measurement must have stages.
-Presentation present_ao_stages(const AoMeasurement& ao);
+Presentation present_ao_stages(const LayeredImage& layers, const AoMeasurement& ao);
 
-/// What the stage changes in each pixel.
-ImageFigure ao_stage_figure(AoStage stage, const Image<float>& change);
+/// What each stage changes in each pixel.
+void add_ao_stage_figures(Presentation& presentation, const LayeredImage& layers);
 
 /// The stages' signed means as a sum.
 WaterfallFigure ao_stages_waterfall(const AoStageStatistics& statistics);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "results/layers.h"
+
 namespace umbrameter {
 namespace {
 
@@ -47,8 +49,8 @@ Presentation present_debug_views(const Measurement& measurement) {
   ImageFigure image;
   image.stem = "overlay";
   image.title = "The image with overlays";
-  image.color =
-      tone_map(measurement.image->raster->radiance, static_cast<float>(measurement.experiment.shading.exposure));
+  image.color = tone_map(colors_of(measurement.layers, Layer::raster_image),
+                         static_cast<float>(measurement.experiment.shading.exposure));
   const std::size_t drawn = draw_overlays(image.color, views);
   image.caption = "From the left, bottom row first:";
   for (std::size_t i = 0; i < drawn; ++i) image.caption += (i == 0 ? " " : "; ") + views[i].title;

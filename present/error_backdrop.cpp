@@ -8,20 +8,14 @@
 #include "compare/image_error.h"
 #include "compare/metrics/color_space.h"
 #include "compare/visibility.h"
-#include "results/layer_description.h"
+#include "results/layers.h"
 
 namespace umbrameter {
 namespace {
 
-const Image<float>* channel_of(const LayeredImage& layers, std::string_view name) {
-  const auto found = std::find_if(layers.channels.begin(), layers.channels.end(),
-                                  [&](const Channel& channel) { return channel.name == name; });
-  return found == layers.channels.end() ? nullptr : &found->values;
-}
-
 Image<std::uint8_t> backdrop_of(const LayeredImage& layers) {
-  const std::array<const Image<float>*, 4> rgba = {channel_of(layers, "R"), channel_of(layers, "G"),
-                                                   channel_of(layers, "B"), channel_of(layers, "A")};
+  const std::array<const Image<float>*, 4> rgba = {find_channel(layers, "R"), find_channel(layers, "G"),
+                                                   find_channel(layers, "B"), find_channel(layers, "A")};
   if (std::find(rgba.begin(), rgba.end(), nullptr) != rgba.end()) return {};
   Image<std::uint8_t> grey(rgba[0]->width, rgba[0]->height);
   for (std::size_t i = 0; i < grey.size(); ++i) {
@@ -69,8 +63,8 @@ ErrorImages error_images_of(const std::vector<ImageFigure>& figures, const Layer
 void hide_uncounted(Image<float>& values, std::string_view layer, const LayeredImage& layers) {
   const std::optional<NamedLayer> named = find_layer(layer);
   if (!named || named->description->layer != Layer::error_visibility) return;
-  const Image<float>* counted = channel_of(layers, layer_name(Layer::counted, named->light) + ".Y");
-  const Image<float>* classes = channel_of(layers, layer_name(Layer::classes, named->light) + ".Y");
+  const Image<float>* counted = find_values(layers, Layer::counted, named->light);
+  const Image<float>* classes = find_values(layers, Layer::classes, named->light);
   for (std::size_t i = 0; i < values.size(); ++i) {
     if ((counted != nullptr && (*counted)[i] == 0.0f) ||
         (classes != nullptr && (*classes)[i] >= static_cast<float>(PixelClass::not_counted))) {

@@ -7,20 +7,10 @@
 #include "compare/metrics/color_space.h"
 #include "present/presentation.h"
 #include "present/presentation_parts.h"
-#include "results/layer_description.h"
+#include "results/layers.h"
 
 namespace umbrameter {
 namespace {
-
-ImageFigure picture_figure(const char* stem, const char* title, std::string caption, const Image<vec3>& image,
-                           const Experiment& experiment) {
-  ImageFigure figure;
-  figure.stem = stem;
-  figure.title = title;
-  figure.caption = std::move(caption);
-  figure.color = tone_map(image, static_cast<float>(experiment.shading.exposure));
-  return figure;
-}
 
 std::string path_text(const Experiment& experiment) {
   if (experiment.shading.path == ShadingPath::forward) return "Forward shading";
@@ -46,20 +36,16 @@ ReportTable counters_table(const SceneFacts& scene, const ImageMeasurement& imag
           std::move(table)};
 }
 
-void add_gbuffer_figures(Presentation& presentation, const SceneFacts& scene, const ImageMeasurement& image) {
-  const auto scale = [](double reach, const char* quantity) {
-    return ColorScale{ColorMap::error, -reach, reach, fmt::format("{}: with the G-buffer − exact", quantity)};
-  };
-  const ImageMeasurement::GBufferChange& change = *image.gbuffer_change;
+void add_gbuffer_figures(Presentation& presentation, const SceneFacts& scene, const LayeredImage& layers,
+                         const ImageMeasurement& image) {
   const std::string caption = path_text(image.experiment) + ".";
-  add_figure(presentation, scalar_figure("gbuffer_change_image", "What the G-buffer changes: the image", caption,
-                                         change.image, scale(0.25, "luminance [1 is white]")));
-  add_figure(presentation, scalar_figure("gbuffer_change_ao", "What the G-buffer changes: ambient occlusion", caption,
-                                         change.ao, scale(0.5, "accessibility")));
-  for (std::size_t i = 0; i < image.lights.size(); ++i) {
-    add_figure(presentation, scalar_figure("gbuffer_change_visibility_" + scene.layer(image.lights[i]),
-                                           "What the G-buffer changes: visibility of " + scene.title(image.lights[i]),
-                                           caption, change.visibility[i], scale(1.0, "visibility")));
+  add_layer_figure(presentation, layers, Layer::gbuffer_change_image, {}, "What the G-buffer changes: the image",
+                   caption);
+  add_layer_figure(presentation, layers, Layer::gbuffer_change_ao, {}, "What the G-buffer changes: ambient occlusion",
+                   caption);
+  for (const std::uint32_t light : image.lights) {
+    add_layer_figure(presentation, layers, Layer::gbuffer_change_visibility, scene.layer(light),
+                     "What the G-buffer changes: visibility of " + scene.title(light), caption);
   }
 }
 
@@ -67,8 +53,8 @@ void add_gbuffer_figures(Presentation& presentation, const SceneFacts& scene, co
 std::string part_text(double part) { return std::abs(part) < 1e-6 ? "0 %" : percent(part); }
 
 // A warning if the exposure makes most of the image too bright or too dark to see; otherwise empty.
-std::string exposure_warning(const ImageMeasurement& image) {
-  const Image<vec3>& colors = image.truth ? *image.truth : image.raster->radiance;
+std::string exposure_warning(const LayeredImage& layers, const ImageMeasurement& image) {
+  const Image<vec3> colors = colors_of(layers, image.truth ? Layer::truth_image : Layer::raster_image);
   const auto exposure = static_cast<float>(image.experiment.shading.exposure);
   std::vector<float> values;
   for (const vec3& color : colors.pixels) {
@@ -100,21 +86,17 @@ std::vector<CategoryColor> image_cause_colors() {
   return colors;
 }
 
-Presentation present_image(const SceneFacts& scene, const ImageMeasurement& image) {
+Presentation present_image(const SceneFacts& scene, const LayeredImage& layers, const ImageMeasurement& image) {
   const Experiment& experiment = image.experiment;
   Presentation presentation;
   ReportSection& section = presentation.section;
   section.title = "The shaded image";
-  if (image.truth) {
-    add_figure(presentation, picture_figure("truth_image", "Reference: the image",
-                                            "The same light model with traced visibility and ambient occlusion.",
-                                            *image.truth, experiment));
-  }
-  if (image.raster) {
-    add_figure(presentation, picture_figure("raster_image", "The technique's image", path_text(experiment) + ".",
-                                            image.raster->radiance, experiment));
-  }
-  const std::string warning = exposure_warning(image);
+  const double exposure = experiment.shading.exposure;
+  add_layer_figure(presentation, layers, Layer::truth_image, {}, "Reference: the image",
+                   "The same light model with traced visibility and ambient occlusion.", exposure);
+  add_layer_figure(presentation, layers, Layer::raster_image, {}, "The technique's image", path_text(experiment) + ".",
+                   exposure);
+  const std::string warning = exposure_warning(layers, image);
   const bool has_volumes = image.raster && std::any_of(image.raster->counters.begin(), image.raster->counters.end(),
                                                        [](const LightCounters& c) { return c != LightCounters{}; });
   if (has_volumes) section.tables.push_back(counters_table(scene, image));
@@ -131,21 +113,9 @@ Presentation present_image(const SceneFacts& scene, const ImageMeasurement& imag
     section.text = "Nothing to measure: all pixels are background.";
     return presentation;
   }
-  const float exposure = static_cast<float>(experiment.shading.exposure);
-  add_figure(presentation,
-             scalar_figure("error_image", "Error: the image", "Luminance, technique − reference.",
-                           signed_error(luminance(image.raster->radiance, exposure), luminance(*image.truth, exposure)),
-                           color_scale(Layer::error_image)));
-  ImageFigure causes;
-  causes.stem = "cause_image";
-  causes.title = "Cause of the image's error";
-  causes.caption =
-      "The input that matters most: replacing it by the reference's changes the pixel most. Only where the error is "
-      "visible.";
-  causes.category = image.causes;
-  causes.categories = image_cause_colors();
-  add_figure(presentation, std::move(causes));
-  if (image.gbuffer_change) add_gbuffer_figures(presentation, scene, image);
+  add_layer_figure(presentation, layers, Layer::error_image, {}, "Error: the image", image_error_caption);
+  add_layer_figure(presentation, layers, Layer::cause_image, {}, "Cause of the image's error", image_cause_caption);
+  if (image.gbuffer_change) add_gbuffer_figures(presentation, scene, layers, image);
   section.headlines = {{"mean absolute error", percent(s.error.mae), "of white"},
                        {"away from shadow edges", percent(s.mae_off_edges), "farther than 3 px from an edge"}};
   std::string parts;

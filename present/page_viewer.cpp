@@ -12,7 +12,6 @@
 #include "present/presentation.h"
 #include "present/presentation_parts.h"
 #include "results/layer_description.h"
-#include "results/layers.h"
 
 namespace umbrameter {
 namespace {
@@ -57,18 +56,16 @@ std::optional<ViewerLayer> start_layer(const std::string& name, const SceneFacts
   const std::string unit(d.unit == "1" ? "" : d.unit);
   ViewerLayer started{
       name.empty() ? picture_name : name, std::string(d.title), group_of(*layer, scene), d.role, d.kind, d.reach, unit};
-  if (d.layer == Layer::classes) started.categories = class_colors();
-  if (d.layer == Layer::cause_image) started.categories = image_cause_colors();
+  started.categories = categories_of(d.layer);
   if (d.role == ViewerRole::other && d.kind == ViewerKind::number) {
     started.reach = half_width_of_standard_error(d.layer, layer->light, scene, measurement);
   }
   return started;
 }
 
-std::vector<ViewerLayer> viewer_layers(const SceneFacts& scene, const Measurement& measurement,
-                                       const LayeredImage& image) {
+std::vector<ViewerLayer> viewer_layers(const SceneFacts& scene, const Measurement& measurement) {
   std::vector<ViewerLayer> layers;
-  for (const Channel& channel : image.channels) {
+  for (const Channel& channel : measurement.layers.channels) {
     const std::size_t dot = channel.name.rfind('.');
     const std::string component = dot == std::string::npos ? channel.name : channel.name.substr(dot + 1);
     if (component == "A") continue;
@@ -77,7 +74,7 @@ std::vector<ViewerLayer> viewer_layers(const SceneFacts& scene, const Measuremen
     if (!layer) continue;
     if (layers.empty() || layers.back().name != layer->name) layers.push_back(*layer);
     layers.back().planes.push_back(channel.values);
-    hide_uncounted(layers.back().planes.back(), name, image);
+    hide_uncounted(layers.back().planes.back(), name, measurement.layers);
   }
   return layers;
 }
@@ -156,14 +153,13 @@ ViewerParts viewer_parts(const SceneParts& scene, const GBuffer& gbuffer) {
 
 }  // namespace
 
-ViewerData viewer_data(const SceneFacts& scene, const Measurement& measurement, const LayeredImage& image,
-                       bool is_full) {
+ViewerData viewer_data(const SceneFacts& scene, const Measurement& measurement, bool is_full) {
   const GBuffer& gbuffer = measurement.surfels.gbuffer;
   ViewerData data;
   data.width = gbuffer.width;
   data.height = gbuffer.height;
   data.full = is_full;
-  data.layers = viewer_layers(scene, measurement, image);
+  data.layers = viewer_layers(scene, measurement);
   for (const ShadowMeasurement& shadow : measurement.shadows) {
     if (shadow.raster && shadow.truth) data.biases.push_back(viewer_bias(scene, shadow));
   }
@@ -172,11 +168,15 @@ ViewerData viewer_data(const SceneFacts& scene, const Measurement& measurement, 
   return data;
 }
 
-ViewerData further_viewer_data(const SceneFacts& scene, const Measurement& measurement, bool is_full) {
-  ViewerData data = viewer_data(scene, measurement, layers_of(scene, measurement), is_full);
-  data.rounded = true;
-  std::erase_if(data.layers, [](const ViewerLayer& layer) { return layer.name == picture_name; });
-  return data;
+void add_cell_images(ViewerPack& pack, const SceneFacts& scene, const Measurement& measurement, const ViewerCell& cell,
+                     bool is_full) {
+  ViewerData data = viewer_data(scene, measurement, is_full);
+  data.cell = cell;
+  if (!pack.sets.empty()) {
+    data.rounded = true;
+    std::erase_if(data.layers, [](const ViewerLayer& layer) { return layer.name == picture_name; });
+  }
+  add_set(pack, data);
 }
 
 }  // namespace umbrameter

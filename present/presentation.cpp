@@ -6,11 +6,12 @@
 #include <cctype>
 #include <cmath>
 
+#include "present/error_backdrop.h"
 #include "present/presentation_parts.h"
 #include "present/scene_report.h"
 #include "reports/files/text_layout.h"
 #include "results/known_statistics.h"
-#include "results/layer_description.h"
+#include "results/layers.h"
 
 namespace umbrameter {
 namespace {
@@ -42,6 +43,8 @@ AoErrorText error_text(const SampledError& error) {
                       50.0 * (with_sign.upper - with_sign.lower), decimals)};
 }
 
+constexpr const char* picture_stem = "picture";
+
 template <class Figure>
 void add_to(ReportSection& section, std::vector<Figure>& figures, Figure figure) {
   section.figures.push_back(figure.stem);
@@ -60,15 +63,35 @@ std::string value_text(Experiment experiment, std::string_view key) {
   return to_string(require(describe(experiment), key).value());
 }
 
-ImageFigure scalar_figure(std::string stem, std::string title, std::string caption, const Image<float>& values,
-                          const ColorScale& scale) {
+void add_layer_figure(Presentation& presentation, const LayeredImage& layers, Layer layer, std::string_view light,
+                      std::string title, std::string caption, double exposure) {
   ImageFigure figure;
-  figure.stem = std::move(stem);
+  figure.stem = layer == Layer::picture ? picture_stem : layer_name(layer, light);
   figure.title = std::move(title);
   figure.caption = std::move(caption);
-  figure.values = values;
-  figure.scale = scale;
-  return figure;
+  const ViewerKind kind = describe(layer).kind;
+  if (kind == ViewerKind::color) {
+    figure.color = tone_map(colors_of(layers, layer), static_cast<float>(exposure));
+    if (figure.color.empty()) return;
+  } else if (const Image<float>* values = find_values(layers, layer, light); values == nullptr) {
+    return;
+  } else if (kind == ViewerKind::category) {
+    figure.category = Image<std::uint8_t>(values->width, values->height);
+    for (std::size_t i = 0; i < values->size(); ++i) {
+      figure.category[i] = static_cast<std::uint8_t>(std::clamp((*values)[i], 0.0f, 255.0f));
+    }
+    figure.categories = categories_of(layer);
+  } else {
+    figure.values = *values;
+    hide_uncounted(figure.values, figure.stem, layers);
+    figure.scale = color_scale(layer);
+  }
+  add_figure(presentation, std::move(figure));
+}
+
+std::vector<CategoryColor> categories_of(Layer layer) {
+  if (layer == Layer::classes) return class_colors();
+  return layer == Layer::cause_image ? image_cause_colors() : std::vector<CategoryColor>{};
 }
 
 ReportTable statistics_table(std::string title, const Statistics& statistics) {
@@ -188,15 +211,11 @@ void add_figure(Presentation& presentation, WaterfallFigure figure) {
   add_to(presentation.section, presentation.waterfalls, std::move(figure));
 }
 
-Presentation present_picture(const Measurement& measurement) {
+Presentation present_picture(const LayeredImage& layers) {
   Presentation presentation;
   presentation.section.title = "The view";
-  ImageFigure figure;
-  figure.stem = "picture";
-  figure.title = "The view, shaded";
-  figure.caption = "Diffuse shading with the measured visibility and ambient occlusion, for orientation only.";
-  figure.color = tone_map(measurement.picture, 1.0f);
-  add_figure(presentation, std::move(figure));
+  add_layer_figure(presentation, layers, Layer::picture, {}, "The view, shaded",
+                   "Diffuse shading with the measured visibility and ambient occlusion, for orientation only.");
   return presentation;
 }
 
@@ -223,23 +242,19 @@ std::string nothing_counted_text(const CountedPixels& counted) {
   return fmt::format("nothing to measure: of {} pixels, {}", all, text);
 }
 
-Presentation present_ao(const AoMeasurement& ao) {
+Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
   const Experiment& experiment = ao.experiment;
   Presentation presentation;
   ReportSection& section = presentation.section;
   section.title = "Ambient occlusion";
   const std::string limit = ao_limit_text(experiment.truth);
   if (ao.truth) {
-    add_figure(presentation,
-               scalar_figure("truth_ao", "Reference: ambient occlusion",
-                             fmt::format("Hemisphere rays {}, {:.0f} per pixel, {} weight.", limit,
-                                         ao.truth->precision.mean_samples, value_text(experiment, "truth.ao-weight")),
-                             ao.truth->ao, color_scale(Layer::truth_ao)));
+    add_layer_figure(presentation, layers, Layer::truth_ao, {}, "Reference: ambient occlusion",
+                     fmt::format("Hemisphere rays {}, {:.0f} per pixel, {} weight.", limit,
+                                 ao.truth->precision.mean_samples, value_text(experiment, "truth.ao-weight")));
   }
-  if (ao.raster) {
-    add_figure(presentation, scalar_figure("raster_ao", std::string(title_of(make_technique(experiment.ao))),
-                                           ao_technique_text(experiment.ao), *ao.raster, color_scale(Layer::truth_ao)));
-  }
+  add_layer_figure(presentation, layers, Layer::raster_ao, {}, std::string(title_of(make_technique(experiment.ao))),
+                   ao_technique_text(experiment.ao));
   if (ao.truth) {
     section.text = precision_text(ao.truth->precision, experiment.truth);
     presentation.details.push_back("AO: " + offset_text(ao.truth->statistics));
@@ -256,9 +271,7 @@ Presentation present_ao(const AoMeasurement& ao) {
     return presentation;
   }
   const SampledError& s = ao.statistics->error;
-  add_figure(presentation, scalar_figure("error_ao", "Error: ambient occlusion",
-                                         "Technique − reference: blue is too dark, red is too bright.",
-                                         signed_error(*ao.raster, ao.truth->ao), color_scale(Layer::error_ao)));
+  add_layer_figure(presentation, layers, Layer::error_ao, {}, "Error: ambient occlusion", error_caption);
   const AoErrorText text = error_text(s);
   section.headlines = {
       {"mean absolute error", text.absolute, fmt::format("of {} pixels", grouped(s.pixels))},

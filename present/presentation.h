@@ -7,6 +7,7 @@
 
 #include "reports/figures/figures.h"
 #include "reports/page/page.h"
+#include "results/layer_description.h"
 #include "results/measurement.h"
 #include "results/number_text.h"
 #include "results/scene_facts.h"
@@ -25,6 +26,9 @@ const std::vector<CategoryColor>& class_colors();
 /// Name and colour of each cause of the error of the image, and of pixels without one.
 std::vector<CategoryColor> image_cause_colors();
 
+/// Those of a layer of categories.
+std::vector<CategoryColor> categories_of(Layer layer);
+
 /// Section, figures and text lines of one part of a run.
 struct Presentation {
   ReportSection section;
@@ -37,10 +41,11 @@ struct Presentation {
   std::vector<std::string> details{};  ///< diagnostics: for the page's last section and --verbose
 };
 
-Presentation present_picture(const Measurement& measurement);
-Presentation present_shadow(const SceneFacts& scene, const ShadowMeasurement& shadow);
-Presentation present_ao(const AoMeasurement& ao);
-Presentation present_image(const SceneFacts& scene, const ImageMeasurement& image);
+/// The parts of a measurement, with pictures of those of its layers that are theirs.
+Presentation present_picture(const LayeredImage& layers);
+Presentation present_shadow(const SceneFacts& scene, const LayeredImage& layers, const ShadowMeasurement& shadow);
+Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao);
+Presentation present_image(const SceneFacts& scene, const LayeredImage& layers, const ImageMeasurement& image);
 
 /// How far the reference of ambient occlusion looks: "up to 58.6 cm" or "without distance limit".
 std::string ao_limit_text(const TruthParams& params);

@@ -5,17 +5,25 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/figures/figures.h"
-#include "reports/page/page.h"
-#include "results/measurement.h"
+#include "present/presentation.h"
+#include "results/layer_description.h"
 
 namespace umbrameter {
 
 /// The value of the parameter with this full name.
 std::string value_text(Experiment experiment, std::string_view key);
 
-ImageFigure scalar_figure(std::string stem, std::string title, std::string caption, const Image<float>& values,
-                          const ColorScale& scale);
+/// Adds a layer's picture, drawn as its description says: numbers, categories, or colours times `exposure`. Nothing if
+/// there is no such layer.
+void add_layer_figure(Presentation& presentation, const LayeredImage& layers, Layer layer, std::string_view light,
+                      std::string title, std::string caption, double exposure = 1.0);
+
+inline constexpr const char* error_caption = "Technique − reference: blue is too dark, red is too bright.";
+inline constexpr const char* classes_caption = "Main cause of the wrong taps of each pixel.";
+inline constexpr const char* image_error_caption = "Luminance, technique − reference.";
+inline constexpr const char* image_cause_caption =
+    "The input that matters most: replacing it by the reference's changes the pixel most. Only where the error is "
+    "visible.";
 
 /// One row per statistic: name, value, unit, meaning.
 ReportTable statistics_table(std::string title, const Statistics& statistics);

@@ -1,45 +1,32 @@
-// The files of a run, by the contract: experiment.toml, images.exr, sweep.csv, figures, summary.json, index.html.
+// The files of a run, by the contract: experiment.toml, images.exr, sweep.csv, figures, run.bin, summary.json,
+// index.html.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <optional>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/error.h"
-#include "present/presentation.h"
-#include "present/summary.h"
+#include "present/run_page.h"
 #include "reports/files/console.h"
 #include "reports/files/exr.h"
-#include "reports/page/cells.h"
-#include "reports/page/viewer_data.h"
-#include "results/costs.h"
-#include "store/results_store.h"
+#include "results/run_results.h"
 #include "store/run_folder.h"
 
 namespace umbrameter {
 
-/// Everything to write. summary.files and summary.problems are filled in on the way.
+/// What is written and said besides the results themselves.
 struct RunOutput {
-  std::string title;
-  std::string subtitle;
-  std::vector<Presentation> parts;
-  SummaryInput summary;
-  const ResultsStore* results = nullptr;  ///< of a sweep: sweep.csv is a view of it
-  /// Further files: shadow maps, and what the technique of ambient occlusion reads.
+  PageOptions page{};
+  std::string experiment_toml;
+  const SweepResults* rows = nullptr;  ///< of a sweep: sweep.csv is a view of its store
+  /// Further files: shadow maps, what the technique of ambient occlusion reads, the table of a tuning.
   std::vector<std::pair<std::string, LayeredImage>> images{};
   std::vector<std::pair<std::string, std::string>> texts{};
-  Costs costs{};
-  std::uint64_t peak_resident_bytes = 0;
-  FigureStyle figure_style{};
-  bool with_figures = true;          ///< else no figures/ folder, and the page says so
-  bool with_full_images = false;     ///< the page's viewer gets every pixel of large images, too
-  std::optional<ViewerCell> cell{};  ///< of a sweep: that of summary.measurement
-  /// Of a sweep: adds the images of further cells to the page's.
-  std::function<void(ViewerPack& pack)> add_cells{};
-  std::optional<ReportCells> rows{};  ///< of a sweep: the numbers of its cells
+  std::string costs{};                 ///< for --verbose
+  std::vector<std::string> closing{};  ///< lines before the one that names the page
+  std::filesystem::path journal{};     ///< of a search: not needed once all is written
 };
 
 /// The complete experiment file.
@@ -50,9 +37,6 @@ std::vector<std::string> run_files(bool with_rows);
 
 /// Prints the lines of each part, then writes the files into the folder, the page last, and prints where the page is.
 /// ExitCode::partial, with a line on stderr for each, when a figure could not be made.
-ExitCode write_run(RunFolder& folder, const Console& console, RunOutput output);
-
-/// "1280×720, camera overview, 95,204 triangles".
-std::string subtitle_of(const SceneFacts& scene, const View& view);
+ExitCode write_run(RunFolder& folder, const Console& console, RunResults results, RunOutput output);
 
 }  // namespace umbrameter

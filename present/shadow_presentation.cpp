@@ -10,22 +10,9 @@
 #include "present/presentation_parts.h"
 #include "present/scene_report.h"
 #include "reports/files/text_layout.h"
-#include "results/layer_description.h"
 
 namespace umbrameter {
 namespace {
-
-ImageFigure class_figure(const std::string& layer, const std::string& title, const ShadowMeasurement& shadow) {
-  ImageFigure figure;
-  figure.stem = "class_" + layer;
-  figure.title = "Causes: " + title;
-  figure.caption = "Main cause of the wrong taps of each pixel.";
-  const Image<PixelClass> classes = classify(shadow.raster->wrong, shadow.counted);
-  figure.category = Image<std::uint8_t>(classes.width, classes.height);
-  for (std::size_t i = 0; i < classes.size(); ++i) figure.category[i] = static_cast<std::uint8_t>(classes[i]);
-  figure.categories = class_colors();
-  return figure;
-}
 
 std::string counted_text(const CountedPixels& counted, bool is_soft) {
   const auto total = [&](PixelExclusion c) { return counted.totals[static_cast<std::size_t>(c)]; };
@@ -58,22 +45,17 @@ std::string truth_caption(const ShadowMeasurement& shadow) {
                      samples, shadow.experiment.truth.light_sampling == LightSampling::area ? "area" : "solid angle");
 }
 
-void add_error_figure(Presentation& presentation, const SceneFacts& scene, const ShadowMeasurement& shadow) {
-  Image<float> error = signed_error(shadow.raster->visibility, shadow.truth->visibility);
-  for (std::size_t i = 0; i < error.size(); ++i) {
-    if (shadow.counted.exclusion[i] != PixelExclusion::none) error[i] = 0.0f;
-  }
-  add_figure(presentation,
-             scalar_figure("error_visibility_" + scene.layer(shadow.light), "Error: " + scene.title(shadow.light),
-                           "Technique − reference: blue is too dark, red is too bright.", error,
-                           color_scale(Layer::error_visibility)));
+void add_error_figure(Presentation& presentation, const SceneFacts& scene, const LayeredImage& layers,
+                      const ShadowMeasurement& shadow) {
+  add_layer_figure(presentation, layers, Layer::error_visibility, scene.layer(shadow.light),
+                   "Error: " + scene.title(shadow.light), error_caption);
 }
 
-void present_edge_error(Presentation& presentation, const SceneFacts& scene, const ShadowMeasurement& shadow,
-                        const EdgeStatistics& s) {
+void present_edge_error(Presentation& presentation, const SceneFacts& scene, const LayeredImage& layers,
+                        const ShadowMeasurement& shadow, const EdgeStatistics& s) {
   const std::string title = scene.title(shadow.light);
   ReportSection& section = presentation.section;
-  add_error_figure(presentation, scene, shadow);
+  add_error_figure(presentation, scene, layers, shadow);
   section.text += fmt::format(
       "\n\nThis technique does not sum depth comparisons, so no single tap is right or wrong and its error has no "
       "causes. The error is split by sign and by distance to the reference's shadow edges instead; at an edge means at "
@@ -98,11 +80,11 @@ void present_edge_error(Presentation& presentation, const SceneFacts& scene, con
                   percent(s.too_bright_away), percent(s.too_dark_at_edge), percent(s.too_bright_at_edge)));
 }
 
-void present_soft_error(Presentation& presentation, const SceneFacts& scene, const ShadowMeasurement& shadow,
-                        const SoftVisibilityStatistics& s) {
+void present_soft_error(Presentation& presentation, const SceneFacts& scene, const LayeredImage& layers,
+                        const ShadowMeasurement& shadow, const SoftVisibilityStatistics& s) {
   const std::string title = scene.title(shadow.light);
   ReportSection& section = presentation.section;
-  add_error_figure(presentation, scene, shadow);
+  add_error_figure(presentation, scene, layers, shadow);
   const bool is_over_pixel = shadow.experiment.truth.shadow == ShadowReference::pixel;
   section.text += is_over_pixel ? "\n\nThe reference is the mean over each pixel (truth.shadow pixel)"
                                 : "\n\nThis is an area light. Its reference is the visible share of the light";
@@ -174,7 +156,8 @@ std::string stored_depths_text(const ShadowMeasurement& shadow) {
       value_text(shadow.experiment, "shadow.depth-encoding"), depths.polygon_offset_unit);
 }
 
-Presentation present_shadow_error(const SceneFacts& scene, const ShadowMeasurement& shadow) {
+Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& layers,
+                                  const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
   const std::string& layer = scene.layer(shadow.light);
   const std::string title = scene.title(shadow.light);
@@ -183,17 +166,15 @@ Presentation present_shadow_error(const SceneFacts& scene, const ShadowMeasureme
   section.title = "Shadow of " + title;
   section.text = counted_text(shadow.counted, !std::holds_alternative<std::monostate>(shadow.emitter));
   if (shadow.truth) {
-    add_figure(presentation, scalar_figure("truth_visibility_" + layer, "Reference: " + title, truth_caption(shadow),
-                                           shadow.truth->visibility, color_scale(Layer::truth_visibility)));
+    add_layer_figure(presentation, layers, Layer::truth_visibility, layer, "Reference: " + title,
+                     truth_caption(shadow));
     presentation.details.push_back(title + ": " + offset_text(shadow.truth->statistics));
     if (shadow.is_sampled) section.text += "\n\n" + precision_text(shadow.truth->precision, experiment.truth);
   }
   if (shadow.raster) {
-    add_figure(presentation,
-               scalar_figure("raster_visibility_" + layer, "Shadow map: " + title,
-                             fmt::format("{}, constant bias {}, slope-scaled bias {:g} texels.", technique_text(shadow),
-                                         length_text(experiment.shadow.bias.constant), experiment.shadow.bias.slope),
-                             shadow.raster->visibility, color_scale(Layer::truth_visibility)));
+    add_layer_figure(presentation, layers, Layer::raster_visibility, layer, "Shadow map: " + title,
+                     fmt::format("{}, constant bias {}, slope-scaled bias {:g} texels.", technique_text(shadow),
+                                 length_text(experiment.shadow.bias.constant), experiment.shadow.bias.slope));
   }
   if (shadow.stored_depths && shadow.stored_depths->range) {
     presentation.details.push_back(title + ": " + stored_depths_text(shadow));
@@ -211,16 +192,16 @@ Presentation present_shadow_error(const SceneFacts& scene, const ShadowMeasureme
     return presentation;
   }
   if (const auto* soft = std::get_if<SoftVisibilityStatistics>(&*shadow.statistics)) {
-    present_soft_error(presentation, scene, shadow, *soft);
+    present_soft_error(presentation, scene, layers, shadow, *soft);
     return presentation;
   }
   if (const auto* edges = std::get_if<EdgeStatistics>(&*shadow.statistics)) {
-    present_edge_error(presentation, scene, shadow, *edges);
+    present_edge_error(presentation, scene, layers, shadow, *edges);
     return presentation;
   }
   const VisibilityStatistics& s = *by_cause(shadow);
-  add_error_figure(presentation, scene, shadow);
-  add_figure(presentation, class_figure(layer, title, shadow));
+  add_error_figure(presentation, scene, layers, shadow);
+  add_layer_figure(presentation, layers, Layer::classes, layer, "Causes: " + title, classes_caption);
   section.headlines = {{"mean absolute error", percent(s.mae), fmt::format("of {} counted pixels", grouped(s.pixels))}};
   const std::array<double, cause_count> shares = {s.acne, s.false_occlusion, s.peter_panning, s.leak};
   for (std::size_t c = 0; c < cause_count; ++c) {
@@ -268,8 +249,8 @@ ReportTable bias_table(const ShadowMeasurement& shadow) {
   return {"Constant bias of these images", std::move(table)};
 }
 
-Presentation present_shadow(const SceneFacts& scene, const ShadowMeasurement& shadow) {
-  Presentation presentation = present_shadow_error(scene, shadow);
+Presentation present_shadow(const SceneFacts& scene, const LayeredImage& layers, const ShadowMeasurement& shadow) {
+  Presentation presentation = present_shadow_error(scene, layers, shadow);
   add_metrics_table(presentation.section, shadow.metrics);
   return presentation;
 }

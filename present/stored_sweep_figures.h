@@ -7,9 +7,8 @@
 
 namespace umbrameter {
 
-/// The plots and heat maps that the sweep itself draws; none if no cell has counted pixels. Left out is the fit of a
-/// bias in the depth of the map, whose length depends on the scene. Throws Error as load_experiment() and
-/// ResultsStore::load() do, and (unreadable_input) if both files belong to different sweeps.
+/// The plots and heat maps that the sweep itself draws; none if no cell has counted pixels. Of another version's sweep
+/// the fits that need facts of the scene are left out. Throws Error as FinishedSweep and read_run_value() do.
 Figures stored_sweep_figures(const std::filesystem::path& folder);
 
 }  // namespace umbrameter

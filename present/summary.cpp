@@ -5,9 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "present/bias_advice_report.h"
+#include "present/bias_report.h"
 #include "present/scene_report.h"
 #include "present/shadow_shape_report.h"
+#include "present/tune_report.h"
 #include "reports/files/value_json.h"
+#include "results/layers.h"
 #include "store/summary_version.h"
 
 namespace umbrameter {
@@ -188,47 +191,49 @@ nlohmann::ordered_json to_json(const std::vector<NamedLayer>& layers) {
   return list;
 }
 
-std::string to_summary_json(const SummaryInput& input) {
-  Json summary = summary_head(input.command);
-  summary["scene"] = {{"name", scene_title(input.experiment)},
-                      {"triangles", input.scene.triangles},
-                      {"instances", input.scene.instances},
-                      {"materials", input.scene.materials}};
-  summary["embree"] = input.embree;
-  if (!input.gl_renderer.empty()) summary["opengl"] = input.gl_renderer;
-  summary["notes"] = input.notes;
+std::string to_summary_json(const RunResults& results, const std::optional<SweepSummary>& sweep,
+                            const std::vector<std::string>& files, const std::vector<std::string>& problems) {
+  Json summary = summary_head(results.command);
+  summary["scene"] = {{"name", scene_title(results.experiment)},
+                      {"triangles", results.scene.triangles},
+                      {"instances", results.scene.instances},
+                      {"materials", results.scene.materials}};
+  summary["embree"] = results.embree;
+  if (!results.opengl.empty()) summary["opengl"] = results.opengl;
+  summary["notes"] = results.notes;
   // Of a sweep: those of the cell that was measured, like all that follows.
-  Experiment experiment = input.measurement != nullptr ? input.measurement->experiment : input.experiment;
+  Experiment experiment = results.measurement ? results.measurement->experiment : results.experiment;
   Json parameters = Json::object();
   for (const Parameter& parameter : describe(experiment)) parameters[parameter.key] = to_json(parameter.value());
   summary["parameters"] = parameters;
-  if (input.sweep) {
+  if (sweep) {
     Json cell = Json::object();
-    for (const auto& [key, value] : input.sweep->cell) cell[key] = to_json(value);
+    for (const auto& [key, value] : sweep->least) cell[key] = to_json(value);
     summary["cell"] = cell;
   }
-  if (input.measurement != nullptr) {
-    summary["camera"] = input.measurement->surfels.view.camera.name;
+  if (const std::optional<Measurement>& measurement = results.measurement) {
+    summary["camera"] = measurement->surfels.view.camera.name;
     summary["shadows"] = Json::array();
-    for (const ShadowMeasurement& shadow : input.measurement->shadows) {
-      summary["shadows"].push_back(shadow_json(input.scene, shadow));
+    for (const ShadowMeasurement& shadow : measurement->shadows) {
+      summary["shadows"].push_back(shadow_json(results.scene, shadow));
     }
-    if (input.measurement->ao) summary["ao"] = ao_json(*input.measurement->ao);
-    if (input.measurement->image) summary["image"] = image_json(input.scene, *input.measurement->image);
+    if (measurement->ao) summary["ao"] = ao_json(*measurement->ao);
+    if (measurement->image) summary["image"] = image_json(results.scene, *measurement->image);
   }
-  if (input.sweep) {
+  if (sweep) {
     Json axes = Json::object();
-    for (const auto& [key, text] : input.experiment.axes) axes[key] = text;
+    for (const auto& [key, text] : results.experiment.axes) axes[key] = text;
     Json best = Json::array();
-    const Table& rows = input.sweep->best;
+    const Table& rows = results.sweep->best;
     for (const std::vector<Value>& row : rows.rows) best.push_back(row_json(rows.columns, row));
-    summary["sweep"] = {{"axes", axes}, {"cells", input.sweep->cells}, {"least_mae", best}};
-    summary["sweep"]["open_ends"] = to_json(input.sweep->open_ends);
-    if (input.sweep->curves) summary["curves"] = to_json(*input.sweep->curves);
+    summary["sweep"] = {{"axes", axes}, {"cells", sweep->cells}, {"least_mae", best}};
+    summary["sweep"]["open_ends"] = to_json(sweep->open_ends);
+    if (results.sweep->curves) summary["curves"] = to_json(*results.sweep->curves);
   }
-  if (!input.layers.empty()) summary["layers"] = to_json(input.layers);
-  summary["files"] = input.files;
-  summary["problems"] = input.problems;
+  if (results.tune) summary["tuning"] = to_json(results.tune->summary);
+  if (results.measurement) summary["layers"] = to_json(named_layers(results.measurement->layers));
+  summary["files"] = files;
+  summary["problems"] = problems;
   // Names come from files: bytes that are no UTF-8 are replaced, never thrown on.
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -10,6 +10,7 @@ constexpr std::string_view visibility_label = "visibility: 0 blocked, 1 lit";
 constexpr std::string_view accessibility_label = "accessibility: 1 open";
 constexpr std::string_view error_label = "technique − reference: below 0 is too dark";
 constexpr std::string_view luminance_label = "technique − reference [luminance, 1 is white]: below 0 is too dark";
+constexpr std::string_view stage_label = "change of accessibility: below 0 darkens";
 constexpr bool for_programs = true;
 
 std::vector<LayerDescription> make_descriptions() {
@@ -46,14 +47,14 @@ std::vector<LayerDescription> make_descriptions() {
       {L::truth_ao_hit_distance, "truth_ao_hit_distance", ao, "Distance of occluders", "m", other, number},
       {L::raster_ao, "raster_ao", ao, "Technique", "1", technique, share, 1.0, accessibility_label},
       {L::error_ao, "error_ao", ao, "Error", "1", error, change, 0.5, error_label},
-      {L::ao_stage_model, "ao_stage_model", ao, "Stage: model", "1", other, change, 0.5, error_label},
-      {L::ao_stage_off_screen, "ao_stage_off_screen", ao, "Stage: off-screen", "1", other, change, 0.5, error_label},
-      {L::ao_stage_hidden, "ao_stage_hidden", ao, "Stage: hidden", "1", other, change, 0.5, error_label},
-      {L::ao_stage_thin, "ao_stage_thin", ao, "Stage: thin", "1", other, change, 0.5, error_label},
-      {L::ao_stage_approximation, "ao_stage_approximation", ao, "Stage: approximation", "1", other, change, 0.5,
-       error_label},
-      {L::ao_stage_sampling, "ao_stage_sampling", ao, "Stage: sampling", "1", other, change, 0.5, error_label},
-      {L::ao_stage_blur, "ao_stage_blur", ao, "Stage: blur", "1", other, change, 0.5, error_label},
+      {L::ao_stage_model, "ao_stage_model", ao, "Stage: model", "1", other, change, 0.25, stage_label},
+      {L::ao_stage_off_screen, "ao_stage_off_screen", ao, "Stage: off-screen", "1", other, change, 0.25, stage_label},
+      {L::ao_stage_hidden, "ao_stage_hidden", ao, "Stage: hidden", "1", other, change, 0.25, stage_label},
+      {L::ao_stage_thin, "ao_stage_thin", ao, "Stage: thin", "1", other, change, 0.25, stage_label},
+      {L::ao_stage_approximation, "ao_stage_approximation", ao, "Stage: approximation", "1", other, change, 0.25,
+       stage_label},
+      {L::ao_stage_sampling, "ao_stage_sampling", ao, "Stage: sampling", "1", other, change, 0.25, stage_label},
+      {L::ao_stage_blur, "ao_stage_blur", ao, "Stage: blur", "1", other, change, 0.25, stage_label},
       {L::truth_image, "truth_image", image, "Reference", "1", reference, color},
       {L::truth_image_standard_error, "truth_image_standard_error", image, "Standard error of the reference", "1"},
       {L::raster_image, "raster_image", image, "Technique", "1", technique, color},
@@ -61,9 +62,11 @@ std::vector<LayerDescription> make_descriptions() {
       {L::error_image, "error_image", image, "Error of luminance", "1", error, change, 0.25, luminance_label},
       {L::cause_image, "cause_image", image, "Cause", "", cause, category},
       {L::gbuffer_change_visibility, "gbuffer_change_visibility", light, "Change by the G-buffer", "1", other, change,
-       1.0},
-      {L::gbuffer_change_ao, "gbuffer_change_ao", ao, "Change by the G-buffer", "1", other, change, 0.5},
-      {L::gbuffer_change_image, "gbuffer_change_image", image, "Change by the G-buffer", "1", other, change, 0.25},
+       1.0, "visibility: with the G-buffer − exact"},
+      {L::gbuffer_change_ao, "gbuffer_change_ao", ao, "Change by the G-buffer", "1", other, change, 0.5,
+       "accessibility: with the G-buffer − exact"},
+      {L::gbuffer_change_image, "gbuffer_change_image", image, "Change by the G-buffer", "1", other, change, 0.25,
+       "luminance [1 is white]: with the G-buffer − exact"},
       {L::gbuffer_position, "gbuffer_position", scene, "Position", "m", other, vector, 1.0, "", for_programs},
       {L::gbuffer_normal, "gbuffer_normal", scene, "Geometric normal", "", other, vector},
       {L::picture, "", scene, "Picture", "1", other, color},

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compare/ao_stages.h"
 #include "reports/figures/figures.h"
 #include "reports/page/viewer_data.h"
 #include "techniques/shadow/causes.h"
@@ -79,6 +80,10 @@ const LayerDescription& describe(Layer layer);
 
 inline Layer layer_of(Cause cause) {
   return static_cast<Layer>(static_cast<int>(Layer::acne) + static_cast<int>(cause));
+}
+
+inline Layer layer_of(AoStage stage) {
+  return static_cast<Layer>(static_cast<int>(Layer::ao_stage_model) + static_cast<int>(stage));
 }
 
 /// "truth_ao", or "truth_visibility_sun" of the light whose layers end so.

@@ -1,11 +1,15 @@
 #include "results/layers.h"
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "results/layer_description.h"
 
 namespace umbrameter {
 namespace {
+
+constexpr const char* color_channels[] = {"R", "G", "B"};
 
 void add_shadow(LayeredImage& image, const std::string& light, const ShadowMeasurement& shadow) {
   if (shadow.truth) add_layer(image, layer_name(Layer::truth_visibility, light), shadow.truth->visibility);
@@ -55,8 +59,8 @@ void add_ao(LayeredImage& image, const AoMeasurement& ao) {
   if (ao.statistics) add_layer(image, layer_name(Layer::error_ao), signed_error(*ao.raster, ao.truth->ao));
   if (!ao.stages) return;
   for (std::size_t k = 0; k < ao_stage_count; ++k) {
-    add_layer(image, layer_name(static_cast<Layer>(static_cast<std::size_t>(Layer::ao_stage_model) + k)),
-              stage_difference(ao.stages->images, static_cast<AoStage>(k)));
+    const auto stage = static_cast<AoStage>(k);
+    add_layer(image, layer_name(layer_of(stage)), stage_difference(ao.stages->images, stage));
   }
 }
 
@@ -85,9 +89,8 @@ void add_image(LayeredImage& image, const SceneFacts& scene, const ImageMeasurem
 }
 
 void add_picture(LayeredImage& image, const Image<vec3>& picture, const GBuffer& gbuffer) {
-  static constexpr const char* names[] = {"R", "G", "B"};
   for (int c = 0; c < 3; ++c) {
-    Channel channel{names[c], Image<float>(picture.width, picture.height)};
+    Channel channel{color_channels[c], Image<float>(picture.width, picture.height)};
     for (std::size_t i = 0; i < picture.size(); ++i) channel.values[i] = picture[i][c];
     image.channels.push_back(std::move(channel));
   }
@@ -106,11 +109,43 @@ Image<vec3> surface_positions(const GBuffer& gbuffer) {
   return positions;
 }
 
+void drop_images(ShadowMeasurement& shadow) {
+  shadow.counted.exclusion = {};
+  if (shadow.raster) {
+    shadow.raster->visibility = {};
+    shadow.raster->wrong.weights = {};
+  }
+  if (!shadow.truth) return;
+  for (Image<float> TracedVisibility::*image : {&TracedVisibility::visibility, &TracedVisibility::standard_error,
+                                                &TracedVisibility::variance, &TracedVisibility::samples}) {
+    (*shadow.truth).*image = {};
+  }
+}
+
+void drop_images(AoMeasurement& ao) {
+  if (ao.raster) *ao.raster = {};
+  if (ao.stages) ao.stages->images = {};
+  if (!ao.truth) return;
+  for (Image<float> TracedAo::*image :
+       {&TracedAo::ao, &TracedAo::standard_error, &TracedAo::variance, &TracedAo::samples, &TracedAo::hit_distance}) {
+    (*ao.truth).*image = {};
+  }
+  ao.truth->bent_normal = {};
+}
+
+void drop_images(ImageMeasurement& shaded) {
+  if (shaded.raster) shaded.raster = ShadedImage{.counters = std::move(shaded.raster->counters)};
+  if (shaded.truth) *shaded.truth = {};
+  shaded.standard_error = {};
+  shaded.causes = {};
+  if (shaded.gbuffer_change) shaded.gbuffer_change = ImageMeasurement::GBufferChange{};
+}
+
 }  // namespace
 
-LayeredImage layers_of(const SceneFacts& scene, const Measurement& measurement) {
-  LayeredImage image;
-  const GBuffer& gbuffer = measurement.surfels.gbuffer;
+void move_to_layers(const SceneFacts& scene, Measurement& measurement) {
+  LayeredImage& image = measurement.layers;
+  GBuffer& gbuffer = measurement.surfels.gbuffer;
   for (const ShadowMeasurement& shadow : measurement.shadows) add_shadow(image, scene.layer(shadow.light), shadow);
   if (measurement.ao) add_ao(image, *measurement.ao);
   if (measurement.image) add_image(image, scene, *measurement.image);
@@ -120,7 +155,37 @@ LayeredImage layers_of(const SceneFacts& scene, const Measurement& measurement) 
   const dmat4 view_from = view_from_world(measurement.surfels.view);
   image.world_to_camera = mat4(view_from);
   image.world_to_ndc = mat4(clip_from_view(measurement.surfels.view) * view_from);
-  return image;
+  measurement.picture = {};
+  for (ShadowMeasurement& shadow : measurement.shadows) drop_images(shadow);
+  if (measurement.ao) drop_images(*measurement.ao);
+  if (measurement.image) drop_images(*measurement.image);
+  GBuffer kept;
+  kept.width = gbuffer.width;
+  kept.height = gbuffer.height;
+  kept.instance = std::move(gbuffer.instance);
+  gbuffer = std::move(kept);
+}
+
+const Image<float>* find_channel(const LayeredImage& layers, std::string_view name) {
+  const auto found = std::find_if(layers.channels.begin(), layers.channels.end(),
+                                  [&](const Channel& channel) { return channel.name == name; });
+  return found == layers.channels.end() ? nullptr : &found->values;
+}
+
+const Image<float>* find_values(const LayeredImage& layers, Layer layer, std::string_view light) {
+  return find_channel(layers, layer_name(layer, light) + ".Y");
+}
+
+Image<vec3> colors_of(const LayeredImage& layers, Layer layer) {
+  const std::string name = layer_name(layer);
+  Image<vec3> colors;
+  for (int c = 0; c < 3; ++c) {
+    const Image<float>* values = find_channel(layers, (name.empty() ? "" : name + ".") + color_channels[c]);
+    if (values == nullptr) return {};
+    if (colors.empty()) colors = Image<vec3>(values->width, values->height);
+    for (std::size_t i = 0; i < values->size(); ++i) colors[i][c] = (*values)[i];
+  }
+  return colors;
 }
 
 std::vector<NamedLayer> named_layers(const LayeredImage& image) {

@@ -17,6 +17,7 @@
 #include "compare/unresolved_taps.h"
 #include "compare/visibility.h"
 #include "experiments/settings/experiment.h"
+#include "reports/files/exr.h"
 #include "results/bias_advice.h"
 #include "results/metric_columns.h"
 #include "results/shadow_shape.h"
@@ -133,10 +134,12 @@ struct DebugView {
   Image<glm::u8vec3> picture;
 };
 
+/// While it is measured, each part has its own images; move_to_layers() then makes one set of named layers of them.
 struct Measurement {
   Experiment experiment;  ///< the parameters of all parts
   Surfels surfels;
   Image<vec3> picture{};  ///< the view, shaded; linear, 1 is about white
+  LayeredImage layers{};  ///< images.exr
   std::vector<ShadowMeasurement> shadows{};
   std::optional<AoMeasurement> ao{};
   std::optional<ImageMeasurement> image{};

@@ -74,12 +74,12 @@ struct TuneJudgement {
 };
 
 struct TuneSummary {
-  const std::vector<TuneAxis>& axes;
-  const std::vector<std::string>& cases;  ///< their titles
-  const TuneGoal& goal;
-  const TuneGoal& shown;  ///< the goal, with the columns that are only shown
-  const TuneResult& result;
-  const TuneJudgement& judgement;
+  std::vector<TuneAxis> axes;
+  std::vector<std::string> cases;  ///< their titles
+  TuneGoal goal;
+  TuneGoal shown;  ///< the goal, with the columns that are only shown
+  TuneResult result;
+  TuneJudgement judgement;
 };
 
 }  // namespace umbrameter

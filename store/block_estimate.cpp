@@ -7,7 +7,7 @@
 #include "compare/visibility.h"
 #include "core/jackknife.h"
 #include "core/quantiles.h"
-#include "results/layer_description.h"
+#include "results/layers.h"
 #include "store/run_comparison.h"
 
 namespace umbrameter {
@@ -34,8 +34,8 @@ struct StoredImages {
 StoredImages images_of(const StoredRun& run, const MeasuredStatistic& statistic) {
   StoredImages images;
   std::string light;
-  const auto find = [&](Layer layer) { return find_channel(run, layer_name(layer, light) + ".Y"); };
-  images.position = find_channel(run, layer_name(Layer::gbuffer_position) + ".X");
+  const auto find = [&](Layer layer) { return find_values(run.images, layer, light); };
+  images.position = find_channel(run.images, layer_name(Layer::gbuffer_position) + ".X");
   if (statistic.kind == "shadow") {
     const auto layer = run.layers.find(statistic.light);
     if (layer == run.layers.end()) return images;

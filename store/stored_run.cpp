@@ -1,6 +1,5 @@
 #include "store/stored_run.h"
 
-#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -63,14 +62,6 @@ StoredRun read_stored_run(const std::filesystem::path& folder) {
   std::error_code error;
   if (std::filesystem::is_regular_file(folder / "images.exr", error)) run.images = read_exr(folder / "images.exr");
   return run;
-}
-
-const Image<float>* find_channel(const StoredRun& run, const std::string& name) {
-  if (!run.images) return nullptr;
-  const std::vector<Channel>& channels = run.images->channels;
-  const auto found =
-      std::find_if(channels.begin(), channels.end(), [&](const Channel& channel) { return channel.name == name; });
-  return found == channels.end() ? nullptr : &found->values;
 }
 
 }  // namespace umbrameter

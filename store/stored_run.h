@@ -22,14 +22,11 @@ struct StoredRun {
   std::vector<std::pair<std::string, std::string>> parameters;   ///< full name, value as in summary.json
   std::vector<std::pair<std::string, std::string>> environment;  ///< "OpenGL", "Mesa llvmpipe"
   std::map<std::string, std::string> layers;     ///< of each light, by its name: part of its layers' names
-  std::optional<LayeredImage> images;            ///< nothing if the run has no images.exr
+  LayeredImage images;                           ///< without channels if the run has no images.exr
   std::optional<AoStageStatistics> ao_stages{};  ///< if the run measured the stages of ambient occlusion
 };
 
 /// Throws Error (unreadable_input) if the folder holds no finished run that compared something, or a damaged one.
 StoredRun read_stored_run(const std::filesystem::path& folder);
-
-/// Null if there is no such channel.
-const Image<float>* find_channel(const StoredRun& run, const std::string& name);
 
 }  // namespace umbrameter

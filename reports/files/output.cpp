@@ -143,6 +143,14 @@ void write_whole(const fs::path& path, const std::function<void(const fs::path&)
   if (error) throw_write_error(path, error.value());
 }
 
+void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to) {
+  write_whole(to, [&](const std::filesystem::path& temporary) {
+    std::error_code error;
+    std::filesystem::copy_file(from, temporary, std::filesystem::copy_options::overwrite_existing, error);
+    if (error) throw_write_error(to, error.value());
+  });
+}
+
 void write_text(const fs::path& path, std::string_view text) {
   write_whole(path, [&](const fs::path& temporary) {
     const int error = write_bytes(temporary, text);

@@ -28,6 +28,9 @@ void write_text(const std::filesystem::path& path, std::string_view text);
 void write_pieces(const std::filesystem::path& path,
                   const std::function<void(const std::function<void(std::string_view)>&)>& fill);
 
+/// write_whole() of a copy of a file.
+void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// Removes what processes that are no more have left half-written in the folder, by the functions above and on this
 /// machine.
 void remove_abandoned(const std::filesystem::path& folder);

@@ -135,15 +135,18 @@ void ready_settings(Json& settings) {
   settings["changed"] = std::move(changed);
 }
 
+constexpr std::pair<const char*, const char*> file_meanings[] = {
+    {"images.exr", "all images as float layers"},    {"sweep.csv", "all cells of the sweep"},
+    {"tuned.toml", "settings with the best values"}, {"evaluations.csv", "all evaluated points"},
+    {"experiment.toml", "settings of this run"},     {"summary.json", "all numbers, for programs"}};
+
 Json files_data(const fs::path& folder) {
-  static constexpr std::pair<const char*, const char*> files[] = {
-      {"images.exr", "all images as float layers"},    {"sweep.csv", "all cells of the sweep"},
-      {"tuned.toml", "settings with the best values"}, {"evaluations.csv", "all evaluated points"},
-      {"experiment.toml", "settings of this run"},     {"summary.json", "all numbers, for programs"}};
+  const std::vector<std::string> linked = linked_files(folder);
   Json list = Json::array();
-  for (const auto& [name, meaning] : files) {
-    std::error_code error;
-    if (fs::is_regular_file(folder / name, error)) list.push_back({{"name", name}, {"meaning", meaning}});
+  for (const auto& [name, meaning] : file_meanings) {
+    if (std::find(linked.begin(), linked.end(), name) != linked.end()) {
+      list.push_back({{"name", name}, {"meaning", meaning}});
+    }
   }
   return list;
 }
@@ -265,6 +268,15 @@ void fold_figures(Json& section, const std::set<std::string>& layers) {
 }
 
 }  // namespace
+
+std::vector<std::string> linked_files(const fs::path& folder) {
+  std::vector<std::string> files;
+  for (const auto& [name, meaning] : file_meanings) {
+    std::error_code error;
+    if (fs::is_regular_file(folder / name, error)) files.emplace_back(name);
+  }
+  return files;
+}
 
 void write_page(const fs::path& folder, const Report& report, const ViewerPack* viewer) {
   Json page = page_data(folder, report);

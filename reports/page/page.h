@@ -50,6 +50,9 @@ struct Report {
   std::size_t cells_section = 0;  ///< the table of all cells stands before this section
 };
 
+/// The files beside a page that it links to, each where the folder has it.
+std::vector<std::string> linked_files(const std::filesystem::path& folder);
+
 /// Writes DIR/index.html with the figures of DIR/figures inlined and its data as JSON. Refers to no other file. The
 /// page is complete without its script, which adds the image viewer and the table of all cells, and sorts tables.
 void write_page(const std::filesystem::path& folder, const Report& report, const ViewerPack* viewer = nullptr);

@@ -35,7 +35,7 @@ TEST_F(AoStagesRun, Compare_writes_stages_that_add_up_and_their_images) {
   for (std::string line; std::getline(csv, line);) ++lines;
   EXPECT_EQ(lines, 23u);
   EXPECT_NE(summary["files"].dump().find("ao_stages.csv"), std::string::npos);
-  expect_same_figures_in_report(folder_ / "out", folder_ / "again", {"ao_stages.svg", "ao_stage_hidden.png"});
+  expect_same_page_in_report(folder_ / "out", folder_ / "again", {"ao_stages.svg", "ao_stage_hidden.png"});
 }
 
 TEST_F(AoStagesRun, Without_the_flag_nothing_of_it_is_measured) {

@@ -6,6 +6,7 @@
 
 #include "core/jackknife.h"
 #include "core/quantiles.h"
+#include "results/layers.h"
 #include "store/run_comparison.h"
 #include "tests/app/gl_run.h"
 
@@ -33,13 +34,13 @@ const MeasuredStatistic& statistic(const StoredRun& run, const std::string& name
 }
 
 bool is_counted(const StoredRun& run, std::size_t i) {
-  const float pixel = (*find_channel(run, "class_sun.Y"))[i];
+  const float pixel = (*find_channel(run.images, "class_sun.Y"))[i];
   return pixel <= 4.0f;
 }
 
 TEST_F(CauseLayers, Of_a_filter_add_up_to_the_absolute_error_of_each_counted_pixel) {
   const StoredRun stored = box("box", "0.2texels");
-  const Image<float>& error = *find_channel(stored, "error_visibility_sun.Y");
+  const Image<float>& error = *find_channel(stored.images, "error_visibility_sun.Y");
   std::array<std::size_t, 4> pixels{};
   std::size_t of_several = 0;
   for (std::size_t i = 0; i < error.size(); ++i) {
@@ -47,7 +48,7 @@ TEST_F(CauseLayers, Of_a_filter_add_up_to_the_absolute_error_of_each_counted_pix
     float sum = 0.0f;
     int present = 0;
     for (std::size_t c = 0; c < causes.size(); ++c) {
-      const Image<float>* share = find_channel(stored, std::string(causes[c]) + "_sun.Y");
+      const Image<float>* share = find_channel(stored.images, std::string(causes[c]) + "_sun.Y");
       ASSERT_NE(share, nullptr) << causes[c];
       sum += (*share)[i];
       present += (*share)[i] > 0.0f ? 1 : 0;
@@ -63,14 +64,15 @@ TEST_F(CauseLayers, Of_a_filter_add_up_to_the_absolute_error_of_each_counted_pix
 
 TEST_F(CauseLayers, Of_one_tap_are_the_class_layer_alone) {
   const StoredRun stored = run("nearest", {"--shadow.filter", "nearest"});
-  EXPECT_NE(find_channel(stored, "class_sun.Y"), nullptr);
-  for (const char* cause : causes) EXPECT_EQ(find_channel(stored, std::string(cause) + "_sun.Y"), nullptr) << cause;
+  EXPECT_NE(find_channel(stored.images, "class_sun.Y"), nullptr);
+  for (const char* cause : causes)
+    EXPECT_EQ(find_channel(stored.images, std::string(cause) + "_sun.Y"), nullptr) << cause;
 }
 
 // 8 × 8 blocks of 16 × 9 pixels in 128 × 72 pixels.
 TEST_F(CauseLayers, Give_a_filtered_map_intervals_and_paired_differences_of_its_causes) {
   const StoredRun stored = box("box", "0.2texels");
-  const Image<float>& acne = *find_channel(stored, "acne_sun.Y");
+  const Image<float>& acne = *find_channel(stored.images, "acne_sun.Y");
   struct Sum {
     double share = 0.0;
     double pixels = 0.0;

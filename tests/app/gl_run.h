@@ -46,15 +46,17 @@ inline Image<dvec3> vectors(const LayeredImage& file, const std::string& layer) 
   return values;
 }
 
-/// Draws the figures of a finished run again, by `report`, and requires that each is the run's own, to the byte.
-inline void expect_same_figures_in_report(const std::filesystem::path& run, const std::filesystem::path& report,
-                                          const std::set<std::string>& among) {
+/// Makes the page and the figures of a finished run again, by `report`, and requires that each is the run's own, to the
+/// byte.
+inline void expect_same_page_in_report(const std::filesystem::path& run, const std::filesystem::path& report,
+                                       const std::set<std::string>& among = {}) {
   const ProgramResult result = run_program({"report", run.string(), "-o", report.string()});
   ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(text_of(report / "index.html") == text_of(run / "index.html"));
   std::set<std::string> drawn;
-  for (const auto& entry : std::filesystem::directory_iterator(report / "figures")) {
+  for (const auto& entry : std::filesystem::directory_iterator(run / "figures")) {
     const std::string name = entry.path().filename().string();
-    EXPECT_TRUE(text_of(entry.path()) == text_of(run / "figures" / name)) << name;
+    EXPECT_TRUE(text_of(entry.path()) == text_of(report / "figures" / name)) << name;
     drawn.insert(name);
   }
   for (const std::string& name : among) EXPECT_EQ(drawn.count(name), 1u) << name;

@@ -176,11 +176,10 @@ struct SampledRuns {
         mean_square += (e * e - static_cast<double>(variance[i])) / (side * side);
         mean += e / (side * side);
       }
-      runs[run].images.emplace();
-      add_layer(*runs[run].images, "error_ao", error[run]);
-      add_layer(*runs[run].images, "truth_ao", truth);
-      add_layer(*runs[run].images, "truth_ao_variance", variance);
-      add_layer(*runs[run].images, "gbuffer_position", Image<vec3>(side, side, vec3(1.0f)));
+      add_layer(runs[run].images, "error_ao", error[run]);
+      add_layer(runs[run].images, "truth_ao", truth);
+      add_layer(runs[run].images, "truth_ao_variance", variance);
+      add_layer(runs[run].images, "gbuffer_position", Image<vec3>(side, side, vec3(1.0f)));
       for (const auto& [name, value] : {std::pair("rmse", std::sqrt(mean_square)), std::pair("mean_error", mean)}) {
         MeasuredStatistic measured;
         measured.kind = "ao";

@@ -145,8 +145,7 @@ TEST_F(SweepOutputs, Agree_on_the_cell_of_least_error_over_bias_and_resolution) 
   EXPECT_DOUBLE_EQ(shadow.at("constant_bias").at("texels"), bias / texel);
   EXPECT_DOUBLE_EQ(shadow.at("constant_bias").at("normalised_depth"),
                    bias / shadow.at("map").at("far_depth_m").get<double>());
-  expect_same_figures_in_report(out(), folder_ / "again",
-                                {"mae.svg", "causes.pdf", "pareto_front.png", "class_sun.svg"});
+  expect_same_page_in_report(out(), folder_ / "again", {"mae.svg", "causes.pdf", "pareto_front.png", "class_sun.svg"});
   EXPECT_EQ(shadow.at("map").at("resolution_texels"), summary["cell"].at("shadow.resolution"));
   const std::string page = text_of(out() / "index.html");
   EXPECT_NEAR(std::stod("0" + table_text(page, "Constant bias of these images", "along the light")), bias, 1e-6);
@@ -158,7 +157,7 @@ TEST_F(SweepOutputs, Agree_on_the_cell_of_least_error_over_ambient_occlusion) {
   const Json summary = sweep("corner", {"ao.radius=0.25,1", "ao.samples=8,16"});
   expect_one_cell(out(), summary, summary.at("ao").at("statistics"), "Ambient occlusion error");
   EXPECT_EQ(summary.at("shadows").size(), 0u);
-  expect_same_figures_in_report(out(), folder_ / "again", {"mae.svg", "error_ao.png"});
+  expect_same_page_in_report(out(), folder_ / "again", {"mae.svg", "error_ao.png"});
   const std::string samples = summary.at("cell").at("ao.samples").dump();
   const std::string radius = summary["cell"].at("ao.radius") == 1.0 ? "1 m" : "25 cm";
   EXPECT_NE(text_of(out() / "index.html").find(samples + " samples, radius " + radius), std::string::npos);

@@ -116,7 +116,8 @@ StoredRun run_of(Stages& stages, const Experiment& experiment, SweptQuantity qua
     run.statistics.push_back(measured);
   }
   measurement.picture = picture_of(stages, measurement);
-  run.images = layers_of(stages.facts(), measurement);
+  move_to_layers(stages.facts(), measurement);
+  run.images = std::move(measurement.layers);
   return run;
 }
 

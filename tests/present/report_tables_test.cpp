@@ -15,9 +15,9 @@ StoredRun stored_shadow(const std::vector<std::pair<std::string, double>>& stati
   StoredRun run;
   run.name = "run";
   run.layers["sun"] = "sun";
-  run.images.emplace();
-  for (const auto& [name, values] : layers) add_layer(*run.images, name + "_sun", values);
-  add_layer(*run.images, "gbuffer_position", Image<vec3>(image_side, image_side, vec3(1.0f)));
+
+  for (const auto& [name, values] : layers) add_layer(run.images, name + "_sun", values);
+  add_layer(run.images, "gbuffer_position", Image<vec3>(image_side, image_side, vec3(1.0f)));
   for (const auto& [name, value] : statistics) {
     MeasuredStatistic& measured = run.statistics.emplace_back();
     measured.kind = "shadow";

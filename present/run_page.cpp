@@ -1,0 +1,214 @@
+#include "present/run_page.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <utility>
+
+#include "present/ao_stages_report.h"
+#include "present/debug_views_report.h"
+#include "present/error_backdrop.h"
+#include "present/page_viewer.h"
+#include "present/shadow_shape_report.h"
+#include "present/sweep_cells.h"
+#include "present/sweep_report.h"
+#include "present/tune_images.h"
+#include "present/tune_report.h"
+#include "reports/figures/error_image.h"
+#include "reports/files/text_layout.h"
+
+namespace umbrameter {
+namespace {
+
+std::vector<Presentation> measured_parts(const SceneFacts& scene, const Measurement& measurement) {
+  std::vector<Presentation> parts;
+  const LayeredImage& layers = measurement.layers;
+  if (!measurement.image) parts.push_back(present_picture(layers));
+  for (const ShadowMeasurement& shadow : measurement.shadows) {
+    parts.push_back(present_shadow(scene, layers, shadow));
+    if (shadow.shape) present_shape(parts.back(), scene, shadow);
+  }
+  if (measurement.ao) parts.push_back(present_ao(layers, *measurement.ao));
+  if (measurement.ao && measurement.ao->stages) parts.push_back(present_ao_stages(layers, *measurement.ao));
+  if (measurement.image) parts.push_back(present_image(scene, layers, *measurement.image));
+  if (!measurement.debug_views.empty()) parts.push_back(present_debug_views(measurement));
+  return parts;
+}
+
+// The cell of least error.
+Presentation present_cell(const RunResults& results, const std::string& cell) {
+  const Measurement& measurement = *results.measurement;
+  const LayeredImage& layers = measurement.layers;
+  Presentation part;
+  if (measurement.ao) {
+    part = present_ao(layers, *measurement.ao);
+  } else if (measurement.image) {
+    part = present_image(results.scene, layers, *measurement.image);
+  } else {
+    // Without the advice that the page's bias slider needs: the sweep's own part has recommended a bias.
+    ShadowMeasurement shadow = measurement.shadows.front();
+    shadow.advice.reset();
+    part = present_shadow(results.scene, layers, shadow);
+  }
+  // The sweep's own part has the answer.
+  part.lines = {"cell of least error: " + cell};
+  for (const std::string& answer : std::exchange(part.answers, {})) part.lines.push_back("  " + answer);
+  part.section.title += " in the cell of least error";
+  part.section.text = fmt::format("This section shows the cell {}.\n\n", cell) + part.section.text;
+  return part;
+}
+
+void present_rows(RunPage& page, const RunResults& results, const SweepResults& rows) {
+  const SweepFindings& sweep = *results.sweep;
+  const std::vector<Value> least = least_row(rows);
+  page.sweep = SweepSummary{rows.plan.cells, {}, open_ends(rows, sweep.best)};
+  for (std::size_t a = 0; a < rows.plan.axes.size(); ++a) {
+    page.sweep->least.emplace_back(rows.plan.axes[a].key, least[a]);
+  }
+  page.parts.push_back(present_sweep(rows, sweep.best, sweep.curves, page.sweep->open_ends));
+  page.parts.push_back(present_cell(results, cell_text(rows, least)));
+  page.parts.push_back(present_picture(results.measurement->layers));
+  page.viewer = sweep.images;
+}
+
+void leave_out_figures(RunPage& page) {
+  page.viewer = {};
+  for (Presentation& part : page.parts) {
+    part.images.clear();
+    part.plots.clear();
+    part.heat_maps.clear();
+    part.waterfalls.clear();
+    part.section.figures.clear();
+    part.section.figure_titles.clear();
+    part.section.captions.clear();
+  }
+}
+
+// "1280×720 pixels, camera overview, 95,204 triangles".
+std::string subtitle_of(const SceneFacts& scene, const View& view) {
+  return fmt::format("{}×{} pixels, camera {}, {} triangles", view.width, view.height,
+                     view.camera.name.empty() ? "without a name" : view.camera.name, grouped(scene.triangles));
+}
+
+void add_head(Report& report, const RunResults& results) {
+  const std::string scene = scene_title(results.experiment);
+  if (results.tune) {
+    const std::size_t cases = results.tune->summary.cases.size();
+    const std::size_t scenes = results.tune->scenes;
+    report.title = fmt::format("{}{}: tuning", scene, scenes > 1 ? fmt::format(" and {} more", scenes - 1) : "");
+    report.subtitle = fmt::format("{}, {}×{} pixels", cases == 1 ? "1 case" : fmt::format("{} cases", cases),
+                                  results.experiment.view.size.width, results.experiment.view.size.height);
+    report.command = fmt::format("umbrameter compare -c {} -o OUT", tuned_file);
+    return;
+  }
+  const std::string what = results.sweep                  ? "sweep"
+                           : results.command == "compare" ? "technique against reference"
+                           : results.command == "trace"   ? "reference"
+                                                          : "technique";
+  report.title = scene + ": " + what;
+  report.subtitle = subtitle_of(results.scene, results.measurement->surfels.view);
+  report.command = fmt::format("umbrameter {} -c experiment.toml -o OUT", results.command);
+}
+
+// Captions of images as completed by complete_error_images().
+void set_captions(ReportSection& section, const std::vector<ImageFigure>& images) {
+  for (std::size_t i = 0; i < section.figures.size(); ++i) {
+    for (const ImageFigure& image : images) {
+      if (image.stem == section.figures[i]) section.captions[i] = image.caption;
+    }
+  }
+}
+
+}  // namespace
+
+RunPage present_run(const RunResults& results, const SweepResults* rows, const PageOptions& options) {
+  RunPage page;
+  if (results.tune) {
+    page.parts.push_back(present_tuning(results.tune->summary));
+    page.viewer = add_tune_images(page.parts.back(), results.scene, *results.tune);
+  } else if (rows != nullptr) {
+    present_rows(page, results, *rows);
+  } else {
+    page.parts = measured_parts(results.scene, *results.measurement);
+  }
+  if (!options.with_figures) leave_out_figures(page);
+  return page;
+}
+
+std::vector<std::string> figure_files(const std::vector<ReportSection>& sections) {
+  std::vector<std::string> files;
+  for (const ReportSection& section : sections) {
+    for (const std::string& stem : section.figures) {
+      for (const char* format : {".svg", ".pdf", ".png"}) files.push_back("figures/" + stem + format);
+    }
+  }
+  return files;
+}
+
+std::vector<std::string> figure_files(const RunPage& page) {
+  std::vector<ReportSection> sections;
+  for (const Presentation& part : page.parts) sections.push_back(part.section);
+  return figure_files(sections);
+}
+
+std::vector<std::string> draw_figures(const std::filesystem::path& folder, const Console& console,
+                                      const RunResults& results, RunPage& page, const PageOptions& options) {
+  if (!options.with_figures) return {};
+  Figures figures;
+  for (Presentation& part : page.parts) {
+    std::move(part.images.begin(), part.images.end(), std::back_inserter(figures.images));
+    std::move(part.plots.begin(), part.plots.end(), std::back_inserter(figures.plots));
+    std::move(part.heat_maps.begin(), part.heat_maps.end(), std::back_inserter(figures.heat_maps));
+    std::move(part.waterfalls.begin(), part.waterfalls.end(), std::back_inserter(figures.waterfalls));
+  }
+  FigureStyle style = options.style;
+  ErrorImages errors;
+  if (results.measurement) {
+    const View& view = results.measurement->surfels.view;
+    style.view = {view.width, view.height};
+    errors = error_images_of(figures.images, results.measurement->layers);
+    complete_error_images(figures.images, errors, style);
+  }
+  for (Presentation& part : page.parts) set_captions(part.section, figures.images);
+  ProgressBar bar(console, "figures");
+  return write_figures(folder / "figures", figures, errors, style,
+                       [&](std::size_t done, std::size_t all) {
+                         bar.show(static_cast<double>(done) / static_cast<double>(all),
+                                  fmt::format("{} of {}", done, all));
+                       })
+      .problems;
+}
+
+void write_run_page(const std::filesystem::path& folder, const RunResults& results, const SweepResults* rows,
+                    const RunPage& page, const std::vector<std::string>& problems, const PageOptions& options) {
+  Report report;
+  add_head(report, results);
+  report.notes = results.notes;
+  report.notes.insert(report.notes.end(), problems.begin(), problems.end());
+  if (!options.with_figures) {
+    report.notes.emplace_back("This page has no pictures: the run used --no-figures. Rerun without it to draw them.");
+  }
+  ReportSection diagnostics;
+  diagnostics.title = "Diagnostics";
+  for (const Presentation& part : page.parts) {
+    report.sections.push_back(part.section);
+    report.answers.insert(report.answers.end(), part.answers.begin(), part.answers.end());
+    for (const std::string& text : part.details) {
+      diagnostics.text += (diagnostics.text.empty() ? "" : "\n\n") + text;
+    }
+  }
+  if (!diagnostics.text.empty()) report.sections.push_back(std::move(diagnostics));
+  Experiment experiment = results.experiment;
+  // An experiment file may have axes that this run does not use.
+  if (!results.sweep && !results.tune) experiment.axes.clear();
+  report.settings = settings_table(std::move(experiment));
+  if (rows != nullptr) report.cells = report_cells(*rows, results.experiment, results.sweep->cells);
+  ViewerPack packed;
+  const bool is_packed = !page.viewer.sets.empty();
+  if (options.with_figures && !is_packed && results.measurement) {
+    add_set(packed, viewer_data(results.scene, *results.measurement, results.full_images));
+  }
+  write_page(folder, report, is_packed ? &page.viewer : &packed);
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,46 @@
+// From the results of a run to its page and figures, for the command that ran and for `report`.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "present/presentation.h"
+#include "present/summary.h"
+#include "reports/files/console.h"
+#include "reports/page/viewer_data.h"
+#include "results/run_results.h"
+#include "store/sweep_results.h"
+
+namespace umbrameter {
+
+struct PageOptions {
+  FigureStyle style{};
+  bool with_figures = true;  ///< else no figures/ folder, and the page says so
+};
+
+/// The parts of a run in the order of its page, without figures if the options say so.
+struct RunPage {
+  std::vector<Presentation> parts;
+  std::optional<SweepSummary> sweep{};
+  ViewerPack viewer{};
+};
+
+/// `rows` are those of a sweep, else null.
+RunPage present_run(const RunResults& results, const SweepResults* rows, const PageOptions& options);
+
+/// "figures/error_ao.svg" and so on, of the figures that the sections show.
+std::vector<std::string> figure_files(const std::vector<ReportSection>& sections);
+std::vector<std::string> figure_files(const RunPage& page);
+
+/// Draws the figures into DIR/figures, in parallel, and completes their captions. Returns a line for each that could
+/// not be made.
+std::vector<std::string> draw_figures(const std::filesystem::path& folder, const Console& console,
+                                      const RunResults& results, RunPage& page, const PageOptions& options);
+
+/// Writes DIR/index.html from the figures in DIR/figures.
+void write_run_page(const std::filesystem::path& folder, const RunResults& results, const SweepResults* rows,
+                    const RunPage& page, const std::vector<std::string>& problems, const PageOptions& options);
+
+}  // namespace umbrameter

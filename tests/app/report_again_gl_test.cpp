@@ -1,0 +1,62 @@
+// `report` on one run: the very page of the run, from what is stored alone.
+#include "tests/app/gl_run.h"
+
+namespace umbrameter {
+namespace {
+
+class ReportAgain : public GlRun {
+ protected:
+  std::string out(const std::vector<std::string>& arguments) const {
+    const ProgramResult result = run_program(words(words(arguments, small), {"-o", folder_ / "out"}));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return folder_ / "out";
+  }
+};
+
+TEST_F(ReportAgain, Of_compare_is_its_page_with_everything_that_a_run_can_measure) {
+  const std::string run =
+      out({"compare", "contact-box", "--measure", "image", "--shading.path", "deferred", "--overlay", "shadow-map",
+           "--ao-stages", "--shimmer", "--run.metrics", "ssim,edge-roughness", "--full-images"});
+  expect_same_page_in_report(run, folder_ / "again", {"overlay.svg", "cause_image.png", "ao_stages.svg"});
+}
+
+TEST_F(ReportAgain, Of_an_area_light_without_causes_is_its_page) {
+  expect_same_page_in_report(out({"compare", "two-occluders", "--light", "sun", "--light.angle", "4"}),
+                             folder_ / "again", {"error_visibility_sun.svg"});
+}
+
+TEST_F(ReportAgain, Of_a_sweep_of_the_bias_is_its_page_with_formula_and_images_of_cells) {
+  const std::string run = out({"sweep", "tilted-plane", "--vary", "shadow.constant-bias=0:0.2:9", "--vary",
+                               "shadow.resolution=128,256,512", "--vary", "shadow.filter=nearest,box"});
+  expect_same_page_in_report(run, folder_ / "again", {"formula.svg", "mae_lines_0.svg"});
+}
+
+TEST_F(ReportAgain, Of_a_tuning_is_its_page_with_the_images_of_both_points) {
+  const std::string run = out({"tune", "corner", "--vary", "shadow.constant-bias=0:8texels", "--vary",
+                               "shadow.filter=nearest,box", "--over", "view.light=all", "--evaluations", "8"});
+  expect_same_page_in_report(run, folder_ / "again", {"best_error_visibility_sun.png"});
+}
+
+TEST_F(ReportAgain, Names_a_damaged_value_and_shows_that_of_another_version_from_its_layers) {
+  const std::string run = out({"compare", "contact-box", "--measure", "visibility", "--no-figures"});
+  const std::string path = run + "/run.bin";
+  const std::string whole = text_of(path);
+  std::string damaged = whole;
+  damaged[whole.size() / 2] = static_cast<char>(damaged[whole.size() / 2] ^ 4);
+  put_text(path, damaged);
+  const ProgramResult refused = run_program({"report", run, "-o", folder_ / "again"});
+  EXPECT_EQ(refused.exit_code, 4);
+  EXPECT_NE(refused.err.find("run.bin: it does not match its checksum; rerun the command"), std::string::npos)
+      << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "again/index.html"));
+
+  std::string other = whole;
+  other[20] = other[20] == '0' ? '1' : '0';  // in the hash of the layout of all structs
+  put_text(path, other);
+  const ProgramResult shown = run_program({"report", run, "-o", folder_ / "again", "--no-figures"});
+  EXPECT_EQ(shown.exit_code, 0) << shown.err;
+  EXPECT_NE(text_of(folder_ / "again/index.html").find("All statistics"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace umbrameter
