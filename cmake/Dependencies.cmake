@@ -1,7 +1,6 @@
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
 find_package(glm REQUIRED)
-find_package(Boost 1.75 REQUIRED)  # PFR
 find_package(TBB REQUIRED)
 find_package(meshoptimizer REQUIRED)
 find_package(draco REQUIRED)

@@ -134,7 +134,10 @@ void drop_images(AoMeasurement& ao) {
 }
 
 void drop_images(ImageMeasurement& shaded) {
-  if (shaded.raster) shaded.raster = ShadedImage{.counters = std::move(shaded.raster->counters)};
+  if (shaded.raster) {
+    shaded.raster->radiance = {};
+    shaded.raster->light_buffer = {};
+  }
   if (shaded.truth) *shaded.truth = {};
   shaded.standard_error = {};
   shaded.causes = {};

@@ -43,7 +43,7 @@ struct RunResults {
   Experiment experiment;             ///< as given, of a tuning that of the first scene; axes are not applied to it
   SceneFacts scene;                  ///< of a tuning the first
   std::string embree;                ///< version
-  std::string opengl;                ///< renderer; empty when OpenGL was not used
+  std::string opengl{};              ///< renderer; empty when OpenGL was not used
   std::vector<std::string> notes{};  ///< every assumption made
   bool full_images = false;          ///< the page gets every pixel of large images, too
   std::optional<Measurement> measurement{};  ///< of a sweep that of the cell of least error; none of a tuning

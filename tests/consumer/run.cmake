@@ -21,7 +21,7 @@ elseif(NOT result EQUAL 0)
 endif()
 execute_process(COMMAND ${prefix}/bin/umbrameter --version COMMAND_ERROR_IS_FATAL ANY)
 foreach(file share/bash-completion/completions/umbrameter share/zsh/site-functions/_umbrameter
-             share/fish/vendor_completions.d/umbrameter.fish share/man/man1/umbrameter.1)
+             share/fish/vendor_completions.d/umbrameter.fish share/man/man1/umbrameter.1.gz)
   if(NOT EXISTS ${prefix}/${file})
     message(FATAL_ERROR "${file} is not installed")
   endif()

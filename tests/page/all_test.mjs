@@ -9,3 +9,4 @@ await import('./page_test.mjs');
 await import('./sweep_test.mjs');
 await import('./look_test.mjs');
 await import('./layout_test.mjs');
+await import('./gallery_test.mjs');
