@@ -52,9 +52,7 @@ Figures stored_sweep_figures(const std::filesystem::path& folder) {
   std::vector<MetricColumn> metrics = swept_metrics(experiment, *statistics);
   std::erase_if(metrics, [&](const MetricColumn& metric) { return !has_column(description, metric.name); });
   const SweepResults results{parameters, plan, store, *statistics, {}, metrics};
-  std::optional<BiasCurves> curves = read_bias_curves(results);
-  if (curves && curves->unit == LengthUnit::map_depth) curves->laws.clear();
-  Presentation presentation = present_sweep(results, best_rows(results), curves, {});
+  Presentation presentation = present_sweep(results, best_rows(results), read_bias_curves(results), {});
   return {{}, std::move(presentation.plots), std::move(presentation.heat_maps), {}};
 }
 

@@ -7,8 +7,8 @@
 
 namespace umbrameter {
 
-/// The plots and heat maps that the sweep itself draws; none if no cell has counted pixels. Left out is the fit of a
-/// bias in the depth of the map, whose length depends on the scene. Throws Error as load_experiment() and
+/// The plots and heat maps that the sweep itself draws; none if no cell has counted pixels. Left out are formulas
+/// of the bias, which depend on the scene. Throws Error as load_experiment() and
 /// ResultsStore::load() do, and (unreadable_input) if both files belong to different sweeps.
 Figures stored_sweep_figures(const std::filesystem::path& folder);
 
