@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "present/presentation_parts.h"
-#include "present/scene_report.h"
 #include "reports/files/text_layout.h"
 #include "results/known_statistics.h"
 #include "results/layer_description.h"

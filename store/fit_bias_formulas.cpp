@@ -8,8 +8,6 @@
 #include <iterator>
 #include <tuple>
 
-#include "results/number_text.h"
-
 namespace umbrameter {
 namespace {
 
