@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
 
 #include "app/command_help.h"
 #include "scenes/builtin.h"

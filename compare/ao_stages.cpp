@@ -1,7 +1,6 @@
 #include "compare/ao_stages.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 

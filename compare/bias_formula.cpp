@@ -8,18 +8,19 @@
 namespace umbrameter {
 namespace {
 
-constexpr double min_slope_share = 0.05;      // of b, below which b / a is noise
 constexpr double axis_variance = 1.0 / 12.0;  // of a place anywhere within a step of the axis, in steps²
 
 using Fact = double (*)(const FormulaPoint&);
-double texel_of(const FormulaPoint& point) { return point.fit.texel; }
+double texel_of(const FormulaPoint& point) { return point.texel; }
 double depth_per_texel_of(const FormulaPoint& point) { return point.facts.depth_per_texel; }
+double slope_of(const FormulaPoint& point) { return point.facts.depth_per_texel / point.texel; }
 double radius_of(const FormulaPoint& point) { return point.facts.radius; }
 double depth_step_of(const FormulaPoint& point) { return point.facts.depth_step; }
 
 FormulaRange range_of(std::span<const FormulaPoint> points, Fact fact) {
   std::vector<double> values;
-  for (const FormulaPoint& point : points) values.push_back(fact(point));
+  for (const FormulaPoint& point : points)
+    if (std::isfinite(fact(point))) values.push_back(fact(point));
   if (values.empty()) return {};
   std::sort(values.begin(), values.end());
   FormulaRange range{values.front(), values.back(), 1};
@@ -30,7 +31,7 @@ FormulaRange range_of(std::span<const FormulaPoint> points, Fact fact) {
 
 double median_step(std::span<const FormulaPoint> points) {
   std::vector<double> steps;
-  for (const FormulaPoint& point : points) steps.push_back(point.fit.step);
+  for (const FormulaPoint& point : points) steps.push_back(point.step);
   if (steps.empty()) return 0.0;
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), middle, steps.end());
@@ -84,7 +85,7 @@ std::vector<FormulaPoint> independent_points(std::span<const FormulaPoint> point
   std::vector<double> merged;  // points in each
   for (const FormulaPoint& point : points) {
     const auto found = std::find_if(independent.begin(), independent.end(), [&](const FormulaPoint& other) {
-      return is_equal(point.fit.texel, other.fit.texel) && std::all_of(terms.begin(), terms.end(), [&](FormulaTerm t) {
+      return is_equal(point.texel, other.texel) && std::all_of(terms.begin(), terms.end(), [&](FormulaTerm t) {
                return is_equal(length_of(t, point), length_of(t, other));
              });
     });
@@ -95,8 +96,8 @@ std::vector<FormulaPoint> independent_points(std::span<const FormulaPoint> point
     }
     double& count = merged[static_cast<std::size_t>(found - independent.begin())];
     count += 1.0;
-    found->fit.bias += (point.fit.bias - found->fit.bias) / count;
-    found->fit.step += (point.fit.step - found->fit.step) / count;
+    found->bias += (point.bias - found->bias) / count;
+    found->step += (point.step - found->step) / count;
   }
   return independent;
 }
@@ -124,15 +125,18 @@ bool is_outside(const BiasFormula& formula, const FormulaPoint& point) {
 }
 
 std::optional<BiasFormula> fit_formula(std::span<const FormulaPoint> all) {
+  const auto has_radius = [](const FormulaPoint& point) { return std::isfinite(point.facts.radius); };
+  const bool needs_radius = std::any_of(all.begin(), all.end(), has_radius);
   std::vector<FormulaPoint> points;
   for (const FormulaPoint& point : all) {
-    if (std::isfinite(point.facts.depth_per_texel) && std::isfinite(point.facts.radius)) points.push_back(point);
+    if (std::isfinite(point.facts.depth_per_texel) && (!needs_radius || has_radius(point))) points.push_back(point);
   }
   BiasFormula formula;
   formula.points = points.size();
   formula.axis_step = median_step(points);
   formula.texel = range_of(points, texel_of);
   formula.depth_per_texel = range_of(points, depth_per_texel_of);
+  formula.slope = range_of(points, slope_of);
   formula.radius = range_of(points, radius_of);
   formula.depth_step = range_of(points, depth_step_of);
   const std::vector<FormulaTerm> terms = choose_terms(formula);
@@ -144,8 +148,8 @@ std::optional<BiasFormula> fit_formula(std::span<const FormulaPoint> all) {
   std::vector<double> right;
   for (const FormulaPoint& point : fitted) {
     LeastSquaresRow& row = rows.emplace_back();
-    for (std::size_t t = 0; t < count; ++t) row[t] = length_of(terms[t], point) / point.fit.step;
-    right.push_back(point.fit.bias / point.fit.step);
+    for (std::size_t t = 0; t < count; ++t) row[t] = length_of(terms[t], point) / point.step;
+    right.push_back(point.bias / point.step);
   }
   const std::optional<LeastSquares> solved = solve_least_squares(rows, right, count);
   if (!solved) return std::nullopt;
@@ -157,19 +161,10 @@ std::optional<BiasFormula> fit_formula(std::span<const FormulaPoint> all) {
     formula.terms[static_cast<std::size_t>(terms[t])] =
         Fitted{solved->value[t], std::sqrt(std::max(solved->covariance[t][t], 0.0) * variance)};
   }
-  const std::optional<Fitted>& slope = formula.term(FormulaTerm::slope);
-  const std::optional<Fitted>& radius = formula.term(FormulaTerm::slope_radius);
-  if (slope && radius && std::abs(slope->value) > min_slope_share * std::abs(radius->value)) {
-    // The slope's term is the second and the radius's the third of those that are used.
-    const auto& covariance = solved->covariance;
-    const double b = radius->value / slope->value;
-    const double relative = covariance[2][2] + b * b * covariance[1][1] - 2.0 * b * covariance[1][2];
-    formula.per_radius = Fitted{b, std::sqrt(std::max(relative, 0.0) * variance) / std::abs(slope->value)};
-  }
   for (const FormulaPoint& point : points) {
-    const double residual = std::abs(point.fit.bias - bias_of(formula, point));
+    const double residual = std::abs(point.bias - bias_of(formula, point));
     formula.residual += residual * residual;
-    formula.residual_texels += residual * residual / (point.fit.texel * point.fit.texel);
+    formula.residual_texels += residual * residual / (point.texel * point.texel);
     formula.worst_residual = std::max(formula.worst_residual, residual);
   }
   const auto size = static_cast<double>(points.size());

@@ -10,14 +10,20 @@
 #include <vector>
 
 #include "compare/bias_facts.h"
-#include "compare/bias_law.h"
 
 namespace umbrameter {
 
-/// A bias of one configuration, and its facts.
+/// A bias of one configuration on a sweep axis, known to within one step of that axis, and its facts.
 struct FormulaPoint {
-  FitPoint fit;
-  BiasFacts facts;
+  double texel = 0.0;  ///< mean side of a texel, metres
+  double bias = 0.0;   ///< constant bias, metres
+  double step = 1.0;   ///< width of the interval between axis values that contains the bias, metres
+  BiasFacts facts{};
+};
+
+struct Fitted {
+  double value = 0.0;
+  double standard_error = 0.0;
 };
 
 /// The terms of the formula, each with its factor: a length in metres times an unknown.
@@ -38,15 +44,15 @@ struct BiasFormula {
   std::size_t independent = 0;  ///< those that differ in what the terms depend on; only they count in the fit
   /// Of the term's length: c0 in metres, a, b per texel, q. Empty where the term was refused.
   std::array<std::optional<Fitted>, formula_term_count> terms{};
-  std::optional<Fitted> per_radius{};  ///< b / a, 1/texels; its standard error to first order
   std::vector<std::string> refused{};  ///< why terms are absent: "filter radius: 1 value, at least 2 are needed"
   double residual = 0.0;               ///< RMS, metres
   double residual_texels = 0.0;        ///< RMS, in units of each point's texel
   double worst_residual = 0.0;         ///< largest, metres
-  double axis_step = 0.0;              ///< median of FitPoint::step, metres
+  double axis_step = 0.0;              ///< median of FormulaPoint::step, metres
   FormulaRange texel;                  ///< mean side of a texel, metres
   FormulaRange depth_per_texel;        ///< metres
-  FormulaRange radius;                 ///< texels
+  FormulaRange slope;                  ///< the same in units of each point's texel
+  FormulaRange radius;                 ///< texels; no values where a search finds the radius of each pixel
   FormulaRange depth_step;             ///< metres
 
   const std::optional<Fitted>& term(FormulaTerm which) const { return terms[static_cast<std::size_t>(which)]; }
@@ -66,9 +72,9 @@ inline constexpr std::size_t min_formula_values = 2;
 /// Least squares with each point weighted by 1/step². Points that agree in all that the terms depend on count as one,
 /// their mean. Terms whose fact takes fewer than min_formula_values values are
 /// refused, as is that of the depth step if its values differ by less than the median step of the bias axis. Standard
-/// errors come from the scatter, which counts as no less than that of biases anywhere within their step. Points of
-/// which a fact is not finite are left out. Empty without a term besides c0, or with no more independent points than
-/// unknowns.
+/// errors come from the scatter, which counts as no less than that of biases anywhere within their step. Points are
+/// left out whose depth per texel is not finite, and those whose radius is not known, unless no point's is. Empty
+/// without a term besides c0, or with no more independent points than unknowns.
 std::optional<BiasFormula> fit_formula(std::span<const FormulaPoint> points);
 
 }  // namespace umbrameter

@@ -1,12 +1,10 @@
 #include "compare/unresolved_taps.h"
 
-#include <algorithm>
 #include <cassert>
 
-#include "compare/bias_response.h"
 #include "core/error.h"
+#include "techniques/shadow/reference/facet.h"
 #include "techniques/shadow/reference/ordered.h"
-#include "techniques/shadow/reference/same_surface.h"
 
 namespace umbrameter {
 namespace {

@@ -7,11 +7,12 @@
 #include <span>
 #include <vector>
 
+#include "core/gbuffer.h"
 #include "scenes/scene.h"
 #include "techniques/shadow/causes.h"
 #include "techniques/shadow/filter.h"
 #include "techniques/shadow/histogram.h"
-#include "techniques/shadow/reference/lookup.h"
+#include "techniques/shadow/map_layout.h"
 
 namespace umbrameter {
 

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "present/plot_axes.h"
 #include "results/number_text.h"
 
 namespace umbrameter {

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "present/plot_axes.h"
-#include "store/read_bias_curves.h"
 
 namespace umbrameter {
 namespace {
@@ -281,40 +280,6 @@ PlotFigure front_plot(const Drawing& drawing) {
   return plot;
 }
 
-// Nothing where no law was fitted.
-std::optional<PlotFigure> law_plot(const Drawing& drawing) {
-  std::vector<Value> others;
-  for (const std::size_t a : outer_axes_as_given(drawing.plan())) {
-    if (a != drawing.part.line_axis) others.push_back(drawing.part.values[a]);
-  }
-  PlotFigure plot = make_plot(drawing, "bias_fit", "Bias against texel size", {"texel", "mean texel size [m]"},
-                              {"bias", "constant bias [m]"});
-  plot.series = "line";
-  plot.series_label = "choice";
-  plot.mark = "read";
-  plot.data.columns = plain_columns({"texel", "bias", "line", "read"});
-  plot.caption = "Lines: fits. Rings: the fitted biases, one per resolution.";
-  double largest = 0.0;
-  for (const BiasCurve& curve : drawing.curves.curves) largest = std::max(largest, curve.optima.mean_texel);
-  for (const CurveLaw& law : drawing.curves.laws) {
-    if (!law.law || law.others != others) continue;
-    const std::string name = law_names[static_cast<std::size_t>(law.of)];
-    for (const double texel : {0.0, largest}) {
-      plot.data.rows.push_back({texel, bias_of(*law.law, texel, law.law->first_slope), name, false});
-    }
-    for (std::size_t line = 0; line < drawing.lines(); ++line) {
-      const BiasCurve* curve = curve_at(drawing, line);
-      if (curve == nullptr) continue;
-      const auto point = fit_point(drawing.curves, law.of, curve->optima.lines[drawing.slope], curve->optima.mean_texel,
-                                   curve->depth_unit);
-      if (point) plot.data.rows.push_back({point->texel, point->bias, name, true});
-    }
-    plot.caption += fmt::format(" Fit of {}: bias ≈ {}, {}.", name, law_text(*law.law), residual_text(*law.law));
-  }
-  if (plot.data.rows.empty()) return std::nullopt;
-  return plot;
-}
-
 // The axes that figures show none of: each combination has figures of its own.
 std::vector<std::size_t> still_axes(const SweepPlan& plan, std::optional<std::size_t> line_axis) {
   std::vector<std::size_t> axes = outer_axes_as_given(plan);
@@ -387,7 +352,6 @@ void add_bias_figures(Presentation& presentation, const SweepResults& sweep, con
     chart("mae_lines", {{"bias", drawing.constant_key}}, "row");
     if (is_room()) add_figure(presentation, front_plot(drawing));
     chart("pareto_front", {{"acne", "acne"}, {"peter_panning", "peter_panning"}}, "line");
-    if (std::optional<PlotFigure> law = law_plot(drawing); law && is_room()) add_figure(presentation, *law);
     if (is_room()) {
       add_figure(presentation, causes_plot(drawing, "other_causes", "False occlusion and light leak against bias",
                                            {Cause::false_occlusion, Cause::light_leak}));

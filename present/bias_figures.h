@@ -1,5 +1,5 @@
-// The figures of a sweep over the constant bias: causes and error against it, error over both biases, the front of acne
-// against peter-panning, and the law.
+// The figures of a sweep over the constant bias: causes and error against it, error over both biases, and the front of
+// acne against peter-panning.
 #pragma once
 
 #include "present/bias_report.h"

@@ -14,7 +14,7 @@ int power_of(double number) { return static_cast<int>(std::floor(std::log10(std:
 
 // As many significant digits as leave two of the standard error.
 int digits_of(const Fitted& fitted) {
-  const double error = fitted.standard_error.value_or(0.0);
+  const double error = fitted.standard_error;
   if (!(error > 0.0) || fitted.value == 0.0) return 3;
   return std::clamp(power_of(fitted.value) - power_of(error) + 2, 1, 4);
 }

@@ -21,16 +21,18 @@ constexpr const char* method =
 constexpr std::size_t max_formula_plots = 3;
 
 const Value empty_cell = std::string();
-const char* name_of(const CurveFormula& of) { return law_names[static_cast<std::size_t>(of.of)]; }
+const char* name_of(const CurveFormula& of) { return formula_names[static_cast<std::size_t>(of.of)]; }
 
 std::string range_text(const FormulaRange& range, const auto& text_of) {
-  if (range.min == range.max) return text_of(range.min);
-  return text_of(range.min) + " to " + text_of(range.max);
+  if (range.values == 0) return "unknown";
+  const std::string min = text_of(range.min);
+  const std::string max = text_of(range.max);
+  return min == max ? min : min + " to " + max;
 }
 std::string length_range(const FormulaRange& range) {
   return range_text(range, [](double metres) { return metres_text(metres); });
 }
-std::string radius_range(const FormulaRange& range) {
+std::string texel_range(const FormulaRange& range) {
   return range_text(range, [](double texels) { return fmt::format("{:.3g}", texels); });
 }
 
@@ -87,14 +89,14 @@ Table formulas_table(const BiasCurves& curves) {
       for (const std::optional<Fitted>& fitted : formula.terms) {
         if (fitted) {
           const Fitted shown = rounded(*fitted);
-          row.insert(row.end(), {shown.value, *shown.standard_error});
+          row.insert(row.end(), {shown.value, shown.standard_error});
         } else {
           row.insert(row.end(), 2, empty_cell);
         }
       }
       row.insert(row.end(), {formula.residual, formula.residual_texels, formula.worst_residual,
                              length_range(formula.texel), length_range(formula.depth_per_texel),
-                             radius_range(formula.radius), length_range(formula.depth_step)});
+                             texel_range(formula.radius), length_range(formula.depth_step)});
     }
     row.resize(table.columns.size(), empty_cell);
     table.rows.push_back(std::move(row));
@@ -145,42 +147,58 @@ std::vector<std::vector<Value>> settings_of(const BiasCurves& curves) {
 }
 
 std::string ranges_text(const BiasFormula& formula) {
-  std::string text = fmt::format("fitted over texels of {}, Δz of {}, r of {} texels", length_range(formula.texel),
-                                 length_range(formula.depth_per_texel), radius_range(formula.radius));
+  std::string text = fmt::format("fitted over texels of {}, Δz of {} ({} texels)", length_range(formula.texel),
+                                 length_range(formula.depth_per_texel), texel_range(formula.slope));
+  if (formula.radius.values > 0) text += fmt::format(", r of {} texels", texel_range(formula.radius));
   if (formula.term(FormulaTerm::depth_step)) text += ", δ of " + length_range(formula.depth_step);
   return text;
 }
 
-// What each formula misses at each of its points.
+// Over the resolution alone, the bias against the texel size; else what each formula misses at each of its points.
 PlotFigure formula_plot(const BiasCurves& curves, const std::vector<Value>& setting) {
+  const bool is_over_texel = curves.formula_axes.size() == 1 && curves.formula_axes.front().name == resolution_key;
   PlotFigure plot;
-  plot.stem = "formula";
-  plot.title = "Bias by the formula less the measured bias";
+  plot.stem = is_over_texel ? "bias_fit" : "formula";
+  plot.title = is_over_texel ? "Bias against texel size" : "Bias by the formula less the measured bias";
   plot.conditions = setting_text(curves.of_a_formula, setting);
-  plot.caption = fmt::format("Points: one for each combination of {}. Above 0 the formula's bias is larger.",
-                             names_of(curves.formula_axes));
+  plot.caption = is_over_texel ? "Lines: formulas. Rings: the measured biases, one per resolution."
+                               : fmt::format(
+                                     "Points: one for each combination of {}. Above 0 the formula's bias is "
+                                     "larger.",
+                                     names_of(curves.formula_axes));
   plot.series = "formula";
   plot.series_label = "formula of";
-  plot.is_scatter = true;
-  for (const char* name : {"measured", "missed", "formula"}) plot.data.columns.push_back({name, "", ""});
+  plot.is_scatter = !is_over_texel;
+  if (is_over_texel) plot.mark = "measured";
+  for (const char* name : {"x", "y", "formula", "measured"}) plot.data.columns.push_back({name, "", ""});
   double least = std::numeric_limits<double>::infinity();
   double largest = -least;
   for (const CurveFormula* of : formulas_at(curves, setting)) {
     if (!of->formula) continue;
     for (const FormulaPoint& point : of->points) {
-      const double missed = bias_of(*of->formula, point) - point.fit.bias;
-      if (!std::isfinite(missed)) continue;
+      const double bias = bias_of(*of->formula, point);
+      if (!std::isfinite(bias)) continue;
+      const std::string name = name_of(*of);
+      if (is_over_texel) {
+        plot.data.rows.push_back({point.texel, bias, name, false});
+        plot.data.rows.push_back({point.texel, point.bias, name, true});
+        continue;
+      }
+      const double missed = bias - point.bias;
       const bool is_rounding = std::abs(missed) < formula_rounding * of->formula->axis_step;
-      least = std::min(least, point.fit.bias);
-      largest = std::max(largest, point.fit.bias);
-      plot.data.rows.push_back(
-          {point.fit.bias, is_rounding ? 0.0 : missed / point.fit.texel, std::string(name_of(*of))});
+      least = std::min(least, point.bias);
+      largest = std::max(largest, point.bias);
+      plot.data.rows.push_back({point.bias, is_rounding ? 0.0 : missed / point.texel, name, true});
     }
     plot.caption += fmt::format(" {}: {}, {}.", name_of(*of), formula_text(*of->formula), residual_text(*of->formula));
   }
   plot.caption += fmt::format(" {}.", formula_symbols);
-  plot.x = {"measured", "measured bias [m]", least > 0.0 && largest > 10.0 * least};
-  plot.y = {"missed", "formula less measured bias [texels]"};
+  plot.x = {"x", "measured bias [m]", least > 0.0 && largest > 10.0 * least};
+  plot.y = {"y", "formula less measured bias [texels]"};
+  if (is_over_texel) {
+    plot.x.label = "mean texel size [m]";
+    plot.y.label = "constant bias [m]";
+  }
   return plot;
 }
 
@@ -211,7 +229,8 @@ Json formula_json(const BiasCurves& curves, const CurveFormula& of) {
   object["independent_points"] = formula.independent;
   object["bias_m"] = expression(formula);
   for (std::size_t t = 0; t < formula_term_count; ++t) {
-    if (formula.terms[t]) object[keys[t]] = fitted_json(*formula.terms[t]);
+    if (const std::optional<Fitted>& term = formula.terms[t])
+      object[keys[t]] = {{"value", term->value}, {"standard_error", term->standard_error}};
   }
   object["not_in_the_formula"] = formula.refused;
   object["residual_m"] = formula.residual;
@@ -219,8 +238,9 @@ Json formula_json(const BiasCurves& curves, const CurveFormula& of) {
   object["largest_residual_m"] = formula.worst_residual;
   object["fitted_over"] = {{"texel_m", range_json(formula.texel)},
                            {"depth_per_texel_m", range_json(formula.depth_per_texel)},
-                           {"radius_texels", range_json(formula.radius)},
+                           {"depth_per_texel_texels", range_json(formula.slope)},
                            {"depth_step_m", range_json(formula.depth_step)}};
+  if (formula.radius.values > 0) object["fitted_over"]["radius_texels"] = range_json(formula.radius);
   return object;
 }
 
@@ -236,12 +256,12 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
     presentation.lines.push_back(text);
     return;
   }
-  section.tables.push_back({"Formulas of the bias over several axes",
+  section.tables.push_back({"Formulas of the bias",
                             formulas_table(curves),
                             {"left out", "error of c0", "error for Δz", "error for r·Δz", "error for δ",
                              "residual in texels", "largest residual"}});
   section.text += fmt::format(
-      "\n\nThe table 'Formulas of the bias over several axes' fits bias ≈ c0 + (a + b·r)·Δz + q·δ over {} by {}. {}. "
+      "\n\nThe table 'Formulas of the bias' fits bias ≈ c0 + (a + b·r)·Δz + q·δ over {} by {}. {}. "
       "Use a formula only within the range that it was fitted over.",
       names_of(curves.formula_axes), method, formula_symbols);
   const std::vector<std::vector<Value>> settings = settings_of(curves);

@@ -42,44 +42,11 @@ Json curve_json(const BiasCurves& curves, const BiasCurve& curve) {
   return object;
 }
 
-void add_law(Json& object, const BiasFit& law) {
-  object["points"] = law.points;
-  object["c0_m"] = fitted_json(law.constant);
-  object["c1_tangent_texels"] = fitted_json(law.per_texel);
-  object["residual_m"] = law.residual;
-  object["residual_texels"] = law.residual_texels;
-}
-
-Json law_json(const BiasCurves& curves, const CurveLaw& law) {
-  Json object = {{"bias", law_names[static_cast<std::size_t>(law.of)]},
-                 {"at", row_json(curves.of_a_law, law.others)},
-                 {"left_out", law.left_out}};
-  if (law.law) {
-    object["slope_bias_texels"] = law.law->first_slope;
-    add_law(object, *law.law);
-  }
-  if (law.over_slopes) {
-    Json over = Json::object();
-    add_law(over, *law.over_slopes);
-    over["from_slope_bias_texels"] = law.over_slopes->first_slope;
-    if (law.over_slopes->tangent) over["tangent"] = fitted_json(*law.over_slopes->tangent);
-    if (law.over_slopes->slope_factor) over["c1_texels"] = fitted_json(*law.over_slopes->slope_factor);
-    object["over_slope_biases"] = over;
-  }
-  return object;
-}
-
 }  // namespace
 
-nlohmann::ordered_json fitted_json(const Fitted& fitted) {
-  return {{"value", fitted.value},
-          {"standard_error", fitted.standard_error ? Json(*fitted.standard_error) : Json(nullptr)}};
-}
-
 nlohmann::ordered_json to_json(const BiasCurves& curves) {
-  Json object = {{"combinations", curves.combinations}, {"biases", Json::array()}, {"laws", Json::array()}};
+  Json object = {{"combinations", curves.combinations}, {"biases", Json::array()}};
   for (const BiasCurve& curve : curves.curves) object["biases"].push_back(curve_json(curves, curve));
-  for (const CurveLaw& law : curves.laws) object["laws"].push_back(law_json(curves, law));
   if (!curves.formulas.empty()) object["formulas"] = formulas_json(curves);
   return object;
 }

@@ -16,13 +16,6 @@ void present_bias(Presentation& presentation, const BiasCurves& curves);
 
 /// A bias for people: "12.5 mm (0.43 texels)", with the slope-scaled bias if that is varied.
 std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell);
-/// "1.2 mm + 0.87 texels".
-std::string law_text(const BiasFit& law);
-/// "RMS residual 3.9 mm (0.2 texels)".
-std::string residual_text(const BiasFit& law);
-
-/// A coefficient in summary.json: value and standard error.
-nlohmann::ordered_json fitted_json(const Fitted& fitted);
 /// "curves" of summary.json.
 nlohmann::ordered_json to_json(const BiasCurves& curves);
 

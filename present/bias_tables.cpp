@@ -12,7 +12,6 @@ namespace umbrameter {
 namespace {
 
 constexpr std::size_t max_console_curves = 6;
-constexpr std::size_t max_console_laws = 2;
 constexpr std::size_t max_rows_by_slope = 400;
 
 const Value nothing = std::string();
@@ -31,9 +30,9 @@ std::vector<NamedBias> choices_of(const BiasCurve& curve, const BiasCurves& curv
   std::optional<BiasCell> recommended;
   if (curve.plateau && !curve.withheld) recommended = curve.plateau->recommended;
   std::vector<NamedBias> choices = {{"recommended", recommended},
-                                    {law_names[0], least_error(optima)},
-                                    {law_names[1], line.little_acne},
-                                    {law_names[2], line.acne_free},
+                                    {formula_names[0], least_error(optima)},
+                                    {formula_names[1], line.little_acne},
+                                    {formula_names[2], line.acne_free},
                                     {"least error without acne", best_without_acne(optima)},
                                     {"knee of the Pareto front", knee(optima.front)}};
   if (!curves.varies_constant) {
@@ -113,59 +112,6 @@ Table slopes_table(const BiasCurves& curves) {
   return table;
 }
 
-Value value_of(const std::optional<Fitted>& fitted) { return fitted ? Value(rounded(*fitted).value) : nothing; }
-Value error_of(const std::optional<Fitted>& fitted) {
-  return fitted && fitted->standard_error ? Value(*rounded(*fitted).standard_error) : nothing;
-}
-
-Table laws_table(const BiasCurves& curves) {
-  Table table;
-  table.columns = curves.of_a_law;
-  std::vector<Column> rest = {{"fit of", "", "which bias is fitted, at the slope-scaled bias nearest to 0"},
-                              {"points", "1", "fitted points: one per resolution"},
-                              {"left out", "1", "resolutions without such a bias on the axis"},
-                              {"c0", "m", "part of the bias that does not depend on the texel size"},
-                              {"error of c0", "m", "standard error"},
-                              {"c1·tan θ", "texels", "part of the bias proportional to the texel size"},
-                              {"error of c1·tan θ", "texels", "standard error"},
-                              {"residual", "m", "RMS residual of the fit"},
-                              {"residual in texels", "texels", "the same in texels of each resolution"}};
-  const std::size_t columns_of_a_law = rest.size();
-  if (curves.varies_slope) {
-    rest.insert(rest.end(),
-                {{"tan θ", "1", "slope of the surface that needs most bias, from a fit over all slope-scaled biases"},
-                 {"error of tan θ", "1", "standard error"},
-                 {"c1", "texels", "slope-scaled bias needed in addition to c0, from the same fit"},
-                 {"error of c1", "texels", "standard error, to first order"},
-                 {"residual over slopes", "texels", "RMS residual of that fit"}});
-  }
-  table.columns.insert(table.columns.end(), rest.begin(), rest.end());
-  for (const CurveLaw& law : curves.laws) {
-    std::vector<Value> row = law.others;
-    row.push_back(std::string(law_names[static_cast<std::size_t>(law.of)]));
-    row.emplace_back(static_cast<std::int64_t>(law.law ? law.law->points : 0));
-    row.emplace_back(static_cast<std::int64_t>(law.left_out));
-    if (law.law) {
-      for (const Fitted& fitted : {law.law->constant, law.law->per_texel}) {
-        row.push_back(value_of(fitted));
-        row.push_back(error_of(fitted));
-      }
-      row.insert(row.end(), {law.law->residual, law.law->residual_texels});
-    }
-    row.resize(curves.of_a_law.size() + columns_of_a_law, nothing);
-    if (law.over_slopes) {
-      for (const std::optional<Fitted>& fitted : {law.over_slopes->tangent, law.over_slopes->slope_factor}) {
-        row.push_back(value_of(fitted));
-        row.push_back(error_of(fitted));
-      }
-      row.emplace_back(law.over_slopes->residual_texels);
-    }
-    row.resize(table.columns.size(), nothing);
-    table.rows.push_back(std::move(row));
-  }
-  return table;
-}
-
 // No axis of biases and no interval justifies more digits. The values of the axes, in front, stay as they are.
 Table in_four_digits(Table table, std::size_t first_column) {
   for (std::vector<Value>& row : table.rows) {
@@ -205,18 +151,16 @@ std::string answer_of(const BiasCurves& curves, const BiasCurve& curve) {
   return text;
 }
 
-bool has_fit(const BiasCurves& curves) {
-  return std::ranges::any_of(curves.laws, [](const CurveLaw& law) { return law.law.has_value(); });
-}
-
 std::string explanation(const BiasCurves& curves) {
   std::string text =
       "\n\nThe table 'Recommended biases' gives each constant bias in metres along the light, in texels of mean size "
       "and as normalised depth; a dash means that no bias of the axis qualifies. 'Extra error' and 'extra "
-      "peter-panning' compare each choice with 'least error'. ";
-  text += has_fit(curves) ? "The fit bias ≈ c0 + c1·texel·tan θ has one point per resolution, weighted by the step of "
-                            "the bias axis there."
-                          : "A fit of the bias against texel size needs a bias axis and at least three resolutions.";
+      "peter-panning' compare each choice with 'least error'.";
+  if (curves.formulas.empty()) {
+    text +=
+        " A formula of the bias needs an axis of the constant bias, and one of the resolution, the light, the camera "
+        "or the filter.";
+  }
   if (curves.curves.size() < curves.combinations) {
     text += fmt::format(" The table lists {} of {} combinations of the other axes.", curves.curves.size(),
                         curves.combinations);
@@ -242,16 +186,6 @@ std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const Bi
   return text;
 }
 
-std::string law_text(const BiasFit& law) {
-  const double per_texel = rounded(law.per_texel).value;
-  return fmt::format("{} {} {:.3g} texels", metres_text(rounded(law.constant).value), per_texel < 0.0 ? "−" : "+",
-                     std::abs(per_texel));
-}
-
-std::string residual_text(const BiasFit& law) {
-  return fmt::format("RMS residual {} ({:.2g} texels)", metres_text(law.residual, 2), law.residual_texels);
-}
-
 void present_bias(Presentation& presentation, const BiasCurves& curves) {
   ReportSection& section = presentation.section;
   section.text += explanation(curves);
@@ -262,12 +196,6 @@ void present_bias(Presentation& presentation, const BiasCurves& curves) {
     section.tables.push_back({"Constant biases by slope-scaled bias",
                               in_four_digits(slopes_table(curves), curves.others.size() + 1),
                               {"at, in texels", "from, in texels", "none from, in texels"}});
-  if (has_fit(curves)) {
-    section.tables.push_back(
-        {"Fits of bias against texel size",
-         in_four_digits(laws_table(curves), curves.of_a_law.size()),
-         {"left out", "error of c0", "error of c1·tan θ", "residual in texels", "error of tan θ", "error of c1"}});
-  }
   present_formulas(presentation, curves);
 
   std::size_t printed = 0;
@@ -279,15 +207,6 @@ void present_bias(Presentation& presentation, const BiasCurves& curves) {
     }
     const std::string setting = setting_text(curves.others, curve.others);
     presentation.answers.push_back((setting.empty() ? "" : setting + ": ") + answer_of(curves, curve));
-  }
-  printed = 0;
-  for (const CurveLaw& law : curves.laws) {
-    if (!law.law || printed == max_console_laws || law.of == LawOf::no_acne) continue;
-    ++printed;
-    const std::string setting = setting_text(curves.of_a_law, law.others);
-    presentation.lines.push_back(fmt::format("fit ({}{}{}): bias ≈ {}, {}", law_names[static_cast<std::size_t>(law.of)],
-                                             setting.empty() ? "" : ", ", setting, law_text(*law.law),
-                                             residual_text(*law.law)));
   }
 }
 

@@ -4,7 +4,6 @@
 
 #include "present/presentation.h"
 #include "present/presentation_parts.h"
-#include "present/summary.h"
 #include "reports/files/value_json.h"
 
 namespace umbrameter {

@@ -8,7 +8,6 @@
 
 #include "present/error_backdrop.h"
 #include "present/presentation_parts.h"
-#include "present/scene_report.h"
 #include "reports/files/text_layout.h"
 #include "results/known_statistics.h"
 #include "results/layers.h"

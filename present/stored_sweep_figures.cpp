@@ -13,8 +13,7 @@ Figures stored_sweep_figures(const std::filesystem::path& folder) {
   const FinishedSweep sweep(folder);
   const SweepResults rows = sweep.rows();
   const std::optional<RunResults> run = read_run_value(folder, false);
-  std::optional<BiasCurves> curves = run ? run->sweep->curves : read_bias_curves(rows);
-  if (!run && curves && curves->unit == LengthUnit::map_depth) curves->laws.clear();
+  const std::optional<BiasCurves> curves = run ? run->sweep->curves : read_bias_curves(rows);
   Presentation presentation = present_sweep(rows, best_rows(rows), curves, {});
   return {{}, std::move(presentation.plots), std::move(presentation.heat_maps), {}};
 }

@@ -1,7 +1,6 @@
 #include "raytrace/surface_judge.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <mutex>

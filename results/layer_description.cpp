@@ -1,6 +1,5 @@
 #include "results/layer_description.h"
 
-#include <algorithm>
 #include <cassert>
 
 namespace umbrameter {

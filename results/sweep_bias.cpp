@@ -19,7 +19,7 @@ std::string setting_text(const std::vector<Column>& columns, const std::vector<V
 }
 
 Fitted rounded(const Fitted& fitted) {
-  const double error = fitted.standard_error.value_or(0.0);
+  const double error = fitted.standard_error;
   if (!(error > 0.0) || !std::isfinite(error)) return fitted;
   const int decimals = 1 - static_cast<int>(std::floor(std::log10(error)));
   const double scale = std::pow(10.0, std::abs(decimals));  // exact, unlike its reciprocal

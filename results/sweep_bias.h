@@ -10,7 +10,6 @@
 
 #include "compare/bias_curves.h"
 #include "compare/bias_formula.h"
-#include "compare/bias_law.h"
 #include "compare/bias_plateau.h"
 #include "compare/bias_units.h"
 #include "core/parameters.h"
@@ -25,29 +24,20 @@ struct BiasCurve {
   std::vector<Value> others;  ///< values of the other axes
   BiasOptima optima;
   double depth_unit = 0.0;               ///< mean_depth_unit()
-  BiasFacts facts{};                     ///< known if may_have_formula()
+  BiasFacts facts{};                     ///< known if there are other axes
   std::size_t first_cell = 0;            ///< of the sweep: the one with the first value of each bias
   std::optional<BiasPlateau> plateau{};  ///< along the constant bias, at the slope-scaled bias of least error
   BiasEvidence evidence{};
   std::optional<NoBias> withheld{};  ///< why plateau->recommended is not recommended
 };
 
-/// The bias of a BiasLine to which a law is fitted.
-enum class LawOf : int { least_error, little_acne, no_acne };
-inline constexpr std::array<const char*, 3> law_names = {"least error", "acne at most 0.1 %", "no acne"};
-
-/// The law over the resolutions, at one combination of the remaining axes.
-struct CurveLaw {
-  LawOf of = LawOf::least_error;
-  std::vector<Value> others;           ///< values of BiasCurves::of_a_law
-  std::optional<BiasFit> law;          ///< at the slope-scaled bias nearest to 0
-  std::size_t left_out = 0;            ///< resolutions that have no point for `law`
-  std::optional<BiasFit> over_slopes;  ///< at all slope-scaled biases; empty if they are not varied
-};
+/// The bias of a BiasLine to which a formula is fitted.
+enum class FormulaOf : int { least_error, little_acne, no_acne };
+inline constexpr std::array<const char*, 3> formula_names = {"least error", "acne at most 0.1 %", "no acne"};
 
 /// A formula over all axes along which a fact of the bias changes, at one combination of the remaining axes.
 struct CurveFormula {
-  LawOf of = LawOf::least_error;
+  FormulaOf of = FormulaOf::least_error;
   std::vector<Value> others;           ///< values of BiasCurves::of_a_formula
   std::optional<BiasFormula> formula;  ///< at the slope-scaled bias nearest to 0
   std::vector<FormulaPoint> points;    ///< what it is fitted to
@@ -57,15 +47,13 @@ struct CurveFormula {
 };
 
 struct BiasCurves {
-  std::vector<Column> others;    ///< the axes other than biases
-  std::vector<Column> of_a_law;  ///< the axes other than biases and the resolution
+  std::vector<Column> others;  ///< the axes other than biases
   bool varies_constant = false;
   bool varies_slope = false;
   std::vector<BiasCurve> curves;         ///< in the order of cells
-  std::vector<CurveLaw> laws;            ///< empty unless resolution and constant bias are varied
   std::vector<Column> formula_axes;      ///< the axes that enter the formulas through the facts that they change
   std::vector<Column> of_a_formula;      ///< the axes other than biases that do not
-  std::vector<CurveFormula> formulas;    ///< empty unless may_have_formula() and the constant bias is varied
+  std::vector<CurveFormula> formulas;    ///< empty unless the constant bias and such an axis are varied
   std::vector<double> constants;         ///< the axis of constant biases, ascending, in `unit`
   LengthUnit unit = LengthUnit::metres;  ///< of all constant biases
   std::size_t combinations = 0;          ///< number of curves in the sweep; only the first ones are read

@@ -1,6 +1,5 @@
 #include "scenes/light.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "scenes/fitted_camera.h"

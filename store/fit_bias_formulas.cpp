@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <tuple>
-
-#include "results/number_text.h"
-#include "store/read_bias_curves.h"
 
 namespace umbrameter {
 namespace {
@@ -47,7 +45,7 @@ std::vector<Value> select(const std::vector<Value>& values, const std::vector<st
 
 double rms_bias(const std::vector<FormulaPoint>& points) {
   double squares = 0.0;
-  for (const FormulaPoint& point : points) squares += point.fit.bias * point.fit.bias;
+  for (const FormulaPoint& point : points) squares += point.bias * point.bias;
   return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(points.size(), 1)));
 }
 
@@ -68,9 +66,9 @@ void add_fit_warnings(CurveFormula& of, const BiasFormula& formula) {
     if (!fitted) continue;
     ++unknowns;
     const bool is_constant = t == static_cast<std::size_t>(FormulaTerm::constant);
-    if (is_constant || !(std::abs(fitted->value) < min_significance * *fitted->standard_error)) continue;
+    if (is_constant || !(std::abs(fitted->value) < min_significance * fitted->standard_error)) continue;
     of.warnings.push_back(fmt::format("the factor of {}, {:.2g} with a standard error of {:.2g}, may be 0",
-                                      term_symbols[t], rounded(*fitted).value, *fitted->standard_error));
+                                      term_symbols[t], rounded(*fitted).value, fitted->standard_error));
   }
   if (formula.independent < formula.points) {
     of.warnings.push_back(
@@ -87,6 +85,27 @@ void add_fit_warnings(CurveFormula& of, const BiasFormula& formula) {
         "the RMS residual is {:.2g} % of the biases: they depend on more than these axes, so check the largest one",
         100.0 * share));
   }
+}
+
+// The curve's bias at the slope-scaled bias nearest to 0. Empty if there is none, or if it is at an end of the axis
+// beyond which it may lie: either end for the least error, the lower end for the least bias with little or no acne.
+std::optional<FormulaPoint> point_of(const BiasCurves& curves, const BiasCurve& curve, FormulaOf of) {
+  const BiasLine& line = flattest(curve.optima);
+  const bool is_least_error = of == FormulaOf::least_error;
+  const std::optional<BiasCell>& cell = is_least_error             ? line.least_error
+                                        : of == FormulaOf::no_acne ? line.acne_free
+                                                                   : line.little_acne;
+  if (!cell) return std::nullopt;
+  const std::vector<double>& axis = curves.constants;
+  const auto place = std::lower_bound(axis.begin(), axis.end(), cell->constant);
+  if (place == axis.begin() || (is_least_error && std::next(place) == axis.end())) return std::nullopt;
+  // The optimum lies within half an interval on each side, or within the interval below.
+  const double step = is_least_error ? 0.5 * (*std::next(place) - *std::prev(place)) : *place - *std::prev(place);
+  const double texel = curve.optima.mean_texel;
+  const double unit = curves.unit == LengthUnit::metres   ? 1.0
+                      : curves.unit == LengthUnit::texels ? texel
+                                                          : curve.depth_unit;
+  return FormulaPoint{texel, cell->constant * unit, step * unit, curve.facts};
 }
 
 struct LeftOut {
@@ -125,10 +144,6 @@ void add_warnings(const BiasCurves& curves, CurveFormula& of, const std::vector<
 
 }  // namespace
 
-bool may_have_formula(const std::vector<Column>& others) {
-  return others.size() > 1 || (others.size() == 1 && others.front().name != resolution_key);
-}
-
 void add_formulas(BiasCurves& curves) {
   std::vector<std::size_t> in_formula;
   std::vector<std::size_t> rest;
@@ -137,23 +152,22 @@ void add_formulas(BiasCurves& curves) {
     (is_in_formula ? curves.formula_axes : curves.of_a_formula).push_back(curves.others[a]);
     (is_in_formula ? in_formula : rest).push_back(a);
   }
-  if (!may_have_formula(curves.formula_axes)) return;
+  if (curves.formula_axes.empty()) return;
   std::vector<std::vector<Value>> settings;
   for (const BiasCurve& curve : curves.curves) {
     std::vector<Value> setting = select(curve.others, rest);
     if (std::find(settings.begin(), settings.end(), setting) == settings.end()) settings.push_back(std::move(setting));
   }
   for (const std::vector<Value>& setting : settings) {
-    for (const LawOf kind : {LawOf::least_error, LawOf::little_acne, LawOf::no_acne}) {
+    for (const FormulaOf kind : {FormulaOf::least_error, FormulaOf::little_acne, FormulaOf::no_acne}) {
       CurveFormula of{kind, setting, {}, {}, flattest(curves.curves.front().optima).slope, 0, {}};
       std::vector<LeftOut> left_out;
       for (const BiasCurve& curve : curves.curves) {
         if (select(curve.others, rest) != setting) continue;
-        const auto point = fit_point(curves, kind, flattest(curve.optima), curve.optima.mean_texel, curve.depth_unit);
-        if (point) {
-          of.points.push_back({*point, curve.facts});
+        if (const auto point = point_of(curves, curve, kind)) {
+          of.points.push_back(*point);
         } else {
-          left_out.push_back({select(curve.others, in_formula), {{}, curve.facts}});
+          left_out.push_back({select(curve.others, in_formula), {.facts = curve.facts}});
         }
       }
       of.left_out = left_out.size();

@@ -5,11 +5,8 @@
 
 namespace umbrameter {
 
-/// Whether a sweep that varies these axes besides biases may have a formula. The resolution alone has its law.
-bool may_have_formula(const std::vector<Column>& others);
-
 /// Fits the formulas to the curves, whose facts are known. An axis along which a fact changes belongs to the formula;
-/// each combination of the values of the remaining axes has separate ones.
+/// each combination of the values of the remaining axes has separate ones. None without an axis of the formula.
 void add_formulas(BiasCurves& curves);
 
 }  // namespace umbrameter

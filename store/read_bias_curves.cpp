@@ -60,7 +60,7 @@ void fill(BiasCurves& curves, const SweepResults& sweep, const MeasureBiasContex
       curve.first_cell =
           at - index_of(at, plan.constant_bias.stride, plan.constant_bias.values.size()) * plan.constant_bias.stride -
           index_of(at, plan.slope_bias.stride, plan.slope_bias.values.size()) * plan.slope_bias.stride;
-      const bool needs_facts = curves.varies_constant && may_have_formula(curves.others);
+      const bool needs_facts = curves.varies_constant && !others.empty();
       const BiasContext context = measure ? measure(values_at(plan, at), needs_facts) : BiasContext{};
       curve.evidence = context.evidence.value_or(evidence_of(statistics));
       curve.depth_unit = context.depth_unit;
@@ -111,59 +111,7 @@ void add_plateaus(BiasCurves& curves, const SweepResults& sweep) {
   }
 }
 
-void add_laws(BiasCurves& curves, std::size_t resolution) {
-  const auto without_resolution = [&](std::vector<Value> values) {
-    values.erase(values.begin() + static_cast<std::ptrdiff_t>(resolution));
-    return values;
-  };
-  std::vector<std::vector<Value>> combinations;
-  for (const BiasCurve& curve : curves.curves) {
-    const std::vector<Value> others = without_resolution(curve.others);
-    if (std::find(combinations.begin(), combinations.end(), others) == combinations.end()) {
-      combinations.push_back(others);
-    }
-  }
-  for (const std::vector<Value>& others : combinations) {
-    for (const LawOf of : {LawOf::least_error, LawOf::little_acne, LawOf::no_acne}) {
-      CurveLaw law{of, others, {}, 0, {}};
-      std::vector<FitPoint> flat;
-      std::vector<FitPoint> all;
-      for (const BiasCurve& curve : curves.curves) {
-        if (without_resolution(curve.others) != others) continue;
-        const double texel = curve.optima.mean_texel;
-        for (const BiasLine& line : curve.optima.lines) {
-          if (const auto point = fit_point(curves, of, line, texel, curve.depth_unit)) all.push_back(*point);
-        }
-        const auto point = fit_point(curves, of, flattest(curve.optima), texel, curve.depth_unit);
-        if (point) flat.push_back(*point);
-        if (!point) ++law.left_out;
-      }
-      law.law = fit_law(flat);
-      if (curves.varies_slope) law.over_slopes = fit_law(all);
-      curves.laws.push_back(std::move(law));
-    }
-  }
-}
-
 }  // namespace
-
-std::optional<FitPoint> fit_point(const BiasCurves& curves, LawOf of, const BiasLine& line, double mean_texel,
-                                  double depth_unit) {
-  const std::span<const double> axis = curves.constants;
-  std::optional<FitPoint> point;
-  if (of == LawOf::least_error) {
-    if (line.least_error) point = point_of_least_error(*line.least_error, mean_texel, axis);
-  } else {
-    const std::optional<BiasCell>& cell = of == LawOf::no_acne ? line.acne_free : line.little_acne;
-    if (cell) point = point_of_least_free(*cell, mean_texel, axis);
-  }
-  if (point && curves.unit != LengthUnit::metres) {
-    const double metres = curves.unit == LengthUnit::texels ? mean_texel : depth_unit;
-    point->bias *= metres;
-    point->step *= metres;
-  }
-  return point;
-}
 
 std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep, const MeasureBiasContext& measure) {
   const SweepPlan& plan = sweep.plan;
@@ -175,13 +123,10 @@ std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep, const Meas
   if (!curves.varies_constant && !curves.varies_slope) return std::nullopt;
 
   const std::vector<std::size_t> others = outer_axes_as_given(plan);
-  std::optional<std::size_t> resolution;
   curves.combinations = 1;
   for (const std::size_t a : others) {
     const std::string& key = plan.axes[a].key;
-    if (key == resolution_key) resolution = curves.others.size();
     curves.others.push_back({key, plan.axes[a].unit, require(sweep.parameters, key).description.meaning});
-    if (key != resolution_key) curves.of_a_law.push_back(curves.others.back());
     curves.combinations *= plan.axes[a].values.size();
   }
   BiasCurve empty;
@@ -196,8 +141,7 @@ std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep, const Meas
   curves.unit = plan.constant_unit;
   std::sort(curves.constants.begin(), curves.constants.end());
   if (curves.varies_constant) add_plateaus(curves, sweep);
-  if (resolution && curves.varies_constant) add_laws(curves, *resolution);
-  if (measure && curves.varies_constant && may_have_formula(curves.others)) add_formulas(curves);
+  if (measure && curves.varies_constant) add_formulas(curves);
   return curves;
 }
 

@@ -24,9 +24,4 @@ using MeasureBiasContext = std::function<BiasContext(const std::vector<Value>& v
 /// Without `measure`, depths are not converted and there are no formulas.
 std::optional<BiasCurves> read_bias_curves(const SweepResults& sweep, const MeasureBiasContext& measure = {});
 
-/// The line's bias as a point of the fit, in metres for any unit of the axis. Empty if the line has no such bias, or if
-/// this is at an end of the axis beyond which the optimum may lie.
-std::optional<FitPoint> fit_point(const BiasCurves& curves, LawOf of, const BiasLine& line, double mean_texel,
-                                  double depth_unit);
-
 }  // namespace umbrameter

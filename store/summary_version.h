@@ -8,7 +8,7 @@
 namespace umbrameter {
 
 /// Raise it when a key is removed, renamed or gets another meaning or unit; a new key leaves it as it is.
-inline constexpr int summary_schema_version = 1;
+inline constexpr int summary_schema_version = 2;
 
 /// The keys that every summary.json begins with: "schema_version", "program" and "command".
 nlohmann::ordered_json summary_head(const std::string& command);

@@ -1,7 +1,6 @@
 #include "experiments/measure/bias_advice.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "experiments/measure/measure_biases.h"

@@ -1,7 +1,6 @@
 #include "experiments/measure/contact_sheet.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "compare/metrics/color_space.h"
 #include "core/error.h"

@@ -12,7 +12,6 @@
 #include <system_error>
 
 #include "core/content_hash.h"
-#include "core/error.h"
 #include "reports/files/output.h"
 #include "reports/files/text_layout.h"
 

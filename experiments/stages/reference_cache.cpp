@@ -8,7 +8,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/error.h"
 #include "experiments/stages/byte_size.h"
 #include "reports/files/text_layout.h"
 

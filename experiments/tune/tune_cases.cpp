@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
-#include "core/error.h"
 #include "experiments/stages/reference_key.h"
 
 namespace umbrameter {

@@ -1,7 +1,6 @@
 #include "experiments/tune/tune_journal.h"
 
 #include <cerrno>
-#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>

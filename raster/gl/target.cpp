@@ -1,7 +1,5 @@
 #include "raster/gl/target.h"
 
-#include <cassert>
-
 #include "raster/gl/api.h"
 
 namespace umbrameter::gl {

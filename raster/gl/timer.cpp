@@ -1,7 +1,6 @@
 #include "raster/gl/timer.h"
 
 #include <chrono>
-#include <ctime>
 
 #include "raster/gl/api.h"
 

@@ -183,7 +183,7 @@ float texel_at(Receiver receiver) {
   return float(side);
 }
 
-// Metres per unit of constant bias at a receiver: bias_unit_of() of techniques/shadow/reference/lookup.cpp.
+// Metres per unit of constant bias at a receiver: bias_unit_of() of tests/support/reference/taps.cpp.
 float bias_unit_of(Receiver receiver, float texel) {
   if (bias_unit == BIAS_IN_TEXELS) return texel;
   if (bias_unit != BIAS_IN_MAP_DEPTH) return 1.0;

@@ -42,7 +42,7 @@ Pattern make_pattern(Lookup surfel, ivec2 pixel) {
 }
 
 #if FILTER_AREA_SUM
-// area_tent_part() of techniques/shadow/filter.h.
+// area_tent_part() of tests/support/reference/taps.h.
 uint area_tent_part(int x) {
   uint width = uint(kernel_size * FILTER_PARTS);
   uint at = uint(clamp(x, 0, int(width)));
@@ -53,7 +53,7 @@ uint area_tent_part(int x) {
 }
 #endif
 
-// axis_weights() of techniques/shadow/filter.cpp.
+// axis_weights() of tests/support/reference/taps.cpp.
 uint weight_left_of(int i, uint part) {
 #if FILTER_AREA_SUM
   return area_tent_part(i * FILTER_PARTS - int(part));

@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "core/error.h"
 #include "reports/figures/figure_parts.h"
 #include "reports/figures/plot_parts.h"
 #include "reports/files/markup.h"

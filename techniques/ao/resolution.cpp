@@ -23,8 +23,4 @@ ivec2 ao_image_size(AoResolution resolution, const ivec2& view_size) {
   return resolution == AoResolution::half ? (view_size + 1) / 2 : view_size;
 }
 
-ivec2 surfel_pixel(AoResolution resolution, const ivec2& ao_pixel) {
-  return resolution == AoResolution::half ? 2 * ao_pixel : ao_pixel;
-}
-
 }  // namespace umbrameter

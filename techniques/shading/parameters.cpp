@@ -57,12 +57,4 @@ Parameters gbuffer_parameters(ShadingParams& p) {
       .take();
 }
 
-ShadingParams with_float_gbuffer(ShadingParams params) {
-  params.normal_format = NormalFormat::rgb32f;
-  params.depth_format = DepthFormat::depth32f;
-  params.position = PositionSource::stored;
-  params.color_format = ColorFormat::rgba32f;
-  return params;
-}
-
 }  // namespace umbrameter

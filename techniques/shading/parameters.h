@@ -40,7 +40,4 @@ Parameters describe(ShadingParams& params);
 /// The parameters that decide what the G-buffer of the deferred path stores.
 Parameters gbuffer_parameters(ShadingParams& params);
 
-/// The same shading with a G-buffer of 32-bit floats, which loses only the rounding to floats.
-ShadingParams with_float_gbuffer(ShadingParams params);
-
 }  // namespace umbrameter

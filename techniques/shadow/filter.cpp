@@ -182,30 +182,4 @@ std::vector<std::uint32_t> running_sums(const std::vector<std::uint32_t>& kernel
   return sums;
 }
 
-AxisWeights axis_weights(const FilterKernel& filter, std::uint32_t part) {
-  const std::vector<std::uint32_t> sums = running_sums(filter.kernel);
-  const auto size = static_cast<std::uint32_t>(filter.kernel.size());
-  // weight_left_of() of shadow_filter.glsl.
-  const auto weight_left_of = [&](std::uint32_t i) {
-    constexpr std::uint32_t parts = FilterKernel::texel_parts;
-    if (filter.is_area_tent) return area_tent_part(size, std::min(std::max(i * parts, part) - part, size * parts));
-    if (!filter.linear_taps) return sums[i];
-    const std::uint32_t sum = sums[std::min(i, size)] * (parts - part) + sums[std::max(i, 1u) - 1] * part;
-    return (sum + filter.divisor / 2) / filter.divisor;
-  };
-  AxisWeights weights{};
-  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(filter.side()); ++i) {
-    weights[i] = weight_left_of(i + 1) - weight_left_of(i);
-  }
-  return weights;
-}
-
-std::uint32_t area_tent_part(std::uint32_t size, std::uint32_t x) {
-  const std::uint32_t width = size * FilterKernel::texel_parts;
-  const std::uint32_t twice_area = width * width / 2;  // of the tent whose slope is 1
-  const std::uint32_t right = width - x;
-  const std::uint32_t part = 2 * x <= width ? x * x : twice_area - right * right;
-  return (part * FilterKernel::area_sum + twice_area / 2) / twice_area;
-}
-
 }  // namespace umbrameter

@@ -45,7 +45,7 @@ struct FilterKernel {
 
   /// Sum of an area tent's weights along a side.
   static constexpr std::uint32_t area_sum = 1024;
-  /// Maximum side of an area tent. With the next size, integers of 32 bits overflow in area_tent_part().
+  /// Maximum side of an area tent. With the next size, integers of 32 bits overflow in shadow_filter.glsl.
   static constexpr int largest_area_size = 7;
 
   std::vector<std::uint32_t> kernel;  ///< of a grid: weights along one side; of an area tent only their number counts
@@ -93,14 +93,7 @@ FilterKernel make_pcss_filter(const PcfParams& params, const PcssParams& pcss, d
 /// The disk of DPCF for a light of this extent: see ContactHardening.
 FilterKernel make_dpcf_filter(const PcfParams& params, const PcssParams& pcss, double extent);
 
-using AxisWeights = std::array<std::uint32_t, FilterKernel::largest_size + 1>;
-/// Weights of the texels along a side of a grid, from the left; the rest is 0. `part`: with linear taps, how far right
-/// of the middle's left tap the receiver is, in 1/texel_parts texel.
-AxisWeights axis_weights(const FilterKernel& filter, std::uint32_t part);
 /// Of a grid: the sums of the first 0, 1, … n weights of the kernel.
 std::vector<std::uint32_t> running_sums(const std::vector<std::uint32_t>& kernel);
-
-/// Share of the left `x` 1/256 texels of an area tent with `size` texels along a side, in 1/area_sum.
-std::uint32_t area_tent_part(std::uint32_t size, std::uint32_t x);
 
 }  // namespace umbrameter

@@ -1,4 +1,4 @@
-// How contact-hardening PCF sharpens a penumbra. The shaders compile this text as GLSL, reference/lookup.cpp as C++.
+// How contact-hardening PCF sharpens a penumbra. The shaders compile this text as GLSL, the tests as C++.
 #ifndef SHARED
 #define SHARED
 #endif

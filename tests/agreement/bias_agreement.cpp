@@ -7,7 +7,7 @@
 #include "raytrace/surface_judge.h"
 #include "raytrace/tracer.h"
 #include "techniques/shadow/cascades.h"
-#include "techniques/shadow/reference/unresolved_taps.h"
+#include "tests/support/reference/unresolved_taps.h"
 
 namespace umbrameter::test {
 namespace {

@@ -3,9 +3,9 @@
 
 #include "scenes/builtin.h"
 #include "techniques/shadow/cascades.h"
-#include "techniques/shadow/reference/lookup.h"
 #include "tests/agreement/bias_agreement.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/reference/taps.h"
 
 namespace umbrameter::test {
 namespace {

@@ -13,9 +13,9 @@ using Json = nlohmann::json;
 
 struct BiasCurvesRun : GlRun {};
 
-TEST_F(BiasCurvesRun, The_law_of_a_plane_is_half_a_texel_of_slope) {
-  // One nearest tap, θ = 60°, ψ = 0: no acne from ½·t·tan θ = 0.8660254 texels, less s·tan θ for a slope-scaled bias s.
-  // So c1 = ½ and tan θ = 1.7320508; on an axis in millimetres the least such bias is up to 1 mm above.
+TEST_F(BiasCurvesRun, The_formula_of_a_plane_is_half_the_depth_per_texel) {
+  // One nearest tap, θ = 60°, ψ = 0: no acne from ½·Δz = ½·t·tan θ = 0.8660254 texels; on an axis in millimetres the
+  // least such bias is up to 1 mm above.
   const ProgramResult result =
       run_program({"sweep", "tilted-plane", "-o", folder_ / "out", "--light", "sun-60", "--size", "320x180", "--quiet",
                    "--json", "--vary", "shadow.constant-bias=0:0.1:101", "--vary", "shadow.slope-bias=0,0.1,0.2",
@@ -32,16 +32,12 @@ TEST_F(BiasCurvesRun, The_law_of_a_plane_is_half_a_texel_of_slope) {
     EXPECT_EQ(curve.at("front_cells"), 1) << "without casters there is no peter-panning";
     EXPECT_TRUE(curve.at("knee").is_null());
   }
-  const Json& law = curves.at("laws").back();
-  EXPECT_EQ(law.at("bias"), "no acne");
-  EXPECT_EQ(law.at("points"), 3);
-  EXPECT_NEAR(law.at("c1_tangent_texels").at("value").get<double>(), 0.8660254, 0.05);
-  EXPECT_LT(law.at("residual_m").get<double>(), 0.001);
-  const Json& over_slopes = law.at("over_slope_biases");
-  EXPECT_EQ(over_slopes.at("points"), 9);
-  EXPECT_NEAR(over_slopes.at("tangent").at("value").get<double>(), 1.7320508, 0.1);
-  EXPECT_NEAR(over_slopes.at("c1_texels").at("value").get<double>(), 0.5, 0.025);
-  EXPECT_LT(over_slopes.at("residual_m").get<double>(), 0.001);
+  const Json& formula = curves.at("formulas").back();
+  EXPECT_EQ(formula.at("bias"), "no acne");
+  EXPECT_EQ(formula.at("points"), 3);
+  EXPECT_NEAR(formula.at("per_depth_per_texel").at("value").get<double>(), 0.5, 0.03);
+  EXPECT_NEAR(formula.at("fitted_over").at("depth_per_texel_texels").at(0).get<double>(), 1.7320508, 1e-3);
+  EXPECT_LT(formula.at("residual_m").get<double>(), 0.001);
 }
 
 // Rings of a figure: points in that ink.
@@ -68,10 +64,9 @@ TEST_F(BiasCurvesRun, Figures_ring_what_was_read_and_the_page_tells_it) {
   EXPECT_EQ(count_rings(figures / "mae_biases.svg", "stroke=\"white\""), 4u);
   EXPECT_EQ(count_rings(figures / "mae_lines.svg", "stroke=\"white\""), 4u);
   std::size_t fitted = 0;
-  for (const Json& law : curves.at("laws")) {
-    if (!law.contains("points")) continue;
-    fitted += law.at("points").get<std::size_t>();
-    EXPECT_EQ(law.at("points").get<int>() + law.at("left_out").get<int>(), 4) << law;
+  for (const Json& formula : curves.at("formulas")) {
+    EXPECT_EQ(formula.at("points").get<int>() + formula.at("left_out").get<int>(), 4) << formula;
+    if (formula.contains("bias_m")) fitted += formula.at("points").get<std::size_t>();
   }
   ASSERT_GT(fitted, 0u);
   EXPECT_EQ(count_rings(figures / "bias_fit.svg", "fill=\"white\""), fitted)
@@ -83,8 +78,7 @@ TEST_F(BiasCurvesRun, Figures_ring_what_was_read_and_the_page_tells_it) {
   const std::string page = text_of(out / "index.html");
   EXPECT_NE(page.find("one of every 2 values of shadow.slope-bias"), std::string::npos);
   EXPECT_NE(page.find("A bias of 0 is not on this log axis"), std::string::npos);
-  for (const char* title :
-       {"Recommended biases", "Constant biases by slope-scaled bias", "Fits of bias against texel size"}) {
+  for (const char* title : {"Recommended biases", "Constant biases by slope-scaled bias", "Formulas of the bias"}) {
     EXPECT_NE(page.find(title), std::string::npos) << title;
   }
 }

@@ -61,10 +61,10 @@ TEST_F(BiasFormulaRun, Warns_of_optima_at_the_end_of_the_axis_and_of_extrapolati
   const Json formulas = Json::parse(text_of(out / "summary.json")).at("curves").at("formulas");
   ASSERT_EQ(formulas.size(), 6u);
   EXPECT_EQ(formulas.at(3).at("at").at("shadow.normal-offset"), 0.1);
-  EXPECT_NE(text_of(out / "index.html").find("Formulas of the bias over several axes"), std::string::npos);
+  EXPECT_NE(text_of(out / "index.html").find("Formulas of the bias"), std::string::npos);
 }
 
-TEST_F(BiasFormulaRun, Two_resolutions_have_neither_a_fit_nor_a_formula_and_no_empty_tables) {
+TEST_F(BiasFormulaRun, Two_resolutions_have_no_formula_and_no_empty_table) {
   const std::filesystem::path out = folder_ / "out";
   const ProgramResult result =
       run_program({"sweep", "tilted-plane", "-o", out, "--size", "64x36", "--light", "sun-60", "--no-figures", "--vary",
@@ -74,18 +74,19 @@ TEST_F(BiasFormulaRun, Two_resolutions_have_neither_a_fit_nor_a_formula_and_no_e
   EXPECT_NE(result.out.find("no formula of the bias over "), std::string::npos) << result.out;
   const std::string page = text_of(out / "index.html");
   EXPECT_NE(page.find("There is no formula of the bias over "), std::string::npos);
-  for (const char* title : {"Fits of bias against texel size", "Formulas of the bias over several axes"}) {
-    EXPECT_EQ(page.find(title), std::string::npos) << title;
-  }
+  EXPECT_EQ(page.find("Formulas of the bias"), std::string::npos);
 }
 
-TEST_F(BiasFormulaRun, The_resolution_alone_has_a_law_and_no_formula) {
-  const ProgramResult result =
-      run_program({"sweep", "tilted-plane", "-o", folder_ / "out", "--size", "64x36", "--light", "sun-60", "--quiet",
-                   "--json", "--no-figures", "--vary", "shadow.constant-bias=0.05texels:4texels:80", "--vary",
-                   "shadow.resolution=256,512,1024", "--vary", "shadow.normal-offset=0,0.1"});
+TEST_F(BiasFormulaRun, The_resolution_alone_has_a_formula_also_where_a_search_finds_the_radius) {
+  const ProgramResult result = run_program(
+      {"sweep", "tilted-plane", "-o", folder_ / "out", "--size", "64x36", "--light", "sun-60", "--quiet", "--json",
+       "--no-figures", "--vary", "shadow.constant-bias=0.05texels:4texels:80", "--vary",
+       "shadow.resolution=256,512,1024", "--vary", "shadow.normal-offset=0,0.1", "--shadow.technique", "pcss"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_FALSE(Json::parse(result.out).at("curves").contains("formulas"));
+  const Json formulas = Json::parse(result.out).at("curves").at("formulas");
+  ASSERT_EQ(formulas.size(), 6u) << "three biases at each of two normal offsets";
+  EXPECT_NEAR(value_of(formulas.at(2), "per_depth_per_texel"), 0.5, 0.03);
+  EXPECT_FALSE(formulas.at(2).at("fitted_over").contains("radius_texels"));
 }
 
 }  // namespace

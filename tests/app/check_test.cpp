@@ -153,9 +153,9 @@ TEST_F(Check, Refuses_folders_and_files_that_it_cannot_read) {
   expect({"check", run("text", "hello"), "--budget", budget(acne_budget)}, 4, "is no summary");
   expect({"check", run("other", R"({"scene": {"name": 3}})"), "--budget", budget(acne_budget)}, 4, "is damaged");
   expect({"check", run("empty", R"({"scene": {"name": "a"}})"), "--budget", budget(acne_budget)}, 4, "no statistics");
-  const std::string newer = R"({"schema_version": 2, "scene": {"name": "a"}})";
+  const std::string newer = R"({"schema_version": 3, "scene": {"name": "a"}})";
   expect({"check", run("newer", newer), "--budget", budget(acne_budget)}, 4,
-         "schema version 2, this program reads up to 1");
+         "schema version 3, this program reads up to 2");
   expect({"check", good, "--budget", folder_ / "missing.toml"}, 4, "missing.toml");
   expect({"check", good}, 2, "--budget");
   expect({"check", good, "--budget", budget(acne_budget), "--update", "--junit", "x.xml"}, 2, "--update");

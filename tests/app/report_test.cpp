@@ -339,7 +339,7 @@ TEST_F(RunsReport, Refuses_what_cannot_be_compared_and_says_what) {
   EXPECT_EQ(none.exit_code, 4);
   EXPECT_TRUE(is_one_line(none.err)) << none.err;
   std::filesystem::create_directories(folder_ / "newer");
-  folder_.write("newer/summary.json", R"({"schema_version": 2})");
+  folder_.write("newer/summary.json", R"({"schema_version": 3})");
   const ProgramResult newer = run_program({"report", base, folder_ / "newer", "-o", output()});
   EXPECT_EQ(newer.exit_code, 4);
   EXPECT_NE(newer.err.find("a later version of umbrameter"), std::string::npos) << newer.err;

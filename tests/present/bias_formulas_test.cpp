@@ -69,7 +69,7 @@ TEST(BiasFormulas, Axes_that_change_a_fact_are_in_the_formula_and_others_separat
 TEST(BiasFormulas, Numbers_have_the_digits_that_their_standard_error_justifies) {
   const auto expect_rounded = [](const Fitted& fitted, double value, double error) {
     EXPECT_EQ(rounded(fitted).value, value) << fitted.value;
-    EXPECT_EQ(*rounded(fitted).standard_error, error) << fitted.value;
+    EXPECT_EQ(rounded(fitted).standard_error, error) << fitted.value;
   };
   expect_rounded({1.8e-30, 0.00123}, 0.0, 0.0012);
   expect_rounded({0.50137, 0.0123}, 0.501, 0.012);
@@ -109,7 +109,7 @@ TEST(BiasFormulas, The_figure_has_a_point_for_each_combination_and_what_the_form
   EXPECT_EQ(exact.x.label, "measured bias [m]");
 
   FormulaPoint& point = curves.formulas.front().points.front();
-  point.fit.bias += 0.25 * point.fit.texel;
+  point.bias += 0.25 * point.texel;
   EXPECT_NEAR(to_number(figure_of(curves).data.rows.front()[1]), -0.25, 1e-6);
 }
 
@@ -120,7 +120,7 @@ TEST(BiasFormulas, A_bias_at_the_end_of_the_axis_is_left_out_and_extrapolated) {
   }
   add_formulas(curves);
   const CurveFormula& of = curves.formulas.front();
-  EXPECT_EQ(of.of, LawOf::least_error);
+  EXPECT_EQ(of.of, FormulaOf::least_error);
   EXPECT_EQ(of.left_out, 3u);
   ASSERT_EQ(of.warnings.size(), 3u);
   EXPECT_EQ(of.warnings[0].find("3 of 9 combinations are left out"), 0u) << of.warnings[0];
@@ -128,11 +128,41 @@ TEST(BiasFormulas, A_bias_at_the_end_of_the_axis_is_left_out_and_extrapolated) {
   EXPECT_EQ(of.warnings[2].find("the filter radius takes only 2 values"), 0u) << of.warnings[2];
 }
 
-TEST(BiasFormulas, The_resolution_alone_has_none) {
+TEST(BiasFormulas, Over_the_resolution_alone_a_figure_shows_the_bias_against_the_texel_size) {
   BiasCurves curves = make_curves();
   std::erase_if(curves.curves, [](const BiasCurve& curve) { return curve.facts.radius != 0.0; });
+  curves.curves.front().optima.lines[0].acne_free->constant = curves.constants.front();
   add_formulas(curves);
-  EXPECT_TRUE(curves.formulas.empty());
+  ASSERT_EQ(curves.formulas.size(), 6u);
+  const CurveFormula& of = curves.formulas.front();
+  EXPECT_EQ(of.points.size(), 3u);
+  EXPECT_NEAR(of.formula->term(FormulaTerm::slope)->value, 0.5, 1e-9);
+  EXPECT_NEAR(of.formula->slope.max, 2.0, 1e-12) << "texels: tan θ";
+  EXPECT_EQ(curves.formulas[2].left_out, 1u) << "a bias below the axis may have no acne, too";
+  Presentation presentation;
+  present_formulas(presentation, curves);
+  const PlotFigure& figure = presentation.plots.front();
+  EXPECT_EQ(figure.stem, "bias_fit_0");
+  // Two of three formulas have three points each; of each point the formula's bias and a ring at its own.
+  ASSERT_EQ(figure.data.rows.size(), 12u);
+  EXPECT_EQ(to_number(figure.data.rows[0][0]), 0.1);
+  EXPECT_NEAR(to_number(figure.data.rows[0][1]), to_number(figure.data.rows[1][1]), 1e-9);
+}
+
+TEST(BiasFormulas, A_point_is_known_to_within_its_interval_of_the_axis) {
+  BiasCurves curves;
+  curves.others = {{"shadow.resolution", "texels", ""}};
+  curves.constants = {0.0, 0.1, 0.3, 0.4};
+  curves.unit = LengthUnit::texels;
+  curves.curves = {curve_at({std::int64_t{400}}, 0.05, 0.1, 0.0, 0.1),
+                   curve_at({std::int64_t{200}}, 0.1, 0.2, 0.0, 0.3)};
+  add_formulas(curves);
+  ASSERT_EQ(curves.formulas.size(), 3u);
+  const FormulaPoint& least = curves.formulas[0].points[0];
+  EXPECT_DOUBLE_EQ(least.texel, 0.05);
+  EXPECT_DOUBLE_EQ(least.bias, 0.1 * 0.05);
+  EXPECT_DOUBLE_EQ(least.step, 0.5 * (0.3 - 0.0) * 0.05);
+  EXPECT_DOUBLE_EQ(curves.formulas[2].points[1].step, (0.3 - 0.1) * 0.1);
 }
 
 }  // namespace

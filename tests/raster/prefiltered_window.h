@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "techniques/shadow/reference/lookup.h"
 #include "tests/support/prefiltered_rounding.h"
+#include "tests/support/reference/taps.h"
 
 namespace umbrameter::testing_scenes {
 

@@ -5,8 +5,8 @@
 
 #include "raster/shadow/technique_passes.h"
 #include "scenes/builtin/scenes.h"
-#include "techniques/shadow/reference/screen_space.h"
 #include "test_scenes.h"
+#include "tests/support/reference/screen_space.h"
 
 namespace umbrameter {
 namespace {

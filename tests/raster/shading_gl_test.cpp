@@ -8,13 +8,23 @@
 #include "scenes/builtin.h"
 #include "scenes/view.h"
 #include "techniques/shading/light_model.h"
-#include "techniques/shading/reference/volume_counters.h"
 #include "test_scenes.h"
+#include "tests/support/reference/volume_counters.h"
 
 namespace umbrameter {
 namespace {
 
 using namespace testing_scenes;
+
+// A G-buffer of 32-bit floats, which loses only the rounding to floats.
+ShadingParams float_gbuffer() {
+  ShadingParams params;
+  params.normal_format = NormalFormat::rgb32f;
+  params.depth_format = DepthFormat::depth32f;
+  params.position = PositionSource::stored;
+  params.color_format = ColorFormat::rgba32f;
+  return params;
+}
 
 // One input and one output of the light model, std430.
 struct ModelInput {
@@ -192,7 +202,7 @@ TEST_F(ShadingGl, Both_paths_and_both_ways_to_cull_give_the_same_image) {
     const auto lit = lit_scene(name, 240, 135);
     const UploadedScene scene = upload(context(), lit->scene);
     const GpuGBuffer surfels = draw_gbuffer(context(), scene, lit->view);
-    ShadingParams params = with_float_gbuffer({});
+    ShadingParams params = float_gbuffer();
     const ShadedImage forward = draw_forward(context(), {scene, surfels, lit->view, params}, lit->lights, lit->ao);
     const GBuffer gbuffer = read_back(context(), surfels);
     Image<vec3> on_processor(240, 135, vec3(0));
@@ -229,7 +239,7 @@ TEST_F(ShadingGl, Counters_of_light_volumes_are_those_of_rays_through_the_pixels
   const UploadedScene scene = upload(context(), lit->scene);
   const GpuGBuffer surfels = draw_gbuffer(context(), scene, lit->view);
   const GBuffer gbuffer = read_back(context(), surfels);
-  ShadingParams params = with_float_gbuffer({});
+  ShadingParams params = float_gbuffer();
   const StoredGBuffer stored = store_gbuffer(context(), surfels, lit->view, params);
   std::uint64_t missed = 0;
   std::uint64_t missed_by_front = 0;
@@ -278,7 +288,7 @@ TEST_F(ShadingGl, A_compact_gbuffer_loses_what_its_formats_say) {
   // Half a step of 2/255 on each axis; half a step of a 16-bit float near 1, 2^-12, on each; octahedral 2/65535.
   for (const Case& c : {Case{NormalFormat::rgb32f, 0.0}, Case{NormalFormat::rgb16f, 4.3e-4},
                         Case{NormalFormat::rg16, 7e-5}, Case{NormalFormat::rgb8, 6.8e-3}}) {
-    ShadingParams params = with_float_gbuffer({});
+    ShadingParams params = float_gbuffer();
     params.normal_format = c.normals;
     const GBuffer decoded = read_back(
         context(), decode_surfels(context(), store_gbuffer(context(), surfels, lit->view, params), surfels, lit->view));
@@ -293,7 +303,7 @@ TEST_F(ShadingGl, A_compact_gbuffer_loses_what_its_formats_say) {
     EXPECT_GE(worst, 0.1 * c.most);
   }
   for (const DepthFormat depth : {DepthFormat::depth32f, DepthFormat::depth24, DepthFormat::depth16}) {
-    ShadingParams params = with_float_gbuffer({});
+    ShadingParams params = float_gbuffer();
     params.position = PositionSource::depth;
     params.depth_format = depth;
     const GBuffer decoded = read_back(

@@ -204,11 +204,11 @@ TEST_F(RunFolderTest, Results_of_versions_without_a_record_are_known_by_their_su
 TEST_F(RunFolderTest, Results_of_a_later_version_are_replaced_only_by_force) {
   run(out, sweep_plan(), {"results.sqlite"});
   EXPECT_FALSE(error_of([&] { RunFolder(out, sweep_plan(), false); }).has_value()) << "the sweep is drawn again";
-  put_text(out / "summary.json", R"({"schema_version": 2})");
+  put_text(out / "summary.json", R"({"schema_version": 3})");
   const std::optional<Error> error = error_of([&] { RunFolder(out, sweep_plan(), false); });
   ASSERT_TRUE(error.has_value());
   EXPECT_EQ(error->code(), ExitCode::unreadable_input);
-  EXPECT_NE(std::string(error->what()).find("schema version 2, this program reads up to 1"), std::string::npos);
+  EXPECT_NE(std::string(error->what()).find("schema version 3, this program reads up to 2"), std::string::npos);
   EXPECT_FALSE(error_of([&] { RunFolder(out, sweep_plan(), true); }).has_value());
 }
 

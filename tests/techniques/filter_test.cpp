@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "tests/support/reference/taps.h"
 
 namespace umbrameter {
 namespace {

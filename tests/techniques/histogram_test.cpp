@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "techniques/shadow/reference/lookup.h"
+#include "tests/support/reference/taps.h"
 
 namespace umbrameter {
 namespace {

@@ -1,8 +1,8 @@
-#include "techniques/shadow/reference/unresolved_taps.h"
+#include "tests/support/reference/unresolved_taps.h"
 
 #include <algorithm>
 
-#include "techniques/shadow/reference/same_surface.h"
+#include "tests/support/reference/same_surface.h"
 
 namespace umbrameter {
 namespace {

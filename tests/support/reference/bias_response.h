@@ -3,7 +3,7 @@
 
 #include "scenes/scene.h"
 #include "techniques/shadow/histogram.h"
-#include "techniques/shadow/reference/lookup.h"
+#include "tests/support/reference/taps.h"
 
 namespace umbrameter {
 

@@ -1,4 +1,4 @@
-#include "techniques/shadow/reference/screen_space.h"
+#include "tests/support/reference/screen_space.h"
 
 #include <algorithm>
 

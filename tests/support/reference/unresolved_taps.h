@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "techniques/shadow/reference/bias_response.h"
+#include "tests/support/reference/bias_response.h"
 
 namespace umbrameter {
 

@@ -1,4 +1,4 @@
-#include "techniques/shading/reference/volume_counters.h"
+#include "tests/support/reference/volume_counters.h"
 
 #include <cmath>
 #include <limits>

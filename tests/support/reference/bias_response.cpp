@@ -1,10 +1,10 @@
-#include "techniques/shadow/reference/bias_response.h"
+#include "tests/support/reference/bias_response.h"
 
 #include <algorithm>
 #include <cassert>
 
 #include "core/parallel.h"
-#include "techniques/shadow/reference/same_surface.h"
+#include "tests/support/reference/same_surface.h"
 
 namespace umbrameter {
 namespace {
