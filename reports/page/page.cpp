@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -24,19 +26,48 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t max_rows = 500;
 // Longer texts are wrapped.
-constexpr std::size_t longest_short_text = 40;
+constexpr std::size_t longest_short_text = 24;
+
+constexpr std::string_view minus = "−";
 
 std::string cell_text(const Value& value) {
   const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? fmt::format("{:.6g}", *number) : to_string(value);
+  std::string text = number != nullptr ? fmt::format("{:.6g}", *number) : to_string(value);
+  if (!std::holds_alternative<std::string>(value) && text.starts_with('-')) text.replace(0, 1, minus);
+  return text;
 }
 
+std::string replace_all(std::string text, std::string_view what, std::string_view with) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) {
+    text.replace(at, what.size(), with);
+  }
+  return text;
+}
+
+// Numbers and what may stand with them: "−0.19", "+8.4 ± 0.7", "(0.05 ± 0.09)*", "11.2 to 11.4", "0.115 %".
 bool is_number(const Value& value) {
-  const auto* text = std::get_if<std::string>(&value);
-  if (text == nullptr) return !std::holds_alternative<bool>(value);
-  double number = 0.0;
-  const auto result = std::from_chars(text->data(), text->data() + text->size(), number);
-  return !text->empty() && result.ec == std::errc{} && result.ptr == text->data() + text->size();
+  const auto* given = std::get_if<std::string>(&value);
+  if (given == nullptr) return !std::holds_alternative<bool>(value);
+  std::string text = replace_all(*given, minus, "-");
+  for (const std::string_view each : {"±", " to ", " %", "(", ")", "*", "+"}) text = replace_all(text, each, " ");
+  std::istringstream words(text);
+  int count = 0;
+  for (std::string word; words >> word; ++count) {
+    double number = 0.0;
+    const auto result = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (result.ec != std::errc{} || result.ptr != word.data() + word.size()) return false;
+  }
+  return count > 0;
+}
+
+// Name of a column that does not break within "95 %" or "1 texel".
+std::string head_text(std::string name) {
+  constexpr std::string_view no_break_space = "\u00a0";
+  for (std::size_t i = 1; i < name.size(); ++i) {
+    if (name[i] == ' ' && std::isdigit(static_cast<unsigned char>(name[i - 1])) != 0)
+      name.replace(i, 1, no_break_space);
+  }
+  return name;
 }
 
 // Whether a column is set flush right: it has a number and nothing else but cells without a value.
@@ -117,6 +148,10 @@ void classify_cells(Json& table) {
   const auto has_unit = [](const Json& column) { return column["unit"] != "" || column.contains("below"); };
   table["has_units"] = std::any_of(all.begin(), all.end(), has_unit);
   table["column_count"] = columns.size();
+  for (Json& column : columns) {
+    column["name"] = head_text(column["name"]);
+    for (Json& further : column["further"]) further["label"] = head_text(further["label"]);
+  }
   table["columns"] = std::move(columns);
 }
 
@@ -139,7 +174,8 @@ Json files_data(const fs::path& folder) {
   static constexpr std::pair<const char*, const char*> files[] = {
       {"images.exr", "all images as float layers"},    {"sweep.csv", "all cells of the sweep"},
       {"tuned.toml", "settings with the best values"}, {"evaluations.csv", "all evaluated points"},
-      {"experiment.toml", "settings of this run"},     {"summary.json", "all numbers, for programs"}};
+      {"experiment.toml", "settings of this run"},     {"comparison.csv", "all values and differences"},
+      {"summary.json", "all numbers, for programs"}};
   Json list = Json::array();
   for (const auto& [name, meaning] : files) {
     std::error_code error;
@@ -159,16 +195,10 @@ Json paragraphs_data(std::string_view text) {
   return paragraphs;
 }
 
-// Of "4.1 % [4.0, 4.2]" the interval is apart: it is set smaller than the number.
 Json headlines_data(const std::vector<Headline>& headlines) {
   Json list = Json::array();
   for (const Headline& headline : headlines) {
-    const std::string& value = headline.value;
-    const std::size_t interval = value.ends_with(']') ? std::min(value.find(" ["), value.size()) : value.size();
-    list.push_back({{"label", headline.label},
-                    {"value", value.substr(0, interval)},
-                    {"interval", interval < value.size() ? value.substr(interval + 1) : ""},
-                    {"note", headline.note}});
+    list.push_back({{"label", headline.label}, {"value", headline.value}, {"note", headline.note}});
   }
   return list;
 }
