@@ -192,12 +192,12 @@ Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTab
           "this statistic.";
     }
     if (has_cell(part.differences, is_difference)) {
-      section.text += fmt::format(" Differences are to {}.", runs.front().name);
+      section.text += fmt::format(" Differences are to the run '{}'.", runs.front().name);
       if (has_cell(part.differences, [](const std::string& text) { return text.starts_with('('); })) {
         section.text +=
             " Those in parentheses are not significant, or cannot be tested because they have no such interval.";
       }
-      section.tables.push_back({"Difference to " + runs.front().name, part.differences});
+      section.tables.push_back({fmt::format("Difference to the run '{}'", runs.front().name), part.differences});
     } else if (runs.size() > 1) {
       section.text += " All runs have the same errors.";
     }

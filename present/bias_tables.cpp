@@ -17,6 +17,14 @@ constexpr std::size_t max_rows_by_slope = 400;
 
 const Value nothing = std::string();
 
+// Down to the second digit of the standard error.
+std::string term_text(const Fitted& fitted) {
+  const double value = rounded(fitted).value;
+  const double error = fitted.standard_error.value_or(0.0);
+  if (!(error > 0.0)) return digits_text(value);
+  return with_minus(fmt::format("{:.{}f}", value, decimals_of(error, 2)));
+}
+
 Value known(double number) { return std::isfinite(number) ? Value(number) : nothing; }
 
 // One recommended bias of one curve.
@@ -113,9 +121,9 @@ Table slopes_table(const BiasCurves& curves) {
   return table;
 }
 
-Value value_of(const std::optional<Fitted>& fitted) { return fitted ? Value(rounded(*fitted).value) : nothing; }
+Value value_of(const std::optional<Fitted>& fitted) { return fitted ? Value(term_text(*fitted)) : nothing; }
 Value error_of(const std::optional<Fitted>& fitted) {
-  return fitted && fitted->standard_error ? Value(*rounded(*fitted).standard_error) : nothing;
+  return fitted && fitted->standard_error ? Value(digits_text(*fitted->standard_error, 2)) : nothing;
 }
 
 Table laws_table(const BiasCurves& curves) {
@@ -166,24 +174,14 @@ Table laws_table(const BiasCurves& curves) {
   return table;
 }
 
-// No axis of biases and no interval justifies more digits. The values of the axes, in front, stay as they are.
-Table in_four_digits(Table table, std::size_t first_column) {
+// No axis of biases justifies more digits. The values of the axes, in front, stay as they are.
+Table in_digits(Table table, std::size_t first_column) {
   for (std::vector<Value>& row : table.rows) {
     for (std::size_t c = first_column; c < row.size(); ++c) {
-      if (double* const number = std::get_if<double>(&row[c])) *number = std::stod(fmt::format("{:.4g}", *number));
+      if (const auto* const number = std::get_if<double>(&row[c])) row[c] = digits_text(*number);
     }
   }
   return table;
-}
-
-// As many digits as tell the value from its neighbours on the axis, and no fewer than the range has.
-int digits_of(const BiasCurves& curves, const BiasCell& cell) {
-  const std::vector<double>& axis = curves.constants;
-  const auto place = std::lower_bound(axis.begin(), axis.end(), cell.constant);
-  const bool is_between = place != axis.begin() && place != axis.end() && std::next(place) != axis.end();
-  if (!is_between || cell.constant == 0.0) return 3;
-  const double step = 0.5 * (*std::next(place) - *std::prev(place)) / std::abs(cell.constant);
-  return std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 3, 6);
 }
 
 // What the sweep says of one curve, after the name of its setting.
@@ -228,24 +226,25 @@ std::string explanation(const BiasCurves& curves) {
 
 std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
   const BiasInUnits bias = in_units(curves, curve, cell);
-  const int digits = digits_of(curves, cell);
+  const int digits = digits_on_axis(curves.constants, cell.constant);
   const bool is_in_texels = curves.unit == LengthUnit::texels;
   std::string text = curves.unit == LengthUnit::metres
                          ? metres_text(cell.constant, digits)
-                         : fmt::format("{:.{}g} {}", cell.constant, digits, unit_name(curves.unit));
+                         : with_minus(fmt::format("{:.{}g} {}", cell.constant, digits, unit_name(curves.unit)));
   if (is_in_texels) {
     text += fmt::format(" ({})", metres_text(bias.metres, digits));
   } else if (std::isfinite(bias.texels)) {
-    text += fmt::format(" ({:.{}g} texels)", bias.texels, digits);
+    text += " (" + with_minus(fmt::format("{:.{}g} texels", bias.texels, digits)) + ")";
   }
-  if (curves.varies_slope) text += fmt::format(", slope-scaled bias {:.3g} texels", cell.slope);
+  if (curves.varies_slope) text += ", slope-scaled bias " + with_minus(fmt::format("{:.3g} texels", cell.slope));
   return text;
 }
 
 std::string law_text(const BiasFit& law) {
-  const double per_texel = rounded(law.per_texel).value;
-  return fmt::format("{} {} {:.3g} texels", metres_text(rounded(law.constant).value), per_texel < 0.0 ? "−" : "+",
-                     std::abs(per_texel));
+  Fitted per_texel = law.per_texel;
+  per_texel.value = std::abs(per_texel.value);
+  return fmt::format("{} {} {} texels", metres_text(rounded(law.constant).value),
+                     rounded(law.per_texel).value < 0.0 ? "−" : "+", term_text(per_texel));
 }
 
 std::string residual_text(const BiasFit& law) {
@@ -256,16 +255,16 @@ void present_bias(Presentation& presentation, const BiasCurves& curves) {
   ReportSection& section = presentation.section;
   section.text += explanation(curves);
   section.tables.push_back({"Recommended biases",
-                            in_four_digits(choices_table(curves), curves.others.size()),
+                            in_digits(choices_table(curves), curves.others.size()),
                             {"in texels", "in depth", "extra error", "extra peter-panning"}});
   if (curves.varies_slope && curves.varies_constant)
     section.tables.push_back({"Constant biases by slope-scaled bias",
-                              in_four_digits(slopes_table(curves), curves.others.size() + 1),
+                              in_digits(slopes_table(curves), curves.others.size() + 1),
                               {"at, in texels", "from, in texels", "none from, in texels"}});
   if (has_fit(curves)) {
     section.tables.push_back(
         {"Fits of bias against texel size",
-         in_four_digits(laws_table(curves), curves.of_a_law.size()),
+         in_digits(laws_table(curves), curves.of_a_law.size()),
          {"left out", "error of c0", "error of c1·tan θ", "residual in texels", "error of tan θ", "error of c1"}});
   }
   present_formulas(presentation, curves);

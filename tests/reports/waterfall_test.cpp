@@ -64,7 +64,7 @@ TEST(Waterfall, Numbers_stand_clear_of_the_zero_line_and_of_the_lines_between_ba
 TEST(Waterfall, A_waterfall_becomes_the_three_files_of_a_figure) {
   const TemporaryFolder folder;
   const FigureOutcome outcome = write_figures(folder / "figures", {{}, {}, {}, {three_steps()}});
-  if (!outcome.problems.empty() && outcome.problems.front().find("plots not drawn") != std::string::npos) {
+  if (!outcome.problems.empty() && outcome.problems.front().find("plot not drawn") != std::string::npos) {
     GTEST_SKIP() << outcome.problems.front();
   }
   EXPECT_TRUE(outcome.problems.empty());
