@@ -85,7 +85,8 @@ std::string metres_text(double metres, int digits) {
   if (size < 1e-9) return "0 m";
   if (size >= 1.0) return in(1.0, "m");
   if (size >= 0.01) return in(100.0, "cm");
-  return size >= 1e-6 ? in(1000.0, "mm") : in(1e9, "nm");
+  if (size >= 1e-5) return in(1000.0, "mm");
+  return size >= 1e-6 ? in(1e6, "µm") : in(1e9, "nm");
 }
 
 std::string short_text(const Value& value) {

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -218,12 +219,17 @@ bool are_of_three_runs(const std::vector<std::string>& stems) {
   return stems.size() % 3 == 0;
 }
 
-Json figures_data(const fs::path& folder, const ReportSection& section, Numbers& numbers) {
+// In the order of the page: what the viewer shows, in `layers`, is folded after the rest.
+Json figures_data(const fs::path& folder, const ReportSection& section, const std::set<std::string>& layers,
+                  Numbers& numbers) {
   const auto text_at = [](const std::vector<std::string>& texts, std::size_t i) {
     return i < texts.size() ? texts[i] : std::string();
   };
   Json figures = Json::array();
-  for (std::size_t f = 0; f < section.figures.size(); ++f) {
+  std::vector<std::size_t> order(section.figures.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_partition(order, [&](std::size_t f) { return !layers.contains(section.figures[f]); });
+  for (const std::size_t f : order) {
     const std::string& stem = section.figures[f];
     figures.push_back({{"number", ++numbers.figures},
                        {"stem", stem},
@@ -238,7 +244,8 @@ Json figures_data(const fs::path& folder, const ReportSection& section, Numbers&
   return figures;
 }
 
-Json section_data(const fs::path& folder, const ReportSection& section, Numbers& numbers) {
+Json section_data(const fs::path& folder, const ReportSection& section, const std::set<std::string>& layers,
+                  Numbers& numbers) {
   Json tables = Json::array();
   for (const auto& [title, table, below] : section.tables) {
     if (table.columns.empty()) continue;
@@ -249,17 +256,17 @@ Json section_data(const fs::path& folder, const ReportSection& section, Numbers&
           {"headlines", headlines_data(section.headlines)},
           {"paragraphs", paragraphs_data(section.text)},
           {"in_threes", are_of_three_runs(section.figures)},
-          {"figures", figures_data(folder, section, numbers)},
+          {"figures", figures_data(folder, section, layers, numbers)},
           {"tables", tables}};
 }
 
 // All that the page shows but its pictures; numbers are texts with the digits that are shown.
-Json page_data(const fs::path& folder, const Report& report) {
+Json page_data(const fs::path& folder, const Report& report, const std::set<std::string>& layers) {
   Json sections = Json::array();
   Json contents = Json::array();
   Numbers numbers;
   for (const ReportSection& section : report.sections) {
-    sections.push_back(section_data(folder, section, numbers));
+    sections.push_back(section_data(folder, section, layers, numbers));
     contents.push_back({{"anchor", sections.back()["anchor"]}, {"title", section.title}});
   }
   if (!report.settings.columns.empty()) contents.push_back({{"anchor", "settings"}, {"title", "Settings"}});
@@ -297,7 +304,8 @@ void fold_figures(Json& section, const std::set<std::string>& layers) {
 }  // namespace
 
 void write_page(const fs::path& folder, const Report& report, const ViewerPack* viewer) {
-  Json page = page_data(folder, report);
+  const std::set<std::string> layers = viewer != nullptr ? viewer->layers : std::set<std::string>();
+  Json page = page_data(folder, report, layers);
   page["data"] = script_text(page);
   if (report.cells) {
     page["cells"] = script_text(cells_json(*report.cells));
@@ -316,7 +324,7 @@ void write_page(const fs::path& folder, const Report& report, const ViewerPack* 
   for (Json& section : page["sections"]) {
     for (Json& figure : section["figures"]) add_picture(figure, folder);
     for (Json& table : section["tables"]) classify_cells(table);
-    fold_figures(section, viewer != nullptr ? viewer->layers : std::set<std::string>());
+    fold_figures(section, layers);
   }
   for (std::size_t s = 0; s < report.sections.size(); ++s) {
     Json& section = page["sections"][s];

@@ -77,6 +77,8 @@ TEST(PageParts, Figures_of_what_the_viewer_shows_are_folded_and_others_are_not) 
   ASSERT_NE(fold, std::string::npos);
   EXPECT_TRUE(contains(page.substr(fold), "data-stem=\"layer\""));
   EXPECT_TRUE(contains(page.substr(0, fold), "data-stem=\"absent\""));
+  EXPECT_TRUE(contains(page.substr(0, fold), "Figure 1.")) << "numbers follow the order of the page";
+  EXPECT_TRUE(contains(page.substr(fold), "Figure 2."));
   EXPECT_FALSE(contains(page_of(folder, report), "viewer-figures\" open"));
 }
 
