@@ -249,7 +249,7 @@ TEST_F(RunsReport, A_difference_that_is_not_shown_to_be_significant_is_in_parent
     const std::vector<StoredRun> runs = {read_stored_run(write("a", a)), read_stored_run(write("b", b))};
     return to_string(part_tables(runs, compare_runs(runs)).at(0).differences.rows.at(0).at(1));
   };
-  EXPECT_EQ(difference(0.0), "(5)");
+  EXPECT_EQ(difference(0.0), "(5.00)");
   EXPECT_EQ(difference(0.1), "(5 ± 14*)");
   EXPECT_EQ(difference(0.01), "(5.0 ± 1.4*)") << "the interval covers the rays alone";
 }
