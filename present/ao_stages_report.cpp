@@ -89,11 +89,11 @@ WaterfallFigure ao_stages_waterfall(const AoStageStatistics& statistics) {
   figure.caption =
       "Signed means over all surface pixels; black lines are 95 % intervals. Opposite signs cancel in a mean: compare "
       "with the RMS below each stage.";
-  figure.label = "technique − reference, mean accessibility [%]";
+  figure.label = "technique − reference, accessibility [%]";
   figure.below = "darkens";
   figure.above = "brightens";
   const auto step = [](std::string name, const Estimate& mean, const Estimate& rms) {
-    return WaterfallStep{std::move(name), "RMS " + percent(rms.value), 100.0 * mean.value, 100.0 * mean.lower,
+    return WaterfallStep{std::move(name), "RMS " + share_text(rms.value), 100.0 * mean.value, 100.0 * mean.lower,
                          100.0 * mean.upper};
   };
   for (std::size_t k = 0; k < ao_stage_count; ++k) {
