@@ -1,6 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/commands.h"
 #include "core/standard_streams.h"
@@ -30,10 +34,22 @@ Json devices_json() {
 void say_devices(const Console& console, const Json& devices) {
   print_line(console, fmt::format("{:<10} {}", "umbrameter", UMBRAMETER_VERSION));
   print_line(console, fmt::format("{:<10} {}", "Embree", embree_version()));
+  // A driver that is offered in several ways has one line.
+  std::vector<std::pair<std::string, std::string>> lines;
   for (const Json& device : devices) {
-    print_line(console, fmt::format("{:<10} {}: {}, {}{}", "OpenGL", device["index"].get<int>(),
-                                    device["renderer"].get<std::string>(), device["version"].get<std::string>(),
-                                    device["software"].get<bool>() ? " (software)" : ""));
+    std::string text =
+        fmt::format("{}, {}{}", device["renderer"].get<std::string>(), device["version"].get<std::string>(),
+                    device["software"].get<bool>() ? " (software)" : "");
+    const std::string index = std::to_string(device["index"].get<int>());
+    const auto same = std::ranges::find(lines, text, &std::pair<std::string, std::string>::second);
+    if (same == lines.end()) {
+      lines.emplace_back(index, std::move(text));
+    } else {
+      same->first += ", " + index;
+    }
+  }
+  for (const auto& [indices, text] : lines) {
+    print_line(console, fmt::format("{:<10} {}: {}", "OpenGL", indices, text));
   }
   if (devices.empty()) {
     print_line(console, fmt::format("{:<10} no usable device; install a driver (Debian: libegl-mesa0 libgl1-mesa-dri)",

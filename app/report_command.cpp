@@ -189,12 +189,12 @@ Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTab
           "this statistic.";
     }
     if (has_cell(part.differences, is_difference)) {
-      section.text += fmt::format(" Differences are to {}.", runs.front().name);
+      section.text += fmt::format(" Differences are to the run '{}'.", runs.front().name);
       if (has_cell(part.differences, [](const std::string& text) { return text.starts_with('('); })) {
         section.text +=
             " Those in parentheses are not significant, or cannot be tested because they have no such interval.";
       }
-      section.tables.push_back({"Difference to " + runs.front().name, part.differences});
+      section.tables.push_back({fmt::format("Difference to the run '{}'", runs.front().name), part.differences});
     } else if (runs.size() > 1) {
       section.text += " All runs have the same errors.";
     }
@@ -312,8 +312,8 @@ ExitCode show_side_by_side(const CommandLine& line, const Console& console) {
     if (runs[i].command != "sweep" || has_stored_cells(runs[i], line.report.folders[i])) continue;
     report.notes.push_back(fmt::format("{} has no plots: its results.sqlite is missing.", runs[i].name));
   }
-  write_page(folder.path(), report);
   write_tables(line, console, folder, comparison);
+  write_page(folder.path(), report);
   return finish(folder, console, problems);
 }
 

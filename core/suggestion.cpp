@@ -50,6 +50,8 @@ std::optional<int> rank(std::string_view given, std::string_view name) {
   const auto words = words_of(part);
   const auto wanted = words_of(given_part);
   if (has_words(words, wanted, false)) return first;
+  // Every word of the name is given, with others.
+  if (words.size() > 1 && has_words(wanted, words, false)) return first;
   if (is_slip(part, given_part)) return first + 1 + edit_distance(part, given_part);
   if (has_words(words, wanted, true)) return first + 2 + max_edits;
   return std::nullopt;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "present/presentation.h"
 #include "present/presentation_parts.h"
 
 namespace umbrameter {
@@ -19,30 +20,24 @@ constexpr std::array<const char*, ao_stage_count> meanings = {
     "The method's blur.",
 };
 
-std::string signed_text(double value) { return fmt::format("{:+.4f}", value); }
-
-std::string interval_text(const Estimate& estimate) {
-  return fmt::format("{:+.4f} … {:+.4f}", estimate.lower, estimate.upper);
-}
+std::string signed_text(double share) { return with_sign(share_text(share)); }
+std::string signed_text(const Estimate& share) { return with_sign(share_text(share)); }
 
 ReportTable stages_table(const AoStageStatistics& statistics) {
   Table table{{{"stage", "", ""},
-               {"mean", "1", ""},
-               {"95 % interval", "1", ""},
-               {"RMS", "1", ""},
-               {"mean, sRGB", "1", ""},
+               {"mean", "%", "with its 95 % interval"},
+               {"RMS", "%", ""},
+               {"mean, sRGB", "%", "of encoded accessibility"},
                {"meaning", "", ""}},
               {}};
   for (std::size_t k = 0; k < ao_stage_count; ++k) {
     const AoStageError& stage = statistics.stages[k];
-    table.rows.push_back({std::string(ao_stage_titles[k]), signed_text(stage.mean.value), interval_text(stage.mean),
-                          fmt::format("{:.4f}", stage.rms.value), signed_text(stage.srgb_mean),
-                          std::string(meanings[k])});
+    table.rows.push_back({std::string(ao_stage_titles[k]), signed_text(stage.mean), share_text(stage.rms.value),
+                          signed_text(stage.srgb_mean), std::string(meanings[k])});
   }
   const SampledError& total = statistics.total;
-  table.rows.push_back({std::string("total"), signed_text(total.mean_error.value), interval_text(total.mean_error),
-                        fmt::format("{:.4f}", total.rmse.value), signed_text(statistics.srgb_mean_error),
-                        std::string("Technique − reference.")});
+  table.rows.push_back({std::string("total"), signed_text(total.mean_error), share_text(total.rmse.value),
+                        signed_text(statistics.srgb_mean_error), std::string("Technique − reference.")});
   return {"Error by stage", std::move(table)};
 }
 
@@ -67,8 +62,8 @@ std::string range_text(const AoStageBin& bin) {
 }
 
 ReportTable splits_table(const std::vector<AoStageBin>& bins) {
-  Table table{{{"pixels by", "", ""}, {"range", "", ""}, {"pixels", "px", ""}, {"total", "1", ""}}, {}};
-  for (const std::string_view title : ao_stage_titles) table.columns.push_back({std::string(title), "1", ""});
+  Table table{{{"pixels by", "", ""}, {"range", "", ""}, {"pixels", "px", ""}, {"total", "%", ""}}, {}};
+  for (const std::string_view title : ao_stage_titles) table.columns.push_back({std::string(title), "%", ""});
   for (const AoStageBin& bin : bins) {
     if (bin.statistics.total.pixels == 0) continue;
     std::string title = bin.split;
@@ -92,11 +87,12 @@ WaterfallFigure ao_stages_waterfall(const AoStageStatistics& statistics) {
   figure.caption =
       "Signed means over all surface pixels; black lines are 95 % intervals. Opposite signs cancel in a mean: compare "
       "with the RMS below each stage.";
-  figure.label = "technique − reference, mean accessibility";
+  figure.label = "technique − reference, accessibility [%]";
   figure.below = "darkens";
   figure.above = "brightens";
   const auto step = [](std::string name, const Estimate& mean, const Estimate& rms) {
-    return WaterfallStep{std::move(name), fmt::format("RMS {:.3f}", rms.value), mean.value, mean.lower, mean.upper};
+    return WaterfallStep{std::move(name), "RMS " + share_text(rms.value), 100.0 * mean.value, 100.0 * mean.lower,
+                         100.0 * mean.upper};
   };
   for (std::size_t k = 0; k < ao_stage_count; ++k) {
     const AoStageError& stage = statistics.stages[k];
@@ -127,7 +123,8 @@ Presentation present_ao_stages(const LayeredImage& layers, const AoMeasurement& 
   section.text = fmt::format(
       "Each stage changes one thing on the way from the reference to the technique's result. The signed means of the "
       "stages add up to the total.\n\nThe method's integral: {}.\n\nThe stages up to thin use the same rays, {} per "
-      "pixel. Values are accessibilities, from 0 to 1. The stage approximation shows the mean of {} draws with at "
+      "pixel. Means are of accessibility, in per cent; images show it from 0 to 1. The stage approximation shows the "
+      "mean of {} draws with at "
       "least 1024 samples each.",
       stages.integral, ao.experiment.truth.spp, stages.many_draws);
   WaterfallFigure waterfall = ao_stages_waterfall(statistics);
@@ -137,7 +134,7 @@ Presentation present_ao_stages(const LayeredImage& layers, const AoMeasurement& 
   add_figure(presentation, std::move(waterfall));
   add_ao_stage_figures(presentation, layers);
   section.headlines = {
-      {"mean signed error", fmt::format("{:+.3g} %", 100.0 * statistics.total.mean_error.value), "sum of the stages"},
+      {"mean signed error", with_sign(percent(statistics.total.mean_error.value)), "sum of the stages"},
       {"sRGB PSNR", fmt::format("{:.2f} dB", statistics.srgb_psnr), "of encoded accessibility, peak 1"},
   };
   section.tables = {stages_table(statistics), splits_table(stages.bins)};
@@ -148,8 +145,8 @@ Presentation present_ao_stages(const LayeredImage& layers, const AoMeasurement& 
   const AoStageError& most = statistics.stages[largest];
   const double total = statistics.total.rmse.value;
   presentation.lines.push_back(
-      fmt::format("AO by stage: {} changes most: mean {:+.3g} %, RMS {}{}; all stages together: RMS {}",
-                  ao_stage_titles[largest], 100.0 * most.mean.value, percent(most.rms.value),
+      fmt::format("AO by stage: {} changes most: mean {}, RMS {}{}; all stages together: RMS {}",
+                  ao_stage_titles[largest], with_sign(percent(most.mean.value)), percent(most.rms.value),
                   most.rms.value > total ? ", partly undone by other stages" : "", percent(total)));
   return presentation;
 }

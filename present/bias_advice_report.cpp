@@ -27,7 +27,7 @@ std::string short_bias_text(const BiasAdvice& advice, const BiasCell& cell) {
 // In the unit in use first, then in texels or metres.
 std::string bias_text(const BiasAdvice& advice, const BiasCell& cell) {
   const BiasInUnits bias = in_units(advice, cell);
-  const std::string texels = fmt::format("{:.3g} texels", bias.texels);
+  const std::string texels = with_minus(fmt::format("{:.3g} texels", bias.texels));
   if (advice.unit == LengthUnit::texels) return fmt::format("{} ({})", texels, metres_text(bias.metres));
   const std::string own =
       advice.unit == LengthUnit::map_depth ? short_bias_text(advice, cell) : metres_text(bias.metres);
@@ -73,8 +73,8 @@ ReportTable advice_table(const BiasAdvice& advice) {
   }
   const auto add_row = [&](const char* name, const BiasCell& cell) {
     const BiasInUnits bias = in_units(advice, cell);
-    std::vector<Value> row = {std::string(name), fmt::format("{:.3g}", bias.metres), fmt::format("{:.3g}", bias.texels),
-                              fmt::format("{:.3g}", bias.depth), share_text(cell.mae)};
+    std::vector<Value> row = {std::string(name), digits_text(bias.metres), digits_text(bias.texels),
+                              digits_text(bias.depth), share_text(cell.mae)};
     for (const double share : shares_of(cell)) row.emplace_back(share_text(share));
     table.rows.push_back(std::move(row));
   };

@@ -112,24 +112,14 @@ Table slopes_table(const BiasCurves& curves) {
   return table;
 }
 
-// No axis of biases and no interval justifies more digits. The values of the axes, in front, stay as they are.
-Table in_four_digits(Table table, std::size_t first_column) {
+// No axis of biases justifies more digits. The values of the axes, in front, stay as they are.
+Table in_digits(Table table, std::size_t first_column) {
   for (std::vector<Value>& row : table.rows) {
     for (std::size_t c = first_column; c < row.size(); ++c) {
-      if (double* const number = std::get_if<double>(&row[c])) *number = std::stod(fmt::format("{:.4g}", *number));
+      if (const auto* const number = std::get_if<double>(&row[c])) row[c] = digits_text(*number);
     }
   }
   return table;
-}
-
-// As many digits as tell the value from its neighbours on the axis, and no fewer than the range has.
-int digits_of(const BiasCurves& curves, const BiasCell& cell) {
-  const std::vector<double>& axis = curves.constants;
-  const auto place = std::lower_bound(axis.begin(), axis.end(), cell.constant);
-  const bool is_between = place != axis.begin() && place != axis.end() && std::next(place) != axis.end();
-  if (!is_between || cell.constant == 0.0) return 3;
-  const double step = 0.5 * (*std::next(place) - *std::prev(place)) / std::abs(cell.constant);
-  return std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 3, 6);
 }
 
 // What the sweep says of one curve, after the name of its setting.
@@ -172,17 +162,17 @@ std::string explanation(const BiasCurves& curves) {
 
 std::string bias_text(const BiasCurves& curves, const BiasCurve& curve, const BiasCell& cell) {
   const BiasInUnits bias = in_units(curves, curve, cell);
-  const int digits = digits_of(curves, cell);
+  const int digits = digits_on_axis(curves.constants, cell.constant);
   const bool is_in_texels = curves.unit == LengthUnit::texels;
   std::string text = curves.unit == LengthUnit::metres
                          ? metres_text(cell.constant, digits)
-                         : fmt::format("{:.{}g} {}", cell.constant, digits, unit_name(curves.unit));
+                         : with_minus(fmt::format("{:.{}g} {}", cell.constant, digits, unit_name(curves.unit)));
   if (is_in_texels) {
     text += fmt::format(" ({})", metres_text(bias.metres, digits));
   } else if (std::isfinite(bias.texels)) {
-    text += fmt::format(" ({:.{}g} texels)", bias.texels, digits);
+    text += " (" + with_minus(fmt::format("{:.{}g} texels", bias.texels, digits)) + ")";
   }
-  if (curves.varies_slope) text += fmt::format(", slope-scaled bias {:.3g} texels", cell.slope);
+  if (curves.varies_slope) text += ", slope-scaled bias " + with_minus(fmt::format("{:.3g} texels", cell.slope));
   return text;
 }
 
@@ -190,11 +180,11 @@ void present_bias(Presentation& presentation, const BiasCurves& curves) {
   ReportSection& section = presentation.section;
   section.text += explanation(curves);
   section.tables.push_back({"Recommended biases",
-                            in_four_digits(choices_table(curves), curves.others.size()),
+                            in_digits(choices_table(curves), curves.others.size()),
                             {"in texels", "in depth", "extra error", "extra peter-panning"}});
   if (curves.varies_slope && curves.varies_constant)
     section.tables.push_back({"Constant biases by slope-scaled bias",
-                              in_four_digits(slopes_table(curves), curves.others.size() + 1),
+                              in_digits(slopes_table(curves), curves.others.size() + 1),
                               {"at, in texels", "from, in texels", "none from, in texels"}});
   present_formulas(presentation, curves);
 

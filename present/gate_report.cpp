@@ -22,7 +22,7 @@ std::string number_text(double value, const MeasuredStatistic& measured) {
   const double scale = is_share ? 100.0 : 1.0;
   const std::string unit = is_share ? "%" : measured.unit;
   const int decimals = decimals_of(scale * measured.head_room(), 2);
-  return fmt::format("{:.{}f}{}{}", scale * value, decimals, unit.empty() ? "" : " ", unit);
+  return with_minus(fmt::format("{:.{}f}{}{}", scale * value, decimals, unit.empty() ? "" : " ", unit));
 }
 
 std::string statistic_text(const GateCheck& check) {
@@ -61,7 +61,7 @@ std::string excess_text(const GateCheck& check) {
 }
 
 std::string intervals_text(const GateCheck& check) {
-  return is_judged(check) && std::isfinite(check.intervals) ? fmt::format("{:+.1f}", check.intervals) : "—";
+  return is_judged(check) && std::isfinite(check.intervals) ? with_sign(fmt::format("{:.1f}", check.intervals)) : "—";
 }
 
 std::vector<std::vector<std::string>> rows_of(const std::vector<GateCheck>& checks, bool all) {

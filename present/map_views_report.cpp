@@ -1,7 +1,5 @@
 #include "present/map_views_report.h"
 
-#include <fmt/format.h>
-
 #include "present/presentation.h"
 #include "present/presentation_parts.h"
 #include "reports/files/value_json.h"
@@ -14,11 +12,7 @@ Table view_table(const std::vector<ViewStatistics>& views) {
   for (const ViewStatistics& view : views) {
     if (view.pixels > 0) table.rows.push_back(row_of(view));
   }
-  for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    if (table.columns[c].unit != "m") continue;
-    for (std::vector<Value>& row : table.rows) row[c] = fmt::format("{:.4g}", std::get<double>(row[c]));
-  }
-  return in_percent(std::move(table));
+  return in_percent(table);
 }
 
 }  // namespace

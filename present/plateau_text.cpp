@@ -23,7 +23,7 @@ std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::s
   const double first = plateau.first.constant;
   const double last = plateau.last.constant;
   const auto number = [&](double bias) {
-    return unit == LengthUnit::metres ? metres_text(bias) : fmt::format("{:.3g}", bias);
+    return unit == LengthUnit::metres ? metres_text(bias) : with_minus(fmt::format("{:.3g}", bias));
   };
   const std::string of_unit = unit == LengthUnit::metres ? "" : fmt::format(" {}", unit_name(unit));
   const bool is_only = first == last;

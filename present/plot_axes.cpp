@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace umbrameter {
 
@@ -28,6 +29,14 @@ bool is_logarithmic(const SweepAxis& axis) {
     if (std::abs(values[i] / values[i - 1] / ratio - 1.0) > slack) return false;
   }
   return values.size() > 2 && values.back() / values.front() > 2.0;
+}
+
+int digits_on_axis(const std::vector<double>& axis, double value) {
+  const auto place = std::lower_bound(axis.begin(), axis.end(), value);
+  const bool is_between = place != axis.begin() && place != axis.end() && std::next(place) != axis.end();
+  if (!is_between || value == 0.0) return 3;
+  const double step = 0.5 * (*std::next(place) - *std::prev(place)) / std::abs(value);
+  return std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 3, 6);
 }
 
 Thinned thin(std::size_t count, std::size_t most) {

@@ -16,6 +16,9 @@ std::string label_of(const SweepAxis& axis);
 /// resolution or in equal ratios.
 bool is_logarithmic(const SweepAxis& axis);
 
+/// As many significant digits as tell the value from its neighbours on the axis, ascending, and no fewer than 3.
+int digits_on_axis(const std::vector<double>& axis, double value);
+
 /// Every so many of `count` indices, the last one too.
 struct Thinned {
   std::vector<std::size_t> indices;

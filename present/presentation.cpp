@@ -33,13 +33,29 @@ struct AoErrorText {
 };
 AoErrorText error_text(const SampledError& error) {
   const Estimate& absolute = error.mae;
-  const Estimate& with_sign = error.mean_error;
-  const double width = 50.0 * std::max(absolute.upper - absolute.lower, with_sign.upper - with_sign.lower);
-  if (!(width > 0.0)) return {percent(absolute.value), fmt::format("{:+.3g} %", 100.0 * with_sign.value)};
+  const Estimate& mean = error.mean_error;
+  const double width = 50.0 * std::max(absolute.upper - absolute.lower, mean.upper - mean.lower);
+  if (!(width > 0.0)) return {percent(absolute.value), with_sign(percent(mean.value))};
   const int decimals = decimals_of(width, 2);
   return {fmt::format("{:.{}f} to {:.{}f} %", 100.0 * absolute.lower, decimals, 100.0 * absolute.upper, decimals),
-          fmt::format("{:+.{}f} ± {:.{}f} %", 100.0 * with_sign.value, decimals,
-                      50.0 * (with_sign.upper - with_sign.lower), decimals)};
+          with_sign(fmt::format("{:.{}f} ± {:.{}f} %", 100.0 * mean.value, decimals, 50.0 * (mean.upper - mean.lower),
+                                decimals))};
+}
+
+std::string shown_unit(const Column& column) { return column.unit == "1" ? "%" : column.unit; }
+
+// How many columns the statistic has that begins there: three if it has an interval.
+std::size_t width_of(const std::vector<Column>& columns, std::size_t c) {
+  return c + 1 < columns.size() && columns[c + 1].name == lower_name(columns[c].name) ? 3 : 1;
+}
+
+// A count, or a text with as many digits as mean something; with its interval if the statistic has one.
+Value measured_value(const std::vector<Column>& columns, const std::vector<Value>& row, std::size_t c) {
+  if (!std::holds_alternative<double>(row[c])) return row[c];
+  const double factor = columns[c].unit == "1" ? 100.0 : 1.0;
+  if (width_of(columns, c) == 1) return digits_text(factor * to_number(row[c]));
+  return estimate_text({factor * to_number(row[c]), factor * to_number(row[c + 1]), factor * to_number(row[c + 2])},
+                       "");
 }
 
 constexpr const char* picture_stem = "picture";
@@ -97,12 +113,9 @@ ReportTable statistics_table(std::string title, const Statistics& statistics) {
   const std::vector<Column> columns = columns_of(statistics);
   const std::vector<Value> row = row_of(statistics);
   Table table{{{"quantity", "", ""}, {"value", "", ""}, {"unit", "", ""}, {"meaning", "", ""}}, {}};
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const bool is_share = columns[i].unit == "1";
-    const std::string value = is_share                 ? share_text(to_number(row[i]))
-                              : columns[i].unit == "m" ? fmt::format("{:.5g}", to_number(row[i]))
-                                                       : to_string(row[i]);
-    table.rows.push_back({columns[i].name, value, std::string(is_share ? "%" : columns[i].unit), columns[i].meaning});
+  for (std::size_t i = 0; i < columns.size(); i += width_of(columns, i)) {
+    table.rows.push_back(
+        {columns[i].name, measured_value(columns, row, i), shown_unit(columns[i]), columns[i].meaning});
   }
   return {std::move(title), std::move(table)};
 }
@@ -111,7 +124,7 @@ void add_metrics_table(ReportSection& section, const std::vector<MetricScore>& s
   if (scores.empty()) return;
   Table table{{{"metric", "", ""}, {"value", "", ""}, {"unit", "", ""}, {"range", "", ""}, {"formula", "", ""}}, {}};
   for (const auto& [column, score] : scores) {
-    table.rows.push_back({std::string(column.metric->title), fmt::format("{:.4g}", score), column.unit,
+    table.rows.push_back({std::string(column.metric->title), digits_text(score, 4), column.unit,
                           std::string(column.metric->range), std::string(column.metric->formula)});
   }
   section.tables.push_back({"Image metrics", std::move(table)});
@@ -146,13 +159,20 @@ std::string precision_line(const SamplingPrecision& precision) {
   return line;
 }
 
-Table in_percent(Table table, std::size_t first_column) {
-  for (std::size_t c = first_column; c < table.columns.size(); ++c) {
-    if (table.columns[c].unit != "1") continue;
-    table.columns[c].unit = "%";
-    for (std::vector<Value>& row : table.rows) row[c] = share_text(to_number(row[c]));
+Table in_percent(const Table& table, std::size_t first_column, std::string_view kind) {
+  Table shown;
+  shown.rows.resize(table.rows.size());
+  for (std::size_t c = 0; c < table.columns.size(); c += width_of(table.columns, c)) {
+    const bool is_measured = c >= first_column;
+    const Column& column = table.columns[c];
+    shown.columns.push_back(is_measured ? Column{head_words(column.name, kind), shown_unit(column), column.meaning}
+                                        : column);
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+      const std::vector<Value>& row = table.rows[r];
+      shown.rows[r].push_back(is_measured ? measured_value(table.columns, row, c) : row[c]);
+    }
   }
-  return table;
+  return shown;
 }
 
 std::string statistic_words(std::string_view name, std::string_view kind) {
@@ -169,6 +189,15 @@ std::string statistic_words(std::string_view name, std::string_view kind) {
   if (words.size() > 1 && is_upper(0) && !is_upper(1)) {
     words.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(words.front())));
   }
+  return words;
+}
+
+std::string head_words(std::string_view name, std::string_view kind) {
+  constexpr std::size_t longest = 36;
+  std::string words = statistic_words(name, kind);
+  if (words.size() <= longest) return words;
+  words = name;
+  std::replace(words.begin(), words.end(), '_', ' ');
   return words;
 }
 

@@ -14,11 +14,15 @@
 
 namespace umbrameter {
 
-/// Formats shares (unit 1) as per cent with four decimals, in `first_column` and those after it.
-Table in_percent(Table table, std::size_t first_column = 0);
+/// Statistics for people, in `first_column` and those after it: names in words, shares (unit 1) in per cent, and the
+/// interval of a statistic in its own cell. `kind` as for statistic_words().
+Table in_percent(const Table& table, std::size_t first_column = 0, std::string_view kind = {});
 
 /// "mean absolute error", "light leak": a statistic's name in words, without what it is an error of.
 std::string statistic_words(std::string_view name, std::string_view kind = {});
+
+/// The same for the head of a column; the name where the words are long.
+std::string head_words(std::string_view name, std::string_view kind = {});
 
 /// Name and colour of each PixelClass, in its order; the same in all figures.
 const std::vector<CategoryColor>& class_colors();

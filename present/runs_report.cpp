@@ -17,11 +17,6 @@ namespace {
 double scale_of(const std::string& unit) { return unit == "1" ? 100.0 : 1.0; }
 std::string shown_unit(const std::string& unit) { return unit == "1" ? "%" : unit; }
 
-std::string with_minus(std::string text) {
-  if (text.starts_with('-')) text.replace(0, 1, "−");
-  return text;
-}
-
 double half_width_of(const Estimate& estimate) { return 0.5 * (estimate.upper - estimate.lower); }
 
 // Marks an interval that does not cover the choice of pixels.
@@ -140,9 +135,9 @@ Table rows_of_runs(const std::vector<StoredRun>& runs, const std::vector<const C
 
 std::string with_half_width(double value, double half_width) {
   if (!std::isfinite(value)) return "—";
-  if (!(half_width > 0.0)) return with_minus(fmt::format("{:.{}g}", value, std::abs(value) >= 1e4 ? 12 : 4));
-  const int decimals = decimals_of(half_width, 2);
-  return with_minus(fmt::format("{:.{}f} ± {:.{}f}", value, decimals, half_width, decimals));
+  // A count.
+  if (!(half_width > 0.0) && value == std::floor(value)) return with_minus(fmt::format("{:.0f}", value));
+  return estimate_text({value, value - half_width, value + half_width}, "");
 }
 
 std::vector<PartTables> part_tables(const std::vector<StoredRun>& runs,

@@ -113,7 +113,7 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
 std::string agreement_text(const ClassAgreement& agreement) {
   std::string text = fmt::format(
       "ray tests reclassified {:.2g} % of {} taps from false occlusion to acne: {:.2g} % of all wrong taps.",
-      100.0 * share_of_unresolved(agreement), agreement.taps, 100.0 * share_of_wrong(agreement));
+      100.0 * share_of_unresolved(agreement), grouped(agreement.taps), 100.0 * share_of_wrong(agreement));
   if (agreement.peter_panning > 0) {
     text += fmt::format(
         " Of the peter-panning, ray tests call {:.2g} % light leak: the sample is on the receiver's own layer.",
@@ -131,7 +131,7 @@ ReportTable worst_parts(const char* what, PartKind kind, const std::vector<PartE
     if (table.columns[c].unit != "1") continue;
     table.columns[c].name = statistic_words(table.columns[c].name);
     table.columns[c].unit = "%";
-    for (std::vector<Value>& row : table.rows) row[c] = fmt::format("{:.3g}", 100.0 * to_number(row[c]));
+    for (std::vector<Value>& row : table.rows) row[c] = share_text(to_number(row[c]));
   }
   return {fmt::format("Error by {}{}", what, are_more ? fmt::format(": the {} largest shares", most) : ""),
           std::move(table)};
@@ -240,7 +240,7 @@ ReportTable bias_table(const ShadowMeasurement& shadow) {
   Table table{{{"constant bias", "", ""}, {"value", "", ""}, {"unit", "", ""}}, {}};
   const double texel = shadow.counted.mean_texel;
   const BiasInUnits bias = in_units(shadow.experiment.shadow.bias.constant, texel, shadow.depth_unit);
-  const auto known = [](double number) { return std::isfinite(number) ? fmt::format("{:.4g}", number) : "—"; };
+  const auto known = [](double number) { return digits_text(number); };
   table.rows.push_back({std::string("along the light"), known(bias.metres), std::string("m")});
   table.rows.push_back(
       {std::string("in texels of mean size ") + metres_text(texel), known(bias.texels), std::string("texels")});

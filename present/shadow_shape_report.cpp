@@ -7,6 +7,7 @@
 
 #include "present/map_views_report.h"
 #include "present/presentation.h"
+#include "reports/files/text_layout.h"
 
 namespace umbrameter {
 namespace {
@@ -35,11 +36,11 @@ Table distance_table(const ErrorShape& shape) {
     std::vector<Value> row = {std::string(part)};
     for (const Spread* spread : {&*distances.texels, &*distances.pixels, &*distances.metres}) {
       for (const double value : {spread->median, spread->upper, spread->largest}) {
-        row.emplace_back(fmt::format("{:.3g}", value));
+        row.emplace_back(digits_text(value));
       }
     }
     for (const std::size_t reach : {one_texel, two_texels}) {
-      row.emplace_back(fmt::format("{:.2f}", 100.0 * distances.within[reach]));
+      row.emplace_back(share_text(distances.within[reach]));
     }
     table.rows.push_back(std::move(row));
   };
@@ -53,11 +54,11 @@ std::string edges_text(const ErrorShape& shape) {
       "\n\nThe hard shadow of the light's centre has {} edges: pairs of adjacent pixels on one surface, one lit and "
       "one "
       "blocked.",
-      shape.edges);
+      grouped(shape.edges));
   if (shape.outside_penumbra) {
     text += fmt::format(
-        " {:.2f} % of the error lies outside the penumbra (weight 1 − 4V(1 − V), V the visibility of the reference).",
-        100.0 * *shape.outside_penumbra);
+        " {} of the error lies outside the penumbra (weight 1 − 4V(1 − V), V the visibility of the reference).",
+        percent(*shape.outside_penumbra));
   }
   return text;
 }
@@ -73,8 +74,8 @@ Table component_table(const ErrorShape& shape) {
               {}};
   const auto add = [&](std::string_view name, const ComponentStatistics& s) {
     if (s.count == 0) return;
-    table.rows.push_back({std::string(name), static_cast<std::int64_t>(s.count), fmt::format("{:.2f}", s.mean_area),
-                          static_cast<std::int64_t>(s.largest_area), fmt::format("{:.2f}", 100.0 * s.largest_share),
+    table.rows.push_back({std::string(name), static_cast<std::int64_t>(s.count), digits_text(s.mean_area),
+                          static_cast<std::int64_t>(s.largest_area), share_text(s.largest_share),
                           fmt::format("{:.1f}", s.largest_x), fmt::format("{:.1f}", s.largest_y)});
   };
   add("all", *shape.components);
@@ -103,7 +104,7 @@ Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& cast
                {"shadow inset", "px", inset}},
               {}};
   for (const CasterShape& caster : listed) {
-    const auto cell = [](bool is_known, double value) { return is_known ? fmt::format("{:.3g}", value) : "—"; };
+    const auto cell = [](bool is_known, double value) { return is_known ? digits_text(value) : "—"; };
     const bool touches = caster.contacts > 0;
     const bool has_edges = caster.edges > 0;
     table.rows.push_back({scene.by_object.names[caster.object], static_cast<std::int64_t>(caster.contacts),

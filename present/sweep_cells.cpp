@@ -1,13 +1,23 @@
 #include "present/sweep_cells.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "present/plot_axes.h"
+#include "present/presentation.h"
+#include "results/known_statistics.h"
 
 namespace umbrameter {
 namespace {
 
 constexpr std::size_t max_table_cells = 20'000;
+
+std::string head_of(const std::string& name, std::string_view kind) {
+  for (const auto& [end, words] : {std::pair{lower_name(""), ", lower end"}, {upper_name(""), ", upper end"}}) {
+    if (name.ends_with(end)) return head_words(name.substr(0, name.size() - end.size()), kind) + words;
+  }
+  return head_words(name, kind);
+}
 
 }  // namespace
 
@@ -25,6 +35,8 @@ ReportCells report_cells(const SweepResults& sweep, const Experiment& experiment
   std::vector<std::string> names;
   for (const StoredColumn& stored : sweep.store.description().columns) {
     cells.table.columns.push_back(stored.column);
+    const bool is_axis = names.size() < cells.axes;
+    cells.heads.push_back(is_axis ? stored.column.name : head_of(stored.column.name, kind_of(sweep.quantity())));
     names.push_back(stored.column.name);
   }
   cells.table.rows = sweep.store.rows(numbers, names).rows;

@@ -9,6 +9,7 @@
 
 #include "present/bias_figures.h"
 #include "present/plot_axes.h"
+#include "results/known_statistics.h"
 
 namespace umbrameter {
 namespace {
@@ -185,19 +186,25 @@ std::vector<std::size_t> listed_axes(const SweepResults& sweep) {
   return axes;
 }
 
-std::string row_text(const Table& table, const std::vector<Value>& row, std::size_t axes) {
+// The values of the axes, as the answers have them; sweep.csv has all digits.
+std::string row_text(const std::vector<SweepAxis>& axes, const std::vector<Value>& row) {
   std::string text;
-  for (std::size_t a = 0; a < axes; ++a) {
-    // As the answers have it; sweep.csv has all digits.
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    const SweepAxis& axis = axes[a];
+    text += (a > 0 ? ", " : "") + axis.key + " ";
     const auto* number = std::get_if<double>(&row[a]);
-    const std::string value =
-        number != nullptr && std::abs(*number) < 1e4 ? fmt::format("{:.4g}", *number) : short_text(row[a]);
-    const std::string& unit = table.columns[a].unit;
-    text += (a > 0 ? ", " : "") + table.columns[a].name + " ";
-    if (number != nullptr && unit == "m") {
-      text += metres_text(*number, 4);
+    std::vector<double> values;
+    for (const Value& value : axis.values) {
+      if (number != nullptr) values.push_back(to_number(value));
+    }
+    std::sort(values.begin(), values.end());
+    const int digits = number != nullptr ? digits_on_axis(values, *number) : 0;
+    if (number != nullptr && axis.unit == "m") {
+      text += metres_text(*number, digits);
     } else {
-      text += value + (unit.empty() || unit == "1" ? "" : " " + unit);
+      text += number != nullptr && std::abs(*number) < 1e4 ? with_minus(fmt::format("{:.{}g}", *number, digits))
+                                                           : short_text(row[a]);
+      text += axis.unit.empty() || axis.unit == "1" ? "" : " " + axis.unit;
     }
   }
   return text;
@@ -239,9 +246,7 @@ Table best_rows(const SweepResults& sweep) {
 }
 
 std::string cell_text(const SweepResults& sweep, const std::vector<Value>& row) {
-  Table table;
-  for (const StoredColumn& stored : sweep.store.description().columns) table.columns.push_back(stored.column);
-  return row_text(table, row, sweep.plan.axes.size());
+  return row_text(sweep.plan.axes, row);
 }
 
 std::vector<OpenEnd> open_ends(const SweepResults& sweep, const Table& best) {
@@ -266,7 +271,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   const bool is_flat = sweep.plan.cells > 1 && are_all_equal(sweep);
   if (is_flat) presentation.answers.push_back(equal_cells_text(sweep, error));
   const char* headline = open_ends.empty() ? "least mean absolute error" : "lowest mean absolute error tested";
-  section.headlines = {{headline, error, row_text(best, least, axes)},
+  section.headlines = {{headline, error, row_text(sweep.plan.axes, least)},
                        {"cells", std::to_string(sweep.plan.cells), "one row each in sweep.csv"}};
   const std::vector<std::string> warnings = to_lines(open_ends);
   const Layout layout = lay_out(sweep.parameters, sweep.plan.axes);
@@ -294,13 +299,13 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     section.text += fmt::format("\n\nThe table lists the cell of least error for {} line{} of the figures.",
                                 best.rows.size() < lines ? fmt::format("the first {}", best.rows.size()) : "every",
                                 best.rows.size() < lines ? "s" : "");
-    section.tables.push_back({"Cells of least error", in_percent(best, axes)});
+    section.tables.push_back({"Cells of least error", in_percent(best, axes, kind_of(sweep.quantity()))});
   }
   if (curves) {
     present_bias(presentation, *curves);
   } else {
     presentation.answers.push_back(
-        fmt::format("least error {} at {}{}", error, row_text(best, least, axes),
+        fmt::format("least error {} at {}{}", error, row_text(sweep.plan.axes, least),
                     sweep.ao_limit.empty() ? "" : " (reference rays " + sweep.ao_limit + ")"));
   }
   for (const std::string& warning : warnings) presentation.answers.push_back("warning: " + warning);
@@ -308,7 +313,8 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   for (const std::vector<Value>& row : best.rows) {
     if (presentation.lines.size() > 8) break;
     if (std::equal(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(axes), least.begin())) continue;
-    presentation.lines.push_back(fmt::format("  {} at {}", percent(to_number(row[mae])), row_text(best, row, axes)));
+    presentation.lines.push_back(
+        fmt::format("  {} at {}", percent(to_number(row[mae])), row_text(sweep.plan.axes, row)));
   }
   return presentation;
 }

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <ranges>
 
 #include "present/plot_axes.h"
 #include "present/tune_text.h"
@@ -36,6 +38,11 @@ PlotFigure scan_figure(const TuneSummary& summary, const AxisScan& scan) {
   };
   for (const TunePoint& point : scan.points) add(point, false);
   add(summary.result.best, true);
+  // Where the ends of the axis cost many times as much, the costs near the best would lie on the zero line.
+  constexpr double large_ratio = 20.0;
+  const auto [least, most] = std::ranges::minmax(
+      plot.data.rows | std::views::transform([](const std::vector<Value>& row) { return to_number(row[1]); }));
+  plot.y.logarithmic = least > 0.0 && std::isfinite(most) && most > large_ratio * least;
   return plot;
 }
 

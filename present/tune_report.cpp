@@ -333,8 +333,8 @@ Presentation present_tuning(const TuneSummary& summary) {
   section.tables_first = true;
   section.text =
       method_text(summary) +
-      "\n\n95 % intervals in brackets cover the choice of pixels: each of up to 64 blocks of the image is left out in "
-      "turn (jackknife). Differences are paired: both points lose the same block. Cases held out of the "
+      "\n\n95 % intervals (± or a range) cover the choice of pixels: each of up to 64 blocks of the image is left "
+      "out in turn (jackknife). Differences are paired: both points lose the same block. Cases held out of the "
       "search check the best point.";
   if (const Table compared = comparison_table(summary); !compared.rows.empty()) {
     const std::vector<std::string> lines = lines_of(compared);

@@ -13,7 +13,7 @@ std::string statistic_text(double value, const std::string& unit) {
   if (!std::isfinite(value)) return "—";
   if (unit == "1") return percent(value);
   if (unit == "m") return metres_text(value);
-  return fmt::format("{:.3g} {}", value, unit);
+  return with_minus(fmt::format("{:.3g} {}", value, unit));
 }
 
 std::string column_words(const TuneGoal& goal, std::size_t column) {
@@ -47,8 +47,8 @@ std::string cost_text(const TuneGoal& goal, double value, const std::optional<Es
 std::string value_text(const TuneAxis& axis, const Value& value) {
   const auto* number = std::get_if<double>(&value);
   // The tuned file has all digits; values that differ in the fourth cost the same.
-  std::string text =
-      number != nullptr ? fmt::format("{:.{}g}", *number, std::abs(*number) < 100.0 ? 3 : 5) : to_string(value);
+  std::string text = number != nullptr ? with_minus(fmt::format("{:.{}g}", *number, std::abs(*number) < 100.0 ? 3 : 5))
+                                       : to_string(value);
   if (number != nullptr && std::isnan(*number)) return "in another unit";
   const std::string& unit = axis.axis.unit;
   if (number != nullptr && std::isfinite(*number) && unit == "m") return metres_text(*number);

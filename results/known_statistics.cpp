@@ -6,16 +6,11 @@
 
 #include "core/error.h"
 #include "core/suggestion.h"
-#include "results/swept.h"
 
 namespace umbrameter {
 namespace {
 
 constexpr std::array<std::string_view, 3> kinds = {"shadow", "ao", "image"};
-
-std::string_view kind_of(SweptQuantity quantity) {
-  return quantity == SweptQuantity::ao ? kinds[1] : quantity == SweptQuantity::image ? kinds[2] : kinds[0];
-}
 
 // Shadows are described in several ways: too dark is a sum of causes for a hard one and an error for a soft one.
 void add(std::vector<KnownStatistic>& all, KnownStatistic statistic) {
@@ -71,6 +66,10 @@ std::vector<KnownStatistic> make_known() {
 }
 
 }  // namespace
+
+std::string_view kind_of(SweptQuantity quantity) {
+  return quantity == SweptQuantity::ao ? kinds[1] : quantity == SweptQuantity::image ? kinds[2] : kinds[0];
+}
 
 const std::vector<KnownStatistic>& known_statistics() {
   static const std::vector<KnownStatistic> all = make_known();

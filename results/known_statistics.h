@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "results/swept.h"
+
 namespace umbrameter {
 
 struct KnownStatistic {
@@ -18,6 +20,9 @@ struct KnownStatistic {
   std::string metric{};           ///< the image metric, measured only if run.metrics names it; empty if described
   std::string title{};            ///< in words: "Mean absolute error of visibility", "share lit in the reference"
 };
+
+/// "shadow" for visibility, "ao", "image".
+std::string_view kind_of(SweptQuantity quantity);
 
 /// All described statistics, then the image metrics. A name occurs once for each kind that has it.
 const std::vector<KnownStatistic>& known_statistics();

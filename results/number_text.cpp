@@ -11,7 +11,15 @@ namespace {
 // Without the sign of a number that is rounded to 0.
 std::string rounded(double number, int decimals) {
   const std::string text = fmt::format("{:.{}f}", number, decimals);
-  return text.find_first_not_of("-0.") == std::string::npos ? fmt::format("{:.{}f}", 0.0, decimals) : text;
+  return text.find_first_not_of("-0.") == std::string::npos ? fmt::format("{:.{}f}", 0.0, decimals) : with_minus(text);
+}
+
+// Halves that differ by less show as the same two digits or nearly so.
+bool is_symmetric(const Estimate& estimate) {
+  constexpr double slack = 0.1;  // of the half width
+  const double below = estimate.value - estimate.lower;
+  const double above = estimate.upper - estimate.value;
+  return std::abs(above - below) <= slack * 0.5 * (estimate.upper - estimate.lower);
 }
 
 }  // namespace
@@ -23,40 +31,62 @@ int decimals_of(double number, int digits) {
   return std::clamp(digits - 1 - static_cast<int>(power), 0, 9);
 }
 
-std::string share_text(double share) { return fmt::format("{:.4f}", 100.0 * share); }
-
-std::string percent(double share) {
-  if (!std::isfinite(share)) return "—";
-  const double value = 100.0 * share;
-  if (value != 0.0 && std::abs(value) < 0.0001) return fmt::format("{:.0e} %", value);
-  return fmt::format("{:.{}f} %", value, decimals_of(value, 3));
+std::string with_minus(std::string text) {
+  if (text.starts_with('-')) text.replace(0, 1, "−");
+  return text;
 }
 
-std::string percent(const Estimate& share) {
-  if (!std::isfinite(share.value)) return "—";
-  if (!(share.upper > share.lower)) return percent(share.value);
-  return estimate_text({100.0 * share.value, 100.0 * share.lower, 100.0 * share.upper}, "%");
+std::string with_sign(std::string text) {
+  text = with_minus(std::move(text));
+  return text.find_first_of("123456789") >= text.find(' ') || text.starts_with("−") ? text : "+" + text;
 }
+
+std::string digits_text(double number, int digits) {
+  constexpr double least_in_decimals = 1e-4;
+  if (!std::isfinite(number)) return "—";
+  if (number != 0.0 && std::abs(number) < least_in_decimals) return with_minus(fmt::format("{:.1g}", number));
+  return rounded(number, decimals_of(number, digits));
+}
+
+std::string share_text(double share) { return digits_text(100.0 * share); }
+
+std::string share_text(const Estimate& share) {
+  return estimate_text({100.0 * share.value, 100.0 * share.lower, 100.0 * share.upper}, "");
+}
+
+std::string percent(double share) { return std::isfinite(share) ? share_text(share) + " %" : "—"; }
+
+std::string percent(const Estimate& share) { return std::isfinite(share.value) ? share_text(share) + " %" : "—"; }
 
 std::string estimate_text(const Estimate& estimate, std::string_view unit) {
-  const int decimals = decimals_of(0.5 * (estimate.upper - estimate.lower), 2);
-  return fmt::format("{}{}{} [{}, {}]", rounded(estimate.value, decimals), unit.empty() ? "" : " ", unit,
-                     rounded(estimate.lower, decimals), rounded(estimate.upper, decimals));
+  if (!std::isfinite(estimate.value)) return "—";
+  const std::string of_unit = unit.empty() ? "" : fmt::format(" {}", unit);
+  const double half = 0.5 * (estimate.upper - estimate.lower);
+  if (!(half > 0.0)) return digits_text(estimate.value) + of_unit;
+  const int decimals = decimals_of(half, 2);
+  if (!is_symmetric(estimate)) {
+    return rounded(estimate.lower, decimals) + " to " + rounded(estimate.upper, decimals) + of_unit;
+  }
+  return rounded(estimate.value, decimals) + " ± " + rounded(half, decimals) + of_unit;
 }
 
 std::string length_text(const Length& any) {
   return any.unit == LengthUnit::metres ? metres_text(any.number)
-                                        : fmt::format("{:.4g} {}", any.number, unit_name(any.unit));
+                                        : with_minus(fmt::format("{:.4g} {}", any.number, unit_name(any.unit)));
 }
 
 std::string metres_text(double metres, int digits) {
   if (!std::isfinite(metres)) return "—";
+  const auto in = [&](double factor, const char* unit) {
+    return with_minus(fmt::format("{:.{}g} {}", metres * factor, digits, unit));
+  };
   const double size = std::abs(metres);
-  if (size >= 1000.0) return fmt::format("{:.{}g} km", metres / 1000.0, digits);
+  if (size >= 1000.0) return in(1e-3, "km");
   if (size < 1e-9) return "0 m";
-  if (size >= 1.0) return fmt::format("{:.{}g} m", metres, digits);
-  if (size >= 0.01) return fmt::format("{:.{}g} cm", metres * 100.0, digits);
-  return fmt::format("{:.{}g} mm", metres * 1000.0, digits);
+  if (size >= 1.0) return in(1.0, "m");
+  if (size >= 0.01) return in(100.0, "cm");
+  if (size >= 1e-5) return in(1000.0, "mm");
+  return size >= 1e-6 ? in(1e6, "µm") : in(1e9, "nm");
 }
 
 std::string short_text(const Value& value) {

@@ -11,15 +11,23 @@ namespace {
 // Places of the plan in each direction. A floor fills all of them or nearly so: how fine they are decides nothing.
 constexpr int side = 64;
 
+// The top of a crate or table is farther above its foot, for its width, than a floor is above its underside.
+constexpr double thickest_floor = 1.0 / 8.0;  // of the side of a square with the plan's area
+
+double highest_floor(const Bounds& bounds) {
+  const dvec3 extent = bounds.extent();
+  return std::min(bounds.center().y, bounds.min.y + thickest_floor * std::sqrt(extent.x * extent.z));
+}
+
 class Plan {
  public:
-  explicit Plan(const Bounds& bounds) : bounds_(bounds), middle_(bounds.center().y), is_covered_(side * side, false) {}
+  explicit Plan(const Bounds& bounds) : bounds_(bounds), top_(highest_floor(bounds)), is_covered_(side * side, false) {}
 
   bool is_half_covered() const { return 2 * covered_ >= side * side; }
 
-  // Covers the places at which the triangle lies in the lower half.
+  // Covers the places at which the triangle is low enough.
   void add(const std::array<dvec3, 3>& corners) {
-    if (std::min({corners[0].y, corners[1].y, corners[2].y}) > middle_) return;
+    if (std::min({corners[0].y, corners[1].y, corners[2].y}) > top_) return;
     std::array<dvec3, 3> places{};
     for (std::size_t c = 0; c < 3; ++c) places[c] = place(corners[c]);
     const auto [min_x, max_x] = std::minmax({places[0].x, places[1].x, places[2].x});
@@ -55,13 +63,13 @@ class Plan {
       if (weight < 0.0) return;
       height += weight * places[c].y;
     }
-    if (height > middle_) return;
+    if (height > top_) return;
     is_covered_[index] = true;
     ++covered_;
   }
 
   Bounds bounds_;
-  double middle_;
+  double top_;
   std::vector<bool> is_covered_;
   int covered_ = 0;
 };

@@ -134,23 +134,23 @@ PlotDrawings draw_plots(const Figures& figures, const FigureStyle& style) {
   for (const HeatMapFigure& heat_map : figures.heat_maps) add(heat_map);
   for (const WaterfallFigure& waterfall : figures.waterfalls) add(waterfall);
   if (stems.empty()) return result;
+  const std::string not_drawn = fmt::format("{} plot{} not drawn", stems.size(), stems.size() == 1 ? "" : "s");
   const fs::path script = data_folder() / "figures.cjs";
   std::error_code error;
   if (!fs::is_regular_file(script, error)) {
-    result.problems.push_back(fmt::format("{} plots not drawn: {} is missing; set UMBRAMETER_DATA to its folder",
-                                          stems.size(), script.string()));
+    result.problems.push_back(
+        fmt::format("{}: {} is missing; set UMBRAMETER_DATA to its folder", not_drawn, script.string()));
     return result;
   }
   const FilterResult drawn = run_filters({{{"node", script.string()}, {}, specifications + "]"}}, 1).front();
   if (!drawn.problem.empty()) {
     const bool is_missing = drawn.problem.starts_with("cannot run node:");
-    result.problems.push_back(
-        fmt::format("{} plots not drawn: {}{}", stems.size(), drawn.problem, is_missing ? "; install nodejs" : ""));
+    result.problems.push_back(fmt::format("{}: {}{}", not_drawn, drawn.problem, is_missing ? "; install nodejs" : ""));
     return result;
   }
   const nlohmann::json answers = nlohmann::json::parse(drawn.output, nullptr, false);
   if (!answers.is_array() || answers.size() != stems.size()) {
-    result.problems.push_back(fmt::format("{} plots not drawn: {} did not respond", stems.size(), script.string()));
+    result.problems.push_back(fmt::format("{}: {} did not respond", not_drawn, script.string()));
     return result;
   }
   for (std::size_t i = 0; i < stems.size(); ++i) {

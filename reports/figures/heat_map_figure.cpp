@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
+#include <utility>
 
 #include "reports/figures/figure_parts.h"
 #include "reports/figures/plot_parts.h"
@@ -58,8 +60,18 @@ struct Cells {
   std::size_t dropped = 0;
 };
 
-// Three significant digits, as the legend shows them.
-double rounded(double value) { return std::stod(fmt::format("{:.3g}", value)); }
+double rounded(double value, int digits) { return std::stod(fmt::format("{:.{}g}", value, digits)); }
+
+// The values at these shares of all, rounded to so many significant digits.
+std::vector<double> steps_at(const std::vector<double>& values, std::span<const double> shares, int digits) {
+  std::vector<double> steps;
+  for (const double share : shares) {
+    const double step = rounded(values[static_cast<std::size_t>(share * static_cast<double>(values.size()))], digits);
+    // The least value keeps a colour below the first step.
+    if (step > values.front() && (steps.empty() || step > steps.back())) steps.push_back(step);
+  }
+  return steps;
+}
 
 // Where the next colour begins: as given, else at these shares of the cells.
 std::vector<double> steps_of(const HeatMapFigure& figure) {
@@ -72,14 +84,12 @@ std::vector<double> steps_of(const HeatMapFigure& figure) {
     if (value && std::isfinite(*value)) values.push_back(*value);
   }
   std::sort(values.begin(), values.end());
-  std::vector<double> steps;
-  for (const double share : shares) {
-    if (values.empty()) break;
-    const double step = rounded(values[static_cast<std::size_t>(share * static_cast<double>(values.size()))]);
-    // The least value keeps a colour below the first step.
-    if (step > values.front() && (steps.empty() || step > steps.back())) steps.push_back(step);
-  }
-  if (steps.empty()) steps.push_back(values.empty() || values.back() <= 0.0 ? 1.0 : rounded(2.0 * values.back()));
+  if (values.empty()) return {1.0};
+  // Two digits are easier to read, and their labels leave each other room.
+  std::vector<double> steps = steps_at(values, shares, 2);
+  if (std::vector<double> finer = steps_at(values, shares, 3); finer.size() > steps.size() + 1)
+    steps = std::move(finer);
+  if (steps.empty()) steps.push_back(values.back() <= 0.0 ? 1.0 : rounded(2.0 * values.back(), 3));
   return steps;
 }
 

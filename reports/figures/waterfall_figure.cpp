@@ -62,7 +62,7 @@ std::string to_plot_specification(const WaterfallFigure& figure, const FigureSty
                 {"to", to},
                 {"kind", kind},
                 {"top", std::max(from, to)},
-                {"label", signed_text(step.value, is_narrow ? 3 : 4)}};
+                {"label", signed_text(step.value, is_narrow ? 1 : 2)}};
     if (step.upper > step.lower) {
       row["lo"] = from + step.lower;
       row["hi"] = from + step.upper;

@@ -27,8 +27,10 @@ Json cells_json(const ReportCells& cells) {
   Json json = {{"axes", cells.axes},       {"count", cells.count}, {"numbers", cells.numbers},
                {"command", cells.command}, {"units", cells.units}, {"command_end", cells.command_end},
                {"columns", Json::array()}, {"rows", Json::array()}};
-  for (const auto& [name, unit, meaning] : cells.table.columns) {
-    json["columns"].push_back({{"name", name}, {"unit", unit}, {"meaning", meaning}});
+  for (std::size_t c = 0; c < cells.table.columns.size(); ++c) {
+    const auto& [name, unit, meaning] = cells.table.columns[c];
+    const std::string& head = c < cells.heads.size() ? cells.heads[c] : name;
+    json["columns"].push_back({{"name", name}, {"head", head}, {"unit", unit}, {"meaning", meaning}});
   }
   for (const std::vector<Value>& row : cells.table.rows) {
     Json& values = json["rows"].emplace_back(Json::array());

@@ -13,6 +13,7 @@ namespace umbrameter {
 struct ReportCells {
   Table table;                         ///< first the columns of the axes, then the measured ones
   std::size_t axes = 0;                ///< number of axes
+  std::vector<std::string> heads{};    ///< the columns' names in words; empty: the names
   std::vector<std::size_t> numbers{};  ///< each row's index in sweep.csv; empty if the table has all cells
   std::size_t count = 0;               ///< cells of the sweep
   /// What repeats a cell: `command`, for each axis "--name value" with the value in `units`, then `command_end`.

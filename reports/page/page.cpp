@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -24,19 +27,48 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t max_rows = 500;
 // Longer texts are wrapped.
-constexpr std::size_t longest_short_text = 40;
+constexpr std::size_t longest_short_text = 24;
+
+constexpr std::string_view minus = "−";
 
 std::string cell_text(const Value& value) {
   const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? fmt::format("{:.6g}", *number) : to_string(value);
+  std::string text = number != nullptr ? fmt::format("{:.6g}", *number) : to_string(value);
+  if (!std::holds_alternative<std::string>(value) && text.starts_with('-')) text.replace(0, 1, minus);
+  return text;
 }
 
+std::string replace_all(std::string text, std::string_view what, std::string_view with) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) {
+    text.replace(at, what.size(), with);
+  }
+  return text;
+}
+
+// Numbers and what may stand with them: "−0.19", "+8.4 ± 0.7", "(0.05 ± 0.09)*", "11.2 to 11.4", "0.115 %".
 bool is_number(const Value& value) {
-  const auto* text = std::get_if<std::string>(&value);
-  if (text == nullptr) return !std::holds_alternative<bool>(value);
-  double number = 0.0;
-  const auto result = std::from_chars(text->data(), text->data() + text->size(), number);
-  return !text->empty() && result.ec == std::errc{} && result.ptr == text->data() + text->size();
+  const auto* given = std::get_if<std::string>(&value);
+  if (given == nullptr) return !std::holds_alternative<bool>(value);
+  std::string text = replace_all(*given, minus, "-");
+  for (const std::string_view each : {"±", " to ", " %", "(", ")", "*", "+"}) text = replace_all(text, each, " ");
+  std::istringstream words(text);
+  int count = 0;
+  for (std::string word; words >> word; ++count) {
+    double number = 0.0;
+    const auto result = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (result.ec != std::errc{} || result.ptr != word.data() + word.size()) return false;
+  }
+  return count > 0;
+}
+
+// Name of a column that does not break within "95 %" or "1 texel".
+std::string head_text(std::string name) {
+  constexpr std::string_view no_break_space = "\u00a0";
+  for (std::size_t i = 1; i < name.size(); ++i) {
+    if (name[i] == ' ' && std::isdigit(static_cast<unsigned char>(name[i - 1])) != 0)
+      name.replace(i, 1, no_break_space);
+  }
+  return name;
 }
 
 // Whether a column is set flush right: it has a number and nothing else but cells without a value.
@@ -117,6 +149,10 @@ void classify_cells(Json& table) {
   const auto has_unit = [](const Json& column) { return column["unit"] != "" || column.contains("below"); };
   table["has_units"] = std::any_of(all.begin(), all.end(), has_unit);
   table["column_count"] = columns.size();
+  for (Json& column : columns) {
+    column["name"] = head_text(column["name"]);
+    for (Json& further : column["further"]) further["label"] = head_text(further["label"]);
+  }
   table["columns"] = std::move(columns);
 }
 
@@ -138,7 +174,8 @@ void ready_settings(Json& settings) {
 constexpr std::pair<const char*, const char*> file_meanings[] = {
     {"images.exr", "all images as float layers"},    {"sweep.csv", "all cells of the sweep"},
     {"tuned.toml", "settings with the best values"}, {"evaluations.csv", "all evaluated points"},
-    {"experiment.toml", "settings of this run"},     {"summary.json", "all numbers, for programs"}};
+    {"experiment.toml", "settings of this run"},     {"comparison.csv", "all values and differences"},
+    {"summary.json", "all numbers, for programs"}};
 
 Json files_data(const fs::path& folder) {
   const std::vector<std::string> linked = linked_files(folder);
@@ -162,16 +199,10 @@ Json paragraphs_data(std::string_view text) {
   return paragraphs;
 }
 
-// Of "4.1 % [4.0, 4.2]" the interval is apart: it is set smaller than the number.
 Json headlines_data(const std::vector<Headline>& headlines) {
   Json list = Json::array();
   for (const Headline& headline : headlines) {
-    const std::string& value = headline.value;
-    const std::size_t interval = value.ends_with(']') ? std::min(value.find(" ["), value.size()) : value.size();
-    list.push_back({{"label", headline.label},
-                    {"value", value.substr(0, interval)},
-                    {"interval", interval < value.size() ? value.substr(interval + 1) : ""},
-                    {"note", headline.note}});
+    list.push_back({{"label", headline.label}, {"value", headline.value}, {"note", headline.note}});
   }
   return list;
 }
@@ -191,12 +222,17 @@ bool are_of_three_runs(const std::vector<std::string>& stems) {
   return stems.size() % 3 == 0;
 }
 
-Json figures_data(const fs::path& folder, const ReportSection& section, Numbers& numbers) {
+// In the order of the page: what the viewer shows, in `layers`, is folded after the rest.
+Json figures_data(const fs::path& folder, const ReportSection& section, const std::set<std::string>& layers,
+                  Numbers& numbers) {
   const auto text_at = [](const std::vector<std::string>& texts, std::size_t i) {
     return i < texts.size() ? texts[i] : std::string();
   };
   Json figures = Json::array();
-  for (std::size_t f = 0; f < section.figures.size(); ++f) {
+  std::vector<std::size_t> order(section.figures.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_partition(order, [&](std::size_t f) { return !layers.contains(section.figures[f]); });
+  for (const std::size_t f : order) {
     const std::string& stem = section.figures[f];
     figures.push_back({{"number", ++numbers.figures},
                        {"stem", stem},
@@ -211,7 +247,8 @@ Json figures_data(const fs::path& folder, const ReportSection& section, Numbers&
   return figures;
 }
 
-Json section_data(const fs::path& folder, const ReportSection& section, Numbers& numbers) {
+Json section_data(const fs::path& folder, const ReportSection& section, const std::set<std::string>& layers,
+                  Numbers& numbers) {
   Json tables = Json::array();
   for (const auto& [title, table, below] : section.tables) {
     if (table.columns.empty()) continue;
@@ -222,17 +259,17 @@ Json section_data(const fs::path& folder, const ReportSection& section, Numbers&
           {"headlines", headlines_data(section.headlines)},
           {"paragraphs", paragraphs_data(section.text)},
           {"in_threes", are_of_three_runs(section.figures)},
-          {"figures", figures_data(folder, section, numbers)},
+          {"figures", figures_data(folder, section, layers, numbers)},
           {"tables", tables}};
 }
 
 // All that the page shows but its pictures; numbers are texts with the digits that are shown.
-Json page_data(const fs::path& folder, const Report& report) {
+Json page_data(const fs::path& folder, const Report& report, const std::set<std::string>& layers) {
   Json sections = Json::array();
   Json contents = Json::array();
   Numbers numbers;
   for (const ReportSection& section : report.sections) {
-    sections.push_back(section_data(folder, section, numbers));
+    sections.push_back(section_data(folder, section, layers, numbers));
     contents.push_back({{"anchor", sections.back()["anchor"]}, {"title", section.title}});
   }
   if (!report.settings.columns.empty()) contents.push_back({{"anchor", "settings"}, {"title", "Settings"}});
@@ -279,7 +316,8 @@ std::vector<std::string> linked_files(const fs::path& folder) {
 }
 
 void write_page(const fs::path& folder, const Report& report, const ViewerPack* viewer) {
-  Json page = page_data(folder, report);
+  const std::set<std::string> layers = viewer != nullptr ? viewer->layers : std::set<std::string>();
+  Json page = page_data(folder, report, layers);
   page["data"] = script_text(page);
   if (report.cells) {
     page["cells"] = script_text(cells_json(*report.cells));
@@ -298,7 +336,7 @@ void write_page(const fs::path& folder, const Report& report, const ViewerPack* 
   for (Json& section : page["sections"]) {
     for (Json& figure : section["figures"]) add_picture(figure, folder);
     for (Json& table : section["tables"]) classify_cells(table);
-    fold_figures(section, viewer != nullptr ? viewer->layers : std::set<std::string>());
+    fold_figures(section, layers);
   }
   for (std::size_t s = 0; s < report.sections.size(); ++s) {
     Json& section = page["sections"][s];

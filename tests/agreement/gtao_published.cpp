@@ -107,14 +107,14 @@ double psnr(double mse) { return -10.0 * std::log10(mse); }
 std::string text_of(const BlockErrors& errors) {
   const Estimate mse = jackknife([&](std::size_t b) { return errors.mse_without(b); });
   const Estimate ratio = jackknife([&](std::size_t b) { return psnr(errors.mse_without(b)); });
-  return fmt::format("{:.4f} [{:.4f}, {:.4f}] | {:.2f} [{:.2f}, {:.2f}]", mse.value, mse.lower, mse.upper, ratio.value,
-                     ratio.lower, ratio.upper);
+  return fmt::format("{:.4f} ± {:.4f} | {:.2f} ± {:.2f}", mse.value, mse.upper - mse.value, ratio.value,
+                     ratio.upper - ratio.value);
 }
 
 // Paired: both lose the same block.
 std::string difference_text(const BlockErrors& a, const BlockErrors& b) {
   const Estimate gain = jackknife([&](std::size_t k) { return psnr(b.mse_without(k)) - psnr(a.mse_without(k)); });
-  return fmt::format("{:+.2f} dB [{:+.2f}, {:+.2f}]", gain.value, gain.lower, gain.upper);
+  return fmt::format("{:+.2f} ± {:.2f} dB", gain.value, gain.upper - gain.value);
 }
 
 struct Row {
@@ -183,7 +183,7 @@ int run(const Setup& setup) {
       "`ao.gtao-radius-multiplier`, its *falloff range* `ao.gtao-falloff`, its *final value power* `ao.gtao-power`.\n\n"
       "MSE and PSNR are of sRGB-encoded accessibility (peak 1), over the surface pixels, less what the noise of the "
       "reference\n"
-      "adds. Brackets: 95 % intervals over the choice of pixels (jackknife over 8×8 blocks of the image).\n\n"
+      "adds. ±: 95 % intervals over the choice of pixels (jackknife over 8×8 blocks of the image).\n\n"
       "| GTAO |",
       setup.size.width, setup.size.height, setup.spp);
   for (const char* camera : cameras) fmt::print(" MSE, `{}` | PSNR, dB |", camera);

@@ -49,6 +49,16 @@ void expect_words(const std::string& text, const std::vector<std::string>& words
   for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << " in: " << text;
 }
 
+TEST(Info, A_driver_that_is_offered_in_several_ways_has_one_line) {
+  std::istringstream lines(run_program({"info"}).out);
+  std::vector<std::string> drivers;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("OpenGL") || line.find(": ") == std::string::npos) continue;
+    drivers.push_back(line.substr(line.find(": ")));
+  }
+  for (const std::string& each : drivers) EXPECT_EQ(std::count(drivers.begin(), drivers.end(), each), 1) << each;
+}
+
 TEST(Info, The_scene_flag_chooses_by_name_or_index_and_the_default_is_the_files_own) {
   const TemporaryFolder folder;
   const std::string file = folder.write("two.glb", two_scenes()).string();

@@ -248,7 +248,7 @@ TEST_F(RunsReport, A_difference_that_is_not_shown_to_be_significant_is_in_parent
     const std::vector<StoredRun> runs = {read_stored_run(write("a", a)), read_stored_run(write("b", b))};
     return to_string(part_tables(runs, compare_runs(runs)).at(0).differences.rows.at(0).at(1));
   };
-  EXPECT_EQ(difference(0.0), "(5)");
+  EXPECT_EQ(difference(0.0), "(5.00)");
   EXPECT_EQ(difference(0.1), "(5 ± 14*)");
   EXPECT_EQ(difference(0.01), "(5.0 ± 1.4*)") << "the interval covers the rays alone";
 }
@@ -271,6 +271,7 @@ TEST_F(RunsReport, Writes_page_rows_figures_and_tables_and_names_only_the_parame
   const std::string page = text_of(output() + "/index.html");
   EXPECT_NE(page.find("shadow.constant-bias"), std::string::npos);
   EXPECT_EQ(page.find("shadow.filter"), std::string::npos) << "it is the same in both";
+  EXPECT_NE(page.find("<a href=\"comparison.csv\">"), std::string::npos);
   EXPECT_NE(page.find(">mean absolute error</th>"), std::string::npos) << "heads are words";
   EXPECT_NE(text_of(output() + "/comparison.csv").find("significant"), std::string::npos);
   for (const char* file : {"error_visibility_sun_1.pdf", "error_visibility_sun_2.svg", "class_sun_1.png"}) {
@@ -298,7 +299,7 @@ TEST_F(RunsReport, Of_equal_runs_there_is_no_table_of_differences_and_three_stan
   const std::string page = text_of(output() + "/index.html");
   EXPECT_NE(page.find("class=\"figures threes\""), std::string::npos);
   EXPECT_NE(page.find("All runs have the same errors."), std::string::npos);
-  EXPECT_EQ(page.find("Difference to one"), std::string::npos);
+  EXPECT_EQ(page.find("Difference to the run"), std::string::npos);
 }
 
 TEST_F(RunsReport, The_region_of_most_error_can_be_drawn_enlarged) {
@@ -356,7 +357,7 @@ TEST(ReportText, Values_have_the_digits_that_their_interval_justifies) {
   EXPECT_EQ(with_half_width(2.17704, 0.0372), "2.177 ± 0.037");
   EXPECT_EQ(with_half_width(-12.3, 1.26), "−12.3 ± 1.3");
   EXPECT_EQ(with_half_width(1234.5, 56.0), "1234 ± 56") << "rounded to even";
-  EXPECT_EQ(with_half_width(0.026831, 0.0), "0.02683");
+  EXPECT_EQ(with_half_width(0.026831, 0.0), "0.0268");
   EXPECT_EQ(with_half_width(189110.0, 0.0), "189110");
   EXPECT_EQ(with_half_width(std::nan(""), 0.0), "—");
 }

@@ -37,6 +37,11 @@ TEST(Suggestion, The_last_part_or_a_word_of_it_finds_every_name_that_has_it) {
   EXPECT_EQ(similar_names("ao.resolution", names), Names{"shadow.resolution"});
 }
 
+TEST(Suggestion, A_word_too_many_is_no_obstacle) {
+  EXPECT_EQ(similar_names("shadow.slope-scaled-bias", names), Names{"shadow.slope-bias"});
+  EXPECT_TRUE(similar_names("shadow.map-size", names).empty()) << "a single word in common says little";
+}
+
 TEST(Suggestion, The_given_group_comes_first) {
   EXPECT_EQ(similar_names("shadow.bias", names), (Names{"shadow.constant-bias", "shadow.slope-bias"}));
   EXPECT_EQ(similar_names("shadow.radius", names), Names{"shadow.filter-radius"});

@@ -115,6 +115,19 @@ test('texts and controls have contrast and nothing is cut off, at three widths, 
   }
 });
 
+test('a tablet shows the columns of every table, and a number is not parted from its unit', async () => {
+  for (const out of [plain_run(), sweep_run()]) {
+    const {page, close} = await open_page(out, {width: 900});
+    await show_all(page);
+    assert.deepEqual(await page.evaluate(() => [...document.querySelectorAll('.scroll, .cells .rows')]
+      .filter((each) => each.scrollWidth > each.clientWidth + 1).map((each) => each.getAttribute('aria-label'))
+      .filter((label) => !/Formulas of the bias/.test(label))), [], 'formulas are as long as they are');
+    assert.deepEqual(await page.evaluate(() => [...document.querySelectorAll('thead th')]
+      .map((each) => each.textContent).filter((text) => /\d %/.test(text))), []);
+    await close();
+  }
+});
+
 test('the Tab key reaches every control in the order of the page, and shows where it is', async () => {
   const {page, close} = await open_page(sweep_run(), {width: 1280});
   const expected = await page.evaluate(() => {

@@ -27,7 +27,7 @@ TEST(AoAnswer, Absolute_and_signed_error_have_the_digits_of_the_wider_interval) 
   error.mean_error = {-0.089738, -0.08976, -0.089716};
   EXPECT_EQ(
       present_ao({}, ao).answers.at(0),
-      "AO: mean absolute error 10.645 to 10.752 %, mean signed error -8.974 ± 0.002 % (SSAO radius 50 cm, reference "
+      "AO: mean absolute error 10.645 to 10.752 %, mean signed error −8.974 ± 0.002 % (SSAO radius 50 cm, reference "
       "rays up to 50 cm)");
   // An exact reference: no interval.
   error.mae = {0.107503, 0.107503, 0.107503};
@@ -48,11 +48,11 @@ TEST(AoAnswer, A_stage_that_changes_more_than_the_error_is_said_to_be_undone_in_
   thin.mean.value = -0.05;
   thin.rms.value = 0.2;
   EXPECT_EQ(present_ao_stages({}, ao).lines.at(0),
-            "AO by stage: thin changes most: mean -5 %, RMS 20.0 %, partly undone by other stages; all stages "
+            "AO by stage: thin changes most: mean −5.00 %, RMS 20.0 %, partly undone by other stages; all stages "
             "together: RMS 10.0 %");
   thin.rms.value = 0.05;
   EXPECT_EQ(present_ao_stages({}, ao).lines.at(0),
-            "AO by stage: thin changes most: mean -5 %, RMS 5.00 %; all stages together: RMS 10.0 %");
+            "AO by stage: thin changes most: mean −5.00 %, RMS 5.00 %; all stages together: RMS 10.0 %");
 }
 
 }  // namespace

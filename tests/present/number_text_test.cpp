@@ -16,12 +16,25 @@ TEST(NumberText, A_share_has_three_significant_digits) {
   EXPECT_EQ(percent(std::numeric_limits<double>::quiet_NaN()), "—") << "what was not measured is no number";
 }
 
-TEST(NumberText, An_interval_decides_how_many_decimals_its_value_has) {
-  EXPECT_EQ(percent(Estimate{0.105432, 0.104, 0.106}), "10.54 % [10.40, 10.60]");  // half width 0.10 %
-  EXPECT_EQ(percent(Estimate{0.105432, 0.0854, 0.1254}), "10.5 % [8.5, 12.5]");    // half width 2.0 %
+TEST(NumberText, Numbers_of_a_column_keep_their_zeros_and_have_a_minus_sign) {
+  EXPECT_EQ(digits_text(10.0), "10.0");
+  EXPECT_EQ(digits_text(0.35), "0.350");
+  EXPECT_EQ(digits_text(-0.2727), "−0.273");
+  EXPECT_EQ(digits_text(12345.6), "12346") << "the whole part is never cut";
+  EXPECT_EQ(digits_text(0.0), "0");
+  EXPECT_EQ(digits_text(5.96e-8), "6e-08");
+  EXPECT_EQ(share_text(0.147406), "14.7");
+  EXPECT_EQ(percent(-0.008), "−0.800 %");
+}
+
+TEST(NumberText, A_symmetric_interval_is_a_half_width_and_another_one_a_range) {
+  EXPECT_EQ(percent(Estimate{0.105432, 0.104, 0.106}), "10.40 to 10.60 %");  // half width 0.10 %
+  EXPECT_EQ(percent(Estimate{0.105432, 0.0854, 0.1254}), "10.5 ± 2.0 %");    // half width 2.0 %
+  EXPECT_EQ(percent(Estimate{-0.0028, -0.0075, 0.0019}), "−0.28 ± 0.47 %");
   EXPECT_EQ(percent(Estimate{0.25, 0.25, 0.25}), "25.0 %");
-  EXPECT_EQ(estimate_text({0.1759, 0.121, 0.231}, "px"), "0.176 px [0.121, 0.231]");
-  EXPECT_EQ(estimate_text({-1e-5, -0.039, 0.039}, ""), "0.000 [-0.039, 0.039]") << "0 has no sign";
+  EXPECT_EQ(estimate_text({0.1759, 0.121, 0.231}, "px"), "0.176 ± 0.055 px");
+  EXPECT_EQ(estimate_text({0.05, -0.1, 0.06}, "px"), "−0.100 to 0.060 px");
+  EXPECT_EQ(estimate_text({-1e-5, -0.039, 0.039}, ""), "0.000 ± 0.039") << "0 has no sign";
 }
 
 TEST(NumberText, A_length_is_in_the_unit_that_suits) {
@@ -30,7 +43,9 @@ TEST(NumberText, A_length_is_in_the_unit_that_suits) {
   EXPECT_EQ(metres_text(12345.0), "12.3 km");
   EXPECT_EQ(metres_text(0.0), "0 m");
   EXPECT_EQ(metres_text(-1.73e-18), "0 m") << "a fitted constant that is 0 but for rounding";
-  EXPECT_EQ(metres_text(2e-6), "0.002 mm");
+  EXPECT_EQ(metres_text(2e-6), "2 µm");
+  EXPECT_EQ(metres_text(4.84e-9), "4.84 nm");
+  EXPECT_EQ(metres_text(-0.0123), "−1.23 cm");
   EXPECT_EQ(length_text({1.5, LengthUnit::texels}), "1.5 texels");
   EXPECT_EQ(length_text(Length{0.5}), "50 cm");
 }

@@ -1,6 +1,7 @@
 // Tables and intervals of `report` on runs of one light that are made here.
 #include <gtest/gtest.h>
 
+#include "present/presentation.h"
 #include "present/runs_report.h"
 #include "reports/files/exr.h"
 
@@ -62,6 +63,23 @@ TEST(RunsReportIntervals, Causes_of_a_filter_without_their_layers_have_values_an
   EXPECT_TRUE(estimate_over_blocks(run, run.statistics[0]));
   EXPECT_FALSE(estimate_over_blocks(run, run.statistics[1]));
   EXPECT_FALSE(estimate_over_blocks(run, run.statistics[2]));
+}
+
+TEST(StatisticsTables, Have_words_per_cent_and_the_interval_in_the_cell) {
+  const Table rows{{{"ao.radius", "m", ""},
+                    {"mae", "1", ""},
+                    {"mae_lo", "1", ""},
+                    {"mae_hi", "1", ""},
+                    {"mean_error", "1", ""},
+                    {"pixels", "px", ""}},
+                   {{1.25, 0.1154, 0.1134, 0.1174, -0.0123456, std::int64_t{49785}}}};
+  const Table shown = in_percent(rows, 1, "ao");
+  std::vector<std::string> heads;
+  for (const Column& column : shown.columns) heads.push_back(column.name + " " + column.unit);
+  EXPECT_EQ(heads, (std::vector<std::string>{"ao.radius m", "mean absolute error %", "mean error %",
+                                             "pixels that see a surface px"}));
+  EXPECT_EQ(shown.rows[0],
+            (std::vector<Value>{1.25, std::string("11.54 ± 0.20"), std::string("−1.23"), std::int64_t{49785}}));
 }
 
 }  // namespace

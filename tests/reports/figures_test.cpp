@@ -191,7 +191,7 @@ TEST(Figures, A_broken_plot_drawer_is_a_problem_and_no_crash) {
     put_text(folder / "figures.cjs", script);
     const FigureOutcome outcome = write_figures(folder / "figures", {{}, {curve_figure()}});
     ASSERT_EQ(outcome.problems.size(), 1u) << script;
-    EXPECT_TRUE(contains(outcome.problems[0], "1 plots not drawn")) << outcome.problems[0];
+    EXPECT_TRUE(contains(outcome.problems[0], "1 plot not drawn")) << outcome.problems[0];
   }
 }
 

@@ -145,6 +145,20 @@ TEST(HeatMap, Cells_near_the_least_error_have_colours_of_their_own_whatever_the_
   EXPECT_EQ(cells[999]["v"], 9);
 }
 
+// 0.0137, 0.1507, 0.2877 …: of 100 cells, 2, 5, 10, 20, 30, 45, 60, 75 and 90 lie below the steps.
+TEST(HeatMap, Steps_have_two_digits_where_these_tell_them_apart) {
+  HeatMapFigure figure = bias_map();
+  figure.panel.reset();
+  figure.steps.clear();
+  figure.data.rows.clear();
+  for (int i = 0; i < 100; ++i) {
+    figure.data.rows.push_back({0.1 * i, std::int64_t{0}, std::int64_t{512}, 0.0137 + 0.137 * i, i == 0});
+  }
+  const Json specification = Json::parse(to_plot_specification(figure));
+  const std::string label = specification["layer"][0]["encoding"]["color"]["legend"]["labelExpr"];
+  EXPECT_EQ(label, "' ' + ['', 0.29, 0.7, 1.4, 2.8, 4.1, 6.2, 8.2, 10, 12][datum.value] + ' '");
+}
+
 TEST(HeatMap, Equal_cells_have_one_colour) {
   HeatMapFigure figure = bias_map();
   figure.steps.clear();

@@ -37,6 +37,18 @@ TEST(PageParts, Columns_that_stand_below_another_are_parts_of_its_cells) {
   EXPECT_TRUE(contains(page, "<td class=\"number\">0.25" + below("3.5") + "<td class=\"number\">1</td>")) << page;
 }
 
+TEST(PageParts, Columns_of_intervals_are_set_right_and_heads_do_not_break_within_a_number) {
+  const TemporaryFolder folder;
+  const std::string page = page_of(folder, of_table({{{"run", "", ""}, {"95 %", "%", ""}, {"bias", "m", ""}},
+                                                     {{std::string("a"), std::string("2.18 ± 0.73"), -0.5},
+                                                      {std::string("b"), std::string("(−0.02 ± 0.03)*"), 0.0},
+                                                      {std::string("c"), std::string("11.2 to 11.4"), 1.0}}}));
+  for (const char* text : {"2.18 ± 0.73", "(−0.02 ± 0.03)*", "11.2 to 11.4", "−0.5"}) {
+    EXPECT_TRUE(contains(page, "<td class=\"number\">" + std::string(text) + "</td>")) << text;
+  }
+  EXPECT_TRUE(contains(page, ">95\u00a0%</th>")) << page;
+}
+
 TEST(PageParts, Settings_that_differ_from_their_defaults_come_first_and_all_are_folded) {
   const TemporaryFolder folder;
   Report report;
@@ -65,6 +77,8 @@ TEST(PageParts, Figures_of_what_the_viewer_shows_are_folded_and_others_are_not) 
   ASSERT_NE(fold, std::string::npos);
   EXPECT_TRUE(contains(page.substr(fold), "data-stem=\"layer\""));
   EXPECT_TRUE(contains(page.substr(0, fold), "data-stem=\"absent\""));
+  EXPECT_TRUE(contains(page.substr(0, fold), "Figure 1.")) << "numbers follow the order of the page";
+  EXPECT_TRUE(contains(page.substr(fold), "Figure 2."));
   EXPECT_FALSE(contains(page_of(folder, report), "viewer-figures\" open"));
 }
 

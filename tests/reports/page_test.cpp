@@ -92,7 +92,7 @@ Report sample(const std::string& text) {
   ReportSection section;
   section.title = text;
   section.text = text + "\n\n" + text;
-  section.headlines = {{text, text, text}, {text, "4.1 % [4.0, 4.2]", ""}};
+  section.headlines = {{text, text, text}, {text, "4.1 ± 0.1 %", ""}};
   section.figures = {"drawn", "absent", "../secret", text};
   section.captions = {text, text};
   section.figure_titles = {text};
@@ -171,8 +171,7 @@ TEST(Page, Its_data_are_the_texts_that_it_shows_in_ascii_and_without_tags) {
       EXPECT_EQ(other, shown);
     }
     EXPECT_EQ(section["anchor"], "section-2");
-    EXPECT_EQ(section["headlines"][1],
-              (nlohmann::json{{"label", shown}, {"value", "4.1 %"}, {"interval", "[4.0, 4.2]"}, {"note", ""}}));
+    EXPECT_EQ(section["headlines"][1], (nlohmann::json{{"label", shown}, {"value", "4.1 ± 0.1 %"}, {"note", ""}}));
     EXPECT_EQ(section["figures"][0]["number"], 5);
     EXPECT_EQ(section["tables"][0]["rows"], nlohmann::json::array({nlohmann::json::array({shown, "0.125"})}));
     EXPECT_EQ(section["tables"][0]["caption"], "Table 2. " + shown);
@@ -243,7 +242,7 @@ TEST(Page, The_viewer_has_its_data_as_json_whatever_the_names_are) {
     pack.title = text;
     add_set(pack, viewer_sample(text));
     Report report = sample(text);
-    report.cells = ReportCells{{{{text, text, text}}, {{text}}}, 1, {}, 1, text, {text}, text};
+    report.cells = ReportCells{{{{text, text, text}}, {{text}}}, 1, {text}, {}, 1, text, {text}, text};
     report.sections[0].charts = {{report.sections[0].figures.at(0), {{text, text}}, {{text, text}}}};
     const std::string page = written_page(folder, report, &pack);
     EXPECT_EQ(unbalanced(page), "");
@@ -369,9 +368,9 @@ TEST(PageTable, Tables_without_rows_columns_or_cells_are_no_trouble) {
                        "<tr><th scope=\"row\"></th><td></td></tr>"));
 }
 
-TEST(PageTable, Texts_of_up_to_40_characters_stay_on_one_line) {
+TEST(PageTable, Texts_of_up_to_24_characters_stay_on_one_line) {
   const TemporaryFolder folder;
-  const std::string brief = "<" + std::string(39, 'x');
+  const std::string brief = "<" + std::string(23, 'x');
   const Table table{{{"a", "", ""}, {"b", "", ""}}, {{std::string("r"), brief}, {std::string("r"), brief + "x"}}};
   const std::string page = written_page(folder, with_table(table));
   EXPECT_TRUE(contains(page, "<td class=\"short\">&lt;" + brief.substr(1) + "</td>")) << page;

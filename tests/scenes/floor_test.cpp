@@ -41,6 +41,14 @@ TEST(Floor, An_object_by_itself_has_none) {
   EXPECT_FALSE(has_floor(scene_of({to_mesh("box", builtin::box({0, 0, 0}, {1, 1, 1}), 0)})));
 }
 
+// The top of the crate is in the lower half of the height and covers the whole plan.
+TEST(Floor, The_top_of_a_crate_is_none) {
+  builtin::Shape crate = builtin::box({0.0, 0.0, 0.0}, {1.0, 0.4, 1.0});
+  builtin::append(crate, builtin::box({0.45, 0.4, 0.45}, {0.55, 2.0, 0.55}));
+  EXPECT_FALSE(has_floor(scene_of({to_mesh("crate with a pole", crate, 0)})));
+  EXPECT_TRUE(has_floor(scene_of({to_mesh("crate with a pole", crate, 0), plane(2.0f, 0.0f)})));
+}
+
 TEST(Floor, A_plane_or_slab_under_it_is_one_also_in_the_same_mesh) {
   EXPECT_TRUE(has_floor(scene_of({to_mesh("animal", animal(), 0), plane(2.0f, 0.0f)})));
   builtin::Shape merged = animal();

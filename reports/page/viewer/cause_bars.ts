@@ -3,8 +3,6 @@ import {make_svg} from './dom';
 
 export const cause_names = ['acne', 'false occlusion', 'peter-panning', 'light leak'];
 export const cause_columns = ['acne', 'false_occlusion', 'peter_panning', 'leak'];
-// As a head: a cause's name, or that of the column.
-export const head_of = (column: string) => cause_names[cause_columns.indexOf(column)] ?? column.replace(/_/g, ' ');
 const colors = ['213,94,0', '204,121,167', '0,114,178', '86,180,233'];
 
 // Lines over a square of 8 units.

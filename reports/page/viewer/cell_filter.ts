@@ -1,6 +1,5 @@
 // The filter of the table of cells: texts that a row has, and conditions on its columns such as "mae < 2" or
 // "light leak<0.1%".
-import {cause_columns, cause_names} from './cause_bars';
 import {Cells} from './cells';
 
 export interface CellFilter {
@@ -16,12 +15,11 @@ const metres: Record<string, number> = {mm: 0.001, cm: 0.01, m: 1};
 const plain = (name: string) => name.toLowerCase().replace(/[\s_-]+/g, ' ').trim();
 const words_of = (text: string) => text.split(/[\s,;]+/).filter((word) => word !== '' && word !== 'and');
 
-// A column has its name in full and without its group, as the page shows it; a cause has that of its bar, too.
+// A column has its name in full, without its group, and in words as the page shows it.
 function columns_by_name(cells: Cells): Map<string, number> {
   const columns = new Map<string, number>();
-  cells.columns.forEach(({name}, c) => {
-    const cause = cause_columns.indexOf(name);
-    for (const each of [name, name.replace(/^.*\./, ''), ...(cause < 0 ? [] : [cause_names[cause]])]) {
+  cells.columns.forEach(({name, head}, c) => {
+    for (const each of [name, name.replace(/^.*\./, ''), head]) {
       if (!columns.has(plain(each))) columns.set(plain(each), c);
     }
   });
@@ -48,7 +46,7 @@ function make_test(cells: Cells, column: number, sign: string, text: string): Te
   return (row) => {
     const value = cells.shown(row, column);
     if (typeof value !== 'number') return false;
-    const is_equal = value === wanted || Number(cells.text(row, column).replace('−', '-')) === wanted;
+    const is_equal = value === wanted || Number(cells.table_text(row, column).replace('−', '-')) === wanted;
     if (sign === '=' || sign === '!=') return is_equal === (sign === '=');
     return (sign.endsWith('=') && is_equal) || (sign.startsWith('<') ? value < wanted : value > wanted);
   };
@@ -59,7 +57,7 @@ export function parse_filter(cells: Cells, given: string): CellFilter {
   const tests: Test[] = [];
   const problems: string[] = [];
   const require_words = (words: string[]) => tests.push(...words.map((word): Test =>
-    (row) => cells.columns.some((_, c) => cells.text(row, c).toLowerCase().includes(word))));
+    (row) => cells.columns.some((_, c) => cells.table_text(row, c).toLowerCase().includes(word))));
   const text = given.toLowerCase().replace(/≤/g, '<=').replace(/≥/g, '>=').replace(/≠/g, '!=').replace(/==/g, '=');
   let end = 0;
   for (const found of text.matchAll(condition)) {

@@ -1,5 +1,5 @@
 // The selected cell of a sweep: its numbers, and its images or the command that makes them.
-import {cause_bar, cause_columns, cause_names, head_of} from './cause_bars';
+import {cause_bar, cause_columns, cause_names} from './cause_bars';
 import {Cells} from './cells';
 import {make} from './dom';
 
@@ -34,8 +34,8 @@ export class CellPanel {
 
   show_cell(cells: Cells, row: number, images: CellImages): void {
     const table = make('table', {}, make('caption', {}, `Cell ${cells.number_of(row)} of ${cells.packed.count}`),
-                       make('tbody', {}, ...cells.columns.map(({name, meaning}, c) =>
-      make('tr', c < cells.packed.axes ? {class: 'axis'} : {}, make('th', {scope: 'row', title: meaning}, head_of(name)),
+                       make('tbody', {}, ...cells.columns.map(({head, meaning}, c) =>
+      make('tr', c < cells.packed.axes ? {class: 'axis'} : {}, make('th', {scope: 'row', title: meaning}, head),
            make('td', {class: 'number'}, `${cells.text(row, c)} ${cells.unit(c)}`.trim())))));
     this.fill(this.images(cells, row, images), ...this.bars(cells, row), table);
   }

@@ -1,5 +1,4 @@
 // The table of all cells of a sweep. Only the rows in view are elements, so that ten thousand rows open at once.
-import {head_of} from './cause_bars';
 import {parse_filter} from './cell_filter';
 import {Cells, CellValue, Selection} from './cells';
 import {download, make} from './dom';
@@ -8,11 +7,15 @@ import {compare_cells, csv_cell} from './tables';
 const row_height = 30; // CSS pixels, as viewer.css has it
 const spare_rows = 8; // above and below the rows in view
 
+// A name may break after its group, too.
+const breakable = (name: string) => name.replace('.', '.\u200b');
+
 export class CellTable {
   private readonly body = make('tbody');
   private readonly above = make('td', {class: 'space'});
   private readonly below = make('td', {class: 'space'});
   private readonly region: HTMLElement;
+  private readonly columns: number[]; // of the cells, those that the table shows
   private readonly heads: HTMLTableCellElement[];
   private readonly count = make('span', {class: 'count', role: 'status'});
   private readonly filter: HTMLInputElement;
@@ -23,9 +26,10 @@ export class CellTable {
   constructor(section: HTMLElement, private readonly cells: Cells, private readonly selection: Selection,
               private readonly has_images: (row: number) => boolean) {
     this.order = cells.rows.map((_, row) => row);
-    this.heads = cells.columns.map(({name, meaning}, c) => make('th', {scope: 'col', title: meaning, role: 'columnheader'},
-      make('button', {type: 'button', class: 'sort', click: () => this.sort_by(c)}, head_of(name))));
-    const units = cells.columns.map((_, c) => make('td', {class: 'unit', role: 'gridcell'}, cells.unit(c)));
+    this.columns = cells.columns.map((_, c) => c).filter((c) => !cells.is_end(c) && !this.is_left_out(c));
+    this.heads = this.columns.map((c) => make('th', {scope: 'col', title: cells.columns[c].meaning, role: 'columnheader'},
+      make('button', {type: 'button', class: 'sort', click: () => this.sort_by(c)}, breakable(cells.columns[c].head))));
+    const units = this.columns.map((c) => make('td', {class: 'unit', role: 'gridcell'}, cells.unit(c)));
     const table = make('table', {role: 'grid', 'aria-label': 'All cells', 'aria-rowcount': cells.rows.length + 2},
       make('thead', {}, make('tr', {role: 'row'}, make('th', {scope: 'col', role: 'columnheader'}, 'cell'), ...this.heads),
            make('tr', {role: 'row'}, make('td', {class: 'unit', role: 'gridcell'}), ...units)), this.body);
@@ -35,7 +39,7 @@ export class CellTable {
                                  input: () => this.apply()});
     section.append(
       make('h2', {id: 'all-cells'}, 'All cells'),
-      make('p', {}, `${this.extent()} Click a row, or press Enter on it, for the cell's numbers and images. ● marks cells with images.`),
+      make('p', {}, `${this.extent()} Click a row, or press Enter on it, for the cell's numbers and images. ● marks cells with images.${this.constants()}`),
       make('div', {class: 'table-tools'}, this.filter, this.count,
            make('button', {type: 'button', class: 'csv', title: 'Download these rows as CSV',
                            click: () => download('cells.csv', this.csv(), 'text/csv')}, 'CSV')),
@@ -59,6 +63,17 @@ export class CellTable {
 
   private is_sample(): boolean {
     return this.cells.rows.length < this.cells.packed.count;
+  }
+  // The error is shown also where all cells have the same.
+  private is_left_out(column: number): boolean {
+    return this.cells.is_constant(column) && this.cells.columns[column].name !== 'mae';
+  }
+  // "Equal in all cells: counted pixels 47311 px."
+  private constants(): string {
+    const {cells} = this;
+    const equal = cells.columns.map((_, c) => c).filter((c) => !cells.is_end(c) && this.is_left_out(c));
+    const texts = equal.map((c) => `${cells.columns[c].head} ${cells.table_text(0, c)} ${cells.unit(c)}`.trim());
+    return texts.length > 0 ? ` Equal in all: ${texts.join(', ')}.` : '';
   }
   private extent(): string {
     const {cells} = this;
@@ -86,8 +101,8 @@ export class CellTable {
   private sort_by(column: number): void {
     const sign = this.sorted?.column === column ? -this.sorted.sign : 1;
     this.sorted = {column, sign};
-    this.heads.forEach((head, c) => {
-      if (c === column) head.setAttribute('aria-sort', sign > 0 ? 'ascending' : 'descending');
+    this.heads.forEach((head, i) => {
+      if (this.columns[i] === column) head.setAttribute('aria-sort', sign > 0 ? 'ascending' : 'descending');
       else head.removeAttribute('aria-sort');
     });
     this.apply();
@@ -108,8 +123,8 @@ export class CellTable {
       return make('tr', {role: 'row', id: `cell-row-${row}`, class: classes, 'data-place': place, 'aria-rowindex': place + 3,
                          'aria-selected': String(row === this.selection.row)},
                   make('th', {scope: 'row', role: 'rowheader'}, mark + cells.number_of(row)),
-                  ...cells.columns.map((_, c) => make('td', {role: 'gridcell',
-                    class: typeof cells.rows[row][c] === 'string' ? '' : 'number'}, cells.text(row, c))));
+                  ...this.columns.map((c) => make('td', {role: 'gridcell',
+                    class: typeof cells.rows[row][c] === 'string' ? '' : 'number'}, cells.table_text(row, c))));
     });
     const space = (cell: HTMLTableCellElement) => make('tr', {class: 'space', 'aria-hidden': 'true'}, cell);
     this.body.replaceChildren(space(this.above), ...rows, space(this.below));

@@ -4,6 +4,7 @@ export type CellValue = number | string | boolean | null;
 
 interface CellColumn {
   name: string;
+  head: string; // the name in words
   unit: string;
   meaning: string;
 }
@@ -24,6 +25,12 @@ interface PackedCells {
 export interface ChartCells {
   columns: Record<string, string>;
   fixed: Record<string, CellValue>;
+}
+
+// As digits_text() of results/number_text.h.
+function in_digits(value: number, digits: number): string {
+  if (Math.abs(value) < 1e-4) return value.toExponential(0);
+  return value.toFixed(Math.max(0, Math.min(9, digits - 1 - Math.floor(Math.log10(Math.abs(value))))));
 }
 
 const as_number = (value: CellValue) => (value === null || value === '' || typeof value === 'boolean' ? NaN : Number(value));
@@ -72,11 +79,30 @@ export class Cells {
     const value = this.rows[row][column];
     return this.is_share(column) && typeof value === 'number' ? Number((100 * value).toPrecision(6)) : value;
   }
-  text(row: number, column: number): string {
+  text(row: number, column: number, digits = 5): string {
     const value = this.shown(row, column);
     if (value === null) return '—';
-    if (Number.isInteger(value)) return String(value).replace('-', '−');
-    return typeof value === 'number' ? String(Number(value.toPrecision(5))).replace('-', '−') : String(value);
+    if (typeof value !== 'number') return String(value);
+    if (value === 0 || !this.is_real(column)) return String(value).replace('-', '−');
+    const shown = Number(value.toPrecision(digits));
+    return (digits < 5 ? in_digits(shown, digits) : String(shown)).replace('-', '−');
+  }
+  // In the table measured numbers have as many digits as in the page's other tables.
+  table_text(row: number, column: number): string {
+    return this.text(row, column, column < this.packed.axes ? 5 : 3);
+  }
+  // Whether the column has numbers that are no counts.
+  is_real(column: number): boolean {
+    return this.rows.some((row) => typeof row[column] === 'number' && !Number.isInteger(row[column]));
+  }
+  // An end of the interval of another column.
+  is_end(column: number): boolean {
+    const {name} = this.columns[column];
+    return /_(lo|hi)$/.test(name) && this.column(name.slice(0, -3)) >= 0;
+  }
+  // Whether all cells have the same measured value.
+  is_constant(column: number): boolean {
+    return column >= this.packed.axes && this.rows.length > 1 && this.rows.every((row) => row[column] === this.rows[0][column]);
   }
   // "constant-bias 0.05 m, resolution 1024 texels"; without one of the axes if asked.
   title(row: number, without = ''): string {

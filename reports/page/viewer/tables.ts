@@ -7,14 +7,21 @@ const below = (cell?: Element) => [...(cell?.querySelectorAll('.below') ?? [])].
 // Without the texts below it.
 function own_text(cell?: Element): string {
   const first = cell?.querySelector('button')?.firstChild ?? cell?.firstChild;
-  return first?.nodeType === Node.TEXT_NODE ? first.textContent!.trim() : '';
+  // Without what only guides line breaks.
+  return first?.nodeType === Node.TEXT_NODE ? first.textContent!.replace(/\u200b/g, '').replace(/\u00a0/g, ' ').trim() : '';
 }
 const text_of = (row: HTMLTableRowElement, column: number) => own_text(row.cells[column]);
+
+// "−0.19", "2.18 ± 0.73", "(0.05 ± 0.09)", "11.2 to 11.4", "0.115 %": the number that it begins with.
+function leading_number(text: string): number {
+  const [, number, sign] = /^\(?([+−-]?[\d.]+(?:e[+-]?\d+)?)(\*|\)| [%±]| to [−\d]|$)/.exec(text) ?? [];
+  return number === undefined || sign === undefined ? NaN : Number(number.replace('−', '-'));
+}
 
 // Numbers by value and before texts; empty cells last in either direction.
 export function compare_cells(a: string, b: string, sign: number): number {
   if (a === '' || b === '') return a === b ? 0 : a === '' ? 1 : -1;
-  const [x, y] = [Number(a.replace('−', '-')), Number(b.replace('−', '-'))];
+  const [x, y] = [leading_number(a), leading_number(b)];
   if (Number.isNaN(x) || Number.isNaN(y)) {
     if (Number.isNaN(x) !== Number.isNaN(y)) return sign * (Number.isNaN(x) ? 1 : -1);
     return sign * a.localeCompare(b, 'en', {numeric: true});
@@ -25,6 +32,9 @@ export function compare_cells(a: string, b: string, sign: number): number {
 // RFC 4180.
 export const csv_cell = (text: string) => (/[",\r\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text);
 
+// A number as programs read it.
+const plain_number = (text: string) => (/^[+−][\d.]+(e[+-]?\d+)?$/.test(text) ? text.replace('−', '-') : text);
+
 export function csv_of(table: HTMLTableElement): string {
   const [names, units] = table.tHead!.rows;
   const labels = [...names.cells].map((_, c) => below(units?.cells[c])); // of columns whose values stand below others
@@ -34,7 +44,7 @@ export function csv_of(table: HTMLTableElement): string {
   });
   const rows = [...table.tBodies[0].rows].filter((row) => !row.hidden).map((row) => [...row.cells].flatMap((cell, c) => {
     const values = below(cell);
-    return [own_text(cell), ...(labels[c] ?? []).map((_, k) => values[k] ?? '')];
+    return [own_text(cell), ...(labels[c] ?? []).map((_, k) => values[k] ?? '')].map(plain_number);
   }));
   return [heads, ...rows].map((cells) => cells.map(csv_cell).join(',') + '\r\n').join('');
 }
