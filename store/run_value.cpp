@@ -33,6 +33,22 @@ struct StoredAs<GBuffer> {
   }
 };
 
+// Without the time, so that equal runs give equal bytes.
+template <>
+struct StoredAs<TraceStatistics> {
+  struct Stored {
+    std::uint64_t rays;
+    double largest_offset;
+  };
+  static Stored to_stored(const TraceStatistics& statistics) { return {statistics.rays, statistics.largest_offset}; }
+  static TraceStatistics from_stored(Stored stored) {
+    TraceStatistics statistics;
+    statistics.rays = stored.rays;
+    statistics.largest_offset = stored.largest_offset;
+    return statistics;
+  }
+};
+
 // Without the images, which are layers.
 template <>
 struct StoredAs<AoStages> {

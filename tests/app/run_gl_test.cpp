@@ -153,7 +153,7 @@ TEST_F(Run, Equal_runs_give_equal_bytes_at_any_number_of_threads) {
   run("one", "1");
   run("two", "2");
   run("again", "2");
-  for (const char* file : {"images.exr", "summary.json", "experiment.toml"}) {
+  for (const char* file : {"images.exr", "summary.json", "experiment.toml", "run.bin"}) {
     EXPECT_EQ(text_of(folder_ / (std::string("one/") + file)), text_of(folder_ / (std::string("two/") + file))) << file;
     EXPECT_EQ(text_of(folder_ / (std::string("two/") + file)), text_of(folder_ / (std::string("again/") + file)))
         << file;
