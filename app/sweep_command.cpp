@@ -111,7 +111,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(Stages& stages, Exp
     lights += light_content(light) + bounds_text(light) + " ";
   }
   settings.emplace_back("content of the lights", lights);
-  settings.emplace_back("content of the view", surfel_content(stages.surfels(experiment).gbuffer));
+  settings.emplace_back("content of the view", surfel_content(stages.surfels(experiment)->gbuffer));
   std::string cameras;
   for (const Camera& camera : stages.scene().cameras) cameras += camera_content(camera) + " ";
   settings.emplace_back("content of the cameras", cameras);

@@ -210,7 +210,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Job& job, con
     std::string text = job.experiments[s].scene + " " + scene_content(stages.scene());
     for (const TuneCase& each : by_scene[s]) {
       Experiment experiment = each.experiment;
-      text += "\n" + each.title + " " + surfel_content(stages.surfels(experiment).gbuffer) + "\n" +
+      text += "\n" + each.title + " " + surfel_content(stages.surfels(experiment)->gbuffer) + "\n" +
               umbrameter::key_of(describe(experiment));
     }
     settings.emplace_back(fmt::format("scene {}", s + 1), text);

@@ -60,7 +60,8 @@ AoStages measure_ao_stages(Stages& stages, const Experiment& experiment, const T
                 "weights by angle",
                 "use ao.bitmask-weight cosine, or leave out run.ao-stages");
   }
-  const Surfels& surfels = stages.surfels(experiment);
+  const auto held = stages.surfels(experiment);
+  const Surfels& surfels = *held;
   // Intensity and power are what the method shows, no approximation of it.
   integral->shown = [&, tone = metric.ao.tone](double output, std::size_t pixel) {
     return static_cast<double>(with_tone(static_cast<float>(output), at_surface(tone, surfels.gbuffer, pixel)));

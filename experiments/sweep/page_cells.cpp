@@ -91,7 +91,7 @@ Measurement measure_without_picture(Stages& stages, const Experiment& experiment
                                     const std::vector<double>& further) {
   Measurement measurement;
   measurement.experiment = experiment;
-  measurement.surfels = stages.surfels(experiment);
+  measurement.surfels = *stages.surfels(experiment);
   if (quantity == SweptQuantity::ao) {
     measurement.ao = measure_ao(stages, experiment, {});
     return measurement;

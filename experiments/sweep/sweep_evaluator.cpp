@@ -39,8 +39,9 @@ struct MeasureCell {
   }
   MeasuredCell operator()(const SoftVisibilityStatistics&) const {
     const Image<float> drawn = draw_visibility();
-    const TracedVisibility& truth = stages.truth(experiment, light());
-    return {analyze_soft_visibility(drawn, sampled(truth), stages.counted(experiment, light())), of_visibility(drawn)};
+    const auto truth = stages.truth(experiment, light());
+    const auto counted = stages.counted(experiment, light());
+    return {analyze_soft_visibility(drawn, sampled(*truth), *counted), of_visibility(drawn)};
   }
   MeasuredCell operator()(const AoStatistics&) const {
     AoMeasurement measured = measure_ao(stages, experiment, {});

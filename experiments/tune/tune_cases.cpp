@@ -27,7 +27,7 @@ SweepAxis parse_case_axis(const Stages& stages, const Parameters& parameters, co
 
 // "overview" for "0" and for "OVERVIEW".
 std::string camera_name(Stages& stages, const Experiment& experiment) {
-  const std::string& name = stages.surfels(experiment).view.camera.name;
+  const std::string name = stages.surfels(experiment)->view.camera.name;
   return name.empty() ? experiment.view.camera : name;
 }
 

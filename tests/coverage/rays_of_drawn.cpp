@@ -42,7 +42,8 @@ void measure_stages(const Options& options) {
   Stages stages(load_scene("courtyard"), {}, {.quiet = true});
   const Experiment experiment = small(64);
   const Experiment metric = stages.in_metres(experiment);
-  const Surfels& surfels = stages.surfels(experiment);
+  const auto held = stages.surfels(experiment);
+  const Surfels& surfels = *held;
   const AoIntegral integral = *integral_of(make_technique(metric.ao));
   Experiment unblurred = experiment;
   unblurred.ao.blur.kind = AoBlur::none;
