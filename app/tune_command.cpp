@@ -280,7 +280,7 @@ std::vector<TunePointImages> measure_points(const TuneCase& first, const TuneSum
   };
   const TuneResult& result = summary.result;
   return {images("best", at_point(first, summary.axes, result.best.values), result.best),
-          images("default", stages.in_metres(first.experiment), result.before)};
+          images("default", first.experiment, result.before)};
 }
 
 std::vector<std::string> tune_files() {

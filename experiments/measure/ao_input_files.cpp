@@ -61,8 +61,8 @@ LayeredImage ao_input_layers(Stages& stages, const Experiment& experiment) {
 std::string ao_input_values(Stages& stages, const Experiment& experiment) {
   const auto surfels = stages.surfels(experiment);
   const View& view = surfels->view;
-  Experiment in_metres = stages.in_metres(experiment);
-  AoTechnique technique = make_technique(in_metres.ao);
+  AoParams params = experiment.ao;
+  AoTechnique technique = make_technique(params);
   const auto seed = static_cast<std::uint32_t>(experiment.run.seed);
   Json read = Json::array();
   for (const Parameter& parameter : describe(technique)) read.push_back(parameter.key);
@@ -73,10 +73,10 @@ std::string ao_input_values(Stages& stages, const Experiment& experiment) {
       {"view_from_world", to_json(view_from_world(view))},
       {"clip_from_view", to_json(clip_from_view(view))},
       {"seed", seed},
-      {"parameters", to_json(describe(in_metres.ao))},
+      {"parameters", to_json(describe(params))},
       {"read_by_technique", read},
       {"kernel", to_json(kernel_of(technique, seed), 3)},
-      {"noise_size", in_metres.ao.noise.size},
+      {"noise_size", params.noise.size},
       {"noise", to_json(noise_of(technique, seed), 2)},
   };
   return object.dump(2) + "\n";

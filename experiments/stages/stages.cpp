@@ -162,7 +162,7 @@ ReferenceKey Stages::reference_key(const Experiment& experiment, Stage stage, co
           *surfel_content_.get(key_of(Stage::surfels, experiment),
                                [&] { return surfel_content(surfels(experiment)->gbuffer); }),
           "",
-          own_key_of(stage, in_metres(experiment)),
+          own_key_of(stage, experiment),
           static_cast<std::uint32_t>(experiment.run.seed)};
 }
 
@@ -222,15 +222,16 @@ AoInBackground::~AoInBackground() {
 
 void Stages::begin_ao_truth(const Experiment& experiment) {
   struct Cancelled {};
+  require_metres(experiment);
   ao_in_background_ = std::make_unique<AoInBackground>();
   AoInBackground& work = *ao_in_background_;
-  work.key = key_of(Stage::ao_reference, in_metres(experiment));
+  work.key = key_of(Stage::ao_reference, experiment);
   // All that the thread reads is computed here, because it must not run stages.
-  work.traced = std::async(
-      std::launch::async, [&work, &rays = tracer(), surfels = surfels(experiment), params = in_metres(experiment).truth,
-                           seed = static_cast<std::uint32_t>(experiment.run.seed),
-                           key = reference_key(experiment, Stage::ao_reference, "ao"), title = scene_title(experiment),
-                           folder = options_.cache, console = console_] {
+  work.traced =
+      std::async(std::launch::async, [&work, &rays = tracer(), surfels = surfels(experiment), params = experiment.truth,
+                                      seed = static_cast<std::uint32_t>(experiment.run.seed),
+                                      key = reference_key(experiment, Stage::ao_reference, "ao"),
+                                      title = scene_title(experiment), folder = options_.cache, console = console_] {
         ReferenceCache cache(folder, console);
         const std::function<TracedAo()> trace = [&] {
           return trace_ao(rays, surfels->gbuffer, params, seed, [&work](double share) {
@@ -243,8 +244,8 @@ void Stages::begin_ao_truth(const Experiment& experiment) {
 }
 
 std::shared_ptr<const TracedAo> Stages::ao_truth(const Experiment& experiment) {
-  const TruthParams params = in_metres(experiment).truth;
-  const std::string key = key_of(Stage::ao_reference, in_metres(experiment));
+  require_metres(experiment);
+  const std::string key = key_of(Stage::ao_reference, experiment);
   const auto counted = [&](TracedAo traced) {
     add(costs_.hemisphere, traced.statistics);
     costs_.largest_offset = std::max(costs_.largest_offset, traced.statistics.largest_offset);
@@ -263,8 +264,8 @@ std::shared_ptr<const TracedAo> Stages::ao_truth(const Experiment& experiment) {
     const std::function<TracedAo()> trace = [&] {
       const Tracer& rays = tracer();
       ProgressBar progress = tracing_bar("hemisphere rays", [&] { return rays.rays_traced(); });
-      return trace_ao(rays, surfels(experiment)->gbuffer, params, static_cast<std::uint32_t>(experiment.run.seed),
-                      progress.callback());
+      return trace_ao(rays, surfels(experiment)->gbuffer, experiment.truth,
+                      static_cast<std::uint32_t>(experiment.run.seed), progress.callback());
     };
     return counted(cache_.get(reference_key(experiment, Stage::ao_reference, "ao"),
                               {scene_title(experiment), "ambient occlusion"}, trace));

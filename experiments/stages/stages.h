@@ -2,6 +2,9 @@
 // it depends on (stage_inputs.h), so that the cells of a sweep share results. Callers share ownership of a result: it
 // stays valid and unchanged while they hold its pointer, whichever stages run meanwhile. What is on the GPU must not
 // outlive the Stages.
+//
+// Lengths of ambient occlusion are in metres here: convert an experiment once, by Stages::in_metres(), where it comes
+// in. Stages that read such a length throw Error (usage) if it has another unit.
 #pragma once
 
 #include <algorithm>

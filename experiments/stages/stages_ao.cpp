@@ -17,20 +17,22 @@ Image<float> Stages::draw_ao(const Experiment& experiment) {
 }
 
 void Stages::draw_ao_response(const Experiment& experiment, const AoAxes& axes, const AoResponseSink& sink) {
+  require_metres(experiment);
   const auto seen = surfels(experiment);
   const auto gpu = gpu_surfels(experiment);
-  umbrameter::draw_ao_response(context(), *gpu, seen->view, in_metres(experiment).ao,
+  umbrameter::draw_ao_response(context(), *gpu, seen->view, experiment.ao,
                                static_cast<std::uint32_t>(experiment.run.seed), axes, sink);
 }
 
 AoSurfelImages Stages::read_ao_surfels(const Experiment& experiment) {
   const auto seen = surfels(experiment);
-  return umbrameter::read_ao_surfels(context(), *gpu_surfels(experiment), seen->view, in_metres(experiment).ao);
+  return umbrameter::read_ao_surfels(context(), *gpu_surfels(experiment), seen->view, experiment.ao);
 }
 
 Image<float> Stages::draw_ao_of(const GpuGBuffer& surfels, const Experiment& experiment) {
+  require_metres(experiment);
   const auto seen = this->surfels(experiment);
-  return umbrameter::draw_ao(context(), surfels, seen->view, in_metres(experiment).ao,
+  return umbrameter::draw_ao(context(), surfels, seen->view, experiment.ao,
                              static_cast<std::uint32_t>(experiment.run.seed));
 }
 

@@ -232,7 +232,7 @@ void prepare(const TuneCase& tuned) {
 }
 
 Experiment at_point(const TuneCase& tuned, const std::vector<TuneAxis>& axes, const std::vector<Value>& point) {
-  return tuned.stages->in_metres(at_cell(tuned.experiment, sweep_axes(axes), point));
+  return cell_in_metres(*tuned.stages, tuned.experiment, sweep_axes(axes), point);
 }
 
 CaseValues measure_case(const TuneCase& tuned, const Experiment& experiment, const TuneGoal& goal) {

@@ -71,7 +71,7 @@ TEST_F(ShadowReferenceGl, Edges_are_those_of_the_hard_shadow_at_any_number_of_ra
     const std::vector<std::uint32_t> lights = {0};
     return Edges{measure_shape(*stages_, measured).error.edges,
                  find_shadow_edges(measured.truth->visibility, surfels->gbuffer, measured.counted).bits.pixels,
-                 measure_image(*stages_, experiment_, lights, {}).statistics->near_edges};
+                 measure_image(*stages_, stages_->in_metres(experiment_), lights, {}).statistics->near_edges};
   };
   experiment_.truth.shadow = ShadowReference::point;
   const Edges hard = edges_of(16);
