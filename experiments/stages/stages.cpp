@@ -225,7 +225,6 @@ void Stages::begin_ao_truth(const Experiment& experiment) {
   require_metres(experiment);
   ao_in_background_ = std::make_unique<AoInBackground>();
   AoInBackground& work = *ao_in_background_;
-  work.key = key_of(Stage::ao_reference, experiment);
   // All that the thread reads is computed here, because it must not run stages.
   work.traced =
       std::async(std::launch::async, [&work, &rays = tracer(), surfels = surfels(experiment), params = experiment.truth,
@@ -241,6 +240,7 @@ void Stages::begin_ao_truth(const Experiment& experiment) {
         };
         return cache.get(key, {title, "ambient occlusion"}, trace);
       });
+  work.key = key_of(Stage::ao_reference, experiment);
 }
 
 std::shared_ptr<const TracedAo> Stages::ao_truth(const Experiment& experiment) {
