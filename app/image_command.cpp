@@ -161,9 +161,9 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
 
   Measurement measurement;
   measurement.experiment = experiment;
-  measurement.surfels = stages.surfels(experiment);
-  // Tracing fills the cores while one of them compiles shaders. Shimmer moves the camera, and with it the surfels.
-  if (line.command == "compare" && has_ao && !experiment.run.shimmer) stages.begin_ao_truth(experiment);
+  measurement.surfels = *stages.surfels(experiment);
+  // Tracing fills the cores while one of them compiles shaders.
+  if (line.command == "compare" && has_ao) stages.begin_ao_truth(experiment);
   for (const std::uint32_t light : lights) {
     ShadowMeasurement shadow = measure_shadow(stages, experiment, light, sides);
     if (sides.raster && sides.truth) shadow.shape = measure_shape(stages, shadow);

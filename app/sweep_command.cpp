@@ -111,7 +111,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(Stages& stages, Exp
     lights += light_content(light) + bounds_text(light) + " ";
   }
   settings.emplace_back("content of the lights", lights);
-  settings.emplace_back("content of the view", surfel_content(stages.surfels(experiment).gbuffer));
+  settings.emplace_back("content of the view", surfel_content(stages.surfels(experiment)->gbuffer));
   std::string cameras;
   for (const Camera& camera : stages.scene().cameras) cameras += camera_content(camera) + " ";
   settings.emplace_back("content of the cameras", cameras);
@@ -157,31 +157,31 @@ void measure_missing(const SweepPlan& plan, ResultsStore& store, Stages& stages,
 }  // namespace
 
 ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
-  Experiment experiment = make_experiment(line);
-  const std::vector<SweepAxis> axes = parse_axes(describe(experiment), experiment.axes);
-  check_axes(axes, experiment);
+  Experiment given = make_experiment(line);
+  const std::vector<SweepAxis> axes = parse_axes(describe(given), given.axes);
+  check_axes(axes, given);
   const FigureStyle style = make_figure_style(line.figures);
-  check_insets(style, experiment.view.size.width, experiment.view.size.height);
-  const SweptQuantity quantity = choose_quantity(experiment.run.measure, axes);
-  require_effect(quantity, {experiment}, axes);
-  const Parameters parameters = describe(experiment);
-  const SweepPlan plan = plan_sweep(parameters, axes, cost_of_change, inner_keys(experiment, axes, quantity));
+  check_insets(style, given.view.size.width, given.view.size.height);
+  const SweptQuantity quantity = choose_quantity(given.run.measure, axes);
+  require_effect(quantity, {given}, axes);
+  const Parameters parameters = describe(given);
+  const SweepPlan plan = plan_sweep(parameters, axes, cost_of_change, inner_keys(given, axes, quantity));
   std::optional<RunFolder> run_folder;
   if (!line.dry_run) {
-    run_folder.emplace(line.output, RunPlan{line.command, experiment_text(experiment), run_files(true), true},
-                       line.force);
+    run_folder.emplace(line.output, RunPlan{line.command, experiment_text(given), run_files(true), true}, line.force);
   }
   const ThreadLimit threads(line.threads);
-  Stages stages(load_scene(experiment.scene, experiment.view.scene, experiment.scene_params,
+  Stages stages(load_scene(given.scene, given.view.scene, given.scene_params,
                            load_options(line, quantity == SweptQuantity::image)),
-                {line.gl_device, line.threads, chosen_cache(line, console), experiment.scene}, console);
-  const std::vector<std::uint32_t> lights = stages.lights(experiment.view.light);
+                {line.gl_device, line.threads, chosen_cache(line, console), given.scene}, console);
+  const std::vector<std::uint32_t> lights = stages.lights(given.view.light);
   if (quantity == SweptQuantity::visibility && !varies_group(axes, "view.light") && lights.size() > 1) {
     // A sweep is about one light; which one is part of the stored experiment.
-    experiment.view.light = std::to_string(lights.front());
+    given.view.light = std::to_string(lights.front());
     note(console, fmt::format("the scene has {} lights; this sweep uses '{}'; select another with --light",
                               lights.size(), stages.title(lights.front())));
   }
+  const Experiment experiment = stages.in_metres(given);
   check_against_scene(stages, experiment, axes, quantity);
   const CellStatistics statistics = choose_statistics(stages, experiment, axes, quantity);
 
@@ -192,22 +192,22 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   }
 
   if (line.dry_run) {
-    return show_sweep_plan(console, stages, {stages.in_metres(experiment), axes, plan, statistics});
+    return show_sweep_plan(console, stages, {experiment, axes, plan, statistics});
   }
 
   RunFolder& folder = *run_folder;
-  const std::string toml = experiment_text(experiment);
+  const std::string toml = experiment_text(given);
   folder.announce(ResultsStore::file_names());
   ResultsStore store = ResultsStore::open(
       line.output,
-      {toml, settings_of(stages, experiment, quantity), experiment.axes,
+      {toml, settings_of(stages, given, quantity), given.axes,
        stored_columns(parameters, plan, measured_columns(experiment, statistics), sample_row(experiment, statistics)),
        plan.cells},
       line.force);
   if (store.complete()) {
     note(console, fmt::format("all {} cells are done; --force recomputes them", plan.cells));
   } else {
-    const EvaluateGroup evaluate = make_evaluator(stages, stages.in_metres(experiment), axes, statistics);
+    const EvaluateGroup evaluate = make_evaluator(stages, experiment, axes, statistics);
     bool is_begun = false;
     measure_missing(
         plan, store, stages,
@@ -223,7 +223,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
 
   // The view does not move the map's range, and hardly its mean depth: with the view at hand nothing has to be drawn.
   const auto depth_unit = [&](const std::vector<Value>& values) {
-    Experiment cell = at_cell(experiment, axes, values);
+    Experiment cell = cell_in_metres(stages, experiment, axes, values);
     const std::uint32_t light = stages.lights(cell.view.light).front();
     cell.view = experiment.view;
     return mean_depth_unit(stages, cell, light);
@@ -231,16 +231,16 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   const auto measure_context = [&](const std::vector<Value>& values, bool with_facts) {
     BiasContext context;
     context.depth_unit = depth_unit(values);
-    const Experiment cell = stages.in_metres(at_cell(experiment, axes, values));
+    const Experiment cell = cell_in_metres(stages, experiment, axes, values);
     const std::uint32_t light = stages.lights(cell.view.light).front();
     if (with_facts) context.facts = measure_bias_facts(stages, cell, light);
     if (!has_floor(stages.scene())) context.evidence = measure_bias_evidence(stages, cell, light);
     return context;
   };
   const bool is_limit_fixed = quantity == SweptQuantity::ao && !varies_group(axes, "truth.ao-distance");
-  const std::string ao_limit = is_limit_fixed ? ao_limit_text(stages.in_metres(experiment).truth) : "";
+  const std::string ao_limit = is_limit_fixed ? ao_limit_text(experiment.truth) : "";
   const SweepResults rows{parameters, plan, store, statistics, ao_limit, metrics};
-  RunResults results{line.command, experiment, stages.facts(), embree_version(), stages.context().device().renderer};
+  RunResults results{line.command, given, stages.facts(), embree_version(), stages.context().device().renderer};
   results.full_images = line.full_images;
   results.sweep = SweepFindings{ao_limit, best_rows(rows), read_bias_curves(rows, measure_context)};
   SweepFindings& found = *results.sweep;

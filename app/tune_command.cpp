@@ -210,7 +210,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Job& job, con
     std::string text = job.experiments[s].scene + " " + scene_content(stages.scene());
     for (const TuneCase& each : by_scene[s]) {
       Experiment experiment = each.experiment;
-      text += "\n" + each.title + " " + surfel_content(stages.surfels(experiment).gbuffer) + "\n" +
+      text += "\n" + each.title + " " + surfel_content(stages.surfels(experiment)->gbuffer) + "\n" +
               umbrameter::key_of(describe(experiment));
     }
     settings.emplace_back(fmt::format("scene {}", s + 1), text);
@@ -280,7 +280,7 @@ std::vector<TunePointImages> measure_points(const TuneCase& first, const TuneSum
   };
   const TuneResult& result = summary.result;
   return {images("best", at_point(first, summary.axes, result.best.values), result.best),
-          images("default", stages.in_metres(first.experiment), result.before)};
+          images("default", first.experiment, result.before)};
 }
 
 std::vector<std::string> tune_files() {

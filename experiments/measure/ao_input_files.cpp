@@ -39,10 +39,10 @@ Json to_json(std::span<const vec4> values, int components) {
 }  // namespace
 
 LayeredImage ao_input_layers(Stages& stages, const Experiment& experiment) {
-  const Surfels& surfels = stages.surfels(experiment);
-  const GBuffer& gbuffer = surfels.gbuffer;
+  const auto surfels = stages.surfels(experiment);
+  const GBuffer& gbuffer = surfels->gbuffer;
   const AoSurfelImages read = stages.read_ao_surfels(experiment);
-  const dmat4 view_from_world = umbrameter::view_from_world(surfels.view);
+  const dmat4 view_from_world = umbrameter::view_from_world(surfels->view);
   Image<vec3> positions(gbuffer.width, gbuffer.height, vec3(std::numeric_limits<float>::quiet_NaN()));
   Image<vec3> normals(gbuffer.width, gbuffer.height, vec3(0.0f));
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -59,9 +59,10 @@ LayeredImage ao_input_layers(Stages& stages, const Experiment& experiment) {
 }
 
 std::string ao_input_values(Stages& stages, const Experiment& experiment) {
-  const View& view = stages.surfels(experiment).view;
-  Experiment in_metres = stages.in_metres(experiment);
-  AoTechnique technique = make_technique(in_metres.ao);
+  const auto surfels = stages.surfels(experiment);
+  const View& view = surfels->view;
+  AoParams params = experiment.ao;
+  AoTechnique technique = make_technique(params);
   const auto seed = static_cast<std::uint32_t>(experiment.run.seed);
   Json read = Json::array();
   for (const Parameter& parameter : describe(technique)) read.push_back(parameter.key);
@@ -72,10 +73,10 @@ std::string ao_input_values(Stages& stages, const Experiment& experiment) {
       {"view_from_world", to_json(view_from_world(view))},
       {"clip_from_view", to_json(clip_from_view(view))},
       {"seed", seed},
-      {"parameters", to_json(describe(in_metres.ao))},
+      {"parameters", to_json(describe(params))},
       {"read_by_technique", read},
       {"kernel", to_json(kernel_of(technique, seed), 3)},
-      {"noise_size", in_metres.ao.noise.size},
+      {"noise_size", params.noise.size},
       {"noise", to_json(noise_of(technique, seed), 2)},
   };
   return object.dump(2) + "\n";

@@ -139,11 +139,11 @@ bool has_tap_flips(const Experiment& experiment) {
 
 BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32_t light,
                        const std::vector<double>& further) {
-  const CountedPixels& counted = stages.counted(experiment, light);
+  const auto counted = stages.counted(experiment, light);
   const Length& used = experiment.shadow.bias.constant;
   BiasAdvice advice;
   advice.unit = used.unit;
-  advice.mean_texel = counted.mean_texel;
+  advice.mean_texel = counted->mean_texel;
   advice.depth_unit = mean_depth_unit(stages, experiment, light);
   const double texel = used.unit == LengthUnit::texels      ? 1.0
                        : used.unit == LengthUnit::map_depth ? advice.mean_texel / advice.depth_unit

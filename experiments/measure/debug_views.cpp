@@ -164,7 +164,8 @@ class Views {
       : stages_(stages),
         measurement_(measurement),
         experiment_(measurement.experiment),
-        gbuffer_(stages.shading_surfels(experiment_).gbuffer) {}
+        shading_(stages.shading_surfels(experiment_)),
+        gbuffer_(*shading_.gbuffer) {}
 
   void add(const Wanted& wanted) {
     if (wanted.kind == "shadow-map") {
@@ -227,18 +228,18 @@ class Views {
   }
 
   void add_map(std::uint32_t light) {
-    const ShadowMap& map = stages_.map(experiment_, light);
-    const int layers = static_cast<int>(map.layout.views.size());
-    const std::vector<Image<float>> depths = read_layers<float>(map.depth, gl::Format::depth32f, layers);
+    const auto map = stages_.map(experiment_, light);
+    const int layers = static_cast<int>(map->layout.views.size());
+    const std::vector<Image<float>> depths = read_layers<float>(map->depth, gl::Format::depth32f, layers);
     for (std::size_t v = 0; v < depths.size(); ++v) {
       push_of_light("shadow_map_", "Shadow map", light, v, depths.size(),
-                    "Depth from the light. " + range_text(depths[v], 1.0f, map.layout.far_depth),
+                    "Depth from the light. " + range_text(depths[v], 1.0f, map->layout.far_depth),
                     gray(depths[v], 1.0f));
     }
   }
 
   void add_light_view(std::uint32_t light) {
-    const MapLayout layout = stages_.layout(experiment_, light);
+    const MapLayout layout = *stages_.layout(experiment_, light);
     for (std::size_t v = 0; v < layout.views.size(); ++v) {
       const View view = light_view(stages_.scene().lights[light], layout, v);
       const GBuffer seen = read_back(stages_.context(), draw_gbuffer(stages_.context(), stages_.uploaded(), view));
@@ -279,6 +280,7 @@ class Views {
   Stages& stages_;
   const Measurement& measurement_;
   const Experiment& experiment_;
+  ShadingSurfels shading_;
   const GBuffer& gbuffer_;
   std::vector<DebugView> views_;
 };

@@ -54,7 +54,7 @@ std::string map_file_name(const Stages& stages, std::uint32_t light) {
 
 LayeredImage map_layers(Stages& stages, const Experiment& experiment, std::uint32_t light) {
   static constexpr std::array<std::string_view, 4> kinds{"orthographic", "perspective", "cube", "paraboloid"};
-  const MapLayout& layout = stages.layout(experiment, light);
+  const MapLayout layout = *stages.layout(experiment, light);
   const ShadowMapImages images = stages.read_map(experiment, light);
   const std::vector<Image<vec4>> filtered = stages.read_filtered_map(experiment, light);
   LayeredImage file;

@@ -23,9 +23,9 @@ void measure_causes(Stages& stages, ShadowMeasurement& measurement) {
     measurement.agreement = stages.reclassify(experiment, measurement.light, wrong);
   }
   measurement.statistics = analyze_visibility(wrong, measurement.truth->visibility, measurement.counted);
-  const GBuffer& gbuffer = stages.surfels(experiment).gbuffer;
+  const auto surfels = stages.surfels(experiment);
   const auto by_part = [&](PartKind kind) {
-    return errors_by_part(stages.scene(), kind, gbuffer, wrong, measurement.counted);
+    return errors_by_part(stages.scene(), kind, surfels->gbuffer, wrong, measurement.counted);
   };
   measurement.objects = by_part(PartKind::object);
   measurement.materials = by_part(PartKind::material);
@@ -36,8 +36,11 @@ void measure_causes(Stages& stages, ShadowMeasurement& measurement) {
 EdgeStatistics measure_edges(Stages& stages, const Experiment& experiment, std::uint32_t light,
                              const Image<float>& drawn) {
   const Light lamp = stages.light(experiment, light);
-  const ShapeInput input{stages.surfels(experiment).gbuffer, stages.truth(experiment, light).visibility,
-                         stages.counted(experiment, light), lamp, stages.layout(experiment, light)};
+  const auto surfels = stages.surfels(experiment);
+  const auto truth = stages.truth(experiment, light);
+  const auto counted = stages.counted(experiment, light);
+  const auto layout = stages.layout(experiment, light);
+  const ShapeInput input{surfels->gbuffer, truth->visibility, *counted, lamp, *layout};
   return analyze_edges(input, drawn, analyze_error_shape(input, drawn));
 }
 
@@ -64,15 +67,15 @@ ShadowMeasurement measure_shadow(Stages& stages, const Experiment& experiment, s
   ShadowMeasurement measurement;
   measurement.experiment = experiment;
   measurement.light = light;
-  measurement.layout = stages.layout(experiment, light);
+  measurement.layout = *stages.layout(experiment, light);
   measurement.depth_unit = mean_depth_unit(stages, experiment, light);
-  measurement.counted = stages.counted(experiment, light);
+  measurement.counted = *stages.counted(experiment, light);
   measurement.emitter = lamp.emitter;
   measurement.is_sampled = is_sampled;
-  if (sides.truth) measurement.truth = stages.truth(experiment, light);
+  if (sides.truth) measurement.truth = *stages.truth(experiment, light);
   if (sides.raster) {
     measurement.raster = stages.draw(experiment, light, sides.truth && has_causes);
-    measurement.stored_depths = stages.stored_depths(experiment, light);
+    measurement.stored_depths = *stages.stored_depths(experiment, light);
   }
   if (!sides.raster || !sides.truth) return measurement;
   const Image<float>& drawn = measurement.raster->visibility;
@@ -91,13 +94,13 @@ ShadowMeasurement measure_shadow(Stages& stages, const Experiment& experiment, s
 AoMeasurement measure_ao(Stages& stages, const Experiment& experiment, Sides sides) {
   AoMeasurement measurement;
   measurement.experiment = experiment;
-  if (sides.truth) measurement.truth = stages.ao_truth(experiment);
+  if (sides.truth) measurement.truth = *stages.ao_truth(experiment);
   if (sides.raster) measurement.raster = stages.draw_ao(experiment);
   if (sides.raster && sides.truth) {
     const TracedAo& truth = *measurement.truth;
     measurement.statistics =
         analyze_ao(*measurement.raster, {truth.ao, truth.variance, truth.samples, truth.degrees_of_freedom},
-                   stages.surfels(experiment).gbuffer);
+                   stages.surfels(experiment)->gbuffer);
     measurement.metrics =
         score_of(experiment, false, [&] { return compared_ao(stages, experiment, *measurement.raster); });
   }

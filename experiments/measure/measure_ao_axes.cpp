@@ -33,9 +33,9 @@ std::vector<AoStatistics> measure_ao_axes(Stages& stages, const Experiment& expe
       tone.power = power;
     }
   }
-  const TracedAo& truth = stages.ao_truth(experiment);
-  AoResponse response({truth.ao, truth.variance, truth.samples, truth.degrees_of_freedom},
-                      stages.surfels(experiment).gbuffer, axes);
+  const auto truth = stages.ao_truth(experiment);
+  const auto surfels = stages.surfels(experiment);
+  AoResponse response({truth->ao, truth->variance, truth->samples, truth->degrees_of_freedom}, surfels->gbuffer, axes);
   stages.draw_ao_response(experiment, axes, [&](std::span<const AoResponseRow> rows) { response.add(rows); });
   const std::vector<AoStatistics> of_axes = response.statistics();
   std::vector<AoStatistics> measured;

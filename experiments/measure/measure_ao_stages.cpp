@@ -52,17 +52,18 @@ AoStageImages ao_stage_images(const TracedAo& truth, TracedIntegral traced, AoDr
 
 AoStages measure_ao_stages(Stages& stages, const Experiment& experiment, const TracedAo& truth,
                            const Image<float>& drawn, const Console& console) {
-  const Experiment metric = stages.in_metres(experiment);
-  std::optional<AoIntegral> integral = integral_of(make_technique(metric.ao));
+  require_metres(experiment);
+  std::optional<AoIntegral> integral = integral_of(make_technique(experiment.ao));
   if (!integral) {
     throw Error(ExitCode::usage, "run.ao-stages",
                 "the stages need the integral that the technique approximates, which is not known for a bitmask with "
                 "weights by angle",
                 "use ao.bitmask-weight cosine, or leave out run.ao-stages");
   }
-  const Surfels& surfels = stages.surfels(experiment);
+  const auto held = stages.surfels(experiment);
+  const Surfels& surfels = *held;
   // Intensity and power are what the method shows, no approximation of it.
-  integral->shown = [&, tone = metric.ao.tone](double output, std::size_t pixel) {
+  integral->shown = [&, tone = experiment.ao.tone](double output, std::size_t pixel) {
     return static_cast<double>(with_tone(static_cast<float>(output), at_surface(tone, surfels.gbuffer, pixel)));
   };
   const Tracer& tracer = stages.tracer();
@@ -70,7 +71,7 @@ AoStages measure_ao_stages(Stages& stages, const Experiment& experiment, const T
   {
     ProgressBar bar(console, "AO stages", [&] { return tracer.rays_traced(); });
     // Another seed than that of the reference, so that the two are independent.
-    const AoIntegralParams params{metric.truth.spp, hash(static_cast<std::uint32_t>(experiment.run.seed), 1u)};
+    const AoIntegralParams params{experiment.truth.spp, hash(static_cast<std::uint32_t>(experiment.run.seed), 1u)};
     traced = trace_integral(tracer, surfels.gbuffer, surfels.view, *integral, params, bar.callback());
   }
   AoStages result;

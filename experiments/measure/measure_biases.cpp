@@ -19,7 +19,8 @@ std::vector<std::vector<VisibilityStatistics>> measure_biases(Stages& stages, co
   axes.constant.erase(std::unique(axes.constant.begin(), axes.constant.end()), axes.constant.end());
 
   const BiasHistogram histogram = stages.bias_response(experiment, light, axes);
-  const TruthCounts truth = count_truth(stages.truth(experiment, light).visibility, stages.counted(experiment, light));
+  const auto traced = stages.truth(experiment, light);
+  const TruthCounts truth = count_truth(traced->visibility, *stages.counted(experiment, light));
   std::vector<std::vector<VisibilityStatistics>> measured(slope.size());
   for (std::size_t s = 0; s < slope.size(); ++s) {
     const std::vector<VisibilityStatistics> ascending = statistics_at_biases(histogram, s, truth);
@@ -32,16 +33,16 @@ std::vector<std::vector<VisibilityStatistics>> measure_biases(Stages& stages, co
 }
 
 double mean_depth_unit(Stages& stages, const Experiment& experiment, std::uint32_t light) {
-  const MapLayout layout = with_depth_encoding(stages.layout(experiment, light), experiment.shadow.map_depth);
+  const MapLayout layout = with_depth_encoding(*stages.layout(experiment, light), experiment.shadow.map_depth);
   if (layout.encoded_near == 0.0) return layout.far_depth;
-  const CountedPixels& counted = stages.counted(experiment, light);
-  const GBuffer& gbuffer = stages.surfels(experiment).gbuffer;
+  const auto counted = stages.counted(experiment, light);
+  const auto surfels = stages.surfels(experiment);
   double sum = 0.0;
-  for (std::size_t i = 0; i < counted.exclusion.size(); ++i) {
-    if (counted.exclusion[i] != PixelExclusion::none) continue;
-    sum += metres_per_map_depth(layout, depth_of(layout, dvec3(gbuffer.position[i])));
+  for (std::size_t i = 0; i < counted->exclusion.size(); ++i) {
+    if (counted->exclusion[i] != PixelExclusion::none) continue;
+    sum += metres_per_map_depth(layout, depth_of(layout, dvec3(surfels->gbuffer.position[i])));
   }
-  const std::uint64_t pixels = counted.totals[static_cast<std::size_t>(PixelExclusion::none)];
+  const std::uint64_t pixels = counted->totals[static_cast<std::size_t>(PixelExclusion::none)];
   return pixels > 0 ? sum / static_cast<double>(pixels) : 0.0;
 }
 
@@ -49,22 +50,25 @@ BiasFacts measure_bias_facts(Stages& stages, const Experiment& experiment, std::
   const ShadowTechnique technique = make_technique(experiment.shadow);
   const FilterKernel* kernel = kernel_of(technique);
   if (kernel == nullptr) return {};
-  return measure_facts(stages.surfels(experiment).gbuffer, stages.layout(experiment, light),
-                       stages.counted(experiment, light), experiment.shadow.map_depth, *kernel);
+  const auto surfels = stages.surfels(experiment);
+  const auto layout = stages.layout(experiment, light);
+  const auto counted = stages.counted(experiment, light);
+  return measure_facts(surfels->gbuffer, *layout, *counted, experiment.shadow.map_depth, *kernel);
 }
 
 BiasEvidence measure_bias_evidence(Stages& stages, const Experiment& experiment, std::uint32_t light) {
-  const CountedPixels& counted = stages.counted(experiment, light);
-  const Image<float>& truth = stages.truth(experiment, light).visibility;
-  const TruthCounts counts = count_truth(truth, counted);
+  const auto counted = stages.counted(experiment, light);
+  const auto truth = stages.truth(experiment, light);
+  const TruthCounts counts = count_truth(truth->visibility, *counted);
   BiasEvidence evidence{counts.pixels, counts.lit, counts.pixels - counts.lit, has_floor(stages.scene()), true};
   if (evidence.has_floor) return evidence;
-  const GBuffer& gbuffer = stages.surfels(experiment).gbuffer;
+  const auto surfels = stages.surfels(experiment);
+  const GBuffer& gbuffer = surfels->gbuffer;
   const TracedCasters casters = trace_casters(stages.tracer(), gbuffer, stages.light(experiment, light));
   const std::vector<Instance>& instances = stages.scene().instances;
   std::uint64_t on_others = 0;
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (counted.exclusion[i] != PixelExclusion::none || casters.instance[i] == no_id) continue;
+  for (std::size_t i = 0; i < truth->visibility.size(); ++i) {
+    if (counted->exclusion[i] != PixelExclusion::none || casters.instance[i] == no_id) continue;
     if (instances[casters.instance[i]].object != instances[gbuffer.instance[i]].object) ++on_others;
   }
   evidence.is_on_others = 2 * on_others > evidence.blocked;

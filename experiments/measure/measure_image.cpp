@@ -43,8 +43,9 @@ class Images {
       : stages_(stages),
         experiment_(experiment),
         sides_(sides),
-        exact_(stages.surfels(experiment).gbuffer),
-        view_(stages.surfels(experiment).view),
+        surfels_(stages.surfels(experiment)),
+        exact_(surfels_->gbuffer),
+        view_(surfels_->view),
         shading_(stages.shading_surfels(experiment)),
         same_inputs_(blank()),
         with_true_shadows_(blank()),
@@ -59,11 +60,11 @@ class Images {
     if (sides_.truth) add_truth(index, light);
     if (!sides_.raster) return;
     Image<float> exact = stages_.draw(experiment_, index, false).visibility;
-    Image<float> drawn = shading_.is_exact ? exact : stages_.draw_visibility_of(shading_.gpu, experiment_, index);
+    Image<float> drawn = shading_.is_exact ? exact : stages_.draw_visibility_of(*shading_.gpu, experiment_, index);
     if (sides_.truth) {
       add_edges(index);
-      add_light(same_inputs_, shading_.gbuffer, view_, light, drawn, experiment_.shading);
-      add_light(with_true_shadows_, shading_.gbuffer, view_, light, stages_.truth(experiment_, index).visibility,
+      add_light(same_inputs_, *shading_.gbuffer, view_, light, drawn, experiment_.shading);
+      add_light(with_true_shadows_, *shading_.gbuffer, view_, light, stages_.truth(experiment_, index)->visibility,
                 experiment_.shading);
       add_light(with_exact_gbuffer_, exact_, view_, light, exact, experiment_.shading);
       if (!shading_.is_exact) change_.visibility.push_back(signed_error(drawn, exact));
@@ -79,23 +80,23 @@ class Images {
     Image<float> exact_ao, drawn_ao;
     if (sides_.raster) {
       exact_ao = stages_.draw_ao(experiment_);
-      drawn_ao = shading_.is_exact ? exact_ao : stages_.draw_ao_of(shading_.gpu, experiment_);
+      drawn_ao = shading_.is_exact ? exact_ao : stages_.draw_ao_of(*shading_.gpu, experiment_);
       measurement.raster = draw(drawn_ao);
     }
     if (!sides_.truth) return measurement;
-    const TracedAo& true_ao = stages_.ao_truth(experiment_);
-    measurement.truth = sum_of(truth_, ambient(exact_, true_ao.ao));
-    add_ao_noise(true_ao);
+    const auto true_ao = stages_.ao_truth(experiment_);
+    measurement.truth = sum_of(truth_, ambient(exact_, true_ao->ao));
+    add_ao_noise(*true_ao);
     if (!sides_.raster) return finish_truth(std::move(measurement));
 
     const Image<float> raster = luminance(measurement.raster->radiance, exposure);
-    const Image<vec3> drawn_ambient = ambient(shading_.gbuffer, drawn_ao);
+    const Image<vec3> drawn_ambient = ambient(*shading_.gbuffer, drawn_ao);
     const Image<float> same_inputs = luminance(sum_of(same_inputs_, drawn_ambient), exposure);
     const auto replaced = [&](const Image<vec3>& lights, const Image<vec3>& ambient_light) {
       return with_replaced(raster, same_inputs, luminance(sum_of(lights, ambient_light), exposure));
     };
     const Image<float> true_shadows = replaced(with_true_shadows_, drawn_ambient);
-    const Image<float> true_occlusion = replaced(same_inputs_, ambient(shading_.gbuffer, true_ao.ao));
+    const Image<float> true_occlusion = replaced(same_inputs_, ambient(*shading_.gbuffer, true_ao->ao));
     const Image<float> exact_gbuffer = replaced(with_exact_gbuffer_, ambient(exact_, exact_ao));
     const Image<float> truth = luminance(*measurement.truth, exposure);
     const ImageErrorInput input{raster,
@@ -129,17 +130,18 @@ class Images {
   }
 
   void add_truth(std::uint32_t index, const Light& light) {
-    const TracedVisibility& truth = stages_.truth(experiment_, index);
-    add_light(truth_, exact_, view_, light, truth.visibility, experiment_.shading);
-    if (truth.variance.empty()) return;
+    const auto truth = stages_.truth(experiment_, index);
+    add_light(truth_, exact_, view_, light, truth->visibility, experiment_.shading);
+    if (truth->variance.empty()) return;
     Image<vec3> unshadowed = blank();
     add_light(unshadowed, exact_, view_, light, Image<float>(exact_.width, exact_.height, 1.0f), experiment_.shading);
-    add_noise(unshadowed, truth.variance, truth.samples, truth.degrees_of_freedom);
+    add_noise(unshadowed, truth->variance, truth->samples, truth->degrees_of_freedom);
   }
 
   void add_edges(std::uint32_t index) {
-    const Image<float>& hard = stages_.hard_truth(experiment_, index).visibility;
-    const NearestEdges edges = nearest_edges(find_shadow_edges(hard, exact_, stages_.counted(experiment_, index)));
+    const auto hard = stages_.hard_truth(experiment_, index);
+    const auto counted = stages_.counted(experiment_, index);
+    const NearestEdges edges = nearest_edges(find_shadow_edges(hard->visibility, exact_, *counted));
     for (std::size_t i = 0; i < edge_distance_.size(); ++i) {
       edge_distance_[i] = std::min(edge_distance_[i], edges.distance[i]);
     }
@@ -177,6 +179,7 @@ class Images {
   Stages& stages_;
   const Experiment& experiment_;
   Sides sides_;
+  std::shared_ptr<const Surfels> surfels_;
   const GBuffer& exact_;
   const View& view_;
   ShadingSurfels shading_;

@@ -24,23 +24,23 @@ MetricResult measure(const Metric& metric, const ComparedImages& compared) {
 
 ComparedImages compared_visibility(Stages& stages, const Experiment& experiment, std::uint32_t light,
                                    Image<float> drawn) {
-  const Surfels& seen = stages.surfels(experiment);
-  const CountedPixels& counted = stages.counted(experiment, light);
-  return {ScalarImages{std::move(drawn), stages.truth(experiment, light).visibility},
-          [&counted](std::size_t i) { return counted.exclusion[i] == PixelExclusion::none; },
-          edge_scale(seen.gbuffer, seen.view, stages.light(experiment, light), stages.layout(experiment, light))};
+  const auto surfels = stages.surfels(experiment);
+  const auto counted = stages.counted(experiment, light);
+  const auto layout = stages.layout(experiment, light);
+  return {ScalarImages{std::move(drawn), stages.truth(experiment, light)->visibility},
+          [counted](std::size_t i) { return counted->exclusion[i] == PixelExclusion::none; },
+          edge_scale(surfels->gbuffer, surfels->view, stages.light(experiment, light), *layout)};
 }
 
 ComparedImages compared_ao(Stages& stages, const Experiment& experiment, Image<float> drawn) {
-  const GBuffer& gbuffer = stages.surfels(experiment).gbuffer;
-  return {ScalarImages{std::move(drawn), stages.ao_truth(experiment).ao},
-          [&gbuffer](std::size_t i) { return gbuffer.is_surface(i); }};
+  return {ScalarImages{std::move(drawn), stages.ao_truth(experiment)->ao},
+          [surfels = stages.surfels(experiment)](std::size_t i) { return surfels->gbuffer.is_surface(i); }};
 }
 
 ComparedImages compared_image(Stages& stages, const Experiment& experiment, ColorImages images) {
-  const GBuffer& gbuffer = stages.surfels(experiment).gbuffer;
   images.exposure = experiment.shading.exposure;
-  return {std::move(images), [&gbuffer](std::size_t i) { return gbuffer.is_surface(i); }};
+  return {std::move(images),
+          [surfels = stages.surfels(experiment)](std::size_t i) { return surfels->gbuffer.is_surface(i); }};
 }
 
 std::vector<MetricScore> score(std::span<const MetricColumn> columns, const ComparedImages& images) {

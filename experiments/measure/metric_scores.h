@@ -30,7 +30,7 @@ struct ComparedImages {
   EdgeScale edge_scale{};
 };
 
-/// The images of a measured quantity. They refer to results of `stages` and must be used before it runs further stages.
+/// The images of a measured quantity.
 ComparedImages compared_visibility(Stages& stages, const Experiment& experiment, std::uint32_t light,
                                    Image<float> drawn);
 ComparedImages compared_ao(Stages& stages, const Experiment& experiment, Image<float> drawn);

@@ -8,15 +8,16 @@
 namespace umbrameter {
 ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
-  const Surfels& surfels = stages.surfels(experiment);
+  const auto surfels = stages.surfels(experiment);
+  const auto hard_truth = shadow.is_sampled ? stages.hard_truth(experiment, shadow.light) : nullptr;
   const Light light = stages.light(experiment, shadow.light);
-  const ShapeInput input{surfels.gbuffer,
+  const ShapeInput input{surfels->gbuffer,
                          shadow.truth->visibility,
                          shadow.counted,
                          light,
                          shadow.layout,
                          &shadow.truth->variance,
-                         shadow.is_sampled ? &stages.hard_truth(experiment, shadow.light).visibility : nullptr};
+                         hard_truth ? &hard_truth->visibility : nullptr};
   const VisibilityStatistics* causes = by_cause(shadow);
   if (causes == nullptr) {
     ShadowShape shape{analyze_error_shape(input, shadow.raster->visibility)};
@@ -24,10 +25,10 @@ ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow) {
     shape.views = measure_map_views(stages, shadow);
     return shape;
   }
-  const TracedCasters traced = trace_casters(stages.tracer(), surfels.gbuffer, light);
+  const TracedCasters traced = trace_casters(stages.tracer(), surfels->gbuffer, light);
   const RasterVisibility& raster = *shadow.raster;
   CasterShapes casters = analyze_casters(
-      {input, raster.visibility, raster.wrong, traced.instance, traced.distance, stages.scene(), surfels.view});
+      {input, raster.visibility, raster.wrong, traced.instance, traced.distance, stages.scene(), surfels->view});
   const std::string missing = missing_contacts_text(casters.search);
   if (!missing.empty() && causes->peter_panning > 0.0) {
     stages.add_notes({stages.title(shadow.light) + ": " + missing});

@@ -39,15 +39,15 @@ Shimmer measure_shimmer(Stages& stages, const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
   const gl::Context& context = stages.context();
   const UploadedScene& scene = stages.uploaded();
-  const Surfels& surfels = stages.surfels(experiment);
-  const GpuGBuffer& gpu_surfels = stages.gpu_surfels(experiment);
+  const auto surfels = stages.surfels(experiment);
+  const auto gpu_surfels = stages.gpu_surfels(experiment);
   const Light light = stages.light(experiment, shadow.light);
   const Image<float>& before = shadow.raster->visibility;
 
   Shimmer shimmer;
   for (const dvec2& move : moves) {
     const MapLayout shifted = shift_grid(shadow.layout, move, stages.mapped_bounds().all());
-    const Image<float> after = draw_visibility_with(stages, shadow, shifted, gpu_surfels, surfels.view);
+    const Image<float> after = draw_visibility_with(stages, shadow, shifted, *gpu_surfels, surfels->view);
     const double share = count_flips(before, after, shadow.counted).share;
     shimmer.grid_mean += share / static_cast<double>(moves.size());
     shimmer.grid_largest = std::max(shimmer.grid_largest, share);
@@ -56,15 +56,15 @@ Shimmer measure_shimmer(Stages& stages, const ShadowMeasurement& shadow) {
   Flips drawn;
   Flips traced;
   for (const dvec2& move : moves) {
-    const View view = shift_view(surfels.view, move);
+    const View view = shift_view(surfels->view, move);
     const bool is_traced = experiment.view.surfels == SurfelSource::traced;
     const GBuffer moved =
         is_traced ? trace_gbuffer(stages.tracer(), view) : read_back(context, draw_gbuffer(context, scene, view));
     const Image<float> after = draw_visibility_with(stages, shadow, shadow.layout, upload(context, moved), view);
-    add(drawn, count_flips(before, after, shadow.counted, surfels.gbuffer, moved));
+    add(drawn, count_flips(before, after, shadow.counted, surfels->gbuffer, moved));
     if (shadow.is_sampled) continue;
     const Image<float> truth = trace_visibility(stages.tracer(), moved, light).visibility;
-    add(traced, count_flips(shadow.truth->visibility, truth, shadow.counted, surfels.gbuffer, moved));
+    add(traced, count_flips(shadow.truth->visibility, truth, shadow.counted, surfels->gbuffer, moved));
   }
   shimmer.camera = mean_of(drawn);
   if (!shadow.is_sampled) shimmer.camera_truth = mean_of(traced);

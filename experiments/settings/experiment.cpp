@@ -6,6 +6,8 @@
 #include <limits>
 #include <string_view>
 
+#include "core/error.h"
+
 namespace umbrameter {
 namespace {
 
@@ -62,6 +64,15 @@ Experiment in_metres(Experiment experiment, double scene_size) {
   Length& limit = experiment.truth.ao_distance;
   limit = limit.unit == LengthUnit::automatic ? experiment.ao.sampling.radius.number : to_metres(limit, scene_size);
   return experiment;
+}
+
+void require_metres(Experiment experiment) {
+  for (const Parameter& parameter : concatenate({describe(experiment.ao), describe(experiment.truth)})) {
+    const auto* const* length = std::get_if<Length*>(&parameter.field);
+    if (length == nullptr || (*length)->unit == LengthUnit::metres) continue;
+    throw Error(ExitCode::usage, parameter.key, to_string(**length) + " is not in metres",
+                "pass the experiment through Stages::in_metres() first");
+  }
 }
 
 std::string scene_title(const Experiment& experiment) {

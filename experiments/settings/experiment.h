@@ -71,6 +71,9 @@ std::string scene_title(const Experiment& experiment);
 /// metres.
 Experiment in_metres(Experiment experiment, double scene_size);
 
+/// Throws Error (usage) if a length of ambient occlusion is not in metres.
+void require_metres(Experiment experiment);
+
 /// All parameters, bound to the members of this experiment.
 Parameters describe(Experiment& experiment);
 

@@ -4,11 +4,12 @@
 namespace umbrameter {
 
 ShadowMapImages Stages::read_map(const Experiment& experiment, std::uint32_t light) {
-  return read_back(context(), map(experiment, light));
+  return read_back(context(), *map(experiment, light));
 }
 
 std::vector<Image<vec4>> Stages::read_filtered_map(const Experiment& experiment, std::uint32_t light) {
-  const ShadowLookup lookup = shadow_lookup(experiment, light, false);
+  const HeldLookup held = shadow_lookup(experiment, light, false);
+  const ShadowLookup& lookup = held.lookup;
   const Prefiltered* technique = prefiltered_of(lookup.technique);
   if (technique == nullptr) return {};
   const int layers = static_cast<int>(lookup.map.layout.views.size()) * technique->groups;

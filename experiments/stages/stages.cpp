@@ -111,7 +111,7 @@ const UploadedScene& Stages::uploaded() {
   return *uploaded_;
 }
 
-const Surfels& Stages::surfels(const Experiment& experiment) {
+std::shared_ptr<const Surfels> Stages::surfels(const Experiment& experiment) {
   return surfels_.get(key_of(Stage::surfels, experiment), [&] {
     const ViewParams& params = experiment.view;
     const double aspect = static_cast<double>(params.size.width) / params.size.height;
@@ -129,39 +129,40 @@ const Surfels& Stages::surfels(const Experiment& experiment) {
   });
 }
 
-const GpuGBuffer& Stages::gpu_surfels(const Experiment& experiment) {
-  const Surfels& both = surfels(experiment);
-  return gpu_surfels_.get(key_of(Stage::surfels, experiment), [&] { return upload(context(), both.gbuffer); });
+std::shared_ptr<const GpuGBuffer> Stages::gpu_surfels(const Experiment& experiment) {
+  const auto both = surfels(experiment);
+  return gpu_surfels_.get(key_of(Stage::surfels, experiment), [&] { return upload(context(), both->gbuffer); });
 }
 
 std::string Stages::key(Stage stage, const Experiment& experiment, std::uint32_t light) const {
   return key_of(stage, experiment) + "of light " + std::to_string(light);
 }
 
-const MapLayout& Stages::layout(const Experiment& experiment, std::uint32_t light) {
+std::shared_ptr<const MapLayout> Stages::layout(const Experiment& experiment, std::uint32_t light) {
   return layout_.get(key(Stage::layout, experiment, light), [&] {
-    const Surfels& seen = surfels(experiment);
-    return with_point_map(
-        fit_map(scene_.lights[light], bounds_, experiment.shadow.map, {seen.gbuffer, seen.view}, experiment.shadow.fit),
-        experiment.shadow.map_depth.point_map);
+    const auto seen = surfels(experiment);
+    return with_point_map(fit_map(scene_.lights[light], bounds_, experiment.shadow.map, {seen->gbuffer, seen->view},
+                                  experiment.shadow.fit),
+                          experiment.shadow.map_depth.point_map);
   });
 }
 
-const CountedPixels& Stages::counted(const Experiment& experiment, std::uint32_t light) {
+std::shared_ptr<const CountedPixels> Stages::counted(const Experiment& experiment, std::uint32_t light) {
   return counted_.get(key(Stage::counted, experiment, light), [&] {
-    return count_pixels(surfels(experiment).gbuffer, this->light(experiment, light), layout(experiment, light));
+    const auto seen = surfels(experiment);
+    return count_pixels(seen->gbuffer, this->light(experiment, light), *layout(experiment, light));
   });
 }
 
 ReferenceKey Stages::reference_key(const Experiment& experiment, Stage stage, const std::string& kind) {
   if (!cache_.enabled()) return {};
   return {kind,
-          tracer_identity_.get("", tracer_identity),
-          scene_content_.get("", [&] { return scene_content(scene_); }),
-          surfel_content_.get(key_of(Stage::surfels, experiment),
-                              [&] { return surfel_content(surfels(experiment).gbuffer); }),
+          *tracer_identity_.get("", tracer_identity),
+          *scene_content_.get("", [&] { return scene_content(scene_); }),
+          *surfel_content_.get(key_of(Stage::surfels, experiment),
+                               [&] { return surfel_content(surfels(experiment)->gbuffer); }),
           "",
-          own_key_of(stage, in_metres(experiment)),
+          own_key_of(stage, experiment),
           static_cast<std::uint32_t>(experiment.run.seed)};
 }
 
@@ -176,13 +177,13 @@ Stage Stages::reference_stage(const Experiment& experiment, std::uint32_t light)
   return is_area(this->light(experiment, light)) ? Stage::area_reference : Stage::binary_reference;
 }
 
-const TracedVisibility& Stages::truth(const Experiment& experiment, std::uint32_t light) {
+std::shared_ptr<const TracedVisibility> Stages::truth(const Experiment& experiment, std::uint32_t light) {
   const Stage stage = reference_stage(experiment, light);
   if (stage == Stage::binary_reference) return hard_truth(experiment, light);
   return sampled_truth_.get(key(stage, experiment, light), [&] { return trace(experiment, stage, light); });
 }
 
-const TracedVisibility& Stages::hard_truth(const Experiment& experiment, std::uint32_t light) {
+std::shared_ptr<const TracedVisibility> Stages::hard_truth(const Experiment& experiment, std::uint32_t light) {
   constexpr Stage stage = Stage::binary_reference;
   return hard_truth_.get(key(stage, experiment, light), [&] { return trace(experiment, stage, light); });
 }
@@ -192,17 +193,17 @@ TracedVisibility Stages::trace(const Experiment& experiment, Stage reference, st
   if (reference == Stage::binary_reference) lamp.emitter = std::monostate{};
   ReferenceKey key = reference_key(experiment, reference, "visibility");
   key.light = light_content(lamp);
-  const Surfels& seen = surfels(experiment);
+  const auto seen = surfels(experiment);
   const bool is_over_pixel = reference == Stage::pixel_reference;
-  if (is_over_pixel) key.surfels += camera_content(seen.view.camera);
+  if (is_over_pixel) key.surfels += camera_content(seen->view.camera);
   const std::function<TracedVisibility()> trace = [&] {
     const Tracer& rays = tracer();
     ProgressBar progress = tracing_bar("shadow rays", [&] { return rays.rays_traced(); });
     const TruthSampling sampling{experiment.truth, static_cast<std::uint32_t>(experiment.run.seed)};
     if (is_over_pixel) {
-      return trace_pixel_visibility(rays, seen.gbuffer, seen.view, lamp, sampling, progress.callback());
+      return trace_pixel_visibility(rays, seen->gbuffer, seen->view, lamp, sampling, progress.callback());
     }
-    return trace_visibility(rays, seen.gbuffer, lamp, sampling, progress.callback());
+    return trace_visibility(rays, seen->gbuffer, lamp, sampling, progress.callback());
   };
   TracedVisibility traced = cache_.get(key, {scene_title(experiment), "visibility of " + title(light)}, trace);
   add(costs_.shadow, traced.statistics);
@@ -221,31 +222,30 @@ AoInBackground::~AoInBackground() {
 
 void Stages::begin_ao_truth(const Experiment& experiment) {
   struct Cancelled {};
+  require_metres(experiment);
   ao_in_background_ = std::make_unique<AoInBackground>();
   AoInBackground& work = *ao_in_background_;
-  work.key = key_of(Stage::ao_reference, in_metres(experiment));
-  // Computed here, because the thread must not run stages; the memo keeps the surfels until the view changes.
-  const Tracer& rays = tracer();
-  const GBuffer& gbuffer = surfels(experiment).gbuffer;
+  // All that the thread reads is computed here, because it must not run stages.
   work.traced =
-      std::async(std::launch::async, [&work, &rays, &gbuffer, params = in_metres(experiment).truth,
+      std::async(std::launch::async, [&work, &rays = tracer(), surfels = surfels(experiment), params = experiment.truth,
                                       seed = static_cast<std::uint32_t>(experiment.run.seed),
                                       key = reference_key(experiment, Stage::ao_reference, "ao"),
                                       title = scene_title(experiment), folder = options_.cache, console = console_] {
         ReferenceCache cache(folder, console);
         const std::function<TracedAo()> trace = [&] {
-          return trace_ao(rays, gbuffer, params, seed, [&work](double share) {
+          return trace_ao(rays, surfels->gbuffer, params, seed, [&work](double share) {
             if (work.is_cancelled) throw Cancelled{};
             work.share = share;
           });
         };
         return cache.get(key, {title, "ambient occlusion"}, trace);
       });
+  work.key = key_of(Stage::ao_reference, experiment);
 }
 
-const TracedAo& Stages::ao_truth(const Experiment& experiment) {
-  const TruthParams params = in_metres(experiment).truth;
-  const std::string key = key_of(Stage::ao_reference, in_metres(experiment));
+std::shared_ptr<const TracedAo> Stages::ao_truth(const Experiment& experiment) {
+  require_metres(experiment);
+  const std::string key = key_of(Stage::ao_reference, experiment);
   const auto counted = [&](TracedAo traced) {
     add(costs_.hemisphere, traced.statistics);
     costs_.largest_offset = std::max(costs_.largest_offset, traced.statistics.largest_offset);
@@ -264,78 +264,81 @@ const TracedAo& Stages::ao_truth(const Experiment& experiment) {
     const std::function<TracedAo()> trace = [&] {
       const Tracer& rays = tracer();
       ProgressBar progress = tracing_bar("hemisphere rays", [&] { return rays.rays_traced(); });
-      return trace_ao(rays, surfels(experiment).gbuffer, params, static_cast<std::uint32_t>(experiment.run.seed),
-                      progress.callback());
+      return trace_ao(rays, surfels(experiment)->gbuffer, experiment.truth,
+                      static_cast<std::uint32_t>(experiment.run.seed), progress.callback());
     };
     return counted(cache_.get(reference_key(experiment, Stage::ao_reference, "ao"),
                               {scene_title(experiment), "ambient occlusion"}, trace));
   });
 }
 
-const ShadowMap& Stages::map(const Experiment& experiment, std::uint32_t light) {
+std::shared_ptr<const ShadowMap> Stages::map(const Experiment& experiment, std::uint32_t light) {
   return map_.remake(key(Stage::map, experiment, light), [&](std::optional<ShadowMap> last) {
-    const MapLayout& layout = this->layout(experiment, light);
+    const auto layout = this->layout(experiment, light);
     // Software drivers clear every page of a new texture, which takes longer than drawing a small scene.
-    ShadowMap drawn = last && has_textures_for(*last, layout) ? std::move(*last) : make_shadow_map(context(), layout);
-    drawn.layout = layout;
+    ShadowMap drawn = last && has_textures_for(*last, *layout) ? std::move(*last) : make_shadow_map(context(), *layout);
+    drawn.layout = *layout;
     redraw_shadow_map(context(), uploaded(), scene_.lights[light], drawn, experiment.shadow.map_depth);
     return drawn;
   });
 }
 
-const StoredDepths& Stages::stored_depths(const Experiment& experiment, std::uint32_t light) {
+std::shared_ptr<const StoredDepths> Stages::stored_depths(const Experiment& experiment, std::uint32_t light) {
   return stored_depths_.get(key(Stage::map, experiment, light), [&] {
     const MapDepthParams& params = experiment.shadow.map_depth;
-    const ShadowMap& map = this->map(experiment, light);
+    const auto map = this->map(experiment, light);
     StoredDepths depths;
     depths.polygon_offset_unit = measure_offset_unit(context(), params.format);
-    depths.range = depth_range_of(context(), map);
+    depths.range = depth_range_of(context(), *map);
     if (depths.range) {
-      depths.step_at_nearest = depth_step(params, map.layout, depths.range->nearest);
-      depths.step_at_farthest = depth_step(params, map.layout, depths.range->farthest);
+      depths.step_at_nearest = depth_step(params, map->layout, depths.range->nearest);
+      depths.step_at_farthest = depth_step(params, map->layout, depths.range->farthest);
     }
     return depths;
   });
 }
 
-ShadowLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth) {
-  const GpuGBuffer& gpu = gpu_surfels(experiment);
-  const ShadowMap& map = this->map(experiment, light);
-  const gl::Texture* gpu_truth = nullptr;
+HeldLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth) {
+  const auto seen = surfels(experiment);
+  const auto gpu = gpu_surfels(experiment);
+  const auto map = this->map(experiment, light);
+  std::shared_ptr<const gl::Texture> gpu_truth;
   if (with_truth) {
     const Stage reference = reference_stage(experiment, light);
-    gpu_truth = &gpu_truth_.get(key(reference, experiment, light) + key(Stage::counted, experiment, light), [&] {
-      return upload_truth(context(), truth(experiment, light).visibility, counted(experiment, light).exclusion);
+    gpu_truth = gpu_truth_.get(key(reference, experiment, light) + key(Stage::counted, experiment, light), [&] {
+      const auto traced = truth(experiment, light);
+      return upload_truth(context(), traced->visibility, counted(experiment, light)->exclusion);
     });
   }
   const ShadowTechnique technique =
       make_technique(experiment.shadow, half_size(with_extent(scene_.lights[light], experiment.light).emitter));
-  const FilteredMap& filtered = filtered_map_.get(key(Stage::filtered_map, experiment, light), [&] {
-    return filter_map({context(), uploaded(), scene_.lights[light], map, experiment.shadow.map_depth}, technique);
+  const auto filtered = filtered_map_.get(key(Stage::filtered_map, experiment, light), [&] {
+    return filter_map({context(), uploaded(), scene_.lights[light], *map, experiment.shadow.map_depth}, technique);
   });
-  return {uploaded(), gpu,       map,       scene_.lights[light],     experiment.shadow.bias,
-          technique,  gpu_truth, &filtered, &surfels(experiment).view};
+  return {{uploaded(), *gpu, *map, scene_.lights[light], experiment.shadow.bias, technique, gpu_truth.get(),
+           filtered.get(), &seen->view},
+          {gpu, map, gpu_truth, filtered, seen}};
 }
 
 RasterVisibility Stages::draw(const Experiment& experiment, std::uint32_t light, bool with_truth) {
-  return draw_visibility(context(), shadow_lookup(experiment, light, with_truth));
+  return draw_visibility(context(), shadow_lookup(experiment, light, with_truth).lookup);
 }
 
 std::vector<Image<float>> Stages::draw_lookups(std::span<const Experiment> experiments, std::uint32_t light) {
-  const ShadowLookup lookup = shadow_lookup(experiments.front(), light, false);
+  const HeldLookup held = shadow_lookup(experiments.front(), light, false);
   std::vector<PrefilteredLookup> lookups;
   for (const Experiment& each : experiments) {
     lookups.push_back(lookup_of(each.shadow.bias, std::get<Prefiltered>(make_technique(each.shadow))));
   }
-  return umbrameter::draw_lookups(context(), lookup, std::get<Prefiltered>(lookup.technique), lookups);
+  return umbrameter::draw_lookups(context(), held.lookup, std::get<Prefiltered>(held.lookup.technique), lookups);
 }
 
-const StoredSurfels& Stages::stored_surfels(const Experiment& experiment) {
-  const GpuGBuffer& exact = gpu_surfels(experiment);
+std::shared_ptr<const StoredSurfels> Stages::stored_surfels(const Experiment& experiment) {
+  const auto exact = gpu_surfels(experiment);
   return stored_surfels_.get(key_of(Stage::stored_gbuffer, experiment), [&] {
-    const View& view = surfels(experiment).view;
-    StoredGBuffer stored = store_gbuffer(context(), exact, view, experiment.shading);
-    GpuGBuffer gpu = decode_surfels(context(), stored, exact, view);
+    const auto seen = surfels(experiment);
+    StoredGBuffer stored = store_gbuffer(context(), *exact, seen->view, experiment.shading);
+    GpuGBuffer gpu = decode_surfels(context(), stored, *exact, seen->view);
     GBuffer gbuffer = read_back(context(), gpu);
     return StoredSurfels{std::move(stored), std::move(gpu), std::move(gbuffer)};
   });
@@ -343,26 +346,29 @@ const StoredSurfels& Stages::stored_surfels(const Experiment& experiment) {
 
 ShadingSurfels Stages::shading_surfels(const Experiment& experiment) {
   if (experiment.shading.path == ShadingPath::forward) {
-    return {gpu_surfels(experiment), surfels(experiment).gbuffer, true};
+    const auto exact = surfels(experiment);
+    return {gpu_surfels(experiment), {exact, &exact->gbuffer}, true};
   }
-  const StoredSurfels& stored = stored_surfels(experiment);
-  return {stored.gpu, stored.gbuffer, false};
+  const auto stored = stored_surfels(experiment);
+  return {{stored, &stored->gpu}, {stored, &stored->gbuffer}, false};
 }
 
 Image<float> Stages::draw_visibility_of(const GpuGBuffer& surfels, const Experiment& experiment, std::uint32_t light) {
-  const ShadowLookup exact = shadow_lookup(experiment, light, false);
+  const HeldLookup held = shadow_lookup(experiment, light, false);
+  const ShadowLookup& exact = held.lookup;
   return draw_visibility(context(), {exact.scene, surfels, exact.map, exact.light, exact.bias, exact.technique, nullptr,
                                      exact.filtered, exact.view})
       .visibility;
 }
 
 ShadedImage Stages::shade(const Experiment& experiment, std::span<const LitLight> lights, const Image<float>& ao) {
-  const View& view = surfels(experiment).view;
-  const GpuGBuffer& exact = gpu_surfels(experiment);
+  const auto seen = surfels(experiment);
+  const auto exact = gpu_surfels(experiment);
   if (experiment.shading.path == ShadingPath::forward) {
-    return draw_forward(context(), {uploaded(), exact, view, experiment.shading}, lights, ao);
+    return draw_forward(context(), {uploaded(), *exact, seen->view, experiment.shading}, lights, ao);
   }
-  return draw_deferred(context(), {stored_surfels(experiment).stored, exact, view, experiment.shading}, lights, ao);
+  const auto stored = stored_surfels(experiment);
+  return draw_deferred(context(), {stored->stored, *exact, seen->view, experiment.shading}, lights, ao);
 }
 
 }  // namespace umbrameter

@@ -1,8 +1,14 @@
 // Runs the stages of one scene on demand. The last result of each stage is kept, with the values of the parameters that
-// it depends on (stage_inputs.h), so that the cells of a sweep share results.
+// it depends on (stage_inputs.h), so that the cells of a sweep share results. Callers share ownership of a result: it
+// stays valid and unchanged while they hold its pointer, whichever stages run meanwhile. What is on the GPU must not
+// outlive the Stages.
+//
+// Lengths of ambient occlusion are in metres here: convert an experiment once, by Stages::in_metres(), where it comes
+// in. Stages that read such a length throw Error (usage) if it has another unit.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <functional>
 #include <future>
@@ -31,22 +37,22 @@
 
 namespace umbrameter {
 
-/// The last computed values and their keys; one, unless keep() allows more. A value stays where it is until it gives
-/// way to a newer one.
+/// The last computed values and their keys; one, unless keep() allows more. A value that gives way to a newer one lives
+/// on while someone holds it.
 template <class T>
 class Memo {
  public:
   void keep(std::size_t values) { most_ = values; }
 
-  const T& get(const std::string& key, const std::function<T()>& make) {
+  std::shared_ptr<const T> get(const std::string& key, const std::function<T()>& make) {
     return remake(key, [&](std::optional<T> last) {
       last.reset();
       return make();
     });
   }
 
-  /// make() receives the oldest value, if it has to give way, and may reuse its parts.
-  const T& remake(const std::string& key, const std::function<T(std::optional<T>)>& make) {
+  /// make() receives the oldest value, if that has to give way and nobody else holds it, and may reuse its parts.
+  std::shared_ptr<const T> remake(const std::string& key, const std::function<T(std::optional<T>)>& make) {
     const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& each) { return each.key == key; });
     if (found != kept_.end()) {
       kept_.splice(kept_.begin(), kept_, found);
@@ -54,17 +60,18 @@ class Memo {
     }
     std::optional<T> oldest;
     while (kept_.size() >= most_) {
-      oldest.emplace(std::move(kept_.back().value));
+      oldest.reset();
+      if (kept_.back().value.use_count() == 1) oldest.emplace(std::move(*kept_.back().value));
       kept_.pop_back();
     }
-    kept_.push_front({key, make(std::move(oldest))});
+    kept_.push_front({key, std::make_shared<T>(make(std::move(oldest)))});
     return kept_.front().value;
   }
 
  private:
   struct Kept {
     std::string key;
-    T value;
+    std::shared_ptr<T> value;
   };
   std::list<Kept> kept_;  // the newest first
   std::size_t most_ = 1;
@@ -95,9 +102,15 @@ struct StoredSurfels {
 
 /// The surfels that the technique shades. Forward path: the exact ones. Deferred path: those decoded from its G-buffer.
 struct ShadingSurfels {
-  const GpuGBuffer& gpu;
-  const GBuffer& gbuffer;
+  std::shared_ptr<const GpuGBuffer> gpu;
+  std::shared_ptr<const GBuffer> gbuffer;
   bool is_exact = true;
+};
+
+/// A look-up, and the results of stages that it refers to.
+struct HeldLookup {
+  ShadowLookup lookup;
+  std::array<std::shared_ptr<const void>, 5> results;
 };
 
 struct StageOptions {
@@ -139,10 +152,10 @@ class Stages {
   const gl::Context& context();
   const UploadedScene& uploaded();
 
-  const Surfels& surfels(const Experiment& experiment);
-  const GpuGBuffer& gpu_surfels(const Experiment& experiment);
-  const MapLayout& layout(const Experiment& experiment, std::uint32_t light);
-  const CountedPixels& counted(const Experiment& experiment, std::uint32_t light);
+  std::shared_ptr<const Surfels> surfels(const Experiment& experiment);
+  std::shared_ptr<const GpuGBuffer> gpu_surfels(const Experiment& experiment);
+  std::shared_ptr<const MapLayout> layout(const Experiment& experiment, std::uint32_t light);
+  std::shared_ptr<const CountedPixels> counted(const Experiment& experiment, std::uint32_t light);
   ShadowMapImages read_map(const Experiment& experiment, std::uint32_t light);
   /// The values that a filtered map holds: for each view the same number of layers, one after the other; none if the
   /// technique has no such map.
@@ -153,13 +166,12 @@ class Stages {
     return capabilities_of(make_technique(experiment.shadow));
   }
 
-  const TracedVisibility& truth(const Experiment& experiment, std::uint32_t light);
+  std::shared_ptr<const TracedVisibility> truth(const Experiment& experiment, std::uint32_t light);
   /// The hard shadow: from each pixel's centre to the light's centre. It is truth() where that is not sampled. Its
   /// edges are the shadow edges of the statistics; those of a sampled reference would depend on the number of rays.
-  const TracedVisibility& hard_truth(const Experiment& experiment, std::uint32_t light);
-  const TracedAo& ao_truth(const Experiment& experiment);
-  /// Starts tracing on another thread; ao_truth() for the same experiment waits for the result. The view must not
-  /// change before that.
+  std::shared_ptr<const TracedVisibility> hard_truth(const Experiment& experiment, std::uint32_t light);
+  std::shared_ptr<const TracedAo> ao_truth(const Experiment& experiment);
+  /// Starts tracing on another thread; ao_truth() for the same experiment waits for the result.
   void begin_ao_truth(const Experiment& experiment);
   /// If with_truth, also classifies wrong taps by the two-plane rule.
   RasterVisibility draw(const Experiment& experiment, std::uint32_t light, bool with_truth);
@@ -187,9 +199,9 @@ class Stages {
   /// The technique's image, by the path of the experiment.
   ShadedImage shade(const Experiment& experiment, std::span<const LitLight> lights, const Image<float>& ao);
   /// The light's shadow map.
-  const ShadowMap& map(const Experiment& experiment, std::uint32_t light);
+  std::shared_ptr<const ShadowMap> map(const Experiment& experiment, std::uint32_t light);
   /// What the light's shadow map can store.
-  const StoredDepths& stored_depths(const Experiment& experiment, std::uint32_t light);
+  std::shared_ptr<const StoredDepths> stored_depths(const Experiment& experiment, std::uint32_t light);
 
   /// From now on keeps the surfels, references and, if with_maps, shadow maps of this many views and lights, for
   /// commands that go round them.
@@ -210,8 +222,8 @@ class Stages {
   using TestedTaps = std::function<void(std::span<const UnresolvedTap>, std::span<const std::uint8_t>)>;
   void test_unresolved_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes, bool of_lit,
                             const TestedTaps& take);
-  ShadowLookup shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth);
-  const StoredSurfels& stored_surfels(const Experiment& experiment);
+  HeldLookup shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth);
+  std::shared_ptr<const StoredSurfels> stored_surfels(const Experiment& experiment);
   ProgressBar bar(const char* stage) const;
   ProgressBar tracing_bar(const char* stage, std::function<std::uint64_t()> count_rays) const;
   ReferenceKey reference_key(const Experiment& experiment, Stage stage, const std::string& kind);
@@ -248,7 +260,7 @@ class Stages {
   Memo<std::string> tracer_identity_;
   Memo<std::string> scene_content_;
   Memo<std::string> surfel_content_;
-  // The last member, destroyed first: its thread reads the tracer and the surfels until it ends.
+  // The last member, destroyed first: its thread reads the tracer until it ends.
   std::unique_ptr<AoInBackground> ao_in_background_;
 };
 

@@ -4,28 +4,35 @@
 namespace umbrameter {
 
 Image<float> Stages::draw_ao(const Experiment& experiment) {
-  Image<float> ao = ao_.get(key_of(Stage::ao, experiment), [&] {
+  Image<float> ao = *ao_.get(key_of(Stage::ao, experiment), [&] {
     Experiment without_tone = experiment;
     without_tone.ao.tone = {};
-    return draw_ao_of(gpu_surfels(experiment), without_tone);
+    return draw_ao_of(*gpu_surfels(experiment), without_tone);
   });
-  const GBuffer& gbuffer = surfels(experiment).gbuffer;
-  for (std::size_t i = 0; i < ao.size(); ++i) ao[i] = with_tone(ao[i], at_surface(experiment.ao.tone, gbuffer, i));
+  const auto seen = surfels(experiment);
+  for (std::size_t i = 0; i < ao.size(); ++i) {
+    ao[i] = with_tone(ao[i], at_surface(experiment.ao.tone, seen->gbuffer, i));
+  }
   return ao;
 }
 
 void Stages::draw_ao_response(const Experiment& experiment, const AoAxes& axes, const AoResponseSink& sink) {
-  umbrameter::draw_ao_response(context(), gpu_surfels(experiment), surfels(experiment).view, in_metres(experiment).ao,
+  require_metres(experiment);
+  const auto seen = surfels(experiment);
+  const auto gpu = gpu_surfels(experiment);
+  umbrameter::draw_ao_response(context(), *gpu, seen->view, experiment.ao,
                                static_cast<std::uint32_t>(experiment.run.seed), axes, sink);
 }
 
 AoSurfelImages Stages::read_ao_surfels(const Experiment& experiment) {
-  return umbrameter::read_ao_surfels(context(), gpu_surfels(experiment), surfels(experiment).view,
-                                     in_metres(experiment).ao);
+  const auto seen = surfels(experiment);
+  return umbrameter::read_ao_surfels(context(), *gpu_surfels(experiment), seen->view, experiment.ao);
 }
 
 Image<float> Stages::draw_ao_of(const GpuGBuffer& surfels, const Experiment& experiment) {
-  return umbrameter::draw_ao(context(), surfels, this->surfels(experiment).view, in_metres(experiment).ao,
+  require_metres(experiment);
+  const auto seen = this->surfels(experiment);
+  return umbrameter::draw_ao(context(), surfels, seen->view, experiment.ao,
                              static_cast<std::uint32_t>(experiment.run.seed));
 }
 

@@ -25,7 +25,7 @@ std::size_t index_of(const SweepAxis& axis, const Value& value) {
 
 Image<float> LookAhead::visibility(Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                                    const std::vector<Value>& values) {
-  Experiment cell = at_cell(experiment, axes, values);
+  Experiment cell = cell_in_metres(stages, experiment, axes, values);
   const std::uint32_t light = stages.lights(cell.view.light).front();
   const Parameters of_lookup = lookup_parameters(cell.shadow);
   std::vector<std::size_t> varied;
@@ -54,7 +54,7 @@ Image<float> LookAhead::visibility(Stages& stages, const Experiment& experiment,
         of_cell[*a] = axes[*a].values[rest % axes[*a].values.size()];
         rest /= axes[*a].values.size();
       }
-      experiments.push_back(at_cell(experiment, axes, of_cell));
+      experiments.push_back(cell_in_metres(stages, experiment, axes, of_cell));
     }
     images_ = stages.draw_lookups(experiments, light);
     drawn_ = others + std::to_string(first);

@@ -7,6 +7,7 @@
 
 #include "experiments/measure/bias_advice.h"
 #include "experiments/measure/measure_image.h"
+#include "experiments/sweep/sweep_evaluator.h"
 
 namespace umbrameter {
 namespace {
@@ -22,7 +23,7 @@ bool is_word(const Value& value) {
 class CellChoice {
  public:
   CellChoice(Stages& stages, const SweepResults& sweep, const Experiment& experiment, std::size_t most)
-      : stages_(stages), sweep_(sweep), experiment_(stages.in_metres(experiment)), most_(most) {
+      : stages_(stages), sweep_(sweep), experiment_(experiment), most_(most) {
     const std::optional<std::size_t> constant = sweep.plan.constant_bias.axis;
     if (sweep.is_by_cause() && constant && axes()[*constant].values.size() <= max_slider_biases) bias_axis_ = constant;
   }
@@ -35,7 +36,7 @@ class CellChoice {
     if (is_full()) return;
     std::size_t number = 0;
     for (std::size_t a = 0; a < indices.size(); ++a) number += indices[a] * sweep_.plan.strides[a];
-    Experiment cell = stages_.in_metres(at_cell(experiment_, axes(), values_at(sweep_.plan, number)));
+    Experiment cell = cell_in_metres(stages_, experiment_, axes(), values_at(sweep_.plan, number));
     const bool is_exact = bias_axis_ && has_tap_flips(cell) && stages_.capabilities(cell).taps_independent_of_bias;
     std::vector<std::size_t> images = indices;
     if (is_exact) images[*bias_axis_] = 0;
@@ -55,19 +56,18 @@ class CellChoice {
     return indices;
   }
 
-  /// The indices of the experiment's own values; where the bias slider shows all biases, any bias will do.
-  std::optional<std::vector<std::size_t>> indices_without_axes(Experiment experiment) const {
-    const Parameters parameters = describe(experiment);
+  /// The indices of the values that are not varied; where the bias slider shows all biases, any bias will do.
+  std::optional<std::vector<std::size_t>> indices_without_axes() const {
+    Experiment varied = experiment_;
+    const Parameters parameters = describe(varied);
     std::vector<std::size_t> indices;
     for (std::size_t a = 0; a < axes().size(); ++a) {
-      const Parameter& parameter = require(parameters, axes()[a].key);
-      const Value before = parameter.value();
+      const Value given = require(sweep_.parameters, axes()[a].key).value();
       std::optional<std::size_t> found;
       for (std::size_t i = 0; i < axes()[a].values.size() && !found; ++i) {
         set_value(parameters, axes()[a], axes()[a].values[i]);
-        if (parameter.value() == before) found = i;
+        if (require(parameters, axes()[a].key).value() == given) found = i;
       }
-      parameter.set(before);
       if (!found && a == bias_axis_) found = 0;
       if (!found) return std::nullopt;
       indices.push_back(*found);
@@ -91,7 +91,7 @@ Measurement measure_without_picture(Stages& stages, const Experiment& experiment
                                     const std::vector<double>& further) {
   Measurement measurement;
   measurement.experiment = experiment;
-  measurement.surfels = stages.surfels(experiment);
+  measurement.surfels = *stages.surfels(experiment);
   if (quantity == SweptQuantity::ao) {
     measurement.ao = measure_ao(stages, experiment, {});
     return measurement;
@@ -125,7 +125,7 @@ PageCells choose_page_cells(Stages& stages, const SweepResults& sweep, const Exp
   const std::vector<SweepAxis>& axes = sweep.plan.axes;
   const std::vector<std::size_t> least = choice.indices_of(least_row(sweep)).value();
   choice.add(least, "least error");
-  if (const auto indices = choice.indices_without_axes(experiment)) choice.add(*indices, "not varied");
+  if (const auto indices = choice.indices_without_axes()) choice.add(*indices, "not varied");
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const std::size_t last = axes[a].values.size() - 1;
     const bool has_words = is_word(axes[a].values.front());

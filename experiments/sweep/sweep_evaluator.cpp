@@ -39,8 +39,9 @@ struct MeasureCell {
   }
   MeasuredCell operator()(const SoftVisibilityStatistics&) const {
     const Image<float> drawn = draw_visibility();
-    const TracedVisibility& truth = stages.truth(experiment, light());
-    return {analyze_soft_visibility(drawn, sampled(truth), stages.counted(experiment, light())), of_visibility(drawn)};
+    const auto truth = stages.truth(experiment, light());
+    const auto counted = stages.counted(experiment, light());
+    return {analyze_soft_visibility(drawn, sampled(*truth), *counted), of_visibility(drawn)};
   }
   MeasuredCell operator()(const AoStatistics&) const {
     AoMeasurement measured = measure_ao(stages, experiment, {});
@@ -73,7 +74,7 @@ struct CellByCell {
 
   void operator()(const CellGroup& group, const RowSink& keep) const {
     // Extents may be varied, and not every combination of them makes sense.
-    const Experiment of_group = at_cell(experiment, axes, group.values);
+    const Experiment of_group = cell_in_metres(stages, experiment, axes, group.values);
     const SweptQuantity quantity = quantity_of(statistics);
     if (quantity != SweptQuantity::ao) {
       stages.check_is_meaningful(of_group, swept_lights(stages, experiment, axes, quantity));
@@ -82,7 +83,7 @@ struct CellByCell {
     for (std::size_t place = 0; place < group.size(); ++place) {
       throw_if_interrupted();
       const std::vector<Value> values = values_at(group, place);
-      Experiment cell = at_cell(experiment, axes, values);
+      Experiment cell = cell_in_metres(stages, experiment, axes, values);
       cell.run.metrics.clear();
       const std::function<Image<float>()> draw = [&] {
         return look_ahead.visibility(stages, experiment, axes, values);
@@ -122,12 +123,12 @@ void measure_bias_group(Stages& stages, const Experiment& experiment, const Cell
   }
 }
 
-// The experiment's parameters of AO, in metres, for each value of an inner axis.
+// The experiment's parameters of AO for each value of an inner axis.
 template <class Read>
 auto along(const Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
            const CellGroup& group, std::string_view key, const Read& read) {
   const auto read_at = [&](const std::vector<Value>& values) {
-    return read(stages.in_metres(at_cell(experiment, axes, values)).ao);
+    return read(cell_in_metres(stages, experiment, axes, values).ao);
   };
   std::vector<decltype(read(AoParams{}))> all;
   std::size_t stride = group.size();
@@ -151,7 +152,7 @@ void measure_ao_group(Stages& stages, const Experiment& experiment, const std::v
       values_of(ao_intensity_key, [](const AoParams& ao) { return ao.tone.intensity; }),
       values_of(ao_power_key, [](const AoParams& ao) { return ao.tone.power; })};
   RowsInOrder<AoStatistics> rows(keep);
-  const Experiment of_group = at_cell(experiment, axes, group.values);
+  const Experiment of_group = cell_in_metres(stages, experiment, axes, group.values);
   for (const AoStatistics& statistics : measure_ao_axes(stages, of_group, cells)) rows(statistics);
 }
 
@@ -161,7 +162,7 @@ RowSink with_metrics(Stages& stages, const Experiment& experiment, const std::ve
                      const RowSink& keep) {
   return [&, quantity](std::size_t place, std::span<const Value> statistics) {
     throw_if_interrupted();
-    const Experiment cell = stages.in_metres(at_cell(experiment, axes, values_at(group, place)));
+    const Experiment cell = cell_in_metres(stages, experiment, axes, values_at(group, place));
     std::vector<Value> row(statistics.begin(), statistics.end());
     if (quantity == SweptQuantity::ao) {
       append_scores(row, metrics, compared_ao(stages, cell, stages.draw_ao(cell)));
@@ -222,6 +223,11 @@ bool is_one_pass(const Stages& stages, const Experiment& experiment, const std::
   return all;
 }
 
+Experiment cell_in_metres(const Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
+                          const std::vector<Value>& values) {
+  return stages.in_metres(at_cell(experiment, axes, values));
+}
+
 EvaluateGroup make_evaluator(Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                              const CellStatistics& statistics) {
   const bool one_pass = is_one_pass(stages, experiment, axes, statistics);
@@ -237,7 +243,7 @@ EvaluateGroup make_evaluator(Stages& stages, const Experiment& experiment, const
     if (std::holds_alternative<AoStatistics>(statistics)) {
       measure_ao_group(stages, experiment, axes, group, sink);
     } else {
-      measure_bias_group(stages, at_cell(experiment, axes, group.values), group, sink);
+      measure_bias_group(stages, cell_in_metres(stages, experiment, axes, group.values), group, sink);
     }
   };
 }

@@ -22,7 +22,11 @@ CellStatistics choose_statistics(const Stages& stages, const Experiment& experim
 bool is_one_pass(const Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                  const CellStatistics& statistics);
 
-/// A function that measures groups with `stages`, which must outlive it.
+/// The experiment, which is in metres, with these values of the axes, in metres as well.
+Experiment cell_in_metres(const Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
+                          const std::vector<Value>& values);
+
+/// A function that measures groups with `stages`, which must outlive it. The experiment is in metres.
 EvaluateGroup make_evaluator(Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                              const CellStatistics& statistics);
 

@@ -88,8 +88,8 @@ Drawn draw_shadow(const TuneCase& tuned, const Experiment& experiment) {
     }
     if (measured->is_sampled) return analyze_soft_visibility(technique, sampled(*measured->truth), counted);
     const Light lamp = stages.light(experiment, light);
-    const ShapeInput input{stages.surfels(experiment).gbuffer, measured->truth->visibility, counted, lamp,
-                           measured->layout};
+    const auto surfels = stages.surfels(experiment);
+    const ShapeInput input{surfels->gbuffer, measured->truth->visibility, counted, lamp, measured->layout};
     return analyze_edges(input, technique, analyze_error_shape(input, technique));
   };
   return drawn;
@@ -98,7 +98,7 @@ Drawn draw_shadow(const TuneCase& tuned, const Experiment& experiment) {
 Drawn draw_occlusion(const TuneCase& tuned, const Experiment& experiment) {
   Stages& stages = *tuned.stages;
   auto measured = std::make_shared<AoMeasurement>(measure_ao(stages, experiment, {}));
-  auto gbuffer = std::make_shared<GBuffer>(stages.surfels(experiment).gbuffer);
+  auto gbuffer = std::make_shared<GBuffer>(stages.surfels(experiment)->gbuffer);
   Drawn drawn;
   drawn.images = compared_ao(stages, experiment, *measured->raster);
   drawn.analyze = [measured, gbuffer](const auto& is_left_out) -> CellStatistics {
@@ -232,7 +232,7 @@ void prepare(const TuneCase& tuned) {
 }
 
 Experiment at_point(const TuneCase& tuned, const std::vector<TuneAxis>& axes, const std::vector<Value>& point) {
-  return tuned.stages->in_metres(at_cell(tuned.experiment, sweep_axes(axes), point));
+  return cell_in_metres(*tuned.stages, tuned.experiment, sweep_axes(axes), point);
 }
 
 CaseValues measure_case(const TuneCase& tuned, const Experiment& experiment, const TuneGoal& goal) {

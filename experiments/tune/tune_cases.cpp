@@ -25,7 +25,7 @@ SweepAxis parse_case_axis(const Stages& stages, const Parameters& parameters, co
 
 // "overview" for "0" and for "OVERVIEW".
 std::string camera_name(Stages& stages, const Experiment& experiment) {
-  const std::string& name = stages.surfels(experiment).view.camera.name;
+  const std::string name = stages.surfels(experiment)->view.camera.name;
   return name.empty() ? experiment.view.camera : name;
 }
 
@@ -33,11 +33,11 @@ void add_cases(std::vector<TuneCase>& cases, Stages& stages, const Experiment& e
                const std::string& suffix) {
   const std::string view = fmt::format("{}, camera {}", scene_title(experiment), camera_name(stages, experiment));
   if (quantity != SweptQuantity::visibility) {
-    cases.push_back({&stages, stages.in_metres(experiment), quantity, 0, view + suffix});
+    cases.push_back({&stages, experiment, quantity, 0, view + suffix});
     return;
   }
   for (const std::uint32_t light : stages.lights(experiment.view.light)) {
-    TuneCase tuned{&stages, stages.in_metres(experiment), quantity, light, {}};
+    TuneCase tuned{&stages, experiment, quantity, light, {}};
     tuned.experiment.view.light = std::to_string(light);
     tuned.title = fmt::format("{}, {}{}", view, stages.title(light), suffix);
     stages.check_is_meaningful(tuned.experiment, {light});
@@ -47,7 +47,7 @@ void add_cases(std::vector<TuneCase>& cases, Stages& stages, const Experiment& e
 
 void go_over(std::vector<TuneCase>& cases, Stages& stages, Experiment experiment, SweptQuantity quantity,
              const std::vector<SweepAxis>& axes, std::size_t depth, const std::string& suffix) {
-  if (depth == axes.size()) return add_cases(cases, stages, experiment, quantity, suffix);
+  if (depth == axes.size()) return add_cases(cases, stages, stages.in_metres(experiment), quantity, suffix);
   const Parameters parameters = describe(experiment);
   const SweepAxis& axis = axes[depth];
   const bool is_named = axis.key == "view.camera" || axis.key == "view.light";

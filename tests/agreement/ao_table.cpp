@@ -103,13 +103,13 @@ Experiment experiment_of(const std::string& scene, const Settings& settings) {
 
 // Median over turns.
 double time_ratio(Stages& stages, const Experiment& experiment) {
-  const View view = stages.surfels(experiment).view;
+  const View view = stages.surfels(experiment)->view;
   std::vector<double> ratios;
   for (int turn = 0; turn < turns; ++turn) {
     gl::PassTime of_gbuffer;
     gl::run_timed(&of_gbuffer, [&] { draw_gbuffer(stages.context(), stages.uploaded(), view); });
     gl::PassTime of_method;
-    gl::run_timed(&of_method, [&] { stages.draw_ao_of(stages.gpu_surfels(experiment), experiment); });
+    gl::run_timed(&of_method, [&] { stages.draw_ao_of(*stages.gpu_surfels(experiment), experiment); });
     ratios.push_back(of_method.processor / of_gbuffer.processor);
   }
   std::sort(ratios.begin(), ratios.end());
@@ -140,7 +140,7 @@ double rmse_of(Stages& stages, const std::string& scene, const Settings& setting
 void print_scene(const std::string& scene, std::vector<Ranking>& rankings) {
   Stages stages(load_scene(scene), {}, Console{});
   const Experiment first = stages.in_metres(experiment_of(scene, rows().front().settings));
-  fmt::print("\n## `{}`, camera `{}`, radius {:.2f} m\n\n| method |", scene, stages.surfels(first).view.camera.name,
+  fmt::print("\n## `{}`, camera `{}`, radius {:.2f} m\n\n| method |", scene, stages.surfels(first)->view.camera.name,
              first.ao.sampling.radius.number);
   for (const std::string_view stage : ao_stage_titles) fmt::print(" {} |", stage);
   fmt::print(" mean error | ± | RMSE | MSE, sRGB | PSNR, sRGB | time |\n| --- |");

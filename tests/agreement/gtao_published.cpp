@@ -141,8 +141,8 @@ int run(const Setup& setup) {
   Stages stages(load_scene("courtyard"), {}, Console{});
   const auto measure = [&](const char* camera, const GtaoParams& gtao) {
     const Experiment experiment = stages.in_metres(experiment_at(setup, camera, gtao));
-    const TracedAo& truth = stages.ao_truth(experiment);
-    return errors_of(stages.draw_ao(experiment), truth, stages.surfels(experiment).gbuffer);
+    const auto truth = stages.ao_truth(experiment);
+    return errors_of(stages.draw_ao(experiment), *truth, stages.surfels(experiment)->gbuffer);
   };
   std::vector<std::vector<double>> ratios;
   GtaoParams best;

@@ -92,17 +92,17 @@ Experiment experiment_of(const std::string& scene, const Row& row, const Bounds&
 
 double seconds(Stages& stages, const Experiment& experiment) {
   const Light light = stages.light(experiment, 0);
-  const MapLayout& layout = stages.layout(experiment, 0);
-  const GpuGBuffer& surfels = stages.gpu_surfels(experiment);
-  const View view = stages.surfels(experiment).view;
+  const auto layout = stages.layout(experiment, 0);
+  const auto surfels = stages.gpu_surfels(experiment);
+  const View view = stages.surfels(experiment)->view;
   const ShadowTechnique technique = make_technique(experiment.shadow, half_size(light.emitter));
   gl::PassTime time;
   gl::run_timed(&time, [&] {
     const ShadowMap map =
-        draw_shadow_map(stages.context(), stages.uploaded(), light, layout, experiment.shadow.map_depth);
+        draw_shadow_map(stages.context(), stages.uploaded(), light, *layout, experiment.shadow.map_depth);
     const FilteredMap filtered =
         filter_map({stages.context(), stages.uploaded(), light, map, experiment.shadow.map_depth}, technique);
-    draw_visibility(stages.context(), {stages.uploaded(), surfels, map, light, experiment.shadow.bias, technique,
+    draw_visibility(stages.context(), {stages.uploaded(), *surfels, map, light, experiment.shadow.bias, technique,
                                        nullptr, &filtered, &view});
   });
   return time.processor;

@@ -24,7 +24,7 @@ void measure_image(const Options& options) {
     Stages stages(load_scene("contact-box"), {}, {.quiet = true});
     const std::uint32_t light = 0;
     const auto statistics = [&](int rays, int seed) {
-      Experiment experiment = small(rays);
+      Experiment experiment = stages.in_metres(small(rays));
       experiment.light.angle = angle;
       experiment.ao.tone.intensity = 0.0;  // the technique's AO has random rotations, of the same seed
       experiment.run.seed = seed;
@@ -40,17 +40,17 @@ void measure_stages(const Options& options) {
   const std::string name = "courtyard, AO by stage, 64 rays";
   if (!options.selects(name)) return;
   Stages stages(load_scene("courtyard"), {}, {.quiet = true});
-  const Experiment experiment = small(64);
-  const Experiment metric = stages.in_metres(experiment);
-  const Surfels& surfels = stages.surfels(experiment);
-  const AoIntegral integral = *integral_of(make_technique(metric.ao));
+  const Experiment experiment = stages.in_metres(small(64));
+  const auto held = stages.surfels(experiment);
+  const Surfels& surfels = *held;
+  const AoIntegral integral = *integral_of(make_technique(experiment.ao));
   Experiment unblurred = experiment;
   unblurred.ao.blur.kind = AoBlur::none;
   Experiment many = experiment;
   many.ao = with_many_samples(many.ao);
   const AoDraws drawn{stages.draw_ao(many), stages.draw_ao(unblurred), stages.draw_ao(experiment)};
   const auto statistics = [&](int rays, std::uint32_t seed) {
-    TruthParams params = metric.truth;
+    TruthParams params = experiment.truth;
     params.spp = rays;
     const TracedAo truth = trace_ao(stages.tracer(), surfels.gbuffer, params, 2 * seed);
     TracedIntegral traced =

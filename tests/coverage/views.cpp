@@ -96,7 +96,7 @@ double value_of(const Statistic& statistic) {
 StoredRun run_of(Stages& stages, const Experiment& experiment, SweptQuantity quantity) {
   StoredRun run;
   run.scene = "field";
-  Measurement measurement{.experiment = experiment, .surfels = stages.surfels(experiment)};
+  Measurement measurement{.experiment = experiment, .surfels = *stages.surfels(experiment)};
   MeasuredStatistic measured;
   CellStatistics statistics;
   if (quantity == SweptQuantity::ao) {

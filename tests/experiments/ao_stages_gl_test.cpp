@@ -62,7 +62,8 @@ TEST_F(AoStagesGl, Further_bounces_with_the_albedo_of_each_surface_are_part_of_t
   Experiment bounces = plain;
   bounces.ao.tone = {.multi_bounce = true, .albedo_source = AoAlbedo::surface};
   const Measured after = measure(stages, bounces);
-  const GBuffer& gbuffer = stages.surfels(stages.in_metres(plain)).gbuffer;
+  const auto surfels = stages.surfels(plain);
+  const GBuffer& gbuffer = surfels->gbuffer;
   float largest = 0.0f;
   for (std::size_t i = 0; i < gbuffer.albedo.size(); ++i) {
     const double luminance = glm::dot(dvec3(0.2126, 0.7152, 0.0722), dvec3(gbuffer.albedo[i]));

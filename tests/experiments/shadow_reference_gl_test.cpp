@@ -67,11 +67,11 @@ TEST_F(ShadowReferenceGl, Edges_are_those_of_the_hard_shadow_at_any_number_of_ra
     experiment_.truth.spp = spp;
     ShadowMeasurement measured = measure_shadow(*stages_, experiment_, 0, {});
     EXPECT_EQ(measured.is_sampled, experiment_.truth.shadow != ShadowReference::point);
-    const GBuffer& gbuffer = stages_->surfels(experiment_).gbuffer;
+    const auto surfels = stages_->surfels(experiment_);
     const std::vector<std::uint32_t> lights = {0};
     return Edges{measure_shape(*stages_, measured).error.edges,
-                 find_shadow_edges(measured.truth->visibility, gbuffer, measured.counted).bits.pixels,
-                 measure_image(*stages_, experiment_, lights, {}).statistics->near_edges};
+                 find_shadow_edges(measured.truth->visibility, surfels->gbuffer, measured.counted).bits.pixels,
+                 measure_image(*stages_, stages_->in_metres(experiment_), lights, {}).statistics->near_edges};
   };
   experiment_.truth.shadow = ShadowReference::point;
   const Edges hard = edges_of(16);
@@ -103,7 +103,7 @@ TEST_F(ShadowReferenceGl, The_hard_shadow_of_an_area_light_is_traced_once_and_fo
     experiment_.truth.spp = spp;
     std::optional<ShadowMeasurement> shadow;
     const std::uint64_t sampled = rays_for([&] { shadow = measure_shadow(*stages_, experiment_, 0, {}); });
-    EXPECT_EQ(sampled, stages_->truth(experiment_, 0).statistics.rays) << "statistics need no edges";
+    EXPECT_EQ(sampled, stages_->truth(experiment_, 0)->statistics.rays) << "statistics need no edges";
     const std::uint64_t hard = rays_for([&] { measure_shape(*stages_, *shadow); });
     EXPECT_EQ(hard > 0, spp == 16) << "it does not depend on the number of rays";
     EXPECT_LE(hard, std::uint64_t{96 * 54}) << "one ray a pixel";

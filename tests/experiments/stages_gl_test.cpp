@@ -165,6 +165,18 @@ TEST_F(StagesGl, Every_parameter_varied_gives_what_fresh_stages_give_with_a_defe
   expect_fresh({"run.measure=image", "shading.path=deferred"}, all_groups);
 }
 
+TEST_F(StagesGl, Refuse_a_length_of_ambient_occlusion_that_is_not_in_metres) {
+  const std::unique_ptr<Stages> stages = make_stages();
+  for (const std::string setting : {"ao.radius=2%", "ao.bias=1%", "truth.ao-distance=auto"}) {
+    const Experiment relative = base({setting});
+    EXPECT_THROW(stages->draw_ao(relative), Error) << setting;
+    EXPECT_THROW(stages->ao_truth(relative), Error) << setting;
+    EXPECT_THROW(stages->begin_ao_truth(relative), Error) << setting;
+    EXPECT_NO_THROW(measure_shadow(*stages, relative, 0, {})) << "a shadow reads none of them";
+    EXPECT_NO_THROW(measure_ao(*stages, stages->in_metres(relative), {})) << setting;
+  }
+}
+
 TEST_F(StagesGl, One_pass_measures_ambient_occlusion_at_every_bias_number_of_samples_and_tone_like_single_runs) {
   const std::vector<std::string> axes = {"ao.power=1,2.2", "ao.bias=0,0.05,0.01,1", "truth.ao-distance=0.3,0.2",
                                          "ao.samples=5,8,1", "ao.intensity=1,1.4"};

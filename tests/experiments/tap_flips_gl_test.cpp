@@ -45,11 +45,11 @@ class TapFlipsGl : public testing::Test {
         fresh.shadow.bias.constant = {axes.constant[k], axes.unit};
         RasterVisibility drawn = stages.draw(fresh, light, true);
         if (fresh.run.classes == ClassRule::exact) stages.reclassify(fresh, light, drawn.wrong);
-        const CountedPixels& counted = stages.counted(fresh, light);
-        const Image<PixelClass> expected = classify(drawn.wrong, counted);
+        const auto counted = stages.counted(fresh, light);
+        const Image<PixelClass> expected = classify(drawn.wrong, *counted);
         std::size_t different = 0;
         for (std::size_t i = 0; i < expected.size(); ++i) {
-          const PixelClass found = class_at(flips, k, i, counted.exclusion[i]);
+          const PixelClass found = class_at(flips, k, i, counted->exclusion[i]);
           if (found != expected[i]) ++different;
           wrong += found != PixelClass::correct && found < PixelClass::not_counted ? 1 : 0;
         }
