@@ -22,7 +22,8 @@ struct LeftOut {
   std::string_view word;
   std::string_view reason;
 };
-constexpr std::array<LeftOut, 4> left_out{{{"scripts/setup", "installs packages"},
+constexpr std::array<LeftOut, 5> left_out{{{"apt install", "installs the program"},
+                                           {"scripts/setup", "installs packages"},
                                            {"scripts/demo", "installs packages and builds the program"},
                                            {"scripts/test", "installs packages and runs all tests, this one too"},
                                            {"cmake ", "builds the program"}}};

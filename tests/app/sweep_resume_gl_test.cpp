@@ -32,7 +32,7 @@ ProgramResult run(const std::vector<std::string>& arguments, ProgramOptions opti
   return run_program(arguments, options);
 }
 bool is_done(const ProgramResult& result) {
-  return result.exit_code == done && result.err.find("plots not drawn") != std::string::npos;
+  return result.exit_code == done && result.err.find(" not drawn: ") != std::string::npos;
 }
 
 // Number of cells in "note: 12 of 34 cells are done"; 0 where nothing is said.

@@ -6,7 +6,7 @@ foreach(line IN LISTS lines)
   string(REGEX MATCHALL "${build}/[^\";]+" paths "${line}")
   foreach(path IN LISTS paths)
     file(RELATIVE_PATH file ${build} ${path})
-    if(file MATCHES "cmake_install.cmake$|^umbrameter-config|CMakeFiles/Export" OR NOT file MATCHES "\\.")
+    if(file MATCHES "cmake_install.cmake$|^umbrameter-config|^package-documents|CMakeFiles/Export" OR NOT file MATCHES "\\.")
       continue()  # written by the configuration
     endif()
     execute_process(COMMAND ${ninja} -C ${build} -t query ${file} OUTPUT_VARIABLE query ERROR_QUIET)
