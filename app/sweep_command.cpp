@@ -12,8 +12,8 @@
 #include "core/parallel.h"
 #include "experiments/measure/measure_biases.h"
 #include "experiments/settings/stage_inputs.h"
-#include "experiments/stages/reference_key.h"
 #include "experiments/sweep/axis_effects.h"
+#include "experiments/sweep/identity.h"
 #include "experiments/sweep/page_cells.h"
 #include "experiments/sweep/sweep_evaluator.h"
 #include "experiments/sweep/sweep_progress.h"
@@ -85,39 +85,6 @@ void check_against_scene(const Stages& stages, const Experiment& experiment, con
     }
     stages.check_is_meaningful(cell, lights);
   }
-}
-
-// How far a light reaches decides which pixels are counted, and how its map is fitted.
-std::string bounds_text(const Light& light) {
-  if (const auto* spot = std::get_if<SpotLight>(&light.shape)) {
-    return fmt::format(" ({}, {}, {})", spot->range, spot->inner_cone_angle, spot->outer_cone_angle);
-  }
-  const auto* point = std::get_if<PointLight>(&light.shape);
-  return point != nullptr ? fmt::format(" ({})", point->range) : "";
-}
-
-// All that the rows depend on besides the axes: who asks again with one of these changed gets no old row.
-std::vector<std::pair<std::string, std::string>> settings_of(Stages& stages, Experiment experiment,
-                                                             SweptQuantity quantity) {
-  std::vector<std::pair<std::string, std::string>> settings = {{"scene", experiment.scene}};
-  for (const Parameter& parameter : describe(experiment)) {
-    settings.emplace_back(parameter.key, to_string(parameter.value()));
-  }
-  settings.emplace_back("measured", std::string(quantity_name(quantity)));
-  settings.emplace_back("content of the scene", scene_content(stages.scene()));
-  std::string lights;
-  for (std::uint32_t i = 0; i < stages.scene().lights.size(); ++i) {
-    const Light light = stages.light(experiment, i);
-    lights += light_content(light) + bounds_text(light) + " ";
-  }
-  settings.emplace_back("content of the lights", lights);
-  settings.emplace_back("content of the view", surfel_content(stages.surfels(experiment)->gbuffer));
-  std::string cameras;
-  for (const Camera& camera : stages.scene().cameras) cameras += camera_content(camera) + " ";
-  settings.emplace_back("content of the cameras", cameras);
-  settings.emplace_back("OpenGL", stages.context().device().renderer);
-  settings.emplace_back("program", tracer_identity());
-  return settings;
 }
 
 // One bar for all of it, tracing included.
@@ -200,10 +167,15 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   folder.announce(ResultsStore::file_names());
   ResultsStore store = ResultsStore::open(
       line.output,
-      {toml, settings_of(stages, given, quantity), given.axes,
+      {toml, identity_of_sweep(stages, given, quantity), given.axes,
        stored_columns(parameters, plan, measured_columns(experiment, statistics), sample_row(experiment, statistics)),
-       plan.cells},
+       plan.cells, maker_of(stages)},
       line.force);
+  if (const std::vector<std::string> makers = store.makers(); makers.size() > 1) {
+    std::string names;
+    for (const std::string& maker : makers) names += (names.empty() ? "" : "; ") + maker;
+    stages.add_notes({"cells were measured by different programs or machines, whose last digits may differ: " + names});
+  }
   if (store.complete()) {
     note(console, fmt::format("all {} cells are done; --force recomputes them", plan.cells));
   } else {

@@ -8,6 +8,7 @@
 #include "core/parallel.h"
 #include "experiments/stages/reference_key.h"
 #include "experiments/sweep/axis_effects.h"
+#include "experiments/sweep/identity.h"
 #include "experiments/sweep/page_cells.h"
 #include "experiments/tune/tune_cases.h"
 #include "experiments/tune/tune_journal.h"
@@ -194,8 +195,8 @@ std::vector<TuneCase> held_out_cases(const Job& job, Scenes& scenes,
 // All that the evaluations depend on.
 std::vector<std::pair<std::string, std::string>> settings_of(const Job& job, const CommandLine& line,
                                                              const std::vector<std::vector<TuneCase>>& by_scene) {
-  std::vector<std::pair<std::string, std::string>> settings = {{"program", tracer_identity()},
-                                                               {"the cost", line.tune.minimize}};
+  std::vector<std::pair<std::string, std::string>> settings = measuring_identity(*by_scene.front().front().stages);
+  settings.emplace_back("the cost", line.tune.minimize);
   const auto list = [&](const char* name, const auto& texts) {
     std::string all;
     for (const auto& text : texts) all += text + "\n";
@@ -215,7 +216,6 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Job& job, con
     }
     settings.emplace_back(fmt::format("scene {}", s + 1), text);
   }
-  settings.emplace_back("OpenGL", by_scene.front().front().stages->context().device().renderer);
   return settings;
 }
 

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 // "umbr": tells the file from those of other programs.
 constexpr int application_id = 0x756d6272;
-constexpr int format_version = 2;  // 2: checksums
+constexpr int format_version = 3;  // 2: checksums, 3: makers
 
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
@@ -135,7 +135,7 @@ bool is_empty_store(SQLite::Database& database, const fs::path& path) {
 }
 
 void drop_tables(SQLite::Database& database) {
-  for (const char* table : {"experiment", "settings", "axes", "columns", "groups", "cells"}) {
+  for (const char* table : {"experiment", "settings", "axes", "makers", "columns", "groups", "cells"}) {
     database.exec(fmt::format("DROP TABLE {}", table));
   }
 }
@@ -147,6 +147,7 @@ void create_tables(SQLite::Database& database, const StoreDescription& descripti
       "CREATE TABLE experiment (toml TEXT NOT NULL, cells INTEGER NOT NULL, checksum TEXT NOT NULL) STRICT;"
       "CREATE TABLE settings (position INTEGER PRIMARY KEY, name TEXT NOT NULL, value TEXT NOT NULL) STRICT;"
       "CREATE TABLE axes (position INTEGER PRIMARY KEY, name TEXT NOT NULL, value TEXT NOT NULL) STRICT;"
+      "CREATE TABLE makers (position INTEGER PRIMARY KEY, maker TEXT NOT NULL UNIQUE) STRICT;"
       "CREATE TABLE columns (position INTEGER PRIMARY KEY, name TEXT NOT NULL, kind TEXT NOT NULL, unit TEXT NOT NULL,"
       " meaning TEXT NOT NULL) STRICT;"
       "CREATE TABLE groups (first_cell INTEGER PRIMARY KEY, cells INTEGER NOT NULL, first_row INTEGER NOT NULL,"
@@ -179,6 +180,20 @@ void create_tables(SQLite::Database& database, const StoreDescription& descripti
     cells += fmt::format(", {} {}", identifier(column.name), declaration_of(kind));
   }
   database.exec(cells + ") STRICT");
+}
+
+void add_maker(SQLite::Database& database, const std::string& maker) {
+  if (maker.empty()) return;
+  SQLite::Statement insert(database, "INSERT OR IGNORE INTO makers (maker) VALUES (?)");
+  insert.bind(1, maker);
+  insert.exec();
+}
+
+std::vector<std::string> read_makers(SQLite::Database& database) {
+  std::vector<std::string> makers;
+  SQLite::Statement rows(database, "SELECT maker FROM makers ORDER BY position");
+  while (rows.executeStep()) makers.push_back(rows.getColumn(0).getString());
+  return makers;
 }
 
 SQLite::Statement make_insert(SQLite::Database& database, const StoreDescription& description) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "store/results_store.h"
 
@@ -41,6 +42,9 @@ bool is_empty_store(SQLite::Database& database, const std::filesystem::path& pat
 enum class StoreForm { growing, finished };
 /// To be called within a transaction.
 void create_tables(SQLite::Database& database, const StoreDescription& description, StoreForm form);
+/// Adds who measures, unless that is known; nothing if the text is empty.
+void add_maker(SQLite::Database& database, const std::string& maker);
+std::vector<std::string> read_makers(SQLite::Database& database);
 /// Drops the tables that create_tables() made for a growing store. To be called within a transaction.
 void drop_tables(SQLite::Database& database);
 /// A statement that inserts a row with all columns into the table of cells.

@@ -196,6 +196,7 @@ ResultsStore ResultsStore::open(const fs::path& folder, const StoreDescription& 
       }
     }
     if (is_empty) create_tables(database, description, StoreForm::growing);
+    add_maker(database, description.maker);
     transaction.commit();
     return ResultsStore(std::move(state));
   });
@@ -205,6 +206,10 @@ std::size_t ResultsStore::count() const {
   const char* query = state_->complete ? "SELECT COUNT(*) FROM cells" : "SELECT COALESCE(SUM(cells), 0) FROM groups";
   return guarded(state_->path,
                  [&] { return static_cast<std::size_t>(state_->database->execAndGet(query).getInt64()); });
+}
+
+std::vector<std::string> ResultsStore::makers() const {
+  return guarded(state_->path, [&] { return read_makers(*state_->database); });
 }
 
 bool ResultsStore::has_group(std::size_t first_cell) const {
@@ -254,6 +259,7 @@ void ResultsStore::pack(const fs::path& path) const {
   packed.exec("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF");
   SQLite::Transaction transaction(packed);
   create_tables(packed, state_->description, StoreForm::finished);
+  for (const std::string& maker : read_makers(*state_->database)) add_maker(packed, maker);
   SQLite::Statement insert = make_insert(packed, state_->description);
   std::vector<ValueKind> kinds = {ValueKind::integer};
   for (const StoredColumn& stored : state_->description.columns) kinds.push_back(stored.kind);

@@ -24,13 +24,14 @@ struct StoredColumn {
 };
 
 /// Identifies the sweep of a store. Two stores are the same, so that a sweep can resume, if all members except
-/// `experiment` are equal. `experiment` repeats the same information for people.
+/// `experiment` and `maker` are equal. `experiment` repeats the same information for people.
 struct StoreDescription {
   std::string experiment;                                     ///< the complete experiment file
   std::vector<std::pair<std::string, std::string>> settings;  ///< name and value of all that rows depend on
   std::vector<std::pair<std::string, std::string>> axes;      ///< full parameter name, axis text
   std::vector<StoredColumn> columns;                          ///< those of the axes, then the measured ones
   std::size_t cells = 0;                                      ///< number of cells of the complete sweep
+  std::string maker{};  ///< who measures now: program, processor and driver; not part of what the sweep is
 };
 
 /// Receives the values of all columns of a cell.
@@ -65,6 +66,8 @@ class ResultsStore {
   std::size_t count() const;
   /// Number of cells that open() removed because they did not match their checksum.
   std::size_t discarded() const;
+  /// Everyone who measured cells, the first one first.
+  std::vector<std::string> makers() const;
   /// Whether the group that begins with this cell is stored.
   bool has_group(std::size_t first_cell) const;
 

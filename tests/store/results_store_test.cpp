@@ -187,6 +187,24 @@ TEST(ResultsStore, The_experiments_text_alone_makes_no_other_sweep) {
   EXPECT_EQ(ResultsStore::open(folder.path(), worded).count(), 1u);
 }
 
+TEST(ResultsStore, Another_maker_may_resume_and_all_are_remembered) {
+  const TemporaryFolder folder;
+  const auto open = [&](const std::string& maker) {
+    StoreDescription described = description();
+    described.maker = maker;
+    return ResultsStore::open(folder.path(), described);
+  };
+  add(*std::make_unique<ResultsStore>(open("program A on llvmpipe")), {0, 1});
+  add(*std::make_unique<ResultsStore>(open("program A on llvmpipe")), {2});
+  ResultsStore store = open("program B on a GPU");
+  EXPECT_EQ(store.count(), 3u);
+  add(store, {3});
+  store.finish();
+  const std::vector<std::string> makers = {"program A on llvmpipe", "program B on a GPU"};
+  EXPECT_EQ(store.makers(), makers);
+  EXPECT_EQ(open("program C").makers(), makers) << "who only reads measures nothing";
+}
+
 TEST(ResultsStore, Anew_replaces_what_is_there_whatever_it_is) {
   const TemporaryFolder folder;
   {
@@ -239,11 +257,11 @@ TEST(ResultsStore, A_file_of_a_later_version_is_refused) {
     store.finish();
   }
   std::string bytes = text_of(folder / "results.sqlite");
-  ASSERT_EQ(bytes.substr(60, 4), std::string("\0\0\0\2", 4)) << "PRAGMA user_version: SQLite's file format, 1.3.13";
-  bytes[63] = 3;
+  ASSERT_EQ(bytes.substr(60, 4), std::string("\0\0\0\3", 4)) << "PRAGMA user_version: SQLite's file format, 1.3.13";
+  bytes[63] = 4;
   put_text(folder / "results.sqlite", bytes);
   expect_error([&] { ResultsStore::open(folder.path(), description()); }, ExitCode::usage,
-               {"a later version of umbrameter wrote it: schema version 3, this program's is 2"});
+               {"a later version of umbrameter wrote it: schema version 4, this program's is 3"});
 }
 
 TEST(ResultsStore, A_folder_that_cannot_hold_it_is_a_usage_error) {
