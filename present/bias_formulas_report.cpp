@@ -54,6 +54,17 @@ std::string names_of(const std::vector<Column>& columns) {
   return names;
 }
 
+// Of terms that no formula has.
+void drop_empty_columns(Table& table) {
+  for (std::size_t c = table.columns.size(); c-- > 0;) {
+    const auto is_empty = [&](const std::vector<Value>& row) { return row[c] == empty_cell; };
+    if (!std::all_of(table.rows.begin(), table.rows.end(), is_empty)) continue;
+    const auto place = static_cast<std::ptrdiff_t>(c);
+    table.columns.erase(table.columns.begin() + place);
+    for (std::vector<Value>& row : table.rows) row.erase(row.begin() + place);
+  }
+}
+
 Table formulas_table(const BiasCurves& curves) {
   Table table;
   table.columns = curves.of_a_formula;
@@ -94,13 +105,15 @@ Table formulas_table(const BiasCurves& curves) {
           row.insert(row.end(), 2, empty_cell);
         }
       }
-      row.insert(row.end(), {formula.residual, formula.residual_texels, formula.worst_residual,
-                             length_range(formula.texel), length_range(formula.depth_per_texel),
-                             texel_range(formula.radius), length_range(formula.depth_step)});
+      row.insert(row.end(), {digits_text(formula.residual, 2), digits_text(formula.residual_texels, 2),
+                             digits_text(formula.worst_residual, 2), length_range(formula.texel),
+                             length_range(formula.depth_per_texel), texel_range(formula.radius),
+                             length_range(formula.depth_step)});
     }
     row.resize(table.columns.size(), empty_cell);
     table.rows.push_back(std::move(row));
   }
+  drop_empty_columns(table);
   return table;
 }
 
