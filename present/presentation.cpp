@@ -37,9 +37,12 @@ AoErrorText error_text(const SampledError& error) {
   const double width = 50.0 * std::max(absolute.upper - absolute.lower, mean.upper - mean.lower);
   if (!(width > 0.0)) return {percent(absolute.value), with_sign(percent(mean.value))};
   const int decimals = decimals_of(width, 2);
+  const double half_width = 50.0 * (mean.upper - mean.lower);
+  // Far below that of the absolute error it would read as 0.
+  const bool is_shown = half_width >= 0.5 * std::pow(10.0, -decimals);
+  const std::string interval = is_shown ? fmt::format(" ± {:.{}f}", half_width, decimals) : "";
   return {fmt::format("{:.{}f} to {:.{}f} %", 100.0 * absolute.lower, decimals, 100.0 * absolute.upper, decimals),
-          with_sign(fmt::format("{:.{}f} ± {:.{}f} %", 100.0 * mean.value, decimals, 50.0 * (mean.upper - mean.lower),
-                                decimals))};
+          with_sign(fmt::format("{:.{}f}{} %", 100.0 * mean.value, decimals, interval))};
 }
 
 std::string shown_unit(const Column& column) { return column.unit == "1" ? "%" : column.unit; }
