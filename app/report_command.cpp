@@ -29,14 +29,7 @@ namespace fs = std::filesystem;
 
 std::vector<StoredRun> read_runs(const CommandLine& line) {
   std::vector<StoredRun> runs;
-  for (const fs::path& folder : line.report.folders) {
-    std::error_code error;
-    if (fs::equivalent(folder, line.output, error)) {
-      throw Error(ExitCode::usage, line.output.string(), "it holds a run that the report reads",
-                  "write the report to another folder");
-    }
-    runs.push_back(read_stored_run(folder));
-  }
+  for (const fs::path& folder : line.report.folders) runs.push_back(read_stored_run(folder));
   // Runs whose folders have the same name are called by their paths.
   std::map<std::string, int> uses;
   for (const StoredRun& run : runs) ++uses[run.name];
@@ -321,6 +314,12 @@ ExitCode show_side_by_side(const CommandLine& line, const Console& console) {
 
 ExitCode run_report(const CommandLine& line, const Console& console) {
   const ThreadLimit threads(line.threads);
+  for (const fs::path& folder : line.report.folders) {
+    std::error_code error;
+    if (!fs::equivalent(folder, line.output, error)) continue;
+    throw Error(ExitCode::usage, line.output.string(), "it holds a run that the report reads",
+                "write the report to another folder");
+  }
   std::optional<RunResults> results;
   if (line.report.folders.size() == 1) results = read_run_value(line.report.folders.front());
   return results ? show_again(line, console, *results) : show_side_by_side(line, console);

@@ -35,6 +35,9 @@ TEST_F(ReportAgain, Of_a_tuning_is_its_page_with_the_images_of_both_points) {
   const std::string run = out({"tune", "corner", "--vary", "shadow.constant-bias=0:8texels", "--vary",
                                "shadow.filter=nearest,box", "--over", "view.light=all", "--evaluations", "8"});
   expect_same_page_in_report(run, folder_ / "again", {"best_error_visibility_sun.png"});
+  const ProgramResult itself = run_program({"report", run, "-o", run, "--force"});
+  EXPECT_EQ(itself.exit_code, 2) << "its files would be removed";
+  EXPECT_TRUE(std::filesystem::exists(run + "/tuned.toml"));
 }
 
 TEST_F(ReportAgain, Names_a_damaged_value_and_shows_that_of_another_version_from_its_layers) {
