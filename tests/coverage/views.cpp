@@ -132,7 +132,8 @@ void measure_report(const Case& of, Stages& stages, int views) {
   std::map<std::string, std::vector<Estimate>> values, differences;
   for (int view = 0; view < views; ++view) {
     std::vector<StoredRun> runs;
-    for (Experiment experiment : {of.first, of.second}) {
+    for (const Experiment& given : {of.first, of.second}) {
+      Experiment experiment = stages.in_metres(given);
       experiment.view.camera = std::to_string(view);
       runs.push_back(run_of(stages, experiment, of.quantity));
     }
