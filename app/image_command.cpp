@@ -185,7 +185,6 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   if (sides.raster && !experiment.run.overlay.empty()) {
     measurement.debug_views = make_debug_views(stages, measurement);
   }
-
   move_to_layers(stages.facts(), measurement);
 
   RunOutput output;

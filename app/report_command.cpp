@@ -224,7 +224,7 @@ RunFolder open_folder(const CommandLine& line, const std::vector<std::string>& f
   return {line.output, RunPlan{line.command, plan, planned_files(line, figures, comparison.parts)}, line.force};
 }
 
-// Writes comparison.csv, and the tables as LaTeX if they are asked for.
+// Writes comparison.csv and, with --latex, the tables.
 void write_tables(const CommandLine& line, const Console& console, const RunFolder& folder,
                   const Comparison& comparison) {
   const Table rows = comparison_rows(comparison.runs, comparison.statistics);

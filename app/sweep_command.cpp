@@ -226,7 +226,9 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
       bar.show(static_cast<double>(i) / static_cast<double>(count), fmt::format("{} of {}", i, count));
       Measurement measurement = page_cells.measure(found.cells[i]);
       move_to_layers(results.scene, measurement);
-      add_cell_images(found.images, results.scene, measurement, found.cells[i].cell, line.full_images);
+      if (!line.no_figures) {
+        add_cell_images(found.images, results.scene, measurement, found.cells[i].cell, line.full_images);
+      }
       if (i == 0) results.measurement = std::move(measurement);
     }
   }

@@ -7,7 +7,6 @@ set(CPACK_PACKAGE_CONTACT "The Umbrameter team <umbrameter@users.noreply.github.
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # that of each package is the first line of its description
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_THREADS 0)
 set(CPACK_COMPONENTS_ALL program dev)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

@@ -1,9 +1,8 @@
 #include "store/run_value.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <charconv>
+#include <set>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 

@@ -172,7 +172,7 @@ TEST_F(StagesGl, Refuse_a_length_of_ambient_occlusion_that_is_not_in_metres) {
     EXPECT_THROW(stages->draw_ao(relative), Error) << setting;
     EXPECT_THROW(stages->ao_truth(relative), Error) << setting;
     EXPECT_THROW(stages->begin_ao_truth(relative), Error) << setting;
-    EXPECT_NO_THROW(measure_shadow(*stages, relative, 0, {})) << "a shadow reads none of them";
+    EXPECT_NO_THROW(measure_shadow(*stages, relative, 0, {})) << "shadows read no length of ambient occlusion";
     EXPECT_NO_THROW(measure_ao(*stages, stages->in_metres(relative), {})) << setting;
   }
 }
