@@ -43,6 +43,11 @@ constexpr CommandDescription trace_command = {
 constexpr CommandDescription raster_command = {
     "raster", "Render the techniques alone: OpenGL, no Embree",
     "Example: umbrameter raster courtyard -o out --shadow.filter box --shadow.filter-size 5"};
+constexpr CommandDescription evaluate_command = {
+    "evaluate", "Measure a frame that an engine wrote to files: shadow mask, AO, or two frames",
+    "Example: umbrameter evaluate scene.glb -o out --visibility mask.exr --depth depth.exr \\\n"
+    "             --convention opengl --size 1280x720\n"
+    "Camera and light are those of the scene, or --frame.camera; docs/evaluate.md."};
 constexpr CommandDescription diff_command = {"diff", "Measure the difference of two images: FLIP, SSIM, PSNR, ...",
                                              "Example: umbrameter diff test.exr reference.exr -o error.png --json"};
 constexpr CommandDescription check_command = {
@@ -56,12 +61,15 @@ constexpr CommandDescription report_command = {
 constexpr CommandDescription scenes_command = {"scenes", "List the built-in scenes, or draw them on a contact sheet",
                                                "Example: umbrameter scenes --sheet scenes.pdf"};
 constexpr CommandDescription scene_command = {"scene", "Write a built-in scene as a .glb file",
-
                                               "Example: umbrameter scene courtyard -o courtyard.glb"};
 constexpr CommandDescription cache_command = {
     "cache", "List or remove the cached references",
     "Example: umbrameter cache --clear\n"
     "The limit is 2 GB; set UMBRAMETER_CACHE_SIZE to change it (500M, 10G; 0 for no cache)."};
+constexpr CommandDescription engine_command = {
+    "engine", "List the engines that can be measured, or check an adapter",
+    "Example: umbrameter engine check 'python3 my_adapter.py'\n"
+    "An engine takes the place of our techniques: umbrameter compare courtyard --engine threejs -o out"};
 constexpr CommandDescription info_command = {"info", "Show versions and OpenGL devices, or the contents of a scene",
                                              "Example: umbrameter info courtyard"};
 constexpr CommandDescription parameters_command = {"parameters", "List every parameter with default, unit and limits",
@@ -72,12 +80,14 @@ constexpr CommandDescription generate_command = {"generate", "Print a completion
                                                  "Example: umbrameter generate bash -o umbrameter.bash"};
 
 constexpr std::pair<const char*, const char*> short_names[] = {
-    {"view.size", "size"}, {"view.scene", "scene"},    {"view.camera", "camera"},  {"view.light", "light"},
-    {"run.seed", "seed"},  {"run.classes", "classes"}, {"run.measure", "measure"}, {"run.overlay", "overlay"}};
+    {"view.size", "size"},      {"view.scene", "scene"},    {"view.camera", "camera"},
+    {"view.light", "light"},    {"run.seed", "seed"},       {"run.classes", "classes"},
+    {"run.measure", "measure"}, {"run.overlay", "overlay"}, {"engine.adapter", "engine"}};
 
 constexpr std::pair<const char*, const char*> group_titles[] = {
     {"scene", "Scene"},     {"view", "View"},       {"light", "Size of lights"}, {"shadow", "Shadow technique"},
-    {"ao", "AO technique"}, {"shading", "Shading"}, {"truth", "Reference"},      {"run", "Run"}};
+    {"ao", "AO technique"}, {"shading", "Shading"}, {"engine", "Engine"},        {"frame", "Frame from files"},
+    {"truth", "Reference"}, {"run", "Run"}};
 
 CLI::App& add_command(CLI::App& app, const CommandDescription& description) {
   CLI::App& command = *app.add_subcommand(description.name, description.summary);
@@ -135,6 +145,7 @@ void add_memory(CLI::App& command, CommandLine& line) {
 void add_image_command(CLI::App& app, CommandLine& line, const CommandDescription& description) {
   CLI::App& command = add_command(app, description);
   const bool is_tune = &description == &tune_command;
+  const bool is_evaluate = &description == &evaluate_command;
   const char* scene_meaning = "a .gltf or .glb file, or a built-in scene ('umbrameter scenes')";
   if (is_tune) {
     command.add_option("SCENE", line.tune.scenes, scene_meaning);
@@ -158,9 +169,10 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
                    &description == &sweep_command ? "replace an earlier run's results and measure every cell again"
                                                   : "replace an earlier run's results in the folder");
   if (!is_tune) command.add_flag("--dry-run", line.dry_run, "show what would be measured, and stop");
-  if (&description == &compare_command) {
-    add_switch(command, line, "shimmer");
-    add_switch(command, line, "ao-stages");
+  if (is_evaluate) add_frame_options(command, line);
+  if (&description == &compare_command || is_evaluate) {
+    if (!is_evaluate) add_switch(command, line, "shimmer");
+    if (!is_evaluate) add_switch(command, line, "ao-stages");
     command.add_option("--fail-if", line.fail_if, "exit with 1 if this holds: 'acne>0.1%'; repeatable")
         ->type_name("CONDITION")
         ->take_all();
@@ -172,7 +184,7 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
       add_switch(command, line, name)->group(writes_files ? files_group : "");
     }
   }
-  if (&description != &trace_command) {
+  if (&description != &trace_command && !is_evaluate) {
     command.add_option("--gl-device", line.gl_device, "OpenGL device: index, part of its name, or 'software'")
         ->type_name("NAME");
   }
@@ -180,7 +192,8 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
     command.add_flag("--no-cache", line.no_cache, "trace the reference again and do not cache it");
   }
   command.add_flag("--no-figures", line.no_figures, "draw no figures; the page has no pictures");
-  if (&description == &compare_command || &description == &sweep_command) add_figure_options(command, line.figures);
+  if (&description == &compare_command || is_evaluate || &description == &sweep_command)
+    add_figure_options(command, line.figures);
   command.add_flag("--full-images", line.full_images,
                    "keep every pixel of images above 1920x1080 in the page's viewer");
   add_threads(command, line);
@@ -259,14 +272,8 @@ void add_diff_command(CLI::App& app, CommandLine& line) {
 }
 
 void add_check_command(CLI::App& app, CommandLine& line) {
-  CheckOptions& check = line.check;
   CLI::App& command = add_command(app, check_command);
-  command.add_option("DIR", check.folders, "folder of a finished compare or sweep; repeatable")->required();
-  command.add_option("--budget", check.budget, "budget file (TOML)")->type_name("FILE")->required();
-  command.add_flag("--update", check.update, "set the bounds to the present values with head room");
-  command.add_option("--junit", check.junit, "write the result as JUnit XML")->type_name("FILE");
-  command.add_option("--summary", check.summary, "append the result as Markdown: \"$GITHUB_STEP_SUMMARY\"")
-      ->type_name("FILE");
+  add_check_options(command, line.check);
   add_output_flags(command, line);
 }
 
@@ -310,6 +317,11 @@ void add_other_commands(CLI::App& app, CommandLine& line) {
   cache.add_flag("--clear", line.clear, "remove all cached references");
   add_output_flags(cache, line);
 
+  CLI::App& engine = add_command(app, engine_command);
+  add_engine_options(engine, line);
+  add_threads(engine, line);
+  add_output_flags(engine, line);
+
   CLI::App& info = add_command(app, info_command);
   info.add_option("SCENE", line.scene, "a .gltf or .glb file, or a built-in scene");
   for (const char* name : {"scene.", "view.scene"}) add_parameters(info, line, name);
@@ -325,13 +337,17 @@ void add_other_commands(CLI::App& app, CommandLine& line) {
 
 std::variant<CommandLine, Information> parse_command_line(int argc, const char* const* argv) {
   CommandLine line;
+  if (const std::string engine = named_engine(argc, argv); !engine.empty()) {
+    line.engine = std::make_shared<Engine>(engine);
+    use_engine(line.engine->parameters());
+  }
   CLI::App app{about, "umbrameter"};
   app.set_help_flag("-h,--help", "show the most used options");
   app.set_help_all_flag("--help-all", "show all options");
   app.set_version_flag("-V,--version", std::string("umbrameter ") + UMBRAMETER_VERSION, "show the version");
   app.require_subcommand(1);
   for (const CommandDescription* description :
-       {&compare_command, &sweep_command, &tune_command, &trace_command, &raster_command}) {
+       {&compare_command, &sweep_command, &tune_command, &evaluate_command, &trace_command, &raster_command}) {
     add_image_command(app, line, *description);
   }
   add_diff_command(app, line);

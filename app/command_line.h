@@ -2,12 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "core/error.h"
+#include "experiments/engine/engine.h"
 #include "reports/figures/style.h"
 
 namespace umbrameter {
@@ -59,12 +61,14 @@ struct ReportOptions {
 
 struct CommandLine {
   std::string command;  ///< "compare", "sweep", "tune", "trace", "raster", "diff", "check", "report", "scenes",
-                        ///< "scene", "cache", "info" or "parameters"
+                        ///< "scene", "cache", "engine", "info" or "parameters"
   std::string scene;    ///< file or name of a built-in scene; empty when not given
   std::filesystem::path output;
   std::filesystem::path experiment_file;
   std::vector<std::pair<std::string, std::string>> settings;  ///< full parameter name, text, in order
   std::vector<std::string> vary;                              ///< "name=axis"
+  std::shared_ptr<Engine> engine;  ///< that --engine or the experiment file names; null: our own techniques
+  std::string action;              ///< of `engine`: "list", "check" or "serve"
   std::string gl_device;
   int threads = 0;
   std::string memory;  ///< what the contents of a file may take, "8G"; empty for the usual limit

@@ -1,6 +1,12 @@
 #include "app/command_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+
+#include "experiments/settings/experiment.h"
+#include "reports/files/data.h"
 
 namespace umbrameter {
 
@@ -25,6 +31,70 @@ void add_diff_options(CLI::App& command, CommandLine& line) {
   text("--exposures", diff.exposures, "RANGE", "exposures of HDR-FLIP [EV], START:STOP[:COUNT]; automatic by default");
   command.add_flag("--data", diff.data, "the values are data from 0 to 1 (visibility, AO), compared as they are");
   command.add_flag("--exit-code", diff.exit_code, "exit with 1 if a counted pixel differs");
+}
+
+void add_frame_options(CLI::App& command, CommandLine& line) {
+  for (const char* name : {"visibility", "lit", "unshadowed", "ao", "occluded", "open", "position", "depth"}) {
+    const std::string key = std::string("frame.") + name;
+    Experiment defaults;
+    command
+        .add_option_function<std::string>(
+            std::string("--") + name, [&line, key](const std::string& file) { line.settings.emplace_back(key, file); },
+            require(describe(defaults), key).description.meaning)
+        ->trigger_on_parse()
+        ->type_name("FILE");
+  }
+  std::vector<std::string> names;
+  for (const FrameConvention& each : frame_conventions) names.emplace_back(each.name);
+  command
+      .add_option_function<std::string>(
+          "--convention",
+          [&line](const std::string& name) {
+            const auto found = std::ranges::find(frame_conventions, name, &FrameConvention::name);
+            const std::string_view kind = depth_conventions[static_cast<std::size_t>(found->depth_kind)];
+            line.settings.emplace_back("frame.depth-kind", std::string(kind));
+            line.settings.emplace_back("frame.rows", found->rows == FrameRows::top ? "top" : "bottom");
+            line.settings.emplace_back("frame.axes", std::string(found->axes));
+          },
+          "how the files are to be read: opengl, direct3d, vulkan, reversed-z or blender")
+      ->trigger_on_parse()
+      ->check(CLI::IsMember(names))
+      ->type_name("NAME");
+}
+
+std::string named_engine(int argc, const char* const* argv) {
+  std::string engine, file;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    const auto value_of = [&](std::string_view name, std::string& value) {
+      if (word == name && i + 1 < argc) value = argv[i + 1];
+      if (word.starts_with(name) && word.substr(name.size()).starts_with('=')) value = word.substr(name.size() + 1);
+    };
+    for (const std::string_view name : {"--engine", "--engine.adapter"}) value_of(name, engine);
+    for (const std::string_view name : {"-c", "--config"}) value_of(name, file);
+  }
+  // What comes through a pipe can be read once only, and names no engine.
+  if (!engine.empty() || !std::filesystem::is_regular_file(file)) return engine;
+  for (const auto& [key, value] : read_experiment(file).values) {
+    if (key == engine_key) return to_string(value);
+  }
+  return {};
+}
+
+void add_check_options(CLI::App& command, CheckOptions& check) {
+  command.add_option("DIR", check.folders, "folder of a finished compare or sweep; repeatable")->required();
+  command.add_option("--budget", check.budget, "budget file (TOML)")->type_name("FILE")->required();
+  command.add_flag("--update", check.update, "set the bounds to the present values with head room");
+  command.add_option("--junit", check.junit, "write the result as JUnit XML")->type_name("FILE");
+  command.add_option("--summary", check.summary, "append the result as Markdown: \"$GITHUB_STEP_SUMMARY\"")
+      ->type_name("FILE");
+}
+
+void add_engine_options(CLI::App& command, CommandLine& line) {
+  command.add_option("ACTION", line.action, "list, check or serve (our own rasteriser as an adapter)")
+      ->check(CLI::IsMember({"list", "check", "serve"}));
+  command.add_option("COMMAND", line.names, "adapter to check: a name or a command")->expected(0, 1);
+  command.add_option("--gl-device", line.gl_device, "OpenGL device of serve")->type_name("NAME")->group("");
 }
 
 void add_figure_options(CLI::App& command, FigureOptions& figures) {

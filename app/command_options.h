@@ -16,6 +16,15 @@ inline constexpr const char* files_group = "Files";
 
 void add_diff_options(CLI::App& command, CommandLine& line);
 void add_tune_options(CLI::App& command, CommandLine& line);
+void add_check_options(CLI::App& command, CheckOptions& check);
+void add_engine_options(CLI::App& command, CommandLine& line);
+/// The files of a frame, of evaluate.
+void add_frame_options(CLI::App& command, CommandLine& line);
+
+/// The engine that the words name, or the experiment file among them; empty for none. The engine describes its
+/// parameters, and only then can flags be read.
+std::string named_engine(int argc, const char* const* argv);
+
 /// Of every command that draws figures.
 void add_figure_options(CLI::App& command, FigureOptions& figures);
 

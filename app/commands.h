@@ -7,7 +7,9 @@
 #include "core/error.h"
 #include "experiments/settings/experiment.h"
 #include "experiments/stages/cache_folder.h"
+#include "experiments/stages/stages.h"
 #include "reports/files/console.h"
+#include "results/run_results.h"
 #include "scenes/load_options.h"
 #include "store/gate.h"
 
@@ -29,10 +31,17 @@ LoadOptions load_options(const CommandLine& line, bool materials = false);
 /// The user's cache of references, unless --no-cache is given or nothing is traced.
 std::optional<CacheFolder> chosen_cache(const CommandLine& line, const Console& console);
 
+/// The stages' options as the flags say.
+StageOptions stage_options(const CommandLine& line, const Console& console, const Experiment& experiment,
+                           const dvec3& origin = dvec3(0.0));
+
+/// Names what drew: the engine, or the OpenGL device.
+void set_renderer(RunResults& results, Stages& stages);
+
 /// Prints what fails and the answer; ExitCode::check_failed if a bound is broken.
 ExitCode show_checks(const Console& console, const std::vector<GateCheck>& checks);
 
-ExitCode run_image_command(const CommandLine& line, const Console& console);  ///< compare, trace, raster
+ExitCode run_image_command(const CommandLine& line, const Console& console);  ///< compare, evaluate, trace, raster
 ExitCode run_sweep_command(const CommandLine& line, const Console& console);
 ExitCode run_tune_command(const CommandLine& line, const Console& console);
 ExitCode run_diff(const CommandLine& line, const Console& console);
@@ -41,6 +50,7 @@ ExitCode run_check(const CommandLine& line, const Console& console);
 ExitCode run_scenes(const CommandLine& line, const Console& console);
 ExitCode run_scene(const CommandLine& line, const Console& console);
 ExitCode run_cache(const CommandLine& line, const Console& console);
+ExitCode run_engine(const CommandLine& line, const Console& console);
 ExitCode run_info(const CommandLine& line, const Console& console);
 ExitCode run_parameters(const CommandLine& line);
 

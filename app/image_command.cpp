@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/dry_run.h"
 #include "core/parallel.h"
+#include "experiments/engine/frame_files.h"
 #include "experiments/measure/ao_input_files.h"
 #include "experiments/measure/bias_advice.h"
 #include "experiments/measure/debug_views.h"
@@ -48,7 +49,7 @@ void require_utf8(const std::string& path) {
 
 // Where the technique can do nothing for a light.
 void add_technique_notes(Stages& stages, const Experiment& experiment, const std::vector<std::uint32_t>& lights) {
-  if (!capabilities_of(make_technique(experiment.shadow)).reads_light_extent) return;
+  if (stages.has_engine() || !capabilities_of(make_technique(experiment.shadow)).reads_light_extent) return;
   for (const std::uint32_t light : lights) {
     const Light lamp = with_extent(stages.scene().lights[light], experiment.light);
     if (is_area(lamp)) continue;
@@ -84,6 +85,40 @@ void require_measured(const Experiment& experiment, const std::vector<BudgetEntr
   }
 }
 
+// What an engine's frames do not hold.
+void require_engine_can(const Stages& stages, const Experiment& experiment) {
+  if (!stages.has_engine()) return;
+  const RunParams& run = experiment.run;
+  const std::pair<bool, const char*> ours[] = {
+      {run.shimmer, "--shimmer"},          {run.ao_stages, "--ao-stages"},
+      {run.write_maps, "--write-maps"},    {run.write_ao_inputs, "--write-ao-inputs"},
+      {!run.overlay.empty(), "--overlay"}, {run.measure == SweepMeasure::image, "--measure image"}};
+  for (const auto& [is_given, option] : ours) {
+    if (!is_given) continue;
+    throw Error(ExitCode::usage, option, "it looks into our own techniques, not into an engine", "leave it out");
+  }
+}
+
+// Of an engine or a frame: what it has to show.
+void choose_measured(const CommandLine& line, Experiment& given) {
+  const FrameParams& frame = given.frame;
+  const bool has_frame = has_files(frame);
+  if (line.command == "evaluate" && (!has_frame || line.engine)) {
+    throw Error(ExitCode::usage, "evaluate", has_frame ? "it reads files, not an engine" : "no frame given",
+                has_frame ? "leave --engine out" : "add --visibility FILE, --ao FILE, or --lit FILE --unshadowed FILE");
+  }
+  if (line.command != "evaluate" && has_frame) {
+    throw Error(ExitCode::usage, "--frame.visibility", line.command + " draws its own frames",
+                "use umbrameter evaluate");
+  }
+  if (given.run.measure != SweepMeasure::automatic || (!line.engine && !has_frame)) return;
+  const auto writes = [&](const char* output) { return line.engine && line.engine->description().writes(output); };
+  const bool shadows = writes("visibility") || writes("lit") || !frame.visibility.empty() || !frame.lit.empty();
+  const bool ao = writes("ao") || writes("occluded") || !frame.ao.empty() || !frame.occluded.empty();
+  if (!ao) given.run.measure = SweepMeasure::visibility;
+  if (!shadows) given.run.measure = SweepMeasure::ao;
+}
+
 // Image metrics are measured only if run.metrics names them.
 void add_metrics(Experiment& experiment, const std::vector<BudgetEntry>& conditions) {
   for (const BudgetEntry& condition : conditions) {
@@ -107,6 +142,11 @@ Experiment make_experiment(const CommandLine& line) {
     throw Error(ExitCode::usage, "SCENE", "no scene given",
                 "name a .gltf or .glb file or a built-in scene ('umbrameter scenes' lists them)");
   }
+  for (std::string* file :
+       {&experiment.frame.visibility, &experiment.frame.lit, &experiment.frame.unshadowed, &experiment.frame.ao,
+        &experiment.frame.occluded, &experiment.frame.open, &experiment.frame.position, &experiment.frame.depth}) {
+    if (!file->empty()) *file = std::filesystem::absolute(*file).lexically_normal().string();
+  }
   // A stored experiment must find its file from any folder.
   if (std::filesystem::is_regular_file(experiment.scene)) {
     experiment.scene = std::filesystem::absolute(experiment.scene).lexically_normal().string();
@@ -119,6 +159,20 @@ Experiment make_experiment(const CommandLine& line) {
   return experiment;
 }
 
+StageOptions stage_options(const CommandLine& line, const Console& console, const Experiment& experiment,
+                           const dvec3& origin) {
+  StageOptions options{line.gl_device, line.threads, chosen_cache(line, console), experiment.scene};
+  if (line.engine) options.frames = std::make_shared<const FrameSource>(frames_of(line.engine));
+  if (has_files(experiment.frame)) {
+    options.frames = std::make_shared<const FrameSource>(frames_of(experiment.frame, origin));
+  }
+  return options;
+}
+
+void set_renderer(RunResults& results, Stages& stages) {
+  (stages.has_engine() ? results.engine : results.opengl) = stages.renderer();
+}
+
 std::optional<CacheFolder> chosen_cache(const CommandLine& line, const Console& console) {
   if (line.no_cache || line.command == "raster") return {};
   return user_cache(console);
@@ -129,6 +183,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   const FigureStyle style = make_figure_style(line.figures);
   check_insets(style, given.view.size.width, given.view.size.height);
   const std::vector<BudgetEntry> conditions = budgets_of(line.fail_if);
+  choose_measured(line, given);
   require_measured(given, conditions);
   add_metrics(given, conditions);
   std::optional<RunFolder> run_folder;
@@ -136,9 +191,12 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
     run_folder.emplace(line.output, RunPlan{line.command, experiment_text(given), run_files(false)}, line.force);
   }
   const ThreadLimit threads(line.threads);
-  Stages stages(
-      load_scene(given.scene, given.view.scene, given.scene_params, load_options(line, measures_image(given))),
-      {line.gl_device, line.threads, chosen_cache(line, console), given.scene}, console);
+  Scene scene =
+      load_scene(given.scene, given.view.scene, given.scene_params, load_options(line, measures_image(given)));
+  given.view.camera = add_frame_camera(scene, given.frame, given.view.camera);
+  const StageOptions options = stage_options(line, console, given, scene.origin);
+  Stages stages(std::move(scene), options, console);
+  require_engine_can(stages, given);
   const Experiment experiment = stages.in_metres(given);
   const Sides sides = sides_of(line.command);
   const bool has_ao = measures_ao(experiment);
@@ -204,7 +262,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   results.notes = stages.notes();
   results.full_images = line.full_images;
   results.measurement = std::move(measurement);
-  if (sides.raster) results.opengl = stages.context().device().renderer;
+  if (sides.raster) set_renderer(results, stages);
   const ExitCode code = write_run(folder, console, std::move(results), std::move(output));
   if (code != ExitCode::ok || conditions.empty()) return code;
   return show_checks(console, check_budget(conditions, read_run(line.output)));

@@ -140,7 +140,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   const ThreadLimit threads(line.threads);
   Stages stages(load_scene(given.scene, given.view.scene, given.scene_params,
                            load_options(line, quantity == SweptQuantity::image)),
-                {line.gl_device, line.threads, chosen_cache(line, console), given.scene}, console);
+                stage_options(line, console, given), console);
   const std::vector<std::uint32_t> lights = stages.lights(given.view.light);
   if (quantity == SweptQuantity::visibility && !varies_group(axes, "view.light") && lights.size() > 1) {
     // A sweep is about one light; which one is part of the stored experiment.
@@ -212,7 +212,8 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   const bool is_limit_fixed = quantity == SweptQuantity::ao && !varies_group(axes, "truth.ao-distance");
   const std::string ao_limit = is_limit_fixed ? ao_limit_text(experiment.truth) : "";
   const SweepResults rows{parameters, plan, store, statistics, ao_limit, metrics};
-  RunResults results{line.command, given, stages.facts(), embree_version(), stages.context().device().renderer};
+  RunResults results{line.command, given, stages.facts(), embree_version()};
+  set_renderer(results, stages);
   results.full_images = line.full_images;
   results.sweep = SweepFindings{ao_limit, best_rows(rows), read_bias_curves(rows, measure_context)};
   SweepFindings& found = *results.sweep;

@@ -50,8 +50,9 @@ std::vector<TuneAxis> parse_tune_axes(Experiment experiment) {
     axes.push_back(parse_tune_axis(parameters, key, text));
     if (!keys.insert(key).second) throw Error(ExitCode::usage, "--vary " + key, "the axis is given twice");
     const std::string group = key.substr(0, key.find('.'));
-    if (group != "shadow" && group != "ao" && group != "shading") {
-      throw Error(ExitCode::usage, "--vary " + key, "only the technique can be tuned: shadow.*, ao.* and shading.*",
+    if (group != "shadow" && group != "ao" && group != "shading" && group != "engine") {
+      throw Error(ExitCode::usage, "--vary " + key,
+                  "only the technique can be tuned: shadow.*, ao.* and shading.*, or an engine's engine.*",
                   group == "view" || group == "light" ? "use --over to take the mean over several" : "");
     }
   }
@@ -86,13 +87,14 @@ class Scenes {
       : line_(line), console_(console), materials_(materials) {}
 
   Stages& load(const Experiment& experiment) {
-    if (!context_) {
+    if (!frames_ && line_.engine) frames_ = stage_options(line_, console_, experiment).frames;
+    if (!cache_) cache_ = chosen_cache(line_, console_);
+    if (!context_ && !frames_) {
       context_ = std::make_shared<gl::Context>(gl::Context::make({line_.gl_device, line_.threads}));
-      cache_ = chosen_cache(line_, console_);
     }
     return all_.emplace_back(
         load_scene(experiment.scene, experiment.view.scene, experiment.scene_params, load_options(line_, materials_)),
-        StageOptions{line_.gl_device, line_.threads, cache_, experiment.scene, context_}, console_);
+        StageOptions{line_.gl_device, line_.threads, cache_, experiment.scene, context_, frames_}, console_);
   }
 
  private:
@@ -100,6 +102,7 @@ class Scenes {
   const Console& console_;
   bool materials_;
   std::shared_ptr<gl::Context> context_;
+  std::shared_ptr<const FrameSource> frames_;
   std::optional<CacheFolder> cache_;
   std::deque<Stages> all_;
 };
@@ -322,8 +325,8 @@ ExitCode run_tune_command(const CommandLine& line, const Console& console) {
     ProgressBar bar(console, "significance");
     return judge({job.axes, cases, unseen, result.goal, job.shown, result}, [&](double share) { bar.show(share); });
   }();
-  RunResults results{line.command, job.experiments.front(), cases.front().stages->facts(), embree_version(),
-                     cases.front().stages->context().device().renderer};
+  RunResults results{line.command, job.experiments.front(), cases.front().stages->facts(), embree_version()};
+  set_renderer(results, *cases.front().stages);
   for (const TuneAxis& axis : job.axes) results.experiment.axes.emplace_back(axis.key(), axis.axis.text);
   results.tune = TuneFindings{{job.axes, titles_of(cases), result.goal, job.shown, result, judgement}, by_scene.size()};
   const TuneSummary& summary = results.tune->summary;

@@ -284,8 +284,10 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
                      fmt::format("Hemisphere rays {}, {:.0f} per pixel, {} weight.", limit,
                                  ao.truth->precision.mean_samples, value_text(experiment, "truth.ao-weight")));
   }
-  add_layer_figure(presentation, layers, Layer::raster_ao, {}, std::string(title_of(make_technique(experiment.ao))),
-                   ao_technique_text(experiment.ao));
+  const std::string renderer = renderer_title(experiment);
+  const std::string technique = renderer.empty() ? std::string(title_of(make_technique(experiment.ao))) : renderer;
+  add_layer_figure(presentation, layers, Layer::raster_ao, {}, technique,
+                   renderer.empty() ? ao_technique_text(experiment.ao) : "As it writes it.");
   if (ao.truth) {
     section.text = precision_text(ao.truth->precision, experiment.truth);
     presentation.details.push_back("AO: " + offset_text(ao.truth->statistics));
@@ -309,17 +311,22 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
       {"RMS error", percent(s.rmse), "corrected for the reference's variance"},
       {"mean signed error", text.with_sign, "below 0: too dark"},
   };
-  section.text += fmt::format(
-      "\n\nThe technique looks for occluders up to {}, the reference {}. Noise in the reference can only raise the "
-      "mean "
-      "absolute error, which is therefore given as a range; its lower end is corrected for this noise.",
-      metres_text(experiment.ao.sampling.radius.number), limit);
+  section.text += renderer.empty() ? fmt::format("\n\nThe technique looks for occluders up to {}, the reference {}.",
+                                                 metres_text(experiment.ao.sampling.radius.number), limit)
+                                   : fmt::format(
+                                         "\n\nThe reference looks for occluders {}; set truth.ao-distance to "
+                                         "the reach that {} has.",
+                                         limit, renderer);
+  section.text +=
+      " Noise in the reference can only raise the mean absolute error, which is therefore given as a range; its lower "
+      "end is corrected for this noise.";
   section.tables = {statistics_table("Ambient occlusion error", *ao.statistics)};
   add_metrics_table(section, ao.metrics);
-  presentation.answers.push_back(
-      fmt::format("AO: mean absolute error {}, mean signed error {} ({} radius {}, reference rays {})", text.absolute,
-                  text.with_sign, title_of(make_technique(experiment.ao)),
-                  metres_text(experiment.ao.sampling.radius.number), limit));
+  const std::string of = renderer.empty()
+                             ? fmt::format("{} radius {}", technique, metres_text(experiment.ao.sampling.radius.number))
+                             : renderer;
+  presentation.answers.push_back(fmt::format("AO: mean absolute error {}, mean signed error {} ({}, reference rays {})",
+                                             text.absolute, text.with_sign, of, limit));
   return presentation;
 }
 

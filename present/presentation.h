@@ -63,7 +63,6 @@ inline constexpr const char* filter_caution =
 std::string nothing_counted_text(const CountedPixels& counted);
 
 /// The constant bias in metres, in texels of the mean size, and as normalised depth.
-ReportTable bias_table(const ShadowMeasurement& shadow);
 
 /// Adds a figure to the presentation's section and to its list of this kind of figure.
 void add_figure(Presentation& presentation, ImageFigure figure);

@@ -51,6 +51,21 @@ void add_error_figure(Presentation& presentation, const SceneFacts& scene, const
                    "Error: " + scene.title(shadow.light), error_caption);
 }
 
+// The bias of our own technique.
+void add_bias_table(ReportSection& section, const ShadowMeasurement& shadow) {
+  if (!renderer_title(shadow.experiment).empty()) return;
+  Table table{{{"constant bias", "", ""}, {"value", "", ""}, {"unit", "", ""}}, {}};
+  const double texel = shadow.counted.mean_texel;
+  const BiasInUnits bias = in_units(shadow.experiment.shadow.bias.constant, texel, shadow.depth_unit);
+  const auto known = [](double number) { return digits_text(number); };
+  table.rows.push_back({std::string("along the light"), known(bias.metres), std::string("m")});
+  table.rows.push_back(
+      {std::string("in texels of mean size ") + metres_text(texel), known(bias.texels), std::string("texels")});
+  table.rows.push_back({std::string("in the map's depth, mean range ") + metres_text(shadow.depth_unit),
+                        known(bias.depth), std::string("normalised depth")});
+  section.tables.push_back({"Constant bias of these images", std::move(table)});
+}
+
 void present_edge_error(Presentation& presentation, const SceneFacts& scene, const LayeredImage& layers,
                         const ShadowMeasurement& shadow, const EdgeStatistics& s) {
   const std::string title = scene.title(shadow.light);
@@ -72,7 +87,8 @@ void present_edge_error(Presentation& presentation, const SceneFacts& scene, con
       {"too bright at edges", percent(s.too_bright_at_edge), "blur and lost contact"},
       {"too bright away from edges", percent(s.too_bright_away), "light bleeding"},
   };
-  section.tables = {statistics_table("Visibility error: " + title, s), bias_table(shadow)};
+  section.tables = {statistics_table("Visibility error: " + title, s)};
+  add_bias_table(section, shadow);
   section.text += "\n\n" + std::string(filter_caution);
   presentation.answers.push_back(
       fmt::format("{}: error {}{}; away from edges too dark {}, too bright {}; at edges too dark {}, too bright {}",
@@ -102,7 +118,8 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
       {"RMS error", percent(s.error.rmse), "corrected for the reference's variance"},
       {"penumbra", percent(s.penumbra), "of the counted pixels"},
   };
-  section.tables = {statistics_table("Visibility error: " + title, s), bias_table(shadow)};
+  section.tables = {statistics_table("Visibility error: " + title, s)};
+  add_bias_table(section, shadow);
   presentation.answers.push_back(fmt::format(
       "{}: error {}{} against {}; too dark {}, too bright {}; penumbra {} of the counted pixels", title,
       percent(s.error.mae), few_pixels_text(s.error.pixels),
@@ -137,8 +154,15 @@ ReportTable worst_parts(const char* what, PartKind kind, const std::vector<PartE
           std::move(table)};
 }
 
+constexpr std::string_view causes_by_rays_text =
+    "Too dark is acne where what the light sees around the pixel is the pixel's own surface, else false occlusion; too "
+    "bright is light leak where the light passes beside the blocker, else peter-panning. Near shadow edges the two of "
+    "a "
+    "pair can be exchanged.";
+
 std::string technique_text(const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
+  if (const std::string renderer = renderer_title(experiment); !renderer.empty()) return renderer;
   const std::size_t cascades = shadow.layout.kind == MapKind::orthographic ? shadow.layout.views.size() : 1;
   const std::string views = cascades > 1 ? fmt::format("{} cascades of ", cascades) : "";
   const bool has_kernel = capabilities_of(make_technique(experiment.shadow)).sums_comparisons;
@@ -172,9 +196,12 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
     if (shadow.is_sampled) section.text += "\n\n" + precision_text(shadow.truth->precision, experiment.truth);
   }
   if (shadow.raster) {
-    add_layer_figure(presentation, layers, Layer::raster_visibility, layer, "Shadow map: " + title,
-                     fmt::format("{}, constant bias {}, slope-scaled bias {:g} texels.", technique_text(shadow),
-                                 length_text(experiment.shadow.bias.constant), experiment.shadow.bias.slope));
+    const bool is_ours = renderer_title(experiment).empty();
+    add_layer_figure(
+        presentation, layers, Layer::raster_visibility, layer, is_ours ? "Shadow map: " + title : "Shadow: " + title,
+        is_ours ? fmt::format("{}, constant bias {}, slope-scaled bias {:g} texels.", technique_text(shadow),
+                              length_text(experiment.shadow.bias.constant), experiment.shadow.bias.slope)
+                : technique_text(shadow) + ".");
   }
   if (shadow.stored_depths && shadow.stored_depths->range) {
     presentation.details.push_back(title + ": " + stored_depths_text(shadow));
@@ -211,12 +238,18 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
   }
   const std::uint32_t weight_sum = shadow.raster->wrong.weight_sum;
   if (shadow.advice) section.tables.push_back(advice_table(*shadow.advice));
+  section.tables.push_back(statistics_table("Visibility error: " + title, s));
+  add_bias_table(section, shadow);
   section.tables.insert(section.tables.end(),
-                        {statistics_table("Visibility error: " + title, s), bias_table(shadow),
-                         worst_parts("object", PartKind::object, shadow.objects, weight_sum),
+                        {worst_parts("object", PartKind::object, shadow.objects, weight_sum),
                          worst_parts("material", PartKind::material, shadow.materials, weight_sum)});
   if (shadow.agreement) presentation.details.push_back(title + ": " + agreement_text(*shadow.agreement));
-  if (experiment.shadow.pcf.filter != ShadowFilter::nearest) section.text += "\n\n" + std::string(filter_caution);
+  const std::string renderer = renderer_title(experiment);
+  if (!renderer.empty()) {
+    section.text += "\n\nOnly the image of " + renderer + " is known, not its taps: rays decide the causes. " +
+                    std::string(causes_by_rays_text);
+  } else if (experiment.shadow.pcf.filter != ShadowFilter::nearest)
+    section.text += "\n\n" + std::string(filter_caution);
   if (s.max_x >= 0) {
     section.text += fmt::format("\n\nThe largest error is {}, for example at pixel ({}, {}).", percent(s.max_error),
                                 s.max_x, s.max_y);
@@ -227,27 +260,15 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
     presentation.answers.push_back(title + ": " + advice_text(*shadow.advice));
     presentation.lines.push_back(fmt::format("  {}: {}", title, parts));
   } else {
-    presentation.answers.push_back(fmt::format("{}: error {}{} at a bias of {}; {}", title, percent(s.mae),
-                                               few_pixels_text(s.pixels), length_text(experiment.shadow.bias.constant),
-                                               parts));
+    const std::string of =
+        renderer.empty() ? "at a bias of " + length_text(experiment.shadow.bias.constant) : "of " + renderer;
+    presentation.answers.push_back(
+        fmt::format("{}: error {}{} {}; {}", title, percent(s.mae), few_pixels_text(s.pixels), of, parts));
   }
   return presentation;
 }
 
 }  // namespace
-
-ReportTable bias_table(const ShadowMeasurement& shadow) {
-  Table table{{{"constant bias", "", ""}, {"value", "", ""}, {"unit", "", ""}}, {}};
-  const double texel = shadow.counted.mean_texel;
-  const BiasInUnits bias = in_units(shadow.experiment.shadow.bias.constant, texel, shadow.depth_unit);
-  const auto known = [](double number) { return digits_text(number); };
-  table.rows.push_back({std::string("along the light"), known(bias.metres), std::string("m")});
-  table.rows.push_back(
-      {std::string("in texels of mean size ") + metres_text(texel), known(bias.texels), std::string("texels")});
-  table.rows.push_back({std::string("in the map's depth, mean range ") + metres_text(shadow.depth_unit),
-                        known(bias.depth), std::string("normalised depth")});
-  return {"Constant bias of these images", std::move(table)};
-}
 
 Presentation present_shadow(const SceneFacts& scene, const LayeredImage& layers, const ShadowMeasurement& shadow) {
   Presentation presentation = present_shadow_error(scene, layers, shadow);

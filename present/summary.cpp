@@ -200,6 +200,7 @@ std::string to_summary_json(const RunResults& results, const std::optional<Sweep
                       {"materials", results.scene.materials}};
   summary["embree"] = results.embree;
   if (!results.opengl.empty()) summary["opengl"] = results.opengl;
+  if (!results.engine.empty()) summary["engine"] = results.engine;
   summary["notes"] = results.notes;
   // Of a sweep: those of the cell that was measured, like all that follows.
   Experiment experiment = results.measurement ? results.measurement->experiment : results.experiment;

@@ -44,6 +44,7 @@ struct RunResults {
   SceneFacts scene;                  ///< of a tuning the first
   std::string embree;                ///< version
   std::string opengl{};              ///< renderer; empty when OpenGL was not used
+  std::string engine{};              ///< "three.js 0.187.0"; empty when our own techniques were measured
   std::vector<std::string> notes{};  ///< every assumption made
   bool full_images = false;          ///< the page gets every pixel of large images, too
   std::optional<Measurement> measurement{};  ///< of a sweep that of the cell of least error; none of a tuning

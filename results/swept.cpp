@@ -49,9 +49,14 @@ SweptQuantity choose_quantity(SweepMeasure given, const std::vector<SweepAxis>& 
   if (given == SweepMeasure::ao) return SweptQuantity::ao;
   if (given == SweepMeasure::image || varies_group(axes, "shading.")) return SweptQuantity::image;
   const bool ao = std::any_of(axes.begin(), axes.end(), [](const SweepAxis& axis) {
-    return axis.key.starts_with("ao.") || (axis.key.starts_with("truth.") && axis.key != "truth.shadow");
+    return axis.key.starts_with("ao.") || is_engine_ao(axis.key) ||
+           (axis.key.starts_with("truth.") && axis.key != "truth.shadow");
   });
-  if (ao && (varies_group(axes, "shadow.") || varies_group(axes, "light."))) {
+  const bool shadows = std::ranges::any_of(axes, [](const SweepAxis& axis) {
+    return axis.key.starts_with("shadow.") || axis.key.starts_with("light.") ||
+           (axis.key.starts_with("engine.") && !is_engine_ao(axis.key));
+  });
+  if (ao && shadows) {
     throw Error(ExitCode::usage, "sweep", "the axes vary both shadows and ambient occlusion",
                 "choose what to measure: --measure visibility, ao or image");
   }

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "experiments/settings/stage_inputs.h"
 #include "store/experiment_file.h"
+#include "store/run_value.h"
 
 namespace umbrameter {
 namespace {
@@ -30,11 +31,19 @@ std::optional<CellStatistics> statistics_in(const StoreDescription& description,
   return {};
 }
 
+// The parameters of an engine are those that the run itself stored.
+Experiment load_stored_experiment(const std::filesystem::path& folder) {
+  if (const std::optional<RunResults> run = read_run_value(folder, false)) {
+    if (!run->experiment.engine.adapter.empty()) use_engine(run->experiment.engine);
+  }
+  return load_experiment(folder / "experiment.toml");
+}
+
 }  // namespace
 
 FinishedSweep::FinishedSweep(const std::filesystem::path& folder)
     : store_(ResultsStore::load(folder)),
-      experiment_(load_experiment(folder / "experiment.toml")),
+      experiment_(load_stored_experiment(folder)),
       parameters_(describe(experiment_)) {
   const StoreDescription& description = store_.description();
   const std::vector<SweepAxis> axes = parse_axes(parameters_, description.axes);

@@ -47,8 +47,8 @@ StoredRun read_stored_run(const std::filesystem::path& folder) {
       run.parameters.emplace_back(key, text_of(value));
     }
     run.environment.emplace_back("version", summary.value("/program/version"_json_pointer, ""));
-    for (const auto& [key, name] :
-         {std::pair("camera", "camera"), std::pair("embree", "Embree"), std::pair("opengl", "OpenGL")}) {
+    for (const auto& [key, name] : {std::pair("camera", "camera"), std::pair("embree", "Embree"),
+                                    std::pair("opengl", "OpenGL"), std::pair("engine", "engine")}) {
       run.environment.emplace_back(name, summary.value(key, ""));
     }
     for (const Json& shadow : summary.value("shadows", Json::array())) {

@@ -19,7 +19,7 @@ std::vector<MetricScore> score_of(const Experiment& experiment, bool is_shadow,
 void measure_causes(Stages& stages, ShadowMeasurement& measurement) {
   const Experiment& experiment = measurement.experiment;
   WrongTaps& wrong = measurement.raster->wrong;
-  if (experiment.run.classes == ClassRule::exact) {
+  if (experiment.run.classes == ClassRule::exact && !stages.has_engine()) {
     measurement.agreement = stages.reclassify(experiment, measurement.light, wrong);
   }
   measurement.statistics = analyze_visibility(wrong, measurement.truth->visibility, measurement.counted);
@@ -75,7 +75,7 @@ ShadowMeasurement measure_shadow(Stages& stages, const Experiment& experiment, s
   if (sides.truth) measurement.truth = *stages.truth(experiment, light);
   if (sides.raster) {
     measurement.raster = stages.draw(experiment, light, sides.truth && has_causes);
-    measurement.stored_depths = *stages.stored_depths(experiment, light);
+    if (!stages.has_engine()) measurement.stored_depths = *stages.stored_depths(experiment, light);
   }
   if (!sides.raster || !sides.truth) return measurement;
   const Image<float>& drawn = measurement.raster->visibility;

@@ -22,7 +22,7 @@ ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow) {
   if (causes == nullptr) {
     ShadowShape shape{analyze_error_shape(input, shadow.raster->visibility)};
     if (!shadow.is_sampled) shape.error.outside_penumbra.reset();
-    shape.views = measure_map_views(stages, shadow);
+    if (!stages.has_engine()) shape.views = measure_map_views(stages, shadow);
     return shape;
   }
   const TracedCasters traced = trace_casters(stages.tracer(), surfels->gbuffer, light);
@@ -34,7 +34,7 @@ ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow) {
     stages.add_notes({stages.title(shadow.light) + ": " + missing});
   }
   return {analyze_error_shape(input, raster.wrong), std::move(casters.casters), casters.search, std::nullopt,
-          measure_map_views(stages, shadow)};
+          stages.has_engine() ? MapViews{} : measure_map_views(stages, shadow)};
 }
 
 }  // namespace umbrameter

@@ -48,7 +48,8 @@ Parameters describe(RunParams& params) {
 Parameters describe(Experiment& experiment) {
   Parameters all = concatenate({describe(experiment.scene_params), describe(experiment.view),
                                 describe(experiment.light), describe(experiment.shadow), describe(experiment.ao),
-                                describe(experiment.shading), describe(experiment.truth), describe(experiment.run)});
+                                describe(experiment.shading), describe(experiment.engine), describe(experiment.frame),
+                                describe(experiment.truth), describe(experiment.run)});
   for (Parameter& parameter : all) {
     if (!std::holds_alternative<double*>(parameter.field) && !std::holds_alternative<Length*>(parameter.field))
       continue;
@@ -57,6 +58,10 @@ Parameters describe(Experiment& experiment) {
     description.max = std::min(description.max, largest_number);
   }
   return all;
+}
+
+std::string renderer_title(const Experiment& experiment) {
+  return experiment.engine.adapter.empty() ? title_of(experiment.frame) : experiment.engine.engine;
 }
 
 Experiment in_metres(Experiment experiment, double scene_size) {
@@ -115,8 +120,10 @@ Table settings_table(Experiment experiment) {
                {"meaning", "", "what it sets"}},
               {}};
   Experiment defaults;
+  defaults.engine = defaults_of(experiment.engine);
   const Parameters of_defaults = describe(defaults);
   for (const Parameter& parameter : describe(experiment)) {
+    if (parameter.key.starts_with("frame.") && !has_files(experiment.frame)) continue;
     std::string value = to_string(parameter.value());
     for (const auto& [key, text] : experiment.axes) {
       if (key == parameter.key) value = "varied: " + text;

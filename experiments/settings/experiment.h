@@ -7,6 +7,8 @@
 
 #include "core/parameters.h"
 #include "core/table.h"
+#include "experiments/settings/engine_params.h"
+#include "experiments/settings/frame_params.h"
 #include "scenes/emitter.h"
 #include "scenes/scene_params.h"
 #include "scenes/view.h"
@@ -47,6 +49,8 @@ struct Experiment {
   ShadowParams shadow;
   AoParams ao;
   ShadingParams shading;
+  EngineParams engine = engine_in_use();
+  FrameParams frame;
   TruthParams truth;
   RunParams run;
   /// The axes of a sweep: full parameter name, axis text.
@@ -65,6 +69,9 @@ inline bool measures_image(const Experiment& experiment) {
 
 /// The built-in scene's name, or the file's name without its folder; followed by the selected scene of the file.
 std::string scene_title(const Experiment& experiment);
+
+/// What takes the place of our own techniques: "three.js 0.187.0", "frame of mask.exr"; empty: nothing does.
+std::string renderer_title(const Experiment& experiment);
 
 /// Converts the lengths of ambient occlusion to metres. An automatic truth.ao-distance becomes the experiment's
 /// ao.radius, so that technique and reference use the same distance. scene_size is the diagonal of the scene's bounds,

@@ -20,6 +20,20 @@ Parameters view_parameters(Experiment& experiment) {
   return all;
 }
 
+// The adapter, and the parameters of an engine's shadows or of its ambient occlusion.
+Parameters engine_parameters(Experiment& experiment, bool of_ao) {
+  Parameters all = describe(experiment.engine);
+  std::erase_if(all, [&](const Parameter& each) { return each.key != engine_key && is_engine_ao(each.key) != of_ao; });
+  return all;
+}
+
+// What decides the size of an engine's texels.
+Parameters engine_map_parameters(Experiment& experiment) {
+  Parameters all = engine_parameters(experiment, false);
+  std::erase_if(all, [](const Parameter& each) { return !is_engine_map_size(each.key); });
+  return all;
+}
+
 Parameters run_parameter(Experiment& experiment, std::string_view key) {
   return {require(describe(experiment.run), key)};
 }
@@ -31,7 +45,7 @@ Parameters visibility_parameters(Experiment& experiment) {
       concatenate({describe(experiment.shadow.map), describe(experiment.shadow.fit),
                    describe(experiment.shadow.map_depth), filtered_map_parameters(experiment.shadow)});
   std::erase_if(all, [&](const Parameter& parameter) { return find(earlier, parameter.key) != nullptr; });
-  return concatenate({all, run_parameter(experiment, "run.classes")});
+  return concatenate({all, engine_parameters(experiment, false), run_parameter(experiment, "run.classes")});
 }
 
 // All of ambient occlusion but what follows the blur.
@@ -39,7 +53,7 @@ Parameters ao_parameters(Experiment& experiment) {
   Parameters all = describe(experiment.ao);
   const Parameters later = describe(experiment.ao.tone);
   std::erase_if(all, [&](const Parameter& parameter) { return find(later, parameter.key) != nullptr; });
-  return concatenate({all, run_parameter(experiment, "run.seed")});
+  return concatenate({all, engine_parameters(experiment, true), run_parameter(experiment, "run.seed")});
 }
 
 // Whether lights have extent for reference and statistics.
@@ -59,14 +73,20 @@ Parameters sampling_parameters(Experiment& experiment) {
 
 const std::array<StageInputs, stage_count>& stages() {
   static const std::array<StageInputs, stage_count> all = {{
-      {"surfels", view_parameters, {}, 10.0},
+      {"surfels",
+       [](Experiment& e) {
+         return concatenate({view_parameters(e), describe(e.frame), {require(describe(e.engine), engine_key)}});
+       },
+       {},
+       10.0},
       {"light", [](Experiment& e) { return Parameters{require(describe(e.view), "view.light")}; }, {}, 0.0},
       {"emitter", emitter_parameters, {Stage::light}, 0.0},
       {"layout",
        [](Experiment& e) {
          return concatenate({describe(e.shadow.map),
                              describe(e.shadow.fit),
-                             {require(describe(e.shadow.map_depth), "shadow.point-map")}});
+                             {require(describe(e.shadow.map_depth), "shadow.point-map")},
+                             engine_map_parameters(e)});
        },
        {Stage::surfels, Stage::light},
        1.0},

@@ -117,14 +117,16 @@ std::shared_ptr<const Surfels> Stages::surfels(const Experiment& experiment) {
     const double aspect = static_cast<double>(params.size.width) / params.size.height;
     std::vector<std::string> assumed;
     View view{params.size.width, params.size.height, select_camera(scene_, params.camera, aspect, assumed)};
+    view.camera = with_planes(std::move(view.camera), experiment.frame);
     add_notes(assumed);
     GBuffer gbuffer;
-    if (params.surfels == SurfelSource::traced) {
+    if (params.surfels == SurfelSource::traced || has_engine()) {
       ProgressBar progress = bar("primary rays");
       gbuffer = trace_gbuffer(tracer(), view, progress.callback());
     } else {
       gbuffer = read_back(context(), draw_gbuffer(context(), uploaded(), view));
     }
+    if (has_engine()) gbuffer = aligned_surfels(experiment, view, std::move(gbuffer));
     return Surfels{std::move(view), std::move(gbuffer)};
   });
 }
@@ -141,9 +143,11 @@ std::string Stages::key(Stage stage, const Experiment& experiment, std::uint32_t
 std::shared_ptr<const MapLayout> Stages::layout(const Experiment& experiment, std::uint32_t light) {
   return layout_.get(key(Stage::layout, experiment, light), [&] {
     const auto seen = surfels(experiment);
-    return with_point_map(fit_map(scene_.lights[light], bounds_, experiment.shadow.map, {seen->gbuffer, seen->view},
-                                  experiment.shadow.fit),
-                          experiment.shadow.map_depth.point_map);
+    ShadowMapParams map = experiment.shadow.map;
+    map.resolution = map_size_of(experiment.engine).value_or(map.resolution);
+    return with_point_map(
+        fit_map(scene_.lights[light], bounds_, map, {seen->gbuffer, seen->view}, experiment.shadow.fit),
+        experiment.shadow.map_depth.point_map);
   });
 }
 
@@ -321,10 +325,12 @@ HeldLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t lig
 }
 
 RasterVisibility Stages::draw(const Experiment& experiment, std::uint32_t light, bool with_truth) {
+  if (has_engine()) return draw_engine(experiment, light, with_truth);
   return draw_visibility(context(), shadow_lookup(experiment, light, with_truth).lookup);
 }
 
 std::vector<Image<float>> Stages::draw_lookups(std::span<const Experiment> experiments, std::uint32_t light) {
+  if (has_engine()) return engine_images(experiments, light, false);
   const HeldLookup held = shadow_lookup(experiments.front(), light, false);
   std::vector<PrefilteredLookup> lookups;
   for (const Experiment& each : experiments) {

@@ -21,6 +21,7 @@
 
 #include "compare/unresolved_taps.h"
 #include "compare/visibility.h"
+#include "experiments/engine/frame_source.h"
 #include "experiments/settings/experiment.h"
 #include "experiments/settings/stage_inputs.h"
 #include "experiments/stages/costs.h"
@@ -120,6 +121,8 @@ struct StageOptions {
   std::string source{};                ///< the scene's file or built-in name, for messages
   /// The GL context, current on the calling thread. If empty, Stages creates one.
   std::shared_ptr<gl::Context> context{};
+  /// Another renderer, whose frames take the place of what our own techniques draw; no OpenGL is used then.
+  std::shared_ptr<const FrameSource> frames{};
 };
 
 class Stages {
@@ -161,8 +164,13 @@ class Stages {
   /// technique has no such map.
   std::vector<Image<vec4>> read_filtered_map(const Experiment& experiment, std::uint32_t light);
 
-  /// Capabilities of the experiment's technique.
+  /// Whether another renderer takes the place of our own techniques.
+  bool has_engine() const { return options_.frames != nullptr; }
+  /// What draws: the other renderer, or the OpenGL device.
+  std::string renderer();
+  /// Capabilities of the experiment's technique. The error of an engine has causes as well: rays find them.
   TechniqueCapabilities capabilities(const Experiment& experiment) const {
+    if (has_engine()) return {.sums_comparisons = true};
     return capabilities_of(make_technique(experiment.shadow));
   }
 
@@ -182,7 +190,8 @@ class Stages {
   BiasHistogram bias_response(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes);
   /// Where the tap of each pixel flips, for a technique with one tap per pixel. Classifies taps by run.classes.
   TapFlips tap_flips(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes);
-  /// The visibility of experiments that differ only in lookup_parameters(), at most max_lookups, in one pass.
+  /// The visibility of experiments that differ only in lookup_parameters(), at most max_lookups, in one pass; of an
+  /// engine's, in engine.*, in one request.
   std::vector<Image<float>> draw_lookups(std::span<const Experiment> experiments, std::uint32_t light);
   Image<float> draw_ao(const Experiment& experiment);
   /// The samples of hemisphere SSAO that occlude at the axes' first bias or more. The axes replace the experiment's
@@ -222,6 +231,10 @@ class Stages {
   using TestedTaps = std::function<void(std::span<const UnresolvedTap>, std::span<const std::uint8_t>)>;
   void test_unresolved_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes, bool of_lit,
                             const TestedTaps& take);
+  FramedView framed(const View& view, std::uint32_t light);
+  GBuffer aligned_surfels(const Experiment& experiment, const View& view, GBuffer gbuffer);
+  std::vector<Image<float>> engine_images(std::span<const Experiment> experiments, std::uint32_t light, bool is_ao);
+  RasterVisibility draw_engine(const Experiment& experiment, std::uint32_t light, bool with_truth);
   HeldLookup shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth);
   std::shared_ptr<const StoredSurfels> stored_surfels(const Experiment& experiment);
   ProgressBar bar(const char* stage) const;

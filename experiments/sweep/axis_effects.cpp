@@ -34,6 +34,8 @@ bool is_measured(SweptQuantity quantity, std::string_view parameter) {
 }
 
 bool is_read_by_technique(Experiment& experiment, std::string_view key) {
+  const bool is_ours = key.starts_with("shadow.") || key.starts_with("ao.") || key.starts_with("shading.");
+  if (is_ours && !experiment.engine.adapter.empty()) return false;
   if (key.starts_with("shadow.")) return find(read_parameters(experiment.shadow), key) != nullptr;
   if (key.starts_with("ao.")) return find(read_parameters(experiment.ao), key) != nullptr;
   if (key.starts_with("shading.")) return find(read_parameters(experiment.shading), key) != nullptr;
@@ -61,6 +63,10 @@ Error unread(SweptQuantity quantity, const Experiment& given, const std::string&
               fmt::format("leave it out, or add --measure {}", quantity_name(other))};
     }
     return {ExitCode::usage, what, "it has no effect on any measurement", "leave it out"};
+  }
+  if (!given.engine.adapter.empty() && !key.starts_with("engine.")) {
+    return {ExitCode::usage, what, fmt::format("{} does not read it", given.engine.engine),
+            "vary engine.* parameters; --help-all lists them"};
   }
   Experiment experiment = given;
   for (const Parameter& parameter : describe(experiment)) {

@@ -23,6 +23,7 @@ std::string bounds_text(const Light& light) {
 }  // namespace
 
 Identity measuring_identity(Stages& stages) {
+  if (stages.has_engine()) return {{"engine", stages.renderer()}, {"algorithms", algorithms_hash}};
   const GlDevice& device = stages.context().device();
   return {{"device", device.software ? "Mesa's software driver" : device.renderer}, {"algorithms", algorithms_hash}};
 }
@@ -50,7 +51,7 @@ Identity identity_of_sweep(Stages& stages, Experiment experiment, SweptQuantity 
 }
 
 std::string maker_of(Stages& stages) {
-  return fmt::format("{}, OpenGL {}", tracer_identity(), stages.context().device().renderer);
+  return fmt::format("{}, {} {}", tracer_identity(), stages.has_engine() ? "engine" : "OpenGL", stages.renderer());
 }
 
 }  // namespace umbrameter

@@ -27,7 +27,7 @@ Image<float> LookAhead::visibility(Stages& stages, const Experiment& experiment,
                                    const std::vector<Value>& values) {
   Experiment cell = cell_in_metres(stages, experiment, axes, values);
   const std::uint32_t light = stages.lights(cell.view.light).front();
-  const Parameters of_lookup = lookup_parameters(cell.shadow);
+  const Parameters of_lookup = stages.has_engine() ? describe(cell.engine) : lookup_parameters(cell.shadow);
   std::vector<std::size_t> varied;
   std::string others;
   std::size_t cells = 1;

@@ -1,0 +1,46 @@
+// Frames of another renderer for the stages of a run: where its surfaces lie, and what its shadows and its ambient
+// occlusion multiply. They come from an engine that runs, or from files that one wrote.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compare/frame_alignment.h"
+#include "experiments/engine/engine.h"
+
+namespace umbrameter {
+
+/// One view of the scene under one light.
+struct FramedView {
+  const Scene& scene;
+  const std::string& content;  ///< scene_content() of the scene
+  const View& view;
+  const Light& light;
+};
+
+struct FrameSource {
+  std::string title;  ///< "three.js 0.187.0"
+  bool has_shadows = false;
+  bool has_ao = false;
+  /// Where its surfaces lie; nothing if it does not say.
+  std::function<std::optional<FrameSurfaces>(const FramedView&)> surfaces;
+  /// For each set of parameters an image of the view's size, 0 to 1; NaN where the frame shows nothing.
+  std::function<std::vector<Image<float>>(const FramedView&, std::span<const EngineParams>)> visibility;
+  std::function<std::vector<Image<float>>(const FramedView&, std::span<const EngineParams>)> ao;
+  std::function<std::vector<std::string>()> take_warnings = [] { return std::vector<std::string>(); };
+};
+
+FrameSource frames_of(std::shared_ptr<Engine> engine);
+
+/// The quotient of two frames by luminance, 0 to 1: what a shadow or an occlusion has multiplied. 1 where the divisor
+/// has no light to take away.
+Image<float> ratio_of(const Image<vec3>& with, const Image<vec3>& without);
+
+/// The first channel, between 0 and 1. Throws std::runtime_error naming `what` if more than rounding lies outside.
+Image<float> share_of(const Image<vec3>& image, const std::string& what);
+
+}  // namespace umbrameter

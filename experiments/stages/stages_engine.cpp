@@ -1,0 +1,85 @@
+// The stages of a run with an engine: its frames take the place of what our own rasteriser draws.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.h"
+#include "experiments/stages/stages.h"
+#include "raytrace/frame_causes.h"
+
+namespace umbrameter {
+
+std::string Stages::renderer() { return options_.frames ? options_.frames->title : context().device().renderer; }
+
+FramedView Stages::framed(const View& view, std::uint32_t light) {
+  return {scene_, *scene_content_.get("", [&] { return scene_content(scene_); }), view, scene_.lights[light]};
+}
+
+GBuffer Stages::aligned_surfels(const Experiment& experiment, const View& view, GBuffer gbuffer) {
+  const std::vector<std::uint32_t> lights = this->lights(experiment.view.light);
+  const FrameSource& frames = *options_.frames;
+  const std::optional<FrameSurfaces> shown = frames.surfaces(framed(view, lights.front()));
+  add_notes(frames.take_warnings());
+  if (!shown) {
+    add_notes({frames.title +
+               " has neither depth nor position: it is taken to show our own surfels, and a shift between both would "
+               "count as an error of its shadows"});
+    return gbuffer;
+  }
+  const FrameAlignment alignment = align_frame(*shown, gbuffer, view);
+  if (!alignment.fits()) {
+    throw Error(ExitCode::unreadable_input, frames.title, misfit_text(alignment),
+                "see 'Proof of alignment' in docs/engine-protocol.md");
+  }
+  if (alignment.unmatched > 0) {
+    add_notes({fmt::format("{}: {:.2g} % of its pixels show another surface than our rays and are left out",
+                           frames.title, 100.0 * alignment.share_unmatched())});
+  }
+  return surfels_of_frame(*shown, gbuffer, view);
+}
+
+std::vector<Image<float>> Stages::engine_images(std::span<const Experiment> experiments, std::uint32_t light,
+                                                bool is_ao) {
+  const FrameSource& frames = *options_.frames;
+  if (!(is_ao ? frames.has_ao : frames.has_shadows)) {
+    throw Error(ExitCode::usage, frames.title, is_ao ? "it renders no ambient occlusion" : "it renders no shadows",
+                is_ao ? "add --measure visibility" : "add --measure ao");
+  }
+  const auto seen = surfels(experiments.front());
+  std::vector<EngineParams> params;
+  for (const Experiment& each : experiments) params.push_back(each.engine);
+  const FramedView shown = framed(seen->view, light);
+  std::vector<Image<float>> images = is_ao ? frames.ao(shown, params) : frames.visibility(shown, params);
+  add_notes(frames.take_warnings());
+  const float background = is_ao ? 1.0f : 0.0f;
+  for (Image<float>& image : images) {
+    std::uint64_t missing = 0;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      if (!std::isnan(image[i])) continue;
+      missing += seen->gbuffer.is_surface(i) ? 1u : 0u;
+      image[i] = background;
+    }
+    if (missing == 0) continue;
+    throw Error(
+        ExitCode::partial, frames.title,
+        fmt::format("its {} is NaN at {} pixels that show a surface", is_ao ? "occlusion" : "visibility", missing),
+        "it must have a value at every surface");
+  }
+  return images;
+}
+
+RasterVisibility Stages::draw_engine(const Experiment& experiment, std::uint32_t light, bool with_truth) {
+  RasterVisibility drawn{engine_images({&experiment, 1}, light, false).front(), {}};
+  const auto seen = surfels(experiment);
+  drawn.wrong.weights = Image<uvec4>(seen->gbuffer.width, seen->gbuffer.height, uvec4(0));
+  if (!with_truth) return drawn;
+  const auto reference = truth(experiment, light);
+  const auto counted = this->counted(experiment, light);
+  const Tracer& rays = tracer();
+  ProgressBar progress = bar("causes");
+  drawn.wrong = causes_by_rays(rays, seen->gbuffer, *layout(experiment, light), counted->exclusion,
+                               reference->visibility, drawn.visibility, progress.callback());
+  return drawn;
+}
+
+}  // namespace umbrameter

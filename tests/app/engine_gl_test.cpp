@@ -1,0 +1,192 @@
+// Runs with an engine in place of our techniques: our own rasteriser driven through the protocol, and frames from
+// files.
+#include <nlohmann/json.hpp>
+
+#include "tests/app/gl_run.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::json;
+
+class EngineRun : public GlRun {
+ protected:
+  ProgramResult run(const std::vector<std::string>& arguments, const std::string& name) const {
+    return run_program(words(words(arguments, small), {"--no-figures", "-o", folder_ / name}));
+  }
+  Json summary(const std::string& name) const { return Json::parse(text_of(folder_ / name / "summary.json")); }
+};
+
+// Of a mask of the run "ours" by its own files.
+std::vector<std::string> evaluate(const std::string& ours, const std::vector<std::string>& more) {
+  return words(
+      {"evaluate", "contact-box", "--light", "sun", "--visibility", ours + "/images.exr:raster_visibility_sun"}, more);
+}
+
+TEST_F(EngineRun, Our_rasteriser_as_an_engine_gives_its_own_images_and_statistics) {
+  const std::vector<std::string> scene = {"compare", "contact-box", "--light", "sun"};
+  const ProgramResult ours =
+      run(words(scene, {"--view.surfels", "traced", "--shadow.constant-bias", "0.5texels"}), "ours");
+  ASSERT_EQ(ours.exit_code, 0) << ours.err;
+  const ProgramResult engine =
+      run(words(scene, {"--engine", "umbrameter", "--engine.shadow-constant-bias", "0.5"}), "engine");
+  ASSERT_EQ(engine.exit_code, 0) << engine.err;
+  const LayeredImage first = read_exr(folder_ / "ours/images.exr");
+  const LayeredImage second = read_exr(folder_ / "engine/images.exr");
+  for (const char* layer : {"raster_visibility_sun.Y", "truth_visibility_sun.Y", "raster_ao.Y", "truth_ao.Y",
+                            "gbuffer_position.X", "gbuffer_position.Y", "gbuffer_position.Z"}) {
+    // Positions are NaN on the background, so that bytes are compared.
+    const Image<float>& a = channel(first, layer);
+    const Image<float>& b = channel(second, layer);
+    EXPECT_EQ(std::memcmp(a.pixels.data(), b.pixels.data(), a.size() * sizeof(float)), 0) << layer;
+  }
+  const Json one = summary("ours"), other = summary("engine");
+  EXPECT_EQ(one["ao"]["statistics"], other["ao"]["statistics"]);
+  const Json& s = one["shadows"][0]["statistics"];
+  const Json& t = other["shadows"][0]["statistics"];
+  EXPECT_EQ(s["pixels"], t["pixels"]);
+  EXPECT_EQ(s["lit"], t["lit"]);
+  // Sums of weights of 2⁻²⁴ instead of whole taps.
+  for (const char* name : {"mae", "rmse", "mean_error", "false_blocked", "false_lit"}) {
+    EXPECT_NEAR(s[name].get<double>(), t[name].get<double>(), 1e-7) << name;
+  }
+  EXPECT_EQ(other["engine"].get<std::string>().find("umbrameter "), 0u);
+  EXPECT_FALSE(other.contains("opengl"));
+}
+
+TEST_F(EngineRun, Causes_by_rays_agree_with_the_exact_ones) {
+  for (const auto& [bias, wrong] : {std::pair("0", "acne"), std::pair("6", "peter-panning")}) {
+    const std::vector<std::string> scene = {"compare",   "courtyard",  "--light", "sun",
+                                            "--measure", "visibility", "--force"};
+    ASSERT_EQ(
+        run(words(scene, {"--view.surfels", "traced", "--shadow.constant-bias", std::string(bias) + "texels"}), "a")
+            .exit_code,
+        0);
+    ASSERT_EQ(run(words(scene, {"--engine", "umbrameter", "--engine.shadow-constant-bias", bias}), "b").exit_code, 0);
+    const Image<float> exact = channel(read_exr(folder_ / "a/images.exr"), "class_sun.Y");
+    const Image<float> by_rays = channel(read_exr(folder_ / "b/images.exr"), "class_sun.Y");
+    std::array<std::array<int, 5>, 5> confusion{};
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      if (exact[i] >= 1.0f && exact[i] <= 4.0f) ++confusion[std::size_t(exact[i])][std::size_t(by_rays[i])];
+    }
+    for (std::size_t c = 1; c < 5; ++c) {
+      // The sign is always right: acne and false occlusion are too dark, peter-panning and leak too bright.
+      const std::size_t other_pair = c < 3 ? 3 : 1;
+      EXPECT_EQ(confusion[c][0] + confusion[c][other_pair] + confusion[c][other_pair + 1], 0) << wrong << c;
+    }
+    const int dark = confusion[1][1] + confusion[1][2] + confusion[2][1] + confusion[2][2];
+    const int bright = confusion[3][3] + confusion[3][4] + confusion[4][3] + confusion[4][4];
+    // docs/evaluate.md has the table; where one cause prevails it is found.
+    if (dark > 50) {
+      EXPECT_GT(confusion[1][1] + confusion[2][2], 0.85 * dark) << bias;
+    }
+    EXPECT_GT(confusion[3][3] + confusion[4][4], 0.6 * bright) << bias;
+  }
+}
+
+TEST_F(EngineRun, A_mask_from_a_file_gives_the_statistics_of_the_run_that_wrote_it) {
+  ASSERT_EQ(run({"compare", "contact-box", "--light", "sun", "--view.surfels", "traced"}, "ours").exit_code, 0);
+  const std::string ours = folder_ / "ours";
+  for (const std::vector<std::string>& surfaces :
+       {std::vector<std::string>{"--position", ours + "/images.exr:gbuffer_position"},
+        {"--depth", ours + "/images.exr:Z", "--frame.depth-kind", "axis"}}) {
+    const ProgramResult result = run(words(evaluate(ours, surfaces), {"--force"}), "frame");
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const Json s = summary("ours")["shadows"][0]["statistics"], t = summary("frame")["shadows"][0]["statistics"];
+    EXPECT_EQ(s["pixels"], t["pixels"]);
+    EXPECT_NEAR(s["mae"].get<double>(), t["mae"].get<double>(), 1e-7);
+    EXPECT_NEAR(s["rmse"].get<double>(), t["rmse"].get<double>(), 1e-7);
+  }
+  const ProgramResult drawn =
+      run_program(words(words(evaluate(ours, {"--depth", ours + "/images.exr:Z", "--convention", "blender"}), small),
+                        {"-o", folder_ / "drawn"}));
+  ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+  expect_same_page_in_report(folder_ / "drawn", folder_ / "again", {"class_sun.png"});
+}
+
+TEST_F(EngineRun, A_frame_that_does_not_fit_is_refused_with_what_would_fit) {
+  ASSERT_EQ(run({"compare", "contact-box", "--light", "sun", "--view.surfels", "traced"}, "ours").exit_code, 0);
+  const std::string ours = folder_ / "ours";
+  const std::vector<std::string> position = {"--position", ours + "/images.exr:gbuffer_position"};
+  const std::vector<std::string> depth = {"--depth", ours + "/images.exr:Z"};
+  const std::vector<std::pair<std::vector<std::string>, const char*>> cases = {
+      {words(position, {"--frame.rows", "bottom"}), "rows begin at the bottom"},
+      {words(position, {"--frame.axes", "x,z,-y"}), "our x, y, z are its x, −z, y"},
+      {words(position, {"--frame.axes", "x,y,-z"}), "left-handed: z is negated"},
+      {words(position, {"--frame.unit", "0.01"}), "its unit is 100 m"},
+      {depth, "its depth is 'axis'"},
+      {words(depth, {"--convention", "reversed-z"}), "its depth is 'axis'"},
+      {words(depth, {"--frame.depth-kind", "axis", "--frame.camera", "1 0 0 0 0 1 0 0 0 0 1 0 0 1 4 1"}),
+       "compare the matrix and the field of view"},
+  };
+  for (const auto& [flags, reason] : cases) {
+    const ProgramResult result = run(evaluate(ours, flags), "refused");
+    EXPECT_EQ(result.exit_code, 4) << reason;
+    EXPECT_NE(result.err.find(reason), std::string::npos) << result.err;
+    const bool has_error =
+        result.err.find(" px)") != std::string::npos || result.err.find("or nowhere") != std::string::npos;
+    EXPECT_TRUE(has_error) << result.err;
+    EXPECT_TRUE(is_one_line(result.err)) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "refused/index.html"));
+  }
+}
+
+TEST_F(EngineRun, Its_parameters_are_axes_of_sweeps_and_of_tunings) {
+  const std::vector<std::string> engine = {"--engine", "umbrameter", "--light", "sun"};
+  const ProgramResult sweep = run(words({"sweep", "contact-box", "--vary", "engine.shadow-constant-bias=0:4:5",
+                                         "--vary", "engine.shadow-resolution=256,512"},
+                                        engine),
+                                  "sweep");
+  ASSERT_EQ(sweep.exit_code, 0) << sweep.err;
+  EXPECT_NE(text_of(folder_ / "sweep/sweep.csv").find("engine.shadow-constant-bias"), std::string::npos);
+  const ProgramResult again = run_program({"report", folder_ / "sweep", "-o", folder_ / "report", "--no-figures"});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  const ProgramResult tune =
+      run(words({"tune", "contact-box", "--vary", "engine.shadow-constant-bias=0:4", "--evaluations", "9"}, engine),
+          "tune");
+  ASSERT_EQ(tune.exit_code, 0) << tune.err;
+  // What it found runs from the file alone.
+  const ProgramResult tuned = run({"compare", "-c", folder_ / "tune/tuned.toml"}, "tuned");
+  EXPECT_EQ(tuned.exit_code, 0) << tuned.err;
+  EXPECT_EQ(summary("tuned")["parameters"]["engine.adapter"], "umbrameter");
+}
+
+TEST_F(EngineRun, What_an_engine_cannot_do_is_said_in_one_line) {
+  const std::vector<std::string> scene = {"compare", "contact-box", "--engine", "umbrameter"};
+  for (const auto& [flags, reason] :
+       {std::pair(std::vector<std::string>{"--shimmer"}, "--shimmer: it looks into our own techniques"),
+        std::pair(std::vector<std::string>{"--engine.shadow-bias", "1"}, "--engine.shadow-bias: unknown option"),
+        std::pair(std::vector<std::string>{"--engine.shadow-filter", "cubic"}, "engine.shadow-filter: 'cubic'")}) {
+    const ProgramResult result = run(words(scene, flags), "no");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find(reason), std::string::npos) << result.err;
+    EXPECT_TRUE(is_one_line(result.err)) << result.err;
+  }
+  const ProgramResult axis =
+      run({"sweep", "contact-box", "--engine", "umbrameter", "--vary", "shadow.constant-bias=0:1:3"}, "no");
+  EXPECT_EQ(axis.exit_code, 2);
+  EXPECT_NE(axis.err.find("does not read it; vary engine.* parameters"), std::string::npos) << axis.err;
+  const ProgramResult none = run({"evaluate", "contact-box"}, "no");
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_NE(none.err.find("no frame given"), std::string::npos) << none.err;
+}
+
+TEST_F(EngineRun, The_adapter_in_Python_and_our_own_keep_to_the_protocol) {
+  for (const char* adapter : {UMBRAMETER_SOURCE_DIR "/engines/example/adapter", "umbrameter"}) {
+    const ProgramResult result = run_program({"engine", "check", adapter});
+    EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+    EXPECT_NE(result.out.find("ok     point light: its surfaces lie where ours do"), std::string::npos) << result.out;
+  }
+}
+
+TEST_F(EngineRun, The_adapter_in_Python_casts_the_references_shadow) {
+  const ProgramResult result =
+      run({"compare", "two-occluders", "--light", "sun", "--engine", UMBRAMETER_SOURCE_DIR "/engines/example/adapter"},
+          "python");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  // Rays against rays: both round, which can differ where a ray grazes an edge.
+  EXPECT_LT(summary("python")["shadows"][0]["statistics"]["mae"].get<double>(), 0.002);
+}
+
+}  // namespace
+}  // namespace umbrameter
