@@ -95,6 +95,21 @@ TEST_F(Answers, An_axis_that_ends_too_early_is_said_to_and_its_end_is_not_called
   EXPECT_TRUE(summary["sweep"]["open_ends"].empty()) << summary["sweep"]["open_ends"];
 }
 
+// Without casters no bias of a plane is wrong that is large enough.
+TEST_F(Answers, Cells_or_points_that_are_all_equal_are_said_to_be_and_none_is_called_best) {
+  const std::string cells =
+      run({"sweep", "tilted-plane", "--light", "sun-60", "--no-figures", "--vary", "shadow.constant-bias=1,2,3"});
+  EXPECT_TRUE(first_line(cells) == "all 3 cells are equal: error 0 %; shadow.constant-bias changes nothing here")
+      << cells;
+  EXPECT_EQ(cells.find("lowest"), std::string::npos) << cells;
+  const std::string points =
+      run({"tune", "tilted-plane", "--light", "sun-60", "--no-figures", "--vary", "shadow.constant-bias=1:3"}, "tuned");
+  EXPECT_TRUE(first_line(points).ends_with(
+      " evaluated points are equal: mean absolute error 0 %; shadow.constant-bias changes nothing here"))
+      << points;
+  EXPECT_EQ(points.find("best: "), std::string::npos) << points;
+}
+
 TEST_F(Answers, Compare_begins_with_the_bias_to_use_and_a_run_with_it_has_that_error) {
   const auto compare = [&](const std::string& bias, const std::string& name) {
     return run({"compare", "courtyard", "--light", "lantern", "--no-figures", "--shadow.resolution", "256",
