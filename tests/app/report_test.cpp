@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <span>
 
 #include "core/error.h"
 #include "present/presentation.h"
@@ -28,12 +29,12 @@ struct MadeRun {
   Image<float> error = Image<float>(side, side, 0.0f);
   double mae_offset = 0.0;  // makes the reported value another than that of the images
   double sampling_half_width = 0.0;
-  int counted_rows = side;  // from the top
+  std::size_t counted_rows = side;  // from the top
 
   double mae() const {
     double sum = 0.0;
-    for (int i = 0; i < counted_rows * side; ++i) sum += std::abs(static_cast<double>(error.pixels[i]));
-    return sum / (counted_rows * side) + mae_offset;
+    for (const float e : std::span(error.pixels).first(counted_rows * side)) sum += std::abs(static_cast<double>(e));
+    return sum / static_cast<double>(counted_rows * side) + mae_offset;
   }
 };
 
@@ -119,8 +120,7 @@ TEST_F(RunsReport, Two_draws_of_one_noise_differ_significantly_once_in_twenty) {
 
 TEST_F(RunsReport, A_light_that_reaches_few_blocks_is_not_tested_and_that_is_said) {
   MadeRun a, b;
-  // Two rows of the 8 × 8 blocks: 16 of the 20 that an interval needs.
-  a.counted_rows = b.counted_rows = 16;
+  a.counted_rows = b.counted_rows = 16;  // two rows of 8 blocks
   a.error = noise(7, 0.5f);
   b.error = noise(8, 0.5f);
   const ComparedValue value = mae_of(a, b);
