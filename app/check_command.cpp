@@ -24,14 +24,16 @@ std::vector<MeasuredStatistic> read_runs(const std::vector<std::filesystem::path
 ExitCode update(const CheckOptions& options, const std::vector<MeasuredStatistic>& measured, const Console& console) {
   std::vector<BudgetEntry> budget;
   std::error_code error;
-  if (std::filesystem::exists(options.budget, error)) budget = read_budget(options.budget);
+  const bool is_new = !std::filesystem::exists(options.budget, error);
+  if (!is_new) budget = read_budget(options.budget);
   budget = update_budget(std::move(budget), measured);
   write_budget(options.budget, budget);
   // Budgets that no run measured keep their bounds.
   std::size_t kept = 0;
   for (const GateCheck& check : check_budget(budget, measured)) kept += check.measured ? 0u : 1u;
-  print_line(console,
-             fmt::format("{}: {} of {} bounds updated", options.budget.string(), budget.size() - kept, budget.size()));
+  print_line(console, is_new ? fmt::format("{}: {} bounds written", options.budget.string(), budget.size())
+                             : fmt::format("{}: {} of {} bounds updated", options.budget.string(), budget.size() - kept,
+                                           budget.size()));
   if (kept > 0) note(console, fmt::format("{} bounds name nothing in these runs and were left as they are", kept));
   if (console.json)
     write_to(stdout, nlohmann::ordered_json({{"bounds", budget.size()}, {"unchanged", kept}}).dump(2) + "\n");
@@ -54,6 +56,10 @@ ExitCode run_check(const CommandLine& line, const Console& console) {
     throw Error(ExitCode::usage, "--update", "it checks nothing", "leave --junit and --summary out");
   }
   if (options.update) return update(options, read_runs(options.folders), console);
+  if (std::error_code unknown; !std::filesystem::exists(options.budget, unknown) && !unknown) {
+    throw Error(ExitCode::unreadable_input, "cannot read " + options.budget.string(), "there is no such file",
+                "write it with --update");
+  }
   const std::vector<BudgetEntry> budget = read_budget(options.budget);
   const std::vector<GateCheck> checks = check_budget(budget, read_runs(options.folders));
   const ExitCode code = show_checks(console, checks);

@@ -133,7 +133,7 @@ void add_output_flags(CLI::App& command, CommandLine& line) {
 
 void add_threads(CLI::App& command, CommandLine& line) {
   command.add_option("--threads", line.threads, "threads; 0 for all cores; results do not depend on it")
-      ->check(CLI::Range(0, 4096))
+      ->check(number_between(0, 4096))
       ->type_name("N");
 }
 

@@ -1,5 +1,7 @@
 #include "app/command_options.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
@@ -7,8 +9,27 @@
 
 #include "experiments/settings/experiment.h"
 #include "reports/files/data.h"
+#include "reports/files/text_layout.h"
 
 namespace umbrameter {
+namespace {
+
+template <class Number>
+CLI::Validator number_check(Number min, Number max, const char* kind) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        Number number{};
+        const bool is_number = CLI::detail::lexical_cast(text, number);
+        if (is_number && number >= min && number <= max) return std::string();
+        return fmt::format("'{}' is not allowed; expected {} from {} to {}", shortened(text, 40), kind, min, max);
+      },
+      "");
+}
+
+}  // namespace
+
+CLI::Validator number_between(int min, int max) { return number_check(min, max, "an integer"); }
+CLI::Validator number_between(double min, double max) { return number_check(min, max, "a number"); }
 
 void add_diff_options(CLI::App& command, CommandLine& line) {
   DiffOptions& diff = line.diff;
@@ -25,9 +46,9 @@ void add_diff_options(CLI::App& command, CommandLine& line) {
   text("--mask", diff.mask, "FILE", "count only the pixels where this image is not black");
   text("--crop", diff.crop, "X,Y,W,H", "compare only this rectangle [px]");
   text("--pixels-per-degree", diff.pixels_per_degree, "X", "resolution seen by the viewer, for FLIP (67.02)")
-      ->check(CLI::Range(1.0, 1000.0));
+      ->check(number_between(1.0, 1000.0));
   text("--exposure", diff.exposure, "EV", "exposure of linear files for metrics of displayed images [EV] (0)")
-      ->check(CLI::Range(-100.0, 100.0));
+      ->check(number_between(-100.0, 100.0));
   text("--exposures", diff.exposures, "RANGE", "exposures of HDR-FLIP [EV], START:STOP[:COUNT]; automatic by default");
   command.add_flag("--data", diff.data, "the values are data from 0 to 1 (visibility, AO), compared as they are");
   command.add_flag("--exit-code", diff.exit_code, "exit with 1 if a counted pixel differs");
@@ -105,7 +126,7 @@ void add_figure_options(CLI::App& command, FigureOptions& figures) {
   add("--figure-size", figures.size, "W[xH]", "width of figures in print, and height of plots [mm]");
   add("--figure-font", figures.font, "NAME", "font family of figures (DejaVu Sans)");
   add("--figure-font-size", figures.font_size, "PT", "size of labels in print [pt] (8; slide 20)")
-      ->check(CLI::Range(4.0, 72.0));
+      ->check(number_between(4.0, 72.0));
   command.add_flag("--figure-title", figures.title, "draw titles into the figures")->group(figure_group);
   add("--inset", figures.insets, "REGION", "draw X,Y,W,H [px] or the region of most error, worst, enlarged; repeatable")
       ->take_all();
@@ -130,10 +151,10 @@ void add_tune_options(CLI::App& command, CommandLine& line) {
       ->type_name("PARAM=LIST")
       ->take_all();
   command.add_option("--evaluations", tune.evaluations, "max evaluations of all cases (30 for each searched axis)")
-      ->check(CLI::Range(1, 1000000))
+      ->check(number_between(1, 1000000))
       ->type_name("N");
   command.add_option("--minutes", tune.minutes, "end the search after this time")
-      ->check(CLI::Range(0.001, 1e6))
+      ->check(number_between(0.001, 1e6))
       ->type_name("X");
 }
 

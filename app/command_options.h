@@ -5,7 +5,8 @@
 
 namespace CLI {
 class App;
-}
+class Validator;
+}  // namespace CLI
 
 namespace umbrameter {
 
@@ -13,6 +14,10 @@ namespace umbrameter {
 /// add_figure_options(), and those that write further files.
 inline constexpr const char* figure_group = "Figures";
 inline constexpr const char* files_group = "Files";
+
+/// Refuses text that is no number from `min` to `max`, both included, in the words that parameters use.
+CLI::Validator number_between(int min, int max);
+CLI::Validator number_between(double min, double max);
 
 void add_diff_options(CLI::App& command, CommandLine& line);
 void add_tune_options(CLI::App& command, CommandLine& line);

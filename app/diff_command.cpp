@@ -147,6 +147,17 @@ constexpr const char* weighted_meaning =
     "weighted 25 %, 50 %, 75 %: pixels with at most this value make up this part of the map's sum (FLIP's weighted "
     "quartiles)";
 
+constexpr const char* few_edges =
+    "note: few edges of REFERENCE are found in TEST: edge metrics compare shadow masks, whose values pass from below "
+    "0.1 "
+    "to above 0.9 at an edge";
+
+bool finds_few_edges(const std::vector<Measured>& all) {
+  constexpr double few = 0.05;  // of the reference's edge points
+  return std::ranges::any_of(
+      all, [](const Measured& each) { return each.metric->name == "edges-found" && each.result.score < few; });
+}
+
 // The statistics are those of the map; the JSON has more of them, and all digits.
 std::vector<std::string> table_lines(const std::vector<Measured>& all) {
   std::vector<std::vector<std::string>> rows = {
@@ -270,14 +281,16 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
                {"exposure", params.exposure},         {"pixels_per_degree", params.pixels_per_degree}};
   json["misalignment"] = to_json(misaligned);
   for (const Measured& each : all) json["metrics"][std::string(each.metric->name)] = to_json(each);
-  print_line(
-      console,
-      fmt::format("{} x {} pixels, {} counted, {}{}{}", input.test.width, input.test.height, grouped(counted),
-                  content_text(pair.content), encodings_text(pair),
-                  pair.content == ImageContent::scene ? fmt::format(", shown at {:+g} EV", params.exposure) : ""));
+  const bool chose_layer = pair.test.has_other_layers || pair.reference.has_other_layers;
+  print_line(console,
+             fmt::format("{}×{} pixels, {} counted, {}{}{}{}", input.test.width, input.test.height, grouped(counted),
+                         content_text(pair.content), encodings_text(pair),
+                         pair.content == ImageContent::scene ? fmt::format(", shown at {:+g} EV", params.exposure) : "",
+                         chose_layer ? "; channels R, G, B: --layer selects another layer" : ""));
   for (const std::string& text : table_lines(all)) print_line(console, text);
   add_line(console, weighted_meaning);
   if (misaligned) print_line(console, to_text(*misaligned));
+  if (finds_few_edges(all)) add_line(console, few_edges);
   for (const Measured& each : all) {
     for (const auto& [name, value] : each.result.details) {
       if (std::isnan(value)) continue;

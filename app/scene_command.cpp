@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
@@ -29,6 +31,11 @@ LoadOptions load_options(const CommandLine& line, bool materials) {
 }
 
 ExitCode run_scene(const CommandLine& line, const Console& console) {
+  std::string ending = line.output.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (ending != ".glb") {
+    throw Error(ExitCode::usage, "-o " + line.output.string(), "a scene is written as binary glTF", "name a .glb file");
+  }
   const SceneChoice choice = chosen_scene(line);
   const Scene scene = load_scene(line.scene, choice.part, choice.scene_params, load_options(line));
   for (const std::string& text : scene.notes) note(console, text);
@@ -50,11 +57,14 @@ ExitCode run_parameters(const CommandLine& line) {
     return ExitCode::ok;
   }
   Experiment experiment;
+  std::vector<std::vector<std::string>> rows = {{"parameter", "default", "unit", "meaning; limits"}};
   for (const Parameter& parameter : describe(experiment)) {
     const std::string value = to_string(parameter.value());
-    write_to(stdout, fmt::format("{:<24} {:<10} {:<7} {}; {}\n", parameter.key, value.empty() ? "—" : value,
-                                 parameter.description.unit, parameter.description.meaning, parameter.limits()));
+    const FieldDescription& description = parameter.description;
+    rows.push_back({parameter.key, value.empty() ? "—" : value, description.unit == "1" ? "" : description.unit,
+                    description.meaning + "; " + parameter.limits()});
   }
+  for (const std::string& text : aligned(rows)) write_to(stdout, text + "\n");
   return ExitCode::ok;
 }
 

@@ -195,6 +195,20 @@ std::vector<TuneCase> held_out_cases(const Job& job, Scenes& scenes,
   return cases;
 }
 
+// A case that the search sees proves nothing of the result.
+void require_unseen(const Job& job, const std::vector<TuneCase>& cases, const std::vector<TuneCase>& held_out) {
+  for (const TuneCase& unseen : held_out) {
+    for (const TuneCase& each : cases) {
+      if (each.title != unseen.title || each.experiment.scene != unseen.experiment.scene) continue;
+      std::string given;
+      for (const auto& [key, text] : job.held_out) given += fmt::format(" --held-out {}={}", key, text);
+      throw Error(ExitCode::usage, given.empty() ? "held-out case" : given.substr(1),
+                  fmt::format("the search uses this case, too: {}", each.title),
+                  "hold out a camera or a scene that the search does not use");
+    }
+  }
+}
+
 // All that the evaluations depend on.
 std::vector<std::pair<std::string, std::string>> settings_of(const Job& job, const CommandLine& line,
                                                              const std::vector<std::vector<TuneCase>>& by_scene) {
@@ -311,6 +325,7 @@ ExitCode run_tune_command(const CommandLine& line, const Console& console) {
     cases.insert(cases.end(), by_scene.back().begin(), by_scene.back().end());
   }
   const std::vector<TuneCase> unseen = held_out_cases(job, scenes, by_scene);
+  require_unseen(job, cases, unseen);
   for (const TuneCase& each : cases) require_statistics(each, job.shown);
   for (const TuneCase& each : cases) prepare(each);
 

@@ -54,11 +54,13 @@ constexpr SplitTitle split_titles[] = {
 };
 
 std::string range_text(const AoStageBin& bin) {
-  const std::string unit = bin.unit == "1" ? "" : " " + bin.unit;
+  const bool is_share = bin.split == "error";  // in per cent, as the columns beside it
+  const std::string unit = is_share ? " %" : bin.unit == "1" ? "" : " " + bin.unit;
+  const auto number = [&](double end) { return with_minus(fmt::format("{:.4g}", is_share ? 100.0 * end : end)); };
   const bool is_open_above = std::isinf(bin.last) || (bin.split == "cosine_to_viewer" && bin.last > 1.0);
-  if (std::isinf(bin.first)) return fmt::format("below {:.4g}{}", bin.last, unit);
-  if (is_open_above) return fmt::format("{:.4g}{} and more", bin.first, unit);
-  return fmt::format("{:.4g} to {:.4g}{}", bin.first, bin.last, unit);
+  if (std::isinf(bin.first)) return fmt::format("below {}{}", number(bin.last), unit);
+  if (is_open_above) return fmt::format("{}{} and more", number(bin.first), unit);
+  return fmt::format("{} to {}{}", number(bin.first), number(bin.last), unit);
 }
 
 ReportTable splits_table(const std::vector<AoStageBin>& bins) {

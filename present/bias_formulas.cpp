@@ -51,4 +51,21 @@ std::string formula_text(const BiasFormula& formula) {
   return text;
 }
 
+std::string symbols_text(std::span<const CurveFormula* const> formulas) {
+  const auto has = [&](FormulaTerm term) {
+    return std::ranges::any_of(
+        formulas, [&](const CurveFormula* of) { return of->formula && printed_term(*of->formula, term).has_value(); });
+  };
+  std::string text;
+  const auto add = [&](bool is_used, const char* meaning) {
+    if (is_used) text += (text.empty() ? "" : "; ") + std::string(meaning);
+  };
+  add(has(FormulaTerm::slope) || has(FormulaTerm::slope_radius),
+      "Δz: change of the surface's depth from texel to texel, texel size · tan θ · (|cos ψ| + |sin ψ|), with θ the "
+      "angle between the light and the surface's normal and ψ the direction of the slope on the map");
+  add(has(FormulaTerm::slope_radius), "r: reach of the filter in texels");
+  add(has(FormulaTerm::depth_step), "δ: step of the stored depth");
+  return text;
+}
+
 }  // namespace umbrameter

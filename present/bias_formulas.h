@@ -2,6 +2,8 @@
 // figure and JSON.
 #pragma once
 
+#include <span>
+
 #include "present/bias_report.h"
 
 namespace umbrameter {
@@ -15,10 +17,8 @@ std::string formula_text(const BiasFormula& formula);
 /// A term of the formula, rounded(); empty if it is absent or nothing of it is left.
 std::optional<Fitted> printed_term(const BiasFormula& formula, FormulaTerm which);
 
-/// The meaning of the symbols in formula_text().
-inline constexpr const char* formula_symbols =
-    "Δz: change of the surface's depth from texel to texel, texel size · tan θ · (|cos ψ| + |sin ψ|) for a direction "
-    "whose azimuth on the map is ψ; r: reach of the filter in texels; δ: step of the stored depth";
+/// The meaning of the symbols that formula_text() has for any of these formulas; empty if it has none.
+std::string symbols_text(std::span<const CurveFormula* const> formulas);
 
 /// Adds table, text, lines for the console, and figures of what each formula misses at its points.
 void present_formulas(Presentation& presentation, const BiasCurves& curves);

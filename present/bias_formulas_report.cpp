@@ -162,8 +162,9 @@ std::vector<std::vector<Value>> settings_of(const BiasCurves& curves) {
 std::string ranges_text(const BiasFormula& formula) {
   std::string text = fmt::format("fitted over texels of {}, Δz of {} ({} texels)", length_range(formula.texel),
                                  length_range(formula.depth_per_texel), texel_range(formula.slope));
-  if (formula.radius.values > 0) text += fmt::format(", r of {} texels", texel_range(formula.radius));
-  if (formula.term(FormulaTerm::depth_step)) text += ", δ of " + length_range(formula.depth_step);
+  if (printed_term(formula, FormulaTerm::slope_radius))
+    text += fmt::format(", r of {} texels", texel_range(formula.radius));
+  if (printed_term(formula, FormulaTerm::depth_step)) text += ", δ of " + length_range(formula.depth_step);
   return text;
 }
 
@@ -205,7 +206,8 @@ PlotFigure formula_plot(const BiasCurves& curves, const std::vector<Value>& sett
     }
     plot.caption += fmt::format(" {}: {}, {}.", name_of(*of), formula_text(*of->formula), residual_text(*of->formula));
   }
-  plot.caption += fmt::format(" {}.", formula_symbols);
+  if (const std::string symbols = symbols_text(formulas_at(curves, setting)); !symbols.empty())
+    plot.caption += " " + symbols + ".";
   plot.x = {"x", "measured bias [m]", least > 0.0 && largest > 10.0 * least};
   plot.y = {"y", "formula less measured bias [texels]"};
   if (is_over_texel) {
@@ -273,10 +275,13 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
                             formulas_table(curves),
                             {"left out", "error of c0", "error for Δz", "error for r·Δz", "error for δ",
                              "residual in texels", "largest residual"}});
+  std::vector<const CurveFormula*> all;
+  for (const CurveFormula& of : curves.formulas) all.push_back(&of);
+  const std::string symbols = symbols_text(all);
   section.text += fmt::format(
-      "\n\nThe table 'Formulas of the bias' fits bias ≈ c0 + (a + b·r)·Δz + q·δ over {} by {}. {}. "
-      "Use a formula only within the range that it was fitted over.",
-      names_of(curves.formula_axes), method, formula_symbols);
+      "\n\nThe table 'Formulas of the bias' fits the bias over {} by {}. {}{}Use a formula only within the range that "
+      "it was fitted over.",
+      names_of(curves.formula_axes), method, symbols, symbols.empty() ? "" : ". ");
   const std::vector<std::vector<Value>> settings = settings_of(curves);
   for (std::size_t i = 0; i < std::min(settings.size(), max_formula_plots); ++i) {
     PlotFigure plot = formula_plot(curves, settings[i]);
@@ -300,7 +305,8 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
     }
     for (const std::string& reason : remarks_on(formulas, refused_of)) section.text += "\n\nNot in the " + reason + ".";
     if (any != nullptr) {
-      if (is_first) presentation.lines.push_back(fmt::format("  {}; {}", formula_symbols, ranges_text(*any)));
+      const std::string used = symbols_text(formulas);
+      if (is_first) presentation.lines.push_back("  " + used + (used.empty() ? "" : "; ") + ranges_text(*any));
     }
     for (const std::string& warning : remarks_on(formulas, warnings_of)) {
       section.text += "\n\nWarning: " + at + warning + ".";

@@ -36,6 +36,9 @@ AoErrorText error_text(const SampledError& error) {
   const Estimate& mean = error.mean_error;
   const double width = 50.0 * std::max(absolute.upper - absolute.lower, mean.upper - mean.lower);
   if (!(width > 0.0)) return {percent(absolute.value), with_sign(percent(mean.value))};
+  // The rounding of equal images, and of rays that all escape.
+  constexpr double nothing = 1e-6;
+  if (absolute.upper < nothing) return {"below 0.0001 %", "0.0000 %"};
   const int decimals = decimals_of(width, 2);
   const double half_width = 50.0 * (mean.upper - mean.lower);
   // Far below that of the absolute error it would read as 0.
@@ -311,20 +314,21 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
       {"RMS error", percent(s.rmse), "corrected for the reference's variance"},
       {"mean signed error", text.with_sign, "below 0: too dark"},
   };
-  section.text += renderer.empty() ? fmt::format("\n\nThe technique looks for occluders up to {}, the reference {}.",
-                                                 metres_text(experiment.ao.sampling.radius.number), limit)
-                                   : fmt::format(
-                                         "\n\nThe reference looks for occluders {}; set truth.ao-distance to "
-                                         "the reach that {} has.",
-                                         limit, renderer);
+  const std::string radius = metres_text(experiment.ao.sampling.radius.number);
+  section.text += !renderer.empty()
+                      ? fmt::format(
+                            "\n\nThe reference looks for occluders {}; set truth.ao-distance to the reach "
+                            "that {} has.",
+                            limit, renderer)
+                  : limit == "up to " + radius
+                      ? fmt::format("\n\nTechnique and reference look for occluders up to {}.", radius)
+                      : fmt::format("\n\nThe technique looks for occluders up to {}, the reference {}.", radius, limit);
   section.text +=
       " Noise in the reference can only raise the mean absolute error, which is therefore given as a range; its lower "
       "end is corrected for this noise.";
   section.tables = {statistics_table("Ambient occlusion error", *ao.statistics)};
   add_metrics_table(section, ao.metrics);
-  const std::string of = renderer.empty()
-                             ? fmt::format("{} radius {}", technique, metres_text(experiment.ao.sampling.radius.number))
-                             : renderer;
+  const std::string of = renderer.empty() ? technique + " radius " + radius : renderer;
   presentation.answers.push_back(fmt::format("AO: mean absolute error {}, mean signed error {} ({}, reference rays {})",
                                              text.absolute, text.with_sign, of, limit));
   return presentation;

@@ -51,7 +51,9 @@ std::string verdict_text(const ComparedValue& value) {
     case Verdict::rays_only:
       return "not tested: the interval covers the rays only";
     case Verdict::no_interval:
-      return "not tested: no interval";
+      if (value.counted_blocks == 0) return "not tested: no interval";
+      return fmt::format("not tested: counted pixels in {} block{}, {} are needed", value.counted_blocks,
+                         value.counted_blocks == 1 ? "" : "s", fewest_blocks);
   }
   return "";
 }

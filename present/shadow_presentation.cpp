@@ -133,7 +133,8 @@ std::string agreement_text(const ClassAgreement& agreement) {
       100.0 * share_of_unresolved(agreement), grouped(agreement.taps), 100.0 * share_of_wrong(agreement));
   if (agreement.peter_panning > 0) {
     text += fmt::format(
-        " Of the peter-panning, ray tests call {:.2g} % light leak: the sample is on the receiver's own layer.",
+        " Ray tests find {:.2g} % of the peter-panning to be light leak: the map holds the receiver's own surface "
+        "there.",
         100.0 * share_on_own_layer(agreement));
   }
   return text;

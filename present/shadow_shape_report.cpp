@@ -69,8 +69,8 @@ Table component_table(const ErrorShape& shape) {
                {"mean area", "px", "mean pixels per region"},
                {"largest", "px", "pixels of the largest region"},
                {"share of largest", "%", "share of the error in the largest region"},
-               {"centre x", "px", "of the largest region"},
-               {"centre y", "px", "of the largest region"}},
+               {"centre of largest, x", "px", "of the largest region"},
+               {"centre of largest, y", "px", "of the largest region"}},
               {}};
   const auto add = [&](std::string_view name, const ComponentStatistics& s) {
     if (s.count == 0) return;

@@ -210,6 +210,14 @@ std::string row_text(const std::vector<SweepAxis>& axes, const std::vector<Value
   return text;
 }
 
+// Whether the cells differ in their filter, and are measured against a hard shadow.
+bool compares_filters(const SweepResults& sweep) {
+  const bool is_hard = sweep.quantity() == SweptQuantity::visibility &&
+                       !std::holds_alternative<SoftVisibilityStatistics>(sweep.statistics);
+  return is_hard &&
+         (varies_group(sweep.plan.axes, "shadow.filter") || varies_group(sweep.plan.axes, "shadow.technique"));
+}
+
 // Whether every cell has the same value in each measured column.
 bool are_all_equal(const SweepResults& sweep) {
   std::vector<std::string> measured;
@@ -284,10 +292,8 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
   if (is_flat) section.text = "All cells are equal: what is varied changes nothing here. ";
   if (!sweep.ao_limit.empty())
     section.text += "The reference looks for occluders " + sweep.ao_limit + " in every cell.";
-  const bool varies_filter =
-      varies_group(sweep.plan.axes, "shadow.filter") || varies_group(sweep.plan.axes, "shadow.technique");
-  if (varies_filter && sweep.quantity() == SweptQuantity::visibility)
-    section.text += "\n\n" + std::string(filter_caution);
+  const bool ranks_filters = compares_filters(sweep);
+  if (ranks_filters) section.text += "\n\n" + std::string(filter_caution);
   for (const std::string& warning : warnings) section.text += "\n\nWarning: " + warning + ".";
   if (is_flat) {
     section.headlines.front() = {"error of every cell", error, "all cells are equal"};
@@ -308,6 +314,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
         fmt::format("least error {} at {}{}", error, row_text(sweep.plan.axes, least),
                     sweep.ao_limit.empty() ? "" : " (reference rays " + sweep.ao_limit + ")"));
   }
+  if (ranks_filters) presentation.answers.push_back("warning: " + std::string(filter_warning));
   for (const std::string& warning : warnings) presentation.answers.push_back("warning: " + warning);
   if (curves) return presentation;
   for (const std::vector<Value>& row : best.rows) {

@@ -28,7 +28,7 @@ std::vector<LayerDescription> make_descriptions() {
        "1"},
       {L::truth_visibility_variance, "truth_visibility_variance", light, "Variance of the reference", "1", other,
        number, 1.0, "", for_programs},
-      {L::truth_visibility_samples, "truth_visibility_samples", light, "Samples per pixel of the reference", "1"},
+      {L::truth_visibility_samples, "truth_visibility_samples", light, "Rays per pixel of the reference", "1"},
       {L::raster_visibility, "raster_visibility", light, "Technique", "1", technique, share, 1.0, visibility_label},
       {L::error_visibility, "error_visibility", light, "Error", "1", error, change, 1.0, error_label},
       {L::counted, "counted", light, "Counted pixels", "", other, number, 1.0, "", for_programs},

@@ -71,8 +71,9 @@ std::string estimate_text(const Estimate& estimate, std::string_view unit) {
 }
 
 std::string length_text(const Length& any) {
-  return any.unit == LengthUnit::metres ? metres_text(any.number)
-                                        : with_minus(fmt::format("{:.4g} {}", any.number, unit_name(any.unit)));
+  if (any.unit == LengthUnit::metres) return metres_text(any.number);
+  const int digits = std::abs(any.number) < 1000.0 ? 3 : 4;
+  return with_minus(fmt::format("{:.{}g} {}", any.number, digits, unit_name(any.unit)));
 }
 
 std::string metres_text(double metres, int digits) {

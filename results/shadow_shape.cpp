@@ -12,7 +12,7 @@ std::string missing_contacts_text(const ContactSearch& search) {
   if (search.shadowed == 0 || search.measured > 0) return {};
   const bool have_one_reason =
       std::max({search.own_object, search.head_on, search.distant, search.hidden}) == search.shadowed;
-  std::string text = fmt::format("no contact gap could be measured: {} {} pixels in the reference shadow",
+  std::string text = fmt::format("no contact gap could be measured: {} {} pixels in shadow",
                                  have_one_reason ? "all" : "of", grouped(search.shadowed));
   const char* separator = have_one_reason ? " " : ", ";
   const auto add = [&](std::uint64_t pixels, const char* reason) {
@@ -20,7 +20,7 @@ std::string missing_contacts_text(const ContactSearch& search) {
     text += separator + (have_one_reason ? reason : grouped(pixels) + " " + reason);
     separator = "; ";
   };
-  add(search.own_object, "are shadowed by the object that they belong to");
+  add(search.own_object, "are shadowed by their own object");
   add(search.head_on, "face the light head-on");
   add(search.distant, "are farther than one texel and 1.5 pixels from their caster");
   add(search.hidden, "touch their caster, but the receiver is hidden, bends or leaves the image before the gap ends");

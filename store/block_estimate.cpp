@@ -15,7 +15,6 @@ namespace {
 
 constexpr int max_blocks_of_a_side = 8;
 constexpr int min_block_side = 8;           // [px]
-constexpr std::size_t fewest_blocks = 20;   // with fewer, their variance is too uncertain
 constexpr double most_moved_pixels = 0.01;  // share of pixels that may see another surface and still be the same view
 
 // The images of which a statistic is a mean; null where a run has none.
@@ -235,6 +234,13 @@ std::optional<BlockEstimate> estimate_over_blocks(const StoredRun& run, const Me
     places.push_back(sums->place(i));
   }
   return jackknife(statistic.value, without, places);
+}
+
+std::size_t count_counted_blocks(const StoredRun& run, const MeasuredStatistic& statistic) {
+  const std::optional<BlockSums> sums = sums_of(run, statistic);
+  if (!sums) return 0;
+  return static_cast<std::size_t>(
+      std::ranges::count_if(sums->blocks, [](const BlockSum& block) { return block.weight > 0.0; }));
 }
 
 std::optional<BlockEstimate> paired_difference(const StoredRun& a, const MeasuredStatistic& of_a, const StoredRun& b,

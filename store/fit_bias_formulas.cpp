@@ -127,7 +127,10 @@ void add_warnings(const BiasCurves& curves, CurveFormula& of, const std::vector<
                     left_out.size(), left_out.size() + of.points.size()));
   }
   if (!of.formula) {
-    of.warnings.push_back(fmt::format("no formula: {} points do not determine it", of.points.size()));
+    // Without any point the combinations left out are the reason.
+    if (!of.points.empty()) {
+      of.warnings.push_back(fmt::format("no formula: {} points do not determine it", of.points.size()));
+    }
     return;
   }
   std::vector<Value> first;

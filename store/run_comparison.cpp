@@ -26,6 +26,8 @@ ComparedValue value_of_run(const std::vector<StoredRun>& runs, std::size_t index
   } else if (measured.half_width > 0.0) {
     value.half_width = measured.half_width;
     value.interval = IntervalOf::rays;
+  } else if (const std::size_t blocks = count_counted_blocks(runs[index], measured); blocks < fewest_blocks) {
+    value.counted_blocks = blocks;
   }
   return value;
 }
@@ -100,7 +102,7 @@ std::vector<std::string> limits_of_comparison(const std::vector<StoredRun>& runs
   for (const StoredRun& run : runs) {
     if (run.scene != base.scene) {
       throw Error(ExitCode::usage, "report " + run.name,
-                  fmt::format("it shows the scene '{}', and {} '{}': none of their statistics can be compared",
+                  fmt::format("it shows the scene '{}', but {} shows '{}', so no statistic of both can be compared",
                               run.scene, base.name, base.scene),
                   "compare runs of one scene");
     }

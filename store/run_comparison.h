@@ -28,6 +28,7 @@ struct ComparedValue {
   Estimate difference{};                      ///< to the first run, with its 95 % interval where there is one
   std::size_t blocks =
       0;  ///< of pixels over which the difference is paired; 0: its interval is from those of both values
+  std::size_t counted_blocks = 0;  ///< that hold counted pixels, where they are fewer than fewest_blocks; else 0
   Verdict verdict = Verdict::base;
 };
 
@@ -56,6 +57,9 @@ std::vector<std::string> limits_of_comparison(const std::vector<StoredRun>& runs
 /// The parameters whose values differ, and these only: name, then a column for each run.
 Table differing_parameters(const std::vector<StoredRun>& runs);
 
+/// With fewer blocks, the variance over them is too uncertain for an interval.
+inline constexpr std::size_t fewest_blocks = 20;
+
 /// A statistic, or the difference of two runs, with its 95 % interval over the choice of pixels and the noise of the
 /// reference's rays: up to 8 × 8 blocks are left out in turn (jackknife_variance()).
 struct BlockEstimate {
@@ -64,6 +68,8 @@ struct BlockEstimate {
 };
 /// Nothing if the statistic is no ratio of sums over pixels, or the run's images do not give its value.
 std::optional<BlockEstimate> estimate_over_blocks(const StoredRun& run, const MeasuredStatistic& statistic);
+/// Blocks that hold counted pixels; 0 for a statistic that is no ratio of sums over pixels.
+std::size_t count_counted_blocks(const StoredRun& run, const MeasuredStatistic& statistic);
 /// b − a, paired: both lose the same block. Nothing also if the runs do not see the same surfels.
 std::optional<BlockEstimate> paired_difference(const StoredRun& a, const MeasuredStatistic& of_a, const StoredRun& b,
                                                const MeasuredStatistic& of_b);

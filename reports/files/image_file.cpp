@@ -56,7 +56,12 @@ bool take_layer(const LayeredImage& file, const std::string& layer, ColorImage& 
 ColorImage read_exr_color(std::string_view bytes, const std::filesystem::path& path, const std::string& layer) {
   const LayeredImage file = from_exr(bytes);
   ColorImage result;
-  if (take_layer(file, layer, result)) return result;
+  if (take_layer(file, layer, result)) {
+    result.has_other_layers = layer.empty() && std::ranges::any_of(file.channels, [](const Channel& each) {
+                                return !layer_of(each.name).empty();
+                              });
+    return result;
+  }
   if (const Image<float>* plane = channel(file, layer); plane != nullptr && !layer.empty()) {
     take_layer({{{"Y", *plane}}, {}}, "", result);
     return result;

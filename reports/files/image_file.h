@@ -14,6 +14,7 @@ struct ColorImage {
   bool is_display =
       false;               ///< the file stores code values for a display (PNG); otherwise linear values without a limit
   bool is_scalar = false;  ///< one channel
+  bool has_other_layers = false;  ///< R, G and B were taken although the EXR file holds further layers
   /// What the file's values mean: "linear", "sRGB", "sRGB, assumed" where it does not say, "gamma 2.2".
   std::string encoding = "linear";
 };

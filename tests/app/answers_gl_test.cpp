@@ -197,7 +197,13 @@ TEST_F(Answers, A_camera_that_sees_nothing_gets_a_reason_and_no_error) {
 }
 
 TEST_F(Answers, Where_filters_are_compared_the_page_says_what_the_error_cannot_decide) {
-  run({"sweep", "contact-box", "--light", "0", "--vary", "shadow.filter=nearest,box"});
+  const std::string hard = run({"sweep", "contact-box", "--light", "0", "--vary", "shadow.filter=nearest,box"});
+  constexpr const char* warning = "warning: against a hard shadow every blurred pixel is wrong";
+  EXPECT_NE(hard.find(warning), std::string::npos) << hard;
+  const std::string soft = run({"sweep", "contact-box", "--light", "0", "--light.angle", "4", "--truth.spp", "4",
+                                "--vary", "shadow.filter=nearest,box"},
+                               "soft");
+  EXPECT_EQ(soft.find(warning), std::string::npos) << "a soft shadow ranks filters";
   EXPECT_NE(text_of(folder_ / "out/index.html").find("not a filter"), std::string::npos);
   run({"compare", "contact-box", "--light", "0", "--shadow.filter", "box"}, "box");
   EXPECT_NE(text_of(folder_ / "box/index.html").find("not a filter"), std::string::npos);

@@ -156,7 +156,8 @@ TEST_F(Check, Refuses_folders_and_files_that_it_cannot_read) {
   const std::string newer = R"({"schema_version": 3, "scene": {"name": "a"}})";
   expect({"check", run("newer", newer), "--budget", budget(acne_budget)}, 4,
          "schema version 3, this program reads up to 2");
-  expect({"check", good, "--budget", folder_ / "missing.toml"}, 4, "missing.toml");
+  expect({"check", good, "--budget", folder_ / "missing.toml"}, 4,
+         "missing.toml: there is no such file; write it with --update");
   expect({"check", good}, 2, "--budget");
   expect({"check", good, "--budget", budget(acne_budget), "--update", "--junit", "x.xml"}, 2, "--update");
 }

@@ -99,6 +99,19 @@ TEST(Diff, Reads_exr_files_as_linear_and_their_layers_by_name) {
   EXPECT_NEAR(layer["metrics"]["psnr"]["score"].get<double>(), -20.0 * std::log10(0.75), 1e-9);
 }
 
+TEST(Diff, Says_that_a_file_with_layers_has_others_and_that_edges_need_a_mask) {
+  const TemporaryFolder folder;
+  const std::string grey = constant_exr(folder, "grey.exr", 0.25f);
+  constexpr const char* other_layers = "channels R, G, B: --layer selects another layer";
+  EXPECT_NE(run_program({"diff", grey, grey}).out.find(other_layers), std::string::npos);
+  EXPECT_EQ(run_program({"diff", grey, grey, "--layer", "ao"}).out.find(other_layers), std::string::npos);
+  const std::string black = folder.write("black.png", to_png(Image<glm::u8vec3>(64, 64)));
+  const std::string step = folder.write("step.png", step_png(32));
+  constexpr const char* few = "note: few edges of REFERENCE are found in TEST";
+  EXPECT_NE(run_program({"diff", black, step}).out.find(few), std::string::npos);
+  EXPECT_EQ(run_program({"diff", step, step}).out.find(few), std::string::npos);
+}
+
 TEST(Diff, Says_which_colour_space_it_assumed) {
   const TemporaryFolder folder;
   const std::string grey = folder.write("grey.png", png_bytes(1, 1, 16, 0, std::string("\0\xbc\xbc", 3)));

@@ -115,6 +115,12 @@ TEST(Failure, Missing_or_wrong_words_are_usage_errors) {
   expect_failure(run_program({"trace", "corner", "extra", "-o", "out"}), 2, "extra");
 }
 
+TEST(Failure, A_scene_is_not_written_to_a_file_that_says_another_format) {
+  const TemporaryFolder folder;
+  expect_failure(run_program({"scene", "corner", "-o", folder / "corner.obj"}), 2, "name a .glb file");
+  EXPECT_FALSE(std::filesystem::exists(folder / "corner.obj"));
+}
+
 TEST(Failure, Without_a_command_the_help_is_shown_and_the_code_says_that_nothing_was_done) {
   const ProgramResult result = run_program({});
   EXPECT_EQ(result.exit_code, 2);
@@ -137,6 +143,7 @@ TEST(Failure, Numbers_that_mean_nothing_are_refused) {
   refused("--shadow.constant-bias", "-1e30", "expected a length from -1e+12 to 1e+12");
   refused("--light.radius", "-0.5", "its radius is below 0");
   refused("--light.angle", "-0.5", "its angular diameter is below 0");
+  refused("--threads", "many", "--threads: 'many' is not allowed; expected an integer from 0 to 4096");
 }
 
 TEST(Failure, A_value_of_any_length_makes_a_short_message) {

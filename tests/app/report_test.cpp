@@ -1,10 +1,12 @@
 // `report` on runs that are written here: differences whose size and interval are known, tables, and how it refuses.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <span>
 
 #include "core/error.h"
 #include "present/presentation.h"
@@ -27,11 +29,12 @@ struct MadeRun {
   Image<float> error = Image<float>(side, side, 0.0f);
   double mae_offset = 0.0;  // makes the reported value another than that of the images
   double sampling_half_width = 0.0;
+  std::size_t counted_rows = side;  // from the top
 
   double mae() const {
     double sum = 0.0;
-    for (const float e : error.pixels) sum += std::abs(static_cast<double>(e));
-    return sum / static_cast<double>(error.size()) + mae_offset;
+    for (const float e : std::span(error.pixels).first(counted_rows * side)) sum += std::abs(static_cast<double>(e));
+    return sum / static_cast<double>(counted_rows * side) + mae_offset;
   }
 };
 
@@ -61,7 +64,9 @@ class RunsReport : public testing::Test {
     folder_.write(name + "/summary.json", summary.dump());
     LayeredImage images;
     add_layer(images, "error_visibility_sun", made.error);
-    add_layer(images, "class_sun", Image<float>(side, side, 0.0f));
+    Image<float> classes(side, side, static_cast<float>(PixelClass::not_counted));
+    std::fill_n(classes.pixels.begin(), made.counted_rows * side, 0.0f);
+    add_layer(images, "class_sun", classes);
     add_layer(images, "gbuffer_position", Image<vec3>(side, side, vec3(1.0f)));
     write_exr(folder_ / (name + "/images.exr"), images);
     return folder_ / name;
@@ -111,6 +116,19 @@ TEST_F(RunsReport, Two_draws_of_one_noise_differ_significantly_once_in_twenty) {
   EXPECT_NEAR(mean_half_width, 2.048 * 0.00319, 0.0005);
   // Binomial with 60 draws of 0.05: above 8 with a probability of 0.3 %.
   EXPECT_LE(significant, 8u);
+}
+
+TEST_F(RunsReport, A_light_that_reaches_few_blocks_is_not_tested_and_that_is_said) {
+  MadeRun a, b;
+  a.counted_rows = b.counted_rows = 16;  // two rows of 8 blocks
+  a.error = noise(7, 0.5f);
+  b.error = noise(8, 0.5f);
+  const ComparedValue value = mae_of(a, b);
+  EXPECT_EQ(value.verdict, Verdict::no_interval);
+  EXPECT_EQ(value.counted_blocks, 16u);
+  const ProgramResult result = run_program({"report", write("a", a), write("b", b), "-o", output(), "--no-figures"});
+  EXPECT_NE(result.out.find("(not tested: counted pixels in 16 blocks, 20 are needed)"), std::string::npos)
+      << result.out;
 }
 
 TEST_F(RunsReport, Without_images_that_give_the_statistic_the_interval_of_the_rays_is_no_test) {

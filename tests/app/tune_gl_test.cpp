@@ -170,6 +170,8 @@ TEST_F(Tune, Refuses_in_one_line_what_it_cannot_tune) {
   expect(words(bias, {"--constraint", "acne"}), "there is no <");
   expect(words(bias, {"--over", "view.camera"}), "no '='");
   expect(words(bias, {"--over", "shadow.constant-bias=1"}), "is varied, too");
+  expect(words(bias, {"--light", "sun", "--camera", "0", "--held-out", "view.camera=overview"}),
+         "the search uses this case, too: ");
   expect(words(bias, {"--vary", "ao.radius=0.1:1"}), "both shadows and ambient occlusion");
   expect(words(bias, {"--shadow.technique", "vsm", "--light", "sun", "--minimize", "acne"}), "report no 'acne'");
 }

@@ -41,6 +41,25 @@ TEST(AoAnswer, Absolute_and_signed_error_have_the_digits_of_the_wider_interval) 
       "AO: mean absolute error 10.8 %, mean signed error +8.97 % (SSAO radius 50 cm, reference rays up to 50 cm)");
 }
 
+TEST(AoAnswer, An_error_of_rounding_has_no_row_of_zeros) {
+  AoMeasurement ao = measurement();
+  ao.statistics->error.mae = {0.0, 0.0, 9e-8};
+  ao.statistics->error.mean_error = {0.0, -9e-8, 9e-8};
+  EXPECT_EQ(
+      present_ao({}, ao).answers.at(0).find("AO: mean absolute error below 0.0001 %, mean signed error 0.0000 % ("), 0u)
+      << present_ao({}, ao).answers.at(0);
+}
+
+TEST(AoAnswer, Where_both_look_equally_far_one_distance_is_given) {
+  AoMeasurement ao = measurement();
+  EXPECT_NE(present_ao({}, ao).section.text.find("Technique and reference look for occluders up to 50 cm."),
+            std::string::npos);
+  ao.experiment.truth.ao_distance = 2.0;
+  EXPECT_NE(
+      present_ao({}, ao).section.text.find("The technique looks for occluders up to 50 cm, the reference up to 2 m."),
+      std::string::npos);
+}
+
 TEST(AoAnswer, A_stage_that_changes_more_than_the_error_is_said_to_be_undone_in_part) {
   AoMeasurement ao = measurement();
   ao.stages = AoStages{};

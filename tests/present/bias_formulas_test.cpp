@@ -93,6 +93,32 @@ TEST(BiasFormulas, A_term_that_is_zero_within_its_standard_error_is_not_printed)
   EXPECT_EQ(formulas_json(curves)[0]["bias_m"], "0.0023");
 }
 
+TEST(BiasFormulas, Only_symbols_that_a_formula_has_are_explained) {
+  BiasCurves curves = make_curves();
+  add_formulas(curves);
+  CurveFormula& first = curves.formulas.front();
+  const std::vector<const CurveFormula*> only = {&first};
+  first.formula->terms = {Fitted{0.01, 0.001}, Fitted{0.5, 0.01}, std::nullopt, std::nullopt};
+  EXPECT_EQ(symbols_text(only).find("Δz: "), 0u);
+  EXPECT_EQ(symbols_text(only).find("; r: "), std::string::npos);
+  EXPECT_EQ(symbols_text(only).find("δ"), std::string::npos);
+  first.formula->terms = {Fitted{0.01, 0.001}, std::nullopt, Fitted{1.0, 0.01}, Fitted{2.0, 0.1}};
+  EXPECT_NE(symbols_text(only).find("; r: reach of the filter in texels; δ: "), std::string::npos);
+  first.formula->terms = {Fitted{0.01, 0.001}, std::nullopt, std::nullopt, std::nullopt};
+  EXPECT_EQ(symbols_text(only), "");
+}
+
+TEST(BiasFormulas, Without_any_point_the_reason_is_said_once) {
+  BiasCurves curves = make_curves();
+  for (BiasCurve& curve : curves.curves) curve.optima.lines[0].acne_free.reset();
+  add_formulas(curves);
+  const auto none = std::ranges::find(curves.formulas, FormulaOf::no_acne, &CurveFormula::of);
+  ASSERT_NE(none, curves.formulas.end());
+  EXPECT_FALSE(none->formula);
+  ASSERT_EQ(none->warnings.size(), 1u);
+  EXPECT_EQ(none->warnings[0].find("9 of 9 combinations are left out"), 0u) << none->warnings[0];
+}
+
 TEST(BiasFormulas, The_figure_has_a_point_for_each_combination_and_what_the_formula_misses_there) {
   BiasCurves curves = make_curves();
   add_formulas(curves);

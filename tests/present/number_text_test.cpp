@@ -47,6 +47,8 @@ TEST(NumberText, A_length_is_in_the_unit_that_suits) {
   EXPECT_EQ(metres_text(4.84e-9), "4.84 nm");
   EXPECT_EQ(metres_text(-0.0123), "−1.23 cm");
   EXPECT_EQ(length_text({1.5, LengthUnit::texels}), "1.5 texels");
+  EXPECT_EQ(length_text({2.70879, LengthUnit::texels}), "2.71 texels") << "three digits, as of metres";
+  EXPECT_EQ(length_text({1024.0, LengthUnit::texels}), "1024 texels");
   EXPECT_EQ(length_text(Length{0.5}), "50 cm");
 }
 

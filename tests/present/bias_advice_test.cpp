@@ -1,0 +1,43 @@
+// The table of recommended biases says the same as the answer.
+#include <gtest/gtest.h>
+
+#include "present/bias_advice_report.h"
+
+namespace umbrameter {
+namespace {
+
+// A curve in texels whose least error is 2 %.
+BiasAdvice advice(double used_mae) {
+  BiasAdvice made;
+  made.unit = LengthUnit::texels;
+  made.mean_texel = 0.02;
+  made.depth_unit = 25.0;
+  made.used = BiasCell{1.5, 0.0, used_mae};
+  const BiasCell best{1.9, 0.0, 0.02};
+  made.line.least_error = best;
+  made.plateau.recommended = made.plateau.least = best;
+  made.plateau.first = BiasCell{1.2, 0.0, 0.021};
+  made.plateau.last = BiasCell{2.4, 0.0, 0.021};
+  made.plateau.limit = 0.021;
+  return made;
+}
+
+std::vector<std::string> rows_of(const BiasAdvice& advice) {
+  std::vector<std::string> names;
+  for (const std::vector<Value>& row : advice_table(advice).table.rows) names.push_back(to_string(row.front()));
+  return names;
+}
+
+TEST(BiasAdvice, A_bias_to_keep_is_the_only_recommended_row) {
+  const BiasAdvice kept = advice(0.0205);
+  ASSERT_EQ(advice_text(kept).find("keep 1.5 texels"), 0u) << advice_text(kept);
+  EXPECT_EQ(rows_of(kept)[0], "in this run: keep it");
+  EXPECT_EQ(rows_of(kept)[1], "least error");
+  const BiasAdvice changed = advice(0.05);
+  ASSERT_EQ(advice_text(changed).find("use 1.9 texels"), 0u) << advice_text(changed);
+  EXPECT_EQ(rows_of(changed)[0], "in this run");
+  EXPECT_EQ(rows_of(changed)[1], "recommended");
+}
+
+}  // namespace
+}  // namespace umbrameter
