@@ -1,0 +1,1 @@
+export function occlusion() { throw new Error('later'); }
