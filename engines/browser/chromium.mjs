@@ -1,7 +1,8 @@
 // The one headless Chromium of an adapter, and the page in it that runs the engine. Files reach the page by interception
 // of its requests: there is no listening socket, and the page reaches no network.
-import {accessSync, constants, readFileSync} from 'node:fs';
+import {accessSync, constants, mkdtempSync, readFileSync, rmSync} from 'node:fs';
 import {createRequire} from 'node:module';
+import {tmpdir} from 'node:os';
 import path from 'node:path';
 import {fileURLToPath} from 'node:url';
 
@@ -62,6 +63,19 @@ function files_of({home, packages}) {
   };
 }
 
+// The browser's own files, which go when this process ends.
+function use_own_temporary_folder() {
+  const folder = mkdtempSync(path.join(tmpdir(), 'umbrameter-browser-'));
+  process.env.TMPDIR = folder;
+  process.on('exit', () => {
+    try {
+      rmSync(folder, {recursive: true, force: true, maxRetries: 5, retryDelay: 50});
+    } catch {
+      // The browser still writes there.
+    }
+  });
+}
+
 const start_page = (imports, module) => `<!doctype html><meta charset="utf-8"><title>engine</title>
 <script type="importmap">${JSON.stringify({imports})}</script>
 <script type="module">import {serve} from '/browser/page.mjs'; serve(() => import('/engine/${module}'));</script>`;
@@ -75,6 +89,7 @@ export async function start_chromium(adapter) {
   const require = createRequire(path.join(adapter.home, 'package.json'));
   package_folder(adapter.home, 'playwright-core');
   const {chromium} = require('playwright-core');
+  use_own_temporary_folder();
   // The connection is a pipe: when this process ends, however it ends, the browser ends too.
   const browser = await chromium.launch({executablePath: find_chromium(), args: flags, handleSIGINT: false,
                                          handleSIGTERM: false, handleSIGHUP: false});

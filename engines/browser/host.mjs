@@ -58,6 +58,16 @@ class Session {
     return this.started;
   }
 
+  /** Starts the engine again, with the last scene, if its WebGL is lost. */
+  async revive() {
+    const {page} = await this.browser();
+    if (!await page.evaluate(() => globalThis.umbrameter.is_lost())) return;
+    await page.reload();
+    await page.waitForFunction(() => globalThis.umbrameter !== undefined);
+    await page.evaluate(() => globalThis.umbrameter.start());
+    if (this.loaded !== undefined) await page.evaluate((load) => globalThis.umbrameter.load(load), this.loaded);
+  }
+
   async describe({protocol}) {
     if (protocol !== 1) throw new Error(`protocol ${protocol} is not supported: this adapter speaks 1`);
     const {adapter} = this;
@@ -71,6 +81,7 @@ class Session {
     const {page, state} = await this.browser();
     this.loaded = undefined;
     this.constant.clear();
+    await this.revive();
     state.scene = request.scene;
     const {warnings} = await page.evaluate((load) => globalThis.umbrameter.load(load), request);
     this.loaded = request;
@@ -86,6 +97,7 @@ class Session {
       if (!this.adapter.outputs.includes(name)) throw new Error(`render: output '${name}' is not supported`);
     }
     const values = frames.map((frame) => values_of(this.adapter.parameters, frame));  // all of them before the first image
+    await this.revive();
     const done = [];
     for (const [index, each] of values.entries()) done.push(await this.frame(`${id}-${index}`, outputs, each));
     return {frames: done};

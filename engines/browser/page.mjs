@@ -1,5 +1,5 @@
 // Runs in the page: passes requests of the host to the engine's module, and hands its pixels over in pieces of text.
-// The module exports create(), which gives {renderer, load(request), render(outputs, parameters)}.
+// The module exports create(), which gives {renderer, gl, load(request), render(outputs, parameters)}.
 
 // The engine's own messages become warnings of the reply; each is kept once.
 const messages = new Set();
@@ -38,9 +38,10 @@ function to_base64(bytes) {
 /** Throws when WebGL reports an error or has lost its context, which is how the lack of memory shows. */
 export function check_webgl(gl, what) {
   if (gl.isContextLost()) throw new Error(`${what}: WebGL has lost its context (out of memory?)`);
-  const code = gl.getError();
-  if (code === gl.OUT_OF_MEMORY) throw new Error(`${what}: WebGL is out of memory`);
-  if (code !== gl.NO_ERROR) throw new Error(`${what}: WebGL error 0x${code.toString(16)}`);
+  const codes = new Set();
+  for (let code = gl.getError(); code !== gl.NO_ERROR && codes.size < 8; code = gl.getError()) codes.add(code);
+  if (codes.has(gl.OUT_OF_MEMORY)) throw new Error(`${what}: WebGL is out of memory`);
+  if (codes.size > 0) throw new Error(`${what}: WebGL error ${[...codes].map((code) => `0x${code.toString(16)}`).join(', ')}`);
 }
 
 /** The driver's name, as the browser reports it. */
@@ -71,6 +72,8 @@ export function serve(import_engine) {
       engine = await (await import_engine()).create();
       return {renderer: engine.renderer};
     },
+    // Whether the engine can draw no more; a new page can.
+    is_lost: () => engine === undefined || engine.gl.isContextLost(),
     async load(request) {
       take_messages();
       images = {};

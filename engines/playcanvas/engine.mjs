@@ -58,10 +58,11 @@ function load_scene(app) {
 }
 
 class Engine {
-  constructor(app) {
-    this.app = app;
-    this.gl = app.graphicsDevice.gl;
+  async start() {
+    this.app = await make_app(document.createElement('canvas'));
+    this.gl = this.app.graphicsDevice.gl;
     this.renderer = renderer_of(this.gl);
+    return this;
   }
 
   unload() {
@@ -76,7 +77,19 @@ class Engine {
     this.asset = undefined;
   }
 
-  async load({camera, light, bounds, width, height}) {
+  // Clustered lighting that was turned off cannot be turned on again, so the engine starts once more.
+  async use_clusters(is_on) {
+    if (is_on && !this.app.scene.clusteredLightingEnabled) {
+      this.unload();
+      this.app.destroy();
+      await this.start();
+      await this.load(this.request);
+    }
+    this.app.scene.clusteredLightingEnabled = is_on;
+  }
+
+  async load(request) {
+    const {camera, light, bounds, width, height} = request;
     const {app} = this;
     this.unload();
     const limit = app.graphicsDevice.maxTextureSize;
@@ -89,7 +102,7 @@ class Engine {
     app.root.addChild(this.root);
     this.target = make_target(app.graphicsDevice, width, height);
     this.camera = make_camera(app, camera, this.target);
-    Object.assign(this, {light, bounds, width, height, cover: undefined});
+    Object.assign(this, {request, light, bounds, width, height, cover: undefined});
     check_webgl(this.gl, 'load');
   }
 
@@ -103,9 +116,9 @@ class Engine {
 
   // The shadow factor; of spot and point lights, light with shadows ÷ light without.
   async visibility(values) {
-    const {app, light, bounds} = this;
-    app.scene.clusteredLightingEnabled = values['clustered-lighting'];
-    const entity = add_light(app, light, bounds, values);
+    const {light, bounds} = this;
+    await this.use_clusters(values['clustered-lighting'] || light.kind === 'directional');
+    const entity = add_light(this.app, light, bounds, values);
     try {
       const lit = await this.draw(what.light);
       if (light.kind === 'directional') return lit;
@@ -126,10 +139,10 @@ class Engine {
       milliseconds += performance.now() - start;
       return result;
     };
+    const factor = outputs.includes('visibility') ? await timed(() => this.visibility(values)) : undefined;
     this.cover ??= await this.draw(what.position);
     const {cover} = this;
-    if (outputs.includes('visibility')) {
-      const factor = await timed(() => this.visibility(values));
+    if (factor !== undefined) {
       images.visibility = {channels: 1, pixels: channels_of(factor, 1, {cover, empty: 1})};
     }
     if (outputs.includes('ao')) {
@@ -147,5 +160,5 @@ class Engine {
 }
 
 export async function create() {
-  return new Engine(await make_app(document.createElement('canvas')));
+  return new Engine().start();
 }
