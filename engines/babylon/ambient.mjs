@@ -6,22 +6,22 @@ import '@babylonjs/core/Rendering/prePassRendererSceneComponent.js';
 
 /** Adds the pipeline; gives {dispose()}. */
 export function add_occlusion(scene, camera, values) {
-  const is_forced = values['force-geometry-buffer'];
-  const pipeline = new SSAO2RenderingPipeline('ssao', scene, {ssaoRatio: values['ssao-ratio'], blurRatio: values['blur-ratio']},
-                                              [camera], is_forced);
+  const is_forced = values['ssao-force-geometry-buffer'];
+  const ratio = {ssaoRatio: values['ssao-ratio'], blurRatio: values['ssao-blur-ratio']};
+  const pipeline = new SSAO2RenderingPipeline('ssao', scene, ratio, [camera], is_forced);
   Object.assign(pipeline, {
-    radius: values.radius,
-    totalStrength: values['total-strength'],
-    base: values.base,
-    samples: values.samples,
-    epsilon: values.epsilon,
-    maxZ: values['max-z'],
-    minZAspect: values['min-z-aspect'],
-    bypassBlur: values['bypass-blur'],
-    expensiveBlur: values['expensive-blur'],
-    bilateralSamples: values['bilateral-samples'],
-    bilateralSoften: values['bilateral-soften'],
-    bilateralTolerance: values['bilateral-tolerance'],
+    radius: values['ssao-radius'],
+    totalStrength: values['ssao-total-strength'],
+    base: values['ssao-base'],
+    samples: values['ssao-samples'],
+    epsilon: values['ssao-epsilon'],
+    maxZ: values['ssao-max-z'],
+    minZAspect: values['ssao-min-z-aspect'],
+    bypassBlur: values['ssao-bypass-blur'],
+    expensiveBlur: values['ssao-expensive-blur'],
+    bilateralSamples: values['ssao-bilateral-samples'],
+    bilateralSoften: values['ssao-bilateral-soften'],
+    bilateralTolerance: values['ssao-bilateral-tolerance'],
   });
   return {
     dispose() {

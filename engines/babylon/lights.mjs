@@ -17,7 +17,9 @@ const filters = {
   pcf: ShadowGenerator.FILTER_PCF,
   pcss: ShadowGenerator.FILTER_PCSS,
 };
-const qualities = {low: ShadowGenerator.QUALITY_LOW, medium: ShadowGenerator.QUALITY_MEDIUM, high: ShadowGenerator.QUALITY_HIGH};
+const qualities = {
+  low: ShadowGenerator.QUALITY_LOW, medium: ShadowGenerator.QUALITY_MEDIUM, high: ShadowGenerator.QUALITY_HIGH,
+};
 
 function sun({direction, position}, bounds, values, scene) {
   const light = new DirectionalLight('light', Vector3.FromArray(direction).normalize(), scene);
@@ -26,7 +28,6 @@ function sun({direction, position}, bounds, values, scene) {
   light.position = values['light-position'] === 'file'
     ? Vector3.FromArray(position)
     : low.add(high).scale(0.5).subtract(light.direction.scale(radius));
-  light.autoUpdateExtends = values['auto-update-extends'];
   light.autoCalcShadowZBounds = values['auto-calc-shadow-z-bounds'];
   light.shadowOrthoScale = values['shadow-ortho-scale'];
   light.shadowFrustumSize = values['shadow-frustum-size'];
@@ -34,8 +35,8 @@ function sun({direction, position}, bounds, values, scene) {
 }
 
 function spot({position, direction, outer_cone}, values, scene) {
-  const light = new SpotLight('light', Vector3.FromArray(position), Vector3.FromArray(direction).normalize(), 2 * outer_cone, 0,
-                              scene);
+  const along = Vector3.FromArray(direction).normalize();
+  const light = new SpotLight('light', Vector3.FromArray(position), along, 2 * outer_cone, 0, scene);
   light.shadowAngleScale = values['shadow-angle-scale'];
   return light;
 }
@@ -75,8 +76,9 @@ export function add_light(scene, camera, meshes, request, bounds, values) {
     if (values['shadow-min-z'] > 0) light.shadowMinZ = values['shadow-min-z'];
     if (values['shadow-max-z'] > 0) light.shadowMaxZ = values['shadow-max-z'];
   }
-  const generator = is_cascaded ? cascaded(light, camera, values)
-                                : new ShadowGenerator(values['map-size'], light, values['use-float32-texture-type'], camera);
+  const generator = is_cascaded
+    ? cascaded(light, camera, values)
+    : new ShadowGenerator(values['map-size'], light, values['use-float32-texture-type'], camera);
   generator.filter = filters[values.filter];
   generator.filteringQuality = qualities[values['filtering-quality']];
   generator.bias = values.bias;

@@ -46,7 +46,7 @@ class Output extends MaterialPluginBase {
   }
 }
 
-/** The replacement of a material of the glTF loader: its sides, and the alpha of a mask. Blended materials are opaque. */
+/** The replacement of a material of the loader: its sides, and the alpha of a mask. Blended materials are opaque. */
 function white(original, scene) {
   const material = new StandardMaterial(original.name, scene);
   material.diffuseColor = Color3.White();

@@ -1,5 +1,5 @@
-// The one headless Chromium of an adapter, and the page in it that runs the engine. Files reach the page by interception
-// of its requests: there is no listening socket, and the page reaches no network.
+// The one headless Chromium of an adapter, and the page in it that runs the engine. Files reach the page by
+// interception of its requests: there is no listening socket, and the page reaches no network.
 import {accessSync, constants, mkdtempSync, readFileSync, rmSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {tmpdir} from 'node:os';
@@ -38,7 +38,8 @@ function package_folder(home, name) {
       accessSync(path.join(found, 'package.json'));
       return found;
     } catch {
-      if (folder === path.dirname(folder)) throw new Error(`package ${name} is missing: run ${path.join(home, 'setup')}`);
+      if (folder !== path.dirname(folder)) continue;
+      throw new Error(`package ${name} is missing: run ${path.join(home, 'setup')}`);
     }
   }
 }
@@ -47,8 +48,8 @@ export const version_of = (home, name) =>
   JSON.parse(readFileSync(path.join(package_folder(home, name), 'package.json'), 'utf8')).version;
 
 /**
- * What the page may read: /packages/NAME/… of the packages, /engine/… of the adapter's folder, /browser/… of this one,
- * and /scene.glb, which `scene` names.
+ * What the page may read: /packages/NAME/… of the packages, /engine/… of the adapter's folder, /browser/… of this
+ * one. Gives the file of a path, or undefined.
  */
 function files_of({home, packages}) {
   const roots = new Map([['engine', home], ['browser', here]]);
@@ -81,8 +82,8 @@ const start_page = (imports, module) => `<!doctype html><meta charset="utf-8"><t
 <script type="module">import {serve} from '/browser/page.mjs'; serve(() => import('/engine/${module}'));</script>`;
 
 /**
- * Starts Chromium and the engine's page. `adapter` is {home, packages, imports, module}. Throws if there is no browser or
- * no package.
+ * Starts Chromium and the engine's page. `adapter` is {home, packages, imports, module}. Throws if there is no browser
+ * or no package.
  */
 export async function start_chromium(adapter) {
   const file_of = files_of(adapter);

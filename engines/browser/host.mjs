@@ -52,9 +52,15 @@ class Session {
 
   browser() {
     this.started ??= start_chromium(this.adapter).then(async (chromium) => {
-      const {renderer} = await chromium.page.evaluate(() => globalThis.umbrameter.start());
-      return {...chromium, state: chromium, renderer};
+      try {
+        const {renderer} = await chromium.page.evaluate(() => globalThis.umbrameter.start());
+        return {...chromium, state: chromium, renderer};
+      } catch (error) {
+        await chromium.browser.close();
+        throw error;
+      }
     });
+    this.started.catch(() => { this.started = undefined; });
     return this.started;
   }
 
@@ -96,7 +102,8 @@ class Session {
     for (const name of outputs) {
       if (!this.adapter.outputs.includes(name)) throw new Error(`render: output '${name}' is not supported`);
     }
-    const values = frames.map((frame) => values_of(this.adapter.parameters, frame));  // all of them before the first image
+    // All of them before the first image.
+    const values = frames.map((frame) => values_of(this.adapter.parameters, frame));
     await this.revive();
     const done = [];
     for (const [index, each] of values.entries()) done.push(await this.frame(`${id}-${index}`, outputs, each));
@@ -120,7 +127,8 @@ class Session {
       const {folder, width, height} = this.loaded;
       write_pfm(path.join(folder, files[name]), width, height, image.channels, image.bytes);
     }
-    return {files, milliseconds: Math.max(0, frame.milliseconds), ...(frame.warnings.length > 0 && {warnings: frame.warnings})};
+    const {milliseconds, warnings} = frame;
+    return warnings.length > 0 ? {files, milliseconds, warnings} : {files, milliseconds};
   }
 
   async fetch(page, name, {channels, bytes}) {
@@ -146,8 +154,9 @@ class Session {
 
   /** What ended the browser, or undefined while it runs. */
   async lost() {
-    return this.started?.then(({browser, state}) => state.lost ?? (browser.isConnected() ? undefined : 'Chromium has ended'),
-                              () => undefined);
+    const running = await this.started?.catch(() => undefined);
+    if (running === undefined) return undefined;
+    return running.state.lost ?? (running.browser.isConnected() ? undefined : 'Chromium has ended');
   }
 
   async close() {
@@ -176,7 +185,8 @@ export async function serve(adapter) {
     await session.close();
     process.exit(code);
   };
-  for (const [signal, code] of [['SIGINT', 130], ['SIGTERM', 143], ['SIGHUP', 129]]) process.on(signal, () => end(code));
+  const signals = {SIGHUP: 129, SIGINT: 130, SIGTERM: 143};
+  for (const [signal, code] of Object.entries(signals)) process.on(signal, () => end(code));
   process.stdout.on('error', () => end(1));
 
   let queue = Promise.resolve();
@@ -194,7 +204,8 @@ export async function serve(adapter) {
       // Without a reply: the caller starts an adapter that ended once more, with the last scene.
       const lost = reply.error === undefined ? undefined : await session.lost();
       if (lost !== undefined) return end(1, lost);
-      return ending ? undefined : new Promise((resolve) => { process.stdout.write(`${JSON.stringify(reply)}\n`, resolve); });
+      if (ending) return undefined;
+      return new Promise((resolve) => { process.stdout.write(`${JSON.stringify(reply)}\n`, resolve); });
     });
   }
   const limit = new Promise((resolve) => { setTimeout(resolve, patience_at_end).unref(); });

@@ -9,6 +9,15 @@ for (const level of ['warn', 'error']) {
     if (messages.size < 20) messages.add(text);
   };
 }
+// The work's result; a failure also quotes what the engine said first.
+async function with_messages(work) {
+  try {
+    return await work();
+  } catch (error) {
+    const [first] = take_messages();
+    throw first === undefined ? error : new Error(`${error?.message ?? error}; ${first}`);
+  }
+}
 function take_messages() {
   const taken = [...messages];
   messages.clear();
@@ -41,7 +50,8 @@ export function check_webgl(gl, what) {
   const codes = new Set();
   for (let code = gl.getError(); code !== gl.NO_ERROR && codes.size < 8; code = gl.getError()) codes.add(code);
   if (codes.has(gl.OUT_OF_MEMORY)) throw new Error(`${what}: WebGL is out of memory`);
-  if (codes.size > 0) throw new Error(`${what}: WebGL error ${[...codes].map((code) => `0x${code.toString(16)}`).join(', ')}`);
+  const names = [...codes].map((code) => `0x${code.toString(16)}`);
+  if (names.length > 0) throw new Error(`${what}: WebGL error ${names.join(', ')}`);
 }
 
 /** The driver's name, as the browser reports it. */
@@ -77,15 +87,18 @@ export function serve(import_engine) {
     async load(request) {
       take_messages();
       images = {};
-      await engine.load(request);
+      await with_messages(() => engine.load(request));
       return {warnings: take_messages()};
     },
     async render(outputs, parameters) {
       take_messages();
-      const frame = await engine.render(outputs, parameters);
+      const frame = await with_messages(() => engine.render(outputs, parameters));
       images = frame.images;
-      const sizes = Object.entries(images).map(([name, {channels, pixels}]) => [name, {channels, bytes: pixels.byteLength}]);
-      return {images: Object.fromEntries(sizes), milliseconds: frame.milliseconds, warnings: take_messages()};
+      const sizes = {};
+      for (const [name, {channels, pixels}] of Object.entries(images)) {
+        sizes[name] = {channels, bytes: pixels.byteLength};
+      }
+      return {images: sizes, milliseconds: frame.milliseconds, warnings: take_messages()};
     },
     // Bytes of an image of the last frame, as base64.
     take(name, start, end) {

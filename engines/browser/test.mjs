@@ -102,7 +102,8 @@ function descendants(root) {
   const parents = new Map();
   for (const name of readdirSync('/proc')) {
     try {
-      if (/^\d+$/.test(name)) parents.set(Number(name), Number(/\) . (\d+)/.exec(readFileSync(`/proc/${name}/stat`, 'utf8'))[1]));
+      if (!/^\d+$/.test(name)) continue;
+      parents.set(Number(name), Number(/\) . (\d+)/.exec(readFileSync(`/proc/${name}/stat`, 'utf8'))[1]));
     } catch {
       // it has ended
     }
@@ -163,7 +164,9 @@ for (const engine of ready) {
       assert.ok(['number', 'integer', 'boolean', 'choice'].includes(parameter.type) && parameter.meaning !== '');
       assert.ok(['shadow', 'ao'].includes(parameter.for));
       const {default: value, min = -Infinity, max = Infinity, choices} = parameter;
-      assert.ok(choices ? choices.includes(value) : typeof value === 'boolean' || (value >= min && value <= max), parameter.name);
+      const is_allowed = choices ? choices.includes(value)
+                                 : typeof value === 'boolean' || (value >= min && value <= max);
+      assert.ok(is_allowed, parameter.name);
     }
     assert.equal(new Set(described.parameters.map((each) => each.name)).size, described.parameters.length);
 
@@ -184,8 +187,9 @@ for (const engine of ready) {
     assert.notDeepEqual(images[1].visibility.bytes, images[0].visibility.bytes, `${bias} changes nothing`);
     assert.deepEqual(images[2].visibility.bytes, images[0].visibility.bytes, 'a frame depends on the one before');
 
-    const {frames: [ambient]} = await adapter.good('render', {outputs: ['ao', 'normal', 'position'], frames: [defaults]});
-    const [ao, normal, position] = ['ao', 'normal', 'position'].map((output) => read_pfm(ambient.files[output]));
+    const outputs = ['ao', 'normal', 'position'];
+    const {frames: [ambient]} = await adapter.good('render', {outputs, frames: [defaults]});
+    const [ao, normal, position] = outputs.map((output) => read_pfm(ambient.files[output]));
     for (let y = 0; y < 120; ++y) {
       for (let x = 0; x < 160; ++x) {
         assert.ok(ao.at(x, y)[0] >= 0 && ao.at(x, y)[0] <= 1);

@@ -31,7 +31,8 @@ export async function read_occlusion({app, camera, width, height}, values) {
 // Bilinear, as the materials read it.
 function sample(bytes, width, height, out_width, out_height) {
   const step = bytes.length / (width * height);
-  const at = (x, y) => bytes[step * (Math.min(Math.max(y, 0), height - 1) * width + Math.min(Math.max(x, 0), width - 1))] / 255;
+  const clamp = (value, count) => Math.min(Math.max(value, 0), count - 1);
+  const at = (x, y) => bytes[step * (clamp(y, height) * width + clamp(x, width))] / 255;
   const out = new Float32Array(4 * out_width * out_height);
   for (let y = 0; y < out_height; ++y) {
     const v = (y + 0.5) * height / out_height - 0.5;

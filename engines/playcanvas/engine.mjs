@@ -8,9 +8,9 @@ import {what, whiten} from './materials.mjs';
 const least_light = 1e-5;  // of the frame without shadows, 1 at the light, for a quotient
 
 async function make_app(canvas) {
-  const device = await pc.createGraphicsDevice(canvas, {deviceTypes: [pc.DEVICETYPE_WEBGL2], antialias: false, stencil: false});
   const options = new pc.AppOptions();
-  options.graphicsDevice = device;
+  options.graphicsDevice = await pc.createGraphicsDevice(canvas, {
+    deviceTypes: [pc.DEVICETYPE_WEBGL2], antialias: false, stencil: false});
   options.componentSystems = [pc.RenderComponentSystem, pc.CameraComponentSystem, pc.LightComponentSystem];
   options.resourceHandlers = [pc.TextureHandler, pc.ContainerHandler];
   const app = new pc.AppBase(canvas);
@@ -97,7 +97,8 @@ class Engine {
     app.setCanvasResolution(pc.RESOLUTION_FIXED, width, height);
     this.asset = await load_scene(app);
     this.root = this.asset.resource.instantiateRenderEntity();
-    for (const each of [...this.root.findComponents('light'), ...this.root.findComponents('camera')]) each.entity.destroy();
+    const others = ['light', 'camera'].flatMap((kind) => this.root.findComponents(kind));
+    for (const {entity} of others) entity.destroy();
     whiten(this.root, light.kind === 'directional');
     app.root.addChild(this.root);
     this.target = make_target(app.graphicsDevice, width, height);

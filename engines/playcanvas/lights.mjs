@@ -52,7 +52,8 @@ export function add_light(app, request, bounds, values) {
     shadowSamples: values['shadow-samples'],
     shadowBlockerSamples: values['shadow-blocker-samples'],
     ...(request.kind !== 'directional' && {range: range_of(request, bounds), falloffMode: pc.LIGHTFALLOFF_LINEAR}),
-    ...(request.kind === 'spot' && {innerConeAngle: degrees(request.inner_cone), outerConeAngle: degrees(request.outer_cone)}),
+    ...(request.kind === 'spot' && {
+      innerConeAngle: degrees(request.inner_cone), outerConeAngle: degrees(request.outer_cone)}),
   });
   if (values['clustered-lighting']) {
     if (request.kind !== 'directional') app.scene.lighting.shadowType = type;

@@ -20,7 +20,7 @@ const written = `
 #endif
 `;
 
-/** The replacement of a material of the glTF loader: its sides, and the alpha of a mask. Blended materials are opaque. */
+/** The replacement of a material of the loader: its sides, and the alpha of a mask. Blended materials are opaque. */
 function white(original, is_sun) {
   const material = new pc.StandardMaterial();
   material.diffuse = new pc.Color(1, 1, 1);

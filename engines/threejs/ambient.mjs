@@ -1,4 +1,5 @@
-// Ambient occlusion of three.js: its post-processing passes over a white image, so that the result is what they multiply.
+// Ambient occlusion of three.js: its post-processing passes over a white image, so that the result is what they
+// multiply.
 import {N8AOPass} from 'n8ao';
 import * as THREE from 'three';
 import {GTAOPass} from 'three/addons/postprocessing/GTAOPass.js';

@@ -11,8 +11,8 @@ function farthest(bounds, point) {
   return Math.hypot(...at.map((x, axis) => Math.max(Math.abs(x - low[axis]), Math.abs(x - high[axis]))));
 }
 
-// fit: the sphere around the bounds, which the shadow camera of a sun encloses. engine: as DirectionalLight has it, at the
-// place of the light in the file. custom: the bounds' centre lies in the middle between near and far.
+// fit: the sphere around the bounds, which the shadow camera of a sun encloses. engine: as DirectionalLight has it, at
+// the place of the light in the file. custom: the bounds' centre lies in the middle between near and far.
 function place_sun(light, {direction, position}, bounds, values) {
   const camera = light.shadow.camera;
   const center = vector(bounds.min).add(vector(bounds.max)).multiplyScalar(0.5);
@@ -114,8 +114,8 @@ function add_csm(scene, camera, {direction}, values) {
   const csm = new CSM({
     camera, parent: scene, lightDirection: vector(direction).normalize(), lightIntensity: Math.PI,
     cascades: values['csm-cascades'], mode: values['csm-mode'], maxFar: values['csm-max-far'],
-    shadowMapSize: values['csm-shadow-map-size'], lightNear: values['csm-light-near'], lightFar: values['csm-light-far'],
-    lightMargin: values['csm-light-margin'],
+    shadowMapSize: values['csm-shadow-map-size'], lightMargin: values['csm-light-margin'],
+    lightNear: values['csm-light-near'], lightFar: values['csm-light-far'],
   });
   csm.fade = values['csm-fade'];
   for (const {shadow} of csm.lights) {

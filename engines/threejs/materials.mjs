@@ -6,7 +6,6 @@ const outputs = `
 layout(location = 1) out highp vec4 position_out;
 layout(location = 2) out highp vec4 normal_out;
 varying highp vec3 position_in_world;
-varying highp vec3 normal_in_world;
 `;
 
 // MASKED: the shadow factor as three.js gives it to ShadowMaterial. Otherwise the light that leaves the surface, from
@@ -18,23 +17,19 @@ const written = `
   gl_FragColor = vec4(outgoingLight, 1.0);
 #endif
   position_out = vec4(position_in_world, 1.0);
-  normal_out = vec4(normalize(gl_FrontFacing ? normal_in_world : -normal_in_world), 1.0);
+  normal_out = vec4(inverseTransformDirection(normal, viewMatrix), 1.0);
 `;
 
 function add_outputs(shader) {
   shader.vertexShader = shader.vertexShader
     .replace('#include <common>', `#include <common>
-varying highp vec3 position_in_world;
-varying highp vec3 normal_in_world;`)
+varying highp vec3 position_in_world;`)
     .replace('#include <fog_vertex>', `#include <fog_vertex>
-  position_in_world = (modelMatrix * vec4(transformed, 1.0)).xyz;
-  normal_in_world = mat3(modelMatrix) * vec3(0.0);
-  #ifndef FLAT_SHADED
-    normal_in_world = inverseTransformDirection(vNormal, viewMatrix);
-  #endif`);
+  position_in_world = (modelMatrix * vec4(transformed, 1.0)).xyz;`);
   shader.fragmentShader = shader.fragmentShader
     .replace('#include <common>', `#include <common>\n${outputs}`)
-    .replace('#include <shadowmap_pars_fragment>', '#include <shadowmap_pars_fragment>\n#include <shadowmask_pars_fragment>')
+    .replace('#include <shadowmap_pars_fragment>', `#include <shadowmap_pars_fragment>
+#include <shadowmask_pars_fragment>`)
     // Only the alpha of textures and factors matters.
     .replace('#include <alphahash_fragment>', '#include <alphahash_fragment>\n  diffuseColor = vec4(1.0);')
     .replace('#include <dithering_fragment>', written);
