@@ -6,7 +6,7 @@ import {existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, w
 import {tmpdir} from 'node:os';
 import path from 'node:path';
 import {createInterface} from 'node:readline';
-import test from 'node:test';
+import test, {afterEach} from 'node:test';
 import {fileURLToPath} from 'node:url';
 import {find_chromium} from './chromium.mjs';
 import {box_scene, load_request} from './test_scene.mjs';
@@ -39,14 +39,22 @@ writeFileSync(scene, box_scene());
 const frames = path.join(folder, 'frames');
 mkdirSync(frames);
 
+// A test that failed leaves its adapters behind.
+const adapters = new Set();
+afterEach(() => {
+  for (const adapter of adapters) adapter.process.kill();
+});
+
 class Adapter {
   constructor(engine, environment = {}) {
+    adapters.add(this);
     this.process = spawn(path.join(engines, engine, 'adapter'), {env: {...process.env, ...environment}});
     this.next_id = 1;
     this.errors = '';
     this.replies = createInterface({input: this.process.stdout})[Symbol.asyncIterator]();
     this.process.stderr.on('data', (text) => { this.errors += text; });
     this.ended = new Promise((resolve) => { this.process.on('exit', (code, signal) => resolve({code, signal})); });
+    this.ended.then(() => adapters.delete(this));
   }
 
   async ask(request, more = {}) {
@@ -151,10 +159,11 @@ function check_images(position, visibility) {
   assert.ok(left[0] < -1 && right[0] > 1 && position.at(80, 115)[2] > position.at(80, 60)[2]);
 }
 
+const timeout = 240_000;
 for (const engine of ready) {
   const {name, bias: [bias, ...biases], choice} = cases[engine];
 
-  test(`${name}: describes itself, and draws what it is asked for`, async () => {
+  test(`${name}: describes itself, and draws what it is asked for`, {timeout}, async () => {
     const adapter = new Adapter(engine);
     const described = await adapter.good('describe', {protocol: 1});
     assert.equal(described.protocol, 1);
@@ -218,7 +227,7 @@ for (const engine of ready) {
     await expect_end(below);
   });
 
-  test(`${name}: what fails is answered in a line, and the adapter goes on`, async () => {
+  test(`${name}: what fails is answered in a line, and the adapter goes on`, {timeout}, async () => {
     const adapter = new Adapter(engine);
     const fails = async (request, more, pattern) => {
       const {error} = await adapter.ask(request, more);
@@ -248,7 +257,7 @@ for (const engine of ready) {
     assert.deepEqual(await lonely.close(), {code: 0, signal: null});
   });
 
-  test(`${name}: no process is left when the browser, the adapter or its caller ends`, async () => {
+  test(`${name}: no process is left when the browser, the adapter or its caller ends`, {timeout}, async () => {
     if (!existsSync('/proc/self/stat')) return;
     const start = async () => {
       const adapter = new Adapter(engine);
