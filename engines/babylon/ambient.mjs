@@ -1,0 +1,32 @@
+// Ambient occlusion of Babylon.js: its pipeline over a white image, so that the result is what it multiplies.
+import {SSAO2RenderingPipeline} from '@babylonjs/core/PostProcesses/RenderPipeline/Pipelines/ssao2RenderingPipeline.js';
+import '@babylonjs/core/PostProcesses/RenderPipeline/postProcessRenderPipelineManagerSceneComponent.js';
+import '@babylonjs/core/Rendering/geometryBufferRendererSceneComponent.js';
+import '@babylonjs/core/Rendering/prePassRendererSceneComponent.js';
+
+/** Adds the pipeline; gives {dispose()}. */
+export function add_occlusion(scene, camera, values) {
+  const is_forced = values['ssao-force-geometry-buffer'];
+  const ratio = {ssaoRatio: values['ssao-ratio'], blurRatio: values['ssao-blur-ratio']};
+  const pipeline = new SSAO2RenderingPipeline('ssao', scene, ratio, [camera], is_forced);
+  Object.assign(pipeline, {
+    radius: values['ssao-radius'],
+    totalStrength: values['ssao-total-strength'],
+    base: values['ssao-base'],
+    samples: values['ssao-samples'],
+    epsilon: values['ssao-epsilon'],
+    maxZ: values['ssao-max-z'],
+    minZAspect: values['ssao-min-z-aspect'],
+    bypassBlur: values['ssao-bypass-blur'],
+    expensiveBlur: values['ssao-expensive-blur'],
+    bilateralSamples: values['ssao-bilateral-samples'],
+    bilateralSoften: values['ssao-bilateral-soften'],
+    bilateralTolerance: values['ssao-bilateral-tolerance'],
+  });
+  return {
+    dispose() {
+      pipeline.dispose(true);
+      if (!is_forced) scene.disablePrePassRenderer();
+    },
+  };
+}

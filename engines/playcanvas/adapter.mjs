@@ -1,0 +1,18 @@
+// Starts the adapter of PlayCanvas.
+import path from 'node:path';
+import {fileURLToPath} from 'node:url';
+import {serve} from '../browser/host.mjs';
+import {parameters} from './parameters.mjs';
+
+await serve({
+  name: 'PlayCanvas',
+  home: path.dirname(fileURLToPath(import.meta.url)),
+  packages: ['playcanvas'],
+  imports: {playcanvas: '/packages/playcanvas/build/playcanvas.mjs'},
+  module: 'engine.mjs',
+  outputs: ['visibility', 'ao', 'position', 'normal'],
+  constant: ['position', 'normal'],
+  lights: ['directional', 'spot', 'point'],
+  cameras: ['perspective', 'orthographic'],
+  parameters,
+});
