@@ -35,5 +35,8 @@ install(EXPORT umbrameter NAMESPACE umbrameter:: FILE umbrameter-targets.cmake D
         COMPONENT dev)
 install(FILES ${PROJECT_SOURCE_DIR}/docs/summary.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/umbrameter
         COMPONENT program)
+# Adapters of engines; their packages come with each one's setup.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/engines DESTINATION ${CMAKE_INSTALL_DATADIR}/umbrameter COMPONENT program
+        USE_SOURCE_PERMISSIONS PATTERN node_modules EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/presets DESTINATION ${CMAKE_INSTALL_DATADIR}/umbrameter COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)

@@ -47,6 +47,9 @@ def parameter_definition(parameter):
     return definition
 
 
+ENGINE = "^engine[.]"  # parameters that an engine describes
+
+
 def generated_definitions(quantities):
     groups = {group["name"]: group for group in quantities["statistics"]}
     parameters = {each["name"]: parameter_definition(each) for each in quantities["parameters"]}
@@ -64,11 +67,12 @@ def generated_definitions(quantities):
     of_any_cell.update(metrics)
     definitions["metrics"] = closed(
         {"description": "image metrics by name, null where one is undefined", "type": "object", "properties": metrics})
-    definitions["parameters"] = closed(
-        {"description": "every parameter; a length is a number of metres or a text with its unit", "type": "object",
-         "properties": parameters, "required": list(parameters)})
-    definitions["parameter_name"] = {"description": "full name of a parameter", "enum": list(parameters)}
     value = {"description": "value of the parameter, in the unit of its axis", "type": ["number", "string", "boolean"]}
+    definitions["parameters"] = closed(
+        {"description": "every parameter; a length is a number of metres or a text with its unit; `engine.*` as the engine describes it",
+         "type": "object", "properties": parameters, "patternProperties": {ENGINE: value}, "required": list(parameters)})
+    definitions["parameter_name"] = {"description": "full name of a parameter",
+                                     "anyOf": [{"enum": list(parameters)}, {"pattern": ENGINE}]}
     text = {"description": "the axis as given", "type": "string"}
     name = {"$ref": "#/$defs/parameter_name"}
     definitions["axis_values"] = {"description": "values of varied parameters, in the units of their axes",

@@ -26,6 +26,8 @@ RUNS = {
     "cascades": ["compare", "long-posts", "--view.camera", "near", "--view.light", "sun", "--shadow.cascades", "4", "--shimmer"],
     "image": ["compare", "courtyard", "--measure", "image", "--shading.path", "deferred"],
     "nothing counted": ["compare", "courtyard", "--light", "sun", "--shadow.fit", "bounds", "--shadow.fit-x", "1000"],
+    "engine": ["compare", "contact-box", "--engine", "umbrameter"],
+    "sweep of an engine": ["sweep", "contact-box", "--engine", "umbrameter", "--vary", "engine.shadow-constant-bias=0,1"],
     "trace": ["trace", "courtyard"],
     "raster": ["raster", "courtyard"],
     "raster, image": ["raster", "courtyard", "--measure", "image"],

@@ -1,0 +1,73 @@
+"""A sweep of a bias of an engine in a browser that is killed half way, and the axis that it must show."""
+import csv
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from pathlib import Path
+
+root, program, engine = Path(sys.argv[1]), sys.argv[2], sys.argv[3]
+if not (root / "engines" / engine / "node_modules").is_dir():
+    print(f"not set up: run engines/{engine}/setup")
+    sys.exit(77)
+# From no bias, which gives acne, to one that loses the shadows.
+axis = {"threejs": "engine.bias=0,-0.0005,-0.001,-0.002,-0.004,-0.2", "babylon": "engine.bias=0,0.001,0.002,0.004,0.1,1",
+        "playcanvas": "engine.shadow-bias=0,0.1,0.2,0.3,0.5,1"}[engine]
+
+
+def children(pid):
+    for entry in Path("/proc").iterdir():
+        if entry.name.isdigit():
+            try:
+                status = (entry / "stat").read_text().rsplit(")", 1)[1].split()
+                if int(status[1]) == pid:
+                    yield int(entry.name)
+                    yield from children(int(entry.name))
+            except (OSError, IndexError):
+                pass
+
+
+def kill_browser(pid, killed):
+    """Once the first cells have been drawn."""
+    for _ in range(600):
+        time.sleep(0.05)
+        browsers = []
+        for child in children(pid):
+            try:
+                if "chrom" in Path(f"/proc/{child}/cmdline").read_text().split("\0")[0]:
+                    browsers.append(child)
+            except OSError:
+                pass
+        if browsers:
+            time.sleep(2.0)
+            for browser in browsers:
+                try:
+                    os.kill(browser, signal.SIGKILL)
+                except ProcessLookupError:
+                    pass
+            killed.set()
+            return
+
+
+with tempfile.TemporaryDirectory() as folder:
+    command = [program, "sweep", "two-occluders", "--engine", str(root / "engines" / engine / "adapter"), "--light", "sun", "--size",
+               "320x180", "--vary", axis, "--no-figures", "--no-cache", "-o", folder + "/out"]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    killed = threading.Event()
+    threading.Thread(target=kill_browser, args=(process.pid, killed), daemon=True).start()
+    out, err = process.communicate(timeout=200)
+    assert process.returncode == 0, err
+    assert killed.is_set()
+    assert "was started again" in err, err
+    rows = list(csv.DictReader(open(folder + "/out/sweep.csv", encoding="utf-8")))
+    assert len(rows) == 6, len(rows)
+    acne = [float(row["acne"]) for row in rows]
+    leak = [float(row["peter_panning"]) + float(row["leak"]) for row in rows]
+    by_bias = sorted(zip((abs(float(next(iter(row.values())))) for row in rows), acne, leak))
+    # A larger bias has less acne and loses more of the shadow; engines differ in how much.
+    assert by_bias[0][1] > by_bias[-1][1], by_bias
+    assert by_bias[0][2] < by_bias[-1][2], by_bias
+    print(f"{engine}: acne {by_bias[0][1]:.4f} to {by_bias[-1][1]:.4f}, too bright {by_bias[0][2]:.4f} to {by_bias[-1][2]:.4f}")
