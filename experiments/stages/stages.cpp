@@ -357,7 +357,7 @@ Image<float> Stages::draw_visibility_of(const GpuGBuffer& surfels, const Experim
   const HeldLookup held = shadow_lookup(experiment, light, false);
   const ShadowLookup& exact = held.lookup;
   return draw_visibility(context(), {exact.scene, surfels, exact.map, exact.light, exact.bias, exact.technique, nullptr,
-                                     exact.filtered, exact.view})
+                                     exact.drawn, exact.view})
       .visibility;
 }
 
