@@ -1,17 +1,17 @@
-# A header that lists techniques decides what is built: a file that goes with one of its includes needs no line elsewhere.
+# A header that lists techniques or metrics decides what is built: a file that goes with one of them needs no line
+# elsewhere.
 
-# Of each header of its own folder that `manifest` (folder/file.h) includes, the files that exist with the same name:
-# umbrameter_listed(OUT shadow/technique.h shadow/@.cpp), where @ stands for the name. Paths are relative to this folder.
-function(umbrameter_listed out manifest)
-  set(manifest_path ${PROJECT_SOURCE_DIR}/techniques/${manifest})
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${manifest_path})
-  get_filename_component(folder ${manifest} DIRECTORY)
-  file(STRINGS ${manifest_path} includes REGEX "^#include \"techniques/${folder}/")
+# For each line of the file `list` that the regular expression matches, the files that exist: umbrameter_listed(OUT LIST
+# REGEX PATTERN...), where REGEX captures a name and @ in a pattern stands for it. Paths are relative to this folder.
+function(umbrameter_listed out list regex)
+  get_filename_component(list ${list} ABSOLUTE)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
+  file(STRINGS ${list} lines REGEX "${regex}")
   set(files)
-  foreach(include ${includes})
-    string(REGEX REPLACE ".*/([a-z_0-9]+)\\.h\"$" "\\1" name ${include})
+  foreach(line IN LISTS lines)
+    string(REGEX MATCH "${regex}" matched "${line}")
     foreach(pattern ${ARGN})
-      string(REPLACE "@" ${name} file ${pattern})
+      string(REPLACE "@" "${CMAKE_MATCH_1}" file ${pattern})
       if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${file})
         list(APPEND files ${file})
       endif()
