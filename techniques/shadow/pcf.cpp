@@ -6,26 +6,6 @@
 namespace umbrameter {
 namespace {
 
-Parameters read_by_kernel(PcfParams& params) {
-  const Parameters all = describe(params);
-  switch (params.filter) {
-    case ShadowFilter::nearest:
-    case ShadowFilter::bilinear:
-      return select(all, {"shadow.filter"});
-    case ShadowFilter::box:
-    case ShadowFilter::tent:
-    case ShadowFilter::gaussian:
-      return select(all, {"shadow.filter", "shadow.filter-size", "shadow.filter-taps"});
-    case ShadowFilter::optimized:
-    case ShadowFilter::area_tent:
-      return select(all, {"shadow.filter", "shadow.filter-size"});
-    case ShadowFilter::poisson:
-    case ShadowFilter::vogel:
-      break;
-  }
-  return select(all, {"shadow.filter", "shadow.filter-samples", "shadow.filter-radius", "shadow.filter-rotation"});
-}
-
 // A disk whose radius PCSS or DPCF finds.
 Parameters read_by_found_disk(PcfParams& params) {
   return select(describe(params), {"shadow.filter", "shadow.filter-samples", "shadow.filter-rotation"});
@@ -36,7 +16,7 @@ Parameters read_by_found_disk(PcfParams& params) {
 Pcf Pcf::make(const ShadowParams& params, double) { return {make_filter(params.pcf)}; }
 
 Parameters Pcf::reads(ShadowParams& params) {
-  return concatenate({read_parameters(params.map_depth), describe(params.bias), read_by_kernel(params.pcf)});
+  return concatenate({read_parameters(params.map_depth), describe(params.bias), read_parameters(params.pcf)});
 }
 
 Pcss Pcss::make(const ShadowParams& params, double light_extent) {
