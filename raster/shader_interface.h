@@ -27,7 +27,6 @@ inline constexpr ShaderConstant shader_constants[] = {
     {"GROUP_SIZE", 8},
     {"LIST_GROUP_SIZE", 64},
     {"MAX_SAMPLES", 1024},
-    {"MAX_LOOKUPS", 64},
     {"HISTOGRAM_WORDS", 16},   // a bin: two of each cause's weight, three of each square, one of each largest
     {"HISTOGRAM_SQUARES", 8},  // where they start
     {"HISTOGRAM_LARGEST", 14},

@@ -1,5 +1,6 @@
-// Image metrics. Each computes an error map and a score in one call. To add one: a new file, its declaration at the end
-// of this header, and a line in metrics.cpp. color_metric.h applies them to colour images.
+// Image metrics. Each computes an error map and a score in one call. To add one: a new file, and its declaration and
+// place in the list at the end of this header; NAME.cpp is built because NAME_metric is declared here. color_metric.h
+// applies them to colour images.
 #pragma once
 
 #include <functional>
@@ -100,5 +101,11 @@ extern const Metric edge_width_metric;
 extern const Metric edges_found_metric;
 extern const Metric ldr_flip_metric;
 extern const Metric hdr_flip_metric;
+
+/// All of them, those of scalar images first.
+inline constexpr const Metric* listed_metrics[] = {
+    &mae_metric,        &mse_metric,          &rmse_metric,     &relative_rmse_metric,     &psnr_metric,
+    &ssim_metric,       &ssim_uniform_metric, &ms_ssim_metric,  &edge_displacement_metric, &edge_roughness_metric,
+    &edge_width_metric, &edges_found_metric,  &ldr_flip_metric, &hdr_flip_metric};
 
 }  // namespace umbrameter

@@ -9,12 +9,12 @@ namespace umbrameter {
 
 namespace {
 
-// Those of scalar images first.
 const std::vector<Metric>& all_metrics() {
-  static const std::vector<Metric> all = {
-      mae_metric,        mse_metric,          rmse_metric,     relative_rmse_metric,     psnr_metric,
-      ssim_metric,       ssim_uniform_metric, ms_ssim_metric,  edge_displacement_metric, edge_roughness_metric,
-      edge_width_metric, edges_found_metric,  ldr_flip_metric, hdr_flip_metric};
+  static const std::vector<Metric> all = [] {
+    std::vector<Metric> copies;
+    for (const Metric* metric : listed_metrics) copies.push_back(*metric);
+    return copies;
+  }();
   return all;
 }
 

@@ -29,7 +29,7 @@ Image<float> draw_visibility_with(Stages& stages, const ShadowMeasurement& shado
   const Light light = stages.light(experiment, shadow.light);
   const ShadowTechnique technique = make_technique(experiment.shadow, half_size(light.emitter));
   const ShadowMap map = draw_shadow_map(context, scene, light, layout, experiment.shadow.map_depth);
-  const FilteredMap filtered = filter_map({context, scene, light, map, experiment.shadow.map_depth}, technique);
+  const TechniqueMap filtered = filter_map({context, scene, light, map, experiment.shadow.map_depth}, technique);
   return draw_visibility(context,
                          {scene, surfels, map, light, experiment.shadow.bias, technique, nullptr, &filtered, &view})
       .visibility;

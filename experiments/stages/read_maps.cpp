@@ -13,7 +13,7 @@ std::vector<Image<vec4>> Stages::read_filtered_map(const Experiment& experiment,
   const Prefiltered* technique = prefiltered_of(lookup.technique);
   if (technique == nullptr) return {};
   const int layers = static_cast<int>(lookup.map.layout.views.size()) * technique->groups;
-  return read_layers<vec4>(lookup.filtered->values, gl::Format::rgba32f, layers);
+  return read_layers<vec4>(std::get<FilteredMap>(lookup.drawn->of_technique).values, gl::Format::rgba32f, layers);
 }
 
 }  // namespace umbrameter

@@ -117,7 +117,7 @@ std::shared_ptr<const Surfels> Stages::surfels(const Experiment& experiment) {
     const double aspect = static_cast<double>(params.size.width) / params.size.height;
     std::vector<std::string> assumed;
     View view{params.size.width, params.size.height, select_camera(scene_, params.camera, aspect, assumed)};
-    view.camera = with_planes(std::move(view.camera), experiment.frame);
+    if (has_files(experiment.frame)) view.camera = with_planes(std::move(view.camera), experiment.frame);
     add_notes(assumed);
     GBuffer gbuffer;
     if (params.surfels == SurfelSource::traced || has_engine()) {
@@ -363,7 +363,7 @@ Image<float> Stages::draw_visibility_of(const GpuGBuffer& surfels, const Experim
   const HeldLookup held = shadow_lookup(experiment, light, false);
   const ShadowLookup& exact = held.lookup;
   return draw_visibility(context(), {exact.scene, surfels, exact.map, exact.light, exact.bias, exact.technique, nullptr,
-                                     exact.filtered, exact.view})
+                                     exact.drawn, exact.view})
       .visibility;
 }
 

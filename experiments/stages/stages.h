@@ -264,7 +264,7 @@ class Stages {
   Memo<CountedPixels> counted_;
   Memo<ShadowMap> map_;
   Memo<StoredDepths> stored_depths_;
-  Memo<FilteredMap> filtered_map_;
+  Memo<TechniqueMap> filtered_map_;
   Memo<Image<float>> ao_;
   Memo<TracedVisibility> hard_truth_;
   Memo<TracedVisibility> sampled_truth_;

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "raster/ao/blur_pass.h"
+#include "raster/ao/method_pass.h"
 #include "raster/ao/normals_pass.h"
-#include "raster/ao/technique_passes.h"
 #include "raster/ao/upsample_pass.h"
 #include "raster/gl/pass.h"
 #include "raster/texture_image.h"
@@ -66,8 +66,13 @@ Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, cons
   const AoTextures textures = prepare(context, gbuffer, view, params);
   AoInputs inputs = inputs_of(gbuffer, textures, view, seed);
   inputs.resolution = params.resolution.kind;
-  gl::Texture ao =
-      std::visit([&](const auto& technique) { return draw(context, inputs, technique); }, make_technique(params));
+  const auto draw_of = [&]<class T>(const T& technique) {
+    if constexpr (std::is_same_v<T, Ssao>)
+      return draw(context, inputs, technique);
+    else
+      return draw(context, inputs, method_of(technique, seed));
+  };
+  gl::Texture ao = std::visit(draw_of, make_technique(params));
   ao = blur(context, inputs, std::move(ao), params);
   if (params.resolution.kind == AoResolution::half) ao = upsample(context, inputs, ao, params);
   Image<float> image = read_image<float>(ao, gl::Format::r32f);
@@ -86,8 +91,8 @@ std::optional<Image<vec3>> draw_bent_normals(const gl::Context& context, const G
   const AoTextures textures = prepare(context, gbuffer, view, params);
   const AoInputs inputs = inputs_of(gbuffer, textures, view, seed);
   const auto draw_of = [&](const auto& technique) -> std::optional<gl::Texture> {
-    if constexpr (requires { draw_bent_normals(context, inputs, technique); }) {
-      return draw_bent_normals(context, inputs, technique);
+    if constexpr (requires { technique.has_bent_normal; }) {
+      return draw_bent_normals(context, inputs, method_of(technique, seed));
     } else {
       return {};
     }

@@ -2,7 +2,6 @@
 
 #include <span>
 #include <string>
-#include <utility>
 
 #include "raster/gbuffer/view_block.h"
 #include "raster/gl/pass.h"
@@ -10,82 +9,36 @@
 namespace umbrameter {
 namespace {
 
-// The size of a block in layout std140 is a multiple of 16 bytes.
-template <class Settings>
-struct alignas(16) SettingsBlock {
-  Settings settings;
-};
-
-// A texture and the name and format of the image in the shader that writes it.
-struct Drawn {
-  gl::Texture texture;
-  const char* name;
-  gl::Format format;
-  std::string defines{};
-};
-
-template <class Technique>
-gl::Texture run(const gl::Context& context, const AoInputs& inputs, const char* shader, const Technique& technique,
-                Drawn drawn) {
-  const std::vector<vec4> noise = noise_of(technique, inputs.seed);
-  const ivec2 size = ao_image_size(inputs);
-  gl::Pass pass(context, {{shader}, resolution_defines(inputs.resolution) + drawn.defines});
+gl::Pass method_pass(const gl::Context& context, const AoInputs& inputs, const AoMethod& method,
+                     const std::string& defines = {}) {
+  gl::Pass pass(context,
+                {{"ao_method.comp"},
+                 "#define TECHNIQUE_TEXT " + std::string(method.text) + "\n#define METHOD_SETTINGS " +
+                     std::string(method.settings_name) + "\n" + resolution_defines(inputs.resolution) + defines});
   bind(pass, inputs)
       .block("View", make_view_block(inputs.view))
-      .block("Settings", SettingsBlock<decltype(settings_of(technique))>{settings_of(technique)})
-      .buffer("Noise", gl::make_buffer("ao noise", std::span<const vec4>(noise)))
-      .value("noise_size", technique.noise.size)
-      .image(drawn.name, drawn.texture, drawn.format)
-      .dispatch(size.x, size.y);
-  return std::move(drawn.texture);
-}
-
-template <class Technique>
-gl::Texture run(const gl::Context& context, const AoInputs& inputs, const char* shader, const Technique& technique) {
-  return run(context, inputs, shader, technique, {make_ao_image("ao", inputs), "ao_image", gl::Format::r32f});
-}
-
-template <class Technique>
-gl::Texture run_bent(const gl::Context& context, const AoInputs& inputs, const char* shader,
-                     const Technique& technique) {
-  const ivec2 size = ao_image_size(inputs);
-  return run(context, inputs, shader, technique,
-             {gl::make_texture("bent normals", gl::Format::rgba32f, size.x, size.y), "bent_normals",
-              gl::Format::rgba32f, "#define AO_BENT_NORMAL\n"});
+      .buffer("MethodSettings", gl::make_buffer("ao settings", method.settings))
+      .buffer("Noise", gl::make_buffer("ao noise", std::span<const vec4>(method.noise)))
+      .value("noise_size", method.noise_size);
+  return pass;
 }
 
 }  // namespace
 
-gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Gtao& technique) {
-  return run(context, inputs, "gtao.comp", technique);
+gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const AoMethod& method) {
+  const ivec2 size = ao_image_size(inputs);
+  gl::Texture ao = make_ao_image("ao", inputs);
+  method_pass(context, inputs, method).image("ao_image", ao, gl::Format::r32f).dispatch(size.x, size.y);
+  return ao;
 }
 
-gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Hbao& technique) {
-  return run(context, inputs, "hbao.comp", technique);
-}
-
-gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Alchemy& technique) {
-  return run(context, inputs, "alchemy.comp", technique);
-}
-
-gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Crytek& technique) {
-  return run(context, inputs, "crytek.comp", technique);
-}
-
-gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Bitmask& technique) {
-  return run(context, inputs, "bitmask.comp", technique);
-}
-
-gl::Texture draw(const gl::Context& context, const AoInputs& inputs, const Marched& technique) {
-  return run(context, inputs, "marched.comp", technique);
-}
-
-gl::Texture draw_bent_normals(const gl::Context& context, const AoInputs& inputs, const Gtao& technique) {
-  return run_bent(context, inputs, "gtao.comp", technique);
-}
-
-gl::Texture draw_bent_normals(const gl::Context& context, const AoInputs& inputs, const Bitmask& technique) {
-  return run_bent(context, inputs, "bitmask.comp", technique);
+gl::Texture draw_bent_normals(const gl::Context& context, const AoInputs& inputs, const AoMethod& method) {
+  const ivec2 size = ao_image_size(inputs);
+  gl::Texture bent = gl::make_texture("bent normals", gl::Format::rgba32f, size.x, size.y);
+  method_pass(context, inputs, method, "#define AO_BENT_NORMAL\n")
+      .image("bent_normals", bent, gl::Format::rgba32f)
+      .dispatch(size.x, size.y);
+  return bent;
 }
 
 }  // namespace umbrameter

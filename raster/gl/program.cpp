@@ -11,7 +11,21 @@
 namespace umbrameter::gl {
 namespace {
 
-void append_file(ShaderText& shader, const std::string& file, const ShaderLoader& load,
+// The name of the file in an include line; empty if the line is none. Instead of a name in quotes it may have a word
+// that `defines` gives.
+std::string included_by(const std::string& line, const std::string& defines) {
+  static const std::regex include(R"re(^\s*#include\s+(?:"([^"]+)"|([A-Z_]+))\s*$)re");
+  std::smatch match;
+  if (!std::regex_match(line, match, include)) return {};
+  if (match[1].matched) return match[1];
+  const std::string define = "#define " + match[2].str() + " ";
+  const std::size_t found = defines.find(define);
+  if (found == std::string::npos) return match[2];
+  const std::size_t begin = found + define.size();
+  return defines.substr(begin, defines.find('\n', begin) - begin);
+}
+
+void append_file(ShaderText& shader, const std::string& file, const std::string& defines, const ShaderLoader& load,
                  const std::string& included_at) {
   const auto text = load(file);
   if (!text) {
@@ -21,18 +35,16 @@ void append_file(ShaderText& shader, const std::string& file, const ShaderLoader
   const std::string number = std::to_string(shader.files.size());
   shader.files.push_back(file);
   shader.text += "#line 1 " + number + "\n";
-  static const std::regex include(R"re(^\s*#include\s+"([^"]+)"\s*$)re");
   std::istringstream lines{std::string(*text)};
   std::string line;
   for (int row = 1; std::getline(lines, line); ++row) {
-    std::smatch match;
-    if (!std::regex_match(line, match, include)) {
+    const std::string name = included_by(line, defines);
+    if (name.empty()) {
       shader.text += line + "\n";
       continue;
     }
-    const std::string name = match[1];
     if (std::find(shader.files.begin(), shader.files.end(), name) == shader.files.end()) {
-      append_file(shader, name, load, file + ":" + std::to_string(row));
+      append_file(shader, name, defines, load, file + ":" + std::to_string(row));
     }
     shader.text += "#line " + std::to_string(row + 1) + " " + number + "\n";
   }
@@ -93,7 +105,7 @@ void append_inputs(unsigned program, GLenum interface, std::vector<ProgramInput>
 ShaderText resolve_includes(const std::string& file, const std::string& defines, const ShaderLoader& load) {
   ShaderText shader;
   shader.text = "#version 450 core\n" + defines;
-  append_file(shader, file, load, {});
+  append_file(shader, file, defines, load, {});
   return shader;
 }
 

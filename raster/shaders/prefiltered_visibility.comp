@@ -1,34 +1,19 @@
 // Computes the visibility of each surfel from a filtered shadow map, with bilinear or, with HAS_MIPMAPS, trilinear
 // interpolation: for several look-ups at once, each into its layer.
-#include "prefilter_settings.glsl"
+#include TECHNIQUE_TEXT
 #include "surfel_lookup.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
 uniform sampler2DArray values;
 layout(r32f) writeonly uniform image2DArray visibility_image;
 uniform int lookup_count;
 
-// What each look-up reads besides the map. PrefilteredLookup in raster/shadow/prefiltered_pass.h has the same fields.
+// What each look-up reads besides the map: PrefilteredLookup in raster/shadow/prefiltered_pass.h.
 struct LookupValues {
   float constant_bias;
   float slope_bias;
-  float min_variance;
-  float bleeding_reduction;
-  float moment_bias;
-  float ringing_reduction;
-  float contrast;
-  float unused;
+  Settings settings;
 };
-layout(std140) uniform Lookups { LookupValues lookups[MAX_LOOKUPS]; };
-
-PrefilterSettings settings_of(LookupValues lookup) {
-  PrefilterSettings settings = settings_of_map();
-  settings.min_variance = lookup.min_variance;
-  settings.bleeding_reduction = lookup.bleeding_reduction;
-  settings.moment_bias = lookup.moment_bias;
-  settings.ringing_reduction = lookup.ringing_reduction;
-  settings.contrast = lookup.contrast;
-  return settings;
-}
+layout(std430) restrict readonly buffer Lookups { LookupValues lookups[]; };
 
 // Bilinear interpolation in double precision, like all that follows: hardware filters with 8-bit weights.
 dvec4 values_at_level(Receiver receiver, int group, int level) {
@@ -83,13 +68,13 @@ dvec4 values_at(Receiver receiver, int group, float level) {
   return part == 0.0 ? at_finer : mix(at_finer, values_at_level(receiver, group, finer + 1), double(part));
 }
 
-float visibility_at(dvec4 of_groups[GROUPS], double depth, PrefilterSettings settings) {
-  if (TECHNIQUE != CSM) return visibility_from(of_groups[0], depth, settings);
-  float sum = 0.0;
+float visibility_at(dvec4 of_groups[GROUPS], double depth, Settings settings) {
+  CONSTANTS
+  float visibility = 0.0;
   for (int group = 0; group < GROUPS; ++group) {
-    sum += fourier_sum(vec4(of_groups[group]), float(depth), group, settings);
+    visibility = visibility_from(of_groups[group], depth, group, visibility, settings);
   }
-  return fourier_visibility(sum, settings);
+  return visibility;
 }
 
 void main() {
@@ -113,7 +98,7 @@ void main() {
     if (reads_map) {
       LookupValues lookup = lookups[i];
       double bias = double(lookup.constant_bias * surfel.bias_unit + lookup.slope_bias * surfel.slope);
-      visibility = visibility_at(of_groups, (surfel.receiver.depth - bias) / far_depth, settings_of(lookup));
+      visibility = visibility_at(of_groups, (surfel.receiver.depth - bias) / far_depth, lookup.settings);
     }
     imageStore(visibility_image, ivec3(pixel, i), vec4(visibility));
   }

@@ -1,8 +1,8 @@
 #include "raster/shadow/prefiltered_pass.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,34 +16,23 @@
 namespace umbrameter {
 namespace {
 
-static_assert(max_lookups == constant("MAX_LOOKUPS"));
-
 struct MapFormat {
   gl::Format format;
   std::string layout;  // the same in GLSL
 };
 
+// A single value is a float: that of ESM.
 MapFormat map_format(const Prefiltered& technique) {
-  const int of_values = technique.settings.technique;
-  if (of_values == shared::ESM) return {gl::Format::r32f, "r32f"};
-  const bool is_pair = of_values == shared::VSM || of_values == shared::EVSM2;
-  switch (technique.format) {
-    case MomentFormat::f16:
-      return is_pair ? MapFormat{gl::Format::rg16f, "rg16f"} : MapFormat{gl::Format::rgba16f, "rgba16f"};
-    case MomentFormat::unorm16:
-      return is_pair ? MapFormat{gl::Format::rg16, "rg16"} : MapFormat{gl::Format::rgba16, "rgba16"};
-    case MomentFormat::f32:
-      break;
-  }
-  return is_pair ? MapFormat{gl::Format::rg32f, "rg32f"} : MapFormat{gl::Format::rgba32f, "rgba32f"};
+  using enum gl::Format;
+  static const MapFormat pairs[] = {{rg32f, "rg32f"}, {rg16f, "rg16f"}, {rg16, "rg16"}};
+  static const MapFormat quads[] = {{rgba32f, "rgba32f"}, {rgba16f, "rgba16f"}, {rgba16, "rgba16"}};
+  if (technique.values == 1) return {r32f, "r32f"};
+  return (technique.values == 2 ? pairs : quads)[static_cast<std::size_t>(technique.format)];
 }
 
-// The technique is constant in the program, and what a sweep varies is not.
+// The technique is constant in the program, and its settings are not.
 std::string defines_of(const Prefiltered& technique) {
-  return define("TECHNIQUE", static_cast<unsigned>(technique.settings.technique)) +
-         define("IS_QUANTIZED", static_cast<unsigned>(technique.settings.is_quantized)) +
-         define("IS_HAUSDORFF", static_cast<unsigned>(technique.settings.is_hausdorff)) +
-         define("TERMS", static_cast<unsigned>(technique.settings.terms)) +
+  return "#define TECHNIQUE_TEXT " + std::string(technique.text) + "\n#define CONSTANTS " + technique.constants + "\n" +
          define("GROUPS", static_cast<unsigned>(technique.groups));
 }
 
@@ -69,6 +58,7 @@ FilteredMap filter(const DrawnMap& drawn, const Prefiltered& technique) {
   const MapFormat format = map_format(technique);
   require_room(context, side, layers, format.format);
   const gl::Buffer weights = gl::make_buffer("blur weights", std::span<const float>(technique.blur));
+  const gl::Buffer settings = gl::make_buffer("filter settings", technique.settings);
   const auto blur = [&](const gl::Texture& source, bool is_first) {
     const int levels = technique.mipmaps && !is_first ? gl::mipmap_levels(side, side) : 1;
     gl::Texture blurred = gl::make_texture("filtered shadow map", format.format, side, side, layers, levels);
@@ -76,7 +66,7 @@ FilteredMap filter(const DrawnMap& drawn, const Prefiltered& technique) {
                             defines_of(technique) + define("IS_DEPTH", is_first ? 1 : 0) +
                                 define("SAMPLES", static_cast<unsigned>(technique.samples_per_side)) +
                                 "#define MAP_FORMAT " + format.layout + "\n"});
-    pass.value("exponents", technique.settings.exponents)
+    pass.buffer("MapSettings", settings)
         .texture("source", source)
         .image("blurred", blurred, format.format, true)
         .buffer("BlurWeights", weights)
@@ -99,13 +89,18 @@ FilteredMap filter(const DrawnMap& drawn, const Prefiltered& technique) {
 
 std::vector<Image<float>> draw_lookups(const gl::Context& context, const ShadowLookup& lookup,
                                        const Prefiltered& technique, std::span<const PrefilteredLookup> lookups) {
-  assert(lookup.filtered != nullptr && lookups.size() <= max_lookups);
+  assert(lookup.drawn != nullptr && lookups.size() <= max_lookups);
   const int width = lookup.gbuffer.width;
   const int height = lookup.gbuffer.height;
   const int layers = static_cast<int>(lookups.size());
   const gl::Texture visibility = gl::make_texture("visibility", gl::Format::r32f, width, height, layers);
-  std::array<PrefilteredLookup, max_lookups> block{};
-  std::ranges::copy(lookups, block.begin());
+  // Packed as std430 packs a struct of numbers of 32 bits.
+  std::vector<std::byte> values;
+  for (const PrefilteredLookup& each : lookups) {
+    for (const float bias : {each.constant_bias, each.slope_bias})
+      std::ranges::copy(bytes_of(bias), std::back_inserter(values));
+    std::ranges::copy(each.settings, std::back_inserter(values));
+  }
   gl::Pass pass = lookup_pass(
       context, lookup, lookup.bias.constant.unit,
       {{"prefiltered_visibility.comp"}, defines_of(technique) + define("HAS_MIPMAPS", technique.mipmaps ? 1 : 0)});
@@ -113,24 +108,16 @@ std::vector<Image<float>> draw_lookups(const gl::Context& context, const ShadowL
     assert(lookup.view != nullptr);
     pass.block("View", make_view_block(*lookup.view));
   }
-  pass.value("exponents", technique.settings.exponents)
-      .value("lookup_count", layers)
-      .block("Lookups", block)
-      .texture("values", lookup.filtered->values)
+  pass.value("lookup_count", layers)
+      .buffer("Lookups", gl::make_buffer("look-ups", values))
+      .texture("values", std::get<FilteredMap>(lookup.drawn->of_technique).values)
       .image("visibility_image", visibility, gl::Format::r32f, true)
       .dispatch(width, height);
   return read_layers<float>(visibility, gl::Format::r32f, layers);
 }
 
 PrefilteredLookup lookup_of(const BiasParams& bias, const Prefiltered& technique) {
-  const shared::PrefilterSettings& settings = technique.settings;
-  return {static_cast<float>(bias.constant.number),
-          static_cast<float>(bias.slope),
-          settings.min_variance,
-          settings.bleeding_reduction,
-          settings.moment_bias,
-          settings.ringing_reduction,
-          settings.contrast};
+  return {static_cast<float>(bias.constant.number), static_cast<float>(bias.slope), technique.settings};
 }
 
 RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const Prefiltered& technique) {

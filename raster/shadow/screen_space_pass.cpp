@@ -1,5 +1,3 @@
-#include "raster/shadow/screen_space_pass.h"
-
 #include <algorithm>
 #include <cassert>
 
@@ -8,8 +6,6 @@
 #include "raster/texture_image.h"
 
 namespace umbrameter {
-
-FilteredMap filter(const DrawnMap&, const ScreenSpace&) { return {}; }
 
 RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const ScreenSpace& technique) {
   assert(lookup.view != nullptr);
@@ -27,10 +23,6 @@ RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, co
       .image("visibility_image", visibility, gl::Format::r32f)
       .dispatch(width, height);
   return {read_image<float>(visibility, gl::Format::r32f), {Image<uvec4>(width, height, uvec4(0)), 1}};
-}
-
-FilteredMap filter(const DrawnMap& drawn, const ContactShadows& technique) {
-  return std::visit([&](const auto& each) { return filter(drawn, each); }, technique.of_map);
 }
 
 RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const ContactShadows& technique) {

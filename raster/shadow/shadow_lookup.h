@@ -8,13 +8,13 @@
 #include "raster/gbuffer/uploaded_scene.h"
 #include "raster/gl/context.h"
 #include "raster/gl/pass.h"
-#include "raster/shadow/filtered_map.h"
 #include "raster/shadow/shadow_map.h"
 #include "scenes/view.h"
 #include "techniques/shadow/map_layout.h"
 #include "techniques/shadow/technique.h"
 
 namespace umbrameter {
+struct TechniqueMap;
 
 /// One light's map, looked up at every surfel. Map and surfels must be those of `scene`.
 struct ShadowLookup {
@@ -24,9 +24,9 @@ struct ShadowLookup {
   const Light& light;
   BiasParams bias;
   ShadowTechnique technique;
-  const gl::Texture* truth = nullptr;     ///< from upload() or upload_truth(); lit if ≥ 0.5
-  const FilteredMap* filtered = nullptr;  ///< nullptr if the technique has none
-  const View* view = nullptr;             ///< that of the surfels, for techniques that read the camera's depth
+  const gl::Texture* truth = nullptr;   ///< from upload() or upload_truth(); lit if ≥ 0.5
+  const TechniqueMap* drawn = nullptr;  ///< filter_map(); only PCF's techniques need none
+  const View* view = nullptr;           ///< that of the surfels, for techniques that read the camera's depth
 };
 
 /// The kernel of the look-up's technique, which sums comparisons.

@@ -17,6 +17,17 @@ Image<uvec4> draw_wrong(const gl::Context& context, const ShadowLookup& lookup, 
   return read_image<uvec4>(wrong, gl::Format::rgba32ui);
 }
 
+template <class Technique>
+TechniqueMap map_of(const DrawnMap& drawn, const Technique& technique) {
+  TechniqueMap map;
+  if constexpr (requires { filter(drawn, technique); }) map.of_technique = filter(drawn, technique);
+  return map;
+}
+
+TechniqueMap map_of(const DrawnMap& drawn, const ContactShadows& technique) {
+  return std::visit([&](const auto& each) { return map_of(drawn, each); }, technique.of_map);
+}
+
 }  // namespace
 
 RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const Pcf& pcf) {
@@ -36,6 +47,10 @@ RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, co
   result.wrong = {Image<uvec4>(gbuffer.width, gbuffer.height, uvec4(0)), pcf.kernel.weight_sum()};
   if (has_truth) result.wrong.weights = draw_wrong(context, lookup, pixels, pcf.kernel.tap_count());
   return result;
+}
+
+TechniqueMap filter_map(const DrawnMap& drawn, const ShadowTechnique& technique) {
+  return std::visit([&](const auto& each) { return map_of(drawn, each); }, technique);
 }
 
 RasterVisibility draw_visibility(const gl::Context& context, const ShadowLookup& lookup) {

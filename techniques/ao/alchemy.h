@@ -11,6 +11,8 @@
 #include "techniques/ao/screen.h"
 
 namespace umbrameter {
+struct AoParams;
+
 namespace shared {
 
 struct AlchemyMethod : AoScreen {
@@ -41,8 +43,12 @@ struct AlchemyParams {
 Parameters describe(AlchemyParams& params);
 
 struct Alchemy {
+  static constexpr std::string_view name = "alchemy";
   static constexpr std::string_view title = "Alchemy AO";
   static constexpr AoBlur denoiser = AoBlur::bilateral;  ///< SAO_blur.pix: 9 taps along each axis, by depth
+  static constexpr std::string_view text = "alchemy.glsl";
+  static constexpr std::string_view settings = "AlchemySettings";
+  static Alchemy make(const AoParams& params);
   AoSamplingParams sampling;
   AoNoiseParams noise;
   AlchemyParams params;

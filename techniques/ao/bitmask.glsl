@@ -1,8 +1,6 @@
 // GTAO with a visibility bitmask (O. Therrien, Y. Levesque and G. Gilet, Screen Space Indirect Lighting with Visibility
-// Bitmask, 2023). Needs screen.glsl and gtao.glsl. docs/ambient-occlusion/bitmask.md has the formulas.
-#ifndef SHARED
-#define SHARED
-#endif
+// Bitmask, 2023). Needs screen.glsl. docs/ambient-occlusion/bitmask.md has the formulas.
+#include "gtao.glsl"
 
 struct BitmaskSettings {
   int slices;

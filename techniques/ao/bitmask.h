@@ -6,14 +6,16 @@
 
 #include "core/parameters.h"
 #include "techniques/ao/blur.h"
-#include "techniques/ao/gtao.h"
 #include "techniques/ao/noise.h"
 #include "techniques/ao/parameters.h"
+#include "techniques/ao/screen.h"
 
 namespace umbrameter {
+struct AoParams;
+
 namespace shared {
 
-struct BitmaskMethod : GtaoMethod {
+struct BitmaskMethod : AoScreen {
 #define SHARED
 #include "techniques/ao/bitmask.glsl"
 #undef SHARED
@@ -34,8 +36,13 @@ struct BitmaskParams {
 Parameters describe(BitmaskParams& params);
 
 struct Bitmask {
+  static constexpr std::string_view name = "bitmask";
   static constexpr std::string_view title = "Visibility bitmask";
   static constexpr AoBlur denoiser = AoBlur::xegtao;  ///< ours: that of GTAO, whose slices and noise it has
+  static constexpr std::string_view text = "bitmask.glsl";
+  static constexpr std::string_view settings = "BitmaskSettings";
+  static constexpr bool has_bent_normal = true;
+  static Bitmask make(const AoParams& params);
   AoSamplingParams sampling;
   AoNoiseParams noise;
   AoSliceParams slices;

@@ -12,6 +12,8 @@
 #include "techniques/ao/ssao.h"
 
 namespace umbrameter {
+struct AoParams;
+
 namespace shared {
 
 struct CrytekMethod : AoScreen {
@@ -23,8 +25,12 @@ struct CrytekMethod : AoScreen {
 }  // namespace shared
 
 struct Crytek {
+  static constexpr std::string_view name = "crytek";
   static constexpr std::string_view title = "Full-sphere SSAO";
   static constexpr AoBlur denoiser = AoBlur::bilateral;  ///< described with a blur that keeps depth edges
+  static constexpr std::string_view text = "crytek.glsl";
+  static constexpr std::string_view settings = "CrytekSettings";
+  static Crytek make(const AoParams& params);
   AoSamplingParams sampling;
   AoBiasParams bias;
   AoNoiseParams noise;

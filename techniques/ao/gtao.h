@@ -11,6 +11,8 @@
 #include "techniques/ao/screen.h"
 
 namespace umbrameter {
+struct AoParams;
+
 namespace shared {
 
 struct GtaoMethod : AoScreen {
@@ -32,8 +34,13 @@ struct GtaoParams {
 Parameters describe(GtaoParams& params);
 
 struct Gtao {
+  static constexpr std::string_view name = "gtao";
   static constexpr std::string_view title = "GTAO";
   static constexpr AoBlur denoiser = AoBlur::xegtao;
+  static constexpr std::string_view text = "gtao.glsl";
+  static constexpr std::string_view settings = "GtaoSettings";
+  static constexpr bool has_bent_normal = true;
+  static Gtao make(const AoParams& params);
   AoSamplingParams sampling;
   AoNoiseParams noise;
   AoSliceParams slices;

@@ -11,6 +11,8 @@
 #include "techniques/ao/screen.h"
 
 namespace umbrameter {
+struct AoParams;
+
 namespace shared {
 
 struct HbaoMethod : AoScreen {
@@ -32,8 +34,12 @@ struct HbaoParams {
 Parameters describe(HbaoParams& params);
 
 struct Hbao {
+  static constexpr std::string_view name = "hbao";
   static constexpr std::string_view title = "HBAO";
   static constexpr AoBlur denoiser = AoBlur::bilateral;  ///< NVIDIA's sample: 7 taps along each axis, by depth
+  static constexpr std::string_view text = "hbao.glsl";
+  static constexpr std::string_view settings = "HbaoSettings";
+  static Hbao make(const AoParams& params);
   AoSamplingParams sampling;
   AoNoiseParams noise;
   HbaoParams params;

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "techniques/ao/technique.h"
+
 namespace umbrameter {
 
 Parameters describe(MarchedParams& params) {
@@ -17,6 +19,8 @@ Parameters describe(MarchedParams& params) {
               {.unit = {}, .meaning = "ray marching: distribution of the rays in the hemisphere"})
       .take();
 }
+
+Marched Marched::make(const AoParams& params) { return {params.sampling, params.noise, params.marched}; }
 
 Parameters describe(Marched& technique) {
   return concatenate({describe(technique.sampling), describe(technique.noise), describe(technique.params)});

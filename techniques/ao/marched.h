@@ -11,6 +11,8 @@
 #include "techniques/ao/screen.h"
 
 namespace umbrameter {
+struct AoParams;
+
 namespace shared {
 
 struct MarchedMethod : AoScreen {
@@ -33,8 +35,12 @@ struct MarchedParams {
 Parameters describe(MarchedParams& params);
 
 struct Marched {
+  static constexpr std::string_view name = "ray-marched";
   static constexpr std::string_view title = "Ray-marched SSAO";
   static constexpr AoBlur denoiser = AoBlur::none;  ///< ours has no denoiser
+  static constexpr std::string_view text = "marched.glsl";
+  static constexpr std::string_view settings = "MarchedSettings";
+  static Marched make(const AoParams& params);
   AoSamplingParams sampling;
   AoNoiseParams noise;
   MarchedParams params;

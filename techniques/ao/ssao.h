@@ -11,6 +11,7 @@
 #include "techniques/ao/parameters.h"
 
 namespace umbrameter {
+struct AoParams;
 
 struct SsaoParams {
   bool range_check = true;
@@ -18,8 +19,10 @@ struct SsaoParams {
 Parameters describe(SsaoParams& params);
 
 struct Ssao {
+  static constexpr std::string_view name = "ssao";
   static constexpr std::string_view title = "SSAO";
   static constexpr AoBlur denoiser = AoBlur::box;  ///< 4×4, as in Learn OpenGL
+  static Ssao make(const AoParams& params);
   AoSamplingParams sampling;
   AoBiasParams bias;
   AoNoiseParams noise;

@@ -1,21 +1,18 @@
 #include "techniques/ao/technique.h"
 
-#include <array>
-
 namespace umbrameter {
+namespace {
+
+Parameters describe(AoTechniques::Choice& technique) {
+  return Description("ao")
+      .choice("technique", technique, AoTechniques::names, {.unit = {}, .meaning = "AO technique", .basic = true})
+      .take();
+}
+
+}  // namespace
 
 Parameters describe(AoParams& params) {
-  static constexpr std::array<std::string_view, 7> names{"ssao",   "gtao",    "hbao",       "alchemy",
-                                                         "crytek", "bitmask", "ray-marched"};
-  Parameters technique =
-      Description("ao")
-          .choice("technique", params.technique, names, {.unit = {}, .meaning = "AO technique", .basic = true})
-          .take();
-  return concatenate({describe(params.sampling), describe(params.bias), describe(params.noise), describe(params.inputs),
-                      technique, describe(params.ssao), describe(params.kernel), describe(params.slices),
-                      describe(params.gtao), describe(params.hbao), describe(params.alchemy), describe(params.bitmask),
-                      describe(params.marched), describe(params.blur), describe(params.resolution),
-                      describe(params.tone)});
+  return std::apply([](auto&... groups) { return concatenate({describe(groups)...}); }, params.groups());
 }
 
 AoParams in_metres(AoParams params, double scene_size) {
@@ -25,23 +22,8 @@ AoParams in_metres(AoParams params, double scene_size) {
 }
 
 AoTechnique make_technique(const AoParams& params) {
-  switch (params.technique) {
-    case AoTechniqueName::ssao:
-      break;
-    case AoTechniqueName::gtao:
-      return Gtao{params.sampling, params.noise, params.slices, params.gtao};
-    case AoTechniqueName::hbao:
-      return Hbao{params.sampling, params.noise, params.hbao};
-    case AoTechniqueName::alchemy:
-      return Alchemy{params.sampling, params.noise, params.alchemy};
-    case AoTechniqueName::crytek:
-      return Crytek{params.sampling, params.bias, params.noise, params.ssao};
-    case AoTechniqueName::bitmask:
-      return Bitmask{params.sampling, params.noise, params.slices, params.bitmask};
-    case AoTechniqueName::ray_marched:
-      return Marched{params.sampling, params.noise, params.marched};
-  }
-  return Ssao{params.sampling, params.bias, params.noise, params.ssao, params.kernel};
+  return AoTechniques::apply<AoTechnique>(params.technique,
+                                          [&]<class T>(std::type_identity<T>) { return T::make(params); });
 }
 
 Parameters describe(AoTechnique& technique) {

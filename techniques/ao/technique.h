@@ -1,17 +1,21 @@
 // The techniques of ambient occlusion. A technique holds the parameters that it reads. Other code depends on these,
 // never on its name.
 //
-// To add a technique: (1) put its parameters, its struct with the denoiser that it was published with, and their
-// describe() in a new file in this folder; (2) here, add its name, a member of AoParams and an alternative of
-// AoTechnique; (3) put its pass in raster/ao/ and add a line to raster/ao/technique_passes.h.
+// This list is the only one: choice, names, dispatch and build follow from it. A technique is a struct with its name,
+// title, the denoiser that it was published with, the parameters that it reads, make(), describe() and settings_of(),
+// in a header of this folder that is included here; the source and the text (.glsl) of the same name are built with it.
+// Its text gives accessibility() and, if the struct has_bent_normal, bent_normal(); raster/ao/method_pass.h runs it.
+// Its own parameters become a member of AoParams.
 #pragma once
 
 #include <cstdint>
 #include <string_view>
+#include <tuple>
 #include <variant>
 #include <vector>
 
 #include "core/parameters.h"
+#include "core/type_list.h"
 #include "techniques/ao/alchemy.h"
 #include "techniques/ao/bitmask.h"
 #include "techniques/ao/blur.h"
@@ -29,8 +33,7 @@
 
 namespace umbrameter {
 
-/// Names of the techniques, in the order of AoTechnique's alternatives.
-enum class AoTechniqueName : int { ssao, gtao, hbao, alchemy, crytek, bitmask, ray_marched };
+using AoTechniques = TypeList<Ssao, Gtao, Hbao, Alchemy, Crytek, Bitmask, Marched>;
 
 /// The ao.* parameters: those that techniques share, those of each technique, and those of what follows.
 struct AoParams {
@@ -38,7 +41,7 @@ struct AoParams {
   AoBiasParams bias;
   AoNoiseParams noise;
   AoInputParams inputs;
-  AoTechniqueName technique = AoTechniqueName::ssao;
+  AoTechniques::Choice technique = AoTechniques::choice<Ssao>;
   SsaoParams ssao;
   AoKernelParams kernel;
   AoSliceParams slices;
@@ -50,13 +53,19 @@ struct AoParams {
   AoBlurParams blur;
   AoResolutionParams resolution;
   AoToneParams tone;
+
+  /// All members, in the order of the documentation.
+  auto groups() {
+    return std::tie(sampling, bias, noise, inputs, technique, ssao, kernel, slices, gtao, hbao, alchemy, bitmask,
+                    marched, blur, resolution, tone);
+  }
 };
 Parameters describe(AoParams& params);
 
 /// Converts all lengths to metres, as draw_ao() expects. scene_size is the diagonal of the scene's bounds, metres.
 AoParams in_metres(AoParams params, double scene_size);
 
-using AoTechnique = std::variant<Ssao, Gtao, Hbao, Alchemy, Crytek, Bitmask, Marched>;
+using AoTechnique = AoTechniques::Variant<std::type_identity_t>;
 
 AoTechnique make_technique(const AoParams& params);
 

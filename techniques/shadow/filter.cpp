@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/parameter_selection.h"
 #include "core/random.h"
 
 namespace umbrameter {
@@ -160,6 +161,26 @@ FilterKernel make_filter(const PcfParams& params) {
       break;
   }
   return filter;
+}
+
+Parameters read_parameters(PcfParams& params) {
+  const Parameters all = describe(params);
+  switch (params.filter) {
+    case ShadowFilter::nearest:
+    case ShadowFilter::bilinear:
+      return select(all, {"shadow.filter"});
+    case ShadowFilter::box:
+    case ShadowFilter::tent:
+    case ShadowFilter::gaussian:
+      return select(all, {"shadow.filter", "shadow.filter-size", "shadow.filter-taps"});
+    case ShadowFilter::optimized:
+    case ShadowFilter::area_tent:
+      return select(all, {"shadow.filter", "shadow.filter-size"});
+    case ShadowFilter::poisson:
+    case ShadowFilter::vogel:
+      break;
+  }
+  return select(all, {"shadow.filter", "shadow.filter-samples", "shadow.filter-radius", "shadow.filter-rotation"});
 }
 
 FilterKernel make_pcss_filter(const PcfParams& params, const PcssParams& pcss, double extent) {

@@ -88,6 +88,9 @@ static_assert(largest_weight_sum(FilterKernel::largest_size) < std::uint64_t{1} 
 /// tent filters. Throws Error (usage) for a size that the kernel does not have.
 FilterKernel make_filter(const PcfParams& params);
 
+/// The parameters that the kernel reads.
+Parameters read_parameters(PcfParams& params);
+
 /// The disk of PCSS for a light of this extent: see BlockerSearch.
 FilterKernel make_pcss_filter(const PcfParams& params, const PcssParams& pcss, double extent);
 /// The disk of DPCF for a light of this extent: see ContactHardening.

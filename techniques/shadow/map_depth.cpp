@@ -60,6 +60,15 @@ Parameters describe(MapDepthParams& params) {
       .take();
 }
 
+Parameters read_parameters(MapDepthParams& params) {
+  Parameters read = describe(params);
+  std::erase_if(read, [&](const Parameter& each) {
+    return (each.key == "shadow.depth-near" && params.encoding == DepthEncoding::linear) ||
+           (each.key == "shadow.dual-offset" && params.surface != StoredSurface::dual);
+  });
+  return read;
+}
+
 MapLayout with_point_map(MapLayout layout, PointMap point_map) {
   if (layout.kind == MapKind::cube && point_map == PointMap::paraboloid) {
     layout.kind = MapKind::paraboloid;

@@ -53,6 +53,8 @@ struct MapDepthParams {
   bool cube_passes = false;
 };
 Parameters describe(MapDepthParams& params);
+/// Those that have an effect; some only for some kinds of light.
+Parameters read_parameters(MapDepthParams& params);
 
 /// The layout of a point light's map of that kind, from that of its cube map. Others stay as they are.
 MapLayout with_point_map(MapLayout layout, PointMap point_map);

@@ -1,8 +1,17 @@
-// Techniques that filter values of the depth before the look-up: exponential (ESM), variance (VSM), exponential
-// variance (EVSM), moment (MSM) and convolution shadow maps (CSM). prefiltered.glsl has their formulas and sources, for
-// the shaders too.
+// What techniques that filter values of the depth before the look-up have in common. Each has its own text, a .glsl
+// file that the shaders compile as GLSL and its header as C++ with GLM:
+//   struct Settings      what its functions read: numbers of 32 bits
+//   map_values()         what the map holds for a texel before the blur, a layer at a time
+//   visibility_from()    visibility of a receiver from the blurred values of a layer and from what the layer before it
+//                        gave; the last layer gives the result
+// A depth is the map's depth over its range, 0 to 1. docs/techniques/filtered-maps.md has the formulas.
 #pragma once
 
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "core/math.h"
@@ -10,6 +19,8 @@
 #include "techniques/shadow/capabilities.h"
 
 namespace umbrameter {
+struct ShadowParams;
+
 namespace shared {
 
 using glm::cos;
@@ -19,59 +30,72 @@ using glm::min;
 using glm::sin;
 using glm::sqrt;
 
-#define SHARED inline
-#include "techniques/shadow/prefiltered.glsl"
-#undef SHARED
-
 }  // namespace shared
 
 enum class BlurKernel : int { box, gaussian };
 /// Of each value: float, half float or 16-bit normalised integer.
 enum class MomentFormat : int { f32, f16, unorm16 };
-enum class MomentBound : int { hamburger, hausdorff };
 
-struct EsmParams {
-  double exponent = 40.0;
-  int blur = 5;
-};
-Parameters describe(EsmParams& params);
-
-/// What the filtered maps depend on. The kernel is that of ESM too.
+/// The kernel is that of ESM too.
 struct MomentMapParams {
   BlurKernel kernel = BlurKernel::box;
   int blur = 5;
   MomentFormat format = MomentFormat::f32;
-  double positive_exponent = 40.0;
-  double negative_exponent = 5.0;
-  int terms = 16;
-  int samples = 1;
-  bool mipmaps = false;
 };
 Parameters describe(MomentMapParams& params);
 
-/// What only the look-up reads.
-struct MomentLookupParams {
+/// How a map's texels are made and read.
+struct MapSamplingParams {
+  int samples = 1;
+  bool mipmaps = false;
+};
+Parameters describe(MapSamplingParams& params);
+
+/// Of look-ups that bound the share of lit texels.
+struct MomentBoundParams {
   double min_variance = 1e-6;
   double bleeding_reduction = 0.0;
-  double moment_bias = 1e-5;
-  MomentBound bound = MomentBound::hamburger;
-  double ringing_reduction = 1.0;
-  double contrast = 2.0;
 };
-Parameters describe(MomentLookupParams& params);
+Parameters describe(MomentBoundParams& params);
 
+/// What the passes of such a technique need.
 struct Prefiltered {
   static constexpr TechniqueCapabilities capabilities{};
-  shared::PrefilterSettings settings;
+  std::string_view text;            ///< the file of its text
+  std::vector<std::byte> settings;  ///< its Settings
+  int values = 4;                   ///< of a texel in a layer: 1, 2 or 4
+  std::string constants{};          ///< sets those that are constant in the program, as GLSL: "settings.terms = 16;"
+  int groups = 1;                   ///< layers per view
   MomentFormat format = MomentFormat::f32;
-  std::vector<float> blur;   ///< weights of the kernel along one axis; their sum is not 1
-  int groups = 1;            ///< layers per view
-  int samples_per_side = 1;  ///< depths along a texel's side, of which a texel's values are the mean
-  bool mipmaps = false;      ///< trilinear, by the pixel's footprint in the map
+  std::vector<float> blur{};  ///< weights of the kernel along one axis; their sum is not 1
+  int samples_per_side = 1;   ///< depths along a texel's side, of which a texel's values are the mean
+  bool mipmaps = false;       ///< trilinear, by the pixel's footprint in the map
 };
 
-/// `technique` is one of the constants of prefiltered.glsl. Throws Error (usage) if the format cannot hold the values.
-Prefiltered make_prefiltered(int technique, const EsmParams& esm, const MomentMapParams& map,
-                             const MomentLookupParams& lookup);
+/// A technique with these settings and as many values to a texel; map and look-up as the parameters say.
+/// Throws Error (usage) if moment-samples is no square number.
+Prefiltered make_prefiltered(const ShadowParams& params, std::string_view text, std::vector<std::byte> settings,
+                             int values);
+
+/// A technique of the list whose make() returns a Prefiltered.
+template <class T>
+concept FiltersMap = requires(ShadowParams& params) {
+  T::map_parameters(params);     // that the filter reads
+  T::lookup_parameters(params);  // that only the look-up reads, besides the biases
+};
+
+template <class Settings>
+std::vector<std::byte> bytes_of(const Settings& settings) {
+  static_assert(std::is_trivially_copyable_v<Settings> && alignof(Settings) == 4);
+  std::vector<std::byte> bytes(sizeof(Settings));
+  std::memcpy(bytes.data(), &settings, sizeof(Settings));
+  return bytes;
+}
+
+/// Weights of a kernel along one axis.
+std::vector<float> blur_weights(BlurKernel kernel, int size);
+
+/// The parameters of every map of moments.
+Parameters moment_map_parameters(ShadowParams& params);
 
 }  // namespace umbrameter

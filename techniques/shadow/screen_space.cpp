@@ -1,5 +1,8 @@
 #include "techniques/shadow/screen_space.h"
 
+#include "core/parameter_selection.h"
+#include "techniques/shadow/technique.h"
+
 namespace umbrameter {
 
 Parameters describe(ScreenSpaceParams& params) {
@@ -24,9 +27,15 @@ Parameters describe(ScreenSpaceParams& params) {
       .take();
 }
 
-ScreenSpace make_screen_space(const ScreenSpaceParams& params) {
+ScreenSpace ScreenSpace::make(const ShadowParams& shadow, double) {
+  const ScreenSpaceParams& params = shadow.screen_space;
   return {{static_cast<float>(params.length), params.steps, static_cast<float>(params.thickness),
            static_cast<float>(params.bias), params.jitter ? 1 : 0, params.plane ? 1 : 0}};
+}
+
+Parameters ScreenSpace::reads(ShadowParams& params) {
+  // Which kind of map a point light has decides which of its pixels are counted.
+  return concatenate({describe(params.screen_space), select(describe(params.map_depth), {"shadow.point-map"})});
 }
 
 }  // namespace umbrameter

@@ -1,11 +1,15 @@
 // Screen-space shadows (contact shadows): a march through the camera's depth buffer towards the light.
 #pragma once
 
+#include <string_view>
+
 #include "core/math.h"
 #include "core/parameters.h"
 #include "techniques/shadow/capabilities.h"
 
 namespace umbrameter {
+struct ShadowParams;
+
 namespace shared {
 
 using glm::fract;
@@ -29,10 +33,11 @@ struct ScreenSpaceParams {
 Parameters describe(ScreenSpaceParams& params);
 
 struct ScreenSpace {
+  static constexpr std::string_view name = "screen-space";
   static constexpr TechniqueCapabilities capabilities{};
+  static ScreenSpace make(const ShadowParams& params, double light_extent);
+  static Parameters reads(ShadowParams& params);
   shared::MarchSettings march;
 };
-
-ScreenSpace make_screen_space(const ScreenSpaceParams& params);
 
 }  // namespace umbrameter

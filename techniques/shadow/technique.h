@@ -1,26 +1,35 @@
-// The shadow techniques and their capabilities. Other code depends on a technique's capabilities, never on its name.
+// The shadow techniques. This list is the only one: choice, names, dispatch and build follow from it. Other code
+// depends on a technique's capabilities, never on its name.
 //
-// To add a technique: (1) put its parameters and their describe() in a new file in this folder; (2) here, add its name,
-// a member of ShadowParams and an alternative of ShadowTechnique; (3) put its passes in raster/shadow/ and add a line
-// to raster/shadow/technique_passes.h. A technique that filters a map before the look-up needs only a case in
-// prefiltered.glsl, its parameters in prefiltered.h and its name here.
+// A technique is a struct with its name and the functions make() and reads(), in a header of this folder that
+// is included here; the source, the shared text (.glsl), the pass (raster/shadow/*_pass.cpp) and the shader
+// (raster/shaders/*.comp) of the same name are built with it. Its own parameters become a member of ShadowParams.
+// make() returns what the passes need:
+//   Prefiltered   for a technique that filters values of the depth before the look-up: prefiltered.h says what its text
+//                 holds. Instead of reads() it lists map_parameters() and lookup_parameters(). No pass.
+//   itself        for a technique of a new kind, whose passes raster/shadow/technique_passes.h declares.
 #pragma once
 
-#include <array>
-#include <string_view>
+#include <tuple>
+#include <utility>
 #include <variant>
 
+#include "core/type_list.h"
 #include "techniques/shadow/capabilities.h"
 #include "techniques/shadow/cascades.h"
-#include "techniques/shadow/filter.h"
+#include "techniques/shadow/csm.h"
+#include "techniques/shadow/esm.h"
+#include "techniques/shadow/evsm.h"
 #include "techniques/shadow/map_depth.h"
+#include "techniques/shadow/msm.h"
 #include "techniques/shadow/parameters.h"
-#include "techniques/shadow/prefiltered.h"
+#include "techniques/shadow/pcf.h"
 #include "techniques/shadow/screen_space.h"
+#include "techniques/shadow/vsm.h"
 
 namespace umbrameter {
 
-enum class ShadowTechniqueName : int { pcf, esm, vsm, evsm2, evsm4, msm, csm, pcss, dpcf, screen_space };
+using ShadowTechniques = TypeList<Pcf, Esm, Vsm, Evsm2, Evsm4, Msm, Csm, Pcss, Dpcf, ScreenSpace>;
 
 /// The shadow.* parameters, grouped by the stage that reads them.
 struct ShadowParams {
@@ -28,35 +37,31 @@ struct ShadowParams {
   MapFitParams fit;
   MapDepthParams map_depth;
   BiasParams bias;
-  ShadowTechniqueName technique = ShadowTechniqueName::pcf;
+  ShadowTechniques::Choice technique = ShadowTechniques::choice<Pcf>;
   PcfParams pcf;
   PcssParams pcss;
   EsmParams esm;
   MomentMapParams moment_map;
-  MomentLookupParams moment_lookup;
+  EvsmParams evsm;
+  CsmMapParams csm_map;
+  MapSamplingParams map_sampling;
+  MomentBoundParams moment_bound;
+  MsmParams msm;
+  CsmLookupParams csm_lookup;
   ScreenSpaceParams screen_space;
+
+  /// All members, in the order of the documentation.
+  auto groups() {
+    return std::tie(map, fit, map_depth, bias, technique, pcf, pcss, esm, moment_map, evsm, csm_map, map_sampling,
+                    moment_bound, msm, csm_lookup, screen_space);
+  }
 };
 Parameters describe(ShadowParams& params);
 
-/// Percentage-closer filtering: a weighted sum of depth comparisons.
-struct Pcf {
-  static constexpr TechniqueCapabilities capabilities{.sums_comparisons = true, .taps_independent_of_bias = true};
-  FilterKernel kernel;
-};
-
-/// Percentage-closer soft shadows: PCF whose kernel grows with the distance of the blockers. Which texels block depends
-/// on the bias.
-struct Pcss : Pcf {
-  static constexpr TechniqueCapabilities capabilities{.sums_comparisons = true, .reads_light_extent = true};
-};
-
-/// Contact-hardening PCF: the visibility is no sum, because the share of lit taps is sharpened.
-struct Dpcf : Pcf {
-  static constexpr TechniqueCapabilities capabilities{.reads_light_extent = true};
-};
-
-/// A technique that reads a map.
-using MapTechnique = std::variant<Pcf, Pcss, Dpcf, Prefiltered>;
+/// What the techniques of the list make, each kind once.
+template <class T>
+using MadeBy = decltype(T::make(std::declval<const ShadowParams&>(), 0.0));
+using MapTechnique = ShadowTechniques::Variant<MadeBy>;
 
 /// Screen-space shadows combined with a technique that reads a map.
 struct ContactShadows {
@@ -65,7 +70,7 @@ struct ContactShadows {
   ScreenSpace march;
 };
 
-using ShadowTechnique = std::variant<Pcf, Pcss, Dpcf, Prefiltered, ScreenSpace, ContactShadows>;
+using ShadowTechnique = VariantWith<MapTechnique, ContactShadows>;
 
 /// light_extent: half the size of the light, as BlockerSearch::extent; 0 for a light without extent. Throws Error
 /// (usage) for parameters that exclude each other.
@@ -77,7 +82,8 @@ const FilterKernel* kernel_of(const ShadowTechnique& technique);
 /// The technique that looks up a filtered map, alone or combined with screen-space shadows; nullptr for others.
 const Prefiltered* prefiltered_of(const ShadowTechnique& technique);
 
-/// The parameters of the pass that filters the shadow map before the look-up. The others affect only the look-up.
+/// The parameters of the pass that filters the shadow map before the look-up, of any technique. The others affect only
+/// the look-up.
 Parameters filtered_map_parameters(ShadowParams& params);
 
 /// The parameters that only the look-up reads, of which one pass over the pixels can take many values

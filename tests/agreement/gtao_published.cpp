@@ -41,7 +41,7 @@ Experiment experiment_at(const Setup& setup, const std::string& camera, const Gt
   experiment.truth.spp = setup.spp;
   experiment.truth.ao_distance = 0.5;
   experiment.ao.sampling.radius = 0.5;
-  experiment.ao.technique = AoTechniqueName::gtao;
+  experiment.ao.technique = AoTechniques::choice<Gtao>;
   experiment.ao.gtao = gtao;
   return experiment;
 }

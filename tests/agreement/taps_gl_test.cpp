@@ -81,12 +81,12 @@ TEST_F(TapsGl, Shadows_that_follow_the_size_of_the_light_agree_in_every_pixel) {
     const ShadowMap map = draw_shadow_map(context(), uploaded, light, layout);
     const ShadowMapImages images = read_back(context(), map);
     struct Variant {
-      ShadowTechniqueName technique;
+      ShadowTechniques::Choice technique;
       bool in_cone;
     };
-    for (const auto& [name, in_cone] : {Variant{ShadowTechniqueName::pcss, false},
-                                        {ShadowTechniqueName::pcss, true},
-                                        {ShadowTechniqueName::dpcf, false}}) {
+    for (const auto& [name, in_cone] : {Variant{ShadowTechniques::choice<Pcss>, false},
+                                        {ShadowTechniques::choice<Pcss>, true},
+                                        {ShadowTechniques::choice<Dpcf>, false}}) {
       ShadowParams params;
       params.technique = name;
       params.pcss.search_cone = in_cone;

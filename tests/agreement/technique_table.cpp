@@ -100,7 +100,7 @@ double seconds(Stages& stages, const Experiment& experiment) {
   gl::run_timed(&time, [&] {
     const ShadowMap map =
         draw_shadow_map(stages.context(), stages.uploaded(), light, *layout, experiment.shadow.map_depth);
-    const FilteredMap filtered =
+    const TechniqueMap filtered =
         filter_map({stages.context(), stages.uploaded(), light, map, experiment.shadow.map_depth}, technique);
     draw_visibility(stages.context(), {stages.uploaded(), *surfels, map, light, experiment.shadow.bias, technique,
                                        nullptr, &filtered, &view});

@@ -81,7 +81,7 @@ std::vector<Case> all_cases() {
   ssao.ao.sampling.radius = 0.1;
   ssao.ao.bias.depth = 0.005;
   Experiment gtao = ssao;
-  gtao.ao.technique = AoTechniqueName::gtao;
+  gtao.ao.technique = AoTechniques::choice<Gtao>;
   return {{"field, hard shadow", SweptQuantity::visibility, shadow, box},
           {"field, sun of 4°, 16 rays", SweptQuantity::visibility, soft, soft_box},
           {"field, AO, 16 rays", SweptQuantity::ao, ssao, gtao}};

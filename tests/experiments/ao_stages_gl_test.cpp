@@ -20,7 +20,7 @@ struct Measured {
 
 class AoStagesGl : public test::GlFixture {
  protected:
-  static Experiment experiment(AoTechniqueName technique, const std::string& camera) {
+  static Experiment experiment(AoTechniques::Choice technique, const std::string& camera) {
     Experiment experiment;
     experiment.view.size = {160, 90};
     experiment.view.camera = camera;
@@ -41,8 +41,9 @@ class AoStagesGl : public test::GlFixture {
 
 TEST_F(AoStagesGl, The_signed_stages_of_every_technique_add_up_to_its_error) {
   Stages stages(load_scene("corner"), {}, Console{});
-  for (const AoTechniqueName technique : {AoTechniqueName::ssao, AoTechniqueName::gtao, AoTechniqueName::hbao,
-                                          AoTechniqueName::alchemy, AoTechniqueName::crytek}) {
+  for (const AoTechniques::Choice technique :
+       {AoTechniques::choice<Ssao>, AoTechniques::choice<Gtao>, AoTechniques::choice<Hbao>,
+        AoTechniques::choice<Alchemy>, AoTechniques::choice<Crytek>}) {
     const Measured measured = measure(stages, experiment(technique, "overview"));
     double sum = 0.0;
     for (const AoStageError& stage : measured.stages.statistics.stages) sum += stage.mean.value;
@@ -56,7 +57,7 @@ TEST_F(AoStagesGl, The_signed_stages_of_every_technique_add_up_to_its_error) {
 
 TEST_F(AoStagesGl, Further_bounces_with_the_albedo_of_each_surface_are_part_of_the_model) {
   Stages stages(load_scene("corner"), {}, Console{});
-  Experiment plain = experiment(AoTechniqueName::hbao, "overview");
+  Experiment plain = experiment(AoTechniques::choice<Hbao>, "overview");
   plain.ao.blur.kind = AoBlur::none;
   const Measured before = measure(stages, plain);
   Experiment bounces = plain;
@@ -81,7 +82,7 @@ TEST_F(AoStagesGl, Further_bounces_with_the_albedo_of_each_surface_are_part_of_t
 
 TEST_F(AoStagesGl, Seen_from_above_a_trench_is_as_solid_as_the_depth_buffer_assumes) {
   Stages stages(load_scene("trench"), {}, Console{});
-  Experiment above = experiment(AoTechniqueName::ssao, "above");
+  Experiment above = experiment(AoTechniques::choice<Ssao>, "above");
   above.view.size = {320, 180};  // a pixel is half as wide as the narrowest slot
   above.truth.spp = 8;
   above.ao.ssao.range_check = false;  // it fades the walls of deep slots, whose tops are far from their floors in depth
@@ -98,9 +99,9 @@ TEST_F(AoStagesGl, Seen_from_above_a_trench_is_as_solid_as_the_depth_buffer_assu
 
 TEST_F(AoStagesGl, With_many_samples_HBAO_and_GTAO_without_falloff_come_to_their_own_integrals) {
   Stages stages(load_scene("trench"), {}, Console{});
-  const Measured hbao = measure(stages, experiment(AoTechniqueName::hbao, "above"));
+  const Measured hbao = measure(stages, experiment(AoTechniques::choice<Hbao>, "above"));
   EXPECT_NEAR(of(hbao, AoStage::approximation).mean.value, 0.0, 0.02);
-  Experiment plain = experiment(AoTechniqueName::gtao, "above");
+  Experiment plain = experiment(AoTechniques::choice<Gtao>, "above");
   plain.ao.gtao.falloff_range = 0.0;
   plain.ao.gtao.power = 1.0;
   const double without_falloff = of(measure(stages, plain), AoStage::approximation).mean.value;
@@ -121,7 +122,7 @@ TEST_F(AoStagesGl, A_plateau_out_of_reach_of_bitmask_and_ray_marching_is_hidden_
   camera.projection = OrthographicProjection{2.55, 1.55, 0.01, 100.0};  // pixels of 10 cm
   scene.cameras = {camera};
   Stages stages(scene, {}, Console{});
-  for (const AoTechniqueName technique : {AoTechniqueName::bitmask, AoTechniqueName::ray_marched}) {
+  for (const AoTechniques::Choice technique : {AoTechniques::choice<Bitmask>, AoTechniques::choice<Marched>}) {
     Experiment beside = experiment(technique, "");
     beside.view.size = {51, 31};
     beside.ao.sampling.radius = 1.5;
@@ -143,10 +144,10 @@ TEST_F(AoStagesGl, A_plateau_out_of_reach_of_bitmask_and_ray_marching_is_hidden_
 
 TEST_F(AoStagesGl, With_many_samples_bitmask_and_ray_marching_come_to_their_own_integrals) {
   Stages stages(load_scene("trench"), {}, Console{});
-  Experiment bitmask = experiment(AoTechniqueName::bitmask, "above");
+  Experiment bitmask = experiment(AoTechniques::choice<Bitmask>, "above");
   bitmask.ao.bitmask.weight = BitmaskWeight::cosine;
   bitmask.ao.bitmask.rounding = BitmaskRounding::nearest;
-  for (Experiment each : {bitmask, experiment(AoTechniqueName::ray_marched, "above")}) {
+  for (Experiment each : {bitmask, experiment(AoTechniques::choice<Marched>, "above")}) {
     each.view.size = {96, 54};
     const Measured measured = measure(stages, each);
     EXPECT_NEAR(of(measured, AoStage::approximation).mean.value, 0.0, 0.02);
@@ -166,7 +167,7 @@ TEST_F(AoStagesGl, Bias_and_range_check_of_full_sphere_SSAO_brighten_an_open_pla
     camera.projection = OrthographicProjection{1.0, 1.0, 0.01, 100.0};
     scene.cameras = {camera};
     Stages stages(scene, {}, Console{});
-    Experiment plane = experiment(AoTechniqueName::crytek, "");
+    Experiment plane = experiment(AoTechniques::choice<Crytek>, "");
     plane.ao.sampling.radius = 0.2;
     plane.ao.bias.depth = 0.01;
     plane.ao.ssao.range_check = range_check;

@@ -59,7 +59,7 @@ TEST_F(MetricColumnsGl, Of_biases_that_one_pass_measures) {
 }
 
 TEST_F(MetricColumnsGl, Of_a_technique_without_causes) {
-  experiment_.shadow.technique = ShadowTechniqueName::vsm;
+  experiment_.shadow.technique = ShadowTechniques::choice<Vsm>;
   const Table table = sweep_table(*stages_, experiment_, {"shadow.constant-bias=0.5texels,2texels"});
   for (std::size_t row = 0; row < 2; ++row) {
     Experiment cell = experiment_;

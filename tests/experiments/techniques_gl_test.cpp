@@ -83,7 +83,7 @@ TEST_F(TechniquesGl, PCSS_meets_the_traced_penumbra_of_a_light_of_half_a_metre) 
   experiment.view.size = {240, 135};
   experiment.light.angle = 14.25;
   experiment.shadow.map.resolution = 2048;
-  experiment.shadow.technique = ShadowTechniqueName::pcss;
+  experiment.shadow.technique = ShadowTechniques::choice<Pcss>;
   experiment.shadow.bias.receiver_plane = true;
   experiment.shadow.bias.constant = {0.5, LengthUnit::texels};
   experiment.shadow.pcf.samples = 64;
@@ -94,7 +94,7 @@ TEST_F(TechniquesGl, PCSS_meets_the_traced_penumbra_of_a_light_of_half_a_metre) 
   const SoftVisibilityStatistics pcss = error_of(experiment);
   EXPECT_GT(pcss.penumbra.value, 0.02);
   EXPECT_LT(pcss.penumbra_mae.value, 0.05);
-  experiment.shadow.technique = ShadowTechniqueName::pcf;
+  experiment.shadow.technique = ShadowTechniques::choice<Pcf>;
   EXPECT_GT(error_of(experiment).penumbra_mae.value, 0.15);
 }
 

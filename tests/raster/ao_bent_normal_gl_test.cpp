@@ -51,7 +51,7 @@ class BentNormalsGl : public AoMethodsGl {
 };
 
 TEST_F(BentNormalsGl, Beside_a_step_they_are_the_mean_of_the_open_directions) {
-  AoParams params = method(AoTechniqueName::gtao);
+  AoParams params = method(AoTechniques::choice<Gtao>);
   params.sampling.radius = 4.0;
   params.gtao = {1.0, 1e-3, 2.0, 0.0, 1.0};
   params.slices.slices = 8;
@@ -59,9 +59,9 @@ TEST_F(BentNormalsGl, Beside_a_step_they_are_the_mean_of_the_open_directions) {
   params.bitmask.thickness = 100.0;
   params.bitmask.rounding = BitmaskRounding::nearest;
   for (const double distance : {0.25, 1.0}) {
-    params.technique = AoTechniqueName::gtao;
+    params.technique = AoTechniques::choice<Gtao>;
     expect_beside_step(params, distance);
-    params.technique = AoTechniqueName::bitmask;
+    params.technique = AoTechniques::choice<Bitmask>;
     params.bitmask.weight = BitmaskWeight::angle;
     expect_beside_step(params, distance);
   }
@@ -72,7 +72,7 @@ TEST_F(BentNormalsGl, Beside_a_step_they_are_the_mean_of_the_open_directions) {
 TEST_F(BentNormalsGl, On_an_open_plane_they_are_the_normal) {
   Scene scene;
   add_mesh(scene, ground(1000));
-  AoParams params = method(AoTechniqueName::gtao);
+  AoParams params = method(AoTechniques::choice<Gtao>);
   params.slices.spacing = AoSliceSpacing::angle;
   params.slices.slices = 8;
   for (const double angle : {10.0, 45.0}) {
@@ -92,7 +92,7 @@ TEST_F(BentNormalsGl, Only_methods_with_slices_yield_them) {
   add_mesh(scene, ground(20));
   const View view = perspective_view(16, 16, {2, 3, 4}, {0, 0, 0});
   const GpuGBuffer surfels = draw_gbuffer(context(), upload(context(), scene), view);
-  for (const auto technique : {AoTechniqueName::ssao, AoTechniqueName::hbao, AoTechniqueName::alchemy}) {
+  for (const auto technique : {AoTechniques::choice<Ssao>, AoTechniques::choice<Hbao>, AoTechniques::choice<Alchemy>}) {
     EXPECT_FALSE(draw_bent_normals(context(), surfels, view, method(technique), 1).has_value());
   }
 }

@@ -10,7 +10,7 @@ namespace {
 using namespace testing_scenes;
 
 AoParams bitmask(BitmaskWeight weight, BitmaskRounding rounding) {
-  AoParams params = method(AoTechniqueName::bitmask);
+  AoParams params = method(AoTechniques::choice<Bitmask>);
   params.bitmask.weight = weight;
   params.bitmask.rounding = rounding;
   return params;
@@ -67,13 +67,13 @@ TEST_F(AoMethodsGl, Light_passes_behind_a_thin_surface_of_the_bitmask) {
 }
 
 TEST_F(AoMethodsGl, An_open_plane_is_open_for_ray_marching_at_every_angle) {
-  AoParams params = method(AoTechniqueName::ray_marched);
+  AoParams params = method(AoTechniques::choice<Marched>);
   params.sampling.samples = 8;
   expect_open_plane(params, {{10, 1e-6}, {30, 1e-6}, {60, 1e-6}, {85, 1e-6}});
 }
 
 TEST_F(AoMethodsGl, Ray_marching_meets_the_closed_form_beside_a_step) {
-  AoParams params = method(AoTechniqueName::ray_marched);
+  AoParams params = method(AoTechniques::choice<Marched>);
   params.sampling.radius = 4.0;
   params.sampling.samples = 16;  // in each of the 16 pixels of the noise tile
   params.marched.steps = 256;
@@ -100,7 +100,7 @@ TEST_F(AoMethodsGl, The_bitmask_and_ray_marching_are_those_of_the_processor) {
                        rounding == BitmaskRounding::up ? 12 : 200);
     }
   }
-  AoParams params = method(AoTechniqueName::ray_marched);
+  AoParams params = method(AoTechniques::choice<Marched>);
   params.sampling.radius = 1.0;
   for (const auto weight : {MarchedWeight::cosine, MarchedWeight::uniform}) {
     params.marched.weight = weight;

@@ -45,7 +45,7 @@ TEST_F(AoMethodsGl, Gaussian_and_bilateral_blurs_are_those_of_the_processor_in_a
   add_mesh(scene, box({-1, 0, -1}, {1, 1, 1}));
   add_mesh(scene, box({-0.2f, 1, -0.2f}, {0.1f, 2, 0.1f}));
   const View view = perspective_view(64, 48, {2, 3, 4}, {0, 1.5, 0});
-  AoParams params = method(AoTechniqueName::ssao);
+  AoParams params = method(AoTechniques::choice<Ssao>);
   params.sampling.samples = 8;
   const Seen raw = see(scene, view, params);
   double of_kind[2] = {};
@@ -122,7 +122,7 @@ TEST_F(AoMethodsGl, The_denoiser_of_XeGTAO_is_that_of_the_processor_and_sharpens
   add_mesh(scene, box({-1, 0, -1}, {1, 1, 1}));
   add_mesh(scene, box({-0.02f, 1, -0.02f}, {0.02f, 2, 0.02f}));  // one pixel wide: cut off on both sides
   const View view = perspective_view(65, 48, {2, 3, 4}, {0, 1.5, 0});
-  AoParams params = method(AoTechniqueName::ssao);
+  AoParams params = method(AoTechniques::choice<Ssao>);
   params.sampling.samples = 8;
   const Seen raw = see(scene, view, params);
   params.blur.kind = AoBlur::xegtao;
@@ -150,7 +150,7 @@ TEST_F(AoMethodsGl, The_denoiser_of_XeGTAO_keeps_an_edge_between_two_depths) {
   add_mesh(scene, ground(100));
   add_mesh(scene, box({-50, 0, -50}, {50, 1, 0}));
   const View view = orthographic_view(128, 128, {0, 10, 1}, {0, 0, 1}, 4.0, {0, 0, -1});
-  AoParams params = method(AoTechniqueName::ray_marched);
+  AoParams params = method(AoTechniques::choice<Marched>);
   params.sampling.radius = 2.0;
   params.blur.kind = AoBlur::xegtao;
   params.blur.passes = 4;
@@ -172,7 +172,7 @@ TEST_F(AoMethodsGl, The_default_blur_of_GTAO_is_the_denoiser_of_XeGTAO) {
   add_mesh(scene, ground(20));
   add_mesh(scene, box({-1, 0, -1}, {1, 1, 1}));
   const View view = orthographic_view(48, 48, {2, 3, 4}, {0, 0.5, 0}, 2.0);
-  AoParams params = method(AoTechniqueName::gtao);
+  AoParams params = method(AoTechniques::choice<Gtao>);
   params.blur = {};
   const Seen own = see(scene, view, params);
   params.blur.kind = AoBlur::xegtao;
@@ -186,7 +186,7 @@ TEST_F(AoMethodsGl, Two_passes_of_a_box_are_a_box_of_a_box) {
   add_mesh(scene, ground(20));
   add_mesh(scene, box({-1, 0, -1}, {1, 1, 1}));
   const View view = orthographic_view(48, 48, {2, 3, 4}, {0, 0.5, 0}, 2.0);
-  AoParams params = method(AoTechniqueName::ssao);
+  AoParams params = method(AoTechniques::choice<Ssao>);
   params.blur.kind = AoBlur::box;
   params.blur.size = 3;
   const Seen once = see(scene, view, params);

@@ -134,7 +134,7 @@ class AoMethodsGl : public GlTest {
   }
 };
 
-inline AoParams method(AoTechniqueName name) {
+inline AoParams method(AoTechniques::Choice name) {
   AoParams params;
   params.technique = name;
   params.sampling.radius = 0.5;

@@ -10,7 +10,7 @@ namespace {
 using namespace testing_scenes;
 
 TEST_F(AoMethodsGl, An_open_plane_is_open_for_GTAO_but_at_grazing_angles) {
-  AoParams params = method(AoTechniqueName::gtao);
+  AoParams params = method(AoTechniques::choice<Gtao>);
   params.blur.kind = AoBlur::box;
   // At 60 and 85 degrees a sample's pixel lies beside the slice, and the plane is higher there than in the slice.
   for (const auto spacing : {AoSliceSpacing::angle, AoSliceSpacing::image}) {
@@ -22,7 +22,7 @@ TEST_F(AoMethodsGl, An_open_plane_is_open_for_GTAO_but_at_grazing_angles) {
 }
 
 TEST_F(AoMethodsGl, GTAO_meets_the_closed_form_beside_a_step) {
-  AoParams params = method(AoTechniqueName::gtao);
+  AoParams params = method(AoTechniques::choice<Gtao>);
   params.sampling.radius = 4.0;
   params.gtao = {1.0, 1e-3, 2.0, 0.0, 1.0};
   params.slices.slices = 8;
@@ -33,7 +33,7 @@ TEST_F(AoMethodsGl, GTAO_meets_the_closed_form_beside_a_step) {
 }
 
 TEST_F(AoMethodsGl, GTAO_is_that_of_the_processor) {
-  AoParams params = method(AoTechniqueName::gtao);
+  AoParams params = method(AoTechniques::choice<Gtao>);
   params.gtao.thin_compensation = 0.7;
   for (const auto spacing : {AoSliceSpacing::angle, AoSliceSpacing::image}) {
     params.slices.spacing = spacing;
@@ -42,22 +42,22 @@ TEST_F(AoMethodsGl, GTAO_is_that_of_the_processor) {
 }
 
 TEST_F(AoMethodsGl, An_open_plane_is_open_for_HBAO_and_Alchemy_AO_and_half_open_for_full_sphere_SSAO) {
-  AoParams params = method(AoTechniqueName::hbao);
+  AoParams params = method(AoTechniques::choice<Hbao>);
   params.blur.kind = AoBlur::box;
   expect_open_plane(params, {{10, 0.005}, {30, 0.005}, {60, 0.015}, {85, 0.05}});
-  params.technique = AoTechniqueName::alchemy;
+  params.technique = AoTechniques::choice<Alchemy>;
   for (const auto estimator : {AlchemyEstimator::alchemy, AlchemyEstimator::sao}) {
     params.alchemy.estimator = estimator;
     expect_open_plane(params, {{10, 1e-3}, {30, 1e-3}, {60, 1e-3}, {85, 1e-3}});
   }
-  params.technique = AoTechniqueName::crytek;
+  params.technique = AoTechniques::choice<Crytek>;
   params.bias.depth = 0.0;
   // Near the horizon, half of the points lie before the background.
   expect_open_plane(params, {{10, 0.03}, {30, 0.03}, {60, 0.05}, {85, 0.5}}, 0.5);
 }
 
 TEST_F(AoMethodsGl, HBAO_meets_its_integral_beside_a_step) {
-  AoParams params = method(AoTechniqueName::hbao);
+  AoParams params = method(AoTechniques::choice<Hbao>);
   params.sampling.radius = 3.0;
   params.hbao = {16, 96, 0.0, 1.0, true};
   for (const double distance : {0.5, 1.0}) {
@@ -72,7 +72,7 @@ TEST_F(AoMethodsGl, HBAO_meets_its_integral_beside_a_step) {
 }
 
 TEST_F(AoMethodsGl, Alchemy_AO_meets_its_integral_beside_a_step) {
-  AoParams params = method(AoTechniqueName::alchemy);
+  AoParams params = method(AoTechniques::choice<Alchemy>);
   params.sampling.radius = 2.0;
   params.sampling.samples = 512;
   params.alchemy.turns = 89;
@@ -94,7 +94,7 @@ TEST_F(AoMethodsGl, Alchemy_AO_meets_its_integral_beside_a_step) {
 }
 
 TEST_F(AoMethodsGl, A_mip_chain_of_depth_changes_far_samples_only) {
-  AoParams params = method(AoTechniqueName::alchemy);
+  AoParams params = method(AoTechniques::choice<Alchemy>);
   params.sampling.radius = 0.2;  // at most 12 pixels wide
   const auto draw = [&](bool mip_chain) {
     params.alchemy.mip_chain = mip_chain;
@@ -110,7 +110,7 @@ TEST_F(AoMethodsGl, A_mip_chain_of_depth_changes_far_samples_only) {
 }
 
 TEST_F(AoMethodsGl, Full_sphere_SSAO_is_the_share_of_the_ball_above_the_step) {
-  AoParams params = method(AoTechniqueName::crytek);
+  AoParams params = method(AoTechniques::choice<Crytek>);
   params.sampling.radius = 2.0;
   params.sampling.samples = 512;
   params.bias.depth = 0.0;
@@ -129,9 +129,9 @@ TEST_F(AoMethodsGl, Full_sphere_SSAO_is_the_share_of_the_ball_above_the_step) {
 }
 
 TEST_F(AoMethodsGl, HBAO_Alchemy_AO_and_full_sphere_SSAO_are_those_of_the_processor) {
-  AoParams params = method(AoTechniqueName::hbao);
+  AoParams params = method(AoTechniques::choice<Hbao>);
   expect_as_on_cpu(params, shared::HbaoMethod{}, settings_of(std::get<Hbao>(make_technique(params))));
-  params.technique = AoTechniqueName::alchemy;
+  params.technique = AoTechniques::choice<Alchemy>;
   for (const auto estimator : {AlchemyEstimator::alchemy, AlchemyEstimator::sao}) {
     params.alchemy.estimator = estimator;
     expect_as_on_cpu(params, shared::AlchemyMethod{}, settings_of(std::get<Alchemy>(make_technique(params))));
@@ -140,7 +140,7 @@ TEST_F(AoMethodsGl, HBAO_Alchemy_AO_and_full_sphere_SSAO_are_those_of_the_proces
   params.alchemy.mip_chain = true;
   params.alchemy.mip_offset = 0;
   expect_as_on_cpu(params, shared::AlchemyMethod{}, settings_of(std::get<Alchemy>(make_technique(params))));
-  params.technique = AoTechniqueName::crytek;
+  params.technique = AoTechniques::choice<Crytek>;
   expect_as_on_cpu(params, shared::CrytekMethod{}, settings_of(std::get<Crytek>(make_technique(params))));
 }
 

@@ -81,7 +81,8 @@ TEST_F(AoNormalsGl, Depths_give_the_normal_wherever_one_neighbour_on_each_axis_l
 
 TEST_F(AoNormalsGl, Techniques_read_the_selected_normals) {
   const View view = perspective_view(64, 48, {2, 3, 4}, {0, 0.5, 0});
-  for (const AoTechniqueName name : {AoTechniqueName::ssao, AoTechniqueName::gtao, AoTechniqueName::alchemy}) {
+  for (const AoTechniques::Choice name :
+       {AoTechniques::choice<Ssao>, AoTechniques::choice<Gtao>, AoTechniques::choice<Alchemy>}) {
     AoParams params = method(name);
     const Seen exact = see(boxes(), view, params);
     params.inputs.normals = AoNormals::rgb8;

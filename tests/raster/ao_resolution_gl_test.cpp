@@ -59,15 +59,16 @@ class AoResolutionGl : public AoMethodsGl {
   }
 };
 
-constexpr AoTechniqueName all_techniques[] = {
-    AoTechniqueName::ssao,   AoTechniqueName::gtao,    AoTechniqueName::hbao,       AoTechniqueName::alchemy,
-    AoTechniqueName::crytek, AoTechniqueName::bitmask, AoTechniqueName::ray_marched};
+constexpr AoTechniques::Choice all_techniques[] = {AoTechniques::choice<Ssao>,   AoTechniques::choice<Gtao>,
+                                                   AoTechniques::choice<Hbao>,   AoTechniques::choice<Alchemy>,
+                                                   AoTechniques::choice<Crytek>, AoTechniques::choice<Bitmask>,
+                                                   AoTechniques::choice<Marched>};
 
 TEST_F(AoResolutionGl, Every_technique_gives_the_surfels_that_it_sees_their_value_at_full_resolution) {
   const Scene scene = boxes();
   for (const View& view :
        {perspective_view(63, 47, {2, 3, 4}, {0, 1.5, 0}), orthographic_view(64, 48, {2, 3, 4}, {0, 0.5, 0}, 2.0)}) {
-    for (const AoTechniqueName name : all_techniques) {
+    for (const AoTechniques::Choice name : all_techniques) {
       AoParams params = method(name);
       params.noise.size = 1;  // the noise of a surfel depends on its place in the AO image
       const Seen full = see(scene, view, params);
@@ -89,7 +90,7 @@ TEST_F(AoResolutionGl, Upsampling_is_that_of_the_processor_also_where_a_side_is_
   for (const View& view :
        {perspective_view(65, 49, {2, 3, 4}, {0, 1.5, 0}), perspective_view(64, 48, {2, 3, 4}, {0, 1.5, 0})}) {
     for (const double exponent : {8.0, 0.0}) {
-      AoParams params = method(AoTechniqueName::ssao);
+      AoParams params = method(AoTechniques::choice<Ssao>);
       params.resolution.normal_exponent = exponent;
       const Seen seen = half(scene, view, params);
       Image<double> values((view.width + 1) / 2, (view.height + 1) / 2, 1.0);
@@ -109,7 +110,7 @@ TEST_F(AoResolutionGl, A_constant_image_is_reproduced_exactly) {
   Scene scene;
   add_mesh(scene, ground(100));
   const View view = orthographic_view(65, 49, {0, 10, 0}, {0, 0, 0}, 4.0, {0, 0, -1});
-  AoParams params = method(AoTechniqueName::crytek);
+  AoParams params = method(AoTechniques::choice<Crytek>);
   params.noise.size = 1;
   const Seen seen = half(scene, view, params);
   const float constant = seen.ao.at(32, 24);
@@ -126,8 +127,8 @@ TEST_F(AoResolutionGl, A_plane_stays_what_it_was) {
   for (const double angle : {10.0, 60.0}) {
     const dvec3 eye(0, 3 * std::cos(angle * degree), 3 * std::sin(angle * degree));
     const View view = perspective_view(96, 64, eye, {0, 0, 0}, 0.3);
-    for (const AoTechniqueName name :
-         {AoTechniqueName::ssao, AoTechniqueName::gtao, AoTechniqueName::hbao, AoTechniqueName::bitmask}) {
+    for (const AoTechniques::Choice name : {AoTechniques::choice<Ssao>, AoTechniques::choice<Gtao>,
+                                            AoTechniques::choice<Hbao>, AoTechniques::choice<Bitmask>}) {
       AoParams params = method(name);
       params.blur.kind = AoBlur::box;
       const double full = mean_near(see(scene, view, params), 48, 32);
@@ -141,7 +142,7 @@ TEST_F(AoResolutionGl, An_edge_between_two_depths_does_not_bleed) {
   Scene scene;
   add_mesh(scene, ground(100));
   add_mesh(scene, box({-50, 0, -50}, {50, 1, 0}));
-  AoParams params = method(AoTechniqueName::ray_marched);
+  AoParams params = method(AoTechniques::choice<Marched>);
   params.sampling.radius = 2.0;
   params.sampling.samples = 32;
   for (const double shift : {0.0, 0.02, 0.035}) {  // the edge in other columns of the blocks

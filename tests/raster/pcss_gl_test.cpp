@@ -39,7 +39,7 @@ TEST_F(PcssGl, A_parallel_occluder_has_the_penumbra_of_similar_triangles) {
       const GpuGBuffer surfels = upload(context(), on_ground);
       for (const bool in_cone : {false, true}) {
         ShadowParams params;
-        params.technique = ShadowTechniqueName::pcss;
+        params.technique = ShadowTechniques::choice<Pcss>;
         params.pcf.samples = 64;
         params.pcss.blockers = 64;
         params.pcss.search_cone = in_cone;
@@ -86,7 +86,7 @@ TEST_F(PcssGl, One_disk_has_the_sharpened_profile_of_its_penumbra) {
     const ShadowMap map = draw_shadow_map(context(), uploaded, light_of(layout), layout);
     const GBuffer on_ground = surfels_on_ground(256, 256, -1.5 * disk, 1.5 * disk, -1, 1);
     ShadowParams params;
-    params.technique = ShadowTechniqueName::dpcf;
+    params.technique = ShadowTechniques::choice<Dpcf>;
     params.pcf.samples = 64;
     params.pcss.max_radius = 512;
     params.bias.constant = 0.05;
@@ -131,7 +131,7 @@ TEST_F(PcssGl, A_light_without_extent_gives_the_nearest_tap) {
         .visibility;
   };
   const Image<float> nearest = draw();
-  for (const ShadowTechniqueName name : {ShadowTechniqueName::pcss, ShadowTechniqueName::dpcf}) {
+  for (const ShadowTechniques::Choice name : {ShadowTechniques::choice<Pcss>, ShadowTechniques::choice<Dpcf>}) {
     params.technique = name;
     EXPECT_EQ(draw().pixels, nearest.pixels);
   }

@@ -1,7 +1,9 @@
 // The fixture of tests that draw prefiltered shadow maps.
 #pragma once
 
-#include "raster/shadow/technique_passes.h"
+#include <vector>
+
+#include "raster/shadow/prefiltered_pass.h"
 #include "test_scenes.h"
 
 namespace umbrameter::testing_scenes {
@@ -25,14 +27,23 @@ class PrefilteredGl : public GlTest {
   };
   Image<float> see(const Drawn& drawn, const ShadowParams& params) const {
     const ShadowTechnique technique = make_technique(params);
-    const FilteredMap filtered = filter_map({context(), drawn.scene, drawn.light, drawn.map}, technique);
+    const TechniqueMap filtered = filter_map({context(), drawn.scene, drawn.light, drawn.map}, technique);
     return draw_visibility(context(), {drawn.scene, drawn.surfels, drawn.map, drawn.light, params.bias, technique,
                                        nullptr, &filtered, drawn.view})
         .visibility;
   }
 };
 
-inline ShadowParams with(ShadowTechniqueName technique, Length bias = Length{0.01}) {
+/// Every technique of the list that filters the map.
+inline std::vector<ShadowTechniques::Choice> filtering_techniques() {
+  std::vector<ShadowTechniques::Choice> all;
+  ShadowTechniques::for_each([&]<class T>(std::type_identity<T>) {
+    if constexpr (FiltersMap<T>) all.push_back(ShadowTechniques::choice<T>);
+  });
+  return all;
+}
+
+inline ShadowParams with(ShadowTechniques::Choice technique, Length bias = Length{0.01}) {
   ShadowParams params;
   params.technique = technique;
   params.bias.constant = bias;

@@ -16,14 +16,12 @@ namespace {
 
 using namespace testing_scenes;
 
-constexpr std::array<ShadowTechniqueName, 6> all{ShadowTechniqueName::esm,   ShadowTechniqueName::vsm,
-                                                 ShadowTechniqueName::evsm2, ShadowTechniqueName::evsm4,
-                                                 ShadowTechniqueName::msm,   ShadowTechniqueName::csm};
+const std::vector<ShadowTechniques::Choice> all = filtering_techniques();
 
 ShadowParams esm(double exponent, int blur) {
   ShadowParams params;
   params.bias.constant = 0.0;
-  params.technique = ShadowTechniqueName::esm;
+  params.technique = ShadowTechniques::choice<Esm>;
   params.esm = {exponent, blur};
   return params;
 }
@@ -93,22 +91,23 @@ TEST_F(PrefilteredGl, A_drawn_map_gives_what_its_formula_gives_on_the_CPU) {
   const Light light = light_of(layout);
   const ShadowMap map = draw_shadow_map(context(), uploaded, light, layout);
   const ShadowMapImages images = read_back(context(), map);
-  for (const ShadowTechniqueName name : all) {
+  for (const ShadowTechniques::Choice name : all) {
     for (const BlurKernel kernel : {BlurKernel::box, BlurKernel::gaussian}) {
       ShadowParams params = with(name);
       params.moment_map.kernel = kernel;
-      params.moment_map.positive_exponent = 5.0;
+      params.evsm.positive_exponent = 5.0;
       params.esm.exponent = 10.0;
       const auto technique = std::get<Prefiltered>(make_technique(params));
+      const test::PrefilteredText text = test::text_of(params);
       const Image<float> seen = see({uploaded, gpu, map, light}, params);
       double sum = 0.0;
       double difference = 0.0;
       for (std::size_t i = 0; i < seen.size(); ++i) {
         const Receiver receiver = project_to_map(layout, dvec3(surfels.position[i]));
-        const Window window = window_at(layout, images, technique, receiver, 0.01);
-        const float expected = visibility_of(window, technique);
+        const Window window = window_at(layout, images, technique, text, receiver, 0.01);
+        const float expected = visibility_of(window, text);
         // The shaders add up ten texels and interpolate twice in single precision.
-        const float rounding = rounding_of(window, technique);
+        const float rounding = rounding_of(window, text);
         EXPECT_NEAR(seen[i], expected, 1e-4f + rounding) << static_cast<int>(name);
         difference += static_cast<double>(std::abs(seen[i] - expected));
         sum += static_cast<double>(seen[i]);
@@ -133,6 +132,7 @@ TEST_F(PrefilteredGl, On_two_occluders_no_bound_is_too_dark_and_better_technique
   // Mean visibility where no texel of the window is lit.
   const auto bleeding = [&](const ShadowParams& params) {
     const auto technique = std::get<Prefiltered>(make_technique(params));
+    const test::PrefilteredText text = test::text_of(params);
     const Image<float> seen = see({uploaded, surfels, map, light}, params);
     double sum = 0.0;
     std::size_t dark = 0;
@@ -143,8 +143,8 @@ TEST_F(PrefilteredGl, On_two_occluders_no_bound_is_too_dark_and_better_technique
       const dvec3 position(gbuffer.position[i]);
       if (exclusion_of(light, layout, position, dvec3(gbuffer.geometric_normal[i])) != PixelExclusion::none) continue;
       const Window window =
-          window_at(layout, images, technique, project_to_map(layout, position), params.bias.constant.number);
-      const double tolerance = 2e-5 + static_cast<double>(rounding_of(window, technique));
+          window_at(layout, images, technique, text, project_to_map(layout, position), params.bias.constant.number);
+      const double tolerance = 2e-5 + static_cast<double>(rounding_of(window, text));
       if (static_cast<double>(seen[i]) < window.lit_share - tolerance) ++too_dark;
       if (tolerance > 0.002) ++loose;
       if (window.lit_share > 0.0) continue;
@@ -156,23 +156,23 @@ TEST_F(PrefilteredGl, On_two_occluders_no_bound_is_too_dark_and_better_technique
     EXPECT_GT(dark, 4500u);
     return sum / static_cast<double>(dark);
   };
-  const double vsm = bleeding(with(ShadowTechniqueName::vsm));
-  const double msm = bleeding(with(ShadowTechniqueName::msm));
+  const double vsm = bleeding(with(ShadowTechniques::choice<Vsm>));
+  const double msm = bleeding(with(ShadowTechniques::choice<Msm>));
   EXPECT_GT(vsm, 0.005);
   EXPECT_LT(msm, 0.5 * vsm);
-  ShadowParams hausdorff = with(ShadowTechniqueName::msm);
-  hausdorff.moment_lookup.bound = MomentBound::hausdorff;
+  ShadowParams hausdorff = with(ShadowTechniques::choice<Msm>);
+  hausdorff.msm.bound = MomentBound::hausdorff;
   EXPECT_LT(bleeding(hausdorff), msm);
   double last_esm = 1.0;
   double last_evsm = 1.0;
   for (const double exponent : {1.0, 5.0, 15.0, 40.0}) {
-    ShadowParams params = with(ShadowTechniqueName::evsm4);
-    params.moment_map.positive_exponent = exponent;
-    params.moment_map.negative_exponent = exponent;
+    ShadowParams params = with(ShadowTechniques::choice<Evsm4>);
+    params.evsm.positive_exponent = exponent;
+    params.evsm.negative_exponent = exponent;
     const double evsm = bleeding(params);
     EXPECT_LT(evsm, last_evsm) << exponent;
     last_evsm = evsm;
-    params.technique = ShadowTechniqueName::esm;
+    params.technique = ShadowTechniques::choice<Esm>;
     params.esm.exponent = 2.0 * exponent;
     const double esm = bleeding(params);
     EXPECT_LT(esm, last_esm) << exponent;
@@ -180,10 +180,10 @@ TEST_F(PrefilteredGl, On_two_occluders_no_bound_is_too_dark_and_better_technique
   }
   EXPECT_LT(last_evsm, 0.2 * vsm);
   EXPECT_LT(last_esm, 0.02);
-  ShadowParams reduced = with(ShadowTechniqueName::vsm);
-  reduced.moment_lookup.bleeding_reduction = 0.3;
+  ShadowParams reduced = with(ShadowTechniques::choice<Vsm>);
+  reduced.moment_bound.bleeding_reduction = 0.3;
   EXPECT_LT(mean(see({uploaded, surfels, map, light}, reduced)),
-            mean(see({uploaded, surfels, map, light}, with(ShadowTechniqueName::vsm))));
+            mean(see({uploaded, surfels, map, light}, with(ShadowTechniques::choice<Vsm>))));
 }
 
 // 16 by 16 pixels of 16 texels each, seen from above.
@@ -208,14 +208,15 @@ TEST_F(PrefilteredGl, Mipmaps_average_the_texels_under_a_pixel) {
   }
   const GpuGBuffer gpu = upload(context(), surfels);
   double difference = 0.0;
-  for (const ShadowTechniqueName name : all) {
+  for (const ShadowTechniques::Choice name : all) {
     ShadowParams params = with(name);
     params.moment_map.blur = params.esm.blur = 1;
-    params.moment_map.positive_exponent = 5.0;
+    params.evsm.positive_exponent = 5.0;
     params.esm.exponent = 10.0;
     const Image<float> first_level = see({uploaded, gpu, map, light, &view}, params);
-    params.moment_map.mipmaps = true;
+    params.map_sampling.mipmaps = true;
     const auto technique = std::get<Prefiltered>(make_technique(params));
+    const test::PrefilteredText text = test::text_of(params);
     const Image<float> seen = see({uploaded, gpu, map, light, &view}, params);
     for (std::size_t i = 0; i < seen.size(); ++i) {
       const Receiver receiver = project_to_map(layout, dvec3(surfels.position[i]));
@@ -225,12 +226,11 @@ TEST_F(PrefilteredGl, Mipmaps_average_the_texels_under_a_pixel) {
       for (int t = 0; t < 256; ++t) {
         const float depth = images.depth[0][texel_index(layout, first + ivec2(t % 16, t / 16))];
         for (int group = 0; group < technique.groups; ++group) {
-          pixel.groups[static_cast<std::size_t>(group)] +=
-              dvec4(shared::map_values(depth, group, technique.settings)) / 256.0;
+          pixel.groups[static_cast<std::size_t>(group)] += dvec4(text.map_values(depth, group)) / 256.0;
         }
       }
       // The footprint of 16 texels is exact to 1e-6, and so is the share of the next level in the interpolation.
-      EXPECT_NEAR(seen[i], visibility_of(pixel, technique), 1e-3f + rounding_of(pixel, technique))
+      EXPECT_NEAR(seen[i], visibility_of(pixel, text), 1e-3f + rounding_of(pixel, text))
           << static_cast<int>(name) << " " << i;
       difference += static_cast<double>(std::abs(seen[i] - first_level[i]));
     }
@@ -246,11 +246,11 @@ TEST_F(PrefilteredGl, A_map_with_texels_larger_than_pixels_is_read_at_its_first_
   const Light light = scene.lights[0];
   for (const auto& [resolution, is_equal] : {std::pair{16, true}, std::pair{1024, false}}) {
     const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), resolution));
-    for (const ShadowTechniqueName name : all) {
+    for (const ShadowTechniques::Choice name : all) {
       ShadowParams params = with(name, Length{1.5, LengthUnit::texels});
-      params.moment_map.terms = 3;
+      params.csm_map.terms = 3;
       const Image<float> without = see({uploaded, surfels, map, light, &view}, params);
-      params.moment_map.mipmaps = true;
+      params.map_sampling.mipmaps = true;
       EXPECT_EQ(see({uploaded, surfels, map, light, &view}, params) == without, is_equal) << resolution;
     }
   }
@@ -263,17 +263,19 @@ TEST_F(PrefilteredGl, Many_look_ups_in_one_pass_give_what_each_gives_alone) {
   const GpuGBuffer surfels = draw_gbuffer(context(), uploaded, view);
   const Light light = scene.lights[0];
   const ShadowMap map = draw_shadow_map(context(), uploaded, light, fit_light(light, bounds_of(scene), 512));
-  for (const ShadowTechniqueName name : all) {
+  for (const ShadowTechniques::Choice name : all) {
     std::vector<ShadowParams> params;
     for (int i = 0; i < 5; ++i) {
       const double part = 0.1 * i;
       ShadowParams& each = params.emplace_back(with(name, Length{part, LengthUnit::texels}));
       each.bias.slope = 0.5 * part;
-      each.moment_lookup = {1e-5 * (1 + i), part, 1e-4 * part, MomentBound::hamburger, part, 1.0 + part};
-      each.moment_map.terms = 5;
+      each.moment_bound = {1e-5 * (1 + i), part};
+      each.msm = {1e-4 * part, i % 2 == 0 ? MomentBound::hamburger : MomentBound::hausdorff};
+      each.csm_lookup = {part, 1.0 + part};
+      each.csm_map.terms = 5;
     }
     const ShadowTechnique technique = make_technique(params[0]);
-    const FilteredMap filtered = filter_map({context(), uploaded, light, map}, technique);
+    const TechniqueMap filtered = filter_map({context(), uploaded, light, map}, technique);
     std::vector<PrefilteredLookup> lookups;
     for (const ShadowParams& each : params) {
       lookups.push_back(lookup_of(each.bias, std::get<Prefiltered>(make_technique(each))));
@@ -302,15 +304,18 @@ TEST_F(PrefilteredGl, Every_technique_and_format_draws_under_every_kind_of_light
         const ShadowMapParams sizes{256, cascades};
         const ShadowMap map =
             draw_shadow_map(context(), uploaded, light, fit_map(light, bounds, sizes, {read_back(context(), surfels)}));
-        for (const ShadowTechniqueName name : all) {
+        for (const ShadowTechniques::Choice name : all) {
           for (const MomentFormat format : {MomentFormat::f32, MomentFormat::f16, MomentFormat::unorm16}) {
             ShadowParams params = with(name, Length{1.5, LengthUnit::texels});
-            const bool is_evsm = name == ShadowTechniqueName::evsm2 || name == ShadowTechniqueName::evsm4;
+            const bool is_evsm = name == ShadowTechniques::choice<Evsm2> || name == ShadowTechniques::choice<Evsm4>;
             if (is_evsm && format == MomentFormat::unorm16) continue;
             params.moment_map.format = format;
-            params.moment_map.terms = 4;
-            if (format == MomentFormat::f16) params.moment_map.positive_exponent = 5.0;
-            if (format != MomentFormat::f32) params.moment_lookup = {1e-4, 0.0, 1e-3};
+            params.csm_map.terms = 4;
+            if (format == MomentFormat::f16) params.evsm.positive_exponent = 5.0;
+            if (format != MomentFormat::f32) {
+              params.moment_bound.min_variance = 1e-4;
+              params.msm.moment_bias = 1e-3;
+            }
             const Image<float> seen = see({uploaded, surfels, map, light}, params);
             const auto [low, high] = std::minmax_element(seen.pixels.begin(), seen.pixels.end());
             EXPECT_TRUE(std::all_of(seen.pixels.begin(), seen.pixels.end(), [](float v) { return v >= 0 && v <= 1; }));
@@ -320,7 +325,7 @@ TEST_F(PrefilteredGl, Every_technique_and_format_draws_under_every_kind_of_light
             EXPECT_EQ(*high, 1.0f) << at;
             // Shadows are as large as those of PCF, but for the blur and the light that bleeds.
             const double compared =
-                mean(see({uploaded, surfels, map, light}, with(ShadowTechniqueName::pcf, params.bias.constant)));
+                mean(see({uploaded, surfels, map, light}, with(ShadowTechniques::choice<Pcf>, params.bias.constant)));
             EXPECT_NEAR(mean(seen), compared, 0.1) << at;
           }
         }

@@ -23,11 +23,11 @@ TEST_F(PrefilteredGl, Samples_of_a_texel_are_averaged) {
   const GpuGBuffer surfels = upload(context(), surfels_on_ground(256, 256, -1, 1, -1, 1));
   const Light light = light_of(layout);
   const ShadowMap map = draw_shadow_map(context(), uploaded, light, layout);
-  ShadowParams params = with(ShadowTechniqueName::vsm, Length{0.0});
+  ShadowParams params = with(ShadowTechniques::choice<Vsm>, Length{0.0});
   params.moment_map.blur = 1;
-  params.moment_lookup.min_variance = 0.0;
+  params.moment_bound.min_variance = 0.0;
   const auto lit = [&](int samples) {
-    params.moment_map.samples = samples;
+    params.map_sampling.samples = samples;
     return mean(see({uploaded, surfels, map, light}, params));
   };
   // One sample sees the edge at the border of its texel.
@@ -51,16 +51,16 @@ TEST_F(PrefilteredGl, The_largest_exponents_and_blur_are_where_precision_ends) {
   add_mesh(scene, ground(60));
   add_mesh(scene, quad({-20, 2, 20}, {20, 2, 20}, {20, 2, -20}, {-20, 2, -20}));
   const MapLayout layout = exact_layout({0.001, 1, 0.002}, 128, 0.05, 0);
-  for (const ShadowTechniqueName name :
-       {ShadowTechniqueName::esm, ShadowTechniqueName::evsm2, ShadowTechniqueName::evsm4}) {
+  for (const ShadowTechniques::Choice name :
+       {ShadowTechniques::choice<Esm>, ShadowTechniques::choice<Evsm2>, ShadowTechniques::choice<Evsm4>}) {
     ShadowParams params = with(name, Length{0.0});
     params.esm = {esm_end, blur};
     params.moment_map.blur = blur;
-    params.moment_map.positive_exponent = params.moment_map.negative_exponent = evsm_end;
+    params.evsm.positive_exponent = params.evsm.negative_exponent = evsm_end;
     double last = 1.0;
     for (const double part : {0.125, 0.25, 0.5, 1.0}) {
       params.esm.exponent = part * esm_end;
-      params.moment_map.positive_exponent = params.moment_map.negative_exponent = part * evsm_end;
+      params.evsm.positive_exponent = params.evsm.negative_exponent = part * evsm_end;
       const double visibility = seen(scene, light_of(layout), layout, params);
       EXPECT_TRUE(std::isfinite(visibility)) << static_cast<int>(name) << " " << part;
       EXPECT_LE(visibility, last) << "a larger exponent is nearer to the hard shadow";
@@ -68,9 +68,9 @@ TEST_F(PrefilteredGl, The_largest_exponents_and_blur_are_where_precision_ends) {
     }
     EXPECT_LT(last, 0.25) << static_cast<int>(name);
   }
-  ShadowParams halves = with(ShadowTechniqueName::evsm2);
+  ShadowParams halves = with(ShadowTechniques::choice<Evsm2>);
   halves.moment_map.format = MomentFormat::f16;
-  halves.moment_map.positive_exponent = 5.6;
+  halves.evsm.positive_exponent = 5.6;
   EXPECT_THROW(make_technique(halves), Error) << "the square is above the largest 16-bit float";
 }
 

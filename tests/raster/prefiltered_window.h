@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tests/support/prefiltered_rounding.h"
+#include "tests/support/prefiltered_text.h"
 #include "tests/support/reference/taps.h"
 
 namespace umbrameter::testing_scenes {
@@ -17,7 +17,7 @@ struct Window {
 };
 
 inline Window window_at(const MapLayout& layout, const ShadowMapImages& map, const Prefiltered& technique,
-                        const Receiver& receiver, double bias) {
+                        const test::PrefilteredText& text, const Receiver& receiver, double bias) {
   Window window{std::vector<dvec4>(static_cast<std::size_t>(technique.groups), dvec4(0.0))};
   window.depth = static_cast<float>((receiver.depth - bias) / layout.far_depth);
   const dvec2 place = receiver.texels - 0.5;
@@ -39,8 +39,7 @@ inline Window window_at(const MapLayout& layout, const ShadowMapImages& map, con
       const double weight = weight_of(x, part.x) * weight_of(y, part.y);
       const float depth = map.depth[static_cast<std::size_t>(receiver.view)][texel_index(layout, at)];
       for (int group = 0; group < technique.groups; ++group) {
-        window.groups[static_cast<std::size_t>(group)] +=
-            weight * dvec4(shared::map_values(depth, group, technique.settings));
+        window.groups[static_cast<std::size_t>(group)] += weight * dvec4(text.map_values(depth, group));
       }
       if (depth >= window.depth) window.lit_share += weight;
     }
@@ -48,22 +47,19 @@ inline Window window_at(const MapLayout& layout, const ShadowMapImages& map, con
   return window;
 }
 
-inline float visibility_of(const Window& window, const Prefiltered& technique) {
-  if (technique.settings.technique != shared::CSM) {
-    return shared::visibility_from(vec4(window.groups[0]), window.depth, technique.settings);
+inline float visibility_of(const Window& window, const test::PrefilteredText& text) {
+  float visibility = 0.0f;
+  for (std::size_t layer = 0; layer < window.groups.size(); ++layer) {
+    visibility = text.visibility_from(dvec4(vec4(window.groups[layer])), static_cast<double>(window.depth),
+                                      static_cast<int>(layer), visibility);
   }
-  float sum = 0.0f;
-  for (int group = 0; group < technique.groups; ++group) {
-    const vec4 values(window.groups[static_cast<std::size_t>(group)]);
-    sum += shared::fourier_sum(values, window.depth, group, technique.settings);
-  }
-  return shared::fourier_visibility(sum, technique.settings);
+  return visibility;
 }
 
 // CSM's visibility is a sum of a few stored values, none above 1.
-inline float rounding_of(const Window& window, const Prefiltered& technique) {
-  if (technique.settings.technique == shared::CSM) return 0.0f;
-  return test::change_by_rounding(vec4(window.groups[0]), window.depth, technique.settings, 4 * test::half_ulp);
+inline float rounding_of(const Window& window, const test::PrefilteredText& text) {
+  if (window.groups.size() > 1) return 0.0f;
+  return test::change_by_rounding(vec4(window.groups[0]), window.depth, text, 4 * test::half_ulp);
 }
 
 }  // namespace umbrameter::testing_scenes

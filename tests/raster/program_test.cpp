@@ -34,6 +34,13 @@ TEST(ShaderText, A_file_is_taken_in_once_even_in_a_circle) {
             "#version 450 core\n#line 1 0\n#line 1 1\n#line 1 2\n#line 2 2\nc\n#line 2 1\nb\n#line 2 0\n#line 3 0\n");
 }
 
+TEST(ShaderText, An_include_may_name_the_file_by_a_define) {
+  const std::map<std::string, std::string> files{{"a.comp", "#include TEXT\n#include NONE\n"}, {"b.glsl", "two\n"}};
+  EXPECT_THROW(gl::resolve_includes("a.comp", "#define TEXT b.glsl\n", from(files)), Error);
+  const std::string defines = "#define NONE b.glsl\n#define TEXT b.glsl\n";
+  EXPECT_EQ(gl::resolve_includes("a.comp", defines, from(files)).files, (std::vector<std::string>{"a.comp", "b.glsl"}));
+}
+
 TEST(ShaderText, A_missing_include_names_file_and_line) {
   const std::map<std::string, std::string> files{{"a.comp", "one\ntwo\n#include \"gone.glsl\"\n"}};
   try {

@@ -26,7 +26,7 @@ class ScreenSpaceGl : public GlTest {
     const ShadowMap map =
         draw_shadow_map(context(), uploaded, drawn.light, fit_light(drawn.light, bounds_of(drawn.scene), 256));
     const ShadowTechnique technique = make_technique(params);
-    const FilteredMap filtered = filter_map({context(), uploaded, drawn.light, map}, technique);
+    const TechniqueMap filtered = filter_map({context(), uploaded, drawn.light, map}, technique);
     return draw_visibility(context(), {uploaded, surfels, map, drawn.light, params.bias, technique, nullptr, &filtered,
                                        &drawn.view})
         .visibility;
@@ -38,7 +38,7 @@ class ScreenSpaceGl : public GlTest {
 
 ShadowParams march(double length, int steps) {
   ShadowParams params;
-  params.technique = ShadowTechniqueName::screen_space;
+  params.technique = ShadowTechniques::choice<ScreenSpace>;
   params.screen_space = {false, length, steps, 1e3, 1e-4, false};
   return params;
 }
@@ -108,7 +108,7 @@ TEST_F(ScreenSpaceGl, An_open_plane_is_lit_at_the_default_settings) {
   Scene scene;
   add_mesh(scene, ground(40));
   ShadowParams params;
-  params.technique = ShadowTechniqueName::screen_space;
+  params.technique = ShadowTechniques::choice<ScreenSpace>;
   for (const bool jitter : {false, true}) {
     params.screen_space.jitter = jitter;
     for (const Light& light :
@@ -126,12 +126,12 @@ TEST_F(ScreenSpaceGl, The_shaders_march_as_the_CPU_does) {
       for (const Light& light : {scene.lights[0], spot_light({3, 6, 3}, {0, 0, 0}, 0.9), point_light({0.5, 1, 0.5})}) {
         for (const bool jitter : {false, true}) {
           ShadowParams params;
-          params.technique = ShadowTechniqueName::screen_space;
+          params.technique = ShadowTechniques::choice<ScreenSpace>;
           params.screen_space = {false, 1.0, 16, 0.5, 0.002, jitter};
           const Drawn drawn{scene, view, light};
           const Image<float> seen = see(drawn, params);
           const Image<float> expected =
-              march_depth_buffer(surfels_of(drawn), view, light, make_screen_space(params.screen_space));
+              march_depth_buffer(surfels_of(drawn), view, light, ScreenSpace::make(params, 0.0));
           std::size_t differs = 0;
           for (std::size_t i = 0; i < seen.size(); ++i) differs += seen[i] != expected[i] ? 1u : 0u;
           // Where a sample falls between two pixels, rounding decides.
@@ -150,14 +150,14 @@ TEST_F(ScreenSpaceGl, Combined_with_a_map_a_pixel_is_as_dark_as_in_the_darker_of
   const View view{160, 90, scene.cameras[0]};
   const Drawn drawn{scene, view, scene.lights[0]};
   ShadowParams alone;
-  alone.technique = ShadowTechniqueName::screen_space;
+  alone.technique = ShadowTechniques::choice<ScreenSpace>;
   const Image<float> marched = see(drawn, alone);
-  for (const ShadowTechniqueName name :
-       {ShadowTechniqueName::pcf, ShadowTechniqueName::vsm, ShadowTechniqueName::csm}) {
+  for (const ShadowTechniques::Choice name :
+       {ShadowTechniques::choice<Pcf>, ShadowTechniques::choice<Vsm>, ShadowTechniques::choice<Csm>}) {
     ShadowParams params;
     params.technique = name;
     params.pcf.filter = ShadowFilter::box;
-    EXPECT_EQ(capabilities_of(make_technique(params)).sums_comparisons, name == ShadowTechniqueName::pcf);
+    EXPECT_EQ(capabilities_of(make_technique(params)).sums_comparisons, name == ShadowTechniques::choice<Pcf>);
     const Image<float> of_map = see(drawn, params);
     params.screen_space.is_combined = true;
     EXPECT_FALSE(capabilities_of(make_technique(params)).sums_comparisons);

@@ -81,11 +81,11 @@ TEST(AoBlur, A_box_is_centred_and_an_even_one_extends_further_to_the_left_and_up
 }
 
 TEST(AoBlur, Each_technique_has_its_own_blur_unless_another_is_asked_for) {
-  const std::pair<AoTechniqueName, AoBlur> expected[] = {
-      {AoTechniqueName::ssao, AoBlur::box},         {AoTechniqueName::gtao, AoBlur::xegtao},
-      {AoTechniqueName::hbao, AoBlur::bilateral},   {AoTechniqueName::alchemy, AoBlur::bilateral},
-      {AoTechniqueName::crytek, AoBlur::bilateral}, {AoTechniqueName::bitmask, AoBlur::xegtao},
-      {AoTechniqueName::ray_marched, AoBlur::none},
+  const std::pair<AoTechniques::Choice, AoBlur> expected[] = {
+      {AoTechniques::choice<Ssao>, AoBlur::box},         {AoTechniques::choice<Gtao>, AoBlur::xegtao},
+      {AoTechniques::choice<Hbao>, AoBlur::bilateral},   {AoTechniques::choice<Alchemy>, AoBlur::bilateral},
+      {AoTechniques::choice<Crytek>, AoBlur::bilateral}, {AoTechniques::choice<Bitmask>, AoBlur::xegtao},
+      {AoTechniques::choice<Marched>, AoBlur::none},
   };
   for (const auto& [technique, own] : expected) {
     AoParams params;
@@ -102,7 +102,7 @@ TEST(AoBlur, Each_technique_has_its_own_blur_unless_another_is_asked_for) {
 TEST(AoTechnique, Every_technique_holds_the_values_of_the_parameters_that_it_reads) {
   for (std::size_t name = 0; name < std::variant_size_v<AoTechnique>; ++name) {
     AoParams params;
-    params.technique = static_cast<AoTechniqueName>(name);
+    params.technique = static_cast<AoTechniques::Choice>(name);
     const Parameters all = describe(params);
     require(all, "ao.samples").set_text("9");
     require(all, "ao.radius").set_text("0.75");

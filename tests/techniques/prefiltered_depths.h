@@ -4,29 +4,28 @@
 #include <algorithm>
 #include <vector>
 
-#include "techniques/shadow/technique.h"
+#include "tests/support/prefiltered_text.h"
 
 namespace umbrameter::test {
 
-using shared::PrefilterSettings;
-
-inline PrefilterSettings settings_of(int technique, const MomentMapParams& map = {},
-                                     const MomentLookupParams& lookup = {}) {
-  return make_prefiltered(technique, {}, map, lookup).settings;
+inline ShadowParams with(ShadowTechniques::Choice technique, ShadowParams params = {}) {
+  params.technique = technique;
+  return params;
 }
 
 // Depths of texels of equal weight.
 using Depths = std::vector<float>;
 
 // Averaged in double precision and rounded once.
-inline vec4 mean_of(const Depths& depths, const PrefilterSettings& settings) {
+inline vec4 mean_of(const Depths& depths, const PrefilteredText& text) {
   dvec4 sum(0.0);
-  for (const float z : depths) sum += dvec4(shared::map_values(z, 0, settings));
+  for (const float z : depths) sum += dvec4(text.map_values(z, 0));
   return vec4(sum / static_cast<double>(depths.size()));
 }
 
-inline float visibility(const Depths& depths, float depth, const PrefilterSettings& settings) {
-  return shared::visibility_from(mean_of(depths, settings), depth, settings);
+inline float visibility(const Depths& depths, float depth, const ShadowParams& params) {
+  const PrefilteredText text = text_of(params);
+  return text.visibility(dvec4(mean_of(depths, text)), static_cast<double>(depth));
 }
 
 inline double exact(const Depths& depths, float depth) {

@@ -13,10 +13,12 @@ namespace {
 
 using namespace test;
 
-PrefilterSettings hausdorff() {
-  MomentLookupParams lookup;
-  lookup.bound = MomentBound::hausdorff;
-  return settings_of(shared::MSM, {}, lookup);
+ShadowParams hamburger() { return with(ShadowTechniques::choice<Msm>); }
+
+ShadowParams hausdorff() {
+  ShadowParams params = hamburger();
+  params.msm.bound = MomentBound::hausdorff;
+  return params;
 }
 
 // Means of the powers of the depths, which no format has rounded.
@@ -42,12 +44,12 @@ TEST(Prefiltered, The_hausdorff_bound_lies_between_the_share_of_lit_texels_and_t
     for (float& z : depths) z = surfaces[random() % surfaces.size()];
     const float depth = round % 3 == 0 ? surfaces[1] : uniform(random);
     const dvec4 moments = exact_moments(depths);
-    const float found = shared::visibility_from(moments, depth, hausdorff());
-    const float hamburger = shared::visibility_from(moments, depth, settings_of(shared::MSM));
+    const float found = text_of(hausdorff()).visibility(moments, static_cast<double>(depth));
+    const float looser = text_of(hamburger()).visibility(moments, static_cast<double>(depth));
     constexpr double rounding = 1e-6;  // of the results to floats, and of the solution
     EXPECT_GE(found, exact(depths, depth) - 1e-5 - rounding) << round << ": MSM's bias takes at most 1e-5";
-    EXPECT_LE(found, static_cast<double>(hamburger) + rounding) << round;
-    if (found < hamburger - 0.05f) ++sharper;
+    EXPECT_LE(found, static_cast<double>(looser) + rounding) << round;
+    if (found < looser - 0.05f) ++sharper;
   }
   EXPECT_GT(sharper, 1000u);
 }
@@ -88,13 +90,14 @@ TEST(Prefiltered, Msm_solves_the_stored_moments_as_extended_precision_does) {
     for (std::size_t i = 0; i < depths.size(); ++i) depths[i] = z + slope * (static_cast<float>(i % 5) - 2.0f);
     if (round % 2 == 0) std::fill_n(depths.begin(), random() % 25, 0.9f * z);
     const float depth = z + 0.02f * (uniform(random) - 0.5f);
-    const PrefilterSettings settings = settings_of(shared::MSM);
-    const vec4 stored = mean_of(depths, settings);
-    const long double bound = lit_bound(dvec4(stored), depth, settings.moment_bias);
+    const PrefilteredText text = text_of(hamburger());
+    const dvec4 stored(mean_of(depths, text));
+    // The bias as the shader reads it.
+    const long double bound = lit_bound(stored, depth, static_cast<float>(MsmParams{}.moment_bias));
     // NaN where rounding of the stored moments has left none that a distribution has.
     if (!(bound >= 0.0L && bound <= 1.0L)) continue;
     ++checked;
-    EXPECT_NEAR(shared::visibility_from(stored, depth, settings), static_cast<double>(bound), 1e-6) << round;
+    EXPECT_NEAR(text.visibility(stored, static_cast<double>(depth)), static_cast<double>(bound), 1e-6) << round;
   }
   EXPECT_GT(checked, 19000u);
 }
@@ -103,7 +106,7 @@ TEST(Prefiltered, The_hausdorff_bound_is_exact_for_both_ends_and_two_depths_at_e
   const Depths depths{0.0f, 0.0f, 0.3f, 0.3f, 0.3f, 0.6f, 0.6f, 1.0f, 1.0f, 1.0f};
   for (const float depth : {0.3f, 0.6f}) {
     EXPECT_NEAR(visibility(depths, depth, hausdorff()), exact(depths, depth), 1e-3) << depth;
-    EXPECT_GT(visibility(depths, depth, settings_of(shared::MSM)), exact(depths, depth) + 0.01) << depth;
+    EXPECT_GT(visibility(depths, depth, hamburger()), exact(depths, depth) + 0.01) << depth;
   }
 }
 
@@ -112,11 +115,11 @@ TEST(Prefiltered, Msm_is_exact_for_two_depths_and_vsm_is_so_only_at_the_far_one)
     Depths depths(10, 0.7f);
     std::fill_n(depths.begin(), near, 0.2f);
     for (const float depth : {0.1f, 0.3f, 0.5f, 0.65f, 0.75f, 0.9f}) {
-      EXPECT_NEAR(visibility(depths, depth, settings_of(shared::MSM)), exact(depths, depth), 1e-3) << near << depth;
+      EXPECT_NEAR(visibility(depths, depth, hamburger()), exact(depths, depth), 1e-3) << near << depth;
     }
     // σ²/(σ² + (d − μ)²) is the share of the far depth there.
-    EXPECT_NEAR(visibility(depths, 0.7f, settings_of(shared::VSM)), exact(depths, 0.7f), 1e-4) << near;
-    EXPECT_GT(visibility(depths, 0.75f, settings_of(shared::VSM)), 0.05f) << near;
+    EXPECT_NEAR(visibility(depths, 0.7f, with(ShadowTechniques::choice<Vsm>)), exact(depths, 0.7f), 1e-4) << near;
+    EXPECT_GT(visibility(depths, 0.75f, with(ShadowTechniques::choice<Vsm>)), 0.05f) << near;
   }
 }
 
@@ -124,7 +127,7 @@ TEST(Prefiltered, Msm_is_exact_for_two_depths_and_vsm_is_so_only_at_the_far_one)
 TEST(Prefiltered, Rounding_of_moments_in_32_bits_makes_msm_brighter_in_few_kernels_and_darker_in_none) {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> uniform;
-  const PrefilterSettings settings = settings_of(shared::MSM);
+  const PrefilteredText text = text_of(hamburger());
   const int sets = 20000;
   int moved = 0;
   double brightest = 0.0;
@@ -140,12 +143,12 @@ TEST(Prefiltered, Rounding_of_moments_in_32_bits_makes_msm_brighter_in_few_kerne
     vec4 mean(0.0f);
     for (std::size_t row = 0; row < 5; ++row) {
       vec4 of_row(0.0f);
-      for (std::size_t i = 0; i < 5; ++i) of_row += shared::map_values(depths[5 * row + i], 0, settings);
+      for (std::size_t i = 0; i < 5; ++i) of_row += text.map_values(depths[5 * row + i], 0);
       mean += of_row / 5.0f;
     }
     mean /= 5.0f;
-    const double found = shared::visibility_from(mean, depth, settings);
-    const double unrounded = shared::visibility_from(exact_moments(depths), depth, settings);
+    const double found = text.visibility(dvec4(mean), static_cast<double>(depth));
+    const double unrounded = text.visibility(exact_moments(depths), static_cast<double>(depth));
     if (std::abs(found - unrounded) > 1e-3) ++moved;
     brightest = std::max(brightest, found - unrounded);
     EXPECT_GE(found, exact(depths, depth) - 5e-5) << round;

@@ -9,7 +9,7 @@
 namespace umbrameter {
 
 /// Visibility of each surfel: 1 lit, 0 blocked; back-facing: 0; background: 1. Apart from rounding, the same as
-/// draw() of raster/shadow/screen_space_pass.h. `depth` is that of each pixel along the camera's axis, as in GBuffer.
+/// draw() of raster/shadow/technique_passes.h. `depth` is that of each pixel along the camera's axis, as in GBuffer.
 Image<float> march_depth_buffer(const GBuffer& gbuffer, const View& view, const Light& light,
                                 const ScreenSpace& technique);
 

@@ -1,5 +1,24 @@
-// Runs an AO method with its settings at every surfel: calls its accessibility(), or its bent_normal() if AO_BENT_NORMAL
-// is defined.
+// Runs an AO method of techniques/ao/*.glsl with its settings at every surfel: calls its accessibility(), or its
+// bent_normal() if AO_BENT_NORMAL is defined.
+#include "view.glsl"
+uniform usampler2D ids;
+uniform sampler2D position_depth;
+uniform sampler2D linear_depth;
+uniform sampler2D geometric_normal;
+#ifdef AO_BENT_NORMAL
+layout(rgba32f) writeonly uniform image2D bent_normals;
+#else
+layout(r32f) writeonly uniform image2D ao_image;
+#endif
+layout(std430) readonly buffer Noise { vec4 noise[]; };
+uniform int noise_size;
+
+float depth_at(ivec2 pixel) { return texelFetch(linear_depth, pixel, 0).r; }
+#include "screen.glsl"
+float depth_at_level(ivec2 texel, int level) { return texelFetch(linear_depth, texel, level).r; }
+#include "depth_pyramid.glsl"
+#include TECHNIQUE_TEXT
+layout(std430) restrict readonly buffer MethodSettings { METHOD_SETTINGS settings; };
 #include "ao_resolution.glsl"
 layout(local_size_x = GROUP_SIZE, local_size_y = GROUP_SIZE) in;
 
