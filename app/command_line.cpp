@@ -80,9 +80,8 @@ constexpr CommandDescription generate_command = {"generate", "Print a completion
                                                  "Example: umbrameter generate bash -o umbrameter.bash"};
 
 constexpr std::pair<const char*, const char*> short_names[] = {
-    {"view.size", "size"},      {"view.scene", "scene"},    {"view.camera", "camera"},
-    {"view.light", "light"},    {"run.seed", "seed"},       {"run.classes", "classes"},
-    {"run.measure", "measure"}, {"run.overlay", "overlay"}, {"engine.adapter", "engine"}};
+    {"view.size", "size"}, {"view.scene", "scene"},    {"view.camera", "camera"},  {"view.light", "light"},
+    {"run.seed", "seed"},  {"run.classes", "classes"}, {"run.measure", "measure"}, {"run.overlay", "overlay"}};
 
 constexpr std::pair<const char*, const char*> group_titles[] = {
     {"scene", "Scene"},     {"view", "View"},       {"light", "Size of lights"}, {"shadow", "Shadow technique"},
@@ -147,11 +146,8 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   const bool is_tune = &description == &tune_command;
   const bool is_evaluate = &description == &evaluate_command;
   const char* scene_meaning = "a .gltf or .glb file, or a built-in scene ('umbrameter scenes')";
-  if (is_tune) {
-    command.add_option("SCENE", line.tune.scenes, scene_meaning);
-  } else {
-    command.add_option("SCENE", line.scene, scene_meaning);
-  }
+  is_tune ? command.add_option("SCENE", line.tune.scenes, scene_meaning)
+          : command.add_option("SCENE", line.scene, scene_meaning);
   command.add_option("-o,--output", line.output, "folder for the results, created if missing")
       ->type_name("DIR")
       ->required();
@@ -185,6 +181,7 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
     }
   }
   if (&description != &trace_command && !is_evaluate) {
+    add_engine_choice(command, line);
     command.add_option("--gl-device", line.gl_device, "OpenGL device: index, part of its name, or 'software'")
         ->type_name("NAME");
   }
@@ -194,8 +191,9 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   command.add_flag("--no-figures", line.no_figures, "draw no figures; the page has no pictures");
   if (&description == &compare_command || is_evaluate || &description == &sweep_command)
     add_figure_options(command, line.figures);
-  command.add_flag("--full-images", line.full_images,
-                   "keep every pixel of images above 1920x1080 in the page's viewer");
+  command
+      .add_flag("--full-images", line.full_images, "keep every pixel of images above 1920x1080 in the page's viewer")
+      ->group(files_group);
   add_threads(command, line);
   add_memory(command, line);
   add_output_flags(command, line);

@@ -111,6 +111,15 @@ void add_check_options(CLI::App& command, CheckOptions& check) {
       ->type_name("FILE");
 }
 
+void add_engine_choice(CLI::App& command, CommandLine& line) {
+  command
+      .add_option_function<std::string>(
+          "--engine", [&line](const std::string& name) { line.settings.emplace_back(std::string(engine_key), name); },
+          "engine to measure in place of our techniques: a name or a command")
+      ->trigger_on_parse()
+      ->type_name("NAME");
+}
+
 void add_engine_options(CLI::App& command, CommandLine& line) {
   command.add_option("ACTION", line.action, "list, check or serve (our own rasteriser as an adapter)")
       ->check(CLI::IsMember({"list", "check", "serve"}));

@@ -22,6 +22,8 @@ CLI::Validator number_between(double min, double max);
 void add_diff_options(CLI::App& command, CommandLine& line);
 void add_tune_options(CLI::App& command, CommandLine& line);
 void add_check_options(CLI::App& command, CheckOptions& check);
+/// --engine, of commands that draw.
+void add_engine_choice(CLI::App& command, CommandLine& line);
 void add_engine_options(CLI::App& command, CommandLine& line);
 /// The files of a frame, of evaluate.
 void add_frame_options(CLI::App& command, CommandLine& line);

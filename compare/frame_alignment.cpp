@@ -163,6 +163,10 @@ std::string misfit_text(const FrameAlignment& alignment) {
   if (percent <= 100.0 * most_unmatched) {
     text = fmt::format("its surfaces are shifted by ({:.2f}, {:.2f}) px", alignment.shift.x, alignment.shift.y);
   }
+  if (alignment.remedy.empty() && alignment.median_error < partner_distance) {
+    return text +
+           "; the camera is right: meshes are missing or others, or most pixels are silhouettes: add a larger --size";
+  }
   if (alignment.remedy.empty()) {
     return text + "; no usual convention would make it fit: compare the matrix and the field of view of its camera";
   }

@@ -35,10 +35,7 @@ auto field_of(EngineParameter& parameter) {
 Parameters describe(EngineParams& params) {
   Parameters all = Description("engine")
                        .field("adapter", params.adapter,
-                              {.unit = {},
-                               .meaning = "engine to measure in place of our techniques: an adapter's name or command "
-                                          "('umbrameter engine list')",
-                               .basic = true})
+                              {"", "engine to measure in place of our techniques: name of an adapter, or a command"})
                        .take();
   for (EngineParameter& each : params.parameters) {
     all.push_back({std::string(prefix) + each.name,

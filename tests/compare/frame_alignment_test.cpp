@@ -229,6 +229,19 @@ TEST(FrameAlignment, Pixels_without_a_partner_are_counted_and_left_out) {
   EXPECT_EQ(left_out, 150u);
 }
 
+TEST(FrameAlignment, A_frame_in_which_meshes_are_missing_is_not_called_a_wrong_camera) {
+  const View view = view_of();
+  const GBuffer gbuffer = gbuffer_of(view);
+  FrameSurfaces frame{gbuffer.position};
+  for (std::size_t i = 0; i < frame.position.size(); ++i) {
+    if (gbuffer.instance[i] == 2) frame.position[i] = vec3(nan);
+  }
+  const FrameAlignment alignment = align_frame(frame, gbuffer, view);
+  EXPECT_FALSE(alignment.fits());
+  EXPECT_LT(alignment.median_error, partner_distance);
+  EXPECT_NE(misfit_text(alignment).find("meshes are missing"), std::string::npos) << misfit_text(alignment);
+}
+
 TEST(FrameAlignment, Surfels_lie_at_the_frames_positions_in_our_planes) {
   const View view = view_of();
   const GBuffer gbuffer = gbuffer_of(view);
