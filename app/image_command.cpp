@@ -206,6 +206,11 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   } else {
     lights.clear();
   }
+  if (has_files(experiment.frame) && lights.size() > 1) {
+    throw Error(ExitCode::usage, "evaluate",
+                fmt::format("the scene has {} lights, and a frame shows the shadow of one", lights.size()),
+                fmt::format("add --light NAME, such as --light '{}'", stages.title(lights.front())));
+  }
   add_technique_notes(stages, experiment, lights);
   const bool has_image = measures_image(experiment);
   if (has_image) check_shading(stages, experiment);
