@@ -177,6 +177,9 @@ TEST_F(EngineRun, What_an_engine_cannot_do_is_said_in_one_line) {
   const ProgramResult none = run({"evaluate", "contact-box"}, "no");
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_NE(none.err.find("no frame given"), std::string::npos) << none.err;
+  const ProgramResult missing = run({"evaluate", "contact-box", "--visibility", "nope.exr:mask"}, "no");
+  EXPECT_EQ(missing.exit_code, 4);
+  EXPECT_NE(missing.err.find("nope.exr:mask: there is no such file"), std::string::npos) << missing.err;
 }
 
 TEST_F(EngineRun, The_adapter_in_Python_and_our_own_keep_to_the_protocol) {
