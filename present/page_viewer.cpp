@@ -91,7 +91,7 @@ std::string missing_text(const ShadowMeasurement& shadow) {
                : "An area light has a soft shadow, so that no single tap is right or wrong; there is no bias slider.";
   }
   if (const std::string renderer = renderer_title(shadow.experiment); !renderer.empty()) {
-    return fmt::format("There is no bias slider: of {} only the image is known, not its taps.", renderer);
+    return fmt::format("There is no bias slider: only an image is known ({}), not its taps.", renderer);
   }
   const TechniqueCapabilities can = capabilities_of(make_technique(shadow.experiment.shadow));
   if (!can.sums_comparisons) {

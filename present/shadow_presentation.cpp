@@ -246,7 +246,7 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
   if (shadow.agreement) presentation.details.push_back(title + ": " + agreement_text(*shadow.agreement));
   const std::string renderer = renderer_title(experiment);
   if (!renderer.empty()) {
-    section.text += "\n\nRays decide the causes, because of " + renderer + " only the image is known, not its taps. " +
+    section.text += "\n\nOnly an image is known (" + renderer + "), not its taps, so rays decide the causes. " +
                     std::string(causes_by_rays_text);
   } else if (experiment.shadow.pcf.filter != ShadowFilter::nearest)
     section.text += "\n\n" + std::string(filter_caution);

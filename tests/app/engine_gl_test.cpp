@@ -108,7 +108,7 @@ TEST_F(EngineRun, A_mask_from_a_file_gives_the_statistics_of_the_run_that_wrote_
   // Of the frame only the image is known.
   const std::string page = text_of(folder_ / "drawn/index.html");
   EXPECT_NE(page.find("contact-box: frame against reference"), std::string::npos);
-  EXPECT_NE(page.find("There is no bias slider: of frame of "), std::string::npos);
+  EXPECT_NE(page.find("There is no bias slider: only an image is known (frame of "), std::string::npos);
   expect_same_page_in_report(folder_ / "drawn", folder_ / "again", {"class_sun.png"});
 }
 
