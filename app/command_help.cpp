@@ -6,6 +6,7 @@
 
 #include "app/command_options.h"
 #include "experiments/settings/experiment.h"
+#include "experiments/settings/stage_inputs.h"
 
 namespace umbrameter {
 namespace {
@@ -104,9 +105,27 @@ std::vector<OptionHelp> options_help(const CLI::App& command) {
   return options;
 }
 
+// Only what the command reads is among its most used options; --help-all lists every parameter.
+bool is_read(std::string_view command, std::string_view parameter) {
+  const bool is_of_technique =
+      parameter.starts_with("shadow.") || parameter.starts_with("ao.") || parameter.starts_with("shading.");
+  if (command == "raster") return !parameter.starts_with("truth.");
+  if (command != "trace" && command != "evaluate") return true;
+  if (parameter.starts_with("engine.")) return false;
+  // The reference of AO looks as far as ao.radius.
+  if (!is_of_technique || parameter == "ao.radius") return true;
+  constexpr Stage of_reference[] = {Stage::counted, Stage::binary_reference, Stage::area_reference,
+                                    Stage::pixel_reference, Stage::ao_reference};
+  return std::ranges::any_of(of_reference, [&](Stage stage) { return depends_on(stage, parameter); });
+}
+
 CommandHelp command_help(const CLI::App& command) {
-  return {command.get_name(), command.get_description(), usage_of(command), command.get_footer(),
-          options_help(command)};
+  CommandHelp help{command.get_name(), command.get_description(), usage_of(command), command.get_footer(),
+                   options_help(command)};
+  for (OptionHelp& option : help.options) {
+    if (option.is_parameter && !is_read(help.name, option.names.front())) option.is_basic = false;
+  }
+  return help;
 }
 
 ProgramHelp program_help(const CLI::App& app) {

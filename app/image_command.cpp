@@ -145,7 +145,12 @@ Experiment make_experiment(const CommandLine& line) {
   for (std::string* file :
        {&experiment.frame.visibility, &experiment.frame.lit, &experiment.frame.unshadowed, &experiment.frame.ao,
         &experiment.frame.occluded, &experiment.frame.open, &experiment.frame.position, &experiment.frame.depth}) {
-    if (!file->empty()) *file = std::filesystem::absolute(*file).lexically_normal().string();
+    if (file->empty()) continue;
+    *file = std::filesystem::absolute(*file).lexically_normal().string();
+    // Before any work; a colon can begin the name of a layer.
+    const std::string without_layer = file->substr(0, file->rfind(':'));
+    if (std::filesystem::exists(*file) || std::filesystem::exists(without_layer)) continue;
+    throw Error(ExitCode::unreadable_input, "cannot read " + *file, "there is no such file");
   }
   // A stored experiment must find its file from any folder.
   if (std::filesystem::is_regular_file(experiment.scene)) {
@@ -205,6 +210,11 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
     stages.check_is_meaningful(experiment, lights);
   } else {
     lights.clear();
+  }
+  if (has_files(experiment.frame) && lights.size() > 1) {
+    throw Error(ExitCode::usage, "evaluate",
+                fmt::format("the scene has {} lights, and a frame shows the shadow of one", lights.size()),
+                fmt::format("add --light NAME, such as --light '{}'", stages.title(lights.front())));
   }
   add_technique_notes(stages, experiment, lights);
   const bool has_image = measures_image(experiment);

@@ -70,6 +70,28 @@ void sort_by_content(std::vector<Figure>& figures) {
   figures = std::move(sorted);
 }
 
+// Images of the lights in the order of the sections about them, then all others.
+void sort_by_light(std::vector<ImageFigure>& images, const StoredRun& run) {
+  std::vector<std::string> lights;
+  for (const MeasuredStatistic& each : run.statistics) {
+    const auto layer = run.layers.find(each.light);
+    if (layer != run.layers.end() && std::ranges::find(lights, layer->second) == lights.end()) {
+      lights.push_back(layer->second);
+    }
+  }
+  // A layer's name can end as a shorter one does: "lamp_1" and "1".
+  const auto place = [&](const ImageFigure& image) {
+    const std::string content = image.stem.substr(0, image.stem.rfind('_'));
+    std::size_t best = lights.size();
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      const bool is_longer = best == lights.size() || lights[i].size() > lights[best].size();
+      if (is_longer && content.ends_with("_" + lights[i])) best = i;
+    }
+    return best;
+  };
+  std::ranges::stable_sort(images, {}, place);
+}
+
 Figures figures_of(const std::vector<StoredRun>& runs, const std::vector<fs::path>& folders, ErrorImages& errors) {
   Figures all;
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -90,6 +112,7 @@ Figures figures_of(const std::vector<StoredRun>& runs, const std::vector<fs::pat
   }
   if (runs.size() < 2) return all;
   sort_by_content(all.images);
+  sort_by_light(all.images, runs.front());
   sort_by_content(all.plots);
   sort_by_content(all.heat_maps);
   sort_by_content(all.waterfalls);
@@ -127,6 +150,7 @@ bool has_cell(const Table& table, const Test& test) {
   });
 }
 
+bool is_interval(const std::string& text) { return text.find("±") != std::string::npos; }
 bool is_difference(const std::string& text) { return text != "0" && text != "—"; }
 
 bool has_differences(const PartTables& part) { return has_cell(part.printed_differences, is_difference); }
@@ -142,14 +166,23 @@ std::vector<std::string> planned_files(const CommandLine& line, std::vector<std:
   return files;
 }
 
+// What the signs in a table's cells mean.
+std::string note_of(const Table& table, const std::string& of_star) {
+  std::string note;
+  if (has_cell(table, is_interval)) note = interval_note;
+  if (has_cell(table, [](const std::string& text) { return text.ends_with('*'); })) {
+    note += (note.empty() ? "" : "; ") + of_star;
+  }
+  return note;
+}
+
 void write_latex(const fs::path& folder, const std::vector<PartTables>& parts) {
   for (const PartTables& part : parts) {
-    write_text(folder / "figures" / (part.stem + ".tex"), to_latex(part.printed_values));
+    write_text(folder / "figures" / (part.stem + ".tex"),
+               to_latex(part.printed_values, note_of(part.printed_values, rays_only_note)));
     if (!has_differences(part)) continue;
-    const Table& differences = part.printed_differences;
-    const bool is_marked = has_cell(differences, [](const std::string& text) { return text.ends_with('*'); });
     write_text(folder / "figures" / (part.stem + "_difference.tex"),
-               to_latex(differences, is_marked ? significance_note : ""));
+               to_latex(part.printed_differences, note_of(part.printed_differences, significance_note)));
   }
 }
 
@@ -172,10 +205,12 @@ Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTab
   for (const PartTables& part : parts) {
     ReportSection section;
     section.title = part.title;
-    section.tables.push_back({"Errors, with 95 % intervals", part.values});
-    section.text =
-        "95 % intervals cover the choice of pixels and the noise of the reference: blocks of pixels are left out in "
-        "turn.";
+    const bool has_intervals = has_cell(part.values, is_interval);
+    section.tables.push_back({has_intervals ? "Errors, with 95 % intervals" : "Errors", part.values});
+    section.text = has_intervals
+                       ? "95 % intervals cover the choice of pixels and the noise of the reference: blocks of pixels "
+                         "are left out in turn."
+                       : "These errors have no 95 % intervals.";
     if (has_cell(part.all, [](const std::string& text) { return text.ends_with('*'); })) {
       section.text +=
           " An interval marked * covers the noise of the reference only, because the images of the run do not give "
@@ -185,7 +220,9 @@ Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTab
       section.text += fmt::format(" Differences are to the run '{}'.", runs.front().name);
       if (has_cell(part.differences, [](const std::string& text) { return text.starts_with('('); })) {
         section.text +=
-            " Those in parentheses are not significant, or cannot be tested because they have no such interval.";
+            has_intervals
+                ? " Those in parentheses are not significant, or cannot be tested because they have no such interval."
+                : " Those in parentheses cannot be tested; the last column of 'All statistics' says why.";
       }
       section.tables.push_back({fmt::format("Difference to the run '{}'", runs.front().name), part.differences});
     } else if (runs.size() > 1) {
@@ -319,6 +356,14 @@ ExitCode run_report(const CommandLine& line, const Console& console) {
     if (!fs::equivalent(folder, line.output, error)) continue;
     throw Error(ExitCode::usage, line.output.string(), "it holds a run that the report reads",
                 "write the report to another folder");
+  }
+  for (auto folder = line.report.folders.begin(); folder != line.report.folders.end(); ++folder) {
+    const bool is_repeated = std::any_of(line.report.folders.begin(), folder, [&](const fs::path& earlier) {
+      std::error_code error;
+      return fs::equivalent(earlier, *folder, error);
+    });
+    if (!is_repeated) continue;
+    throw Error(ExitCode::usage, folder->string(), "this run is given twice", "name each run once");
   }
   std::optional<RunResults> results;
   if (line.report.folders.size() == 1) results = read_run_value(line.report.folders.front());

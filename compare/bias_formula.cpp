@@ -57,16 +57,16 @@ std::vector<FormulaTerm> choose_terms(BiasFormula& formula) {
   std::vector<FormulaTerm> used = {FormulaTerm::constant};
   const auto choose = [&](FormulaTerm term, const char* fact, const FormulaRange& range) {
     if (range.values >= min_formula_values) return used.push_back(term);
-    formula.refused.push_back(std::string(fact) + ": " + std::to_string(range.values) +
-                              (range.values == 1 ? " value" : " values") + ", at least " +
-                              std::to_string(min_formula_values) + " are needed");
+    formula.refused.push_back(std::string(fact) + " (" + std::to_string(range.values) +
+                              (range.values == 1 ? " value" : " values") + "; at least " +
+                              std::to_string(min_formula_values) + " are needed)");
   };
   choose(FormulaTerm::slope, "depth per texel", formula.depth_per_texel);
   choose(FormulaTerm::slope_radius, "filter radius", formula.radius);
   const FormulaRange& step = formula.depth_step;
   if (step.values >= min_formula_values && step.max - step.min < formula.axis_step) {
     formula.refused.emplace_back(
-        "step of the stored depth: its values differ by less than one step of the bias axis, too little to matter");
+        "step of the stored depth (its values differ by less than one step of the bias axis, too little to matter)");
   } else {
     choose(FormulaTerm::depth_step, "step of the stored depth", step);
   }

@@ -31,7 +31,7 @@ std::string axes_text(const Remedy& remedy) {
   if (is({0, 1, 2}, {1, 1, -1})) return "the axes are left-handed: z is negated";
   if (is({0, 1, 2}, {-1, 1, 1})) return "the axes are left-handed: x is negated";
   if (is({0, 2, 1}, {1, 1, 1})) return "Z points up and the axes are left-handed";
-  std::string text = "our x, y, z are its ";
+  std::string text = "our x, y, z are, of the axes as now read, ";
   constexpr std::string_view names = "xyz";
   for (std::size_t c = 0; c < 3; ++c) {
     text += (c > 0 ? ", " : "") + std::string(remedy.sign[c] < 0.0 ? "−" : "") +
@@ -42,7 +42,7 @@ std::string axes_text(const Remedy& remedy) {
 
 std::string remedy_text(const Remedy& remedy, bool has_positions, DepthConvention given) {
   std::vector<std::string> parts;
-  if (remedy.flips_y) parts.push_back("rows begin at the bottom");
+  if (remedy.flips_y) parts.push_back("its rows run the other way");
   if (remedy.flips_x) parts.push_back("left and right are exchanged");
   if (const std::string axes = axes_text(remedy); has_positions && !axes.empty()) parts.push_back(axes);
   if (!has_positions && remedy.convention != given) {

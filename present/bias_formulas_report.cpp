@@ -138,7 +138,10 @@ std::vector<std::string> remarks_on(std::span<const CurveFormula* const> formula
     }
   }
   std::vector<std::string> texts;
-  for (const auto& [warning, names] : lines) texts.push_back(fmt::format("formula ({}): {}", names, warning));
+  for (const auto& [remark, names] : lines) {
+    const bool are_many = names.find(", ") != std::string::npos;
+    texts.push_back(fmt::format("{} ({}): {}", are_many ? "formulas" : "formula", names, remark));
+  }
   return texts;
 }
 
@@ -160,8 +163,9 @@ std::vector<std::vector<Value>> settings_of(const BiasCurves& curves) {
 }
 
 std::string ranges_text(const BiasFormula& formula) {
-  std::string text = fmt::format("fitted over texels of {}, Δz of {} ({} texels)", length_range(formula.texel),
-                                 length_range(formula.depth_per_texel), texel_range(formula.slope));
+  std::string text =
+      fmt::format("fitted over texel sizes of {} and Δz of {}, {} times the texel size", length_range(formula.texel),
+                  length_range(formula.depth_per_texel), texel_range(formula.slope));
   if (printed_term(formula, FormulaTerm::slope_radius))
     text += fmt::format(", r of {} texels", texel_range(formula.radius));
   if (printed_term(formula, FormulaTerm::depth_step)) text += ", δ of " + length_range(formula.depth_step);
@@ -303,7 +307,8 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
       section.text += "\n\n" + line + "; " + ranges_text(*of->formula) + ".";
       if (is_first) presentation.lines.push_back(line);
     }
-    for (const std::string& reason : remarks_on(formulas, refused_of)) section.text += "\n\nNot in the " + reason + ".";
+    for (const std::string& reason : remarks_on(formulas, refused_of))
+      section.text += "\n\nLeft out of the " + reason + ".";
     if (any != nullptr) {
       const std::string used = symbols_text(formulas);
       if (is_first) presentation.lines.push_back("  " + used + (used.empty() ? "" : "; ") + ranges_text(*any));

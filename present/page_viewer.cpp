@@ -90,6 +90,9 @@ std::string missing_text(const ShadowMeasurement& shadow) {
                  "slider."
                : "An area light has a soft shadow, so that no single tap is right or wrong; there is no bias slider.";
   }
+  if (const std::string renderer = renderer_title(shadow.experiment); !renderer.empty()) {
+    return fmt::format("There is no bias slider: only an image is known ({}), not its taps.", renderer);
+  }
   const TechniqueCapabilities can = capabilities_of(make_technique(shadow.experiment.shadow));
   if (!can.sums_comparisons) {
     return "This technique does not sum depth comparisons, so that taps have no critical bias; there is no bias "

@@ -40,13 +40,16 @@ std::string range_text(const BiasPlateau& plateau, LengthUnit unit, const std::s
 }
 
 std::string withheld_text(NoBias reason, const BiasEvidence& evidence) {
-  const char* remedy = evidence.has_floor ? "choose a view with more shadows" : "--scene.ground adds a floor";
+  const char* remedy = !evidence.has_floor     ? "--scene.ground adds a floor"
+                       : evidence.blocked == 0 ? "choose a view with shadows"
+                                               : "choose a view with more shadows";
   switch (reason) {
     case NoBias::few_pixels:
       return fmt::format("only {} counted pixel{}; choose a view in which the light reaches more", evidence.pixels,
                          evidence.pixels == 1 ? "" : "s");
     case NoBias::nothing_lit:
-      return few_text(evidence.lit, evidence.pixels, "lit", "small") + "; choose a view with more light";
+      return few_text(evidence.lit, evidence.pixels, "lit", "small") +
+             (evidence.lit == 0 ? "; choose a view with lit surfaces" : "; choose a view with more light");
     case NoBias::nothing_blocked:
       return few_text(evidence.blocked, evidence.pixels, "in shadow", "large") + "; " + remedy;
     case NoBias::no_receiver:

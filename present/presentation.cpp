@@ -31,14 +31,15 @@ struct AoErrorText {
   std::string absolute;
   std::string with_sign;
 };
+// Less is the rounding of equal images, and of rays that all escape.
+bool is_measurable(const SampledError& error) { return !(error.mae.upper < 1e-6); }
+
 AoErrorText error_text(const SampledError& error) {
   const Estimate& absolute = error.mae;
   const Estimate& mean = error.mean_error;
   const double width = 50.0 * std::max(absolute.upper - absolute.lower, mean.upper - mean.lower);
   if (!(width > 0.0)) return {percent(absolute.value), with_sign(percent(mean.value))};
-  // The rounding of equal images, and of rays that all escape.
-  constexpr double nothing = 1e-6;
-  if (absolute.upper < nothing) return {"below 0.0001 %", "0.0000 %"};
+  if (!is_measurable(error)) return {"below 0.0001 %", "0.0000 %"};
   const int decimals = decimals_of(width, 2);
   const double half_width = 50.0 * (mean.upper - mean.lower);
   // Far below that of the absolute error it would read as 0.
@@ -290,7 +291,7 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
   const std::string renderer = renderer_title(experiment);
   const std::string technique = renderer.empty() ? std::string(title_of(make_technique(experiment.ao))) : renderer;
   add_layer_figure(presentation, layers, Layer::raster_ao, {}, technique,
-                   renderer.empty() ? ao_technique_text(experiment.ao) : "As it writes it.");
+                   renderer.empty() ? ao_technique_text(experiment.ao) : "As the engine or the file gives it.");
   if (ao.truth) {
     section.text = precision_text(ao.truth->precision, experiment.truth);
     presentation.details.push_back("AO: " + offset_text(ao.truth->statistics));
@@ -312,7 +313,7 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
   section.headlines = {
       {"mean absolute error", text.absolute, fmt::format("of {} pixels", grouped(s.pixels))},
       {"RMS error", percent(s.rmse), "corrected for the reference's variance"},
-      {"mean signed error", text.with_sign, "below 0: too dark"},
+      {"mean signed error", is_measurable(s) ? with_sign(percent(s.mean_error)) : text.with_sign, "below 0: too dark"},
   };
   const std::string radius = metres_text(experiment.ao.sampling.radius.number);
   section.text += !renderer.empty()

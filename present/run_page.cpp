@@ -50,8 +50,10 @@ Presentation present_cell(const RunResults& results, const std::string& cell) {
     shadow.advice.reset();
     part = present_shadow(results.scene, layers, shadow);
   }
-  // The sweep's own part has the answer.
-  part.lines = {"cell of least error: " + cell};
+  // The sweep's own part has the answer: that of a bias names one for each combination of the other axes, any other the
+  // cell itself.
+  part.lines.clear();
+  if (results.sweep->curves) part.lines.push_back("cell of least error: " + cell);
   for (const std::string& answer : std::exchange(part.answers, {})) part.lines.push_back("  " + answer);
   part.section.title += " in the cell of least error";
   part.section.text = fmt::format("This section shows the cell {}.\n\n", cell) + part.section.text;
@@ -98,13 +100,15 @@ void add_head(Report& report, const RunResults& results) {
     report.title = fmt::format("{}{}: tuning", scene, scenes > 1 ? fmt::format(" and {} more", scenes - 1) : "");
     report.subtitle = fmt::format("{}, {}×{} pixels", cases == 1 ? "1 case" : fmt::format("{} cases", cases),
                                   results.experiment.view.size.width, results.experiment.view.size.height);
+    report.command_title = "Measure the best point";
     report.command = fmt::format("umbrameter compare -c {} -o OUT", tuned_file);
     return;
   }
-  const std::string what = results.sweep                  ? "sweep"
-                           : results.command == "compare" ? "technique against reference"
-                           : results.command == "trace"   ? "reference"
-                                                          : "technique";
+  const std::string what = results.sweep                   ? "sweep"
+                           : results.command == "compare"  ? "technique against reference"
+                           : results.command == "evaluate" ? "frame against reference"
+                           : results.command == "trace"    ? "reference"
+                                                           : "technique";
   report.title = scene + ": " + what;
   report.subtitle = subtitle_of(results.scene, results.measurement->surfels.view);
   report.command = fmt::format("umbrameter {} -c experiment.toml -o OUT", results.command);

@@ -26,6 +26,8 @@ struct PartTables {
 std::vector<PartTables> part_tables(const std::vector<StoredRun>& runs, const std::vector<ComparedStatistic>& compared);
 
 /// What the asterisk in a printed difference means.
+inline constexpr const char* interval_note = "± 95 % interval";
+inline constexpr const char* rays_only_note = "* the interval covers the noise of the reference only";
 inline constexpr const char* significance_note = "* significant: its 95 % interval excludes 0";
 
 /// One row for each statistic and run, in SI units and shares.

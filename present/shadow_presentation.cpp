@@ -157,9 +157,8 @@ ReportTable worst_parts(const char* what, PartKind kind, const std::vector<PartE
 
 constexpr std::string_view causes_by_rays_text =
     "Too dark is acne where what the light sees around the pixel is the pixel's own surface, else false occlusion; too "
-    "bright is light leak where the light passes beside the blocker, else peter-panning. Near shadow edges the two of "
-    "a "
-    "pair can be exchanged.";
+    "bright is light leak where the light passes beside the blocker, else peter-panning. Near shadow edges acne and "
+    "false occlusion can be exchanged, and so can light leak and peter-panning.";
 
 std::string technique_text(const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
@@ -247,7 +246,7 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
   if (shadow.agreement) presentation.details.push_back(title + ": " + agreement_text(*shadow.agreement));
   const std::string renderer = renderer_title(experiment);
   if (!renderer.empty()) {
-    section.text += "\n\nOnly the image of " + renderer + " is known, not its taps: rays decide the causes. " +
+    section.text += "\n\nOnly an image is known (" + renderer + "), not its taps, so rays decide the causes. " +
                     std::string(causes_by_rays_text);
   } else if (experiment.shadow.pcf.filter != ShadowFilter::nearest)
     section.text += "\n\n" + std::string(filter_caution);
@@ -261,10 +260,10 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
     presentation.answers.push_back(title + ": " + advice_text(*shadow.advice));
     presentation.lines.push_back(fmt::format("  {}: {}", title, parts));
   } else {
-    const std::string of =
-        renderer.empty() ? "at a bias of " + length_text(experiment.shadow.bias.constant) : "of " + renderer;
+    const std::string by = renderer.empty() ? "" : ", " + renderer;
+    const std::string at = renderer.empty() ? " at a bias of " + length_text(experiment.shadow.bias.constant) : "";
     presentation.answers.push_back(
-        fmt::format("{}: error {}{} {}; {}", title, percent(s.mae), few_pixels_text(s.pixels), of, parts));
+        fmt::format("{}{}: error {}{}{}; {}", title, by, percent(s.mae), few_pixels_text(s.pixels), at, parts));
   }
   return presentation;
 }

@@ -25,7 +25,7 @@ Table distance_table(const ErrorShape& shape) {
   table.columns = {{"error", "", "part of the error"}};
   for (const auto& [unit, where] :
        {std::pair{"texels", "perpendicular to the light"}, {"px", "in the image"}, {"m", "in the world"}}) {
-    for (const char* which : {"median", "95 %", "largest"}) {
+    for (const char* which : {"median", "95th percentile", "largest"}) {
       table.columns.push_back({which, unit, std::string("distance to the nearest edge of the hard shadow, ") + where});
     }
   }

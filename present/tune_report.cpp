@@ -357,7 +357,6 @@ Presentation present_tuning(const TuneSummary& summary) {
     const auto is_later = [](const auto& row) { return std::get<std::int64_t>(row.front()) > 1; };
     if (std::ranges::any_of(search.data.rows, is_later)) add_figure(shown_part, std::move(search));
   }
-  shown_part.details.push_back(method_text(summary));
   return shown_part;
 }
 

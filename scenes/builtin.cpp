@@ -1,5 +1,6 @@
 #include "scenes/builtin.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -104,8 +105,8 @@ Scene make_sized(const BuiltinScene& scene, const std::string& text, const std::
     names.append(names.empty() ? "" : ", ").append(scene.name);
     if (edit_distance(name, scene.name) < edit_distance(name, nearest)) nearest = scene.name;
   }
-  // A wider guess would be none.
-  const bool is_near = edit_distance(name, nearest) <= 3;
+  // A wider guess would be none: one wrong letter in three.
+  const bool is_near = edit_distance(name, nearest) <= std::clamp(static_cast<int>(name.size()) / 3, 1, 3);
   throw Error(ExitCode::unreadable_input, "scene '" + text + "'", "there is no file and no built-in scene of that name",
               (is_near ? "did you mean '" + std::string(nearest) + "'? " : std::string()) +
                   "give a .gltf or .glb file, or one of: " + names);

@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 2> row_names = {"top", "bottom"};
 Parameters describe(FrameParams& params) {
   return Description("frame")
       .field("visibility", params.visibility, {"", "file of the engine's visibility: the share of light that arrives"})
-      .field("lit", params.lit, {"", "file of a frame with shadows, instead of a visibility; needs frame.unshadowed"})
+      .field("lit", params.lit, {"", "file of a frame with shadows, instead of a visibility; with one without them"})
       .field("unshadowed", params.unshadowed, {"", "file of the same frame without shadows"})
       .field("ao", params.ao, {"", "file of the engine's ambient occlusion, 1 where open"})
       .field("occluded", params.occluded, {"", "file of a frame with ambient occlusion; needs frame.open"})

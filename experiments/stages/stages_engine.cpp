@@ -23,7 +23,7 @@ GBuffer Stages::aligned_surfels(const Experiment& experiment, const View& view, 
   if (!shown) {
     add_notes({frames.title +
                " has neither depth nor position: it is taken to show our own surfels, and a shift between both would "
-               "count as an error of its shadows"});
+               "count as an error"});
     return gbuffer;
   }
   const FrameAlignment alignment = align_frame(*shown, gbuffer, view);

@@ -273,15 +273,11 @@ Json page_data(const fs::path& folder, const Report& report, const std::set<std:
     contents.push_back({{"anchor", sections.back()["anchor"]}, {"title", section.title}});
   }
   if (!report.settings.columns.empty()) contents.push_back({{"anchor", "settings"}, {"title", "Settings"}});
-  return {{"title", report.title},
-          {"subtitle", report.subtitle},
-          {"command", report.command},
-          {"files", files_data(folder)},
-          {"contents", contents},
-          {"answers", report.answers},
-          {"notes", report.notes},
-          {"sections", sections},
-          {"settings", table_data(report.settings, "Every parameter of this run")}};
+  return {{"title", report.title},       {"subtitle", report.subtitle},
+          {"command", report.command},   {"command_title", report.command_title},
+          {"files", files_data(folder)}, {"contents", contents},
+          {"answers", report.answers},   {"notes", report.notes},
+          {"sections", sections},        {"settings", table_data(report.settings, "Every parameter of this run")}};
 }
 
 // Moves figures of what the viewer shows, in full, to a part that can be folded away.

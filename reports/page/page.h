@@ -39,9 +39,10 @@ struct ReportSection {
 };
 
 struct Report {
-  std::string title;                   ///< "courtyard: bias × resolution"
-  std::string subtitle;                ///< view, light, date-free facts
-  std::string command;                 ///< what repeats this run
+  std::string title;     ///< "courtyard: bias × resolution"
+  std::string subtitle;  ///< view, light, date-free facts
+  std::string command;   ///< what repeats this run, or what `command_title` says
+  std::string command_title = "Repeat this run";
   std::vector<std::string> answers{};  ///< what the run was made for, one line each: at the top of the page
   std::vector<std::string> notes;      ///< what was assumed
   std::vector<ReportSection> sections;

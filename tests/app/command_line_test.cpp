@@ -86,6 +86,20 @@ TEST(CommandLine, Help_lists_the_basic_parameters_and_help_all_the_rest) {
   EXPECT_LT(std::count(basic.begin(), basic.end(), '\n'), 70) << "it fits a tall terminal";
 }
 
+TEST(CommandLine, Help_of_a_command_that_draws_nothing_lists_no_parameters_of_techniques) {
+  for (const char* command : {"trace", "evaluate"}) {
+    const std::string basic = run_program({command, "--help"}).out;
+    // The counted pixels depend on the map's size, the reference of AO on the radius.
+    for (const char* read : {"--shadow.resolution", "--ao.radius", "--truth.spp"}) {
+      EXPECT_NE(basic.find(read), std::string::npos) << command << read;
+    }
+    for (const char* unread : {"--shadow.constant-bias", "--shadow.filter", "--ao.samples", "--engine.adapter"}) {
+      EXPECT_EQ(basic.find(unread), std::string::npos) << command << unread;
+    }
+    EXPECT_NE(run_program({command, "--help-all"}).out.find("--shadow.constant-bias"), std::string::npos) << command;
+  }
+}
+
 TEST(CommandLine, Most_basic_parameters_take_one_line) {
   std::istringstream lines(run_program({"compare", "--help"}).out);
   int parameters = 0;
@@ -120,6 +134,14 @@ TEST(CommandLine, A_hint_names_the_whole_parameter) {
   EXPECT_NE(hint("--cascaeds").find("did you mean '--shadow.cascades'?"), std::string::npos);
   const std::string axis = run_program({"sweep", "corner", "-o", "out", "--vary", "bias=0,1"}).err;
   EXPECT_NE(axis.find("did you mean 'shadow.constant-bias'"), std::string::npos) << axis;
+}
+
+TEST(CommandLine, A_report_refuses_a_run_that_is_given_twice) {
+  const TemporaryFolder folder;
+  const std::string run = folder.path().string();
+  const ProgramResult result = run_program({"report", run, run + "/.", "-o", folder / "both"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("this run is given twice; name each run once"), std::string::npos) << result.err;
 }
 
 TEST(CommandLine, Pcf_is_understood_as_box) {

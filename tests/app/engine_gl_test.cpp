@@ -97,10 +97,18 @@ TEST_F(EngineRun, A_mask_from_a_file_gives_the_statistics_of_the_run_that_wrote_
     EXPECT_NEAR(s["mae"].get<double>(), t["mae"].get<double>(), 1e-7);
     EXPECT_NEAR(s["rmse"].get<double>(), t["rmse"].get<double>(), 1e-7);
   }
+  const ProgramResult lights =
+      run({"evaluate", "contact-box", "--visibility", ours + "/images.exr:raster_visibility_sun"}, "no");
+  EXPECT_EQ(lights.exit_code, 2) << lights.out;
+  EXPECT_NE(lights.err.find("a frame shows the shadow of one; add --light NAME"), std::string::npos) << lights.err;
   const ProgramResult drawn =
       run_program(words(words(evaluate(ours, {"--depth", ours + "/images.exr:Z", "--convention", "blender"}), small),
                         {"-o", folder_ / "drawn"}));
   ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+  // Of the frame only the image is known.
+  const std::string page = text_of(folder_ / "drawn/index.html");
+  EXPECT_NE(page.find("contact-box: frame against reference"), std::string::npos);
+  EXPECT_NE(page.find("There is no bias slider: only an image is known (frame of "), std::string::npos);
   expect_same_page_in_report(folder_ / "drawn", folder_ / "again", {"class_sun.png"});
 }
 
@@ -110,8 +118,8 @@ TEST_F(EngineRun, A_frame_that_does_not_fit_is_refused_with_what_would_fit) {
   const std::vector<std::string> position = {"--position", ours + "/images.exr:gbuffer_position"};
   const std::vector<std::string> depth = {"--depth", ours + "/images.exr:Z"};
   const std::vector<std::pair<std::vector<std::string>, const char*>> cases = {
-      {words(position, {"--frame.rows", "bottom"}), "rows begin at the bottom"},
-      {words(position, {"--frame.axes", "x,z,-y"}), "our x, y, z are its x, −z, y"},
+      {words(position, {"--frame.rows", "bottom"}), "its rows run the other way"},
+      {words(position, {"--frame.axes", "x,z,-y"}), "our x, y, z are, of the axes as now read, x, −z, y"},
       {words(position, {"--frame.axes", "x,y,-z"}), "left-handed: z is negated"},
       {words(position, {"--frame.unit", "0.01"}), "its unit is 100 m"},
       {depth, "its depth is 'axis'"},
@@ -169,6 +177,9 @@ TEST_F(EngineRun, What_an_engine_cannot_do_is_said_in_one_line) {
   const ProgramResult none = run({"evaluate", "contact-box"}, "no");
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_NE(none.err.find("no frame given"), std::string::npos) << none.err;
+  const ProgramResult missing = run({"evaluate", "contact-box", "--visibility", "nope.exr:mask"}, "no");
+  EXPECT_EQ(missing.exit_code, 4);
+  EXPECT_NE(missing.err.find("nope.exr:mask: there is no such file"), std::string::npos) << missing.err;
 }
 
 TEST_F(EngineRun, The_adapter_in_Python_and_our_own_keep_to_the_protocol) {

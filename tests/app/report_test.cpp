@@ -302,7 +302,7 @@ TEST_F(RunsReport, Writes_page_rows_figures_and_tables_and_names_only_the_parame
   const std::string differences = text_of(output() + "/figures/shadow_sun_difference.tex");
   // 25 % of noise against 5 %.
   EXPECT_NE(differences.find("{*} \\\\"), std::string::npos) << differences;
-  EXPECT_NE(differences.find("{*} significant"), std::string::npos) << differences;
+  EXPECT_NE(differences.find("$\\pm$ 95 \\% interval; {*} significant"), std::string::npos) << differences;
   for (const std::string& text : {table, differences}) EXPECT_EQ(text.find("---"), std::string::npos) << text;
 }
 

@@ -67,8 +67,8 @@ TEST(BiasFormula, A_short_axis_is_refused_by_name) {
   ASSERT_TRUE(formula);
   EXPECT_FALSE(formula->term(FormulaTerm::slope_radius));
   ASSERT_EQ(formula->refused.size(), 2u);
-  EXPECT_EQ(formula->refused[0], "filter radius: 1 value, at least 2 are needed");
-  EXPECT_EQ(formula->refused[1], "step of the stored depth: 1 value, at least 2 are needed");
+  EXPECT_EQ(formula->refused[0], "filter radius (1 value; at least 2 are needed)");
+  EXPECT_EQ(formula->refused[1], "step of the stored depth (1 value; at least 2 are needed)");
 }
 
 TEST(BiasFormula, Points_that_repeat_others_do_not_shrink_the_standard_errors) {

@@ -163,10 +163,10 @@ TEST(FrameAlignment, Another_kind_of_depth_is_named) {
 
 TEST(FrameAlignment, Exchanged_rows_and_columns_are_named) {
   const Image<vec3> positions = gbuffer_of(view_of()).position;
-  EXPECT_EQ(remedy({flipped(positions, false, true)}), "rows begin at the bottom");
+  EXPECT_EQ(remedy({flipped(positions, false, true)}), "its rows run the other way");
   EXPECT_EQ(remedy({flipped(positions, true, false)}), "left and right are exchanged");
   EXPECT_EQ(remedy({{}, flipped(depths(view_of(), DepthConvention::axis), false, true), DepthConvention::axis}),
-            "rows begin at the bottom");
+            "its rows run the other way");
 }
 
 TEST(FrameAlignment, A_shift_of_half_a_pixel_is_measured_and_refused) {

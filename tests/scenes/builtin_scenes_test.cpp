@@ -216,6 +216,7 @@ TEST(LoadScene, A_misspelt_name_lists_the_scenes_and_suggests_the_nearest) {
   EXPECT_FALSE(contains(text, "\n")) << text;
   EXPECT_TRUE(contains(failure_of("contactbox"), "did you mean 'contact-box'?"));
   EXPECT_TRUE(contains(failure_of("forrest:20M"), "did you mean 'forest'?"));
+  EXPECT_FALSE(contains(failure_of("nope"), "did you mean")) << "'room' shares one letter of four";
 }
 
 TEST(LoadScene, A_name_far_from_all_others_gets_no_guess) {

@@ -47,6 +47,7 @@ export class BiasPanel {
     this.element.replaceChildren();
     if (!bias) return;
     const {viewer} = this;
+    const what = viewer.run.cell ? 'this cell' : viewer.run.title ? 'this point' : 'this run';
     const can_move = bias.missing === '' && bias.bin !== undefined;
     this.element.append(make('h3', {}, `Constant bias: ${bias.group}`));
     if (!can_move) this.element.append(make('p', {class: 'missing-slider'}, bias.missing));
@@ -79,10 +80,10 @@ export class BiasPanel {
                         ...(ink ? {stroke: ink.color} : {})}));
     this.curve = new Curve(bias, inks, can_move ? (index) => viewer.select_bias(index) : null,
                            (range) => viewer.select_range(range));
-    const jumps = make('div', {class: 'buttons'}, jump('Bias of this run', used_index(bias)),
+    const jumps = make('div', {class: 'buttons'}, jump(`Bias of ${what}`, used_index(bias)),
                        jump('Least error', best_index(bias)));
     const controls = can_move ? [make('div', {class: 'row'}, slider, jumps)] : [];
-    const hint = 'The dashed line is the bias of this run. Drag below the curve, or with Shift, to select a range of ' +
+    const hint = `The dashed line is the bias of ${what}. ` + 'Drag below the curve, or with Shift, to select a range of ' +
       'biases: the bars then show the mean over its biases.' + (can_move
       ? ' The images follow the slider: each wrong tap is stored with the bias at which it flips.' : '');
     this.element.append(make('div', {class: 'panes'},
@@ -97,7 +98,7 @@ export class BiasPanel {
       const is_used = bias.axis[bias.index] === bias.used;
       slider.value = String(bias.index);
       slider.setAttribute('aria-valuetext', text);
-      reading.textContent = text + (is_used ? ', as in this run' : '');
+      reading.textContent = text + (is_used ? `, as in ${what}` : '');
       const shares: number[] = bias.range ? mean_shares(bias, bias.range) : bias.shares[bias.index];
       const [first, end] = bias.range ?? [0, last];
       caption.textContent = 'Error, share of the counted pixels' + (bias.range

@@ -72,6 +72,7 @@ export interface Parts {
 export interface Run {
   rounded: boolean; // fewer digits than half floats
   cell: SetCell | null;
+  title: string; // of a set that is no cell
   width: number; // of the rendered images, pixels
   height: number;
   stride: number; // every stride-th pixel is here
@@ -171,6 +172,7 @@ export class Pack {
     return {
       rounded: set.rounded,
       cell: set.cell ?? null,
+      title: set.title ?? '',
       width: set.width,
       height: set.height,
       stride: set.stride,
