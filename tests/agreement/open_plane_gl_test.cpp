@@ -18,11 +18,11 @@ namespace {
 class OpenPlaneGl : public test::GlFixture {
  protected:
   // Mean on the axis at 60 degrees, in thousandths.
-  double loss(AoTechniqueName technique, int height) const {
+  double loss(AoTechniques::Choice technique, int height) const {
     return 1000.0 * open_plane_darkening(context(), params_of(technique), {60.0, false, height, 8}).mean;
   }
   // The settings that the page states.
-  static AoParams params_of(AoTechniqueName technique) {
+  static AoParams params_of(AoTechniques::Choice technique) {
     AoParams params;
     params.technique = technique;
     params.sampling.radius = 0.5;
@@ -60,9 +60,9 @@ std::optional<double> number_below(const std::string& page, const std::string& h
 
 TEST_F(OpenPlaneGl, Loses_what_the_documentation_says_at_each_radius_in_pixels) {
   const std::string page = text_of(UMBRAMETER_DOCS "/ambient-occlusion/invariants.md");
-  for (const auto& [technique, row] : {std::pair(AoTechniqueName::hbao, "HBAO"),
-                                       {AoTechniqueName::gtao, "GTAO, slices even in the image"},
-                                       {AoTechniqueName::bitmask, "bitmask, rounded up"}}) {
+  for (const auto& [technique, row] : {std::pair(AoTechniques::choice<Hbao>, "HBAO"),
+                                       {AoTechniques::choice<Gtao>, "GTAO, slices even in the image"},
+                                       {AoTechniques::choice<Bitmask>, "bitmask, rounded up"}}) {
     for (const int height : {40, 80}) {
       const std::string radius = std::to_string(std::lround(radius_in_pixels(params_of(technique), height)));
       const auto stated = number_below(page, "### Against the radius in pixels", row, "60°, r = " + radius);
@@ -71,7 +71,7 @@ TEST_F(OpenPlaneGl, Loses_what_the_documentation_says_at_each_radius_in_pixels) 
     }
   }
   // Twice the radius in pixels halves the darkening of HBAO.
-  EXPECT_NEAR(loss(AoTechniqueName::hbao, 40) / loss(AoTechniqueName::hbao, 80), 2.0, 0.2);
+  EXPECT_NEAR(loss(AoTechniques::choice<Hbao>, 40) / loss(AoTechniques::choice<Hbao>, 80), 2.0, 0.2);
 }
 
 }  // namespace
