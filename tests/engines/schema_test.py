@@ -18,7 +18,7 @@ for engine in ("threejs", "babylon", "playcanvas"):
     if (root / "engines" / engine / "node_modules").is_dir():
         commands[engine] = [root / "engines" / engine / "adapter"]
 for name, command in commands.items():
-    requests = [{"id": 1, "request": "describe", "protocol": 1}, {"id": 2, "request": "render", "outputs": [], "frames": []}]
+    requests = [{"id": 1, "request": "describe", "protocol": 1}, {"id": 2, "request": "render", "outputs": ["visibility"], "frames": [{}]}]
     result = subprocess.run([str(word) for word in command], input="".join(json.dumps(r) + "\n" for r in requests),
                             capture_output=True, text=True, timeout=100, check=True)
     description, refusal = (json.loads(line) for line in result.stdout.splitlines())
