@@ -55,13 +55,14 @@ void add_diff_options(CLI::App& command, CommandLine& line) {
 }
 
 void add_frame_options(CLI::App& command, CommandLine& line) {
-  for (const char* name : {"visibility", "lit", "unshadowed", "ao", "occluded", "open", "position", "depth"}) {
-    const std::string key = std::string("frame.") + name;
-    Experiment defaults;
+  FrameParams frame;
+  for (const Parameter& parameter : file_parameters(frame)) {
+    const std::string name = parameter.key.substr(parameter.key.find('.') + 1);
     command
         .add_option_function<std::string>(
-            std::string("--") + name, [&line, key](const std::string& file) { line.settings.emplace_back(key, file); },
-            require(describe(defaults), key).description.meaning)
+            "--" + name,
+            [&line, key = parameter.key](const std::string& file) { line.settings.emplace_back(key, file); },
+            parameter.description.meaning)
         ->trigger_on_parse()
         ->type_name("FILE");
   }

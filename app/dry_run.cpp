@@ -16,11 +16,6 @@ using Row = std::pair<std::string, std::string>;
 
 constexpr double estimate_budget = 20.0;  // seconds
 
-const char* kind_of(const Light& light) {
-  if (std::holds_alternative<DirectionalLight>(light.shape)) return "directional";
-  return std::holds_alternative<SpotLight>(light.shape) ? "spot" : "point";
-}
-
 std::string light_text(const Stages& stages, const Experiment& experiment, std::uint32_t light) {
   return fmt::format("{} ({}{})", stages.title(light), kind_of(stages.light(experiment, light)),
                      is_area(stages.light(experiment, light)) ? ", area light" : "");

@@ -86,8 +86,8 @@ void require_measured(const Experiment& experiment, const std::vector<BudgetEntr
 }
 
 // What an engine's frames do not hold.
-void require_engine_can(const Stages& stages, const Experiment& experiment) {
-  if (!stages.has_engine()) return;
+void require_engine_can(const Experiment& experiment) {
+  if (renderer_title(experiment).empty()) return;
   const RunParams& run = experiment.run;
   const std::pair<bool, const char*> ours[] = {
       {run.shimmer, "--shimmer"},          {run.ao_stages, "--ao-stages"},
@@ -112,9 +112,8 @@ void choose_measured(const CommandLine& line, Experiment& given) {
                 "use umbrameter evaluate");
   }
   if (given.run.measure != SweepMeasure::automatic || (!line.engine && !has_frame)) return;
-  const auto writes = [&](const char* output) { return line.engine && line.engine->description().writes(output); };
-  const bool shadows = writes("visibility") || writes("lit") || !frame.visibility.empty() || !frame.lit.empty();
-  const bool ao = writes("ao") || writes("occluded") || !frame.ao.empty() || !frame.occluded.empty();
+  const bool shadows = line.engine ? shows_shadows(line.engine->description()) : shows_shadows(frame);
+  const bool ao = line.engine ? shows_ao(line.engine->description()) : shows_ao(frame);
   if (!ao) given.run.measure = SweepMeasure::visibility;
   if (!shadows) given.run.measure = SweepMeasure::ao;
 }
@@ -142,15 +141,12 @@ Experiment make_experiment(const CommandLine& line) {
     throw Error(ExitCode::usage, "SCENE", "no scene given",
                 "name a .gltf or .glb file or a built-in scene ('umbrameter scenes' lists them)");
   }
-  for (std::string* file :
-       {&experiment.frame.visibility, &experiment.frame.lit, &experiment.frame.unshadowed, &experiment.frame.ao,
-        &experiment.frame.occluded, &experiment.frame.open, &experiment.frame.position, &experiment.frame.depth}) {
-    if (file->empty()) continue;
-    *file = std::filesystem::absolute(*file).lexically_normal().string();
-    // Before any work; a colon can begin the name of a layer.
-    const std::string without_layer = file->substr(0, file->rfind(':'));
-    if (std::filesystem::exists(*file) || std::filesystem::exists(without_layer)) continue;
-    throw Error(ExitCode::unreadable_input, "cannot read " + *file, "there is no such file");
+  for (const Parameter& parameter : file_parameters(experiment.frame)) {
+    std::string& file = *std::get<std::string*>(parameter.field);
+    if (file.empty()) continue;
+    file = std::filesystem::absolute(file).lexically_normal().string();
+    if (std::filesystem::exists(parse_frame_path(file).file)) continue;
+    throw Error(ExitCode::unreadable_input, "cannot read " + file, "there is no such file");
   }
   // A stored experiment must find its file from any folder.
   if (std::filesystem::is_regular_file(experiment.scene)) {
@@ -189,6 +185,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   check_insets(style, given.view.size.width, given.view.size.height);
   const std::vector<BudgetEntry> conditions = budgets_of(line.fail_if);
   choose_measured(line, given);
+  require_engine_can(given);
   require_measured(given, conditions);
   add_metrics(given, conditions);
   std::optional<RunFolder> run_folder;
@@ -201,7 +198,6 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   given.view.camera = add_frame_camera(scene, given.frame, given.view.camera);
   const StageOptions options = stage_options(line, console, given, scene.origin);
   Stages stages(std::move(scene), options, console);
-  require_engine_can(stages, given);
   const Experiment experiment = stages.in_metres(given);
   const Sides sides = sides_of(line.command);
   const bool has_ao = measures_ao(experiment);

@@ -107,7 +107,7 @@ bool FrameAlignment::fits() const {
 
 Image<vec3> positions_of(const FrameSurfaces& frame, const View& view) {
   if (!frame.position.empty()) return frame.position;
-  const Pixels pixels(view);
+  const Pixels pixels(view, frame);
   Image<vec3> positions(view.width, view.height, vec3(static_cast<float>(not_a_number)));
   for (std::size_t i = 0; i < positions.size(); ++i) {
     positions[i] = vec3(pixels.position_at(i, frame.depth[i], frame.convention));

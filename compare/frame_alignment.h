@@ -16,6 +16,8 @@ struct FrameSurfaces {
   Image<vec3> position{};  ///< world, metres; empty: depth
   Image<float> depth{};
   DepthConvention convention = DepthConvention::axis;
+  double near_plane = 0.0;  ///< of the camera that wrote the depths, metres; 0: the view's
+  double far_plane = 0.0;
 };
 
 /// World positions at the pixels' centres; NaN where the frame shows no surface in front of the camera.

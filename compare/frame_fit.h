@@ -19,7 +19,7 @@ inline constexpr std::size_t most_samples = 8192;
 // How pixels relate to the world for one camera.
 class Pixels {
  public:
-  explicit Pixels(const View& view)
+  Pixels(const View& view, const FrameSurfaces& frame)
       : view_(view), camera_from_world_(view_from_world(view)), clip_(clip_from_view(view)) {
     const dmat3 axes(view.camera.world_from_camera);
     right_ = axes[0], up_ = axes[1];
@@ -32,6 +32,8 @@ class Pixels {
       near_ = lens.near_plane, far_ = lens.far_plane;
       size_ = 2.0 * std::tan(0.5 * lens.vertical_fov) / view.height;
     }
+    if (frame.near_plane > 0.0) near_ = frame.near_plane;
+    if (frame.far_plane > 0.0) far_ = frame.far_plane;
   }
 
   /// Along the camera's axis, metres.
@@ -54,7 +56,9 @@ class Pixels {
     const auto width = static_cast<std::size_t>(view_.width);
     const Ray ray = pixel_ray(view_, static_cast<int>(i % width), static_cast<int>(i / width));
     const double along = glm::dot(ray.direction, -dvec3(view_.camera.world_from_camera[2]));
-    const dvec3 eye = is_parallel_ ? ray.origin - near_ * ray.direction : dvec3(view_.camera.world_from_camera[3]);
+    const dvec3 from(view_.camera.world_from_camera[3]);
+    // Of an orthographic camera: in its own plane, on the ray.
+    const dvec3 eye = is_parallel_ ? ray.origin + glm::dot(from - ray.origin, ray.direction) * ray.direction : from;
     if (convention == DepthConvention::ray) return number > 0.0 ? eye + number * ray.direction : dvec3(not_a_number);
     const double depth = axis_depth(number, convention);
     if (!(depth > 0.0) || !(depth < far_ * (1.0 - 1e-6))) return dvec3(not_a_number);
@@ -104,7 +108,7 @@ inline bool is_finite(const dvec3& v) { return std::isfinite(v.x) && std::isfini
 class Fit {
  public:
   Fit(const FrameSurfaces& frame, const GBuffer& gbuffer, const View& view)
-      : frame_(frame), gbuffer_(gbuffer), pixels_(view), has_positions_(!frame.position.empty()) {}
+      : frame_(frame), gbuffer_(gbuffer), pixels_(view, frame), has_positions_(!frame.position.empty()) {}
 
   bool has_positions() const { return has_positions_; }
   std::size_t size() const { return gbuffer_.instance.size(); }

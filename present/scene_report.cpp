@@ -110,11 +110,6 @@ Json list(const std::vector<T>& items, Json (*to_json)(const T&)) {
 
 }  // namespace
 
-const char* kind_of(const Light& light) {
-  static constexpr const char* names[] = {"directional", "spot", "point"};
-  return names[light.shape.index()];
-}
-
 const char* kind_of(const Camera& camera) {
   return std::holds_alternative<PerspectiveProjection>(camera.projection) ? "perspective" : "orthographic";
 }

@@ -22,6 +22,5 @@ std::string extent_text(const Emitter& emitter);
 std::vector<std::string> to_lines(const SceneReport& report);
 
 const char* kind_of(const Camera& camera);  ///< "perspective" or "orthographic"
-const char* kind_of(const Light& light);    ///< "directional", "spot" or "point"
 
 }  // namespace umbrameter

@@ -84,7 +84,7 @@ std::vector<std::string> camera_row(const Camera& camera) {
 std::string range_text(double range) { return range > 0.0 ? ", range " + metres(range) : ""; }
 
 std::vector<std::string> light_row(const Light& light) {
-  const std::string kind = kind_of(light);
+  const std::string kind(kind_of(light));
   const std::string extent = is_area(light) ? ", " + extent_text(light.emitter) : "";
   if (std::holds_alternative<DirectionalLight>(light.shape)) {
     return {kind, fmt::format("{:.6g} lx", light.intensity), "shines along " + direction_of(light.axis()) + extent};

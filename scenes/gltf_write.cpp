@@ -12,6 +12,7 @@
 #include "scenes/gltf_document.h"
 #include "scenes/gltf_emitter.h"
 #include "scenes/gltf_json.h"
+#include "scenes/light.h"
 
 namespace umbrameter {
 namespace {
@@ -289,17 +290,14 @@ Json light(const Light& source) {
   members.emplace_back("color", numbers(source.color));
   members.emplace_back("intensity", to_json(source.intensity));
   double range = 0.0;
-  std::string_view type = "directional";
   if (const auto* point = std::get_if<PointLight>(&source.shape)) {
-    type = "point";
     range = point->range;
   } else if (const auto* spot = std::get_if<SpotLight>(&source.shape)) {
-    type = "spot";
     range = spot->range;
     members.emplace_back("spot", object({{"innerConeAngle", to_json(spot->inner_cone_angle)},
                                          {"outerConeAngle", to_json(spot->outer_cone_angle)}}));
   }
-  members.emplace_back("type", to_json(type));
+  members.emplace_back("type", to_json(kind_of(source)));
   if (range > 0.0) members.emplace_back("range", to_json(range));
   return object(members);
 }

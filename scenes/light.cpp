@@ -6,6 +6,11 @@
 
 namespace umbrameter {
 
+std::string_view kind_of(const Light& light) {
+  static constexpr std::string_view names[] = {"directional", "spot", "point"};
+  return names[light.shape.index()];
+}
+
 dmat3 axes_of(const Light& light) {
   const dvec3 z = -light.axis();
   const dvec3 x = glm::normalize(glm::cross(dvec3(light.world_from_light[1]), z));

@@ -1,9 +1,14 @@
 // Where a light is, which way it points, and which surfaces face it.
 #pragma once
 
+#include <string_view>
+
 #include "scenes/scene.h"
 
 namespace umbrameter {
+
+/// "directional", "spot" or "point": the types of KHR_lights_punctual.
+std::string_view kind_of(const Light& light);
 
 /// The light's own x, y and z as columns, unit and at right angles: it shines along −z, and +y fixes the roll.
 dmat3 axes_of(const Light& light);

@@ -1,6 +1,5 @@
 #include "experiments/engine/child_process.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 #include <spawn.h>
@@ -63,7 +62,7 @@ ChildProcess::ChildProcess(std::vector<std::string> arguments) : program_(argume
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  posix_spawnattr_setpgroup(&attributes, 0);
+  posix_spawnattr_setpgroup(&attributes, 0);  // so that what it starts can be ended with it
   std::vector<char*> words;
   for (std::string& argument : arguments) words.push_back(argument.data());
   words.push_back(nullptr);
@@ -79,18 +78,24 @@ ChildProcess::ChildProcess(std::vector<std::string> arguments) : program_(argume
 }
 
 ChildProcess::~ChildProcess() {
-  close_if_open(to_child_);
-  if (pid_ != 0) {
-    const auto deadline = Clock::now() + (is_stuck_ ? milliseconds(0) : patience_at_end);
-    while (!has_ended() && Clock::now() < deadline) {
-      if (is_interrupted()) kill(-pid_, SIGTERM);
-      std::this_thread::sleep_for(milliseconds(5));
-    }
-    kill(-pid_, SIGKILL);  // also what it has started itself
-    if (!has_ended()) waitpid(pid_, nullptr, 0);
-  }
+  end();
   close_if_open(from_child_);
   close_if_open(messages_);
+}
+
+bool ChildProcess::end() {
+  close_if_open(to_child_);
+  if (pid_ == 0) return true;
+  const auto deadline = Clock::now() + (is_stuck_ ? milliseconds(0) : patience_at_end);
+  while (!has_ended() && Clock::now() < deadline) {
+    if (is_interrupted()) kill(-pid_, SIGTERM);
+    std::this_thread::sleep_for(milliseconds(5));
+  }
+  const bool by_itself = has_ended();
+  kill(-pid_, SIGKILL);
+  if (!by_itself) waitpid(pid_, nullptr, 0);
+  pid_ = 0;
+  return by_itself;
 }
 
 bool ChildProcess::has_ended() {

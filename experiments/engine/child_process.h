@@ -13,13 +13,16 @@ namespace umbrameter {
 
 class ChildProcess {
  public:
-  /// Starts the program, looked up in PATH, in a process group of its own. Throws Error (partial) if it cannot be
-  /// started.
+  /// Starts the program, whose name is looked up in PATH. Throws Error (partial) if it cannot be started.
   explicit ChildProcess(std::vector<std::string> arguments);
-  /// Closes the program's stdin, and after five seconds ends whatever is left of its process group.
+  /// As end().
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
+
+  /// Closes the program's stdin, gives it five seconds, and kills whatever is left of it and of what it has started.
+  /// Whether the program ended by itself.
+  bool end();
 
   /// A line from the program's stdout, without its end; nothing at the limit, at the end of stdout, and for a line
   /// above max_line: problem() then says why. Throws Error when the user interrupts.

@@ -1,6 +1,5 @@
 #include "experiments/engine/engine.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -12,7 +11,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/content_hash.h"
 #include "core/error.h"
 #include "experiments/engine/child_process.h"
 #include "reports/files/data_folder.h"
@@ -21,6 +19,7 @@
 #include "reports/files/output.h"
 #include "scenes/gltf.h"
 #include "scenes/ground.h"
+#include "scenes/light.h"
 
 namespace umbrameter {
 namespace {
@@ -231,6 +230,8 @@ void Engine::warn(const std::vector<std::string>& warnings) {
   }
 }
 
+bool Engine::end() { return process_->end(); }
+
 std::vector<std::string> Engine::take_warnings() { return std::exchange(new_warnings_, {}); }
 
 void Engine::load(const Scene& scene, const std::string& content, const View& view, const Light& light) {
@@ -242,7 +243,7 @@ void Engine::load(const Scene& scene, const std::string& content, const View& vi
     throw Error(ExitCode::usage, "engine " + adapter_, fmt::format("it draws no {} {}", kind, what),
                 fmt::format("choose another {}", what));
   };
-  require(description_.lights, kind_name(light), "light");
+  require(description_.lights, kind_of(light), "light");
   const bool is_parallel = std::holds_alternative<OrthographicProjection>(view.camera.projection);
   require(description_.cameras, is_parallel ? "orthographic" : "perspective", "camera");
   load.bounds = bounds_of(scene);

@@ -65,6 +65,12 @@ class Engine {
   /// Images of the loaded view's size; every value that is not NaN is finite.
   std::vector<EngineFrame> render(const std::vector<std::string>& outputs, std::span<const EngineParams> frames);
 
+  /// As it is loaded: with a finite far plane.
+  const View& view() const { return loaded_->view; }
+
+  /// Closes the adapter's stdin; whether it then ended by itself in time. Nothing can be asked of it afterwards.
+  bool end();
+
   /// What the adapter warned of, each once, since the last call.
   std::vector<std::string> take_warnings();
   /// Restarts so far.

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "reports/files/value_json.h"
+#include "scenes/light.h"
 
 namespace umbrameter {
 namespace {
@@ -163,7 +164,7 @@ Json camera_json(const Camera& camera) {
 }
 
 Json light_json(const Light& light) {
-  Json json = {{"kind", std::string(kind_name(light))},
+  Json json = {{"kind", std::string(kind_of(light))},
                {"direction", vector_json(light.axis())},
                {"position", vector_json(light.position())},
                {"color", vector_json(dvec3(light.color))},
@@ -203,11 +204,6 @@ EngineFrameFiles frame_of(const Json& json, const std::vector<std::string>& outp
 }
 
 }  // namespace
-
-std::string_view kind_name(const Light& light) {
-  if (std::holds_alternative<SpotLight>(light.shape)) return "spot";
-  return std::holds_alternative<PointLight>(light.shape) ? "point" : "directional";
-}
 
 bool EngineDescription::writes(std::string_view output) const {
   return std::ranges::find(outputs, output) != outputs.end();

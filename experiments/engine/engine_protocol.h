@@ -51,9 +51,6 @@ struct EngineFrameFiles {
   std::vector<std::string> warnings;
 };
 
-/// "directional", "spot" or "point".
-std::string_view kind_name(const Light& light);
-
 std::string describe_request(int id);
 std::string load_request(int id, const EngineLoad& load);
 std::string render_request(int id, const std::vector<std::string>& outputs, std::span<const EngineParams> frames);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 
 #include "compare/metrics/color_space.h"
 #include "core/error.h"
@@ -13,18 +12,10 @@
 namespace umbrameter {
 namespace {
 
-// "mask.exr:layer", unless there is a file of this name.
-std::pair<std::filesystem::path, std::string> split(const std::string& text) {
-  std::error_code ignored;
-  const std::size_t colon = text.rfind(':');
-  if (colon == std::string::npos || std::filesystem::exists(text, ignored)) return {text, {}};
-  return {text.substr(0, colon), text.substr(colon + 1)};
-}
-
 enum class Content { light, data };
 
 Image<vec3> read(const std::string& text, const FrameParams& params, const View& view, Content content) {
-  const auto [path, layer] = split(text);
+  const auto [path, layer] = parse_frame_path(text);
   const ImageFile file(path);
   if (file.width() != view.width || file.height() != view.height) {
     throw Error(
@@ -67,11 +58,13 @@ FrameSource frames_of(const FrameParams& params, const dvec3& origin) {
   const FrameAxes axes = parse_axes_of(params);
   FrameSource source;
   source.title = title_of(params);
-  source.has_shadows = !params.visibility.empty() || !params.lit.empty();
-  source.has_ao = !params.ao.empty() || !params.occluded.empty();
+  source.has_shadows = shows_shadows(params);
+  source.has_ao = shows_ao(params);
   source.surfaces = [params, axes, origin](const FramedView& framed) -> std::optional<FrameSurfaces> {
     FrameSurfaces surfaces;
     surfaces.convention = params.depth_kind;
+    surfaces.near_plane = params.near_plane;
+    surfaces.far_plane = params.far_plane;
     if (!params.position.empty()) {
       surfaces.position = read(params.position, params, framed.view, Content::light);
       for (vec3& position : surfaces.position.pixels) {
@@ -99,7 +92,7 @@ FrameSource frames_of(const FrameParams& params, const dvec3& origin) {
     const Image<float> image = whole.empty() ? ratio_of(read(with, params, framed.view, Content::light),
                                                         read(without, params, framed.view, Content::light))
                                              : share_of(read(whole, params, framed.view, Content::data), whole);
-    return std::vector<Image<float>>(count, image);
+    return std::vector<FrameShare>(count, FrameShare{image});
   };
   source.visibility = [params, shares](const FramedView& framed, std::span<const EngineParams> frames) {
     return shares(params.visibility, params.lit, params.unshadowed, framed, frames.size());

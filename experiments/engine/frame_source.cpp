@@ -5,27 +5,26 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
+#include "compare/metrics/color_space.h"
 #include "core/error.h"
 
 namespace umbrameter {
 namespace {
 
-/// Frames of one request: one after the other would start each alone, all at once would show no progress.
+/// Frames of one request: each request costs a round trip, and shows progress only at its end.
 constexpr std::size_t most_at_once = 8;
 
-double luminance_of(const vec3& color) { return 0.2126 * color.x + 0.7152 * color.y + 0.0722 * color.z; }
-
 // One image a set of parameters, of one output or of the quotient of two.
-std::vector<Image<float>> shares(Engine& engine, std::span<const EngineParams> params, const std::string& output,
-                                 const std::vector<std::string>& pair) {
+std::vector<FrameShare> shares(Engine& engine, std::span<const EngineParams> params, const std::string& output,
+                               const std::vector<std::string>& pair) {
   const bool is_direct = engine.description().writes(output);
-  std::vector<Image<float>> images;
+  std::vector<FrameShare> images;
   for (std::size_t first = 0; first < params.size(); first += most_at_once) {
     const auto some = params.subspan(first, std::min(most_at_once, params.size() - first));
     for (const EngineFrame& frame : engine.render(is_direct ? std::vector{output} : pair, some)) {
-      images.push_back(is_direct ? share_of(frame.images[0], output) : ratio_of(frame.images[0], frame.images[1]));
+      images.push_back({is_direct ? share_of(frame.images[0], output) : ratio_of(frame.images[0], frame.images[1]),
+                        frame.milliseconds});
     }
   }
   return images;
@@ -37,8 +36,8 @@ FrameSource frames_of(std::shared_ptr<Engine> engine) {
   const EngineDescription& described = engine->description();
   FrameSource source;
   source.title = described.title();
-  source.has_shadows = described.writes("visibility") || described.writes("lit");
-  source.has_ao = described.writes("ao") || described.writes("occluded");
+  source.has_shadows = shows_shadows(described);
+  source.has_ao = shows_ao(described);
   const auto at = [engine](const FramedView& framed) -> Engine& {
     engine->load(framed.scene, framed.content, framed.view, framed.light);
     return *engine;
@@ -56,6 +55,8 @@ FrameSource frames_of(std::shared_ptr<Engine> engine) {
       return surfaces;
     }
     surfaces.convention = can.depth;
+    std::visit([&](const auto& lens) { surfaces.near_plane = lens.near_plane, surfaces.far_plane = lens.far_plane; },
+               loaded.view().camera.projection);
     surfaces.depth = Image<float>(framed.view.width, framed.view.height, 0.0f);
     for (std::size_t i = 0; i < surfaces.depth.size(); ++i) surfaces.depth[i] = frame.images.front()[i].x;
     return surfaces;
@@ -70,14 +71,18 @@ FrameSource frames_of(std::shared_ptr<Engine> engine) {
   return source;
 }
 
+bool shows_shadows(const EngineDescription& engine) { return engine.writes("visibility") || engine.writes("lit"); }
+
+bool shows_ao(const EngineDescription& engine) { return engine.writes("ao") || engine.writes("occluded"); }
+
 Image<float> ratio_of(const Image<vec3>& with, const Image<vec3>& without) {
   Image<float> ratio(with.width, with.height, 1.0f);
   for (std::size_t i = 0; i < ratio.size(); ++i) {
-    const double all = luminance_of(without[i]);
-    if (std::isnan(all) || std::isnan(luminance_of(with[i]))) {
+    const double all = luminance(without[i]);
+    if (std::isnan(all) || std::isnan(luminance(with[i]))) {
       ratio[i] = std::numeric_limits<float>::quiet_NaN();
     } else if (all > 0.0) {
-      ratio[i] = static_cast<float>(std::clamp(luminance_of(with[i]) / all, 0.0, 1.0));
+      ratio[i] = static_cast<float>(std::clamp(luminance(with[i]) / all, 0.0, 1.0));
     }
   }
   return ratio;

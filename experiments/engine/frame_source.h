@@ -22,25 +22,36 @@ struct FramedView {
   const Light& light;
 };
 
+/// What a shadow or an occlusion multiplies: 0 to 1; NaN where the frame shows nothing.
+struct FrameShare {
+  Image<float> image;
+  double milliseconds = 0.0;  ///< that the frame took; 0: unknown
+};
+
 struct FrameSource {
   std::string title;  ///< "three.js 0.187.0"
   bool has_shadows = false;
   bool has_ao = false;
   /// Where its surfaces lie; nothing if it does not say.
   std::function<std::optional<FrameSurfaces>(const FramedView&)> surfaces;
-  /// For each set of parameters an image of the view's size, 0 to 1; NaN where the frame shows nothing.
-  std::function<std::vector<Image<float>>(const FramedView&, std::span<const EngineParams>)> visibility;
-  std::function<std::vector<Image<float>>(const FramedView&, std::span<const EngineParams>)> ao;
+  /// For each set of parameters an image of the view's size.
+  std::function<std::vector<FrameShare>(const FramedView&, std::span<const EngineParams>)> visibility;
+  std::function<std::vector<FrameShare>(const FramedView&, std::span<const EngineParams>)> ao;
   std::function<std::vector<std::string>()> take_warnings = [] { return std::vector<std::string>(); };
 };
 
 FrameSource frames_of(std::shared_ptr<Engine> engine);
 
+/// Whether an engine shows its shadows, and whether its ambient occlusion.
+bool shows_shadows(const EngineDescription& engine);
+bool shows_ao(const EngineDescription& engine);
+
 /// The quotient of two frames by luminance, 0 to 1: what a shadow or an occlusion has multiplied. 1 where the divisor
 /// has no light to take away.
 Image<float> ratio_of(const Image<vec3>& with, const Image<vec3>& without);
 
-/// The first channel, between 0 and 1. Throws std::runtime_error naming `what` if more than rounding lies outside.
+/// The first channel, between 0 and 1. Throws Error (unreadable_input) naming `what` if more than rounding lies
+/// outside.
 Image<float> share_of(const Image<vec3>& image, const std::string& what);
 
 }  // namespace umbrameter

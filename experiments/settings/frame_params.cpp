@@ -1,7 +1,7 @@
 #include "experiments/settings/frame_params.h"
 
+#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <sstream>
 
 #include "core/error.h"
@@ -42,9 +42,23 @@ Parameters describe(FrameParams& params) {
       .take();
 }
 
-bool has_files(const FrameParams& params) {
-  return !(params.visibility.empty() && params.lit.empty() && params.ao.empty() && params.occluded.empty());
+Parameters file_parameters(FrameParams& params) {
+  Parameters all = describe(params);
+  const auto is_last = [](const Parameter& each) { return each.key == "frame.depth"; };
+  all.erase(std::ranges::find_if(all, is_last) + 1, all.end());
+  return all;
 }
+
+FramePath parse_frame_path(const std::string& text) {
+  std::error_code ignored;
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos || std::filesystem::exists(text, ignored)) return {text, {}};
+  return {text.substr(0, colon), text.substr(colon + 1)};
+}
+
+bool shows_shadows(const FrameParams& params) { return !params.visibility.empty() || !params.lit.empty(); }
+
+bool shows_ao(const FrameParams& params) { return !params.ao.empty() || !params.occluded.empty(); }
 
 std::string title_of(const FrameParams& params) {
   for (const std::string* file : {&params.visibility, &params.lit, &params.ao, &params.occluded}) {
@@ -106,16 +120,6 @@ std::string add_frame_camera(Scene& scene, const FrameParams& params, const std:
   lens.vertical_fov = params.vertical_fov * pi / 180.0;
   scene.cameras.push_back({"frame", matrix, lens});
   return std::to_string(scene.cameras.size() - 1);
-}
-
-Camera with_planes(Camera camera, const FrameParams& params) {
-  std::visit(
-      [&](auto& lens) {
-        if (params.near_plane > 0.0) lens.near_plane = params.near_plane;
-        if (params.far_plane > 0.0) lens.far_plane = params.far_plane;
-      },
-      camera.projection);
-  return camera;
 }
 
 }  // namespace umbrameter

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,20 @@ struct FrameParams {
 };
 Parameters describe(FrameParams& params);
 
-bool has_files(const FrameParams& params);
+/// Those that name a file, from frame.visibility to frame.depth.
+Parameters file_parameters(FrameParams& params);
+
+/// A file, and the layer of it that is named behind a colon: "mask.exr:layer", unless there is a file of that name.
+struct FramePath {
+  std::filesystem::path file;
+  std::string layer;  ///< empty: its only one
+};
+FramePath parse_frame_path(const std::string& text);
+
+/// Whether the files show shadows, ambient occlusion, or one of both.
+bool shows_shadows(const FrameParams& params);
+bool shows_ao(const FrameParams& params);
+inline bool has_files(const FrameParams& params) { return shows_shadows(params) || shows_ao(params); }
 
 /// For titles: "frame of mask.exr"; empty without files.
 std::string title_of(const FrameParams& params);
@@ -64,8 +78,5 @@ FrameAxes parse_axes_of(const FrameParams& params);
 /// Adds the frame's camera to the scene, as its last one, and returns its index as text, or returns `camera` where the
 /// frame has none. Throws Error (usage) for what is no rigid matrix.
 std::string add_frame_camera(Scene& scene, const FrameParams& params, const std::string& camera);
-
-/// The camera with the frame's planes.
-Camera with_planes(Camera camera, const FrameParams& params);
 
 }  // namespace umbrameter

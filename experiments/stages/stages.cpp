@@ -117,7 +117,6 @@ std::shared_ptr<const Surfels> Stages::surfels(const Experiment& experiment) {
     const double aspect = static_cast<double>(params.size.width) / params.size.height;
     std::vector<std::string> assumed;
     View view{params.size.width, params.size.height, select_camera(scene_, params.camera, aspect, assumed)};
-    if (has_files(experiment.frame)) view.camera = with_planes(std::move(view.camera), experiment.frame);
     add_notes(assumed);
     GBuffer gbuffer;
     if (params.surfels == SurfelSource::traced || has_engine()) {
@@ -330,7 +329,7 @@ RasterVisibility Stages::draw(const Experiment& experiment, std::uint32_t light,
 }
 
 std::vector<Image<float>> Stages::draw_lookups(std::span<const Experiment> experiments, std::uint32_t light) {
-  if (has_engine()) return engine_images(experiments, light, false);
+  if (has_engine()) return engine_visibility(experiments, light);
   const HeldLookup held = shadow_lookup(experiments.front(), light, false);
   std::vector<PrefilteredLookup> lookups;
   for (const Experiment& each : experiments) {

@@ -166,6 +166,8 @@ class Stages {
 
   /// Whether another renderer takes the place of our own techniques.
   bool has_engine() const { return options_.frames != nullptr; }
+  /// Time of a frame of the engine, by its own clock where it tells, milliseconds.
+  double engine_time(const Experiment& experiment, std::uint32_t light, bool is_ao);
   /// What draws: the other renderer, or the OpenGL device.
   std::string renderer();
   /// Capabilities of the experiment's technique. The error of an engine has causes as well: rays find them.
@@ -192,6 +194,7 @@ class Stages {
   TapFlips tap_flips(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes);
   /// The visibility of experiments that differ only in lookup_parameters(), at most max_lookups, in one pass; of an
   /// engine's, in engine.*, in one request.
+  /// They are kept for draw() until the next call.
   std::vector<Image<float>> draw_lookups(std::span<const Experiment> experiments, std::uint32_t light);
   Image<float> draw_ao(const Experiment& experiment);
   /// The samples of hemisphere SSAO that occlude at the axes' first bias or more. The axes replace the experiment's
@@ -233,7 +236,8 @@ class Stages {
                             const TestedTaps& take);
   FramedView framed(const View& view, std::uint32_t light);
   GBuffer aligned_surfels(const Experiment& experiment, const View& view, GBuffer gbuffer);
-  std::vector<Image<float>> engine_images(std::span<const Experiment> experiments, std::uint32_t light, bool is_ao);
+  std::vector<FrameShare> engine_frames(std::span<const Experiment> experiments, std::uint32_t light, bool is_ao);
+  std::vector<Image<float>> engine_visibility(std::span<const Experiment> experiments, std::uint32_t light);
   RasterVisibility draw_engine(const Experiment& experiment, std::uint32_t light, bool with_truth);
   HeldLookup shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth);
   std::shared_ptr<const StoredSurfels> stored_surfels(const Experiment& experiment);
@@ -266,6 +270,7 @@ class Stages {
   Memo<StoredDepths> stored_depths_;
   Memo<TechniqueMap> filtered_map_;
   Memo<Image<float>> ao_;
+  Memo<Image<float>> engine_visibility_;
   Memo<TracedVisibility> hard_truth_;
   Memo<TracedVisibility> sampled_truth_;
   Memo<gl::Texture> gpu_truth_;

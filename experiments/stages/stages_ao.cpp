@@ -4,7 +4,7 @@
 namespace umbrameter {
 
 Image<float> Stages::draw_ao(const Experiment& experiment) {
-  if (has_engine()) return engine_images({&experiment, 1}, lights(experiment.view.light).front(), true).front();
+  if (has_engine()) return engine_frames({&experiment, 1}, lights(experiment.view.light).front(), true).front().image;
   Image<float> ao = *ao_.get(key_of(Stage::ao, experiment), [&] {
     Experiment without_tone = experiment;
     without_tone.ao.tone = {};

@@ -1,6 +1,7 @@
 // The stages of a run with an engine: its frames take the place of what our own rasteriser draws.
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cmath>
 
 #include "core/error.h"
@@ -38,8 +39,8 @@ GBuffer Stages::aligned_surfels(const Experiment& experiment, const View& view, 
   return surfels_of_frame(*shown, gbuffer, view);
 }
 
-std::vector<Image<float>> Stages::engine_images(std::span<const Experiment> experiments, std::uint32_t light,
-                                                bool is_ao) {
+std::vector<FrameShare> Stages::engine_frames(std::span<const Experiment> experiments, std::uint32_t light,
+                                              bool is_ao) {
   const FrameSource& frames = *options_.frames;
   if (!(is_ao ? frames.has_ao : frames.has_shadows)) {
     throw Error(ExitCode::usage, frames.title, is_ao ? "it renders no ambient occlusion" : "it renders no shadows",
@@ -49,15 +50,15 @@ std::vector<Image<float>> Stages::engine_images(std::span<const Experiment> expe
   std::vector<EngineParams> params;
   for (const Experiment& each : experiments) params.push_back(each.engine);
   const FramedView shown = framed(seen->view, light);
-  std::vector<Image<float>> images = is_ao ? frames.ao(shown, params) : frames.visibility(shown, params);
+  std::vector<FrameShare> shares = is_ao ? frames.ao(shown, params) : frames.visibility(shown, params);
   add_notes(frames.take_warnings());
   const float background = is_ao ? 1.0f : 0.0f;
-  for (Image<float>& image : images) {
+  for (FrameShare& share : shares) {
     std::uint64_t missing = 0;
-    for (std::size_t i = 0; i < image.size(); ++i) {
-      if (!std::isnan(image[i])) continue;
+    for (std::size_t i = 0; i < share.image.size(); ++i) {
+      if (!std::isnan(share.image[i])) continue;
       missing += seen->gbuffer.is_surface(i) ? 1u : 0u;
-      image[i] = background;
+      share.image[i] = background;
     }
     if (missing == 0) continue;
     throw Error(
@@ -65,11 +66,33 @@ std::vector<Image<float>> Stages::engine_images(std::span<const Experiment> expe
         fmt::format("its {} is NaN at {} pixels that show a surface", is_ao ? "occlusion" : "visibility", missing),
         "it must have a value at every surface");
   }
+  return shares;
+}
+
+std::vector<Image<float>> Stages::engine_visibility(std::span<const Experiment> experiments, std::uint32_t light) {
+  std::vector<FrameShare> shares = engine_frames(experiments, light, false);
+  engine_visibility_.keep(shares.size());
+  std::vector<Image<float>> images;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    images.push_back(*engine_visibility_.get(key(Stage::visibility, experiments[i], light),
+                                             [&] { return std::move(shares[i].image); }));
+  }
   return images;
 }
 
+double Stages::engine_time(const Experiment& experiment, std::uint32_t light, bool is_ao) {
+  const auto start = std::chrono::steady_clock::now();
+  const double told = engine_frames({&experiment, 1}, light, is_ao).front().milliseconds;
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+  return told > 0.0 ? told : taken.count();
+}
+
 RasterVisibility Stages::draw_engine(const Experiment& experiment, std::uint32_t light, bool with_truth) {
-  RasterVisibility drawn{engine_images({&experiment, 1}, light, false).front(), {}};
+  RasterVisibility drawn{*engine_visibility_.get(key(Stage::visibility, experiment, light),
+                                                 [&] {
+                                                   return engine_frames({&experiment, 1}, light, false).front().image;
+                                                 }),
+                         {}};
   const auto seen = surfels(experiment);
   drawn.wrong.weights = Image<uvec4>(seen->gbuffer.width, seen->gbuffer.height, uvec4(0));
   if (!with_truth) return drawn;

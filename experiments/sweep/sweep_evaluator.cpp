@@ -30,6 +30,7 @@ struct MeasureCell {
   std::uint32_t light() const { return stages.lights(experiment.view.light).front(); }
 
   MeasuredCell operator()(const VisibilityStatistics&) const {
+    if (stages.has_engine()) draw_visibility();  // with other cells in one request; measure_shadow() then finds it
     ShadowMeasurement measured = measure_shadow(stages, experiment, light(), {});
     return {std::get<VisibilityStatistics>(*measured.statistics), of_visibility(measured.raster->visibility)};
   }

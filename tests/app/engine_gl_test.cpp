@@ -153,6 +153,11 @@ TEST_F(EngineRun, Its_parameters_are_axes_of_sweeps_and_of_tunings) {
       run(words({"tune", "contact-box", "--vary", "engine.shadow-constant-bias=0:4", "--evaluations", "9"}, engine),
           "tune");
   ASSERT_EQ(tune.exit_code, 0) << tune.err;
+  const ProgramResult timed = run(words({"tune", "contact-box", "--vary", "engine.shadow-resolution=256,512",
+                                         "--minimize", "mae + 0.001*pass_time", "--evaluations", "2"},
+                                        engine),
+                                  "timed");
+  EXPECT_EQ(timed.exit_code, 0) << timed.err;
   // What it found runs from the file alone.
   const ProgramResult tuned = run({"compare", "-c", folder_ / "tune/tuned.toml"}, "tuned");
   EXPECT_EQ(tuned.exit_code, 0) << tuned.err;

@@ -16,7 +16,7 @@ struct Plane {
   dvec3 normal;
   double offset;  // normal · p = offset
 };
-// The corner of a room, seen from above, with a post in it that stands in front of the back wall.
+// The corner of a room.
 const std::vector<Plane> planes = {{{0, 1, 0}, 0.0}, {{0, 0, 1}, -6.0}, {{1, 0, 0}, -2.5}};
 
 View view_of(int width = 160, int height = 90) {
@@ -144,6 +144,18 @@ TEST(FrameAlignment, Every_kind_of_depth_gives_the_positions_back) {
       EXPECT_LT(glm::length(positions[i] - gbuffer.position[i]), 1e-3f) << depth_conventions[c];
     }
   }
+}
+
+TEST(FrameAlignment, Depths_are_counted_from_the_planes_of_the_camera_that_wrote_them) {
+  View view = view_of();
+  FrameSurfaces frame{{}, depths(view, DepthConvention::window), DepthConvention::window};
+  std::get<PerspectiveProjection>(view.camera.projection).far_plane = std::numeric_limits<double>::infinity();
+  std::get<PerspectiveProjection>(view.camera.projection).near_plane = 0.2;
+  const GBuffer gbuffer = gbuffer_of(view);
+  EXPECT_FALSE(align_frame(frame, gbuffer, view).fits());
+  frame.near_plane = 0.1;
+  frame.far_plane = 50.0;
+  EXPECT_TRUE(align_frame(frame, gbuffer, view).fits());
 }
 
 TEST(FrameAlignment, Another_kind_of_depth_is_named) {

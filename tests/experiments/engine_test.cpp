@@ -118,6 +118,22 @@ TEST(Engine, A_crash_is_survived_once_and_the_scene_is_loaded_again) {
       << warnings.front();
 }
 
+TEST(Engine, Depths_come_with_the_planes_of_the_camera_that_it_was_given) {
+  const auto engine = std::make_shared<Engine>(hostile("depth"));
+  Loaded loaded;
+  loaded.view.camera.projection = PerspectiveProjection{0.8, 0.05};
+  const FrameSource frames = frames_of(engine);
+  const auto surfaces = frames.surfaces({loaded.scene, "corner", loaded.view, loaded.light});
+  ASSERT_TRUE(surfaces);
+  EXPECT_EQ(surfaces->convention, DepthConvention::window);
+  EXPECT_DOUBLE_EQ(surfaces->near_plane, 0.05);
+  EXPECT_TRUE(std::isfinite(surfaces->far_plane));
+  // ½ = f (z − n) / (z (f − n)): z is 2 f n / (f + n).
+  const double z = 2.0 * surfaces->far_plane * 0.05 / (surfaces->far_plane + 0.05);
+  const Image<vec3> positions = positions_of(*surfaces, loaded.view);
+  EXPECT_NEAR(-(view_from_world(loaded.view) * dvec4(dvec3(positions[9]), 1.0)).z, z, 1e-5);
+}
+
 TEST(Engine, What_it_warns_of_is_passed_on_once) {
   Engine engine(hostile("warn"));
   Loaded().into(engine);
@@ -125,9 +141,12 @@ TEST(Engine, What_it_warns_of_is_passed_on_once) {
   EXPECT_TRUE(engine.take_warnings().empty());
 }
 
-TEST(Engine, One_that_does_not_end_is_ended) {
+TEST(Engine, One_that_does_not_end_is_ended_and_said_to_have_stayed) {
+  Engine good(hostile("none"));
+  EXPECT_TRUE(good.end());
   const auto start = std::chrono::steady_clock::now();
-  { Engine engine(hostile("stays")); }
+  Engine engine(hostile("stays"));
+  EXPECT_FALSE(engine.end());
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   EXPECT_GE(taken.count(), 4.5);
   EXPECT_LT(taken.count(), 30.0);

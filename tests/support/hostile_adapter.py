@@ -88,6 +88,8 @@ def main():
                 DESCRIPTION["parameters"] *= 2
             if FAULT == "garbage":
                 print("Loading shaders...", flush=True)
+            if FAULT == "depth":
+                DESCRIPTION.update(outputs=["visibility", "depth"], depth="window")
             reply = DESCRIPTION
         elif kind == "load":
             load = request
