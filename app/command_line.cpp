@@ -146,8 +146,11 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   const bool is_tune = &description == &tune_command;
   const bool is_evaluate = &description == &evaluate_command;
   const char* scene_meaning = "a .gltf or .glb file, or a built-in scene ('umbrameter scenes')";
-  is_tune ? command.add_option("SCENE", line.tune.scenes, scene_meaning)
-          : command.add_option("SCENE", line.scene, scene_meaning);
+  if (is_tune) {
+    command.add_option("SCENE", line.tune.scenes, scene_meaning);
+  } else {
+    command.add_option("SCENE", line.scene, scene_meaning);
+  }
   command.add_option("-o,--output", line.output, "folder for the results, created if missing")
       ->type_name("DIR")
       ->required();
@@ -166,9 +169,10 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
                                                   : "replace an earlier run's results in the folder");
   if (!is_tune) command.add_flag("--dry-run", line.dry_run, "show what would be measured, and stop");
   if (is_evaluate) add_frame_options(command, line);
+  if (&description == &compare_command) {
+    for (const char* name : {"shimmer", "ao-stages"}) add_switch(command, line, name);
+  }
   if (&description == &compare_command || is_evaluate) {
-    if (!is_evaluate) add_switch(command, line, "shimmer");
-    if (!is_evaluate) add_switch(command, line, "ao-stages");
     command.add_option("--fail-if", line.fail_if, "exit with 1 if this holds: 'acne>0.1%'; repeatable")
         ->type_name("CONDITION")
         ->take_all();
@@ -277,16 +281,7 @@ void add_check_command(CLI::App& app, CommandLine& line) {
 
 void add_report_command(CLI::App& app, CommandLine& line) {
   CLI::App& command = add_command(app, report_command);
-  command
-      .add_option("DIR", line.report.folders,
-                  "folder of a finished compare or sweep; the first is the base of all differences")
-      ->required();
-  command.add_option("-o,--output", line.output, "folder for the report, created if missing")
-      ->type_name("DIR")
-      ->required();
-  command.add_flag("--latex", line.report.latex, "write the tables as LaTeX (booktabs) to figures/*.tex, too");
-  command.add_flag("--force", line.force, "replace an earlier report in the folder");
-  command.add_flag("--no-figures", line.no_figures, "draw no figures");
+  add_report_options(command, line);
   add_figure_options(command, line.figures);
   add_threads(command, line);
   add_output_flags(command, line);

@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "experiments/settings/experiment.h"
-#include "reports/files/data.h"
 #include "reports/files/text_layout.h"
+#include "store/experiment_file.h"
 
 namespace umbrameter {
 namespace {
@@ -97,10 +97,7 @@ std::string named_engine(int argc, const char* const* argv) {
   }
   // What comes through a pipe can be read once only, and names no engine.
   if (!engine.empty() || !std::filesystem::is_regular_file(file)) return engine;
-  for (const auto& [key, value] : read_experiment(file).values) {
-    if (key == engine_key) return to_string(value);
-  }
-  return {};
+  return engine_in(file);
 }
 
 void add_check_options(CLI::App& command, CheckOptions& check) {
@@ -110,6 +107,19 @@ void add_check_options(CLI::App& command, CheckOptions& check) {
   command.add_option("--junit", check.junit, "write the result as JUnit XML")->type_name("FILE");
   command.add_option("--summary", check.summary, "append the result as Markdown: \"$GITHUB_STEP_SUMMARY\"")
       ->type_name("FILE");
+}
+
+void add_report_options(CLI::App& command, CommandLine& line) {
+  command
+      .add_option("DIR", line.report.folders,
+                  "folder of a finished compare or sweep; the first is the base of all differences")
+      ->required();
+  command.add_option("-o,--output", line.output, "folder for the report, created if missing")
+      ->type_name("DIR")
+      ->required();
+  command.add_flag("--latex", line.report.latex, "write the tables as LaTeX (booktabs) to figures/*.tex, too");
+  command.add_flag("--force", line.force, "replace an earlier report in the folder");
+  command.add_flag("--no-figures", line.no_figures, "draw no figures");
 }
 
 void add_engine_choice(CLI::App& command, CommandLine& line) {

@@ -22,6 +22,7 @@ CLI::Validator number_between(double min, double max);
 void add_diff_options(CLI::App& command, CommandLine& line);
 void add_tune_options(CLI::App& command, CommandLine& line);
 void add_check_options(CLI::App& command, CheckOptions& check);
+void add_report_options(CLI::App& command, CommandLine& line);
 /// --engine, of commands that draw.
 void add_engine_choice(CLI::App& command, CommandLine& line);
 void add_engine_options(CLI::App& command, CommandLine& line);

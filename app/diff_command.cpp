@@ -149,8 +149,7 @@ constexpr const char* weighted_meaning =
 
 constexpr const char* few_edges =
     "note: few edges of REFERENCE are found in TEST: edge metrics compare shadow masks, whose values pass from below "
-    "0.1 "
-    "to above 0.9 at an edge";
+    "0.1 to above 0.9 at an edge";
 
 bool finds_few_edges(const std::vector<Measured>& all) {
   constexpr double few = 0.05;  // of the reference's edge points

@@ -248,8 +248,9 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
   if (!renderer.empty()) {
     section.text += "\n\nOnly an image is known (" + renderer + "), not its taps, so rays decide the causes. " +
                     std::string(causes_by_rays_text);
-  } else if (experiment.shadow.pcf.filter != ShadowFilter::nearest)
+  } else if (experiment.shadow.pcf.filter != ShadowFilter::nearest) {
     section.text += "\n\n" + std::string(filter_caution);
+  }
   if (s.max_x >= 0) {
     section.text += fmt::format("\n\nThe largest error is {}, for example at pixel ({}, {}).", percent(s.max_error),
                                 s.max_x, s.max_y);

@@ -30,4 +30,11 @@ Experiment load_experiment(const std::filesystem::path& path) {
   return experiment;
 }
 
+std::string engine_in(const std::filesystem::path& path) {
+  for (const auto& [key, value] : read_experiment(path).values) {
+    if (key == engine_key) return to_string(value);
+  }
+  return {};
+}
+
 }  // namespace umbrameter

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "experiments/settings/experiment.h"
 
@@ -10,5 +11,8 @@ namespace umbrameter {
 /// The experiment that a file describes; parameters that it does not name have their defaults. Throws Error, with file
 /// and line, for what it names wrong, and as read_experiment() does.
 Experiment load_experiment(const std::filesystem::path& path);
+
+/// engine.adapter of a file; empty if it names none. Throws as read_experiment() does.
+std::string engine_in(const std::filesystem::path& path);
 
 }  // namespace umbrameter

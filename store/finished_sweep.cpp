@@ -33,10 +33,11 @@ std::optional<CellStatistics> statistics_in(const StoreDescription& description,
 
 // The parameters of an engine are those that the run itself stored.
 Experiment load_stored_experiment(const std::filesystem::path& folder) {
-  if (const std::optional<RunResults> run = read_run_value(folder, false)) {
-    if (!run->experiment.engine.adapter.empty()) use_engine(run->experiment.engine);
+  const std::filesystem::path path = folder / "experiment.toml";
+  if (!engine_in(path).empty()) {
+    if (const std::optional<RunResults> run = read_run_value(folder, false)) use_engine(run->experiment.engine);
   }
-  return load_experiment(folder / "experiment.toml");
+  return load_experiment(path);
 }
 
 }  // namespace
