@@ -26,6 +26,7 @@
 #include "results/known_statistics.h"
 #include "results/layers.h"
 #include "results/metric_columns.h"
+#include "results/number_text.h"
 #include "scenes/builtin.h"
 #include "scenes/emitter.h"
 #include "store/experiment_file.h"
@@ -213,6 +214,12 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
                 fmt::format("add --light NAME, such as --light '{}'", stages.title(lights.front())));
   }
   add_technique_notes(stages, experiment, lights);
+  if (has_ao && stages.has_engine() && given.truth.ao_distance.unit == LengthUnit::automatic) {
+    stages.add_notes(
+        {fmt::format("the reference of AO reaches {}, as our ao.radius does; set --truth.ao-distance to the "
+                     "reach of {}",
+                     metres_text(experiment.truth.ao_distance.number), stages.renderer())});
+  }
   const bool has_image = measures_image(experiment);
   if (has_image) check_shading(stages, experiment);
   if (sides.raster) {

@@ -12,16 +12,13 @@
 namespace umbrameter {
 namespace {
 
-/// Frames of one request: each request costs a round trip, and shows progress only at its end.
-constexpr std::size_t most_at_once = 8;
-
 // One image a set of parameters, of one output or of the quotient of two.
 std::vector<FrameShare> shares(Engine& engine, std::span<const EngineParams> params, const std::string& output,
                                const std::vector<std::string>& pair) {
   const bool is_direct = engine.description().writes(output);
   std::vector<FrameShare> images;
-  for (std::size_t first = 0; first < params.size(); first += most_at_once) {
-    const auto some = params.subspan(first, std::min(most_at_once, params.size() - first));
+  for (std::size_t first = 0; first < params.size(); first += most_frames_at_once) {
+    const auto some = params.subspan(first, std::min(most_frames_at_once, params.size() - first));
     for (const EngineFrame& frame : engine.render(is_direct ? std::vector{output} : pair, some)) {
       images.push_back({is_direct ? share_of(frame.images[0], output) : ratio_of(frame.images[0], frame.images[1]),
                         frame.milliseconds});

@@ -40,6 +40,9 @@ struct FrameSource {
   std::function<std::vector<std::string>()> take_warnings = [] { return std::vector<std::string>(); };
 };
 
+/// Frames of one request: each request costs a round trip, and what is interrupted in it is lost.
+inline constexpr std::size_t most_frames_at_once = 8;
+
 FrameSource frames_of(std::shared_ptr<Engine> engine);
 
 /// Whether an engine shows its shadows, and whether its ambient occlusion.

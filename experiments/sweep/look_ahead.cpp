@@ -43,7 +43,7 @@ Image<float> LookAhead::visibility(Stages& stages, const Experiment& experiment,
   }
   if (cells == 1) return stages.draw(cell, light, false).visibility;
 
-  const std::size_t at_once = images_per_pass(cell.view.size);
+  const std::size_t at_once = stages.has_engine() ? most_frames_at_once : images_per_pass(cell.view.size);
   const std::size_t first = index / at_once * at_once;
   if (others + std::to_string(first) != drawn_) {
     std::vector<Experiment> experiments;
