@@ -1,6 +1,7 @@
 #include "results/layers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -30,7 +31,15 @@ void add_shadow(LayeredImage& image, const std::string& light, const ShadowMeasu
     add_layer(image, layer_name(Layer::counted, light), counted);
     return;
   }
-  const Image<PixelClass> classes = classify(shadow.raster->wrong, shadow.counted);
+  Image<PixelClass> classes = classify(shadow.raster->wrong, shadow.counted);
+  if (!renderer_title(shadow.experiment).empty()) {
+    // A frame is never quite 1 where it is lit: what no picture could show has no cause.
+    const Image<float> error = signed_error(shadow.raster->visibility, shadow.truth->visibility);
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+      const bool is_wrong = classes[i] != PixelClass::not_counted && classes[i] != PixelClass::background;
+      if (is_wrong && std::abs(error[i]) < visible_step) classes[i] = PixelClass::correct;
+    }
+  }
   Image<float> numbers(classes.width, classes.height);
   for (std::size_t i = 0; i < classes.size(); ++i) numbers[i] = static_cast<float>(classes[i]);
   add_layer(image, layer_name(Layer::classes, light), numbers);
