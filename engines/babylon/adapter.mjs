@@ -13,9 +13,5 @@ await serve({
     '@babylonjs/loaders/': '/packages/@babylonjs/loaders/',
   },
   module: 'engine.mjs',
-  outputs: ['visibility', 'ao', 'position', 'normal'],
-  constant: ['position', 'normal'],
-  lights: ['directional', 'spot', 'point'],
-  cameras: ['perspective', 'orthographic'],
   parameters,
 });

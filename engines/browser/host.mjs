@@ -171,11 +171,17 @@ function parse(line) {
   return request;
 }
 
-/**
- * Serves requests until stdin ends. `adapter`: {name, home, packages (the engine first), imports, module, outputs,
- * constant (outputs that no parameter changes), lights, cameras, parameters}.
- */
-export async function serve(adapter) {
+// What every engine here can do.
+const abilities = {
+  outputs: ['visibility', 'ao', 'position', 'normal'],
+  constant: ['position', 'normal'],  // that no parameter changes
+  lights: ['directional', 'spot', 'point'],
+  cameras: ['perspective', 'orthographic'],
+};
+
+/** Serves requests until stdin ends. `engine`: {name, home, packages (the engine first), imports, module, parameters}. */
+export async function serve(engine) {
+  const adapter = {...abilities, ...engine};
   const session = new Session(adapter);
   let ending = false;
   const end = async (code, why) => {

@@ -10,9 +10,5 @@ await serve({
   packages: ['playcanvas'],
   imports: {playcanvas: '/packages/playcanvas/build/playcanvas.mjs'},
   module: 'engine.mjs',
-  outputs: ['visibility', 'ao', 'position', 'normal'],
-  constant: ['position', 'normal'],
-  lights: ['directional', 'spot', 'point'],
-  cameras: ['perspective', 'orthographic'],
   parameters,
 });

@@ -16,9 +16,5 @@ await serve({
     postprocessing: '/packages/postprocessing/build/index.js',
   },
   module: 'engine.mjs',
-  outputs: ['visibility', 'ao', 'position', 'normal'],
-  constant: ['position', 'normal'],
-  lights: ['directional', 'spot', 'point'],
-  cameras: ['perspective', 'orthographic'],
   parameters,
 });

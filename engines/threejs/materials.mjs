@@ -43,7 +43,6 @@ function white(original, geometry) {
   const material = new THREE.MeshLambertMaterial({
     color: 0xffffff,
     side: original.side,
-    flatShading: geometry.attributes.normal === undefined,
     map: is_mask ? original.map : null,
     alphaTest: original.alphaTest,
     opacity: is_mask ? original.opacity : 1,
@@ -54,13 +53,24 @@ function white(original, geometry) {
   return material;
 }
 
+// A mesh without normals is flat (glTF 2.0, section 3.7.2.1). The loader leaves that to the fragment shader, but a bias
+// along the normal and passes that override materials read the attribute.
+function with_normals(geometry) {
+  if (geometry.attributes.normal !== undefined) return geometry;
+  const flat = geometry.index === null ? geometry : geometry.toNonIndexed();
+  flat.computeVertexNormals();
+  return flat;
+}
+
 /** Replaces the materials of all meshes below `root`; gives the new ones. */
 export function whiten(root) {
   const made = new Map();
+  const geometries = new Map();
   root.traverse((object) => {
     if (!object.isMesh) return;
-    const key = `${object.material.uuid} ${object.geometry.attributes.normal === undefined} ` +
-                `${object.geometry.attributes.color?.itemSize}`;
+    if (!geometries.has(object.geometry)) geometries.set(object.geometry, with_normals(object.geometry));
+    object.geometry = geometries.get(object.geometry);
+    const key = `${object.material.uuid} ${object.geometry.attributes.color?.itemSize}`;
     if (!made.has(key)) made.set(key, white(object.material, object.geometry));
     object.material = made.get(key);
     object.castShadow = true;
