@@ -152,11 +152,13 @@ class Session {
     }
   }
 
-  /** What ended the browser, or undefined while it runs. */
+  /** What ended the browser, or undefined while its page answers. */
   async lost() {
     const running = await this.started?.catch(() => undefined);
     if (running === undefined) return undefined;
-    return running.state.lost ?? (running.browser.isConnected() ? undefined : 'Chromium has ended');
+    // A request can fail before the event arrives that says why: the page itself knows.
+    const answers = await running.page.evaluate(() => true).catch(() => false);
+    return running.state.lost ?? (answers ? undefined : 'Chromium has ended');
   }
 
   async close() {

@@ -19,9 +19,13 @@ for engine in ("threejs", "babylon", "playcanvas"):
         commands[engine] = [root / "engines" / engine / "adapter"]
 for name, command in commands.items():
     requests = [{"id": 1, "request": "describe", "protocol": 1}, {"id": 2, "request": "render", "outputs": ["visibility"], "frames": [{}]}]
-    result = subprocess.run([str(word) for word in command], input="".join(json.dumps(r) + "\n" for r in requests),
-                            capture_output=True, text=True, timeout=100, check=True)
-    description, refusal = (json.loads(line) for line in result.stdout.splitlines())
+    # As a caller does, stdin stays open until the replies are there: an adapter ends soon after it is closed.
+    with subprocess.Popen([str(word) for word in command], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as adapter:
+        adapter.stdin.write("".join(json.dumps(request) + "\n" for request in requests))
+        adapter.stdin.flush()
+        description, refusal = (json.loads(adapter.stdout.readline()) for _ in requests)
+        adapter.stdin.close()
+        assert adapter.wait(timeout=30) == 0, name
     for reply, kind in ((description, "describe"), (refusal, "error")):
         one = {"$ref": f"#/$defs/{kind}", "$defs": schema["$defs"]}
         errors = [error.message for error in Draft202012Validator(one).iter_errors(reply)]

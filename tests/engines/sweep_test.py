@@ -30,34 +30,29 @@ def children(pid):
                 pass
 
 
-def kill_browser(pid, killed):
-    """Once the first cells have been drawn."""
-    for _ in range(600):
+def kill_browser(pid, folder, killed):
+    """Once the first cell has been drawn."""
+    for _ in range(4000):
         time.sleep(0.05)
-        browsers = []
+        if not any(Path(folder).glob("umbrameter-engine-*/frames/*visibility*")):
+            continue
         for child in children(pid):
             try:
                 if "chrom" in Path(f"/proc/{child}/cmdline").read_text().split("\0")[0]:
-                    browsers.append(child)
+                    os.kill(child, signal.SIGKILL)
+                    killed.set()
             except OSError:
                 pass
-        if browsers:
-            time.sleep(1.5)
-            for browser in browsers:
-                try:
-                    os.kill(browser, signal.SIGKILL)
-                except ProcessLookupError:
-                    pass
-            killed.set()
-            return
+        return
 
 
 with tempfile.TemporaryDirectory() as folder:
     command = [program, "sweep", "two-occluders", "--engine", str(root / "engines" / engine / "adapter"), "--light", "sun", "--size",
                "640x360", "--vary", axis, "--no-figures", "--no-cache", "-o", folder + "/out"]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                               env={**os.environ, "TMPDIR": folder})
     killed = threading.Event()
-    threading.Thread(target=kill_browser, args=(process.pid, killed), daemon=True).start()
+    threading.Thread(target=kill_browser, args=(process.pid, folder, killed), daemon=True).start()
     out, err = process.communicate(timeout=230)
     assert process.returncode == 0, err
     assert killed.is_set()
