@@ -61,9 +61,8 @@ std::string symbols_text(std::span<const CurveFormula* const> formulas) {
     if (is_used) text += (text.empty() ? "" : "; ") + std::string(meaning);
   };
   add(has(FormulaTerm::slope) || has(FormulaTerm::slope_radius),
-      "Δz: change of the surface's depth from one texel to the next, texel size · tan θ · (|cos ψ| + |sin ψ|); θ: "
-      "angle "
-      "between light and normal; ψ: direction of the slope on the map");
+      "Δz: how much the surface's depth changes from one texel to the next, texel size · tan θ · (|cos ψ| + |sin ψ|), "
+      "with θ between light and normal and ψ the direction of the slope on the map");
   add(has(FormulaTerm::slope_radius), "r: reach of the filter in texels");
   add(has(FormulaTerm::depth_step), "δ: step of the stored depth");
   return text;

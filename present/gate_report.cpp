@@ -80,7 +80,8 @@ std::string failure_text(const GateCheck& check) {
   if (!is_judged(check)) return "nothing was measured: no pixel counts";
   const std::string by =
       fmt::format("{} is not {}: off by {}", measured_text(check), bound_text(check), excess_text(check));
-  return std::isfinite(check.intervals) ? fmt::format("{}, {:.1f} intervals", by, check.intervals) : by;
+  return std::isfinite(check.intervals) ? fmt::format("{}, {:.1f} half widths of its interval", by, check.intervals)
+                                        : by;
 }
 
 std::string markdown_cell(std::string text) {
@@ -88,7 +89,7 @@ std::string markdown_cell(std::string text) {
   return escape_markup(text);
 }
 
-const std::vector<std::string> header = {"", "where", "statistic", "value", "bound", "excess", "in half widths"};
+const std::vector<std::string> header = {"", "where", "statistic", "value", "bound", "excess", "excess ÷ half width"};
 
 }  // namespace
 
@@ -133,7 +134,7 @@ std::string gate_markdown(const std::vector<GateCheck>& checks) {
   const std::size_t failed = count_failed(checks);
   std::string text = fmt::format("### {} Umbrameter: {}\n\n", failed == 0 ? "✅" : "❌", gate_answer(checks));
   text +=
-      "| | where | statistic | value | bound | excess | in half widths |\n"
+      "| | where | statistic | value | bound | excess | excess ÷ half width |\n"
       "| --- | --- | --- | ---: | ---: | ---: | ---: |\n";
   std::vector<GateCheck> sorted = checks;
   std::stable_partition(sorted.begin(), sorted.end(), [](const GateCheck& check) { return !check.is_kept; });

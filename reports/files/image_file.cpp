@@ -71,9 +71,8 @@ ColorImage read_exr_color(std::string_view bytes, const std::filesystem::path& p
   if (layer.empty() && layers.size() == 1 && take_layer(file, *layers.begin(), result)) return result;
   std::string names;
   for (const Channel& each : file.channels) names += (names.empty() ? "" : ", ") + each.name;
-  throw Error(ExitCode::usage, "--layer '" + layer + "'",
-              layer.empty() ? path.string() + " has no channels R, G and B, and no single layer"
-                            : path.string() + " has no such layer",
+  throw Error(ExitCode::usage, path.string(),
+              layer.empty() ? "no channels R, G and B, and more than one layer" : "no layer '" + layer + "'",
               "choose from its channels: " + names);
 }
 
@@ -155,7 +154,7 @@ ImageFile::ImageFile(std::filesystem::path path) : path_(std::move(path)), bytes
 ColorImage ImageFile::decode(const std::string& layer) const {
   if (format_ == Format::exr) return naming(path_, [&] { return read_exr_color(bytes_, path_, layer); });
   if (!layer.empty()) {
-    throw Error(ExitCode::usage, "--layer '" + layer + "'", path_.string() + " is no EXR file", "leave --layer out");
+    throw Error(ExitCode::usage, path_.string(), "only EXR files have layers", "leave out the layer '" + layer + "'");
   }
   return naming(path_, [&] {
     if (format_ == Format::png) return read_png_color(bytes_);
