@@ -103,9 +103,10 @@ extern const Metric ldr_flip_metric;
 extern const Metric hdr_flip_metric;
 
 /// All of them, those of scalar images first.
-inline constexpr const Metric* listed_metrics[] = {
-    &mae_metric,        &mse_metric,          &rmse_metric,     &relative_rmse_metric,     &psnr_metric,
-    &ssim_metric,       &ssim_uniform_metric, &ms_ssim_metric,  &edge_displacement_metric, &edge_roughness_metric,
-    &edge_width_metric, &edges_found_metric,  &ldr_flip_metric, &hdr_flip_metric};
+inline std::vector<Metric> listed_metrics() {
+  return {mae_metric,        mse_metric,          rmse_metric,     relative_rmse_metric,     psnr_metric,
+          ssim_metric,       ssim_uniform_metric, ms_ssim_metric,  edge_displacement_metric, edge_roughness_metric,
+          edge_width_metric, edges_found_metric,  ldr_flip_metric, hdr_flip_metric};
+}
 
 }  // namespace umbrameter

@@ -7,26 +7,16 @@
 
 namespace umbrameter {
 
-namespace {
-
-const std::vector<Metric>& all_metrics() {
-  static const std::vector<Metric> all = [] {
-    std::vector<Metric> copies;
-    for (const Metric* metric : listed_metrics) copies.push_back(*metric);
-    return copies;
-  }();
+std::span<const Metric> color_metrics() {
+  static const std::vector<Metric> all = listed_metrics();
   return all;
 }
 
-}  // namespace
-
 std::span<const Metric> metrics() {
-  const std::vector<Metric>& all = all_metrics();
-  const auto end = std::find_if(all.begin(), all.end(), [](const Metric& m) { return m.measure == nullptr; });
-  return {all.data(), static_cast<std::size_t>(end - all.begin())};
+  const std::span<const Metric> all = color_metrics();
+  const auto end = std::ranges::find(all, nullptr, &Metric::measure);
+  return {all.begin(), end};
 }
-
-std::span<const Metric> color_metrics() { return all_metrics(); }
 
 std::string name_in_unit(const Metric& metric, std::string_view unit) {
   return std::string(metric.name) + "-" + std::string(unit);

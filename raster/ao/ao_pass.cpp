@@ -66,14 +66,7 @@ Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, cons
   const AoTextures textures = prepare(context, gbuffer, view, params);
   AoInputs inputs = inputs_of(gbuffer, textures, view, seed);
   inputs.resolution = params.resolution.kind;
-  const auto draw_of = [&]<class T>(const T& technique) {
-    if constexpr (std::is_same_v<T, Ssao>)
-      return draw(context, inputs, technique);
-    else
-      return draw(context, inputs, method_of(technique, seed));
-  };
-  gl::Texture ao = std::visit(draw_of, make_technique(params));
-  ao = blur(context, inputs, std::move(ao), params);
+  gl::Texture ao = blur(context, inputs, draw(context, inputs, make_technique(params)), params);
   if (params.resolution.kind == AoResolution::half) ao = upsample(context, inputs, ao, params);
   Image<float> image = read_image<float>(ao, gl::Format::r32f);
   // GTAO's estimate exceeds 1 in some pixels, and only its mean over the noise does not.
@@ -89,15 +82,7 @@ Image<float> draw_ao(const gl::Context& context, const GpuGBuffer& gbuffer, cons
 std::optional<Image<vec3>> draw_bent_normals(const gl::Context& context, const GpuGBuffer& gbuffer, const View& view,
                                              const AoParams& params, std::uint32_t seed) {
   const AoTextures textures = prepare(context, gbuffer, view, params);
-  const AoInputs inputs = inputs_of(gbuffer, textures, view, seed);
-  const auto draw_of = [&](const auto& technique) -> std::optional<gl::Texture> {
-    if constexpr (requires { technique.has_bent_normal; }) {
-      return draw_bent_normals(context, inputs, method_of(technique, seed));
-    } else {
-      return {};
-    }
-  };
-  const std::optional<gl::Texture> drawn = std::visit(draw_of, make_technique(params));
+  const auto drawn = draw_bent_normals(context, inputs_of(gbuffer, textures, view, seed), make_technique(params));
   if (!drawn) return {};
   return directions_of(read_image<vec4>(*drawn, gl::Format::rgba32f));
 }

@@ -9,7 +9,7 @@ uniform int lookup_count;
 
 // What each look-up reads besides the map: PrefilteredLookup in raster/shadow/prefiltered_pass.h.
 struct LookupValues {
-  float constant_bias;
+  float constant_bias;  // in the unit of the look-up
   float slope_bias;
   Settings settings;
 };

@@ -94,13 +94,8 @@ std::vector<Image<float>> draw_lookups(const gl::Context& context, const ShadowL
   const int height = lookup.gbuffer.height;
   const int layers = static_cast<int>(lookups.size());
   const gl::Texture visibility = gl::make_texture("visibility", gl::Format::r32f, width, height, layers);
-  // Packed as std430 packs a struct of numbers of 32 bits.
   std::vector<std::byte> values;
-  for (const PrefilteredLookup& each : lookups) {
-    for (const float bias : {each.constant_bias, each.slope_bias})
-      std::ranges::copy(bytes_of(bias), std::back_inserter(values));
-    std::ranges::copy(each.settings, std::back_inserter(values));
-  }
+  for (const PrefilteredLookup& each : lookups) std::ranges::copy(each.values, std::back_inserter(values));
   gl::Pass pass = lookup_pass(
       context, lookup, lookup.bias.constant.unit,
       {{"prefiltered_visibility.comp"}, defines_of(technique) + define("HAS_MIPMAPS", technique.mipmaps ? 1 : 0)});
@@ -117,7 +112,9 @@ std::vector<Image<float>> draw_lookups(const gl::Context& context, const ShadowL
 }
 
 PrefilteredLookup lookup_of(const BiasParams& bias, const Prefiltered& technique) {
-  return {static_cast<float>(bias.constant.number), static_cast<float>(bias.slope), technique.settings};
+  PrefilteredLookup lookup{bytes_of(vec2(bias.constant.number, bias.slope))};
+  std::ranges::copy(technique.settings, std::back_inserter(lookup.values));
+  return lookup;
 }
 
 RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const Prefiltered& technique) {

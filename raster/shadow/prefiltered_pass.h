@@ -9,11 +9,10 @@
 
 namespace umbrameter {
 
-/// What only the look-up reads.
+/// What only the look-up reads, packed as std430 packs numbers of 32 bits: LookupValues in
+/// shaders/prefiltered_visibility.comp.
 struct PrefilteredLookup {
-  float constant_bias = 0.0f;  ///< in the unit of ShadowLookup::bias.constant
-  float slope_bias = 0.0f;
-  std::vector<std::byte> settings{};  ///< Prefiltered::settings
+  std::vector<std::byte> values;
 };
 PrefilteredLookup lookup_of(const BiasParams& bias, const Prefiltered& technique);
 

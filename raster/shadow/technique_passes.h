@@ -25,7 +25,7 @@ struct FilteredMap {
 };
 FilteredMap filter(const DrawnMap& drawn, const Prefiltered& technique);
 
-/// What a technique draws before the look-up: nothing, or a resource of its own.
+/// What filter() draws for a technique's look-ups; monostate for a technique without filter().
 struct TechniqueMap {
   std::variant<std::monostate, FilteredMap> of_technique;
 };

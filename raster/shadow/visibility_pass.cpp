@@ -19,9 +19,8 @@ Image<uvec4> draw_wrong(const gl::Context& context, const ShadowLookup& lookup, 
 
 template <class Technique>
 TechniqueMap map_of(const DrawnMap& drawn, const Technique& technique) {
-  TechniqueMap map;
-  if constexpr (requires { filter(drawn, technique); }) map.of_technique = filter(drawn, technique);
-  return map;
+  if constexpr (requires { filter(drawn, technique); }) return {filter(drawn, technique)};
+  return {};
 }
 
 TechniqueMap map_of(const DrawnMap& drawn, const ContactShadows& technique) {

@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "techniques/ao/technique.h"
-
 namespace umbrameter {
 
 Parameters describe(AlchemyParams& params) {
@@ -31,8 +29,6 @@ Parameters describe(AlchemyParams& params) {
               .max = 14})
       .take();
 }
-
-Alchemy Alchemy::make(const AoParams& params) { return {params.sampling, params.noise, params.alchemy}; }
 
 Parameters describe(Alchemy& technique) {
   return concatenate({describe(technique.sampling), describe(technique.noise), describe(technique.params)});

@@ -1,9 +1,6 @@
 // Alchemy AO (M. McGuire, B. Osman, M. Bukowski and P. Hennessy, The Alchemy Screen-Space Ambient Obscurance Algorithm,
 // HPG 2011) and Scalable Ambient Obscurance (M. McGuire, M. Mara and D. Luebke, HPG 2012). Needs screen.glsl,
 // depth_pyramid.glsl and depth_at_level(). docs/ambient-occlusion/alchemy.md has the formulas.
-#ifndef SHARED
-#define SHARED
-#endif
 
 struct AlchemySettings {
   int samples;
@@ -17,7 +14,7 @@ struct AlchemySettings {
 };
 
 /// What a surface at `delta` from the surfel adds.
-SHARED float obscurance(vec3 delta, vec3 normal, AlchemySettings settings) {
+float obscurance(vec3 delta, vec3 normal, AlchemySettings settings) {
   float square = dot(delta, delta);
   float limit = settings.radius * settings.radius;
   if (square >= limit) return 0.0f;
@@ -29,7 +26,7 @@ SHARED float obscurance(vec3 delta, vec3 normal, AlchemySettings settings) {
 }
 
 /// The level that a sample reads at that distance, in pixels. Shifts give the exact floor of the logarithm.
-SHARED int mip_level(float pixels, AlchemySettings settings) {
+int mip_level(float pixels, AlchemySettings settings) {
   int whole = int(min(pixels, 1e6f));
   int level = 0;
   while (level < settings.mip_levels && (whole >> (settings.mip_offset + level + 1)) > 0) ++level;
@@ -39,13 +36,13 @@ SHARED int mip_level(float pixels, AlchemySettings settings) {
 }
 
 /// Infinite outside the image and on the background.
-SHARED float sample_depth(ivec2 pixel, int level) {
+float sample_depth(ivec2 pixel, int level) {
   if (!is_in_image(pixel)) return 1e38f;
   ivec2 last = level_size(size, level) - ivec2(1);
   return depth_at_level(ivec2(min(pixel.x >> level, last.x), min(pixel.y >> level, last.y)), level);
 }
 
-SHARED float accessibility(AoSurfel surfel, AlchemySettings settings) {
+float accessibility(AoSurfel surfel, AlchemySettings settings) {
   float radius = settings.radius * pixels_per_metre(surfel.position);
   float sum = 0.0f;
   for (int i = 0; i < settings.samples; ++i) {

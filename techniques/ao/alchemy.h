@@ -11,12 +11,9 @@
 #include "techniques/ao/screen.h"
 
 namespace umbrameter {
-struct AoParams;
-
 namespace shared {
 
 struct AlchemyMethod : AoScreen {
-#define SHARED
 #include "techniques/ao/depth_pyramid.glsl"
   // Finds the depth that the pyramid holds without building it.
   float depth_at_level(ivec2 texel, int level) {
@@ -24,7 +21,6 @@ struct AlchemyMethod : AoScreen {
     return depth_at(texel);
   }
 #include "techniques/ao/alchemy.glsl"
-#undef SHARED
 };
 
 }  // namespace shared
@@ -48,7 +44,6 @@ struct Alchemy {
   static constexpr AoBlur denoiser = AoBlur::bilateral;  ///< SAO_blur.pix: 9 taps along each axis, by depth
   static constexpr std::string_view text = "alchemy.glsl";
   static constexpr std::string_view settings = "AlchemySettings";
-  static Alchemy make(const AoParams& params);
   AoSamplingParams sampling;
   AoNoiseParams noise;
   AlchemyParams params;

@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "techniques/ao/technique.h"
-
 namespace umbrameter {
 
 Parameters describe(BitmaskParams& params) {
@@ -21,8 +19,6 @@ Parameters describe(BitmaskParams& params) {
           {.unit = {}, .meaning = "bitmask: a surface covers every sector it reaches, or those whose centre it covers"})
       .take();
 }
-
-Bitmask Bitmask::make(const AoParams& params) { return {params.sampling, params.noise, params.slices, params.bitmask}; }
 
 Parameters describe(Bitmask& technique) {
   return concatenate({radius_parameter(technique.sampling), describe(technique.noise), describe(technique.slices),

@@ -14,7 +14,7 @@ struct BitmaskSettings {
 };
 
 /// The share of a slice below an angle from the viewer's direction, from 0 at one end of the normal's hemisphere to 1.
-SHARED float sector_position(float n, float angle, int is_cosine) {
+float sector_position(float n, float angle, int is_cosine) {
   const float quarter = 1.57079633f;
   float low = n - quarter;
   float high = n + quarter;
@@ -26,7 +26,7 @@ SHARED float sector_position(float n, float angle, int is_cosine) {
 }
 
 /// The sectors that a surface covers, which lies between two shares of the slice.
-SHARED uint covered_sectors(float from, float to, int is_rounded_up) {
+uint covered_sectors(float from, float to, int is_rounded_up) {
   uint first = 0u;
   uint count = 0u;
   if (is_rounded_up != 0) {
@@ -40,8 +40,8 @@ SHARED uint covered_sectors(float from, float to, int is_rounded_up) {
   return count == 0u ? 0u : (0xffffffffu >> (32u - count)) << first;
 }
 
-SHARED uint side_sectors(AoSurfel surfel, vec3 viewer, AoSlice slice, int index, float side,
-                         BitmaskSettings settings) {
+uint side_sectors(AoSurfel surfel, vec3 viewer, AoSlice slice, int index, float side,
+                   BitmaskSettings settings) {
   uint covered = 0u;
   float radius = settings.radius * pixels_per_metre(surfel.position);
   for (int i = 0; i < settings.steps; ++i) {
@@ -64,14 +64,14 @@ SHARED uint side_sectors(AoSurfel surfel, vec3 viewer, AoSlice slice, int index,
   return covered;
 }
 
-SHARED int count_sectors(uint sectors) {
+int count_sectors(uint sectors) {
   int count = 0;
   for (int i = 0; i < 32; ++i) count += int((sectors >> uint(i)) & 1u);
   return count;
 }
 
 /// With a cosine, above 1 in some slices of an open plane; the mean over the noise is not.
-SHARED float accessibility(AoSurfel surfel, BitmaskSettings settings) {
+float accessibility(AoSurfel surfel, BitmaskSettings settings) {
   vec3 viewer = direction_to_viewer(surfel.position);
   const float quarter = 1.57079633f;
   float sum = 0.0f;
@@ -91,7 +91,7 @@ SHARED float accessibility(AoSurfel surfel, BitmaskSettings settings) {
 }
 
 /// The angle of a share of the slice: the inverse of sector_position().
-SHARED float sector_angle(float n, float position, int is_cosine) {
+float sector_angle(float n, float position, int is_cosine) {
   float low = n - 1.57079633f;
   if (is_cosine == 0) return low + 3.14159265f * position;
   float high = n + 1.57079633f;
@@ -107,14 +107,14 @@ SHARED float sector_angle(float n, float position, int is_cosine) {
 }
 
 /// ∫ cos(θ − n) |sin θ| (cos θ, sin θ) dθ from 0 to an angle.
-SHARED vec2 directions_up_to(float n, float angle) {
+vec2 directions_up_to(float n, float angle) {
   vec2 sum = inner_direction(n, angle);
   return angle < 0.0f ? -sum : sum;
 }
 
 /// The mean direction of the open sectors, weighted by the cosine to the normal whatever the weight of the sectors; 0 if
 /// none is open.
-SHARED vec3 bent_normal(AoSurfel surfel, BitmaskSettings settings) {
+vec3 bent_normal(AoSurfel surfel, BitmaskSettings settings) {
   vec3 viewer = direction_to_viewer(surfel.position);
   vec3 sum = vec3(0.0f);
   for (int i = 0; i < settings.slices; ++i) {

@@ -11,14 +11,10 @@
 #include "techniques/ao/screen.h"
 
 namespace umbrameter {
-struct AoParams;
-
 namespace shared {
 
 struct BitmaskMethod : AoScreen {
-#define SHARED
 #include "techniques/ao/bitmask.glsl"
-#undef SHARED
 };
 
 }  // namespace shared
@@ -42,7 +38,6 @@ struct Bitmask {
   static constexpr std::string_view text = "bitmask.glsl";
   static constexpr std::string_view settings = "BitmaskSettings";
   static constexpr bool has_bent_normal = true;
-  static Bitmask make(const AoParams& params);
   AoSamplingParams sampling;
   AoNoiseParams noise;
   AoSliceParams slices;

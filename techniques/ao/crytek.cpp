@@ -1,10 +1,6 @@
 #include "techniques/ao/crytek.h"
 
-#include "techniques/ao/technique.h"
-
 namespace umbrameter {
-
-Crytek Crytek::make(const AoParams& params) { return {params.sampling, params.bias, params.noise, params.ssao}; }
 
 Parameters describe(Crytek& technique) {
   return concatenate(

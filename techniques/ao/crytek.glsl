@@ -1,8 +1,5 @@
 // Full-sphere SSAO (M. Mittring, Finding Next Gen: CryEngine 2, SIGGRAPH 2007 courses): the share of points in a sphere
 // that the depth buffer does not hide. It reads no normal. Needs screen.glsl. docs/ambient-occlusion/crytek.md.
-#ifndef SHARED
-#define SHARED
-#endif
 
 struct CrytekSettings {
   int samples;
@@ -13,7 +10,7 @@ struct CrytekSettings {
 
 /// Points uniform in the unit ball: a spherical Fibonacci lattice (R. Marques et al., Spherical Fibonacci Point Sets,
 /// 2013) with a distance from a sequence of its own.
-SHARED vec3 ball_point(int i, int count) {
+vec3 ball_point(int i, int count) {
   float z = 1.0f - (2.0f * float(i) + 1.0f) / float(count);
   float azimuth = 6.28318531f * fract(0.618033989f * float(i));
   float across = sqrt(max(1.0f - z * z, 0.0f));
@@ -21,7 +18,7 @@ SHARED vec3 ball_point(int i, int count) {
   return distance * vec3(across * cos(azimuth), across * sin(azimuth), z);
 }
 
-SHARED float accessibility(AoSurfel surfel, CrytekSettings settings) {
+float accessibility(AoSurfel surfel, CrytekSettings settings) {
   // The points are mirrored at a random plane.
   float z = 1.0f - 2.0f * surfel.noise.y;
   float across = sqrt(max(1.0f - z * z, 0.0f));

@@ -12,14 +12,10 @@
 #include "techniques/ao/ssao.h"
 
 namespace umbrameter {
-struct AoParams;
-
 namespace shared {
 
 struct CrytekMethod : AoScreen {
-#define SHARED
 #include "techniques/ao/crytek.glsl"
-#undef SHARED
 };
 
 }  // namespace shared
@@ -30,7 +26,6 @@ struct Crytek {
   static constexpr AoBlur denoiser = AoBlur::bilateral;  ///< described with a blur that keeps depth edges
   static constexpr std::string_view text = "crytek.glsl";
   static constexpr std::string_view settings = "CrytekSettings";
-  static Crytek make(const AoParams& params);
   AoSamplingParams sampling;
   AoBiasParams bias;
   AoNoiseParams noise;

@@ -1,7 +1,5 @@
 #include "techniques/ao/gtao.h"
 
-#include "techniques/ao/technique.h"
-
 namespace umbrameter {
 
 Parameters describe(GtaoParams& params) {
@@ -24,8 +22,6 @@ Parameters describe(GtaoParams& params) {
              {.unit = "1", .meaning = "GTAO: exponent of the result", .min = 0.1, .max = 10.0})
       .take();
 }
-
-Gtao Gtao::make(const AoParams& params) { return {params.sampling, params.noise, params.slices, params.gtao}; }
 
 Parameters describe(Gtao& technique) {
   return concatenate({radius_parameter(technique.sampling), describe(technique.noise), describe(technique.slices),

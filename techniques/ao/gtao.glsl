@@ -1,9 +1,6 @@
 // GTAO (J. Jimenez, X. Wu, A. Pesce and A. Jarabo, Practical Real-Time Strategies for Accurate Indirect Occlusion,
 // SIGGRAPH 2016). Falloff, distribution of steps and thin-occluder heuristic are those of Intel's XeGTAO. Needs
 // screen.glsl. docs/ambient-occlusion/gtao.md has the formulas.
-#ifndef SHARED
-#define SHARED
-#endif
 
 struct GtaoSettings {
   int slices;
@@ -17,18 +14,18 @@ struct GtaoSettings {
 };
 
 /// ∫ cos(θ − n) sin θ dθ from 0 to h; θ is the angle from the viewer's direction, n that of the projected normal.
-SHARED float inner_integral(float n, float h) { return 0.25f * (cos(n) + 2.0f * h * sin(n) - cos(2.0f * h - n)); }
+float inner_integral(float n, float h) { return 0.25f * (cos(n) + 2.0f * h * sin(n) - cos(2.0f * h - n)); }
 
 /// What the slice sees between the horizons, weighted by the cosine to the normal: ∫ cos(θ − n) |sin θ| dθ from `low`
 /// (at most 0) to `high` (at least 0), both cut at the normal's hemisphere. The mean over all slices of an open
 /// hemisphere, times the length of the projected normal, is 1.
-SHARED float slice_visibility(float n, float low, float high) {
+float slice_visibility(float n, float low, float high) {
   const float quarter = 1.57079633f;
   return inner_integral(n, max(low, n - quarter)) + inner_integral(n, min(high, n + quarter));
 }
 
 /// ∫ cos(θ − n) sin θ (cos θ, sin θ) dθ from 0 to h.
-SHARED vec2 inner_direction(float n, float h) {
+vec2 inner_direction(float n, float h) {
   float c = cos(h);
   float s = sin(h);
   float across = s * s * s / 3.0f;
@@ -37,7 +34,7 @@ SHARED vec2 inner_direction(float n, float h) {
 }
 
 /// The directions that slice_visibility() sees, with the same weight, summed as vectors.
-SHARED vec3 slice_direction(AoSlice slice, vec3 viewer, float low, float high) {
+vec3 slice_direction(AoSlice slice, vec3 viewer, float low, float high) {
   const float quarter = 1.57079633f;
   vec2 sum = inner_direction(slice.normal_angle, max(low, slice.normal_angle - quarter)) +
              inner_direction(slice.normal_angle, min(high, slice.normal_angle + quarter));
@@ -45,7 +42,7 @@ SHARED vec3 slice_direction(AoSlice slice, vec3 viewer, float low, float high) {
 }
 
 /// The cosine of the horizon's angle from the viewer's direction, on one side of a slice.
-SHARED float horizon_cosine(AoSurfel surfel, vec3 viewer, AoSlice slice, int index, float side, GtaoSettings settings) {
+float horizon_cosine(AoSurfel surfel, vec3 viewer, AoSlice slice, int index, float side, GtaoSettings settings) {
   float lowest = cos(slice.normal_angle + side * 1.57079633f);
   float horizon = lowest;
   float radius = settings.radius * pixels_per_metre(surfel.position);
@@ -67,7 +64,7 @@ SHARED float horizon_cosine(AoSurfel surfel, vec3 viewer, AoSlice slice, int ind
 }
 
 /// The mean open direction, weighted by the cosine to the normal; 0 if no direction is open.
-SHARED vec3 bent_normal(AoSurfel surfel, GtaoSettings settings) {
+vec3 bent_normal(AoSurfel surfel, GtaoSettings settings) {
   vec3 viewer = direction_to_viewer(surfel.position);
   vec3 sum = vec3(0.0f);
   for (int i = 0; i < settings.slices; ++i) {
@@ -81,7 +78,7 @@ SHARED vec3 bent_normal(AoSurfel surfel, GtaoSettings settings) {
 }
 
 /// Above 1 in some slices of an open plane; the mean over the noise is not.
-SHARED float accessibility(AoSurfel surfel, GtaoSettings settings) {
+float accessibility(AoSurfel surfel, GtaoSettings settings) {
   vec3 viewer = direction_to_viewer(surfel.position);
   float sum = 0.0f;
   for (int i = 0; i < settings.slices; ++i) {

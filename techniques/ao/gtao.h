@@ -11,14 +11,10 @@
 #include "techniques/ao/screen.h"
 
 namespace umbrameter {
-struct AoParams;
-
 namespace shared {
 
 struct GtaoMethod : AoScreen {
-#define SHARED
 #include "techniques/ao/gtao.glsl"
-#undef SHARED
 };
 
 }  // namespace shared
@@ -40,7 +36,6 @@ struct Gtao {
   static constexpr std::string_view text = "gtao.glsl";
   static constexpr std::string_view settings = "GtaoSettings";
   static constexpr bool has_bent_normal = true;
-  static Gtao make(const AoParams& params);
   AoSamplingParams sampling;
   AoNoiseParams noise;
   AoSliceParams slices;

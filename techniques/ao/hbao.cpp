@@ -1,7 +1,5 @@
 #include "techniques/ao/hbao.h"
 
-#include "techniques/ao/technique.h"
-
 namespace umbrameter {
 
 Parameters describe(HbaoParams& params) {
@@ -18,8 +16,6 @@ Parameters describe(HbaoParams& params) {
       .field("hbao-jitter", params.jitter, {.unit = {}, .meaning = "HBAO: another offset of the steps in each pixel"})
       .take();
 }
-
-Hbao Hbao::make(const AoParams& params) { return {params.sampling, params.noise, params.hbao}; }
 
 Parameters describe(Hbao& technique) {
   return concatenate({radius_parameter(technique.sampling), describe(technique.noise), describe(technique.params)});

@@ -1,8 +1,5 @@
 // HBAO (L. Bavoil, M. Sainz and R. Dimitrov, Image-Space Horizon-Based Ambient Occlusion, SIGGRAPH 2008 talks). Needs
 // screen.glsl. docs/ambient-occlusion/hbao.md has the formulas.
-#ifndef SHARED
-#define SHARED
-#endif
 
 struct HbaoSettings {
   int directions;
@@ -13,7 +10,7 @@ struct HbaoSettings {
   int is_jittered;
 };
 
-SHARED float accessibility(AoSurfel surfel, HbaoSettings settings) {
+float accessibility(AoSurfel surfel, HbaoSettings settings) {
   vec3 viewer = direction_to_viewer(surfel.position);
   float radius = settings.radius * pixels_per_metre(surfel.position);
   float jitter = settings.is_jittered != 0 ? surfel.noise.y : 1.0f;

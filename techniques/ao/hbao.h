@@ -11,14 +11,10 @@
 #include "techniques/ao/screen.h"
 
 namespace umbrameter {
-struct AoParams;
-
 namespace shared {
 
 struct HbaoMethod : AoScreen {
-#define SHARED
 #include "techniques/ao/hbao.glsl"
-#undef SHARED
 };
 
 }  // namespace shared
@@ -39,7 +35,6 @@ struct Hbao {
   static constexpr AoBlur denoiser = AoBlur::bilateral;  ///< NVIDIA's sample: 7 taps along each axis, by depth
   static constexpr std::string_view text = "hbao.glsl";
   static constexpr std::string_view settings = "HbaoSettings";
-  static Hbao make(const AoParams& params);
   AoSamplingParams sampling;
   AoNoiseParams noise;
   HbaoParams params;

@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "techniques/ao/technique.h"
-
 namespace umbrameter {
 
 Parameters describe(MarchedParams& params) {
@@ -19,8 +17,6 @@ Parameters describe(MarchedParams& params) {
               {.unit = {}, .meaning = "ray marching: distribution of the rays in the hemisphere"})
       .take();
 }
-
-Marched Marched::make(const AoParams& params) { return {params.sampling, params.noise, params.marched}; }
 
 Parameters describe(Marched& technique) {
   return concatenate({describe(technique.sampling), describe(technique.noise), describe(technique.params)});

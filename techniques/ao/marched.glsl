@@ -1,8 +1,5 @@
 // Ray-marched SSAO: rays through the depth buffer, pixel by pixel. Needs screen.glsl.
 // docs/ambient-occlusion/ray-marched.md has the formulas.
-#ifndef SHARED
-#define SHARED
-#endif
 
 struct MarchedSettings {
   int rays;
@@ -14,7 +11,7 @@ struct MarchedSettings {
 };
 
 /// Ray `i` in the hemisphere about +z: a Fibonacci lattice, rotated and shifted by the pixel's noise.
-SHARED vec3 march_direction(int i, vec2 noise, MarchedSettings settings) {
+vec3 march_direction(int i, vec2 noise, MarchedSettings settings) {
   float share = fract((float(i) + noise.x) / float(settings.rays));
   float azimuth = 6.28318531f * fract(0.618033989f * float(i) + noise.y);
   float z = settings.is_uniform != 0 ? share : sqrt(share);
@@ -23,13 +20,13 @@ SHARED vec3 march_direction(int i, vec2 noise, MarchedSettings settings) {
 }
 
 /// Clip coordinates in pixels: x, y and w, so that x/w and y/w are the place in the image.
-SHARED vec3 place_of(vec3 position) {
+vec3 place_of(vec3 position) {
   vec4 clip = clip_from_view * vec4(position, 1.0f);
   return vec3((0.5f * clip.x + 0.5f * clip.w) * float(size.x), (0.5f * clip.y + 0.5f * clip.w) * float(size.y), clip.w);
 }
 
 /// Whether the depth buffer blocks the ray from the surfel to the end.
-SHARED bool is_blocked(AoSurfel surfel, vec3 end, MarchedSettings settings) {
+bool is_blocked(AoSurfel surfel, vec3 end, MarchedSettings settings) {
   vec3 from = place_of(surfel.position);
   vec3 to = place_of(end);
   // The part of the ray in front of the camera.
@@ -60,7 +57,7 @@ SHARED bool is_blocked(AoSurfel surfel, vec3 end, MarchedSettings settings) {
   return false;
 }
 
-SHARED float accessibility(AoSurfel surfel, MarchedSettings settings) {
+float accessibility(AoSurfel surfel, MarchedSettings settings) {
   vec3 n = surfel.normal;
   vec3 other = n.x > 0.5f || n.x < -0.5f ? vec3(0.0f, 1.0f, 0.0f) : vec3(1.0f, 0.0f, 0.0f);
   vec3 tangent = normalize(cross(n, other));

@@ -11,14 +11,10 @@
 #include "techniques/ao/screen.h"
 
 namespace umbrameter {
-struct AoParams;
-
 namespace shared {
 
 struct MarchedMethod : AoScreen {
-#define SHARED
 #include "techniques/ao/marched.glsl"
-#undef SHARED
 };
 
 }  // namespace shared
@@ -40,7 +36,6 @@ struct Marched {
   static constexpr AoBlur denoiser = AoBlur::none;  ///< ours has no denoiser
   static constexpr std::string_view text = "marched.glsl";
   static constexpr std::string_view settings = "MarchedSettings";
-  static Marched make(const AoParams& params);
   AoSamplingParams sampling;
   AoNoiseParams noise;
   MarchedParams params;

@@ -2,9 +2,6 @@
 // screen.h compiles it as members of a C++ struct. Both provide depth_at() (along the camera's axis, metres; infinite on
 // background), clip_from_view, size and is_orthographic. Positions and directions are in view space; pixels count from
 // the lower left corner.
-#ifndef SHARED
-#define SHARED
-#endif
 
 struct AoSurfel {
   ivec2 pixel;
@@ -21,16 +18,16 @@ struct AoSlice {
   float normal_length;  // of the projected normal
 };
 
-SHARED bool is_in_image(ivec2 pixel) {
+bool is_in_image(ivec2 pixel) {
   return pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.x && pixel.y < size.y;
 }
 
-SHARED bool has_surface(ivec2 pixel) {
+bool has_surface(ivec2 pixel) {
   return is_in_image(pixel) && depth_at(pixel) < 1e30f;
 }
 
 /// The point at the centre of a pixel, at that distance along the camera's axis.
-SHARED vec3 position_at(ivec2 pixel, float distance) {
+vec3 position_at(ivec2 pixel, float distance) {
   float z = -distance;
   float w = clip_from_view[2][3] * z + clip_from_view[3][3];
   float x = (2.0f * (float(pixel.x) + 0.5f) / float(size.x) - 1.0f) * w;
@@ -40,27 +37,27 @@ SHARED vec3 position_at(ivec2 pixel, float distance) {
 }
 
 /// The surface at the centre of a pixel.
-SHARED vec3 seen_position(ivec2 pixel) {
+vec3 seen_position(ivec2 pixel) {
   return position_at(pixel, depth_at(pixel));
 }
 
-SHARED vec3 direction_to_viewer(vec3 position) {
+vec3 direction_to_viewer(vec3 position) {
   return is_orthographic != 0 ? vec3(0.0f, 0.0f, 1.0f) : normalize(-position);
 }
 
 /// Of a length across the screen at that depth.
-SHARED float pixels_per_metre(vec3 position) {
+float pixels_per_metre(vec3 position) {
   float w = clip_from_view[2][3] * position.z + clip_from_view[3][3];
   return 0.5f * float(size.x) * clip_from_view[0][0] / w;
 }
 
-SHARED ivec2 pixel_at(AoSurfel surfel, vec2 offset) {
+ivec2 pixel_at(AoSurfel surfel, vec2 offset) {
   return surfel.pixel + ivec2(floor(offset + vec2(0.5f)));
 }
 
 /// Azimuths are even in the image or, if is_even_in_angle, about the viewer's direction. In the centre of the image
 /// both are the same.
-SHARED AoSlice make_slice(AoSurfel surfel, vec3 viewer, float azimuth, int is_even_in_angle) {
+AoSlice make_slice(AoSurfel surfel, vec3 viewer, float azimuth, int is_even_in_angle) {
   AoSlice slice;
   float c = cos(azimuth);
   float s = sin(azimuth);

@@ -32,9 +32,7 @@ struct AoScreen {
 
   float depth_at(ivec2 pixel) const { return depth.at(pixel.x, size.y - 1 - pixel.y); }
 
-#define SHARED
 #include "techniques/ao/screen.glsl"
-#undef SHARED
 };
 
 }  // namespace umbrameter::shared

@@ -1,7 +1,5 @@
 #include "techniques/ao/ssao.h"
 
-#include "techniques/ao/technique.h"
-
 namespace umbrameter {
 
 Parameters describe(SsaoParams& params) {
@@ -9,10 +7,6 @@ Parameters describe(SsaoParams& params) {
       .field("range-check", params.range_check,
              {.unit = {}, .meaning = "fade out occluders much farther away than the radius"})
       .take();
-}
-
-Ssao Ssao::make(const AoParams& params) {
-  return {params.sampling, params.bias, params.noise, params.ssao, params.kernel};
 }
 
 Parameters describe(Ssao& technique) {

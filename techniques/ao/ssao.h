@@ -11,7 +11,6 @@
 #include "techniques/ao/parameters.h"
 
 namespace umbrameter {
-struct AoParams;
 
 struct SsaoParams {
   bool range_check = true;
@@ -22,7 +21,6 @@ struct Ssao {
   static constexpr std::string_view name = "ssao";
   static constexpr std::string_view title = "SSAO";
   static constexpr AoBlur denoiser = AoBlur::box;  ///< 4×4, as in Learn OpenGL
-  static Ssao make(const AoParams& params);
   AoSamplingParams sampling;
   AoBiasParams bias;
   AoNoiseParams noise;

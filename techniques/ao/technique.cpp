@@ -9,6 +9,15 @@ Parameters describe(AoTechniques::Choice& technique) {
       .take();
 }
 
+// Converts to the member of that type.
+struct GroupOfType {
+  AoParams& params;
+  template <class Group>
+  operator Group() const {
+    return std::get<Group&>(params.groups());
+  }
+};
+
 }  // namespace
 
 Parameters describe(AoParams& params) {
@@ -21,9 +30,13 @@ AoParams in_metres(AoParams params, double scene_size) {
   return params;
 }
 
-AoTechnique make_technique(const AoParams& params) {
-  return AoTechniques::apply<AoTechnique>(params.technique,
-                                          [&]<class T>(std::type_identity<T>) { return T::make(params); });
+AoTechnique make_technique(AoParams params) {
+  return AoTechniques::apply<AoTechnique>(params.technique, [&]<class T>(std::type_identity<T>) {
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+      return T{(static_cast<void>(I), GroupOfType{params})...};
+    }
+    (std::make_index_sequence<count_fields<T>()>{});
+  });
 }
 
 Parameters describe(AoTechnique& technique) {

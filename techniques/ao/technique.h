@@ -1,11 +1,11 @@
 // The techniques of ambient occlusion. A technique holds the parameters that it reads. Other code depends on these,
 // never on its name.
 //
-// This list is the only one: choice, names, dispatch and build follow from it. A technique is a struct with its name,
-// title, the denoiser that it was published with, the parameters that it reads, make(), describe() and settings_of(),
-// in a header of this folder that is included here; the source and the text (.glsl) of the same name are built with it.
-// Its text gives accessibility() and, if the struct has_bent_normal, bent_normal(); raster/ao/method_pass.h runs it.
-// Its own parameters become a member of AoParams.
+// AoTechniques is the only list: choice, names, dispatch and build follow from it. A technique is a struct with its
+// name, its title and the denoiser that it was published with. Its members are groups of AoParams that it reads. Its
+// header, with describe() and settings_of(), is included here; the source and the text (.glsl) of the same name are
+// built with it. The text gives accessibility() and, if the struct has_bent_normal, bent_normal();
+// raster/ao/method_pass.h runs it. Parameters of a new technique become a member of AoParams.
 #pragma once
 
 #include <cstdint>
@@ -67,7 +67,8 @@ AoParams in_metres(AoParams params, double scene_size);
 
 using AoTechnique = AoTechniques::Variant<std::type_identity_t>;
 
-AoTechnique make_technique(const AoParams& params);
+/// The chosen technique with the members of `params` that have the types of its own.
+AoTechnique make_technique(AoParams params);
 
 /// The parameters that the technique reads.
 Parameters describe(AoTechnique& technique);

@@ -1,7 +1,4 @@
 // How a compact G-buffer stores normals and shininess. Compiled as GLSL and as C++, like light_model.glsl.
-#ifndef SHARED
-#define SHARED
-#endif
 
 SHARED float sign_or_one(float x) { return x < 0.0f ? -1.0f : 1.0f; }
 

@@ -1,8 +1,5 @@
 // The light model. The shaders compile this text as GLSL, and light_model.h compiles it as C++ with GLM: there is one
 // description, and both sides compute the same operations in the same order. docs/shading.md has the formulas.
-#ifndef SHARED
-#define SHARED
-#endif
 
 /// A surfel, as the light model reads it. Directions are unit vectors.
 struct SurfacePoint {

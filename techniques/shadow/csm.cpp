@@ -28,15 +28,15 @@ Csm::Text::Settings Csm::settings(const ShadowParams& params) {
           static_cast<float>(params.csm_lookup.ringing_reduction), static_cast<float>(params.csm_lookup.contrast)};
 }
 
-Prefiltered Csm::make(const ShadowParams& params, double) {
-  Prefiltered made = make_prefiltered(params, "csm.glsl", bytes_of(settings(params)), 4);
+Prefiltered Csm::make(const ShadowParams& params, double light_extent) {
+  Prefiltered made = FilteringTechnique::make(params, light_extent);
   made.constants = "settings.terms = " + std::to_string(params.csm_map.terms) + ";";
   made.groups = (params.csm_map.terms + 1) / 2;
   return made;
 }
 
 Parameters Csm::map_parameters(ShadowParams& params) {
-  return concatenate({moment_map_parameters(params), describe(params.csm_map)});
+  return concatenate({FilteringTechnique::map_parameters(params), describe(params.csm_map)});
 }
 
 Parameters Csm::lookup_parameters(ShadowParams& params) { return describe(params.csm_lookup); }

@@ -1,9 +1,5 @@
 // Convolution shadow maps (Annen, Mertens, Bekaert, Seidel and Kautz, Convolution Shadow Maps, EGSR 2007): the Fourier
 // series of the step, two terms to a layer.
-#ifndef SHARED
-#define SHARED
-#define UNUSED
-#endif
 
 struct Settings {
   int terms;

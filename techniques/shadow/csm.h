@@ -5,15 +5,11 @@
 
 namespace umbrameter {
 namespace shared {
-
 struct CsmText {
 #define SHARED static
-#define UNUSED [[maybe_unused]]
 #include "techniques/shadow/csm.glsl"
 #undef SHARED
-#undef UNUSED
 };
-
 }  // namespace shared
 
 struct CsmMapParams {
@@ -27,9 +23,10 @@ struct CsmLookupParams {
 };
 Parameters describe(CsmLookupParams& params);
 
-struct Csm {
+struct Csm : FilteringTechnique<Csm, shared::CsmText> {
   static constexpr std::string_view name = "csm";
-  using Text = shared::CsmText;
+  static constexpr std::string_view text = "csm.glsl";
+  static constexpr int values = 4;
   static Text::Settings settings(const ShadowParams& params);
   static Prefiltered make(const ShadowParams& params, double light_extent);
   static Parameters map_parameters(ShadowParams& params);

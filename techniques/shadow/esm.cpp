@@ -17,8 +17,8 @@ Parameters describe(EsmParams& params) {
 
 Esm::Text::Settings Esm::settings(const ShadowParams& params) { return {static_cast<float>(params.esm.exponent)}; }
 
-Prefiltered Esm::make(const ShadowParams& params, double) {
-  Prefiltered made = make_prefiltered(params, "esm.glsl", bytes_of(settings(params)), 1);
+Prefiltered Esm::make(const ShadowParams& params, double light_extent) {
+  Prefiltered made = FilteringTechnique::make(params, light_extent);
   made.format = MomentFormat::f32;
   made.blur = blur_weights(params.moment_map.kernel, params.esm.blur);
   return made;

@@ -5,15 +5,11 @@
 
 namespace umbrameter {
 namespace shared {
-
 struct EsmText {
 #define SHARED static
-#define UNUSED [[maybe_unused]]
 #include "techniques/shadow/esm.glsl"
 #undef SHARED
-#undef UNUSED
 };
-
 }  // namespace shared
 
 struct EsmParams {
@@ -22,9 +18,10 @@ struct EsmParams {
 };
 Parameters describe(EsmParams& params);
 
-struct Esm {
+struct Esm : FilteringTechnique<Esm, shared::EsmText> {
   static constexpr std::string_view name = "esm";
-  using Text = shared::EsmText;
+  static constexpr std::string_view text = "esm.glsl";
+  static constexpr int values = 1;
   static Text::Settings settings(const ShadowParams& params);
   static Prefiltered make(const ShadowParams& params, double light_extent);
   static Parameters map_parameters(ShadowParams& params);

@@ -10,26 +10,6 @@ namespace {
 // The square of the exponential is stored: exp(2c) ≤ 65504, the largest half float.
 constexpr double max_half_exponent = 5.54;
 
-shared::EvsmText::Settings evsm_settings(const ShadowParams& params, bool has_second_warp) {
-  return {has_second_warp ? 1 : 0, static_cast<float>(params.evsm.positive_exponent),
-          static_cast<float>(params.evsm.negative_exponent), static_cast<float>(params.moment_bound.min_variance),
-          static_cast<float>(params.moment_bound.bleeding_reduction)};
-}
-
-Prefiltered make_evsm(const ShadowParams& params, bool has_second_warp) {
-  const auto fail = [](std::string_view why) {
-    throw Error(ExitCode::usage, "shadow.moment-format", std::string(why), "use 32f");
-  };
-  const MomentFormat format = params.moment_map.format;
-  if (format == MomentFormat::unorm16) fail("EVSM stores exponentials, which unorm16 cannot hold");
-  if (format == MomentFormat::f16 && (params.evsm.positive_exponent > max_half_exponent ||
-                                      (has_second_warp && params.evsm.negative_exponent > max_half_exponent))) {
-    fail("16f holds EVSM's exponentials only for exponents up to 5.54");
-  }
-  return make_prefiltered(params, "evsm.glsl", bytes_of(evsm_settings(params, has_second_warp)),
-                          has_second_warp ? 4 : 2);
-}
-
 }  // namespace
 
 Parameters describe(EvsmParams& params) {
@@ -45,20 +25,35 @@ Parameters describe(EvsmParams& params) {
       .take();
 }
 
-Evsm2::Text::Settings Evsm2::settings(const ShadowParams& params) { return evsm_settings(params, false); }
-Evsm4::Text::Settings Evsm4::settings(const ShadowParams& params) { return evsm_settings(params, true); }
-
-Prefiltered Evsm2::make(const ShadowParams& params, double) { return make_evsm(params, false); }
-Prefiltered Evsm4::make(const ShadowParams& params, double) { return make_evsm(params, true); }
-
-Parameters Evsm2::map_parameters(ShadowParams& params) {
-  return concatenate({moment_map_parameters(params), select(describe(params.evsm), {"shadow.evsm-positive-exponent"})});
-}
-Parameters Evsm4::map_parameters(ShadowParams& params) {
-  return concatenate({moment_map_parameters(params), describe(params.evsm)});
+template <int values>
+shared::EvsmText::Settings Evsm<values>::settings(const ShadowParams& params) {
+  return {values == 4 ? 1 : 0, static_cast<float>(params.evsm.positive_exponent),
+          static_cast<float>(params.evsm.negative_exponent), static_cast<float>(params.moment_bound.min_variance),
+          static_cast<float>(params.moment_bound.bleeding_reduction)};
 }
 
-Parameters Evsm2::lookup_parameters(ShadowParams& params) { return describe(params.moment_bound); }
-Parameters Evsm4::lookup_parameters(ShadowParams& params) { return describe(params.moment_bound); }
+template <int values>
+Prefiltered Evsm<values>::make(const ShadowParams& params, double light_extent) {
+  const auto fail = [](std::string_view why) {
+    throw Error(ExitCode::usage, "shadow.moment-format", std::string(why), "use 32f");
+  };
+  const MomentFormat format = params.moment_map.format;
+  if (format == MomentFormat::unorm16) fail("EVSM stores exponentials, which unorm16 cannot hold");
+  if (format == MomentFormat::f16 && (params.evsm.positive_exponent > max_half_exponent ||
+                                      (values == 4 && params.evsm.negative_exponent > max_half_exponent))) {
+    fail("16f holds EVSM's exponentials only for exponents up to 5.54");
+  }
+  return FilteringTechnique<Evsm, shared::EvsmText>::make(params, light_extent);
+}
+
+template <int values>
+Parameters Evsm<values>::map_parameters(ShadowParams& params) {
+  Parameters of_warps = describe(params.evsm);
+  if (values == 2) of_warps = select(of_warps, {"shadow.evsm-positive-exponent"});
+  return concatenate({FilteredMapParameters::map_parameters(params), of_warps});
+}
+
+template struct Evsm<2>;
+template struct Evsm<4>;
 
 }  // namespace umbrameter

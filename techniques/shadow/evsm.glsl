@@ -28,8 +28,7 @@ SHARED vec4 map_values(float depth, UNUSED int layer, Settings settings) {
   return vec4(w.x, w.x * w.x, w.y, w.y * w.y);
 }
 
-SHARED float visibility_from(dvec4 values, double depth, UNUSED int layer, UNUSED float before,
-                             Settings settings) {
+SHARED float visibility_from(dvec4 values, double depth, UNUSED int layer, UNUSED float before, Settings settings) {
   vec2 w = warped(float(depth), settings);
   double min_variance = double(settings.min_variance);
   double bound =

@@ -5,15 +5,11 @@
 
 namespace umbrameter {
 namespace shared {
-
 struct EvsmText {
 #define SHARED static
-#define UNUSED [[maybe_unused]]
 #include "techniques/shadow/evsm.glsl"
 #undef SHARED
-#undef UNUSED
 };
-
 }  // namespace shared
 
 struct EvsmParams {
@@ -22,22 +18,17 @@ struct EvsmParams {
 };
 Parameters describe(EvsmParams& params);
 
-struct Evsm2 {
-  static constexpr std::string_view name = "evsm2";
-  using Text = shared::EvsmText;
-  static Text::Settings settings(const ShadowParams& params);
+/// Of two values for each warp.
+template <int values_of_warps>
+struct Evsm : FilteringTechnique<Evsm<values_of_warps>, shared::EvsmText> {
+  static constexpr std::string_view name = values_of_warps == 2 ? "evsm2" : "evsm4";
+  static constexpr std::string_view text = "evsm.glsl";
+  static constexpr int values = values_of_warps;
+  static shared::EvsmText::Settings settings(const ShadowParams& params);
   static Prefiltered make(const ShadowParams& params, double light_extent);
   static Parameters map_parameters(ShadowParams& params);
-  static Parameters lookup_parameters(ShadowParams& params);
 };
-
-struct Evsm4 {
-  static constexpr std::string_view name = "evsm4";
-  using Text = shared::EvsmText;
-  static Text::Settings settings(const ShadowParams& params);
-  static Prefiltered make(const ShadowParams& params, double light_extent);
-  static Parameters map_parameters(ShadowParams& params);
-  static Parameters lookup_parameters(ShadowParams& params);
-};
+using Evsm2 = Evsm<2>;
+using Evsm4 = Evsm<4>;
 
 }  // namespace umbrameter

@@ -1,7 +1,4 @@
 // How contact-hardening PCF sharpens a penumbra. The shaders compile this text as GLSL, the tests as C++.
-#ifndef SHARED
-#define SHARED
-#endif
 
 /// The share of a kernel that is blocked, sharpened: softness 1 leaves it, 0 pulls it to 0 or 1 by the odd cubic
 /// y (3 − 3 |y| + y²) of y = 2 blocked − 1.

@@ -1,8 +1,5 @@
 // What a shadow map stores for a depth, and back. The shaders compile this text as GLSL, and map_depth.h compiles it as
 // C++. The constants of the mapping are those of map_depth.h. Depths, near_depth and far_depth are in metres.
-#ifndef SHARED
-#define SHARED
-#endif
 
 /// The stored number of a depth, from 0 to 1. A depth before the near plane counts as on it.
 SHARED double encode_depth(int mapping, double depth, double near_depth, double far_depth) {

@@ -1,9 +1,5 @@
 // What shadow maps of moments share. Bounds from moments are computed in double precision: a variance is a small
 // difference of stored numbers, and a look-up must not add rounding to that of the map's format.
-#ifndef SHARED
-#define SHARED
-#define UNUSED
-#endif
 
 /// Upper bound of the share of texels at or behind a depth, from the mean of their depths and of their squares: the
 /// one-tailed inequality of Chebyshev (Donnelly and Lauritzen, Variance Shadow Maps, I3D 2006).

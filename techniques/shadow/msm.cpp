@@ -25,12 +25,6 @@ Msm::Text::Settings Msm::settings(const ShadowParams& params) {
           static_cast<float>(params.msm.moment_bias), static_cast<float>(params.moment_bound.bleeding_reduction)};
 }
 
-Prefiltered Msm::make(const ShadowParams& params, double) {
-  return make_prefiltered(params, "msm.glsl", bytes_of(settings(params)), 4);
-}
-
-Parameters Msm::map_parameters(ShadowParams& params) { return moment_map_parameters(params); }
-
 Parameters Msm::lookup_parameters(ShadowParams& params) {
   return concatenate({describe(params.msm), select(describe(params.moment_bound), {"shadow.bleeding-reduction"})});
 }

@@ -103,8 +103,7 @@ SHARED vec4 map_values(float depth, UNUSED int layer, Settings settings) {
   return settings.is_quantized != 0 ? quantized_moments(moments) : moments;
 }
 
-SHARED float visibility_from(dvec4 values, double depth, UNUSED int layer, UNUSED float before,
-                             Settings settings) {
+SHARED float visibility_from(dvec4 values, double depth, UNUSED int layer, UNUSED float before, Settings settings) {
   dvec4 moments = values;
   if (settings.is_quantized != 0) moments = dvec4(moments_of_quantized(vec4(values)));
   double bound = settings.is_hausdorff != 0 ? hausdorff_bound(moments, depth, double(settings.moment_bias))

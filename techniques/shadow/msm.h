@@ -5,15 +5,11 @@
 
 namespace umbrameter {
 namespace shared {
-
 struct MsmText {
 #define SHARED static
-#define UNUSED [[maybe_unused]]
 #include "techniques/shadow/msm.glsl"
 #undef SHARED
-#undef UNUSED
 };
-
 }  // namespace shared
 
 enum class MomentBound : int { hamburger, hausdorff };
@@ -24,12 +20,11 @@ struct MsmParams {
 };
 Parameters describe(MsmParams& params);
 
-struct Msm {
+struct Msm : FilteringTechnique<Msm, shared::MsmText> {
   static constexpr std::string_view name = "msm";
-  using Text = shared::MsmText;
+  static constexpr std::string_view text = "msm.glsl";
+  static constexpr int values = 4;
   static Text::Settings settings(const ShadowParams& params);
-  static Prefiltered make(const ShadowParams& params, double light_extent);
-  static Parameters map_parameters(ShadowParams& params);
   static Parameters lookup_parameters(ShadowParams& params);
 };
 

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "core/error.h"
 #include "techniques/shadow/technique.h"
@@ -59,19 +58,17 @@ Parameters describe(MomentBoundParams& params) {
       .take();
 }
 
-Prefiltered make_prefiltered(const ShadowParams& params, std::string_view text, std::vector<std::byte> settings,
-                             int values) {
-  Prefiltered made{text, std::move(settings), values};
-  made.format = params.moment_map.format;
-  made.blur = blur_weights(params.moment_map.kernel, params.moment_map.blur);
-  made.mipmaps = params.map_sampling.mipmaps;
+Prefiltered make_prefiltered(const ShadowParams& params, Prefiltered technique) {
+  technique.format = params.moment_map.format;
+  technique.blur = blur_weights(params.moment_map.kernel, params.moment_map.blur);
+  technique.mipmaps = params.map_sampling.mipmaps;
   const int samples = params.map_sampling.samples;
-  made.samples_per_side = static_cast<int>(std::lround(std::sqrt(samples)));
-  if (made.samples_per_side * made.samples_per_side != samples) {
+  technique.samples_per_side = static_cast<int>(std::lround(std::sqrt(samples)));
+  if (technique.samples_per_side * technique.samples_per_side != samples) {
     throw Error(ExitCode::usage, "shadow.moment-samples", std::to_string(samples) + " is no square number",
                 "choose 1, 4, 9 or 16");
   }
-  return made;
+  return technique;
 }
 
 // The Gaussian is as wide as that of PCF (filter.cpp), with unrounded weights.
@@ -85,8 +82,10 @@ std::vector<float> blur_weights(BlurKernel kernel, int size) {
   return weights;
 }
 
-Parameters moment_map_parameters(ShadowParams& params) {
+Parameters FilteredMapParameters::map_parameters(ShadowParams& params) {
   return concatenate({describe(params.moment_map), describe(params.map_sampling)});
 }
+
+Parameters FilteredMapParameters::lookup_parameters(ShadowParams& params) { return describe(params.moment_bound); }
 
 }  // namespace umbrameter

@@ -8,7 +8,7 @@
 #pragma once
 
 #include <cstddef>
-#include <cstring>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -31,6 +31,9 @@ using glm::sin;
 using glm::sqrt;
 
 }  // namespace shared
+
+// Of a parameter in the texts.
+#define UNUSED [[maybe_unused]]
 
 enum class BlurKernel : int { box, gaussian };
 /// Of each value: float, half float or 16-bit normalised integer.
@@ -58,6 +61,13 @@ struct MomentBoundParams {
 };
 Parameters describe(MomentBoundParams& params);
 
+template <class Settings>
+std::vector<std::byte> bytes_of(const Settings& settings) {
+  static_assert(std::is_trivially_copyable_v<Settings> && alignof(Settings) == 4);
+  const auto bytes = std::as_bytes(std::span(&settings, 1));
+  return {bytes.begin(), bytes.end()};
+}
+
 /// What the passes of such a technique need.
 struct Prefiltered {
   static constexpr TechniqueCapabilities capabilities{};
@@ -72,30 +82,31 @@ struct Prefiltered {
   bool mipmaps = false;       ///< trilinear, by the pixel's footprint in the map
 };
 
-/// A technique with these settings and as many values to a texel; map and look-up as the parameters say.
-/// Throws Error (usage) if moment-samples is no square number.
-Prefiltered make_prefiltered(const ShadowParams& params, std::string_view text, std::vector<std::byte> settings,
-                             int values);
+/// Adds what the parameters say about map and look-up. Throws Error (usage) if moment-samples is no square number.
+Prefiltered make_prefiltered(const ShadowParams& params, Prefiltered technique);
 
-/// A technique of the list whose make() returns a Prefiltered.
-template <class T>
-concept FiltersMap = requires(ShadowParams& params) {
-  T::map_parameters(params);     // that the filter reads
-  T::lookup_parameters(params);  // that only the look-up reads, besides the biases
+/// What most of these techniques read.
+struct FilteredMapParameters {
+  /// Of the filter.
+  static Parameters map_parameters(ShadowParams& params);
+  /// Of the look-up only, besides the biases.
+  static Parameters lookup_parameters(ShadowParams& params);
 };
 
-template <class Settings>
-std::vector<std::byte> bytes_of(const Settings& settings) {
-  static_assert(std::is_trivially_copyable_v<Settings> && alignof(Settings) == 4);
-  std::vector<std::byte> bytes(sizeof(Settings));
-  std::memcpy(bytes.data(), &settings, sizeof(Settings));
-  return bytes;
-}
+/// The base of such a technique in the list. Technique has the name of its file as `text`, the number of values in
+/// `values`, settings(), and functions instead of those here that do not fit.
+template <class Technique, class TextOf>
+struct FilteringTechnique : FilteredMapParameters {
+  using Text = TextOf;
+  static Prefiltered make(const ShadowParams& params, double /*light_extent*/) {
+    return make_prefiltered(params, {Technique::text, bytes_of(Technique::settings(params)), Technique::values});
+  }
+};
+
+template <class Technique>
+concept FiltersMap = std::is_base_of_v<FilteredMapParameters, Technique>;
 
 /// Weights of a kernel along one axis.
 std::vector<float> blur_weights(BlurKernel kernel, int size);
-
-/// The parameters of every map of moments.
-Parameters moment_map_parameters(ShadowParams& params);
 
 }  // namespace umbrameter

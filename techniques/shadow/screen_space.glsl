@@ -1,8 +1,5 @@
 // The march of screen-space shadows through the camera's depth buffer. The shaders compile this text as GLSL, and
 // screen_space.h compiles it as C++ with GLM. docs/techniques/screen-space.md describes it.
-#ifndef SHARED
-#define SHARED
-#endif
 
 struct MarchSettings {
   float reach;      // length of the ray, metres

@@ -9,12 +9,4 @@ Vsm::Text::Settings Vsm::settings(const ShadowParams& params) {
           static_cast<float>(params.moment_bound.bleeding_reduction)};
 }
 
-Prefiltered Vsm::make(const ShadowParams& params, double) {
-  return make_prefiltered(params, "vsm.glsl", bytes_of(settings(params)), 2);
-}
-
-Parameters Vsm::map_parameters(ShadowParams& params) { return moment_map_parameters(params); }
-
-Parameters Vsm::lookup_parameters(ShadowParams& params) { return describe(params.moment_bound); }
-
 }  // namespace umbrameter

@@ -5,24 +5,18 @@
 
 namespace umbrameter {
 namespace shared {
-
 struct VsmText {
 #define SHARED static
-#define UNUSED [[maybe_unused]]
 #include "techniques/shadow/vsm.glsl"
 #undef SHARED
-#undef UNUSED
 };
-
 }  // namespace shared
 
-struct Vsm {
+struct Vsm : FilteringTechnique<Vsm, shared::VsmText> {
   static constexpr std::string_view name = "vsm";
-  using Text = shared::VsmText;
+  static constexpr std::string_view text = "vsm.glsl";
+  static constexpr int values = 2;
   static Text::Settings settings(const ShadowParams& params);
-  static Prefiltered make(const ShadowParams& params, double light_extent);
-  static Parameters map_parameters(ShadowParams& params);
-  static Parameters lookup_parameters(ShadowParams& params);
 };
 
 }  // namespace umbrameter

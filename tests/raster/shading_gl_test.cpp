@@ -4,6 +4,7 @@
 #include <random>
 
 #include "raster/gl/api.h"
+#include "raster/shader_interface.h"
 #include "raster/shading/shading_pass.h"
 #include "scenes/builtin.h"
 #include "scenes/view.h"
@@ -62,7 +63,7 @@ void main() {
 class ShadingGl : public GlTest {
  protected:
   std::vector<ModelOutput> evaluate(const std::vector<ModelInput>& inputs, const ShadingParams& params) const {
-    const gl::LinkedProgram linked = gl::make_program({{"model.comp"}, {}}, [](std::string_view file) {
+    const gl::LinkedProgram linked = gl::make_program({{"model.comp"}, interface_defines()}, [](std::string_view file) {
       return file == "model.comp" ? std::optional(model_shader) : gl::embedded_shader(file);
     });
     const gl::Buffer given = gl::make_buffer("inputs", std::span<const ModelInput>(inputs));
