@@ -70,6 +70,9 @@ constexpr CommandDescription engine_command = {
     "engine", "List the engines that can be measured, or check an adapter",
     "Example: umbrameter engine check 'python3 my_adapter.py'\n"
     "An engine takes the place of our techniques: umbrameter compare courtyard --engine threejs -o out"};
+constexpr CommandDescription presets_command = {
+    "presets", "List the presets: engines' settings as ours",
+    "Example: umbrameter compare courtyard --light sun --preset godot -o out"};
 constexpr CommandDescription info_command = {"info", "Show versions and OpenGL devices, or the contents of a scene",
                                              "Example: umbrameter info courtyard"};
 constexpr CommandDescription parameters_command = {"parameters", "List every parameter with default, unit and limits",
@@ -154,8 +157,7 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   command.add_option("-o,--output", line.output, "folder for the results, created if missing")
       ->type_name("DIR")
       ->required();
-  command.add_option("-c,--config", line.experiment_file, "experiment file (TOML); flags override it")
-      ->type_name("FILE");
+  add_settings_options(command, line);
   if (&description == &sweep_command) {
     command.add_option("--vary", line.vary, "axis: first:last:count[:log] or a list a,b,c; repeatable")
         ->type_name("PARAM=AXIS")
@@ -314,6 +316,8 @@ void add_other_commands(CLI::App& app, CommandLine& line) {
   add_engine_options(engine, line);
   add_threads(engine, line);
   add_output_flags(engine, line);
+
+  add_output_flags(add_command(app, presets_command), line);
 
   CLI::App& info = add_command(app, info_command);
   info.add_option("SCENE", line.scene, "a .gltf or .glb file, or a built-in scene");

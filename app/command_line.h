@@ -65,6 +65,7 @@ struct CommandLine {
   std::string scene;    ///< file or name of a built-in scene; empty when not given
   std::filesystem::path output;
   std::filesystem::path experiment_file;
+  std::vector<std::string> presets;
   std::vector<std::pair<std::string, std::string>> settings;  ///< full parameter name, text, in order
   std::vector<std::string> vary;                              ///< "name=axis"
   std::shared_ptr<Engine> engine;  ///< that --engine or the experiment file names; null: our own techniques

@@ -100,6 +100,15 @@ std::string named_engine(int argc, const char* const* argv) {
   return engine_in(file);
 }
 
+void add_settings_options(CLI::App& command, CommandLine& line) {
+  command.add_option("-c,--config", line.experiment_file, "experiment file (TOML); flags override it")
+      ->type_name("FILE");
+  command
+      .add_option("--preset", line.presets, "an engine's settings ('umbrameter presets'); file and flags override them")
+      ->type_name("NAME")
+      ->take_all();
+}
+
 void add_check_options(CLI::App& command, CheckOptions& check) {
   command.add_option("DIR", check.folders, "folder of a finished compare or sweep; repeatable")->required();
   command.add_option("--budget", check.budget, "budget file (TOML)")->type_name("FILE")->required();

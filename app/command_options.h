@@ -21,6 +21,9 @@ CLI::Validator number_between(double min, double max);
 
 void add_diff_options(CLI::App& command, CommandLine& line);
 void add_tune_options(CLI::App& command, CommandLine& line);
+/// -c and --preset.
+void add_settings_options(CLI::App& command, CommandLine& line);
+
 void add_check_options(CLI::App& command, CheckOptions& check);
 void add_report_options(CLI::App& command, CommandLine& line);
 /// --engine, of commands that draw.

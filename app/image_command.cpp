@@ -31,6 +31,7 @@
 #include "scenes/emitter.h"
 #include "store/experiment_file.h"
 #include "store/gate.h"
+#include "store/preset.h"
 
 namespace umbrameter {
 namespace {
@@ -132,7 +133,8 @@ void add_metrics(Experiment& experiment, const std::vector<BudgetEntry>& conditi
 
 Experiment make_experiment(const CommandLine& line) {
   Experiment experiment;
-  if (!line.experiment_file.empty()) experiment = load_experiment(line.experiment_file);
+  for (const std::string& preset : line.presets) apply_preset(preset, describe(experiment));
+  if (!line.experiment_file.empty()) experiment = load_experiment(line.experiment_file, std::move(experiment));
   const Parameters parameters = describe(experiment);
   if (!line.vary.empty()) experiment.axes.clear();
   for (const std::string& assignment : line.vary) experiment.axes.push_back(split_assignment(assignment));

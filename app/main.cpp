@@ -33,6 +33,7 @@ ExitCode run(int argc, const char* const* argv) {
   if (line.command == "report") return run_report(line, console);
   if (line.command == "scenes") return run_scenes(line, console);
   if (line.command == "scene") return run_scene(line, console);
+  if (line.command == "presets") return run_presets(console);
   if (line.command == "engine") return run_engine(line, console);
   if (line.command == "cache") return run_cache(line, console);
   if (line.command == "info") return run_info(line, console);

@@ -8,9 +8,8 @@
 
 namespace umbrameter {
 
-Experiment load_experiment(const std::filesystem::path& path) {
+Experiment load_experiment(const std::filesystem::path& path, Experiment experiment) {
   const ExperimentFile file = read_experiment(path);
-  Experiment experiment;
   experiment.scene = file.scene;
   experiment.axes = file.axes;
   const Parameters parameters = describe(experiment);
@@ -22,6 +21,7 @@ Experiment load_experiment(const std::filesystem::path& path) {
     }
   };
   for (const auto& [key, value] : file.values) {
+    if (key.starts_with("preset.")) continue;  // what a preset says of itself
     at_line(key, [&, &k = key, &v = value] { require(parameters, k).set(v); });
   }
   for (const auto& [key, text] : file.axes) {

@@ -8,9 +8,9 @@
 
 namespace umbrameter {
 
-/// The experiment that a file describes; parameters that it does not name have their defaults. Throws Error, with file
+/// The experiment that a file describes; parameters that it does not name stay as they are. Throws Error, with file
 /// and line, for what it names wrong, and as read_experiment() does.
-Experiment load_experiment(const std::filesystem::path& path);
+Experiment load_experiment(const std::filesystem::path& path, Experiment experiment = {});
 
 /// engine.adapter of a file; empty if it names none. Throws as read_experiment() does.
 std::string engine_in(const std::filesystem::path& path);

@@ -13,8 +13,8 @@ const shadow = [
   number('shadow-bias', 0.05, 'shadowBias: depth bias of casters, constant and by slope (not of point lights and pcss)',
          {min: 0, max: 1}),
   number('normal-offset-bias', 0,
-         'normalOffsetBias: shift of the receiver along its normal, times (1 - cos θ); times the '
-         + 'distance of spot and point lights', {min: 0, max: 1, unit: 'm'}),
+         'normalOffsetBias: shift of the receiver along its normal; with vsm and for point lights times (1 - cos θ) and, '
+         + 'of spot and point lights, the distance', {min: 0, max: 1, unit: 'm'}),
   number('shadow-distance', 40, 'shadowDistance: where the shadows of a sun end', {min: 1e-3, max: 1e6, unit: 'm'}),
   number('shadow-intensity', 1, 'shadowIntensity: how much of the light shadows take away', {min: 0, max: 1}),
   integer('num-cascades', 1, 'numCascades: number of cascades of a sun', {min: 1, max: 4}),

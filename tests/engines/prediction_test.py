@@ -58,7 +58,7 @@ def cross(a, b):
 
 def area(center, size, resolution):
     place = [flag for axis, value in zip("xyz", center) for flag in (f"--shadow.fit-{axis}", f"{value:.8g}")]
-    return [*place, "--shadow.fit-size", f"{size:.8g}", "--shadow.resolution", str(resolution)]
+    return ["--shadow.fit", "bounds", *place, "--shadow.fit-size", f"{size:.8g}", "--shadow.resolution", str(resolution)]
 
 
 def threejs(kind):
@@ -99,6 +99,15 @@ def playcanvas(kind):
     return setting
 
 
+def at_bias(setting, flag, bias, *ours):
+    """Varies the normal bias at one bias. `ours`: our parameters that the bias sets."""
+    def with_bias(scene):
+        flags, place, convert = setting(scene)
+        return ([*flags, f"--engine.{flag}", str(bias)], [*place, *(word for name in ours for word in (f"--{name}", convert(bias)))],
+                lambda metres: f"{metres:.6g}")
+    return with_bias
+
+
 sun_of_three = {"courtyard": [-0.0005, -0.001, 0, -0.00025, -0.002], "city": [0, -0.00005, -0.0001, -0.0002, -0.0005],
                 "room": [0.0005, 0, -0.0005, -0.001, -0.002]}
 unfiltered = {"courtyard": [0.001, 0.002, 0.0005, 0.0015, 0.004], "city": [0.0003, 0.0005, 0.0007, 0.001, 0.002],
@@ -107,9 +116,13 @@ filtered = dict.fromkeys(["courtyard", "city", "room"], [0.004, 0.008, 0.002, 0.
 sloped = dict.fromkeys(["courtyard", "city", "room"], [0.1, 0.2, 0.05, 0.15, 0.4])
 constant = "shadow.constant-bias"
 factor = "shadow.polygon-offset-factor"
+units = "shadow.polygon-offset-units"
+receiver = "shadow.normal-offset-metres"
+caster = "shadow.caster-offset-metres"
+normal = {"courtyard": [0.02, 0.05, 0, 0.01, 0.1], "city": [0.05, 0.1, 0, 0.02, 0.2], "room": [0.005, 0.01, 0, 0.002, 0.02]}
 cases = [
     Case("three.js, type basic", "threejs", "threejs-basic", "bias", constant, sun_of_three, threejs("basic")),
-    Case("three.js, type pcf", "threejs", "threejs-directional", "bias", constant, sun_of_three, threejs("pcf")),
+    Case("three.js, type pcf", "threejs", "threejs-pcf", "bias", constant, sun_of_three, threejs("pcf")),
     Case("Babylon.js, filter none, 32-bit map", "babylon", "babylon-none", "bias", constant, unfiltered,
          babylon(1.0, "--engine.use-float32-texture-type", "true")),
     # By default the map has 16-bit floats, which our formats are not: biases as small as their steps are off by more.
@@ -118,6 +131,12 @@ cases = [
          babylon(0.5, "--engine.filter", "pcf")),
     Case("PlayCanvas, pcf1-32f", "playcanvas", "playcanvas-pcf1", "shadow-bias", factor, sloped, playcanvas("pcf1-32f")),
     Case("PlayCanvas, pcf3-32f", "playcanvas", "playcanvas-pcf3", "shadow-bias", factor, sloped, playcanvas("pcf3-32f")),
+    Case("three.js, type basic, normalBias", "threejs", "threejs-basic", "normal-bias", receiver, normal,
+         at_bias(threejs("basic"), "bias", -0.00005, constant)),
+    Case("Babylon.js, filter pcf, high quality, normalBias", "babylon", "babylon-pcf", "normal-bias", caster, normal,
+         at_bias(babylon(0.5, "--engine.filter", "pcf"), "bias", 0.002, constant)),
+    Case("PlayCanvas, pcf1-32f, normalOffsetBias", "playcanvas", "playcanvas-pcf1", "normal-offset-bias", receiver, normal,
+         at_bias(playcanvas("pcf1-32f"), "shadow-bias", 0.05, factor, units)),
 ]
 
 
