@@ -11,6 +11,7 @@
 #include "techniques/shadow/histogram.h"
 #include "techniques/shadow/map_depth.h"
 #include "techniques/shadow/map_layout.h"
+#include "techniques/shadow/normal_offset.h"
 
 namespace umbrameter {
 
@@ -47,6 +48,8 @@ inline constexpr ShaderConstant shader_constants[] = {
     {"DEPTH_REVERSED_PERSPECTIVE", shared::DEPTH_REVERSED_PERSPECTIVE},
     {"BIAS_IN_TEXELS", static_cast<unsigned>(LengthUnit::texels)},
     {"BIAS_IN_MAP_DEPTH", static_cast<unsigned>(LengthUnit::map_depth)},
+    {"OFFSET_SINE", static_cast<unsigned>(OffsetProfile::sine)},
+    {"OFFSET_CONSTANT", static_cast<unsigned>(OffsetProfile::constant)},
     {"SURFACE_MIDPOINT", static_cast<unsigned>(StoredSurface::midpoint)},
     {"SURFACE_SECOND", static_cast<unsigned>(StoredSurface::second)},
     {"SURFACE_DUAL", static_cast<unsigned>(StoredSurface::dual)},

@@ -58,8 +58,7 @@ void main() {
     if (instances[id.x].first_normal != NO_ID) {
       dvec3 m = (1.0lf - weight.x - weight.y) * mesh_normal(id.x, v.x) + weight.x * mesh_normal(id.x, v.y) +
                 weight.y * mesh_normal(id.x, v.z);
-      // Normals transform with the cofactor matrix: the inverse transpose times the determinant.
-      dvec3 s = dvec3(dot(cross(r1.xyz, r2.xyz), m), dot(cross(r2.xyz, r0.xyz), m), dot(cross(r0.xyz, r1.xyz), m));
+      dvec3 s = world_from_normal(id.x, m);
       double s_length = length(s);
       if (s_length > 0.0lf) {
         s /= s_length;

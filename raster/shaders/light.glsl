@@ -10,6 +10,7 @@ layout(std140) uniform LightBlock {
   double nearest_view_depth;  // metres
   double cascade_blend;       // share of a cascade's extent
   double encoded_near;        // of the depth that the map stores, metres; 0: it is linear
+  double offset_metres;       // of the normal offset, besides normal_offset
   int resolution;
   float constant_bias;  // in bias_unit
   float slope_bias;
@@ -27,4 +28,6 @@ layout(std140) uniform LightBlock {
   int selects_by_depth;  // how a cascade is selected; 1: by view depth, 0: the first that contains the position
   int uses_neighbour;    // 1: looks up the view beside the selected one
   int is_stable;         // 1: vertices are drawn at whole 1/256 texels
+  int offset_profile;    // one of OFFSET_…
+  int offset_is_across;  // 1: only the part of the normal offset across the light
 };

@@ -18,6 +18,20 @@ dvec3 world_from_mesh(uint instance, dvec3 position) {
                dot(instances[instance].rows[2], p));
 }
 
+// A normal of the mesh in the world, neither unit nor turned for a mirrored instance: normals transform with the
+// cofactor matrix, the inverse transpose times the determinant.
+dvec3 world_from_normal(uint instance, dvec3 normal) {
+  dvec3 r0 = instances[instance].rows[0].xyz;
+  dvec3 r1 = instances[instance].rows[1].xyz;
+  dvec3 r2 = instances[instance].rows[2].xyz;
+  return dvec3(dot(cross(r1, r2), normal), dot(cross(r2, r0), normal), dot(cross(r0, r1), normal));
+}
+
+bool is_mirrored(uint instance) {
+  return dot(instances[instance].rows[0].xyz, cross(instances[instance].rows[1].xyz, instances[instance].rows[2].xyz)) <
+         0.0lf;
+}
+
 // Indices of the triangle's vertices, relative to the first vertex of the mesh.
 uvec3 vertices_of(uint instance, uint triangle) {
   return texelFetch(triangles, int(instances[instance].first_triangle + triangle)).xyz;

@@ -1,6 +1,12 @@
 // Lays a triangle on the faces of a perspective or cube map and hands its plane on, from which shadow.frag computes
 // the depth at the texel centre itself.
+#if MOVES_CASTERS
+#include "scene.glsl"
+#endif
 #include "light.glsl"
+#if MOVES_CASTERS
+#include "caster_offset.glsl"
+#endif
 layout(triangles) in;
 #if CUBE_PASSES
 layout(triangle_strip, max_vertices = 3) out;
@@ -28,9 +34,16 @@ uniform float near_depth;
 #endif
 
 void main() {
-  vec3 a = vertex_in_light[0];
-  vec3 b = vertex_in_light[1];
-  vec3 c = vertex_in_light[2];
+  vec3 corners[3] = vec3[3](vertex_in_light[0], vertex_in_light[1], vertex_in_light[2]);
+#if MOVES_CASTERS
+  vec3 moved[3];
+  // All faces of a cube have texels of one size.
+  for (uint i = 0u; i < 3u; ++i) moved[i] = vec3(moved_caster(vertex_instance[i], i, corners, 0));
+  corners = moved;
+#endif
+  vec3 a = corners[0];
+  vec3 b = corners[1];
+  vec3 c = corners[2];
   vec3 normal = cross(b - a, c - a);
   float normal_length = length(normal);
   if (!(normal_length > 0.0)) return;
@@ -56,7 +69,7 @@ void main() {
   for (int f = first_face; f < end_face; ++f) {
     vec4 clip[3];
     for (int i = 0; i < 3; ++i) {
-      vec3 p = vertex_in_light[i];
+      vec3 p = corners[i];
 #if MAP_KIND == MAP_CUBE
       p = vec3(dot(vec3(face_basis[3 * f].xyz), p), dot(vec3(face_basis[3 * f + 1].xyz), p),
                -dot(vec3(face_basis[3 * f + 2].xyz), p));

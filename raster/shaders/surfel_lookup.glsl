@@ -1,5 +1,6 @@
 // Projects a surfel of the G-buffer to the light's map.
 #include "light_map.glsl"
+#include "normal_offset.glsl"
 uniform usampler2D ids;
 uniform sampler2D position_depth;
 uniform sampler2D geometric_normal;
@@ -32,10 +33,14 @@ Lookup look_up(ivec2 pixel) {
   precise double sine = length_of(cross_of(normal, to_light));
   float texel = texel_at(result.receiver);
   result.slope = texel * float(sine / cosine);
-  if (normal_offset != 0.0) {
-    // Factor · texel size · sin θ (D. Holbert, Saying "Goodbye" to Shadow Acne, GDC 2011).
-    precise double shift = double(normal_offset) * double(texel) * (sine / length_of(to_light));
-    precise dvec3 moved = position + normal * shift;
+  if (normal_offset != 0.0 || offset_metres != 0.0lf) {
+    // With the profile sin θ: D. Holbert, Saying "Goodbye" to Shadow Acne, GDC 2011.
+    precise double distance = length_of(to_light);
+    precise double shift = (double(normal_offset) * double(texel) + offset_metres) *
+                           offset_scale(offset_profile, sine / distance, cosine / distance);
+    precise dvec3 direction = normal;
+    if (offset_is_across != 0) direction -= to_light * (cosine / (distance * distance));
+    precise dvec3 moved = position + direction * shift;
     result.receiver = project_to_map(moved, dither_at(pixel));
   }
   result.bias_unit = bias_unit_of(result.receiver, texel);

@@ -19,6 +19,7 @@ struct LightBlock {
   double nearest_view_depth = 0.0;
   double cascade_blend = 0.0;
   double encoded_near = 0.0;
+  double offset_metres = 0.0;
   int resolution = 1;
   float constant_bias = 0.0f;
   float slope_bias = 0.0f;
@@ -36,7 +37,9 @@ struct LightBlock {
   int selects_by_depth = 0;
   int uses_neighbour = 0;
   int is_stable = 0;
-  int unused[7] = {};
+  int offset_profile = 0;
+  int offset_is_across = 0;
+  int unused[3] = {};
 };
 static_assert(sizeof(LightBlock) == 1152);
 

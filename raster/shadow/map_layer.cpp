@@ -29,20 +29,29 @@ DrawnFor use_of(CasterFaces faces) {
 MakePass pass_maker(const MapSource& source, const MapLayer& layer) {
   const bool has_plane = is_projective(source.layout.kind);
   const bool has_passes = source.layout.kind == MapKind::cube && source.params.cube_passes;
-  gl::ProgramSource program{{"shadow.vert", "shadow.frag"},
-                            map_defines(source.layout) + define("DEPTH_MAPPING", static_cast<unsigned>(layer.mapping)) +
-                                define("HAS_PLANE", has_plane ? 1 : 0) + define("CUBE_PASSES", has_passes ? 1 : 0) +
-                                define("PEELS", layer.in_front != nullptr ? 1 : 0) +
-                                define("HAS_OFFSET", has_plane && has_polygon_offset(source.params) ? 1 : 0) +
-                                define("IS_FLOAT", layer.format == MapDepthFormat::f32 ? 1 : 0)};
-  if (has_plane) program.files.insert(program.files.begin() + 1, "shadow.geom");
+  const NormalOffset& offset = source.params.caster_offset;
+  const bool moves_casters = !is_none(offset);
+  gl::ProgramSource program{
+      {"shadow.vert", "shadow.frag"},
+      map_defines(source.layout) + define("DEPTH_MAPPING", static_cast<unsigned>(layer.mapping)) +
+          define("HAS_PLANE", has_plane ? 1 : 0) + define("MOVES_CASTERS", moves_casters ? 1 : 0) +
+          define("CUBE_PASSES", has_passes ? 1 : 0) + define("PEELS", layer.in_front != nullptr ? 1 : 0) +
+          define("HAS_OFFSET", has_plane && has_polygon_offset(source.params) ? 1 : 0) +
+          define("IS_FLOAT", layer.format == MapDepthFormat::f32 ? 1 : 0)};
+  if (has_plane || moves_casters) {
+    program.files.insert(program.files.begin() + 1, has_plane ? "shadow.geom" : "moved_shadow.geom");
+  }
   const double sign = is_reversed(layer.mapping) ? -1.0 : 1.0;
   const bool needs_unit = has_plane && source.params.polygon_offset_units != 0.0;
   const double unit = needs_unit ? measure_offset_unit(source.context, layer.format) : 0.0;
-  return [&source, &layer, program, sign, unit, block = make_light_block(source.light, source.layout)](bool is_masked) {
+  return [&source, &layer, &offset, program, sign, unit,
+          block = make_light_block(source.light, source.layout)](bool is_masked) {
     gl::Pass pass(source.context, {program.files, program.defines + define("ALPHA_MASK", is_masked ? 1 : 0)});
     pass.block("LightBlock", block)
         .value("near_depth", static_cast<float>(source.params.near_depth))
+        .value("caster_texels", static_cast<float>(offset.texels))
+        .value("caster_metres", static_cast<float>(offset.metres))
+        .value("caster_profile", static_cast<int>(offset.profile))
         .value("offset_factor", static_cast<float>(sign * source.params.polygon_offset_factor))
         .value("offset_units", static_cast<float>(sign * unit * source.params.polygon_offset_units));
     if (layer.in_front != nullptr) pass.texture("in_front", *layer.in_front);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -226,8 +227,13 @@ MapLayout fit_area(MapLayout layout, const ShadowMapParams& params, const SeenPa
   layout.blend = fit.blend;
   layout.views = {whole};
   if (!(range.nearest <= range.farthest)) return layout;
-  fit_views(layout, Fitter(layout, seen, fit.cascade_fit),
-            split_depths(range.nearest, range.farthest, params.cascades, fit.split_lambda), fit.fit);
+  std::vector<double> splits = split_depths(range.nearest, range.farthest, params.cascades, fit.split_lambda);
+  if (!fit.splits.empty()) {
+    const std::vector<double> shares = parse_splits(fit.splits, params.cascades);
+    std::ranges::transform(shares, splits.begin(),
+                           [&](double share) { return range.nearest + share * (range.farthest - range.nearest); });
+  }
+  fit_views(layout, Fitter(layout, seen, fit.cascade_fit), splits, fit.fit);
   if (fit.fit == MapFit::view && is_by_camera) layout.views.back().farthest = range.farthest;
   return layout;
 }
@@ -238,6 +244,9 @@ Parameters describe(MapFitParams& params) {
   return Description("shadow")
       .field("split-lambda", params.split_lambda,
              {.unit = "1", .meaning = "splits of the cascades: 1 logarithmic, 0 uniform", .min = 0, .max = 1})
+      .field(
+          "splits", params.splits,
+          {.unit = {}, .meaning = "ends of the first cascades as shares of the range, '0.1,0.2,0.5'; empty: by lambda"})
       .choice(
           "split-range", params.split_range, split_range_names,
           {.unit = {}, .meaning = "depths that the cascades divide: those seen, or near plane to shadow.max-distance"})
@@ -294,6 +303,25 @@ std::vector<double> split_depths(double nearest, double farthest, int count, dou
     splits.push_back(lambda * logarithmic + (1.0 - lambda) * uniform);
   }
   return splits;
+}
+
+std::vector<double> parse_splits(const std::string& text, int count) {
+  std::vector<double> shares;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  bool is_fine = true;
+  while (is_fine && at != end) {
+    double share = 0.0;
+    const auto [next, error] = std::from_chars(at, end, share);
+    is_fine = error == std::errc{} && (next == end || (*next == ',' && next + 1 != end));
+    at = is_fine && next != end ? next + 1 : next;
+    is_fine = is_fine && share > (shares.empty() ? 0.0 : shares.back()) && share < 1.0;
+    shares.push_back(share);
+  }
+  if (is_fine && static_cast<int>(shares.size()) == count - 1) return shares;
+  throw Error(ExitCode::usage, "shadow.splits",
+              "'" + text + "' does not divide a range among " + std::to_string(count) + " cascades",
+              "expected " + std::to_string(count - 1) + " rising numbers between 0 and 1, such as 0.1,0.2,0.5 for 4");
 }
 
 MapLayout fit_map(const Light& light, const MappedBounds& bounds, const ShadowMapParams& params, const SeenPart& seen,

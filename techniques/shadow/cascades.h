@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/gbuffer.h"
@@ -28,6 +29,7 @@ enum class CascadeFit : int { tight, stable };
 /// The shadow.* parameters of how a directional light's map is fitted. Other lights ignore them.
 struct MapFitParams {
   double split_lambda = 0.5;
+  std::string splits;  ///< as parse_splits() reads it; empty: by split_lambda
   SplitRange split_range = SplitRange::seen;
   double max_distance = 100.0;
   MapFit fit = MapFit::scene;
@@ -50,6 +52,10 @@ void require_sense(const ShadowMapParams& map, const MapFitParams& fit, std::spa
 /// split scheme. (F. Zhang, H. Sun, L. Xu and L. K. Lun, Parallel-Split Shadow Maps for Large-Scale Virtual
 /// Environments, VRCIA 2006.) nearest and farthest are above 0.
 std::vector<double> split_depths(double nearest, double farthest, int count, double lambda = 0.5);
+
+/// Far ends of all ranges but the last, as shares of the whole range: "0.1,0.2,0.5". Throws Error (usage) unless there
+/// are `count` − 1 rising numbers between 0 and 1.
+std::vector<double> parse_splits(const std::string& text, int count);
 
 /// What a map is fitted to: its area to the scene. The ground, a flat box or an empty one, only extends the range of
 /// depths: light that passes the scene casts no shadow on it.
@@ -82,7 +88,7 @@ struct SeenPart {
 ///
 /// With pancaking, depth starts near_offset before the nearest surfel, but not before the scene. Casters in front of it
 /// are stored at depth 0. They keep shadowing a surfel while the bias is less than its depth.
-/// Throws Error (usage) if the range of the splits is empty.
+/// Throws Error (usage) if the range of the splits is empty, and what parse_splits() throws.
 MapLayout fit_map(const Light& light, const MappedBounds& bounds, const ShadowMapParams& params, const SeenPart& seen,
                   const MapFitParams& fit = {});
 

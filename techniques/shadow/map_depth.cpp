@@ -53,6 +53,12 @@ Parameters describe(MapDepthParams& params) {
              {.unit = "1", .meaning = "hardware polygon offset: times the depth's slope per texel"})
       .field("polygon-offset-units", params.polygon_offset_units,
              {.unit = "units", .meaning = "hardware polygon offset: times the smallest step of the format"})
+      .field("caster-offset", params.caster_offset.texels,
+             {.unit = "texels", .meaning = "moves the vertices of casters against their normals, times the profile"})
+      .field("caster-offset-metres", params.caster_offset.metres,
+             {.unit = "m", .meaning = "the same in metres; added to that in texels"})
+      .choice("caster-offset-profile", params.caster_offset.profile, offset_profile_names,
+              {.unit = {}, .meaning = "factor of the casters' offset: sin θ, 1 or 1 − cos θ"})
       .choice("point-map", params.point_map, point_map_names,
               {.unit = {}, .meaning = "map of a point light: six cube faces or two paraboloids"})
       .field("cube-passes", params.cube_passes,

@@ -5,6 +5,7 @@
 #include "core/math.h"
 #include "core/parameters.h"
 #include "techniques/shadow/map_layout.h"
+#include "techniques/shadow/normal_offset.h"
 
 namespace umbrameter {
 namespace shared {
@@ -49,6 +50,7 @@ struct MapDepthParams {
   double dual_offset = 0.02;           ///< metres
   double polygon_offset_factor = 0.0;  ///< times the largest slope of the stored depth per texel
   double polygon_offset_units = 0.0;   ///< times the format's unit
+  NormalOffset caster_offset;
   PointMap point_map = PointMap::cube;
   bool cube_passes = false;
 };

@@ -11,6 +11,7 @@ namespace {
 constexpr std::array<std::string_view, 9> shadow_filter_names{
     "nearest", "bilinear", "box", "tent", "gaussian", "poisson", "vogel", "optimized", "area-tent"};
 constexpr std::array<std::string_view, 2> filter_taps_names{"nearest", "linear"};
+constexpr std::array<std::string_view, 2> offset_direction_names{"normal", "across"};
 constexpr std::array<std::string_view, 3> disk_rotation_names{"random", "fixed", "gradient"};
 
 }  // namespace
@@ -33,8 +34,14 @@ Parameters describe(BiasParams& params) {
               .units = {.texels = true, .map_depth = true},
               .basic = true})
       .field("slope-bias", params.slope, {.unit = "texels", .meaning = "slope-scaled bias, times tan θ", .basic = true})
-      .field("normal-offset", params.normal_offset,
-             {.unit = "texels", .meaning = "normal offset, times sin θ", .basic = true})
+      .field("normal-offset", params.normal_offset.texels,
+             {.unit = "texels", .meaning = "normal offset, times its profile", .basic = true})
+      .field("normal-offset-metres", params.normal_offset.metres,
+             {.unit = "m", .meaning = "normal offset, times its profile; added to that in texels"})
+      .choice("normal-offset-profile", params.normal_offset.profile, offset_profile_names,
+              {.unit = {}, .meaning = "factor of the normal offset: sin θ, 1 or 1 − cos θ"})
+      .choice("normal-offset-direction", params.offset_direction, offset_direction_names,
+              {.unit = {}, .meaning = "normal offset along the normal, or only its part across the light"})
       .field("receiver-plane", params.receiver_plane,
              {.unit = {}, .meaning = "compare each tap with the depth of the receiver's plane at the tap"})
       .field("cone-bias", params.cone,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/parameters.h"
+#include "techniques/shadow/normal_offset.h"
 
 namespace umbrameter {
 
@@ -17,6 +18,9 @@ struct ShadowMapParams {
 };
 Parameters describe(ShadowMapParams& params);
 
+/// normal: along the normal; across: only the part of that which is perpendicular to the direction to the light.
+enum class OffsetDirection : int { normal, across };
+
 /// A tap is lit if and only if constant ≥ β − slope · m, where β = receiver depth − stored depth is the critical bias
 /// and m = texel size at the receiver · tan θ; all in metres. A constant bias in texels is multiplied by the texel size
 /// at the receiver. One in the map's depth is compared in that depth: metres_per_map_depth() of it at the receiver.
@@ -25,7 +29,8 @@ Parameters describe(ShadowMapParams& params);
 struct BiasParams {
   Length constant{1.5, LengthUnit::texels};
   double slope = 0.0;
-  double normal_offset = 0.0;
+  NormalOffset normal_offset;
+  OffsetDirection offset_direction = OffsetDirection::normal;
   bool receiver_plane = false;
   double cone = 0.0;
 };

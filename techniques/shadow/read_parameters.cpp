@@ -18,7 +18,7 @@ Parameters read_by_fit(MapFitParams& params, int cascades) {
   };
   if (params.pancaking) add({"shadow.near-offset"});
   if (params.fit == MapFit::bounds) add({"shadow.fit-x", "shadow.fit-y", "shadow.fit-z", "shadow.fit-size"});
-  if (cascades > 1) add({"shadow.split-lambda", "shadow.cascade-blend"});
+  if (cascades > 1) add({"shadow.split-lambda", "shadow.splits", "shadow.cascade-blend"});
   if (cascades > 1 || params.fit != MapFit::scene) add({"shadow.cascade-fit"});
   if (cascades > 1 || params.fit == MapFit::view) {
     add({"shadow.split-range", "shadow.cascade-selection"});
@@ -33,7 +33,9 @@ Parameters read_by_technique(ShadowParams& params) {
   if constexpr (FiltersMap<T>) {
     return concatenate(
         {read_parameters(params.map_depth),
-         select(describe(params.bias), {"shadow.constant-bias", "shadow.slope-bias", "shadow.normal-offset"}),
+         select(describe(params.bias),
+                {"shadow.constant-bias", "shadow.slope-bias", "shadow.normal-offset", "shadow.normal-offset-metres",
+                 "shadow.normal-offset-profile", "shadow.normal-offset-direction"}),
          T::map_parameters(params), T::lookup_parameters(params)});
   } else {
     return T::reads(params);

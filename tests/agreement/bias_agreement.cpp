@@ -102,7 +102,7 @@ Agreement compare_ways(const gl::Context& context, const Scene& scene, const Vie
       const bool is_judged = static_cast<std::size_t>(&filter - grid.filters.data()) < grid.judged_filters;
       for (const double normal_offset : grid.normal_offsets) {
         ShadowParams params = filter.params;
-        params.bias.normal_offset = normal_offset;
+        params.bias.normal_offset.texels = normal_offset;
         ShadowLookup lookup{uploaded, surfels, map, light, params.bias, make_technique(params), &truth};
         const BiasHistogram drawn = draw_bias_response(context, lookup, grid.axes);
         const FilterKernel kernel = make_filter(params.pcf);

@@ -50,6 +50,16 @@ TEST_F(BiasResponseGl, A_normal_offset_and_slopes_below_zero_agree_too) {
   BiasGrid grid{{{0.0f, 0.05f}, {-0.5f, 0.5f, 0.0f}}, {64, 130}, {all[1], all[2]}, {0.7}};
   grid.judged_filters = 1;
   for (const Light& light : lights_) expect_agreement(light, grid);
+  grid.resolutions = {130};
+  BiasParams& bias = grid.filters[0].params.bias;
+  bias.normal_offset.metres = 0.03;
+  for (const OffsetProfile profile : {OffsetProfile::constant, OffsetProfile::one_minus_cosine}) {
+    for (const OffsetDirection direction : {OffsetDirection::normal, OffsetDirection::across}) {
+      bias.normal_offset.profile = profile;
+      bias.offset_direction = direction;
+      for (const Light& light : lights_) expect_agreement(light, grid);
+    }
+  }
 }
 
 TEST_F(BiasResponseGl, Biases_in_texels_agree_too_under_every_kind_of_light) {
@@ -90,7 +100,8 @@ TEST_F(BiasResponseGl, Maps_with_other_depths_agree_too) {
                                        set([](MapDepthParams& p) { p.surface = StoredSurface::midpoint; }),
                                        set([](MapDepthParams& p) { p.surface = StoredSurface::second; }),
                                        set([](MapDepthParams& p) { p.surface = StoredSurface::dual; }),
-                                       set([](MapDepthParams& p) { p.polygon_offset_factor = -1.0; })}) {
+                                       set([](MapDepthParams& p) { p.polygon_offset_factor = -1.0; }),
+                                       set([](MapDepthParams& p) { p.caster_offset.texels = 1.5; })}) {
     grid.map_depth = params;
     for (const Light& light : lights_) expect_agreement(light, grid);
   }

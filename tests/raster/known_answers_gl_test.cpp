@@ -239,7 +239,7 @@ TEST_F(KnownAnswersGl, A_normal_offset_shortens_a_shadow_by_its_length_times_tan
       ShadowParams params;
       params.bias.constant = 0.02;
       params.bias.slope = 0.75;  // frees the ground of acne; the wall's top is far above it
-      params.bias.normal_offset = offset;
+      params.bias.normal_offset.texels = offset;
       const Image<float> found =
           draw_visibility(context(), {uploaded, surfels, map, light_of(layout), params.bias, make_technique(params)})
               .visibility;

@@ -47,6 +47,15 @@ TEST(Cascades, Splits_lie_halfway_between_uniform_and_logarithmic) {
   EXPECT_NEAR(splits[1], 100.0, 1e-9);
 }
 
+TEST(Cascades, Splits_can_be_given_as_rising_shares_of_the_range) {
+  EXPECT_EQ(parse_splits("0.1,0.2,0.5", 4), (std::vector<double>{0.1, 0.2, 0.5}));
+  EXPECT_EQ(parse_splits("0.25", 2), std::vector<double>{0.25});
+  for (const char* text : {"0.1,0.2", "0.2,0.1,0.5", "0.1,0.2,1", "0.1,0.2,0.5,", "0.1;0.2;0.5", "0,0.2,0.5",
+                           "nan,0.2,0.5", "0.1, 0.2,0.5", "0.1,,0.5"}) {
+    EXPECT_THROW(parse_splits(text, 4), Error) << text;
+  }
+}
+
 TEST(Cascades, Lambda_mixes_uniform_and_logarithmic_splits) {
   // Of 1 to 81 in four: 3, 9, 27, 81 and 21, 41, 61, 81. A quarter of the one and three quarters of the other.
   const double logarithmic[] = {3, 9, 27, 81};
@@ -199,6 +208,19 @@ TEST(Cascades, Selected_by_depth_a_cascade_serves_its_own_range_and_holds_no_mor
     // In front of the camera's plane but far to its side the same cascade serves, though it does not hold the place.
     EXPECT_EQ(project_to_map(layout, {80, 0, -depth}).view, static_cast<int>(expected)) << depth;
   }
+}
+
+TEST(Cascades, Given_splits_end_the_cascades) {
+  MapFitParams fit;
+  fit.selection = CascadeSelection::depth;
+  fit.fit = MapFit::view;
+  fit.splits = "0.2,0.5";
+  const MapLayout layout = fit_map(sun(), scene_bounds(), {512, 3}, {row_of_surfels(), camera_at()}, fit);
+  // Of 1 to 100 m: 20.8 and 50.5.
+  for (const auto& [depth, view] : {std::pair{20, 0}, {21, 1}, {50, 1}, {51, 2}}) {
+    EXPECT_EQ(project_to_map(layout, {0, 0, -depth}).view, view) << depth;
+  }
+  EXPECT_THROW(fit_map(sun(), scene_bounds(), {512, 4}, {row_of_surfels(), camera_at()}, fit), Error);
 }
 
 TEST(Cascades, What_is_beyond_the_farthest_distance_is_outside_the_map) {

@@ -271,9 +271,17 @@ SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel) {
   const double sine = length_of(cross_of(normal, to_light));
   const float texel = texel_side(lookup.layout, result.receiver);
   result.slope = texel * static_cast<float>(sine / cosine);
-  if (const auto offset = static_cast<float>(lookup.bias.normal_offset); offset != 0.0f) {
-    const double shift = static_cast<double>(offset) * static_cast<double>(texel) * (sine / length_of(to_light));
-    result.receiver = project_to_map(lookup.layout, position + normal * shift, dither);
+  if (const NormalOffset& offset = lookup.bias.normal_offset; !is_none(offset)) {
+    const double distance = length_of(to_light);
+    const double scale = offset.profile == OffsetProfile::sine       ? sine / distance
+                         : offset.profile == OffsetProfile::constant ? 1.0
+                                                                     : 1.0 - std::max(cosine / distance, 0.0);
+    const double texels = static_cast<float>(offset.texels);
+    dvec3 direction = normal;
+    if (lookup.bias.offset_direction == OffsetDirection::across)
+      direction -= to_light * (cosine / (distance * distance));
+    const dvec3 moved = position + direction * ((texels * static_cast<double>(texel) + offset.metres) * scale);
+    result.receiver = project_to_map(lookup.layout, moved, dither);
   }
   result.bias_unit = bias_unit_of(lookup, result.receiver, texel);
   result.receiver.plane = transform_vector(lookup.layout.light_from_world, normal);

@@ -1,0 +1,25 @@
+// Normal offsets: receivers move outwards along their normals before the look-up, casters inwards when the map is
+// drawn.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace umbrameter {
+
+/// What a normal offset is multiplied by; θ is the angle between the normal and the direction to the light.
+/// sine: sin θ, constant: 1, one_minus_cosine: 1 − max(cos θ, 0).
+enum class OffsetProfile : int { sine, constant, one_minus_cosine };
+
+inline constexpr std::array<std::string_view, 3> offset_profile_names{"sine", "constant", "one-minus-cosine"};
+
+/// (texels · texel size + metres) · profile, in metres.
+struct NormalOffset {
+  double texels = 0.0;
+  double metres = 0.0;
+  OffsetProfile profile = OffsetProfile::sine;
+};
+
+inline bool is_none(const NormalOffset& offset) { return offset.texels == 0.0 && offset.metres == 0.0; }
+
+}  // namespace umbrameter
