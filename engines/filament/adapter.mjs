@@ -10,7 +10,7 @@ await serve({
   packages: ['filament'],
   imports: {},
   module: 'engine.mjs',
-  outputs: ['lit', 'unshadowed', 'occluded', 'open', 'position'],
+  outputs: ['lit', 'unshadowed', 'position'],
   constant: ['position'],
   parameters,
 });

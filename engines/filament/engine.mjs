@@ -5,8 +5,6 @@ import {whiten} from './materials.mjs';
 import {load_filament} from './package_loader.mjs';
 import {ReadBack} from './read_back.mjs';
 
-const white = 1;
-const dark = 0.02;  // for ambient occlusion: light that bounces between white walls would brighten it
 const usage = {color: 1, depth: 2, sampled: 16};  // TextureUsage, which the package's script does not name
 
 // Positions from depth, which Filament reverses: a perspective camera has its far plane at infinity.
@@ -75,8 +73,8 @@ class Engine {
     this.view.setViewport([0, 0, width, height]);
   }
 
-  async load_asset(bytes, gray) {
-    const asset = this.loader.createAsset(whiten(bytes, gray));
+  async load_asset(bytes) {
+    const asset = this.loader.createAsset(whiten(bytes));
     if (!asset) throw new Error('Filament cannot read the scene');
     await new Promise((resolve) => { asset.loadResources(resolve, null, null, 1); });
     const scene = this.engine.createScene();
@@ -87,15 +85,12 @@ class Engine {
   async load({camera, light, bounds, width, height}) {
     const limit = this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE);
     if (Math.max(width, height) > limit) throw new Error(`an image may have at most ${limit} x ${limit} pixels here`);
-    for (const {asset, scene} of this.loaded ?? []) {
-      this.engine.destroyScene(scene);
-      this.loader.destroyAsset(asset);
+    if (this.loaded) {
+      this.engine.destroyScene(this.loaded.scene);
+      this.loader.destroyAsset(this.loaded.asset);
+      this.loaded = undefined;
     }
-    this.loaded = [];
-    const bytes = new Uint8Array(await (await fetch('/scene.glb')).arrayBuffer());
-    for (const gray of [white, dark]) this.loaded.push(await this.load_asset(bytes, gray));
-    const irradiance = this.filament.IndirectLight.Builder().irradianceSh(1, [1, 1, 1]).intensity(1).build(this.engine);
-    this.loaded[1].scene.setIndirectLight(irradiance);
+    this.loaded = await this.load_asset(new Uint8Array(await (await fetch('/scene.glb')).arrayBuffer()));
     Object.assign(this, {light, bounds, width, height, request_camera: camera});
     this.set_camera(camera, width / height);
     this.set_target(width, height);
@@ -113,7 +108,7 @@ class Engine {
   }
 
   shadows(values) {
-    const {filament, engine, loaded: [{scene}]} = this;
+    const {filament, engine, loaded: {scene}} = this;
     const entity = make_light(filament, engine, this.light, this.bounds, values);
     scene.addEntity(entity);
     try {
@@ -129,37 +124,16 @@ class Engine {
     }
   }
 
-  occlusion(values) {
-    const {filament, loaded: [, {scene}]} = this;
-    const quality = (name) => filament.View$QualityLevel[values[name].toUpperCase()];
-    const set = (enabled) => this.view.setAmbientOcclusionOptions({
-      enabled, radius: values['ao-radius'], power: values['ao-power'], bias: values['ao-bias'],
-      resolution: values['ao-resolution'] === 'full' ? 1 : 0.5, intensity: values['ao-intensity'],
-      bilateralThreshold: values['ao-bilateral-threshold'], quality: quality('ao-quality'),
-      lowPassFilter: quality('ao-low-pass-filter'), upsampling: quality('ao-upsampling'),
-      minHorizonAngleRad: values['ao-min-horizon-angle']});
-    try {
-      set(true);
-      const occluded = this.draw(scene);
-      set(false);
-      return {occluded, open: this.draw(scene)};
-    } finally {
-      set(false);
-    }
-  }
-
   async render(outputs, values) {
     const images = {};
     let milliseconds = 0;
-    const keep = (pair) => {
-      for (const [name, frame] of Object.entries(pair)) images[name] = {channels: 3, pixels: rgb_of(frame.pixels)};
-      milliseconds += Object.values(pair)[0].milliseconds;
-    };
-    const wants = (...names) => names.some((name) => outputs.includes(name));
-    if (wants('occluded', 'open')) keep(this.occlusion(values));
-    if (wants('lit', 'unshadowed')) keep(this.shadows(values));
-    if (wants('position')) {
-      if (milliseconds === 0) milliseconds = this.draw(this.loaded[0].scene).milliseconds;
+    if (outputs.includes('lit') || outputs.includes('unshadowed')) {
+      const frames = this.shadows(values);
+      for (const [name, {pixels}] of Object.entries(frames)) images[name] = {channels: 3, pixels: rgb_of(pixels)};
+      milliseconds = frames.lit.milliseconds;
+    }
+    if (outputs.includes('position')) {
+      if (milliseconds === 0) milliseconds = this.draw(this.loaded.scene).milliseconds;
       const depth = this.read_back.depth(this.depth, this.width, this.height);
       images.position = {channels: 3, pixels: positions_of(depth, this.request_camera, this.width, this.height)};
     }

@@ -20,19 +20,19 @@ function write(json, rest) {
 }
 
 // Matte, with its sides; a mask keeps the texture of its alpha. Blended materials are opaque.
-function matte(material, gray) {
+function matte(material) {
   const {doubleSided, alphaMode, alphaCutoff, pbrMetallicRoughness: {baseColorFactor, baseColorTexture} = {}} = material;
-  const pbr = {metallicFactor: 0, roughnessFactor: 1, baseColorFactor: [gray, gray, gray, 1]};
+  const pbr = {metallicFactor: 0, roughnessFactor: 1, baseColorFactor: [1, 1, 1, 1]};
   if (alphaMode !== 'MASK') return {doubleSided, pbrMetallicRoughness: pbr};
   pbr.baseColorFactor[3] = baseColorFactor?.[3] ?? 1;
   return {doubleSided, alphaMode, alphaCutoff, pbrMetallicRoughness: {...pbr, baseColorTexture}};
 }
 
-/** The file without its lights, its cameras and its colours; `gray` is the colour of its materials. */
-export function whiten(bytes, gray) {
+/** The file without its lights, its cameras and its colours. */
+export function whiten(bytes) {
   const {json, rest} = parse(bytes);
-  json.materials = (json.materials ?? []).map((material) => matte(material, gray));
-  json.materials.push(matte({}, gray));
+  json.materials = (json.materials ?? []).map((material) => matte(material));
+  json.materials.push(matte({}));
   for (const {primitives} of json.meshes ?? []) {
     for (const primitive of primitives) primitive.material ??= json.materials.length - 1;
   }

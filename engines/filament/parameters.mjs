@@ -1,7 +1,6 @@
-// What the bindings of Filament's npm package let one set of its shadows and its ambient occlusion, under its own names.
-import {boolean, choice, integer, number, what} from '../browser/parameters.mjs';
+// What the bindings of Filament's npm package let one set of its shadows, under its own names.
+import {boolean, integer, number, what} from '../browser/parameters.mjs';
 
-const qualities = ['low', 'medium', 'high', 'ultra'];
 const meters = {min: 0, max: 1e6, unit: 'm'};
 
 const shadow = [
@@ -21,18 +20,4 @@ const shadow = [
          meters),
 ];
 
-const ao = [
-  number('ao-radius', 0.3, 'radius of the occluders', {min: 1e-4, max: 1e6, unit: 'm'}),
-  number('ao-power', 1, 'power of the result', {min: 0.01, max: 100}),
-  number('ao-bias', 0.0005, 'bias against self-occlusion', {min: 0, max: 100, unit: 'm'}),
-  choice('ao-resolution', 'half', ['half', 'full'], 'resolution of its image'),
-  number('ao-intensity', 1, 'intensity of the occlusion', {min: 0, max: 100}),
-  number('ao-bilateral-threshold', 0.05, 'bilateralThreshold: depth distance across which the result is not blurred', meters),
-  choice('ao-quality', 'low', qualities, 'quality: number of samples'),
-  choice('ao-low-pass-filter', 'medium', qualities, 'lowPassFilter: width of the blur'),
-  choice('ao-upsampling', 'low', qualities, 'upsampling to the full resolution'),
-  number('ao-min-horizon-angle', 0, 'minHorizonAngleRad: angle below which occluders do not count',
-         {min: 0, max: 0.7853, unit: 'rad'}),
-];
-
-export const parameters = [...what('shadow', shadow), ...what('ao', ao)];
+export const parameters = what('shadow', shadow);
