@@ -17,6 +17,8 @@ const cases = {
   threejs: {name: 'three.js', bias: ['bias', 0, -0.2], choice: 'type'},
   babylon: {name: 'Babylon.js', bias: ['bias', 0.01, 0.3], choice: 'filter'},
   playcanvas: {name: 'PlayCanvas', bias: ['shadow-intensity', 1, 0.5], choice: 'shadow-type'},
+  filament: {name: 'Filament', bias: ['constant-bias', 0.001, 2], choice: 'stable',
+             shadow: ['lit', 'unshadowed'], has_more: false},
 };
 
 function skip(why) {
@@ -104,6 +106,15 @@ function read_pfm(name) {
   return {width, height, channels, at, bytes: bytes.subarray(start)};
 }
 
+// The image of an output, or the quotient of two, each of whose channels are equal.
+function share_of(files, outputs) {
+  const [first, second] = outputs.map((output) => read_pfm(files[output]));
+  if (second === undefined) return first;
+  assert.deepEqual([first.channels, second.channels], [3, 3]);
+  const at = (x, y) => [second.at(x, y)[0] > 0 ? first.at(x, y)[0] / second.at(x, y)[0] : 0];
+  return {...first, channels: 1, at};
+}
+
 // Processes below one, by Linux's /proc; empty elsewhere.
 function descendants(root) {
   if (!existsSync('/proc/self/stat')) return [];
@@ -161,7 +172,7 @@ function check_images(position, visibility) {
 
 const timeout = 240_000;
 for (const engine of ready) {
-  const {name, bias: [bias, ...biases], choice} = cases[engine];
+  const {name, bias: [bias, ...biases], choice, shadow = ['visibility'], has_more = true} = cases[engine];
 
   test(`${name}: describes itself, and draws what it is asked for`, {timeout}, async () => {
     const adapter = new Adapter(engine);
@@ -182,11 +193,11 @@ for (const engine of ready) {
     await adapter.load();
     const defaults = Object.fromEntries(described.parameters.map((each) => [each.name, each.default]));
     const values = [biases[0], biases[1], biases[0]].map((value) => ({...defaults, [bias]: value}));
-    const {frames: drawn} = await adapter.good('render', {outputs: ['visibility', 'position'], frames: values});
+    const {frames: drawn} = await adapter.good('render', {outputs: [...shadow, 'position'], frames: values});
     assert.equal(drawn.length, 3);
     const images = drawn.map(({files, milliseconds}) => {
       assert.ok(milliseconds > 0);
-      return {visibility: read_pfm(files.visibility), position: read_pfm(files.position)};
+      return {visibility: share_of(files, shadow), position: read_pfm(files.position)};
     });
     for (const {visibility, position} of images) {
       assert.deepEqual([visibility.width, visibility.height, visibility.channels], [160, 120, 1]);
@@ -196,22 +207,24 @@ for (const engine of ready) {
     assert.notDeepEqual(images[1].visibility.bytes, images[0].visibility.bytes, `${bias} changes nothing`);
     assert.deepEqual(images[2].visibility.bytes, images[0].visibility.bytes, 'a frame depends on the one before');
 
-    const outputs = ['ao', 'normal', 'position'];
-    const {frames: [ambient]} = await adapter.good('render', {outputs, frames: [defaults]});
-    const [ao, normal, position] = outputs.map((output) => read_pfm(ambient.files[output]));
-    for (let y = 0; y < 120; ++y) {
-      for (let x = 0; x < 160; ++x) {
-        assert.ok(ao.at(x, y)[0] >= 0 && ao.at(x, y)[0] <= 1);
-        const [nx, ny, nz] = normal.at(x, y);
-        assert.equal(Number.isNaN(nx), Number.isNaN(position.at(x, y)[0]));
-        if (!Number.isNaN(nx)) assert.ok(Math.abs(Math.hypot(nx, ny, nz) - 1) < 1e-3);
+    if (has_more) {
+      const outputs = ['ao', 'normal', 'position'];
+      const {frames: [ambient]} = await adapter.good('render', {outputs, frames: [defaults]});
+      const [ao, normal, position] = outputs.map((output) => read_pfm(ambient.files[output]));
+      for (let y = 0; y < 120; ++y) {
+        for (let x = 0; x < 160; ++x) {
+          assert.ok(ao.at(x, y)[0] >= 0 && ao.at(x, y)[0] <= 1);
+          const [nx, ny, nz] = normal.at(x, y);
+          assert.equal(Number.isNaN(nx), Number.isNaN(position.at(x, y)[0]));
+          if (!Number.isNaN(nx)) assert.ok(Math.abs(Math.hypot(nx, ny, nz) - 1) < 1e-3);
+        }
       }
     }
     for (const kind of ['spot', 'point']) {
       const above = {kind, position: [0, 4, 0], direction: [0, -1, 0], range: 0, inner_cone: 0, outer_cone: 0.8};
       await adapter.load({light: {...load_request(scene, frames).light, ...above}});
-      const {frames: [lamp]} = await adapter.good('render', {outputs: ['visibility', 'position'], frames: [defaults]});
-      const [visible, where] = [read_pfm(lamp.files.visibility), read_pfm(lamp.files.position)];
+      const {frames: [lamp]} = await adapter.good('render', {outputs: [...shadow, 'position'], frames: [defaults]});
+      const [visible, where] = [share_of(lamp.files, shadow), read_pfm(lamp.files.position)];
       let shadowed = 0;
       for (let i = 0; i < 160 * 120; ++i) {
         const [px, py, pz] = where.at(i % 160, Math.floor(i / 160));
@@ -236,7 +249,7 @@ for (const engine of ready) {
     };
     await fails('describe', {protocol: 2}, /protocol 2/);
     await fails('draw', {}, /no request 'draw'/);
-    await fails('render', {outputs: ['visibility'], frames: [{}]}, /no scene/);
+    await fails('render', {outputs: shadow, frames: [{}]}, /no scene/);
     await fails('load', load_request(path.join(folder, 'absent.glb'), frames), /absent\.glb: cannot be read/);
     await fails('load', load_request(fileURLToPath(import.meta.url), frames), /no binary glTF/);
     writeFileSync(path.join(folder, 'broken.glb'), box_scene().subarray(0, 200));
@@ -244,12 +257,12 @@ for (const engine of ready) {
     await fails('load', {...load_request(scene, frames), light: {kind: 'area'}}, /'area'/);
     await fails('load', {...load_request(scene, frames), width: 40_000, height: 2}, /at most/);
     await adapter.load();
-    await fails('render', {outputs: ['visibility'], frames: [{[choice]: 'best'}]}, new RegExp(`'${choice}'.*best`));
-    await fails('render', {outputs: ['visibility'], frames: [{[bias]: 1e9}]}, /outside/);
-    await fails('render', {outputs: ['visibility'], frames: [{wish: 1}]}, /no parameter 'wish'/);
+    await fails('render', {outputs: shadow, frames: [{[choice]: 'best'}]}, new RegExp(`'${choice}'.*best`));
+    await fails('render', {outputs: shadow, frames: [{[bias]: 1e9}]}, /outside/);
+    await fails('render', {outputs: shadow, frames: [{wish: 1}]}, /no parameter 'wish'/);
     await fails('render', {outputs: ['depth'], frames: [{}]}, /'depth'/);
-    const {frames: [frame]} = await adapter.good('render', {outputs: ['visibility'], frames: [{}]});
-    read_pfm(frame.files.visibility);
+    const {frames: [frame]} = await adapter.good('render', {outputs: shadow, frames: [{}]});
+    share_of(frame.files, shadow);
     await adapter.close();
 
     const lonely = new Adapter(engine, {CHROMIUM: path.join(folder, 'no-browser')});
@@ -268,7 +281,7 @@ for (const engine of ready) {
     };
     const killed = await start();
     process.kill(killed.below[0], 'SIGKILL');
-    assert.equal(await killed.adapter.ask('render', {outputs: ['visibility'], frames: [{}]}), undefined);
+    assert.equal(await killed.adapter.ask('render', {outputs: shadow, frames: [{}]}), undefined);
     assert.equal((await killed.adapter.ended).code, 1);
     assert.match(killed.adapter.errors.trim().split('\n').at(-1), /Chromium has ended/);
     await expect_end(killed.below);

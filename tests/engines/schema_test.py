@@ -14,7 +14,7 @@ root, program = Path(sys.argv[1]), sys.argv[2]
 schema = json.loads((root / "engines/protocol.schema.json").read_text())
 Draft202012Validator.check_schema(schema)
 commands = {"umbrameter": [program, "engine", "serve"], "example": [root / "engines/example/adapter"]}
-for engine in ("threejs", "babylon", "playcanvas"):
+for engine in ("threejs", "babylon", "playcanvas", "filament"):
     if (root / "engines" / engine / "node_modules").is_dir():
         commands[engine] = [root / "engines" / engine / "adapter"]
 for name, command in commands.items():

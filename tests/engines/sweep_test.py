@@ -15,7 +15,8 @@ if not (root / "engines" / engine / "node_modules").is_dir():
     sys.exit(77)
 # From no bias, which gives acne, to one that loses the shadows.
 cells = 24
-axis = {"threejs": "engine.bias=-0.2:0", "babylon": "engine.bias=0:1", "playcanvas": "engine.shadow-bias=0:1"}[engine] + f":{cells}"
+axis = {"threejs": "engine.bias=-0.2:0", "babylon": "engine.bias=0:1", "playcanvas": "engine.shadow-bias=0:1",
+        "filament": "engine.constant-bias=0:1"}[engine] + f":{cells}"
 
 
 def children(pid):
