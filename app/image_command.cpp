@@ -201,7 +201,8 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   given.view.camera = add_frame_camera(scene, given.frame, given.view.camera);
   const StageOptions options = stage_options(line, console, given, scene.origin);
   Stages stages(std::move(scene), options, console);
-  const Experiment experiment = stages.in_metres(given);
+  Experiment experiment = stages.in_metres(given);
+  experiment.axes.clear();  // of a file that a sweep reads as well
   const Sides sides = sides_of(line.command);
   const bool has_ao = measures_ao(experiment);
   std::vector<std::uint32_t> lights = stages.lights(experiment.view.light);

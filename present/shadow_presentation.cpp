@@ -160,6 +160,12 @@ constexpr std::string_view causes_by_rays_text =
     "bright is light leak where the light passes beside the blocker, else peter-panning. Near shadow edges acne and "
     "false occlusion can be exchanged, and so can light leak and peter-panning.";
 
+constexpr std::string_view causes_by_flips_text =
+    "Too dark is acne where what the light sees around the pixel is the pixel's own surface, else false occlusion, by "
+    "rays; near shadow edges both can be exchanged. Too bright is light leak where the pixel is lit already at the "
+    "bias "
+    "that lights two thirds of the acne, else peter-panning: a larger bias lit it.";
+
 std::string technique_text(const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
   if (const std::string renderer = renderer_title(experiment); !renderer.empty()) return renderer;
@@ -246,8 +252,8 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
   if (shadow.agreement) presentation.details.push_back(title + ": " + agreement_text(*shadow.agreement));
   const std::string renderer = renderer_title(experiment);
   if (!renderer.empty()) {
-    section.text += "\n\nOnly an image is known (" + renderer + "), not its taps, so rays decide the causes. " +
-                    std::string(causes_by_rays_text);
+    section.text += "\n\nOnly an image is known (" + renderer + "), not its taps. Causes: " + shadow.cause_source +
+                    ". " + std::string(shadow.cause_source == "rays" ? causes_by_rays_text : causes_by_flips_text);
   } else if (experiment.shadow.pcf.filter != ShadowFilter::nearest) {
     section.text += "\n\n" + std::string(filter_caution);
   }
@@ -263,8 +269,9 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
   } else {
     const std::string by = renderer.empty() ? "" : ", " + renderer;
     const std::string at = renderer.empty() ? " at a bias of " + length_text(experiment.shadow.bias.constant) : "";
-    presentation.answers.push_back(
-        fmt::format("{}{}: error {}{}{}; {}", title, by, percent(s.mae), few_pixels_text(s.pixels), at, parts));
+    presentation.answers.push_back(fmt::format("{}{}: error {}{}{}; {}{}", title, by, percent(s.mae),
+                                               few_pixels_text(s.pixels), at, parts,
+                                               renderer.empty() ? "" : " (causes: " + shadow.cause_source + ")"));
   }
   return presentation;
 }

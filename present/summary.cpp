@@ -69,6 +69,7 @@ void add_causes(Json& object, const ShadowMeasurement& shadow, const VisibilityS
                          {"truth_lit_raster_blocked", s.false_blocked},
                          {"truth_blocked_raster_lit", s.false_lit},
                          {"truth_blocked_raster_blocked", s.blocked - s.false_lit}};
+  if (!shadow.cause_source.empty()) object["causes"] = shadow.cause_source;
   if (shadow.agreement) object["class_agreement"] = agreement_json(*shadow.agreement);
   const std::uint32_t weight_sum = shadow.raster->wrong.weight_sum;
   object["objects"] = parts_json(PartKind::object, shadow.objects, weight_sum);

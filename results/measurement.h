@@ -70,6 +70,7 @@ struct ShadowMeasurement {
   std::optional<ShadowStatistics> statistics;   ///< if raster and truth are present
   std::vector<MetricScore> metrics{};           ///< if raster and truth are present
   std::optional<ClassAgreement> agreement{};    ///< with run.classes=exact
+  std::string cause_source{};                   ///< how causes were found, of an engine or a frame; else empty
   /// By the receiver's object and by its material, in descending order of weight; if statistics are present.
   std::vector<PartError> objects{};
   std::vector<PartError> materials{};

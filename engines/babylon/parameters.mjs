@@ -9,7 +9,7 @@ const shadow = [
   integer('map-size', 1024, 'mapSize: side of the shadow map, of a cube face, of a cascade',
           {min: 16, max: 8192, unit: 'texels'}),
   number('bias', 0.00005, 'bias: added to the depth of the caster',
-         {min: -1, max: 1, unit: 'depth'}),
+         {min: -1, max: 1, unit: 'depth', bias: 'up'}),
   number('normal-bias', 0, 'normalBias: shift of the caster against its normal, times sin θ',
          {min: -1000, max: 1000, unit: 'm'}),
   number('darkness', 0, 'darkness: visibility of what lies in shadow', {min: 0, max: 1}),

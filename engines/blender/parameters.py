@@ -32,7 +32,7 @@ ALL = [
            min=0, max=1e6),
     shadow("eevee.taa_render_samples", "integer", 1, "samples per pixel, all at its centre; Blender's default: 64", min=1,
            max=4096),
-    shadow("light.shadow_buffer_bias", "number", 1, "Bias of the light", min=0, max=1e6),
+    shadow("light.shadow_buffer_bias", "number", 1, "Bias of the light", min=0, max=1e6, bias="up"),
     shadow("light.shadow_buffer_clip_start", "number", 0.05, "where the maps of a spot or point light begin", min=1e-6,
            max=1e6, unit="m"),
     shadow("light.shadow_soft_size", "number", 0.25, "radius of a spot or point light", **LENGTH),

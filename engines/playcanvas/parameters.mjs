@@ -11,7 +11,7 @@ const shadow = [
           'shadowResolution: side of the map; cascades share it, clustered lamps have the atlas',
           {min: 16, max: 8192, unit: 'texels'}),
   number('shadow-bias', 0.05, 'shadowBias: depth bias of casters, constant and by slope (not of point lights and pcss)',
-         {min: 0, max: 1}),
+         {min: 0, max: 1, bias: 'up'}),
   number('normal-offset-bias', 0,
          'normalOffsetBias: shift of the receiver along its normal; with vsm and for point lights times (1 - cos θ) and, '
          + 'of spot and point lights, the distance', {min: 0, max: 1, unit: 'm'}),

@@ -103,6 +103,12 @@ EngineParameter parameter_of(const Json& json) {
   const std::string of = text_of(json, "for", false);
   if (!of.empty() && of != "shadow" && of != "ao") reject_value("'for' must be shadow or ao");
   parameter.is_of_ao = of == "ao";
+  const std::string bias = text_of(json, "bias", false);
+  if (!bias.empty() && bias != "up" && bias != "down") reject_value("'bias' must be up or down");
+  const bool is_numeric =
+      parameter.type == EngineParameterType::number || parameter.type == EngineParameterType::integer;
+  if (!bias.empty() && (!is_numeric || parameter.is_of_ao)) reject_value("only a number of shadows can have 'bias'");
+  parameter.bias = bias.empty() ? 0 : bias == "up" ? 1 : -1;
   if (parameter.type == EngineParameterType::choice) {
     const std::set<std::string> distinct(parameter.choices.begin(), parameter.choices.end());
     if (distinct.empty() || distinct.size() != parameter.choices.size()) reject_value("its choices are not distinct");

@@ -22,6 +22,7 @@ void measure_causes(Stages& stages, ShadowMeasurement& measurement) {
   if (experiment.run.classes == ClassRule::exact && !stages.has_engine()) {
     measurement.agreement = stages.reclassify(experiment, measurement.light, wrong);
   }
+  if (stages.has_engine()) measurement.cause_source = stages.engine_causes(experiment, measurement.light)->source;
   measurement.statistics = analyze_visibility(wrong, measurement.truth->visibility, measurement.counted);
   const auto surfels = stages.surfels(experiment);
   const auto by_part = [&](PartKind kind) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "experiments/engine/engine_protocol.h"
+#include "experiments/settings/sweep_plan.h"
 #include "experiments/stages/stages.h"
 #include "reports/files/exr.h"
 #include "reports/files/value_json.h"
@@ -42,6 +43,7 @@ Json parameter_json(const Parameter& parameter) {
   Json json = {{"name", name_of(parameter)}, {"meaning", description.meaning}};
   json["unit"] = description.unit;
   json["for"] = parameter.key.starts_with("ao.") ? "ao" : "shadow";
+  if (parameter.key == constant_bias_key || parameter.key == slope_bias_key) json["bias"] = "up";
   if (const auto* const* length = std::get_if<Length*>(&parameter.field)) {
     json["type"] = "number";
     json["default"] = (*length)->number;

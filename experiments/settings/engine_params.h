@@ -24,6 +24,7 @@ struct EngineParameter {
   std::vector<std::string> choices{};
   EngineParameterType type = EngineParameterType::number;
   bool is_of_ao = false;  ///< it changes ambient occlusion, not shadows
+  int bias = 0;           ///< 1: a bias, of which larger values light more; -1: smaller values do; 0: no bias
   // The value: the member of the parameter's type.
   double number = 0.0;
   int integer = 0;

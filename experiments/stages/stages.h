@@ -176,6 +176,15 @@ class Stages {
     return capabilities_of(make_technique(experiment.shadow));
   }
 
+  /// How the causes of an engine's errors are found, and the frame that separate_too_bright() needs.
+  struct EngineCauses {
+    std::string source = "rays";  ///< or "flips over engine.bias"
+    Image<float> own_surface{};   ///< empty: rays alone
+  };
+  /// In a sweep over one bias of the engine flips help the rays, if its frames suffice, else a note says why not. The
+  /// frames are drawn for that, whatever cells the sweep has measured: a cell does not depend on where it resumed.
+  std::shared_ptr<const EngineCauses> engine_causes(const Experiment& experiment, std::uint32_t light);
+
   std::shared_ptr<const TracedVisibility> truth(const Experiment& experiment, std::uint32_t light);
   /// The hard shadow: from each pixel's centre to the light's centre. It is truth() where that is not sampled. Its
   /// edges are the shadow edges of the statistics; those of a sampled reference would depend on the number of rays.
@@ -238,6 +247,7 @@ class Stages {
   GBuffer aligned_surfels(const Experiment& experiment, const View& view, GBuffer gbuffer);
   std::vector<FrameShare> engine_frames(std::span<const Experiment> experiments, std::uint32_t light, bool is_ao);
   std::vector<Image<float>> engine_visibility(std::span<const Experiment> experiments, std::uint32_t light);
+  WrongTaps causes_of_frame(const Experiment& experiment, std::uint32_t light, const Image<float>& drawn);
   RasterVisibility draw_engine(const Experiment& experiment, std::uint32_t light, bool with_truth);
   HeldLookup shadow_lookup(const Experiment& experiment, std::uint32_t light, bool with_truth);
   std::shared_ptr<const StoredSurfels> stored_surfels(const Experiment& experiment);
@@ -271,6 +281,7 @@ class Stages {
   Memo<TechniqueMap> filtered_map_;
   Memo<Image<float>> ao_;
   Memo<Image<float>> engine_visibility_;
+  Memo<EngineCauses> engine_causes_;
   Memo<TracedVisibility> hard_truth_;
   Memo<TracedVisibility> sampled_truth_;
   Memo<gl::Texture> gpu_truth_;

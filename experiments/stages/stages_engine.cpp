@@ -1,14 +1,33 @@
 // The stages of a run with an engine: its frames take the place of what our own rasteriser draws.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
+#include "compare/bias_flips.h"
 #include "core/error.h"
+#include "experiments/settings/engine_bias.h"
 #include "experiments/stages/stages.h"
 #include "raytrace/frame_causes.h"
 
 namespace umbrameter {
+namespace {
+
+// The frames that tell causes apart take at most this, unless one is larger.
+constexpr std::size_t most_cause_bytes = std::size_t{64} << 20;
+
+std::string problem_text(const OwnSurfaceFlips& flips) {
+  if (flips.problem == FlipProblem::little_acne) {
+    return fmt::format("shows acne on less than {:g} % of the lit pixels at its least bias: begin it with less bias",
+                       100.0 * least_acne_share);
+  }
+  if (flips.problem == FlipProblem::too_short) return "ends before two thirds of the acne are lit: extend it";
+  return fmt::format("lights more than {:g} % of the acne in one step: give it smaller steps",
+                     100.0 * most_own_surface_share);
+}
+
+}  // namespace
 
 std::string Stages::renderer() { return options_.frames ? options_.frames->title : context().device().renderer; }
 
@@ -87,6 +106,36 @@ double Stages::engine_time(const Experiment& experiment, std::uint32_t light, bo
   return told > 0.0 ? told : taken.count();
 }
 
+WrongTaps Stages::causes_of_frame(const Experiment& experiment, std::uint32_t light, const Image<float>& drawn) {
+  const auto reference = truth(experiment, light);
+  const auto counted = this->counted(experiment, light);
+  const Tracer& rays = tracer();
+  ProgressBar progress = bar("causes");
+  return causes_by_rays(rays, surfels(experiment)->gbuffer, *layout(experiment, light), counted->exclusion,
+                        reference->visibility, drawn, progress.callback());
+}
+
+std::shared_ptr<const Stages::EngineCauses> Stages::engine_causes(const Experiment& experiment, std::uint32_t light) {
+  const std::optional<SweepAxis> axis = engine_bias_axis(experiment);
+  if (!axis) return std::make_shared<EngineCauses>();
+  Experiment varied = experiment;
+  const auto at = [&](std::size_t bias) -> const Experiment& {
+    set_value(describe(varied), *axis, axis->values[bias]);
+    return varied;
+  };
+  const std::size_t bytes = surfels(experiment)->gbuffer.position.size() * sizeof(float);
+  engine_causes_.keep(std::clamp<std::size_t>(most_cause_bytes / bytes, 1, 64));
+  return engine_causes_.get(key(Stage::visibility, at(0), light) + axis->key + "=" + axis->text, [&] {
+    const auto frame = [&](std::size_t bias) { return engine_frames({&at(bias), 1}, light, false).front().image; };
+    const WrongTaps least = causes_of_frame(at(0), light, frame(0));
+    OwnSurfaceFlips flips = find_own_surface_flips(least, counted(experiment, light)->exclusion,
+                                                   truth(experiment, light)->visibility, axis->values.size(), frame);
+    if (flips.problem == FlipProblem::none) return EngineCauses{"flips over " + axis->key, std::move(flips.visibility)};
+    add_notes({fmt::format("rays alone decide the causes, because the axis {} {}", axis->key, problem_text(flips))});
+    return EngineCauses{};
+  });
+}
+
 RasterVisibility Stages::draw_engine(const Experiment& experiment, std::uint32_t light, bool with_truth) {
   RasterVisibility drawn{*engine_visibility_.get(key(Stage::visibility, experiment, light),
                                                  [&] {
@@ -96,12 +145,9 @@ RasterVisibility Stages::draw_engine(const Experiment& experiment, std::uint32_t
   const auto seen = surfels(experiment);
   drawn.wrong.weights = Image<uvec4>(seen->gbuffer.width, seen->gbuffer.height, uvec4(0));
   if (!with_truth) return drawn;
-  const auto reference = truth(experiment, light);
-  const auto counted = this->counted(experiment, light);
-  const Tracer& rays = tracer();
-  ProgressBar progress = bar("causes");
-  drawn.wrong = causes_by_rays(rays, seen->gbuffer, *layout(experiment, light), counted->exclusion,
-                               reference->visibility, drawn.visibility, progress.callback());
+  drawn.wrong = causes_of_frame(experiment, light, drawn.visibility);
+  const auto causes = engine_causes(experiment, light);
+  if (causes->own_surface.size() > 0) separate_too_bright(drawn.wrong, causes->own_surface);
   return drawn;
 }
 

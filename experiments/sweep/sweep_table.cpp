@@ -8,7 +8,11 @@ Table sweep_table(Stages& stages, const Experiment& given, const std::vector<std
   Experiment experiment = stages.in_metres(given);
   const Parameters parameters = describe(experiment);
   std::vector<SweepAxis> axes;
-  for (const std::string& assignment : assignments) axes.push_back(parse_axis(parameters, assignment));
+  experiment.axes.clear();
+  for (const std::string& assignment : assignments) {
+    axes.push_back(parse_axis(parameters, assignment));
+    experiment.axes.push_back(split_assignment(assignment));
+  }
   const SweptQuantity quantity = choose_quantity(experiment.run.measure, axes);
   const SweepPlan plan = plan_sweep(parameters, axes, cost_of_change, inner_keys(experiment, axes, quantity));
   const CellStatistics statistics = choose_statistics(stages, experiment, axes, quantity);

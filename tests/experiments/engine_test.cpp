@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "experiments/engine/frame_source.h"
+#include "experiments/settings/engine_bias.h"
 #include "scenes/builtin.h"
 #include "tests/support/temporary_folder.h"
 
@@ -196,6 +197,9 @@ TEST(EngineProtocol, Wrong_descriptions_are_refused_with_the_reason) {
   EXPECT_EQ(reason("/parameters/0/type", "colour"), "'colour' is no type");
   EXPECT_EQ(reason("/parameters/0/type", "choice"), "'choices' is no list");
   EXPECT_NE(reason("/parameters/0/min", 2).find("its default does not fit"), std::string::npos);
+  EXPECT_EQ(reason("/parameters/0/bias", "large"), "parameter radius: 'bias' must be up or down");
+  EXPECT_EQ(reason("/parameters/0", {{"name", "soft"}, {"type", "boolean"}, {"meaning", "m"}, {"bias", "up"}}),
+            "parameter soft: only a number of shadows can have 'bias'");
   EXPECT_NE(reason("/parameters/0/default", "big").find("its default does not fit"), std::string::npos);
 }
 
@@ -222,6 +226,25 @@ TEST(EngineProtocol, A_parameter_becomes_one_of_ours) {
   const auto request = nlohmann::json::parse(render_request(9, {"visibility"}, {&params, 1}));
   EXPECT_EQ(request["frames"][0],
             (nlohmann::json{{"type", "vsm"}, {"map-size", 512}, {"radius", 0.25}, {"soft", false}}));
+}
+
+TEST(EngineBias, Is_the_only_axis_that_an_adapter_calls_a_bias_in_the_order_in_which_it_lights_more) {
+  const EngineDescription described = parse_description(
+      R"({"id": 3, "protocol": 1, "name": "e", "outputs": ["visibility"], "lights": ["spot"],
+          "parameters": [{"name": "offset", "type": "number", "default": 0, "bias": "down", "meaning": "b"},
+                         {"name": "steps", "type": "integer", "default": 0, "bias": "up", "meaning": "c"},
+                         {"name": "radius", "type": "number", "default": 0, "meaning": "r"}]})",
+      3);
+  Experiment experiment;
+  experiment.engine = {"e", "e", described.parameters};
+  EXPECT_FALSE(engine_bias_axis(experiment));
+  experiment.axes = {{"engine.radius", "0,1"}, {"engine.offset", "-2:0:3"}};
+  const std::optional<SweepAxis> axis = engine_bias_axis(experiment);
+  ASSERT_TRUE(axis);
+  EXPECT_EQ(axis->key, "engine.offset");
+  EXPECT_EQ(axis->values, (std::vector<Value>{0.0, -1.0, -2.0}));
+  experiment.axes.emplace_back("engine.steps", "0,1");
+  EXPECT_FALSE(engine_bias_axis(experiment));
 }
 
 TEST(RatioOf, Frames_are_divided_by_luminance_where_there_is_light) {
