@@ -56,6 +56,10 @@ ExitCode run_convert(const CommandLine& line, const Console& console) {
   const MapLayout layout = *stages.layout(experiment, light);
   const std::vector<MapPlace> places =
       places_of(stages.light(experiment, light), layout, stages.surfels(experiment)->gbuffer);
+  if (places.size() < static_cast<std::size_t>(experiment.shadow.map.cascades)) {
+    note(console, fmt::format("{} of {} cascades: the others would be no finer than the last", places.size(),
+                              experiment.shadow.map.cascades));
+  }
   const ConvertedBias bias = convert_bias(source, std::move(targets), places);
 
   const std::string map = map_text(stages, experiment, light, layout);

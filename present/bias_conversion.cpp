@@ -138,7 +138,7 @@ std::vector<std::string> code_lines(const ConvertedTarget& target) {
     const std::optional<ChosenValue> chosen = choose_value(target, n);
     if (number.code.empty() || !chosen || is_idle(target, n)) continue;
     const bool is_sun = target.places.front().light == LightKind::directional;
-    if (engine.sets_each_cascade && is_sun && count > 1 && chosen->value != 0.0) {
+    if (engine.sets_each_cascade && is_sun && count > 1) {
       for (std::size_t i = 0; i < count; ++i) {
         lines.push_back(code_line(number, *target.conversions[i].numbers[n].value, i, true));
       }

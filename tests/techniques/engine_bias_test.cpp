@@ -215,7 +215,8 @@ TEST(EngineBias, A_mistake_is_one_line_that_names_it) {
   const std::pair<const char*, std::vector<std::string>> cases[] = {
       {"godott:bias=1", {"'godott'", "did you mean 'godot'"}},
       {"", {"no engine named"}},
-      {"godot:bais=1", {"godot bais", "did you mean"}},
+      {"godot:bais=1", {"godot bais", "known are shadow_bias"}},
+      {"godot:normal_bia=1", {"did you mean 'normal_bias'"}},
       {"godot:bias=", {"godot bias", "no value given"}},
       {"godot:bias=nan", {"'nan' is not a number"}},
       {"godot:bias=1e999", {"is not a number"}},
