@@ -62,6 +62,10 @@ constexpr CommandDescription scenes_command = {"scenes", "List the built-in scen
                                                "Example: umbrameter scenes --sheet scenes.pdf"};
 constexpr CommandDescription scene_command = {"scene", "Write a built-in scene as a .glb file",
                                               "Example: umbrameter scene courtyard -o courtyard.glb"};
+constexpr CommandDescription convert_command = {
+    "convert", "Convert a shadow bias between engines, metres, texels and map depth",
+    "Example: umbrameter convert courtyard --light sun --shadow.cascades 4 \\\n"
+    "             --from godot:bias=0.1,normal_bias=2 --to three:near=1,far=80,unity-urp,metres"};
 constexpr CommandDescription cache_command = {
     "cache", "List or remove the cached references",
     "Example: umbrameter cache --clear\n"
@@ -82,42 +86,10 @@ constexpr CommandDescription help_command = {"help", "Show the help of a command
 constexpr CommandDescription generate_command = {"generate", "Print a completion script or the man page",
                                                  "Example: umbrameter generate bash -o umbrameter.bash"};
 
-constexpr std::pair<const char*, const char*> short_names[] = {
-    {"view.size", "size"}, {"view.scene", "scene"},    {"view.camera", "camera"},  {"view.light", "light"},
-    {"run.seed", "seed"},  {"run.classes", "classes"}, {"run.measure", "measure"}, {"run.overlay", "overlay"}};
-
-constexpr std::pair<const char*, const char*> group_titles[] = {
-    {"scene", "Scene"},     {"view", "View"},       {"light", "Size of lights"}, {"shadow", "Shadow technique"},
-    {"ao", "AO technique"}, {"shading", "Shading"}, {"engine", "Engine"},        {"frame", "Frame from files"},
-    {"truth", "Reference"}, {"run", "Run"}};
-
 CLI::App& add_command(CLI::App& app, const CommandDescription& description) {
   CLI::App& command = *app.add_subcommand(description.name, description.summary);
   command.footer(description.example);
   return command;
-}
-
-// All parameters, or those whose names begin so.
-void add_parameters(CLI::App& command, CommandLine& line, std::string_view prefix = {}) {
-  Experiment defaults;
-  for (const Parameter& parameter : describe(defaults)) {
-    if (!parameter.key.starts_with(prefix)) continue;
-    std::string names = "--" + parameter.key;
-    for (const auto& [key, name] : short_names) {
-      if (parameter.key == key) names += std::string(",--") + name;
-    }
-    const std::string group = parameter.key.substr(0, parameter.key.find('.'));
-    std::string title = group;
-    for (const auto& [key, text] : group_titles) {
-      if (group == key) title = text;
-    }
-    CLI::Option* option = command.add_option_function<std::string>(
-        names, [&line, key = parameter.key](const std::string& text) { line.settings.emplace_back(key, text); },
-        parameter.description.meaning);
-    option->trigger_on_parse()->group(title);
-    // Without a value: true.
-    if (std::holds_alternative<bool*>(parameter.field)) option->expected(0, 1)->default_str("true");
-  }
 }
 
 // --NAME for --run.NAME true.
@@ -203,7 +175,7 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   add_threads(command, line);
   add_memory(command, line);
   add_output_flags(command, line);
-  add_parameters(command, line);
+  add_parameters(command, line, "");
 }
 
 std::string flag_suggestion(const CLI::App& command, const std::string& given) {
@@ -307,6 +279,13 @@ void add_other_commands(CLI::App& app, CommandLine& line) {
   for (const char* name : {"scene.", "view.scene"}) add_parameters(scene, line, name);
   add_memory(scene, line);
   add_output_flags(scene, line);
+
+  CLI::App& convert = add_command(app, convert_command);
+  convert.add_option("SCENE", line.scene, "a .gltf or .glb file, or a built-in scene");
+  add_convert_options(convert, line);
+  add_threads(convert, line);
+  add_memory(convert, line);
+  add_output_flags(convert, line);
 
   CLI::App& cache = add_command(app, cache_command);
   cache.add_flag("--clear", line.clear, "remove all cached references");

@@ -59,9 +59,15 @@ struct ReportOptions {
   bool latex = false;
 };
 
+/// What `convert` converts; texts as given.
+struct ConvertOptions {
+  std::string from;             ///< "godot:bias=0.1,normal_bias=2"
+  std::vector<std::string> to;  ///< "three,unity-urp"; empty for all
+};
+
 struct CommandLine {
   std::string command;  ///< "compare", "sweep", "tune", "trace", "raster", "diff", "check", "report", "scenes",
-                        ///< "scene", "cache", "engine", "info" or "parameters"
+                        ///< "scene", "cache", "convert", "engine", "info" or "parameters"
   std::string scene;    ///< file or name of a built-in scene; empty when not given
   std::filesystem::path output;
   std::filesystem::path experiment_file;
@@ -93,6 +99,7 @@ struct CommandLine {
   CheckOptions check;
   TuneOptions tune;
   ReportOptions report;
+  ConvertOptions convert;
   std::vector<std::string> fail_if;  ///< conditions under which compare ends with exit code 1
 };
 

@@ -8,11 +8,21 @@
 #include <string_view>
 
 #include "experiments/settings/experiment.h"
+#include "experiments/settings/stage_inputs.h"
 #include "reports/files/text_layout.h"
 #include "store/experiment_file.h"
 
 namespace umbrameter {
 namespace {
+
+constexpr std::pair<const char*, const char*> short_names[] = {
+    {"view.size", "size"}, {"view.scene", "scene"},    {"view.camera", "camera"},  {"view.light", "light"},
+    {"run.seed", "seed"},  {"run.classes", "classes"}, {"run.measure", "measure"}, {"run.overlay", "overlay"}};
+
+constexpr std::pair<const char*, const char*> group_titles[] = {
+    {"scene", "Scene"},     {"view", "View"},       {"light", "Size of lights"}, {"shadow", "Shadow technique"},
+    {"ao", "AO technique"}, {"shading", "Shading"}, {"engine", "Engine"},        {"frame", "Frame from files"},
+    {"truth", "Reference"}, {"run", "Run"}};
 
 template <class Number>
 CLI::Validator number_check(Number min, Number max, const char* kind) {
@@ -107,6 +117,48 @@ void add_settings_options(CLI::App& command, CommandLine& line) {
       .add_option("--preset", line.presets, "an engine's settings ('umbrameter presets'); file and flags override them")
       ->type_name("NAME")
       ->take_all();
+}
+
+void add_parameters(CLI::App& command, CommandLine& line, const std::function<bool(std::string_view)>& is_wanted) {
+  Experiment defaults;
+  for (const Parameter& parameter : describe(defaults)) {
+    if (!is_wanted(parameter.key)) continue;
+    std::string names = "--" + parameter.key;
+    for (const auto& [key, name] : short_names) {
+      if (parameter.key == key) names += std::string(",--") + name;
+    }
+    const std::string group = parameter.key.substr(0, parameter.key.find('.'));
+    std::string title = group;
+    for (const auto& [key, text] : group_titles) {
+      if (group == key) title = text;
+    }
+    CLI::Option* option = command.add_option_function<std::string>(
+        names, [&line, key = parameter.key](const std::string& text) { line.settings.emplace_back(key, text); },
+        parameter.description.meaning);
+    option->trigger_on_parse()->group(title);
+    // Without a value: true.
+    if (std::holds_alternative<bool*>(parameter.field)) option->expected(0, 1)->default_str("true");
+  }
+}
+
+void add_parameters(CLI::App& command, CommandLine& line, std::string_view prefix) {
+  add_parameters(command, line, [&](std::string_view key) { return key.starts_with(prefix); });
+}
+
+void add_convert_options(CLI::App& command, CommandLine& line) {
+  command.add_option("--from", line.convert.from, "engine or unit, and its numbers: godot:bias=0.1,normal_bias=2")
+      ->type_name("SPEC");
+  command
+      .add_option("--to", line.convert.to, "engines and units: three:near=1,far=80,metres; all by default; repeatable")
+      ->type_name("LIST")
+      ->take_all();
+  add_settings_options(command, line);
+  command.add_flag("--markdown", line.markdown, "print the engines, their formulas and sources as a Markdown page");
+  // What lays out the map, whoever draws into it.
+  add_parameters(command, line, [](std::string_view key) {
+    const bool is_ours = !key.starts_with("engine.") && !key.starts_with("frame.") && key != "view.surfels";
+    return key.starts_with("scene.") || (is_ours && depends_on(Stage::layout, key));
+  });
 }
 
 void add_check_options(CLI::App& command, CheckOptions& check) {

@@ -1,6 +1,9 @@
 // Groups of options of single commands, for app/command_line.cpp.
 #pragma once
 
+#include <functional>
+#include <string_view>
+
 #include "app/command_line.h"
 
 namespace CLI {
@@ -19,6 +22,10 @@ inline constexpr const char* files_group = "Files";
 CLI::Validator number_between(int min, int max);
 CLI::Validator number_between(double min, double max);
 
+/// The parameters with a wanted name, or those whose names begin so.
+void add_parameters(CLI::App& command, CommandLine& line, const std::function<bool(std::string_view)>& is_wanted);
+void add_parameters(CLI::App& command, CommandLine& line, std::string_view prefix);
+
 void add_diff_options(CLI::App& command, CommandLine& line);
 void add_tune_options(CLI::App& command, CommandLine& line);
 /// -c and --preset.
@@ -26,6 +33,7 @@ void add_settings_options(CLI::App& command, CommandLine& line);
 
 void add_check_options(CLI::App& command, CheckOptions& check);
 void add_report_options(CLI::App& command, CommandLine& line);
+void add_convert_options(CLI::App& command, CommandLine& line);
 /// --engine, of commands that draw.
 void add_engine_choice(CLI::App& command, CommandLine& line);
 void add_engine_options(CLI::App& command, CommandLine& line);

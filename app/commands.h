@@ -51,6 +51,7 @@ ExitCode run_scenes(const CommandLine& line, const Console& console);
 ExitCode run_scene(const CommandLine& line, const Console& console);
 ExitCode run_cache(const CommandLine& line, const Console& console);
 ExitCode run_presets(const Console& console);
+ExitCode run_convert(const CommandLine& line, const Console& console);
 ExitCode run_engine(const CommandLine& line, const Console& console);
 ExitCode run_info(const CommandLine& line, const Console& console);
 ExitCode run_parameters(const CommandLine& line);

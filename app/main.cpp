@@ -35,6 +35,7 @@ ExitCode run(int argc, const char* const* argv) {
   if (line.command == "scene") return run_scene(line, console);
   if (line.command == "presets") return run_presets(console);
   if (line.command == "engine") return run_engine(line, console);
+  if (line.command == "convert") return run_convert(line, console);
   if (line.command == "cache") return run_cache(line, console);
   if (line.command == "info") return run_info(line, console);
   if (line.command == "parameters") return run_parameters(line);

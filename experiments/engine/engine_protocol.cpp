@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "core/error.h"
 #include "reports/files/value_json.h"
 #include "scenes/light.h"
 

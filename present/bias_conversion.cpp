@@ -1,0 +1,333 @@
+#include "present/bias_conversion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "reports/files/text_layout.h"
+#include "results/number_text.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// For code: three significant digits without zeros at the end, and a minus that a compiler reads.
+std::string code_number(double number) {
+  std::string text = fmt::format("{:.{}f}", number, std::max(decimals_of(number, 3), 0));
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text += '0';
+  }
+  return number == 0.0 ? "0.0" : text;
+}
+
+// The same for a table.
+std::string table_number(double number) { return number == 0.0 ? "0" : with_minus(code_number(number)); }
+
+std::string code_line(const BiasNumber& number, double value, std::size_t cascade, bool is_one_of_several) {
+  std::string text(number.code);
+  if (is_one_of_several && text.starts_with("light.")) text = fmt::format("csm.lights[{}].", cascade) + text.substr(6);
+  return text.replace(text.find("{}"), 2, code_number(value));
+}
+
+// "quality = low, blur = 1".
+std::string settings_text(const BiasSpec& spec) {
+  std::string text;
+  for (std::size_t i = 0; i < spec.settings.values.size(); ++i) {
+    const BiasSetting& setting = spec.engine->settings[i];
+    const double value = spec.settings.values[i];
+    if (std::isnan(value)) continue;
+    std::string shown = fmt::format("{:.6g}{}", value, setting.unit == "m" ? " m" : "");
+    const auto choice = std::ranges::find(setting.choices, value, &std::pair<std::string_view, double>::second);
+    if (choice != setting.choices.end()) shown = choice->first;
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", setting.name, shown);
+  }
+  return text;
+}
+
+std::string numbers_text(const BiasSpec& spec) {
+  std::string text;
+  for (std::size_t i = 0; i < spec.numbers.size(); ++i) {
+    const BiasNumber& number = spec.engine->numbers[i];
+    const std::string unit = number.unit == "1" ? "" : fmt::format(" ({})", number.unit);
+    text += fmt::format("{}{} = {:.6g}{}", text.empty() ? "" : ", ", number.name, spec.numbers[i], unit);
+  }
+  return text;
+}
+
+bool any_term(const ConvertedBias& bias, double BiasTerms::*term) {
+  return std::ranges::any_of(bias.terms, [&](const BiasTerms& each) { return each.*term != 0.0; });
+}
+
+// What one unit of the source's numbers is, by its own t and R.
+std::vector<std::string> unit_lines(const ConvertedBias& bias) {
+  std::vector<std::string> lines;
+  const BiasEngine& engine = *bias.source.engine;
+  for (std::size_t i = 0; i < engine.numbers.size(); ++i) {
+    const BiasNumber& number = engine.numbers[i];
+    if (engine.is_unit || number.term == BiasTerm::slope || bias.source.numbers[i] == 0.0) continue;
+    std::string text;
+    for (const MapPlace& place : bias.source_places) {
+      const double metres = std::abs(number.per_unit(place, bias.source.settings).value_or(0.0));
+      text += fmt::format("{}{}", text.empty() ? "" : ", ", table_number(metres));
+    }
+    lines.push_back(fmt::format("one unit of {} is {} m", number.name, text));
+  }
+  return lines;
+}
+
+std::vector<std::vector<std::string>> place_rows(const ConvertedBias& bias) {
+  const bool has_depth = bias.places.front().light != LightKind::directional;
+  const bool has_normal = any_term(bias, &BiasTerms::normal);
+  const bool has_slope = any_term(bias, &BiasTerms::slope);
+  std::vector<std::string> head{""};
+  if (has_depth) head.emplace_back("d [m]");
+  head.insert(head.end(), {"t [m]", "R [m]", "bias [m]", "[texels]", "[of R]"});
+  if (has_normal) head.emplace_back("normal offset [m]");
+  if (has_slope) head.emplace_back("by slope [texels × slope]");
+  std::vector<std::vector<std::string>> rows{head};
+  for (std::size_t i = 0; i < bias.places.size(); ++i) {
+    const MapPlace& place = bias.places[i];
+    const BiasTerms& terms = bias.terms[i];
+    std::vector<std::string>& row = rows.emplace_back(std::vector<std::string>{place.name});
+    if (has_depth) row.push_back(table_number(place.depth));
+    for (const double number :
+         {place.texel, place.range, terms.constant, terms.constant / place.texel, terms.constant / place.range}) {
+      row.push_back(table_number(number));
+    }
+    if (has_normal) row.push_back(table_number(terms.normal));
+    if (has_slope) row.push_back(table_number(terms.slope));
+  }
+  return rows;
+}
+
+// Of a unit, 0 is the default: nothing to say. An engine's own default may be another number.
+bool is_idle(const ConvertedTarget& target, std::size_t number) {
+  return target.spec.engine->is_unit && std::ranges::all_of(target.conversions, [&](const BiasConversion& each) {
+           return each.numbers[number].value == 0.0;
+         });
+}
+
+// A row for each number, a column for each place: as many engines as there are fit on a terminal.
+std::vector<std::vector<std::string>> number_rows(const ConvertedBias& bias) {
+  std::vector<std::vector<std::string>> rows{{"engine", "number", "unit"}};
+  for (const MapPlace& place : bias.places) rows.front().push_back(place.name);
+  for (const ConvertedTarget& target : bias.targets) {
+    const BiasEngine& engine = *target.spec.engine;
+    for (std::size_t n = 0; n < engine.numbers.size(); ++n) {
+      if (is_idle(target, n)) continue;
+      std::vector<std::string>& row = rows.emplace_back(std::vector<std::string>{
+          std::string(engine.name), std::string(engine.numbers[n].name), std::string(engine.numbers[n].unit)});
+      for (const BiasConversion& each : target.conversions) {
+        row.push_back(each.numbers[n].value ? table_number(*each.numbers[n].value) : "none");
+      }
+    }
+  }
+  return rows;
+}
+
+std::vector<std::string> code_lines(const ConvertedTarget& target) {
+  std::vector<std::string> lines;
+  const BiasEngine& engine = *target.spec.engine;
+  const std::size_t count = target.places.size();
+  for (std::size_t n = 0; n < engine.numbers.size(); ++n) {
+    const BiasNumber& number = engine.numbers[n];
+    const std::optional<ChosenValue> chosen = choose_value(target, n);
+    if (number.code.empty() || !chosen || is_idle(target, n)) continue;
+    const bool is_sun = target.places.front().light == LightKind::directional;
+    if (engine.sets_each_cascade && is_sun && count > 1) {
+      for (std::size_t i = 0; i < count; ++i) {
+        lines.push_back(code_line(number, *target.conversions[i].numbers[n].value, i, true));
+      }
+      continue;
+    }
+    const double value = std::clamp(chosen->value, number.min, number.max);
+    lines.push_back(code_line(number, value, 0, false));
+  }
+  return lines;
+}
+
+void add_number_notes(const ConvertedTarget& target, std::vector<std::string>& notes) {
+  const BiasEngine& engine = *target.spec.engine;
+  const auto add = [&](const std::string& text) {
+    if (std::ranges::find(notes, text) == notes.end()) notes.push_back(text);
+  };
+  for (const BiasConversion& each : target.conversions) {
+    for (std::size_t n = 0; n < each.numbers.size(); ++n) {
+      if (!each.numbers[n].value) {
+        add(fmt::format("{} {}: no equivalent: {}", engine.name, engine.numbers[n].name, each.numbers[n].reason));
+      }
+    }
+    for (const std::string& missing : each.missing) add(fmt::format("{}: {}", engine.name, missing));
+  }
+  for (std::size_t n = 0; n < engine.numbers.size(); ++n) {
+    const BiasNumber& number = engine.numbers[n];
+    const std::optional<ChosenValue> chosen = choose_value(target, n);
+    if (!chosen) continue;
+    const double value = std::clamp(chosen->value, number.min, number.max);
+    const bool is_one_for_all = target.conversions.size() > 1 && !number.code.empty() && !engine.sets_each_cascade;
+    if (is_one_for_all && chosen->excess > 1.005) {
+      add(fmt::format("{} {}: {} decides, as it needs most; elsewhere this is up to {} times the source's bias",
+                      engine.name, number.name, target.places[chosen->place].name, digits_text(chosen->excess, 2)));
+    }
+    if (std::abs(value - chosen->value) > 1e-9 * std::abs(chosen->value)) {
+      add(fmt::format("{} {}: {} is outside its limits {} to {}", engine.name, number.name, table_number(chosen->value),
+                      number.min, number.max));
+    }
+    const double rounded = number.step > 0.0 ? std::round(value / number.step) * number.step : value;
+    if (std::abs(rounded - value) > 0.05 * std::abs(value)) {
+      add(fmt::format("{} {}: the inspector's step of {} rounds {} to {}; set it in code", engine.name, number.name,
+                      number.step, table_number(value), table_number(rounded)));
+    }
+  }
+}
+
+Json place_json(const MapPlace& place) {
+  Json json{{"name", place.name}, {"texel_m", place.texel}, {"range_m", place.range}};
+  if (place.light != LightKind::directional) json["depth_m"] = place.depth;
+  return json;
+}
+
+Json spec_json(const BiasSpec& spec) {
+  const BiasEngine& engine = *spec.engine;
+  Json json{{"engine", engine.name}, {"title", engine.title}, {"source", engine.source}};
+  json["note"] = engine.note;
+  json["unverified"] = engine.unverified;
+  json["settings"] = Json::object();
+  for (std::size_t i = 0; i < engine.settings.size(); ++i) {
+    const double value = spec.settings.values[i];
+    json["settings"][std::string(engine.settings[i].name)] = std::isnan(value) ? Json(nullptr) : Json(value);
+  }
+  return json;
+}
+
+Json target_json(const ConvertedTarget& target) {
+  Json json = spec_json(target.spec);
+  const BiasEngine& engine = *target.spec.engine;
+  json["places"] = Json::array();
+  for (const MapPlace& place : target.places) json["places"].push_back(place_json(place));
+  json["missing"] = target.conversions.front().missing;
+  json["numbers"] = Json::array();
+  for (std::size_t n = 0; n < engine.numbers.size(); ++n) {
+    const BiasNumber& number = engine.numbers[n];
+    Json each{{"name", number.name}, {"unit", number.unit}, {"values", Json::array()}, {"reason", nullptr}};
+    for (const BiasConversion& conversion : target.conversions) {
+      const ConvertedNumber& converted = conversion.numbers[n];
+      each["values"].push_back(converted.value ? Json(*converted.value) : Json(nullptr));
+      if (!converted.value) each["reason"] = converted.reason;
+    }
+    if (const std::optional<ChosenValue> chosen = choose_value(target, n)) {
+      each["chosen"] = {{"value", std::clamp(chosen->value, number.min, number.max)},
+                        {"place", target.places[chosen->place].name},
+                        {"excess", chosen->excess}};
+    }
+    json["numbers"].push_back(each);
+  }
+  json["code"] = code_lines(target);
+  return json;
+}
+
+std::string range_of(double min, double max) {
+  return std::isfinite(max) ? fmt::format(", {:.6g} to {:.6g}", min, max) : "";
+}
+
+}  // namespace
+
+std::vector<std::string> to_lines(const ConvertedBias& bias) {
+  std::vector<std::string> lines;
+  const std::string settings = settings_text(bias.source);
+  lines.push_back(fmt::format("from {}: {}{}", bias.source.engine->title, numbers_text(bias.source),
+                              settings.empty() ? "" : "; with " + settings));
+  for (const std::string& line : unit_lines(bias)) lines.push_back(line);
+  lines.emplace_back();
+  for (const std::string& line : aligned(place_rows(bias))) lines.push_back(line);
+  lines.emplace_back();
+  for (const std::string& line : aligned(number_rows(bias))) lines.push_back(line);
+  for (const ConvertedTarget& target : bias.targets) {
+    const std::vector<std::string> code = code_lines(target);
+    if (code.empty()) continue;
+    const std::string with = settings_text(target.spec);
+    lines.emplace_back();
+    lines.push_back(fmt::format("{}{}:", target.spec.engine->title, with.empty() ? "" : ", " + with));
+    for (const std::string& line : code) lines.push_back("  " + line);
+  }
+  return lines;
+}
+
+std::vector<std::string> conversion_notes(const ConvertedBias& bias) {
+  std::vector<std::string> notes;
+  const auto add_engine = [&](const BiasSpec& spec, const std::vector<MapPlace>& places) {
+    const BiasEngine& engine = *spec.engine;
+    if (!engine.note.empty()) notes.push_back(fmt::format("{}: {}", engine.name, engine.note));
+    if (!engine.unverified.empty())
+      notes.push_back(fmt::format("{}, not verified: {}", engine.name, engine.unverified));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (places[i].texel == bias.places[i].texel && places[i].range == bias.places[i].range) continue;
+      notes.push_back(fmt::format("{}, {}: with t = {} m and R = {} m as given", engine.name, places[i].name,
+                                  digits_text(places[i].texel), digits_text(places[i].range)));
+    }
+  };
+  add_engine(bias.source, bias.source_places);
+  for (const ConvertedTarget& target : bias.targets) {
+    if (target.spec.engine != bias.source.engine) add_engine(target.spec, target.places);
+    add_number_notes(target, notes);
+  }
+  return notes;
+}
+
+Json to_json(const ConvertedBias& bias) {
+  Json json;
+  json["from"] = spec_json(bias.source);
+  json["from"]["numbers"] = Json::object();
+  for (std::size_t i = 0; i < bias.source.numbers.size(); ++i) {
+    json["from"]["numbers"][std::string(bias.source.engine->numbers[i].name)] = bias.source.numbers[i];
+  }
+  json["map"] = Json::array();
+  for (std::size_t i = 0; i < bias.places.size(); ++i) {
+    Json place = place_json(bias.places[i]);
+    const BiasTerms& terms = bias.terms[i];
+    place["bias_m"] = terms.constant;
+    place["bias_texels"] = terms.constant / bias.places[i].texel;
+    place["bias_of_range"] = terms.constant / bias.places[i].range;
+    place["normal_offset_m"] = terms.normal;
+    place["slope"] = terms.slope;
+    json["map"].push_back(place);
+  }
+  json["to"] = Json::array();
+  for (const ConvertedTarget& target : bias.targets) json["to"].push_back(target_json(target));
+  json["notes"] = conversion_notes(bias);
+  return json;
+}
+
+std::string bias_engines_markdown() {
+  std::string text = "| engine | number | default | one unit is | what it does |\n| --- | --- | --- | --- | --- |\n";
+  for (const BiasEngine& engine : bias_engines()) {
+    std::string name = fmt::format("`{}`", engine.name);
+    for (const BiasNumber& number : engine.numbers) {
+      const std::string what = number.term == BiasTerm::constant ? "moves the receiver towards the light"
+                               : number.term == BiasTerm::slope  ? "draws casters with a polygon offset factor"
+                                                                 : text_of(number.offset);
+      const std::string value = std::isnan(number.value) ? "" : fmt::format("{:.6g}", number.value);
+      text += fmt::format("| {} | `{}` | {}{} | {} | {} |\n", name, number.name, value,
+                          range_of(number.min, number.max), number.formula, what);
+      name.clear();
+    }
+    if (!engine.no_numbers.empty()) text += fmt::format("| {} | none | | | {} |\n", name, engine.no_numbers);
+  }
+  text += "\n| engine | settings | besides | source | not verified |\n| --- | --- | --- | --- | --- |\n";
+  for (const BiasEngine& engine : bias_engines()) {
+    if (engine.source.empty()) continue;
+    std::string settings;
+    for (const BiasSetting& setting : engine.settings) {
+      settings += fmt::format("{}`{}`: {}", settings.empty() ? "" : "; ", setting.name, setting.meaning);
+    }
+    text += fmt::format("| `{}`: {} | {} | {} | {} | {} |\n", engine.name, engine.title, settings, engine.note,
+                        engine.source, engine.unverified);
+  }
+  return text;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,102 @@
+// How other engines state a shadow bias: the numbers of each, and how many metres one unit of a number is. It reads no
+// scene: a MapPlace says how large a texel and the depth range are. To add an engine, add its entry in engines.cpp.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace umbrameter {
+
+enum class LightKind { directional, spot, point };
+
+/// Where a bias acts: a cascade of a directional light, or a depth of a spot or point light's map.
+struct MapPlace {
+  std::string name;  ///< "cascade 2", "nearest receiver"
+  LightKind light = LightKind::directional;
+  double texel = 0.0;           ///< side of a texel there, metres
+  double range = 0.0;           ///< change of depth when the stored number changes by 1, metres
+  int resolution = 0;           ///< texels along a side of the map
+  double depth = 0.0;           ///< from the light along the map's axis, metres; 0 for a directional light
+  bool is_range_given = false;  ///< `range` is the user's own, and comes before an engine's settings
+};
+
+/// What a number changes. constant: receiver towards the light, or caster away from it, metres. normal: a
+/// NormalOffset, metres. slope: polygon offset factor, which adds so many texels × the larger slope of the surface
+/// along the two axes of the map.
+enum class BiasTerm { constant, normal, slope };
+
+enum class OffsetProfile { uniform, sine, one_minus_cosine };  ///< factor of the offset by the angle to the light
+enum class OffsetSide { receiver, caster };                    ///< receiver outwards, or caster inwards
+enum class OffsetDirection { normal, across_light };           ///< along the normal, or only its part across the light
+
+/// Two offsets are equivalent only if all three agree.
+struct OffsetKind {
+  OffsetProfile profile = OffsetProfile::uniform;
+  OffsetSide side = OffsetSide::receiver;
+  OffsetDirection direction = OffsetDirection::normal;
+  friend bool operator==(const OffsetKind&, const OffsetKind&) = default;
+};
+
+/// "moves the receiver along its normal by metres × sin θ".
+std::string text_of(const OffsetKind& kind);
+
+inline constexpr double no_default = std::numeric_limits<double>::quiet_NaN();
+
+/// A setting that enters an engine's formula. A choice is one of the named values.
+struct BiasSetting {
+  std::string_view name;
+  double value = no_default;  ///< the engine's default
+  std::string_view unit;
+  std::string_view meaning;
+  std::vector<std::pair<std::string_view, double>> choices{};
+};
+
+/// Values of an engine's settings, in their order.
+struct BiasSettings {
+  const std::vector<BiasSetting>* described = nullptr;
+  std::vector<double> values;
+  double operator[](std::string_view name) const;
+};
+
+/// Metres of one unit (slope: texels × slope of one unit); nothing where the formula is not known for this light.
+using PerUnit = std::optional<double> (*)(const MapPlace& place, const BiasSettings& settings);
+
+struct BiasNumber {
+  std::string_view name;  ///< in the engine's own API
+  std::string_view unit;
+  double value = 0.0;  ///< the engine's default; no_default: it must be given
+  BiasTerm term = BiasTerm::constant;
+  PerUnit per_unit = nullptr;
+  std::string_view formula;  ///< of per_unit, for documentation
+  std::string_view code;     ///< how to set it, with {} for the number and {i} for the cascade, from 0
+  OffsetKind offset{};       ///< BiasTerm::normal
+  double min = -std::numeric_limits<double>::infinity();  ///< to which the engine itself clamps
+  double max = std::numeric_limits<double>::infinity();
+  double step = 0.0;  ///< of the inspector; 0: none or unknown
+};
+
+struct BiasEngine {
+  std::string_view name;   ///< in --from and --to
+  std::string_view title;  ///< with version
+  std::string_view source;
+  std::vector<BiasNumber> numbers{};
+  std::vector<BiasSetting> settings{};
+  std::string_view note{};        ///< what no number changes
+  std::string_view unverified{};  ///< what is second-hand or not verified
+  std::string_view no_numbers{};  ///< why it has no numbers
+  bool is_unit = false;           ///< a neutral unit
+  bool sets_each_cascade = false;
+};
+
+/// All of them, neutral units first.
+const std::vector<BiasEngine>& bias_engines();
+
+/// Throws Error (usage) with a suggestion.
+const BiasEngine& require_bias_engine(std::string_view name);
+
+}  // namespace umbrameter

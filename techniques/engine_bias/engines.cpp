@@ -1,0 +1,339 @@
+// One entry for each engine. Each formula is the engine's own, from the source that the entry names; t is the size of a
+// texel, R the depth range of the map, d the depth at a spot or point light, θ the angle between normal and light.
+#include <algorithm>
+
+#include "techniques/engine_bias/engine.h"
+
+namespace umbrameter {
+namespace {
+
+using Place = MapPlace;
+using Settings = BiasSettings;
+using Result = std::optional<double>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double sqrt_2 = 1.41421356237309505;
+
+bool is_sun(const Place& place) { return place.light == LightKind::directional; }
+
+// A light other than a directional one has no formula here.
+Result of_sun(const Place& place, double metres) { return is_sun(place) ? Result(metres) : std::nullopt; }
+
+// One unit of the depth, 0 to 1, of a camera with these planes: orthographic, or perspective at the depth d. Planes in
+// the wrong order have none.
+double metres_of_depth(const Place& place, double near, double far) {
+  if (place.is_range_given) return place.range;
+  if (!(near < far)) return 0.0;
+  return is_sun(place) ? far - near : place.depth * place.depth * (far - near) / (near * far);
+}
+
+Result one_metre(const Place&, const Settings&) { return 1.0; }
+Result one_texel(const Place& place, const Settings&) { return place.texel; }
+Result one_depth(const Place& place, const Settings&) { return place.range; }
+
+// A cascade of Godot is a square around the sphere of its split, and starts pancake metres before it.
+double godot_range(const Place& place, const Settings& settings) {
+  const double pancake = settings["pancake"];
+  return place.is_range_given || !(pancake > 0.0) ? place.range : place.texel * place.resolution + pancake;
+}
+
+std::vector<BiasEngine> neutral_units() {
+  return {
+      {.name = "metres",
+       .title = "metres along the light",
+       .source = "",
+       .numbers = {{"bias", "m", no_default, BiasTerm::constant, one_metre, "1 m", ""}},
+       .is_unit = true},
+      {.name = "texels",
+       .title = "texels of the map, along the light",
+       .source = "",
+       .numbers = {{"bias", "texels", no_default, BiasTerm::constant, one_texel, "t", ""}},
+       .is_unit = true},
+      {.name = "map-depth",
+       .title = "share of the map's depth range",
+       .source = "",
+       .numbers = {{"bias", "of depth", no_default, BiasTerm::constant, one_depth, "R", ""}},
+       .is_unit = true},
+      {.name = "umbrameter",
+       .title = "this program's own parameters",
+       .source = "techniques/shadow/parameters.h",
+       .numbers = {{"constant-bias", "m", no_default, BiasTerm::constant, one_metre, "1 m",
+                    "--shadow.constant-bias {}"},
+                   {"normal-offset",
+                    "texels × sin θ",
+                    0.0,
+                    BiasTerm::normal,
+                    one_texel,
+                    "t",
+                    "--shadow.normal-offset {}",
+                    {OffsetProfile::sine}},
+                   {"polygon-offset-factor", "texels × slope", 0.0, BiasTerm::slope,
+                    [](const Place& p, const Settings&) { return of_sun(p, 1.0); }, "1",
+                    "--shadow.polygon-offset-factor {}"}},
+       .is_unit = true},
+  };
+}
+
+BiasEngine godot() {
+  return {
+      .name = "godot",
+      .title = "Godot 4",
+      .source =
+          "light_storage.cpp @006f039 (update_light_buffers), renderer_scene_cull.cpp (bias_scale, "
+          "shadow_texel_size, pancake_size), scene_forward_clustered.glsl (BIAS_FUNC), light_3d.cpp (steps)",
+      .numbers = {{"shadow_bias",
+                   "1/100 of R",
+                   0.1,
+                   BiasTerm::constant,
+                   [](const Place& p, const Settings& s) -> Result {
+                     if (p.light == LightKind::point) return 1.0;
+                     return of_sun(p, godot_range(p, s) / 100.0 * s["blur"] * s["quality"]);
+                   },
+                   "R/100 · blur · quality with R = t · resolution + pancake; of a point light 1 m",
+                   "light.shadow_bias = {}",
+                   {},
+                   -infinity,
+                   infinity,
+                   0.001},
+                  {"shadow_normal_bias",
+                   "texels",
+                   2.0,
+                   BiasTerm::normal,
+                   [](const Place& p, const Settings&) { return of_sun(p, p.texel); },
+                   "t",
+                   "light.shadow_normal_bias = {}",
+                   {OffsetProfile::uniform, OffsetSide::receiver, OffsetDirection::across_light},
+                   -infinity,
+                   infinity,
+                   0.001}},
+      .settings = {{"blur", 1.0, "1", "shadow_blur of the light"},
+                   {"quality",
+                    2.0,
+                    "1",
+                    "soft_shadow_filter_quality; hard if light_angular_distance is above 0",
+                    {{"hard", 1.0}, {"very-low", 1.5}, {"low", 2.0}, {"medium", 2.0}, {"high", 3.0}, {"ultra", 4.0}}},
+                   {"pancake", 20.0, "m", "directional_shadow_pancake_size; 0: R is that of our map"}},
+      .unverified =
+          "Godot has not been run against these formulas; the values of high and ultra quality are from a copy "
+          "of its source; a point light's shadow_normal_bias and spot lights have no formula here"};
+}
+
+BiasEngine three() {
+  return {
+      .name = "three",
+      .title = "three.js 0.187.0",
+      .source =
+          "npm three 0.187.0: shadowmap_pars_fragment.glsl.js, shadowmap_vertex.glsl.js, "
+          "DirectionalLightShadow.js, examples/jsm/csm/CSM.js",
+      .numbers = {{"bias", "of depth", 0.0, BiasTerm::constant,
+                   [](const Place& p, const Settings& s) -> Result { return -metres_of_depth(p, s["near"], s["far"]); },
+                   "−(far − near); of spot and point lights −d² (far − near) / (near · far)",
+                   "light.shadow.bias = {};"},
+                  {"normalBias", "m", 0.0, BiasTerm::normal, one_metre, "1 m", "light.shadow.normalBias = {};"}},
+      .settings = {{"near", 0.5, "m", "shadow.camera.near"},
+                   {"far", 500.0, "m", "shadow.camera.far; of a spot light its distance, if that is set"}},
+      .note = "front-sided meshes cast their back faces, unless shadowSide is set",
+      .sets_each_cascade = true};
+}
+
+BiasEngine babylon() {
+  return {
+      .name = "babylon",
+      .title = "Babylon.js 9.35.0",
+      .source =
+          "npm @babylonjs/core 9.35.0: shadowMapVertexMetric.js, shadowMapVertexNormalBias.js, "
+          "shadowGenerator.js, directionalLight.pure.js",
+      .numbers = {{"bias", "of depth", 5e-5, BiasTerm::constant,
+                   [](const Place& p, const Settings& s) -> Result {
+                     const double near = s["minZ"];
+                     const double far = s["maxZ"];
+                     if (s["filter"] == 1.0 && p.light == LightKind::point) return std::nullopt;
+                     if (s["filter"] == 1.0) return 0.5 * metres_of_depth(p, near, far);
+                     if (p.is_range_given) return p.range;
+                     return p.light == LightKind::point ? near + far : std::max(far - near, 0.0);
+                   },
+                   "maxZ − minZ; filter pcf: half of it, of spot lights d² (maxZ − minZ) / (2 minZ · maxZ); of "
+                   "point lights minZ + maxZ",
+                   "shadowGenerator.bias = {};"},
+                  {"normalBias",
+                   "m × sin θ",
+                   0.0,
+                   BiasTerm::normal,
+                   one_metre,
+                   "1 m",
+                   "shadowGenerator.normalBias = {};",
+                   {OffsetProfile::sine, OffsetSide::caster}}},
+      .settings = {{"filter", 0.0, "1", "none for all but pcf and contact hardening", {{"none", 0.0}, {"pcf", 1.0}}},
+                   {"minZ", 1.0, "m", "the light's shadowMinZ, else the camera's minZ"},
+                   {"maxZ", 10000.0, "m", "the light's shadowMaxZ, else the camera's maxZ"}}};
+}
+
+BiasEngine playcanvas() {
+  return {.name = "playcanvas",
+          .title = "PlayCanvas 2.23.3",
+          .source =
+              "npm playcanvas 2.23.3: scene/light.js, framework/components/light/component.js, "
+              "lightFunctionShadow.js",
+          .numbers = {{"shadowBias",
+                       "1",
+                       0.05,
+                       BiasTerm::slope,
+                       [](const Place& p, const Settings&) { return of_sun(p, 10.0); },
+                       "10 texels × slope",
+                       "light.shadowBias = {};",
+                       {},
+                       0.0,
+                       1.0},
+                      {"normalOffsetBias",
+                       "m × (1 − cos θ)",
+                       0.0,
+                       BiasTerm::normal,
+                       [](const Place& p, const Settings&) -> Result { return is_sun(p) ? 1.0 : p.depth; },
+                       "1 m; of other lights d",
+                       "light.normalOffsetBias = {};",
+                       {OffsetProfile::one_minus_cosine},
+                       0.0,
+                       1.0}},
+          .note =
+              "in addition the receiver always moves by 0.0001 R, and shadowBias v also adds 10 v of the smallest "
+              "depth steps; not with a PCSS map"};
+}
+
+std::vector<BiasEngine> unity() {
+  return {
+      {.name = "unity-urp",
+       .title = "Unity URP",
+       .source = "ShadowUtils.cs @0070610 (GetShadowBias, RenderShadowSlice)",
+       .numbers = {{"shadowBias", "texels", 1.0, BiasTerm::constant,
+                    [](const Place& p, const Settings& s) { return of_sun(p, p.texel * s["soft"]); }, "t · soft",
+                    "light.shadowBias = {}f;"},
+                   {"shadowNormalBias",
+                    "texels × (1 − cos θ)",
+                    1.0,
+                    BiasTerm::normal,
+                    [](const Place& p, const Settings& s) { return of_sun(p, p.texel * s["soft"]); },
+                    "t · soft",
+                    "light.shadowNormalBias = {}f;",
+                    {OffsetProfile::one_minus_cosine, OffsetSide::caster}}},
+       .settings = {{"soft",
+                     1.0,
+                     "1",
+                     "quality of soft shadows; off for hard ones",
+                     {{"off", 1.0}, {"low", 1.5}, {"medium", 2.5}, {"high", 3.5}}}},
+       .note =
+           "in addition every caster is drawn with polygon offset factor 2.5, units 1. The light's numbers are read "
+           "only if its bias is set to Custom, else those of the pipeline asset",
+       .unverified = "(1 − cos θ), from ApplyShadowBias in Shadows.hlsl, was read in copies"},
+      {.name = "unity-hdrp",
+       .title = "Unity HDRP",
+       .source = "HDShadowAlgorithms.hlsl (EvalShadow_NormalBias), HDAdditionalLightData.cs",
+       .numbers = {{"normalBias", "texels", 0.75, BiasTerm::normal, one_texel, "t", "hdLight.normalBias = {}f;"},
+                   {"slopeBias", "texels × slope", 0.5, BiasTerm::slope,
+                    [](const Place& p, const Settings&) { return of_sun(p, 1.0); }, "1", "hdLight.slopeBias = {}f;"}},
+       .note = "in addition every caster is drawn with polygon offset units 1"},
+  };
+}
+
+std::vector<BiasEngine> other_engines() {
+  return {
+      {.name = "unreal",
+       .title = "Unreal Engine, cascaded shadow maps",
+       .source = "copies of ShadowRendering.cpp (FProjectedShadowInfo::UpdateShaderDepthBias) and of its console "
+                 "variables",
+       .numbers = {{"ShadowBias", "1", 0.5, BiasTerm::constant,
+                    [](const Place& p, const Settings& s) { return of_sun(p, 0.5 * s["CSMDepthBias"] * p.texel); },
+                    "CSMDepthBias · t / 2", "LightComponent->SetShadowBias({}f);"}},
+       .settings = {{"CSMDepthBias", 10.0, "half texels", "r.Shadow.CSMDepthBias"}},
+       .note = "in addition its slope term, r.Shadow.CSMSlopeScaleDepthBias × Shadow Slope Bias, and "
+               "r.Shadow.CSMReceiverBias act; virtual shadow maps have other numbers",
+       .unverified = "all of it is second-hand, its default Shadow Bias 0.5 not verified"},
+      {.name = "bevy",
+       .title = "Bevy 0.20-dev",
+       .source = "shadows.wesl @3f1f861, light.rs (factor √2), directional_light.rs",
+       .numbers = {{"shadow_depth_bias", "m", 0.02, BiasTerm::constant, one_metre, "1 m", "shadow_depth_bias: {},"},
+                   {"shadow_normal_bias", "texels", 1.8, BiasTerm::normal,
+                    [](const Place& p, const Settings&) -> Result { return sqrt_2 * p.texel; }, "√2 t",
+                    "shadow_normal_bias: {},"}},
+       .note = "the defaults of a point light are 0.08 and 0.6"},
+      {.name = "filament",
+       .title = "Filament",
+       .source = "ShadowMap.cpp @0362f36 (constantBias), common_shadowing.fs @376e69f, LightManager.cpp (limits)",
+       .numbers = {{"constantBias",
+                    "m",
+                    0.001,
+                    BiasTerm::constant,
+                    one_metre,
+                    "1 m",
+                    "options.constantBias = {}f;",
+                    {},
+                    0.0,
+                    2.0},
+                   {"normalBias",
+                    "texels × sin θ",
+                    1.0,
+                    BiasTerm::normal,
+                    [](const Place& p, const Settings&) -> Result {
+                      return p.light == LightKind::point ? std::nullopt : Result(p.texel);
+                    },
+                    "t",
+                    "options.normalBias = {}f;",
+                    {OffsetProfile::sine},
+                    0.0,
+                    3.0}},
+       .note = "in addition every caster is drawn with polygon offset factor 2 and units 0.5; a VSM map ignores both "
+               "numbers; the texels of a map that is not `stable` are warped",
+       .unverified = "the newest sources scale normalBias differently along the two axes of the map"},
+      {.name = "stride",
+       .title = "Stride",
+       .source = "ShadowMapReceiverBase.sdsl @3e83da5, LightShadowMap.cs (defaults)",
+       .numbers = {{"DepthBias", "of depth", 0.01, BiasTerm::constant,
+                    [](const Place& p, const Settings&) { return of_sun(p, p.range); }, "R",
+                    "shadow.BiasParameters.DepthBias = {}f;"},
+                   {"NormalOffsetScale",
+                    "2 m / atlas × (1 − cos θ)",
+                    10.0,
+                    BiasTerm::normal,
+                    [](const Place& p, const Settings& s) -> Result {
+                      return is_sun(p) ? Result(2.0 / s["atlas"]) : std::nullopt;
+                    },
+                    "2 m / atlas",
+                    "shadow.BiasParameters.NormalOffsetScale = {}f;",
+                    {OffsetProfile::one_minus_cosine}}},
+       .settings = {{"atlas", no_default, "texels", "side of the texture that holds all shadow maps"}}},
+  };
+}
+
+std::vector<BiasEngine> without_numbers() {
+  const auto make = [](std::string_view name, std::string_view title, std::string_view source, std::string_view why) {
+    return BiasEngine{.name = name, .title = title, .source = source, .no_numbers = why};
+  };
+  return {
+      make("unity-builtin", "Unity, built-in pipeline", "manual",
+           "its source is closed and its unit is not documented"),
+      make("o3de", "O3DE", "ProjectedShadowFeatureProcessor.cpp",
+           "its formula for directional lights is not verified here"),
+      make("ogre-next", "Ogre-Next", "OgreCompositorShadowNodeDef.h, second-hand",
+           "a part of its bias follows from the window of the map automatically, and no source is verified here"),
+      make("wicked", "Wicked Engine", "wiRenderer.cpp @bc3ef16", "it has a fixed polygon offset and no number for it"),
+      make("panda3d", "Panda3D", "shaderGenerator.cxx @c11cb68", "its generated shaders have no bias"),
+      make("eevee", "Blender EEVEE", "release notes of 4.2", "since 4.2 it computes its bias automatically"),
+      make("bgfx", "bgfx, example 16-shadowmaps", "second-hand",
+           "it is an example with a table for each kind of map, not an engine's setting"),
+  };
+}
+
+}  // namespace
+
+const std::vector<BiasEngine>& bias_engines() {
+  static const std::vector<BiasEngine> all = [] {
+    std::vector<BiasEngine> engines = neutral_units();
+    for (const BiasEngine& each : {godot(), three(), babylon(), playcanvas()}) engines.push_back(each);
+    for (const auto& list : {unity(), other_engines(), without_numbers()}) {
+      engines.insert(engines.end(), list.begin(), list.end());
+    }
+    return engines;
+  }();
+  return all;
+}
+
+}  // namespace umbrameter
