@@ -14,7 +14,7 @@ import shutil
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, TypedDict
+from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
 import numpy.typing as npt
@@ -25,8 +25,6 @@ from .program import run
 from .results import Run
 
 if TYPE_CHECKING:
-    from typing import Unpack
-
     from .keywords import Keywords
 
     class Options(Keywords, total=False):
@@ -53,7 +51,7 @@ if TYPE_CHECKING:
         progress: bool | None
         """show progress; None: in a terminal and in a notebook"""
 else:
-    Options = TypedDict("Options", {})
+    Options = dict[str, Any]
 
 Path = str | os.PathLike[str]
 #: A file, or an array that is written as one: height x width (x 3), row 0 is the first row of the file.
