@@ -306,7 +306,8 @@ void add_other_commands(CLI::App& app, CommandLine& line) {
   add_output_flags(info, line);
 
   CLI::App& parameters = add_command(app, parameters_command);
-  parameters.add_flag("--markdown", line.markdown, "print a Markdown page");
+  CLI::Option* json = parameters.add_flag("--json", line.json, "print the list as JSON");
+  parameters.add_flag("--markdown", line.markdown, "print a Markdown page")->excludes(json);
 }
 
 }  // namespace

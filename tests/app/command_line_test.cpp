@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tests/app/run_program.h"
@@ -224,6 +225,24 @@ TEST(CommandLine, The_reference_page_is_what_the_program_describes) {
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.out, text_of(std::string(UMBRAMETER_DOCS) + "/parameters.md"))
       << "run: umbrameter parameters --markdown > docs/parameters.md";
+}
+
+TEST(CommandLine, Parameters_are_listed_as_JSON_with_type_default_and_limits) {
+  const ProgramResult result = run_program({"parameters", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  const auto named = [&](const std::string& name) {
+    return *std::ranges::find_if(json["parameters"], [&](const auto& each) { return each["name"] == name; });
+  };
+  const auto filter = named("shadow.filter");
+  EXPECT_EQ(filter["type"], "choice");
+  EXPECT_EQ(filter["default"], "nearest");
+  EXPECT_EQ(filter["choices"][1], "bilinear");
+  EXPECT_EQ(filter["aliases"]["pcf"], "box");
+  EXPECT_EQ(named("shadow.resolution")["maximum"], 16384);
+  EXPECT_EQ(named("shadow.constant-bias")["type"], "length");
+  EXPECT_EQ(named("scene.ground")["default"], false);
+  EXPECT_EQ(run_program({"parameters", "--json", "--markdown"}).exit_code, 2);
 }
 
 TEST(CommandLine, A_written_scene_is_byte_identical_each_time_and_loads_back) {

@@ -1,4 +1,4 @@
-// Prints the descriptions of all parameters, statistics and image metrics as JSON: the source of the generated parts of
+// Prints the descriptions of all statistics and image metrics as JSON: the source of the generated parts of
 // docs/ (see references.py).
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -14,7 +14,6 @@
 #include "compare/soft_visibility.h"
 #include "compare/visibility.h"
 #include "experiments/measure/metric_scores.h"
-#include "experiments/settings/experiment.h"
 #include "store/summary_version.h"
 
 namespace umbrameter {
@@ -59,32 +58,11 @@ Json all_metrics() {
   return list;
 }
 
-const char* type_of(const Value& value) {
-  constexpr const char* types[] = {"boolean", "integer", "number", "string"};
-  return types[value.index()];
-}
-
-// A length is a number of metres, or text in another unit.
-Json all_parameters() {
-  Experiment experiment;
-  Json list = Json::array();
-  for (const Parameter& each : describe(experiment)) {
-    list.push_back({{"name", each.key},
-                    {"unit", each.description.unit},
-                    {"meaning", each.description.meaning},
-                    {"type", type_of(each.value())},
-                    {"length", std::holds_alternative<Length*>(each.field)},
-                    {"allowed", each.limits()}});
-  }
-  return list;
-}
-
 }  // namespace
 }  // namespace umbrameter
 
 int main() {
   const nlohmann::ordered_json all = {{"schema_version", umbrameter::summary_schema_version},
-                                      {"parameters", umbrameter::all_parameters()},
                                       {"statistics", umbrameter::all_statistics()},
                                       {"metrics", umbrameter::all_metrics()}};
   std::puts(all.dump(1).c_str());

@@ -1,4 +1,5 @@
-"""Writes the generated parts of docs/: definitions in summary.schema.json, summary.md, statistics.md and parameters.md.
+"""Writes the generated parts of docs/ - definitions in summary.schema.json, summary.md, statistics.md, parameters.md - and
+what the Python package knows of the program: parameters, their keywords, and the quantities of statistics.
 
 usage: references.py QUANTITIES PROGRAM DOCS [--check]
 
@@ -11,6 +12,7 @@ import pathlib
 import subprocess
 import sys
 
+from python_stub import stub
 from schema_page import schema_page
 from statistics_page import statistics_page
 
@@ -36,10 +38,8 @@ def closed(definition):
 
 
 def parameter_definition(parameter):
-    kind = parameter["type"]
-    if parameter["length"]:
-        kind = ["number", "string"]
-    definition = {"description": f"{parameter['meaning']} ({parameter['allowed']})", "type": kind}
+    kind = {"length": ["number", "string"], "size": "string", "choice": "string"}.get(parameter["type"], parameter["type"])
+    definition = {"description": f"{parameter['meaning']} ({parameter['limits']})", "type": kind}
     if parameter["unit"]:
         definition["unit"] = parameter["unit"]
     elif kind in ("number", "integer"):
@@ -103,6 +103,15 @@ def updated_schema(text, quantities):
     return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
 
 
+def statistics_list(quantities):
+    """Unit and meaning of each statistic of each kind, with the ends of its interval."""
+    kinds = {group["name"]: {name: {"unit": each["unit"], "meaning": each["description"]}
+                             for name, each in statistics_definition(group)["properties"].items()}
+             for group in quantities["statistics"]}
+    document = {"schema_version": quantities["schema_version"], "kinds": kinds}
+    return json.dumps(document, indent=1, ensure_ascii=False) + "\n"
+
+
 def output_of(*command):
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
@@ -110,13 +119,17 @@ def output_of(*command):
 def main(arguments):
     quantities_program, program, docs = arguments[:3]
     docs = pathlib.Path(docs)
-    quantities = json.loads(output_of(quantities_program))
+    parameters = output_of(program, "parameters", "--json")
+    quantities = {**json.loads(output_of(quantities_program)), **json.loads(parameters)}
     schema = updated_schema((docs / "summary.schema.json").read_text(), quantities)
     pages = {
         "summary.schema.json": schema,
         "summary.md": schema_page(json.loads(schema)),
         "statistics.md": statistics_page(quantities),
         "parameters.md": output_of(program, "parameters", "--markdown"),
+        "../python/umbrameter/parameters.json": parameters,
+        "../python/umbrameter/keywords.pyi": stub(quantities["parameters"]),
+        "../python/umbrameter/statistics.json": statistics_list(quantities),
     }
     stale = [name for name, text in pages.items()
              if not (docs / name).exists() or (docs / name).read_text() != text]

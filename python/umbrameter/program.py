@@ -1,0 +1,160 @@
+"""Finds the program, checks its version, and runs it: progress, Ctrl-C, and errors with the program's line."""
+from __future__ import annotations
+
+import codecs
+import contextlib
+import functools
+import os
+import pathlib
+import pty
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import tty
+from collections.abc import Callable, Iterator, Sequence
+
+from .parameters import program_version
+
+erase_line = "\r\x1b[K"  # what the program writes before each state of its progress bar
+
+
+class Error(RuntimeError):
+    """What the program refused or could not do; the message is the program's line.
+
+    `exit_code` is 1 where a check failed, 2 for usage or configuration, 3 without usable OpenGL or Embree, 4 for
+    unreadable input, 5 for a partial result, and None where the program did not run.
+    """
+
+    def __init__(self, line: str, exit_code: int | None = None, command: Sequence[str] = ()) -> None:
+        super().__init__(line)
+        self.exit_code = exit_code
+        self.command = list(command)
+
+
+def find_program() -> pathlib.Path:
+    """Path of the program: `UMBRAMETER`, else on PATH, else in the prefix of Python or of this package.
+
+    Raises Error if there is none, or if its major or minor version is not that of this package.
+    """
+    chosen = os.environ.get("UMBRAMETER")
+    prefixes = [pathlib.Path(sys.prefix), *pathlib.Path(__file__).resolve().parents, pathlib.Path("/usr/local")]
+    places = [chosen] if chosen else ["umbrameter", *(str(prefix / "bin" / "umbrameter") for prefix in prefixes)]
+    found = next((where for place in places if (where := shutil.which(place))), None)
+    if found is None:
+        sought = f"UMBRAMETER names {chosen}, which is no program" if chosen else "neither on PATH nor in a prefix"
+        raise Error(f"umbrameter: program not found: {sought}; set UMBRAMETER to its path")
+    path = pathlib.Path(found)
+    version = _version_of(path, path.stat().st_mtime_ns)
+    if version.split(".")[:2] != program_version.split(".")[:2]:
+        raise Error(f"{path} is version {version or 'unknown'}, this package is for {program_version}: "
+                    "install the package of the program's version")
+    return path
+
+
+@functools.lru_cache(maxsize=8)
+def _version_of(path: pathlib.Path, _changed: int) -> str:
+    try:
+        text = subprocess.run([path, "--version"], capture_output=True, text=True, timeout=60).stdout
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise Error(f"{path}: cannot be run: {error}; set UMBRAMETER to the program's path") from error
+    words = text.split()
+    return words[1] if len(words) == 2 and words[0] == "umbrameter" else ""
+
+
+def run(arguments: Sequence[str], progress: bool | None = None) -> str:
+    """Run the program and return what it prints on stdout.
+
+    `progress` shows its bar and notes on `sys.stderr`; None: in a terminal and in a notebook. Ctrl-C stops the program,
+    waits until it has stored what it has, and raises KeyboardInterrupt; a second one ends it at once.
+    Raises Error with the program's line where its exit code is not 0.
+    """
+    command = [str(find_program()), *arguments]
+    if progress is None:
+        progress = sys.stderr.isatty() or "ipykernel" in sys.modules
+    environment = dict(os.environ)
+    if progress:
+        # The program draws its bar only in a terminal.
+        ours, theirs = pty.openpty()
+        tty.setraw(theirs)
+        environment.update(TERM="xterm", NO_COLOR="1")
+    else:
+        ours, theirs = os.pipe()
+    pressed: list[int] = []
+    process: subprocess.Popen[bytes] | None = None
+
+    def stop(*_: object) -> None:
+        pressed.append(signal.SIGKILL if pressed else signal.SIGINT)
+        if process is not None:
+            process.send_signal(pressed[-1])
+
+    lines: list[str] = []
+    printed: list[bytes] = []
+    with _on_interrupt(stop):
+        # Its own process group: Ctrl-C of a terminal would reach the program twice, and the second signal ends it at once.
+        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=theirs,
+                                   env=environment, process_group=0)
+        if pressed:  # while it started
+            process.send_signal(signal.SIGINT)
+        os.close(theirs)
+        assert process.stdout is not None
+        stdout = process.stdout
+        readers = [threading.Thread(target=lambda: printed.append(stdout.read()), daemon=True),
+                   threading.Thread(target=_follow, args=(ours, lines, _show if progress else None), daemon=True)]
+        for reader in readers:
+            reader.start()
+        exit_code = process.wait()
+        for reader in readers:
+            reader.join()
+        stdout.close()
+        os.close(ours)
+    if pressed:
+        raise KeyboardInterrupt
+    if exit_code != 0:
+        refusals = [line for line in lines if line.startswith("umbrameter: ")] or lines
+        raise Error(refusals[-1] if refusals else f"umbrameter ended with exit code {exit_code}", exit_code, command)
+    return b"".join(printed).decode()
+
+
+@contextlib.contextmanager
+def _on_interrupt(handler: Callable[..., None]) -> Iterator[None]:
+    """Ctrl-C calls the handler; it reaches only the main thread."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGINT, handler)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def _follow(descriptor: int, lines: list[str], show: Callable[[str, str], None] | None) -> None:
+    """Collect the lines of stderr, and show them and the bar between them. An error's line is left to the exception."""
+    decode = codecs.getincrementaldecoder("utf-8")("replace").decode
+    rest = ""
+    while chunk := _read(descriptor):
+        *complete, rest = (rest + decode(chunk)).split("\n")
+        for line in (each.rpartition(erase_line)[2] for each in complete):
+            lines.append(line)
+            if show and not line.startswith("umbrameter: "):
+                show(line, "\n")
+        if erase_line in rest:
+            rest = erase_line + rest.rpartition(erase_line)[2]
+            if show:
+                show(rest.removeprefix(erase_line), "")
+
+
+def _read(descriptor: int) -> bytes:
+    try:
+        return os.read(descriptor, 4096)
+    except OSError:  # how a pseudo-terminal ends
+        return b""
+
+
+def _show(text: str, end: str) -> None:
+    """In place of the bar that stands there. Notebooks know no escape sequence but the carriage return."""
+    with contextlib.suppress(OSError, ValueError):
+        sys.stderr.write((erase_line + text if sys.stderr.isatty() else "\r" + text.ljust(100)) + end)
+        sys.stderr.flush()

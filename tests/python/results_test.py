@@ -1,0 +1,132 @@
+"""Opening runs: summary, table, cells, layers, figures."""
+import csv
+import json
+import math
+import shutil
+import sqlite3
+import subprocess
+import sys
+import unittest
+
+import numpy as np
+from support import compared, environment, root, small, swept, work
+
+import umbrameter as um
+
+
+class Sweep(unittest.TestCase):
+    def test_the_table_is_that_of_sweep_csv_with_units(self):
+        table = um.load(swept().folder).table
+        rows = list(csv.DictReader((swept().folder / "sweep.csv").read_text().splitlines()))
+        self.assertEqual(list(table.columns), list(rows[0]))
+        self.assertEqual(table["mae"].tolist(), [float(row["mae"]) for row in rows])
+        self.assertEqual(table["shadow.filter"].tolist(), [row["shadow.filter"] for row in rows])
+        self.assertEqual(table["pixels"].dtype, np.int64)
+        expected = {"shadow.constant-bias": "texels", "mean_texel": "m", "mae": "1", "pixels": "px"}
+        self.assertEqual({name: table.attrs["units"][name] for name in expected}, expected)
+        self.assertIn("mean absolute error", table.attrs["meanings"]["mae"])
+
+    def test_cells_lie_over_the_axes_and_the_last_varies_fastest(self):
+        run = swept()
+        self.assertEqual([len(values) for values in run.axes.values()], [5, 2, 2])
+        self.assertEqual(run.axes["shadow.filter"].tolist(), ["nearest", "box"])
+        self.assertEqual(run.over_axes("mae")[3, 1, 0], run.columns["mae"][3 * 4 + 1 * 2 + 0])
+
+    def test_cells_are_a_dataset_of_xarray(self):
+        try:
+            import xarray  # noqa: F401
+        except ImportError:
+            self.skipTest("python3-xarray is not installed")
+        cells = swept().cells
+        least = cells["mae"].sel({"shadow.resolution": 512, "shadow.filter": "nearest"}).min().item()
+        self.assertEqual(least, swept().over_axes("mae")[:, 1, 0].min())
+        self.assertEqual(cells["mean_texel"].attrs["units"], "m")
+        self.assertEqual(cells["shadow.constant-bias"].attrs["units"], "texels")
+
+    def test_figures_are_found_in_three_formats(self):
+        figures = swept().figures
+        self.assertIn("mae_0", figures)
+        self.assertTrue(all(path.is_file() for each in figures.values() for path in (each.svg, each.pdf, each.png)))
+        self.assertTrue(figures["mae_0"]._repr_svg_().lstrip().startswith("<"))
+
+    def test_undefined_numbers_are_nan_and_an_incomplete_sweep_shows_its_cells(self):
+        folder = work / "partial"
+        shutil.copytree(swept().folder, folder)
+        facts = folder / ".umbrameter-run.json"
+        facts.write_text(json.dumps({**json.loads(facts.read_text()), "complete": False}))
+        (folder / "summary.json").unlink()
+        (folder / "results.sqlite").rename(folder / "results.partial.sqlite")
+        with sqlite3.connect(folder / "results.partial.sqlite") as database:
+            database.execute("DELETE FROM cells WHERE cell > 12")
+            database.execute("UPDATE cells SET mae = NULL WHERE cell = 4")
+        run = um.load(folder)
+        self.assertEqual(len(run.table), 13)
+        self.assertTrue(math.isnan(run.columns["mae"][4]))
+        with self.assertRaisesRegex(ValueError, "an incomplete sweep"):
+            run.axes
+        with self.assertRaisesRegex(FileNotFoundError, "rerun its command"):
+            run.summary
+
+
+class Other(unittest.TestCase):
+    def test_compare_has_a_row_for_each_light_and_one_for_ambient_occlusion(self):
+        run = compared()
+        self.assertEqual(run.table["measured"].tolist(), ["visibility", "ao"])
+        self.assertEqual(run.table["light"].tolist(), ["sun", ""])
+        measured = (run.summary["shadows"][0], run.summary["ao"])
+        self.assertEqual(run.table["mae"].tolist(), [each["statistics"]["mae"] for each in measured])
+        self.assertTrue(math.isnan(run.table["acne"][1]))
+        self.assertEqual(run.table.attrs["units"]["mean_texel"], "m")
+        self.assertIn("sun: ", run.answer)
+
+    def test_tune_has_a_row_for_each_point(self):
+        run = um.tune("contact-box", work / "tune", vary={"shadow_slope_bias": "0:4"}, evaluations=6, **small)
+        self.assertEqual(len(run.table), run.summary["tuning"]["evaluations"])
+        self.assertEqual(run.table.attrs["units"]["shadow.slope-bias"], "texels")
+        self.assertEqual(run.table.attrs["units"]["mae_0"], "1")
+        self.assertEqual(run.table["cost"].min(), run.summary["tuning"]["best"]["cost"])
+
+    def test_another_folder_is_refused(self):
+        with self.assertRaisesRegex(FileNotFoundError, "not a folder of umbrameter"):
+            um.load(work)
+
+    def test_a_later_summary_is_refused(self):
+        folder = work / "later"
+        shutil.copytree(compared().folder, folder)
+        summary = json.loads((folder / "summary.json").read_text())
+        (folder / "summary.json").write_text(json.dumps({**summary, "schema_version": "99"}))
+        with self.assertRaisesRegex(ValueError, "version 99"):
+            um.load(folder).summary
+
+
+class Large(unittest.TestCase):
+    def test_98304_cells_open_in_2_s_and_300_mb(self):
+        folder = work / "large"
+        folder.mkdir()
+        shutil.copy(swept().folder / ".umbrameter-run.json", folder)
+        shutil.copy(swept().folder / "results.sqlite", folder)
+        with sqlite3.connect(folder / "results.sqlite") as database:
+            names = [row[1] for row in database.execute("PRAGMA table_info(cells)")]
+            row = list(database.execute("SELECT * FROM cells").fetchone())
+            database.execute("DELETE FROM cells")
+            axes = [names.index(name) for name in ("shadow.constant-bias", "shadow.resolution")]
+
+            def cells():
+                for cell in range(98304):
+                    row[0], row[axes[0]], row[axes[1]] = cell, 0.1 + cell // 192, 64 + cell % 192
+                    yield row
+            database.executemany(f"INSERT INTO cells VALUES ({','.join('?' * len(names))})", cells())
+        script = ("import time, resource\nimport umbrameter as um\n"
+                  f"run = um.load({str(folder)!r}); table = run.table; over = run.over_axes('mae')\n"
+                  "assert over.shape == (512, 192, 1), over.shape\nassert len(table) == 98304\n"
+                  "print(time.process_time(), resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)")
+        with environment(PYTHONPATH=root / "python"):
+            result = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+        seconds, megabytes = map(float, result.stdout.split())
+        print(f"98,304 cells, imports included: {seconds:.2f} s of CPU time, {megabytes:.0f} MB")
+        self.assertLess(megabytes, 300)
+        self.assertLess(seconds, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
