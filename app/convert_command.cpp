@@ -8,6 +8,7 @@
 #include "core/standard_streams.h"
 #include "present/bias_conversion.h"
 #include "reports/files/text_layout.h"
+#include "scenes/builtin.h"
 
 namespace umbrameter {
 namespace {

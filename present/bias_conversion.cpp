@@ -161,7 +161,9 @@ void add_number_notes(const ConvertedTarget& target, std::vector<std::string>& n
         add(fmt::format("{} {}: no equivalent: {}", engine.name, engine.numbers[n].name, each.numbers[n].reason));
       }
     }
-    for (const std::string& missing : each.missing) add(fmt::format("{}: {}", engine.name, missing));
+    // Of a unit, the table of places has the other parts in metres.
+    for (const std::string& missing : engine.is_unit ? std::vector<std::string>() : each.missing)
+      add(fmt::format("{}: {}", engine.name, missing));
   }
   for (std::size_t n = 0; n < engine.numbers.size(); ++n) {
     const BiasNumber& number = engine.numbers[n];

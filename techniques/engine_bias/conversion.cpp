@@ -145,7 +145,7 @@ std::string why_unknown(const BiasSpec& spec, const BiasNumber& number, const Ma
     const BiasSetting& setting = spec.engine->settings[i];
     return "it needs " + std::string(setting.name) + "=, " + std::string(setting.meaning);
   }
-  return "with these settings the number has no effect";
+  return "the place lies outside its depth range, or its settings leave the number without effect";
 }
 
 }  // namespace

@@ -19,11 +19,11 @@ bool is_sun(const Place& place) { return place.light == LightKind::directional; 
 // A light other than a directional one has no formula here.
 Result of_sun(const Place& place, double metres) { return is_sun(place) ? Result(metres) : std::nullopt; }
 
-// One unit of the depth, 0 to 1, of a camera with these planes: orthographic, or perspective at the depth d. Planes in
-// the wrong order have none.
+// One unit of the depth, 0 to 1, of a camera with these planes: orthographic, or perspective at the depth d; 0 where d
+// is outside, or the planes are in the wrong order.
 double metres_of_depth(const Place& place, double near, double far) {
   if (place.is_range_given) return place.range;
-  if (!(near < far)) return 0.0;
+  if (!(near < far) || (!is_sun(place) && !(near <= place.depth && place.depth <= far))) return 0.0;
   return is_sun(place) ? far - near : place.depth * place.depth * (far - near) / (near * far);
 }
 
@@ -82,7 +82,7 @@ BiasEngine godot() {
           "light_storage.cpp @006f039 (update_light_buffers), renderer_scene_cull.cpp (bias_scale, "
           "shadow_texel_size, pancake_size), scene_forward_clustered.glsl (BIAS_FUNC), light_3d.cpp (steps)",
       .numbers = {{"shadow_bias",
-                   "1/100 of R",
+                   "R/100 (point: m)",
                    0.1,
                    BiasTerm::constant,
                    [](const Place& p, const Settings& s) -> Result {

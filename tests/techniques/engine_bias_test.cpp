@@ -114,6 +114,7 @@ TEST(EngineBias, Spot_and_point_lights_have_the_depth_of_a_perspective) {
   EXPECT_NEAR(terms("godot:bias=0.1,normal_bias=0", lamp(LightKind::point)).constant, 0.1, 1e-12);
   EXPECT_NEAR(terms("bevy", lamp(LightKind::spot)).normal, 1.8 * std::sqrt(2.0) * 0.01, 1e-12);
   EXPECT_NEAR(terms("playcanvas:0,normalOffsetBias=0.1", lamp(LightKind::spot)).normal, 0.4, 1e-12);
+  expect_words(converted("metres:0.1", "three:near=5", lamp(LightKind::spot)).numbers[0].reason, {"outside"});
   expect_words(error_of([] { terms("godot:bias=0.1", lamp(LightKind::spot)); }), {"godot shadow_bias", "spot light"});
   expect_words(converted("metres:0.1", "unity-urp", lamp(LightKind::point)).numbers[0].reason, {"point light"});
 }
@@ -225,11 +226,11 @@ TEST(EngineBias, A_mistake_is_one_line_that_names_it) {
       {"godot:bias=1,range=-3", {"godot range", "above 0"}},
       {"three:far=-1", {"three far", "below 0"}},
       {"three:near", {"three near", "no value given"}},
-      {"three:near=80,far=1,bias=1", {"three bias", "no effect"}},
+      {"three:near=80,far=1,bias=1", {"three bias", "without effect"}},
       {"metres", {"no value given", "metres:bias=0.05"}},
       {"wicked:bias=1", {"Wicked", "fixed polygon offset"}},
       {"stride", {"stride NormalOffsetScale", "atlas="}},
-      {"three:near=5,far=5,bias=1", {"three bias", "no effect"}},
+      {"three:near=5,far=5,bias=1", {"three bias", "without effect"}},
   };
   for (const auto& [text, words] : cases) {
     const std::string message = error_of([&] { terms(text, courtyard()); });
