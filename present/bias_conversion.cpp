@@ -27,8 +27,7 @@ std::string code_number(double number) {
 // The same for a table.
 std::string table_number(double number) { return number == 0.0 ? "0" : with_minus(code_number(number)); }
 
-std::string code_line(const BiasNumber& number, double value, std::size_t cascade, bool is_one_of_several) {
-  std::string text(number.code);
+std::string code_line(std::string text, double value, std::size_t cascade, bool is_one_of_several) {
   if (is_one_of_several && text.starts_with("light.")) text = fmt::format("csm.lights[{}].", cascade) + text.substr(6);
   return text.replace(text.find("{}"), 2, code_number(value));
 }
@@ -138,14 +137,16 @@ std::vector<std::string> code_lines(const ConvertedTarget& target) {
     const std::optional<ChosenValue> chosen = choose_value(target, n);
     if (number.code.empty() || !chosen || is_idle(target, n)) continue;
     const bool is_sun = target.places.front().light == LightKind::directional;
+    const std::string& own = target.conversions.front().numbers[n].code;
+    const std::string code = own.empty() ? std::string(number.code) : own;
     if (engine.sets_each_cascade && is_sun && count > 1) {
       for (std::size_t i = 0; i < count; ++i) {
-        lines.push_back(code_line(number, *target.conversions[i].numbers[n].value, i, true));
+        lines.push_back(code_line(code, *target.conversions[i].numbers[n].value, i, true));
       }
       continue;
     }
     const double value = std::clamp(chosen->value, number.min, number.max);
-    lines.push_back(code_line(number, value, 0, false));
+    lines.push_back(code_line(code, value, 0, false));
   }
   return lines;
 }

@@ -148,6 +148,16 @@ std::string why_unknown(const BiasSpec& spec, const BiasNumber& number, const Ma
   return "the place lies outside its depth range, or its settings leave the number without effect";
 }
 
+// Our own flags for an offset.
+std::string flags_of(const OffsetKind& kind) {
+  const std::string flag = kind.side == OffsetSide::receiver ? "--shadow.normal-offset" : "--shadow.caster-offset";
+  std::string text = flag + " {}";
+  if (kind.profile != OffsetProfile::sine) {
+    text += " " + flag + "-profile " + std::string(offset_profile_names[static_cast<std::size_t>(kind.profile)]);
+  }
+  return text + (kind.direction == OffsetDirection::across ? " --shadow.normal-offset-direction across" : "");
+}
+
 }  // namespace
 
 std::string text_of(const OffsetKind& kind) {
@@ -155,7 +165,7 @@ std::string text_of(const OffsetKind& kind) {
   text += kind.direction == OffsetDirection::normal ? "along its normal"
                                                     : "along its normal without the part along the light";
   if (kind.profile == OffsetProfile::sine) return text + ", × sin θ";
-  return text + (kind.profile == OffsetProfile::uniform ? ", alike at every angle" : ", × (1 − cos θ)");
+  return text + (kind.profile == OffsetProfile::constant ? ", alike at every angle" : ", × (1 − cos θ)");
 }
 
 double BiasSettings::operator[](std::string_view name) const {
@@ -305,7 +315,7 @@ BiasConversion convert(const BiasTerms& terms, const BiasSpec& target, const Map
       converted.value = 0.0;
       continue;
     }
-    if (number.term == BiasTerm::normal && number.offset != terms.offset) {
+    if (number.term == BiasTerm::normal && !number.takes_any_offset && number.offset != terms.offset) {
       converted.reason = "the source " + text_of(terms.offset) + "; this one " + text_of(number.offset);
       continue;
     }
@@ -315,6 +325,7 @@ BiasConversion convert(const BiasTerms& terms, const BiasSpec& target, const Map
       continue;
     }
     converted.value = amounts[term] / *per_unit;
+    if (number.takes_any_offset) converted.code = flags_of(terms.offset);
     conversion.has_equivalent = true;
   }
   constexpr const char* names[] = {"constant bias", "normal offset", "bias by slope"};

@@ -54,6 +54,7 @@ BiasTerms terms_of(const BiasSpec& source, const MapPlace& place);
 struct ConvertedNumber {
   std::optional<double> value;
   std::string reason;
+  std::string code{};  ///< in place of the number's own; empty: as it is
 };
 
 struct BiasConversion {

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "techniques/shadow/normal_offset.h"
+
 namespace umbrameter {
 
 enum class LightKind { directional, spot, point };
@@ -30,13 +32,11 @@ struct MapPlace {
 /// along the two axes of the map.
 enum class BiasTerm { constant, normal, slope };
 
-enum class OffsetProfile { uniform, sine, one_minus_cosine };  ///< factor of the offset by the angle to the light
-enum class OffsetSide { receiver, caster };                    ///< receiver outwards, or caster inwards
-enum class OffsetDirection { normal, across_light };           ///< along the normal, or only its part across the light
+enum class OffsetSide { receiver, caster };  ///< receiver outwards, or caster inwards
 
 /// Two offsets are equivalent only if all three agree.
 struct OffsetKind {
-  OffsetProfile profile = OffsetProfile::uniform;
+  OffsetProfile profile = OffsetProfile::constant;
   OffsetSide side = OffsetSide::receiver;
   OffsetDirection direction = OffsetDirection::normal;
   friend bool operator==(const OffsetKind&, const OffsetKind&) = default;
@@ -77,7 +77,8 @@ struct BiasNumber {
   OffsetKind offset{};       ///< BiasTerm::normal
   double min = -std::numeric_limits<double>::infinity();  ///< to which the engine itself clamps
   double max = std::numeric_limits<double>::infinity();
-  double step = 0.0;  ///< of the inspector; 0: none or unknown
+  double step = 0.0;              ///< of the inspector; 0: none or unknown
+  bool takes_any_offset = false;  ///< as a target: our own flags beside the number set profile, side and direction
 };
 
 struct BiasEngine {

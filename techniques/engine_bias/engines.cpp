@@ -59,14 +59,14 @@ std::vector<BiasEngine> neutral_units() {
        .source = "techniques/shadow/parameters.h",
        .numbers = {{"constant-bias", "m", no_default, BiasTerm::constant, one_metre, "1 m",
                     "--shadow.constant-bias {}"},
-                   {"normal-offset",
-                    "texels × sin θ",
-                    0.0,
-                    BiasTerm::normal,
-                    one_texel,
-                    "t",
-                    "--shadow.normal-offset {}",
-                    {OffsetProfile::sine}},
+                   {.name = "normal-offset",
+                    .unit = "texels × profile",
+                    .term = BiasTerm::normal,
+                    .per_unit = one_texel,
+                    .formula = "t",
+                    .code = "--shadow.normal-offset {}",
+                    .offset = {OffsetProfile::sine},
+                    .takes_any_offset = true},
                    {"polygon-offset-factor", "texels × slope", 0.0, BiasTerm::slope,
                     [](const Place& p, const Settings&) { return of_sun(p, 1.0); }, "1",
                     "--shadow.polygon-offset-factor {}"}},
@@ -102,7 +102,7 @@ BiasEngine godot() {
                    [](const Place& p, const Settings&) { return of_sun(p, p.texel); },
                    "t",
                    "light.shadow_normal_bias = {}",
-                   {OffsetProfile::uniform, OffsetSide::receiver, OffsetDirection::across_light},
+                   {OffsetProfile::constant, OffsetSide::receiver, OffsetDirection::across},
                    -infinity,
                    infinity,
                    0.001}},
@@ -169,34 +169,38 @@ BiasEngine babylon() {
 }
 
 BiasEngine playcanvas() {
-  return {.name = "playcanvas",
-          .title = "PlayCanvas 2.23.3",
-          .source =
-              "npm playcanvas 2.23.3: scene/light.js, framework/components/light/component.js, "
-              "lightFunctionShadow.js",
-          .numbers = {{"shadowBias",
-                       "1",
-                       0.05,
-                       BiasTerm::slope,
-                       [](const Place& p, const Settings&) { return of_sun(p, 10.0); },
-                       "10 texels × slope",
-                       "light.shadowBias = {};",
-                       {},
-                       0.0,
-                       1.0},
-                      {"normalOffsetBias",
-                       "m × (1 − cos θ)",
-                       0.0,
-                       BiasTerm::normal,
-                       [](const Place& p, const Settings&) -> Result { return is_sun(p) ? 1.0 : p.depth; },
-                       "1 m; of other lights d",
-                       "light.normalOffsetBias = {};",
-                       {OffsetProfile::one_minus_cosine},
-                       0.0,
-                       1.0}},
-          .note =
-              "in addition the receiver always moves by 0.0001 R, and shadowBias v also adds 10 v of the smallest "
-              "depth steps; not with a PCSS map"};
+  return {
+      .name = "playcanvas",
+      .title = "PlayCanvas 2.23.3",
+      .source =
+          "npm playcanvas 2.23.3: scene/light.js, framework/components/light/component.js, "
+          "lightFunctionShadow.js",
+      .numbers = {{"shadowBias",
+                   "1",
+                   0.05,
+                   BiasTerm::slope,
+                   [](const Place& p, const Settings&) { return of_sun(p, 10.0); },
+                   "10 texels × slope",
+                   "light.shadowBias = {};",
+                   {},
+                   0.0,
+                   1.0},
+                  {"normalOffsetBias",
+                   "m",
+                   0.0,
+                   BiasTerm::normal,
+                   [](const Place& p, const Settings&) {
+                     return p.light == LightKind::point ? std::nullopt : Result(1.0);
+                   },
+                   "1 m",
+                   "light.normalOffsetBias = {};",
+                   {OffsetProfile::constant},
+                   0.0,
+                   1.0}},
+      .note =
+          "in addition the receiver always moves by 0.0001 R, and shadowBias v also adds 10 v of the smallest "
+          "depth steps; not with a PCSS map. With a VSM map normalOffsetBias is multiplied by (1 − cos θ), and by the "
+          "distance of a spot light"};
 }
 
 std::vector<BiasEngine> unity() {

@@ -11,6 +11,9 @@ namespace umbrameter {
 /// sine: sin θ, constant: 1, one_minus_cosine: 1 − max(cos θ, 0).
 enum class OffsetProfile : int { sine, constant, one_minus_cosine };
 
+/// normal: along the normal; across: only the part of that which is perpendicular to the direction to the light.
+enum class OffsetDirection : int { normal, across };
+
 inline constexpr std::array<std::string_view, 3> offset_profile_names{"sine", "constant", "one-minus-cosine"};
 
 /// (texels · texel size + metres) · profile, in metres.

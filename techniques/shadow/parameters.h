@@ -18,9 +18,6 @@ struct ShadowMapParams {
 };
 Parameters describe(ShadowMapParams& params);
 
-/// normal: along the normal; across: only the part of that which is perpendicular to the direction to the light.
-enum class OffsetDirection : int { normal, across };
-
 /// A tap is lit if and only if constant ≥ β − slope · m, where β = receiver depth − stored depth is the critical bias
 /// and m = texel size at the receiver · tan θ; all in metres. A constant bias in texels is multiplied by the texel size
 /// at the receiver. One in the map's depth is compared in that depth: metres_per_map_depth() of it at the receiver.

@@ -86,14 +86,14 @@ TEST(EngineBias, Normal_offsets_and_slopes_are_those_of_the_engines_sources) {
   using enum OffsetSide;
   using enum OffsetDirection;
   const Case cases[] = {
-      {"godot:normal_bias=2", 0.04, {uniform, receiver, across_light}},
-      {"three:bias=0,normalBias=0.03", 0.03, {uniform, receiver, normal}},
-      {"bevy:shadow_normal_bias=1.8", 1.8 * std::sqrt(2.0) * 0.02, {uniform, receiver, normal}},
-      {"unity-hdrp:normalBias=0.75", 0.015, {uniform, receiver, normal}},
+      {"godot:normal_bias=2", 0.04, {constant, receiver, across}},
+      {"three:bias=0,normalBias=0.03", 0.03, {constant, receiver, normal}},
+      {"bevy:shadow_normal_bias=1.8", 1.8 * std::sqrt(2.0) * 0.02, {constant, receiver, normal}},
+      {"unity-hdrp:normalBias=0.75", 0.015, {constant, receiver, normal}},
       {"filament:normalBias=1", 0.02, {sine, receiver, normal}},
       {"umbrameter:0,normal-offset=1", 0.02, {sine, receiver, normal}},
       {"babylon:normalBias=0.03", 0.03, {sine, caster, normal}},
-      {"playcanvas:normalOffsetBias=0.03", 0.03, {one_minus_cosine, receiver, normal}},
+      {"playcanvas:normalOffsetBias=0.03", 0.03, {constant, receiver, normal}},
       {"unity-urp:normalBias=1,soft=high", 0.07, {one_minus_cosine, caster, normal}},
       {"stride:normalOffsetScale=10,atlas=2000", 0.01, {one_minus_cosine, receiver, normal}},
   };
@@ -113,7 +113,7 @@ TEST(EngineBias, Spot_and_point_lights_have_the_depth_of_a_perspective) {
   EXPECT_NEAR(terms("babylon:bias=0.001,minZ=1,maxZ=101", lamp(LightKind::point)).constant, 0.102, 1e-12);
   EXPECT_NEAR(terms("godot:bias=0.1,normal_bias=0", lamp(LightKind::point)).constant, 0.1, 1e-12);
   EXPECT_NEAR(terms("bevy", lamp(LightKind::spot)).normal, 1.8 * std::sqrt(2.0) * 0.01, 1e-12);
-  EXPECT_NEAR(terms("playcanvas:0,normalOffsetBias=0.1", lamp(LightKind::spot)).normal, 0.4, 1e-12);
+  EXPECT_NEAR(terms("playcanvas:0,normalOffsetBias=0.1", lamp(LightKind::spot)).normal, 0.1, 1e-12);
   expect_words(converted("metres:0.1", "three:near=5", lamp(LightKind::spot)).numbers[0].reason, {"outside"});
   expect_words(error_of([] { terms("godot:bias=0.1", lamp(LightKind::spot)); }), {"godot shadow_bias", "spot light"});
   expect_words(converted("metres:0.1", "unity-urp", lamp(LightKind::point)).numbers[0].reason, {"point light"});
@@ -158,6 +158,14 @@ TEST(EngineBias, Offsets_are_equivalent_only_if_profile_side_and_direction_agree
   // Both move the receiver along its normal at any angle: 2 texels of 2 cm are 4 cm.
   EXPECT_NEAR(*converted("unity-hdrp:normalBias=2,slopeBias=0", "three", courtyard()).numbers[1].value, 0.04, 1e-12);
   EXPECT_NEAR(*converted("filament:normalBias=2", "umbrameter", courtyard()).numbers[1].value, 2.0, 1e-12);
+  // Our own technique has every kind, by flags beside the number.
+  const BiasConversion ours = converted("godot:normal_bias=2", "umbrameter", courtyard());
+  EXPECT_NEAR(*ours.numbers[1].value, 2.0, 1e-12);
+  EXPECT_EQ(
+      ours.numbers[1].code,
+      "--shadow.normal-offset {} --shadow.normal-offset-profile constant --shadow.normal-offset-direction across");
+  EXPECT_EQ(converted("unity-urp:normalBias=1", "umbrameter", courtyard()).numbers[1].code,
+            "--shadow.caster-offset {} --shadow.caster-offset-profile one-minus-cosine");
   for (const char* target : {"three", "unity-urp", "filament", "playcanvas", "babylon"}) {
     const BiasConversion none = converted("godot:normal_bias=2", target, courtyard());
     EXPECT_FALSE(none.numbers[1].value) << target;
