@@ -67,7 +67,7 @@ def bias_curves(run: Run, statistic: str = "mae", over: str = "", axes: Axes | N
     _scale(axes, "x", run.axes[over])
     _scale(axes, "y", _shown(run, statistic))
     axes.set(xlabel=_label(run, over), ylabel=_label(run, statistic))
-    _legend(axes, _others(run, over, fixed), len(lines))
+    _legend(axes, ", ".join(_label(run, name) for name in _others(run, over, fixed)), len(lines))
     return axes
 
 
@@ -82,11 +82,11 @@ def causes(run: Run, over: str = "", axes: Axes | None = None, **fixed: Any) -> 
     chosen = lines[0][1]
     for number, (name, color) in enumerate(_causes.items()):
         axes.plot(run.columns[over][chosen], _shown(run, name)[chosen], color=color, linestyle=_dashes[number],
-                  marker=_markers[number], label=_cause_names[name], clip_on=False)
+                  marker=_markers[number], markevery=-(-len(chosen) // 9), label=_cause_names[name], clip_on=False)
     axes.set_yscale("function", functions=(lambda y: np.sqrt(np.maximum(y, 0)), np.square))
     _scale(axes, "x", run.axes[over])
     axes.set(xlabel=_label(run, over), ylabel="share [%]\nsquare-root scale", ylim=(0, None))
-    _legend(axes, ["cause"], 4)
+    _legend(axes, "cause", 4)
     return axes
 
 
@@ -254,10 +254,9 @@ def _scale(axes: Axes, which: str, values: Column) -> None:
         axis.set_minor_formatter(NullFormatter())
 
 
-def _legend(axes: Axes, names: list[str], lines: int) -> None:
+def _legend(axes: Axes, title: str, lines: int) -> None:
     """Below the axes, where there is more than one line."""
     if lines > 1:
-        title = ", ".join(name.split(".")[-1].replace("-", " ") for name in names)
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.23), ncol=2 if lines == 4 else min(lines, 3), title=title)
 
 

@@ -4,7 +4,7 @@ import struct
 import unittest
 
 import numpy as np
-from support import compared, work
+from support import compared, require_driver, work
 
 import umbrameter as um
 from umbrameter import Layers
@@ -87,4 +87,5 @@ class Pfm(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    require_driver()
     unittest.main()

@@ -7,7 +7,7 @@ import subprocess
 import sys
 import unittest
 
-from support import root, work
+from support import require_driver, root, work
 
 guide = (root / "docs" / "python.md").read_text()
 
@@ -40,4 +40,5 @@ class Guide(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    require_driver()
     unittest.main()

@@ -2,7 +2,7 @@
 import unittest
 
 import numpy as np
-from support import compared, small, work
+from support import compared, require_driver, small, work
 
 import umbrameter as um
 
@@ -77,4 +77,5 @@ class Diff(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    require_driver()
     unittest.main()

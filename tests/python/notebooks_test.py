@@ -3,7 +3,7 @@ import json
 import os
 import unittest
 
-from support import root, work
+from support import require_driver, root, work
 
 try:
     import matplotlib
@@ -41,4 +41,5 @@ class Notebooks(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    require_driver()
     unittest.main()

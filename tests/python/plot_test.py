@@ -2,7 +2,7 @@
 import unittest
 
 import numpy as np
-from support import compared, swept, work
+from support import compared, require_driver, swept, work
 
 try:
     import matplotlib
@@ -25,6 +25,7 @@ class Plots(unittest.TestCase):
         self.assertAlmostEqual(np.ravel(lines[3].get_ydata())[0], 100 * error[:, 1].min())
         self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), ("constant bias [texels]", "mean absolute error [%]"))
         self.assertEqual([text.get_text() for text in axes.get_legend().get_texts()], ["256", "512"])
+        self.assertEqual(axes.get_legend().get_title().get_text(), "resolution [texels]")
         self.assertNotEqual(lines[0].get_linestyle(), lines[2].get_linestyle())
 
     def test_causes_need_one_combination_and_draw_four_lines(self):
@@ -73,4 +74,5 @@ class Plots(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    require_driver()
     unittest.main()

@@ -9,7 +9,7 @@ import sys
 import unittest
 
 import numpy as np
-from support import compared, environment, root, small, swept, work
+from support import compared, environment, require_driver, root, small, swept, work
 
 import umbrameter as um
 
@@ -129,4 +129,5 @@ class Large(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    require_driver()
     unittest.main()

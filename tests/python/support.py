@@ -1,6 +1,7 @@
 """What the tests of python/ share. Ends with 77, a skip, where NumPy or pandas is missing."""
 import atexit
 import functools
+import json
 import os
 import pathlib
 import shutil
@@ -20,6 +21,15 @@ work = pathlib.Path(tempfile.mkdtemp(prefix="umbrameter-python-"))
 atexit.register(shutil.rmtree, work, True)
 
 small = {"view_size": (96, 54), "view_light": "sun", "run_measure": "visibility", "figures": False}
+
+
+def require_driver():
+    """Ends with 77 where the program finds no OpenGL device."""
+    from umbrameter.program import run
+
+    if not json.loads(run(["info", "--json"], progress=False))["gl_devices"]:
+        print("skipped: no OpenGL driver")
+        sys.exit(77)
 
 
 def fake_program(name, body, version=None):
