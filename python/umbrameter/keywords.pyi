@@ -34,6 +34,8 @@ class Keywords(TypedDict, total=False):
     """views of a directional light's map, nearer ones finer; an integer from 1 to 8. Default: 1."""
     shadow_split_lambda: float
     """splits of the cascades: 1 logarithmic, 0 uniform; a number from 0 to 1. Default: 0.5."""
+    shadow_splits: str
+    """ends of the first cascades as shares of the range, '0.1,0.2,0.5'; empty: by lambda; text."""
     shadow_split_range: Literal['seen', 'camera']
     """depths that the cascades divide: those seen, or near plane to shadow.max-distance; seen or camera. Default: seen."""
     shadow_max_distance: float
@@ -74,6 +76,12 @@ class Keywords(TypedDict, total=False):
     """hardware polygon offset: times the depth's slope per texel; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_polygon_offset_units: float
     """hardware polygon offset: times the smallest step of the format [units]; a number from -1e+12 to 1e+12. Default: 0.0."""
+    shadow_caster_offset: float
+    """moves the vertices of casters against their normals, times the profile [texels]; a number from -1e+12 to 1e+12. Default: 0.0."""
+    shadow_caster_offset_metres: float
+    """the same in metres; added to that in texels [m]; a number from -1e+12 to 1e+12. Default: 0.0."""
+    shadow_caster_offset_profile: Literal['sine', 'constant', 'one-minus-cosine']
+    """factor of the casters' offset: sin θ, 1 or 1 − cos θ; sine, constant or one-minus-cosine. Default: sine."""
     shadow_point_map: Literal['cube', 'paraboloid']
     """map of a point light: six cube faces or two paraboloids; cube or paraboloid. Default: cube."""
     shadow_cube_passes: bool
@@ -83,7 +91,13 @@ class Keywords(TypedDict, total=False):
     shadow_slope_bias: float
     """slope-scaled bias, times tan θ [texels]; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_normal_offset: float
-    """normal offset, times sin θ [texels]; a number from -1e+12 to 1e+12. Default: 0.0."""
+    """normal offset, times its profile [texels]; a number from -1e+12 to 1e+12. Default: 0.0."""
+    shadow_normal_offset_metres: float
+    """normal offset, times its profile; added to that in texels [m]; a number from -1e+12 to 1e+12. Default: 0.0."""
+    shadow_normal_offset_profile: Literal['sine', 'constant', 'one-minus-cosine']
+    """factor of the normal offset: sin θ, 1 or 1 − cos θ; sine, constant or one-minus-cosine. Default: sine."""
+    shadow_normal_offset_direction: Literal['normal', 'across']
+    """normal offset along the normal, or only its part across the light; normal or across. Default: normal."""
     shadow_receiver_plane: bool
     """compare each tap with the depth of the receiver's plane at the tap; true or false. Default: False."""
     shadow_cone_bias: float
