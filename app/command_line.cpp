@@ -113,7 +113,8 @@ void add_threads(CLI::App& command, CommandLine& line) {
 
 void add_memory(CLI::App& command, CommandLine& line) {
   command.add_option("--memory", line.memory, "max memory for a glTF file: 512M, 8G (1 GiB + 64 × its size)")
-      ->type_name("SIZE");
+      ->type_name("SIZE")
+      ->group(files_group);
 }
 
 void add_image_command(CLI::App& app, CommandLine& line, const CommandDescription& description) {

@@ -113,8 +113,7 @@ std::string named_engine(int argc, const char* const* argv) {
 void add_settings_options(CLI::App& command, CommandLine& line) {
   command.add_option("-c,--config", line.experiment_file, "experiment file (TOML); flags override it")
       ->type_name("FILE");
-  command
-      .add_option("--preset", line.presets, "an engine's settings ('umbrameter presets'); file and flags override them")
+  command.add_option("--preset", line.presets, "an engine's settings ('umbrameter presets'); flags override them")
       ->type_name("NAME")
       ->take_all();
 }

@@ -36,6 +36,8 @@ TEST(Presets, Every_one_says_where_it_is_from_and_sets_known_parameters_to_allow
       const Parameter& parameter = require(parameters, key);
       if (value.is_string()) {
         EXPECT_NO_THROW(parameter.set(Value(value.get<std::string>()))) << key;
+      } else if (value.is_boolean()) {
+        EXPECT_NO_THROW(parameter.set(Value(value.get<bool>()))) << key;
       } else if (value.is_number_integer()) {
         EXPECT_NO_THROW(parameter.set(Value(value.get<std::int64_t>()))) << key;
       } else {
@@ -57,7 +59,7 @@ TEST(Presets, A_file_overrides_a_preset_and_flags_override_both) {
   const std::string written = text_of(out + "/experiment.toml");
   for (const char* line :
        {"\nresolution = 300 ", "\nfilter-size = 7 ", "\nfilter = \"optimized\" ", "\ntechnique = \"gtao\" ",
-        "\npolygon-offset-factor = 0.5 ", "\nconstant-bias = \"0.0001depth\" "}) {
+        "\npolygon-offset-factor = 0.5 ", "\nconstant-bias = \"1e-04depth\" "}) {
     EXPECT_NE(written.find(line), std::string::npos) << line;
   }
 }

@@ -181,7 +181,10 @@ TEST(EngineBias, A_part_without_a_number_is_missing) {
   ASSERT_EQ(none.missing.size(), 1u);
   expect_words(none.missing.front(), {"constant bias"});
   EXPECT_EQ(*none.numbers[0].value, 0.0);
-  expect_words(converted("playcanvas:normalOffsetBias=0.01", "stride", courtyard()).numbers[1].reason, {"atlas"});
+  BiasTerms offset;
+  offset.normal = 0.01;
+  offset.offset = {OffsetProfile::one_minus_cosine};
+  expect_words(convert(offset, parse_bias_targets("stride").front(), courtyard()).numbers[1].reason, {"atlas"});
 }
 
 TEST(EngineBias, All_engines_that_have_an_equivalent_are_the_targets_by_default) {
