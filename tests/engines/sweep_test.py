@@ -35,7 +35,7 @@ def kill_browser(pid, folder, killed):
     """Once the first cell has been drawn."""
     for _ in range(4000):
         time.sleep(0.05)
-        if not any(Path(folder).glob("umbrameter-engine-*/frames/*visibility*")):
+        if not any(any(Path(folder).glob(f"umbrameter-engine-*/frames/*-{output}.pfm")) for output in ("visibility", "lit")):
             continue
         for child in children(pid):
             try:
