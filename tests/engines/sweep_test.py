@@ -49,7 +49,7 @@ def kill_browser(pid, folder, killed):
 
 with tempfile.TemporaryDirectory() as folder:
     command = [program, "sweep", "two-occluders", "--engine", str(root / "engines" / engine / "adapter"), "--light", "sun", "--size",
-               "640x360", "--vary", axis, "--no-figures", "--no-cache", "-o", folder + "/out"]
+               "320x180", "--vary", axis, "--no-figures", "--no-cache", "-o", folder + "/out"]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                env={**os.environ, "TMPDIR": folder})
     killed = threading.Event()
