@@ -11,7 +11,7 @@
 
 namespace umbrameter {
 
-/// What a preset is for. Experiment files of [shadow] or [ao], with a table [preset] that describes them.
+/// One file: parameters of [shadow] or of [ao], and a table [preset] that describes them.
 struct Preset {
   std::string name;       ///< of the file, without .toml
   std::string engine;     ///< with its version

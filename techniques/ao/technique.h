@@ -67,7 +67,7 @@ AoParams in_metres(AoParams params, double scene_size);
 
 using AoTechnique = AoTechniques::Variant<std::type_identity_t>;
 
-/// The chosen technique with the members of `params` that have the types of its own.
+/// The chosen technique. Those members of `params` whose types it has as parameters are copied into it.
 AoTechnique make_technique(AoParams params);
 
 /// The parameters that the technique reads.
