@@ -16,8 +16,9 @@ namespace umbrameter {
 namespace {
 
 constexpr std::pair<const char*, const char*> short_names[] = {
-    {"view.size", "size"}, {"view.scene", "scene"},    {"view.camera", "camera"},  {"view.light", "light"},
-    {"run.seed", "seed"},  {"run.classes", "classes"}, {"run.measure", "measure"}, {"run.overlay", "overlay"}};
+    {"view.size", "size"},      {"view.scene", "scene"},    {"view.camera", "camera"},
+    {"view.light", "light"},    {"run.seed", "seed"},       {"run.classes", "classes"},
+    {"run.measure", "measure"}, {"run.overlay", "overlay"}, {"run.for", "for"}};
 
 constexpr std::pair<const char*, const char*> group_titles[] = {
     {"scene", "Scene"},     {"view", "View"},       {"light", "Size of lights"}, {"shadow", "Shadow technique"},

@@ -61,6 +61,24 @@ void add_technique_notes(Stages& stages, const Experiment& experiment, const std
   }
 }
 
+// What a run shows of its presets, whose values alone would not say where they are from.
+void add_preset_notes(Stages& stages, const CommandLine& line, const std::vector<std::uint32_t>& lights) {
+  for (const std::string& name : line.presets) {
+    const Preset preset = require_preset(name);
+    std::string text = fmt::format("preset {}: {}, {}", name, preset.engine, preset.meaning);
+    if (!preset.differs.empty()) text += "; what differs: " + preset.differs;
+    if (text.ends_with('.')) text.pop_back();
+    std::string others;
+    for (const std::uint32_t light : lights) {
+      if (preset.kind == "ao" || kind_of(stages.scene().lights[light]) == preset.kind) continue;
+      others += (others.empty() ? "" : ", ") + stages.title(light);
+    }
+    if (!others.empty())
+      text += fmt::format("; it is for {} lights, and others have the same parameters: {}", preset.kind, others);
+    stages.add_notes({text});
+  }
+}
+
 // run.measure selects what is measured, and other settings refer to parts of it.
 void require_measured(const Experiment& experiment, const std::vector<BudgetEntry>& conditions) {
   const bool shadows = measures_shadows(experiment);
@@ -74,6 +92,7 @@ void require_measured(const Experiment& experiment, const std::vector<BudgetEntr
   const RunParams& run = experiment.run;
   require(run.shimmer, shadows, "--shimmer", "shadows");
   require(run.write_maps, shadows, "--write-maps", "shadows");
+  require(!run.for_engines.empty(), shadows, "--for", "shadows");
   require(run.ao_stages, ao, "--ao-stages", "ambient occlusion");
   require(run.write_ao_inputs, ao, "--write-ao-inputs", "ambient occlusion");
   require(!run.overlay.empty(), false, "--overlay", "the shaded image");
@@ -91,10 +110,13 @@ void require_measured(const Experiment& experiment, const std::vector<BudgetEntr
 void require_engine_can(const Experiment& experiment) {
   if (renderer_title(experiment).empty()) return;
   const RunParams& run = experiment.run;
-  const std::pair<bool, const char*> ours[] = {
-      {run.shimmer, "--shimmer"},          {run.ao_stages, "--ao-stages"},
-      {run.write_maps, "--write-maps"},    {run.write_ao_inputs, "--write-ao-inputs"},
-      {!run.overlay.empty(), "--overlay"}, {run.measure == SweepMeasure::image, "--measure image"}};
+  const std::pair<bool, const char*> ours[] = {{run.shimmer, "--shimmer"},
+                                               {run.ao_stages, "--ao-stages"},
+                                               {run.write_maps, "--write-maps"},
+                                               {run.write_ao_inputs, "--write-ao-inputs"},
+                                               {!run.for_engines.empty(), "--for"},
+                                               {!run.overlay.empty(), "--overlay"},
+                                               {run.measure == SweepMeasure::image, "--measure image"}};
   for (const auto& [is_given, option] : ours) {
     if (!is_given) continue;
     throw Error(ExitCode::usage, option, "it looks into our own techniques, not into an engine", "leave it out");
@@ -133,7 +155,7 @@ void add_metrics(Experiment& experiment, const std::vector<BudgetEntry>& conditi
 
 Experiment make_experiment(const CommandLine& line) {
   Experiment experiment;
-  for (const std::string& preset : line.presets) apply_preset(preset, describe(experiment));
+  for (const std::string& preset : line.presets) apply_preset(require_preset(preset), describe(experiment));
   if (!line.experiment_file.empty()) experiment = load_experiment(line.experiment_file, std::move(experiment));
   const Parameters parameters = describe(experiment);
   if (!line.vary.empty()) experiment.axes.clear();
@@ -156,7 +178,9 @@ Experiment make_experiment(const CommandLine& line) {
     experiment.scene = std::filesystem::absolute(experiment.scene).lexically_normal().string();
     require_utf8(experiment.scene);
   }
-  metric_columns(experiment.run, true);  // an unknown name is refused before any work
+  // An unknown name is refused before any work.
+  metric_columns(experiment.run, true);
+  if (!experiment.run.for_engines.empty()) parse_bias_targets(experiment.run.for_engines);
   // A side that works alone makes its own surfels.
   if (line.command == "trace") experiment.view.surfels = SurfelSource::traced;
   if (line.command == "raster") experiment.view.surfels = SurfelSource::raster;
@@ -216,6 +240,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
                 fmt::format("the scene has {} lights, and a frame shows the shadow of one", lights.size()),
                 fmt::format("add --light NAME, such as --light '{}'", stages.title(lights.front())));
   }
+  add_preset_notes(stages, line, lights);
   add_technique_notes(stages, experiment, lights);
   if (has_ao && stages.has_engine() && given.truth.ao_distance.unit == LengthUnit::automatic) {
     stages.add_notes(
@@ -245,6 +270,9 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
     const bool has_bias_curve = causes != nullptr && causes->pixels > 0;
     if (has_bias_curve && stages.capabilities(experiment).taps_independent_of_bias) {
       shadow.advice = advise_bias(stages, experiment, light);
+    }
+    if (!experiment.run.for_engines.empty() && !shadow.advice) {
+      stages.add_notes({stages.title(light) + ": no numbers for engines, as this technique's bias has no exact curve"});
     }
     if (shadow.shape && experiment.run.shimmer) shadow.shape->shimmer = measure_shimmer(stages, shadow);
     measurement.shadows.push_back(std::move(shadow));

@@ -193,7 +193,9 @@ Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTab
   for (const StoredRun& run : runs) names += (names.empty() ? "" : ", ") + run.name;
   report.title = fmt::format("{}: {}", runs.front().scene, runs.size() > 1 ? "runs side by side" : "a run");
   report.subtitle = names;
-  report.command = "umbrameter report DIR... -o OUT";
+  report.command = "umbrameter report";
+  for (const StoredRun& run : runs) report.command += " " + run.name;
+  report.command += " -o OUT";
   if (runs.size() > 1) {
     ReportSection section;
     section.title = "Parameters that differ";

@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
+#include "experiments/measure/engine_advice.h"
 #include "experiments/stages/reference_key.h"
 #include "experiments/sweep/axis_effects.h"
 #include "experiments/sweep/identity.h"
@@ -111,8 +112,9 @@ struct Job {
   std::vector<Experiment> experiments;  ///< one for each scene
   std::vector<TuneAxis> axes;
   TuneGoal goal;
-  TuneGoal shown;       ///< the goal, with the metrics that are only shown
-  std::string metrics;  ///< these, as given
+  TuneGoal shown;           ///< the goal, with the metrics that are only shown
+  std::string metrics;      ///< these, as given
+  std::string for_engines;  ///< run.for
   SweptQuantity quantity = SweptQuantity::visibility;
   CaseAxes over, held_out;
 };
@@ -147,10 +149,12 @@ Job make_job(const CommandLine& line) {
   job.goal.is_relative = options.relative;
   job.shown = with_metrics(job.goal, first.run, kind);
   job.metrics = first.run.metrics;
+  job.for_engines = first.run.for_engines;
   for (Experiment& experiment : job.experiments) {
     fix_reference(experiment, job.axes);
     experiment.axes.clear();
     experiment.run.metrics.clear();
+    experiment.run.for_engines.clear();
   }
   return job;
 }
@@ -258,9 +262,11 @@ std::string tuned_text(const Job& job, const TuneSummary& summary) {
   for (std::size_t a = 0; a < job.axes.size(); ++a) {
     set_value(describe(tuned), job.axes[a].axis, summary.result.best.values[a]);
   }
-  return fmt::format("# The best point of `umbrameter tune`: {} = {}, {} of {} cases.\n", cost_name(summary.goal),
-                     cost_text(summary.goal, summary.result.best.score.cost),
-                     summary.goal.is_worst_case ? "the worst" : "the mean", summary.cases.size()) +
+  const std::size_t cases = summary.cases.size();
+  const std::string over =
+      cases > 1 ? fmt::format(", {} of {} cases", summary.goal.is_worst_case ? "the worst" : "the mean", cases) : "";
+  return fmt::format("# The best point of `umbrameter tune`: {} = {}{}.\n", cost_name(summary.goal),
+                     cost_text(summary.goal, summary.result.best.score.cost), over) +
          experiment_text(tuned);
 }
 
@@ -298,6 +304,24 @@ std::vector<TunePointImages> measure_points(const TuneCase& first, const TuneSum
   const TuneResult& result = summary.result;
   return {images("best", at_point(first, summary.axes, result.best.values), result.best),
           images("default", first.experiment, result.before)};
+}
+
+// Texels and depth ranges differ from case to case, and with them an engine's numbers.
+std::vector<CaseEngines> engines_of(const Job& job, const std::vector<TuneCase>& cases, const TuneSummary& summary) {
+  std::vector<CaseEngines> all;
+  if (job.for_engines.empty()) return all;
+  for (const TuneCase& each : cases) {
+    Experiment best = at_point(each, summary.axes, summary.result.best.values);
+    best.run.for_engines = job.for_engines;
+    Stages& stages = *each.stages;
+    if (job.quantity != SweptQuantity::visibility || stages.has_engine() || stages.is_sampled(best, each.light) ||
+        !stages.capabilities(best).taps_independent_of_bias) {
+      stages.add_notes({"--for: only the bias of a hard shadow has numbers in engines"});
+      return {};
+    }
+    all.push_back({each.title, advise_engines(stages, best, each.light)});
+  }
+  return all;
 }
 
 std::vector<std::string> tune_files() {
@@ -345,6 +369,7 @@ ExitCode run_tune_command(const CommandLine& line, const Console& console) {
   for (const TuneAxis& axis : job.axes) results.experiment.axes.emplace_back(axis.key(), axis.axis.text);
   results.tune = TuneFindings{{job.axes, titles_of(cases), result.goal, job.shown, result, judgement}, by_scene.size()};
   const TuneSummary& summary = results.tune->summary;
+  results.tune->engines = engines_of(job, cases, summary);
   if (!line.no_figures) results.tune->points = measure_points(cases.front(), summary);
   std::set<std::string> notes;
   for (const auto& of_scene : by_scene) {

@@ -15,11 +15,11 @@ namespace {
 constexpr double least_gain = 4.0;
 
 std::string unit_text(double metres) {
-  if (metres == 0.01) return "cm";
-  if (metres == 0.001) return "mm";
-  if (metres == 0.0254) return "inches";
-  if (metres == 0.3048) return "feet";
-  return fmt::format("{:.6g} m", metres);
+  const std::pair<double, const char*> known[] = {{0.01, "cm"}, {0.001, "mm"}, {0.0254, "inches"}, {0.3048, "feet"}};
+  for (const auto& [size, name] : known) {
+    if (metres == size) return fmt::format("{:g} ({} instead of m)", metres, name);
+  }
+  return fmt::format("{:.6g}", metres);
 }
 
 std::string axes_text(const Remedy& remedy) {
@@ -31,13 +31,13 @@ std::string axes_text(const Remedy& remedy) {
   if (is({0, 1, 2}, {1, 1, -1})) return "the axes are left-handed: z is negated";
   if (is({0, 1, 2}, {-1, 1, 1})) return "the axes are left-handed: x is negated";
   if (is({0, 2, 1}, {1, 1, 1})) return "Z points up and the axes are left-handed";
-  std::string text = "our x, y, z are, of the axes as now read, ";
+  std::string text = "as now read, its ";
   constexpr std::string_view names = "xyz";
   for (std::size_t c = 0; c < 3; ++c) {
     text += (c > 0 ? ", " : "") + std::string(remedy.sign[c] < 0.0 ? "−" : "") +
             names[static_cast<std::size_t>(remedy.axis[c])];
   }
-  return text;
+  return text + " are our x, y, z";
 }
 
 std::string remedy_text(const Remedy& remedy, bool has_positions, DepthConvention given) {
@@ -49,7 +49,7 @@ std::string remedy_text(const Remedy& remedy, bool has_positions, DepthConventio
     parts.push_back("its depth is '" + std::string(depth_conventions[static_cast<std::size_t>(remedy.convention)]) +
                     "'");
   }
-  if (remedy.scale != 1.0) parts.push_back("its unit is " + unit_text(remedy.scale));
+  if (remedy.scale != 1.0) parts.push_back(fmt::format("its lengths are multiplied by {}", unit_text(remedy.scale)));
   if (glm::length(remedy.shift) > most_shift) {
     parts.push_back(fmt::format("it is shifted by ({:.2f}, {:.2f}) px", remedy.shift.x, remedy.shift.y));
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "present/engine_advice_report.h"
 #include "present/plateau_text.h"
 #include "present/presentation.h"
 #include "present/summary.h"
@@ -104,6 +105,7 @@ nlohmann::ordered_json to_json(const BiasAdvice& advice) {
   add_plateau(object, advice.plateau, advice.evidence, advice.withheld, cell_json);
   object["acne_at_most_0.1_percent"] = advice.line.little_acne ? cell_json(*advice.line.little_acne) : Json(nullptr);
   object["acne_free"] = advice.line.acne_free ? cell_json(*advice.line.acne_free) : Json(nullptr);
+  if (!advice.engines.empty()) object["engines"] = to_json(advice.engines);
   return object;
 }
 

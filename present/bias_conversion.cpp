@@ -41,7 +41,7 @@ std::string settings_text(const BiasSpec& spec) {
     if (std::isnan(value)) continue;
     std::string shown = fmt::format("{:.6g}{}", value, setting.unit == "m" ? " m" : "");
     const auto choice = std::ranges::find(setting.choices, value, &std::pair<std::string_view, double>::second);
-    if (choice != setting.choices.end()) shown = choice->first;
+    if (choice != setting.choices.end()) shown = fmt::format("{} ({:g})", choice->first, value);
     text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", setting.name, shown);
   }
   return text;
@@ -73,7 +73,7 @@ std::vector<std::string> unit_lines(const ConvertedBias& bias) {
       const double metres = std::abs(number.per_unit(place, bias.source.settings).value_or(0.0));
       text += fmt::format("{}{}", text.empty() ? "" : ", ", table_number(metres));
     }
-    lines.push_back(fmt::format("one unit of {} is {} m", number.name, text));
+    lines.push_back(fmt::format("one unit of {} is {} m: {}", number.name, text, number.formula));
   }
   return lines;
 }
@@ -128,27 +128,10 @@ std::vector<std::vector<std::string>> number_rows(const ConvertedBias& bias) {
   return rows;
 }
 
-std::vector<std::string> code_lines(const ConvertedTarget& target) {
-  std::vector<std::string> lines;
-  const BiasEngine& engine = *target.spec.engine;
-  const std::size_t count = target.places.size();
-  for (std::size_t n = 0; n < engine.numbers.size(); ++n) {
-    const BiasNumber& number = engine.numbers[n];
-    const std::optional<ChosenValue> chosen = choose_value(target, n);
-    if (number.code.empty() || !chosen || is_idle(target, n)) continue;
-    const bool is_sun = target.places.front().light == LightKind::directional;
-    const std::string& own = target.conversions.front().numbers[n].code;
-    const std::string code = own.empty() ? std::string(number.code) : own;
-    if (engine.sets_each_cascade && is_sun && count > 1) {
-      for (std::size_t i = 0; i < count; ++i) {
-        lines.push_back(code_line(code, *target.conversions[i].numbers[n].value, i, true));
-      }
-      continue;
-    }
-    const double value = std::clamp(chosen->value, number.min, number.max);
-    lines.push_back(code_line(code, value, 0, false));
-  }
-  return lines;
+void add_engine_notes(const BiasSpec& spec, std::vector<std::string>& notes) {
+  const BiasEngine& engine = *spec.engine;
+  if (!engine.note.empty()) notes.push_back(fmt::format("{}: {}", engine.name, engine.note));
+  if (!engine.unverified.empty()) notes.push_back(fmt::format("{}, not verified: {}", engine.name, engine.unverified));
 }
 
 void add_number_notes(const ConvertedTarget& target, std::vector<std::string>& notes) {
@@ -171,7 +154,8 @@ void add_number_notes(const ConvertedTarget& target, std::vector<std::string>& n
     const std::optional<ChosenValue> chosen = choose_value(target, n);
     if (!chosen) continue;
     const double value = std::clamp(chosen->value, number.min, number.max);
-    const bool is_one_for_all = target.conversions.size() > 1 && !number.code.empty() && !engine.sets_each_cascade;
+    const bool is_each = engine.sets_each_cascade && target.places.front().light == LightKind::directional;
+    const bool is_one_for_all = target.conversions.size() > 1 && !number.code.empty() && !is_each;
     if (is_one_for_all && chosen->excess > 1.005) {
       add(fmt::format("{} {}: {} decides, as it needs most; elsewhere this is up to {} times the source's bias",
                       engine.name, number.name, target.places[chosen->place].name, digits_text(chosen->excess, 2)));
@@ -180,10 +164,10 @@ void add_number_notes(const ConvertedTarget& target, std::vector<std::string>& n
       add(fmt::format("{} {}: {} is outside its limits {} to {}", engine.name, number.name, table_number(chosen->value),
                       number.min, number.max));
     }
-    const double rounded = number.step > 0.0 ? std::round(value / number.step) * number.step : value;
-    if (std::abs(rounded - value) > 0.05 * std::abs(value)) {
-      add(fmt::format("{} {}: the inspector's step of {} rounds {} to {}; set it in code", engine.name, number.name,
-                      number.step, table_number(value), table_number(rounded)));
+    const double rounded = set_values(target, n)->front();
+    if (number.step > 0.0 && std::abs(rounded - value) > 0.05 * std::abs(value)) {
+      add(fmt::format("{} {}: the inspector's step of {} rounds {} to {}", engine.name, number.name, number.step,
+                      table_number(value), table_number(rounded)));
     }
   }
 }
@@ -207,7 +191,42 @@ Json spec_json(const BiasSpec& spec) {
   return json;
 }
 
-Json target_json(const ConvertedTarget& target) {
+std::string range_of(double min, double max) {
+  return std::isfinite(max) ? fmt::format(", {:.6g} to {:.6g}", min, max) : "";
+}
+
+}  // namespace
+
+std::string title_of(const BiasSpec& spec) {
+  const std::string settings = settings_text(spec);
+  return std::string(spec.engine->title) + (settings.empty() ? "" : ", " + settings);
+}
+
+std::vector<std::string> code_lines(const ConvertedTarget& target) {
+  std::vector<std::string> lines;
+  const BiasEngine& engine = *target.spec.engine;
+  for (std::size_t n = 0; n < engine.numbers.size(); ++n) {
+    const std::optional<std::vector<double>> values = set_values(target, n);
+    if (engine.numbers[n].code.empty() || !values || is_idle(target, n)) continue;
+    const std::string& own = target.conversions.front().numbers[n].code;
+    const std::string code = own.empty() ? std::string(engine.numbers[n].code) : own;
+    const bool is_sun = target.places.front().light == LightKind::directional;
+    const bool is_each = engine.sets_each_cascade && is_sun && values->size() > 1;
+    for (std::size_t i = 0; i < (is_each ? values->size() : 1); ++i) {
+      lines.push_back(code_line(code, (*values)[i], i, is_each));
+    }
+  }
+  return lines;
+}
+
+std::vector<std::string> notes_of(const ConvertedTarget& target) {
+  std::vector<std::string> notes;
+  add_engine_notes(target.spec, notes);
+  add_number_notes(target, notes);
+  return notes;
+}
+
+Json to_json(const ConvertedTarget& target) {
   Json json = spec_json(target.spec);
   const BiasEngine& engine = *target.spec.engine;
   json["places"] = Json::array();
@@ -222,6 +241,7 @@ Json target_json(const ConvertedTarget& target) {
       each["values"].push_back(converted.value ? Json(*converted.value) : Json(nullptr));
       if (!converted.value) each["reason"] = converted.reason;
     }
+    if (const std::optional<std::vector<double>> set = set_values(target, n)) each["set"] = *set;
     if (const std::optional<ChosenValue> chosen = choose_value(target, n)) {
       each["chosen"] = {{"value", std::clamp(chosen->value, number.min, number.max)},
                         {"place", target.places[chosen->place].name},
@@ -232,12 +252,6 @@ Json target_json(const ConvertedTarget& target) {
   json["code"] = code_lines(target);
   return json;
 }
-
-std::string range_of(double min, double max) {
-  return std::isfinite(max) ? fmt::format(", {:.6g} to {:.6g}", min, max) : "";
-}
-
-}  // namespace
 
 std::vector<std::string> to_lines(const ConvertedBias& bias) {
   std::vector<std::string> lines;
@@ -252,9 +266,8 @@ std::vector<std::string> to_lines(const ConvertedBias& bias) {
   for (const ConvertedTarget& target : bias.targets) {
     const std::vector<std::string> code = code_lines(target);
     if (code.empty()) continue;
-    const std::string with = settings_text(target.spec);
     lines.emplace_back();
-    lines.push_back(fmt::format("{}{}:", target.spec.engine->title, with.empty() ? "" : ", " + with));
+    lines.push_back(title_of(target.spec) + ":");
     for (const std::string& line : code) lines.push_back("  " + line);
   }
   return lines;
@@ -264,9 +277,7 @@ std::vector<std::string> conversion_notes(const ConvertedBias& bias) {
   std::vector<std::string> notes;
   const auto add_engine = [&](const BiasSpec& spec, const std::vector<MapPlace>& places) {
     const BiasEngine& engine = *spec.engine;
-    if (!engine.note.empty()) notes.push_back(fmt::format("{}: {}", engine.name, engine.note));
-    if (!engine.unverified.empty())
-      notes.push_back(fmt::format("{}, not verified: {}", engine.name, engine.unverified));
+    add_engine_notes(spec, notes);
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (places[i].texel == bias.places[i].texel && places[i].range == bias.places[i].range) continue;
       notes.push_back(fmt::format("{}, {}: with t = {} m and R = {} m as given", engine.name, places[i].name,
@@ -300,7 +311,7 @@ Json to_json(const ConvertedBias& bias) {
     json["map"].push_back(place);
   }
   json["to"] = Json::array();
-  for (const ConvertedTarget& target : bias.targets) json["to"].push_back(target_json(target));
+  for (const ConvertedTarget& target : bias.targets) json["to"].push_back(to_json(target));
   json["notes"] = conversion_notes(bias);
   return json;
 }

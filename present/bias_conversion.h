@@ -12,6 +12,16 @@ namespace umbrameter {
 std::vector<std::string> to_lines(const ConvertedBias& bias);
 nlohmann::ordered_json to_json(const ConvertedBias& bias);
 
+/// "Godot 4, blur = 1, quality = low": an engine with the settings that enter its formulas.
+std::string title_of(const BiasSpec& spec);
+
+/// What sets the target's numbers, in the engine's own code or our flags; a line each.
+std::vector<std::string> code_lines(const ConvertedTarget& target);
+
+/// What has no equivalent, is rounded or lies outside a limit, what the engine does besides, and what is not verified.
+std::vector<std::string> notes_of(const ConvertedTarget& target);
+nlohmann::ordered_json to_json(const ConvertedTarget& target);
+
 /// What is assumed, rounded or has no equivalent: one sentence each.
 std::vector<std::string> conversion_notes(const ConvertedBias& bias);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "reports/files/markup.h"
 #include "reports/files/text_layout.h"
@@ -29,13 +30,22 @@ std::string statistic_text(const GateCheck& check) {
   return check.budget.is_magnitude ? fmt::format("|{}|", check.budget.statistic) : check.budget.statistic;
 }
 
-// "courtyard, sun"; "courtyard, ao".
-std::string where_text(const GateCheck& check) {
+bool has_several_runs(const std::vector<GateCheck>& checks) {
+  std::set<std::string> runs;
+  for (const GateCheck& check : checks) {
+    if (check.measured) runs.insert(check.measured->run);
+  }
+  return runs.size() > 1;
+}
+
+// "courtyard, sun"; "courtyard, ao"; of several runs "out: courtyard, sun".
+std::string where_text(const GateCheck& check, bool names_run) {
   const BudgetEntry& budget = check.budget;
   std::string scene = budget.scene, part = budget.light.empty() ? budget.kind : budget.light;
   if (check.measured) {
     scene = check.measured->scene;
     part = check.measured->light.empty() ? check.measured->kind : check.measured->light;
+    if (names_run) scene = check.measured->run + ": " + scene;
   }
   return plain_text(scene.empty() ? part : part.empty() ? scene : scene + ", " + part);
 }
@@ -66,10 +76,11 @@ std::string intervals_text(const GateCheck& check) {
 
 std::vector<std::vector<std::string>> rows_of(const std::vector<GateCheck>& checks, bool all) {
   std::vector<std::vector<std::string>> rows;
+  const bool names_run = has_several_runs(checks);
   for (const GateCheck& check : checks) {
     if (check.is_kept && !all) continue;
-    rows.push_back({check.is_kept ? "kept" : "FAILED", where_text(check), statistic_text(check), measured_text(check),
-                    bound_text(check), excess_text(check), intervals_text(check)});
+    rows.push_back({check.is_kept ? "kept" : "FAILED", where_text(check, names_run), statistic_text(check),
+                    measured_text(check), bound_text(check), excess_text(check), intervals_text(check)});
   }
   return rows;
 }
@@ -117,8 +128,9 @@ std::string junit_xml(const std::vector<GateCheck>& checks) {
   const std::string counts =
       fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\"", checks.size(), count_failed(checks));
   xml += fmt::format("<testsuites {}>\n  <testsuite name=\"umbrameter\" {}>\n", counts, counts);
+  const bool names_run = has_several_runs(checks);
   for (const GateCheck& check : checks) {
-    const std::string where = where_text(check);
+    const std::string where = where_text(check, names_run);
     xml += fmt::format("    <testcase classname=\"{}\" name=\"{} {}\"", escape_markup(where.empty() ? "run" : where),
                        escape_markup(statistic_text(check)), escape_markup(bound_text(check)));
     if (check.is_kept) {

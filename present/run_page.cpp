@@ -7,6 +7,7 @@
 
 #include "present/ao_stages_report.h"
 #include "present/debug_views_report.h"
+#include "present/engine_advice_report.h"
 #include "present/error_backdrop.h"
 #include "present/page_viewer.h"
 #include "present/shadow_shape_report.h"
@@ -40,6 +41,7 @@ Presentation present_cell(const RunResults& results, const std::string& cell) {
   const Measurement& measurement = *results.measurement;
   const LayeredImage& layers = measurement.layers;
   Presentation part;
+  std::vector<EngineAdvice> engines;
   if (measurement.ao) {
     part = present_ao(layers, *measurement.ao);
   } else if (measurement.image) {
@@ -47,6 +49,7 @@ Presentation present_cell(const RunResults& results, const std::string& cell) {
   } else {
     // Without the advice that the page's bias slider needs: the sweep's own part has recommended a bias.
     ShadowMeasurement shadow = measurement.shadows.front();
+    if (shadow.advice) engines = std::exchange(shadow.advice->engines, {});
     shadow.advice.reset();
     part = present_shadow(results.scene, layers, shadow);
   }
@@ -55,6 +58,7 @@ Presentation present_cell(const RunResults& results, const std::string& cell) {
   part.lines.clear();
   if (results.sweep->curves) part.lines.push_back("cell of least error: " + cell);
   for (const std::string& answer : std::exchange(part.answers, {})) part.lines.push_back("  " + answer);
+  add_engines(part, engines, "cell of least error");
   part.section.title += " in the cell of least error";
   part.section.text = fmt::format("This section shows the cell {}.\n\n", cell) + part.section.text;
   return part;
@@ -129,6 +133,7 @@ RunPage present_run(const RunResults& results, const SweepResults* rows, const P
   RunPage page;
   if (results.tune) {
     page.parts.push_back(present_tuning(results.tune->summary));
+    for (const CaseEngines& each : results.tune->engines) add_engines(page.parts.back(), each.engines, each.title);
     page.viewer = add_tune_images(page.parts.back(), results.scene, *results.tune);
   } else if (rows != nullptr) {
     present_rows(page, results, *rows);

@@ -7,6 +7,7 @@
 #include "present/scene_report.h"
 #include "reports/files/text_layout.h"
 #include "scenes/emitter.h"
+#include "scenes/light.h"
 
 namespace umbrameter {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "compare/bias_units.h"
 #include "present/bias_advice_report.h"
+#include "present/engine_advice_report.h"
 #include "present/plateau_text.h"
 #include "present/presentation.h"
 #include "present/presentation_parts.h"
@@ -33,7 +34,9 @@ std::string counted_text(const CountedPixels& counted, bool is_soft) {
 
 // What one light's shadow rays went to.
 std::string truth_caption(const ShadowMeasurement& shadow) {
-  std::string common = "Shadow rays against the exact geometry. Back-facing pixels are 0.";
+  std::string common =
+      "Shadow rays against the exact geometry. Back-facing pixels are 0. Pixels outside the light's map, cone or range "
+      "are not counted; technique and reference may differ there.";
   if (!shadow.is_sampled) return common;
   const double samples = shadow.truth->precision.mean_samples;
   if (shadow.experiment.truth.shadow == ShadowReference::pixel) {
@@ -128,14 +131,14 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
 }
 
 std::string agreement_text(const ClassAgreement& agreement) {
-  std::string text = fmt::format(
-      "ray tests reclassified {:.2g} % of {} taps from false occlusion to acne: {:.2g} % of all wrong taps.",
-      100.0 * share_of_unresolved(agreement), grouped(agreement.taps), 100.0 * share_of_wrong(agreement));
-  if (agreement.peter_panning > 0) {
+  std::string text =
+      fmt::format("ray tests reclassified {} of {} taps from false occlusion to acne: {} of all wrong taps.",
+                  percent(share_of_unresolved(agreement)), grouped(agreement.taps), percent(share_of_wrong(agreement)));
+  if (agreement.on_own_layer > 0) {
     text += fmt::format(
-        " Ray tests find {:.2g} % of the peter-panning to be light leak: the map holds the receiver's own surface "
-        "there.",
-        100.0 * share_on_own_layer(agreement));
+        " By ray tests {} of the peter-panning is light leak, because the map holds the receiver's own surface there; "
+        "it is counted as peter-panning all the same.",
+        percent(share_on_own_layer(agreement)));
   }
   return text;
 }
@@ -179,10 +182,12 @@ std::string technique_text(const ShadowMeasurement& shadow) {
 
 std::string stored_depths_text(const ShadowMeasurement& shadow) {
   const StoredDepths& depths = *shadow.stored_depths;
+  const std::string first = metres_text(depths.step_at_nearest);
+  const std::string last = metres_text(depths.step_at_farthest);
   return fmt::format(
-      "the map holds depths from {} to {} in steps of {} to {} ({}, {}); the unit of polygon offsets is {:.3g}.",
-      metres_text(depths.range->nearest), metres_text(depths.range->farthest), metres_text(depths.step_at_nearest),
-      metres_text(depths.step_at_farthest), value_text(shadow.experiment, "shadow.depth-format"),
+      "the map holds depths from {} to {} in steps of {} ({}, {}); the unit of polygon offsets is {:.3g}.",
+      metres_text(depths.range->nearest), metres_text(depths.range->farthest),
+      first == last ? first : first + " to " + last, value_text(shadow.experiment, "shadow.depth-format"),
       value_text(shadow.experiment, "shadow.depth-encoding"), depths.polygon_offset_unit);
 }
 
@@ -243,7 +248,10 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
         {std::string(cause_title(cause)), percent(shares[c]), std::string(cause_meaning(cause))});
   }
   const std::uint32_t weight_sum = shadow.raster->wrong.weight_sum;
-  if (shadow.advice) section.tables.push_back(advice_table(*shadow.advice));
+  if (shadow.advice) {
+    section.tables.push_back(advice_table(*shadow.advice));
+    add_engines(presentation, shadow.advice->engines, title);
+  }
   section.tables.push_back(statistics_table("Visibility error: " + title, s));
   add_bias_table(section, shadow);
   section.tables.insert(section.tables.end(),

@@ -94,14 +94,14 @@ Table caster_table(const SceneFacts& scene, const std::vector<CasterShape>& cast
       "how far the outline of the shadow lies inside that of the reference; negative: outside; median";
   Table table{{{"caster", "", "object that casts the shadow; most pixels first"},
                {"contacts", "px", "pixels where the reference shadow touches the foot of the caster"},
-               {"contact gap", "m", gap + "median"},
-               {"contact gap", "texels", gap + "median"},
-               {"contact gap", "px", gap + "median"},
+               {"median contact gap", "m", gap + "median"},
+               {"median contact gap", "texels", gap + "median"},
+               {"median contact gap", "px", gap + "median"},
                {"largest gap", "m", gap + "largest"},
                {"edges", "px", "edges of the reference shadow"},
-               {"shadow inset", "m", inset},
-               {"shadow inset", "texels", inset},
-               {"shadow inset", "px", inset}},
+               {"median shadow inset", "m", inset},
+               {"median shadow inset", "texels", inset},
+               {"median shadow inset", "px", inset}},
               {}};
   for (const CasterShape& caster : listed) {
     const auto cell = [](bool is_known, double value) { return is_known ? digits_text(value) : "—"; };
@@ -135,7 +135,7 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
   figure.title = "Distance of errors from shadow edges: " + title;
   figure.caption =
       "Share of the error within a distance of the nearest edge of the hard shadow. Aliasing lies within one or "
-      "two texels of an edge, acne farther away.";
+      "two texels of an edge, or within half a pixel where that is more; acne lies farther away.";
   figure.x = {"distance", "distance to the nearest edge [texels]", true};
   figure.y = {"share", "share of the error [%]", false};
   figure.series = "part";

@@ -6,6 +6,7 @@
 
 #include "present/bias_advice_report.h"
 #include "present/bias_report.h"
+#include "present/engine_advice_report.h"
 #include "present/scene_report.h"
 #include "present/shadow_shape_report.h"
 #include "present/tune_report.h"
@@ -230,9 +231,18 @@ std::string to_summary_json(const RunResults& results, const std::optional<Sweep
     for (const std::vector<Value>& row : rows.rows) best.push_back(row_json(rows.columns, row));
     summary["sweep"] = {{"axes", axes}, {"cells", sweep->cells}, {"least_mae", best}};
     summary["sweep"]["open_ends"] = to_json(sweep->open_ends);
+    for (const ShadowMeasurement& shadow : results.measurement->shadows) {
+      if (!shadow.advice || shadow.advice->engines.empty()) continue;
+      summary["sweep"]["engines_at_least_mae"] = to_json(shadow.advice->engines);
+    }
     if (results.sweep->curves) summary["curves"] = to_json(*results.sweep->curves);
   }
-  if (results.tune) summary["tuning"] = to_json(results.tune->summary);
+  if (results.tune) {
+    summary["tuning"] = to_json(results.tune->summary);
+    for (const CaseEngines& each : results.tune->engines) {
+      summary["tuning"]["engines"].push_back({{"case", each.title}, {"engines", to_json(each.engines)}});
+    }
+  }
   if (results.measurement) summary["layers"] = to_json(named_layers(results.measurement->layers));
   summary["files"] = files;
   summary["problems"] = problems;

@@ -28,7 +28,8 @@ PlotFigure scan_figure(const TuneSummary& summary, const AxisScan& scan) {
   PlotFigure plot;
   plot.stem = fmt::format("cost_{}", scan.axis);
   plot.title = "Cost along " + axis.key();
-  plot.caption = "The other parameters have their best values. The ring is the best point.";
+  plot.caption = summary.axes.size() > 1 ? "The other parameters have their best values. The ring is the best point."
+                                         : "The ring is the best point.";
   plot.x = {"value", label_of(axis.axis), axis.is_logarithmic};
   plot.y = {"cost", cost_label(summary.goal)};
   plot.mark = "best";

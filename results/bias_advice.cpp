@@ -7,4 +7,8 @@ bool keeps_bias(const BiasAdvice& advice) {
          (advice.used.acne <= little_acne_share || !advice.plateau.has_little_acne());
 }
 
+const BiasCell& named_bias(const BiasAdvice& advice) {
+  return keeps_bias(advice) ? advice.used : advice.plateau.recommended;
+}
+
 }  // namespace umbrameter

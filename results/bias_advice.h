@@ -6,6 +6,7 @@
 
 #include "compare/bias_plateau.h"
 #include "core/parameters.h"
+#include "results/engine_advice.h"
 #include "techniques/shadow/histogram.h"
 
 namespace umbrameter {
@@ -17,14 +18,18 @@ struct BiasAdvice {
   BiasLine line;                         ///< what the measured biases hold
   BiasPlateau plateau;
   BiasEvidence evidence;
-  std::optional<NoBias> withheld{};  ///< why plateau.recommended is not recommended
-  std::vector<BiasCell> cells{};     ///< the measured biases thinned for a slider, with those above, ascending
-  std::optional<TapFlips> flips{};   ///< on the axis of `cells`, if the technique has one tap per pixel
-  double mean_texel = 0.0;           ///< metres
-  double depth_unit = 0.0;           ///< mean_depth_unit()
+  std::optional<NoBias> withheld{};     ///< why plateau.recommended is not recommended
+  std::vector<BiasCell> cells{};        ///< the measured biases thinned for a slider, with those above, ascending
+  std::optional<TapFlips> flips{};      ///< on the axis of `cells`, if the technique has one tap per pixel
+  double mean_texel = 0.0;              ///< metres
+  double depth_unit = 0.0;              ///< mean_depth_unit()
+  std::vector<EngineAdvice> engines{};  ///< for named_bias(), in the numbers of the engines that run.for names
 };
 
 /// Whether the bias in use is as good as the recommended one: at most 5 % above the least error, with as little acne.
 bool keeps_bias(const BiasAdvice& advice);
+
+/// The bias to set: the one in use where that is as good, else the recommended one.
+const BiasCell& named_bias(const BiasAdvice& advice);
 
 }  // namespace umbrameter

@@ -32,10 +32,17 @@ struct TunePointImages {
 
 inline constexpr const char* tuned_file = "tuned.toml";  ///< of a tuning: the experiment with the best values
 
+/// The best point in the numbers of engines, in one case.
+struct CaseEngines {
+  std::string title;  ///< of the case
+  std::vector<EngineAdvice> engines;
+};
+
 struct TuneFindings {
   TuneSummary summary;
   std::size_t scenes = 1;
   std::vector<TunePointImages> points{};  ///< empty without figures
+  std::vector<CaseEngines> engines{};     ///< for each case, if run.for names any
 };
 
 struct RunResults {

@@ -129,7 +129,9 @@ void add_warnings(const BiasCurves& curves, CurveFormula& of, const std::vector<
   if (!of.formula) {
     // Without any point the combinations left out are the reason.
     if (!of.points.empty()) {
-      of.warnings.push_back(fmt::format("no formula: {} points do not determine it", of.points.size()));
+      of.warnings.push_back(
+          fmt::format("not fitted: {} not enough",
+                      of.points.size() == 1 ? "1 point is" : std::to_string(of.points.size()) + " points are"));
     }
     return;
   }

@@ -171,6 +171,10 @@ std::vector<MeasuredStatistic> read_statistics(const std::string& text, const st
   return all;
 }
 
+std::string run_name(const std::filesystem::path& folder) {
+  return std::filesystem::absolute(folder / ".").lexically_normal().parent_path().filename().string();
+}
+
 std::vector<MeasuredStatistic> read_run(const std::filesystem::path& folder) {
   const std::filesystem::path path = folder / "summary.json";
   const std::optional<std::string> text = text_of_file(path);
@@ -178,7 +182,9 @@ std::vector<MeasuredStatistic> read_run(const std::filesystem::path& folder) {
     throw Error(ExitCode::unreadable_input, "cannot read " + path.string(), "there is no such file",
                 "give the folder of a finished compare or sweep");
   }
-  return read_statistics(*text, path.string());
+  std::vector<MeasuredStatistic> statistics = read_statistics(*text, path.string());
+  for (MeasuredStatistic& each : statistics) each.run = run_name(folder);
+  return statistics;
 }
 
 std::vector<GateCheck> check_budget(const std::vector<BudgetEntry>& budget,

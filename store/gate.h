@@ -16,6 +16,7 @@ namespace umbrameter {
 
 /// A statistic that a run reports.
 struct MeasuredStatistic {
+  std::string run;  ///< name of its folder; empty if it is not from one
   std::string scene;
   std::string kind;   ///< "shadow", "ao" or "image"
   std::string light;  ///< name; empty unless of a shadow
@@ -32,6 +33,8 @@ struct MeasuredStatistic {
 
 /// The statistics in a summary. `file` is for messages. Throws Error (unreadable_input) if it is no summary of a run.
 std::vector<MeasuredStatistic> read_statistics(const std::string& summary, const std::string& file);
+/// The name of a run's folder.
+std::string run_name(const std::filesystem::path& folder);
 /// Reads DIR/summary.json.
 std::vector<MeasuredStatistic> read_run(const std::filesystem::path& folder);
 

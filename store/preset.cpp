@@ -56,7 +56,7 @@ std::vector<Preset> installed_presets() {
   return presets;
 }
 
-void apply_preset(const std::string& name, const Parameters& parameters) {
+Preset require_preset(const std::string& name) {
   const std::vector<Preset> presets = installed_presets();
   const auto found = std::ranges::find(presets, name, &Preset::name);
   if (found == presets.end()) {
@@ -66,7 +66,11 @@ void apply_preset(const std::string& name, const Parameters& parameters) {
     throw Error(ExitCode::usage, "--preset '" + name + "'", "there is no such preset",
                 similar.empty() ? "'umbrameter presets' lists them" : similar);
   }
-  for (const auto& [key, value] : found->values) require(parameters, key).set(value);
+  return *found;
+}
+
+void apply_preset(const Preset& preset, const Parameters& parameters) {
+  for (const auto& [key, value] : preset.values) require(parameters, key).set(value);
 }
 
 }  // namespace umbrameter

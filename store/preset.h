@@ -30,7 +30,9 @@ inline constexpr std::string_view preset_confirmations[] = {"run", "source", "se
 /// In the order of their names. Throws Error (usage), with file and line, for a file that is no preset.
 std::vector<Preset> installed_presets();
 
-/// Sets the values of that preset. Throws Error (usage) for an unknown name, with what may be meant.
-void apply_preset(const std::string& name, const Parameters& parameters);
+/// Throws Error (usage) for an unknown name, with what may be meant.
+Preset require_preset(const std::string& name);
+
+void apply_preset(const Preset& preset, const Parameters& parameters);
 
 }  // namespace umbrameter

@@ -122,14 +122,30 @@ std::vector<std::string> limits_of_comparison(const std::vector<StoredRun>& runs
     }
     for (const MeasuredStatistic& measured : base.statistics) {
       if (measured.name != pixels_statistic || find_same(run, measured) != nullptr) continue;
-      limits.push_back(fmt::format("{} did not measure {}", run.name,
-                                   measured.light.empty() ? measured.kind : "the shadow of " + measured.light));
+      limits.push_back(fmt::format(
+          "{} did not measure {}", run.name,
+          measured.light.empty() ? (measured.kind == "ao" ? "AO" : measured.kind) : "the shadow of " + measured.light));
     }
   }
   return limits;
 }
 
+namespace {
+
+// A number alone is in the parameter's unit.
+std::string with_unit(const Parameters& parameters, const std::string& key, const std::string& value) {
+  const Parameter* parameter = find(parameters, key);
+  if (parameter == nullptr || !parameter->is_number() || value.empty()) return value;
+  if (value.back() < '0' || value.back() > '9') return value;
+  const std::string& unit = parameter->description.unit;
+  return unit.empty() || unit == "1" ? value : value + " " + unit;
+}
+
+}  // namespace
+
 Table differing_parameters(const std::vector<StoredRun>& runs) {
+  Experiment usual;
+  const Parameters parameters = describe(usual);
   Table table{{{"parameter", "", ""}}, {}};
   for (const StoredRun& run : runs) table.columns.push_back({run.name, "", ""});
   std::vector<std::string> keys;
@@ -140,7 +156,7 @@ Table differing_parameters(const std::vector<StoredRun>& runs) {
   }
   for (const std::string& key : keys) {
     std::vector<Value> row = {key};
-    for (const StoredRun& run : runs) row.emplace_back(value_of(run.parameters, key));
+    for (const StoredRun& run : runs) row.emplace_back(with_unit(parameters, key, value_of(run.parameters, key)));
     if (std::any_of(row.begin() + 2, row.end(), [&](const Value& value) { return value != row[1]; })) {
       table.rows.push_back(std::move(row));
     }

@@ -68,6 +68,25 @@ struct StoredAs<AoStages> {
 };
 
 template <>
+struct StoredAs<BiasSpec> {
+  struct Stored {
+    std::string engine;
+    std::vector<double> numbers, settings, texels, ranges;
+  };
+  static Stored to_stored(const BiasSpec& spec) {
+    return {std::string(spec.engine->name), spec.numbers, spec.settings.values, spec.texels, spec.ranges};
+  }
+  static BiasSpec from_stored(Stored stored) {
+    BiasSpec spec = default_target(require_bias_engine(stored.engine));
+    spec.numbers = std::move(stored.numbers);
+    spec.settings.values = std::move(stored.settings);
+    spec.texels = std::move(stored.texels);
+    spec.ranges = std::move(stored.ranges);
+    return spec;
+  }
+};
+
+template <>
 struct StoredAs<MetricColumn> {
   struct Stored {
     std::string metric, name, unit;

@@ -37,7 +37,7 @@ StoredRun read_stored_run(const std::filesystem::path& folder) {
   StoredRun run;
   run.statistics = read_run(folder);
   // "out/" and "." are named like the folders that they mean.
-  run.name = std::filesystem::absolute(folder / ".").lexically_normal().parent_path().filename().string();
+  run.name = run_name(folder);
   const Json summary = Json::parse(*text_of_file(folder / "summary.json"), nullptr, false);
   try {
     run.scene = summary.value("/scene/name"_json_pointer, "");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/measure/engine_advice.h"
 #include "experiments/measure/measure_biases.h"
 
 namespace umbrameter {
@@ -192,6 +193,11 @@ BiasAdvice advise_bias(Stages& stages, const Experiment& experiment, std::uint32
     BiasAxes axes{{}, {static_cast<float>(advice.used.slope)}, advice.unit};
     for (const BiasCell& cell : advice.cells) axes.constant.push_back(static_cast<float>(cell.constant));
     advice.flips = stages.tap_flips(experiment, light, axes);
+  }
+  if (!advice.withheld) {
+    Experiment recommended = experiment;
+    recommended.shadow.bias.constant.number = named_bias(advice).constant;
+    advice.engines = advise_engines(stages, recommended, light);
   }
   return advice;
 }

@@ -34,13 +34,17 @@ std::vector<std::vector<VisibilityStatistics>> measure_biases(Stages& stages, co
 
 double mean_depth_unit(Stages& stages, const Experiment& experiment, std::uint32_t light) {
   const MapLayout layout = with_depth_encoding(*stages.layout(experiment, light), experiment.shadow.map_depth);
-  if (layout.encoded_near == 0.0) return layout.far_depth;
+  const bool is_own = experiment.shadow.fit.cascade_bias == own_range && layout.kind == MapKind::orthographic;
+  if (layout.encoded_near == 0.0 && !is_own) return layout.far_depth;
   const auto counted = stages.counted(experiment, light);
   const auto surfels = stages.surfels(experiment);
   double sum = 0.0;
   for (std::size_t i = 0; i < counted->exclusion.size(); ++i) {
     if (counted->exclusion[i] != PixelExclusion::none) continue;
-    sum += metres_per_map_depth(layout, depth_of(layout, dvec3(surfels->gbuffer.position[i])));
+    const dvec3 position(surfels->gbuffer.position[i]);
+    const dvec3 local(layout.light_from_world * dvec4(position, 1.0));
+    const double factor = is_own ? layout.views[view_of(layout, local)].bias_factor : 1.0;
+    sum += factor * metres_per_map_depth(layout, depth_of(layout, position));
   }
   const std::uint64_t pixels = counted->totals[static_cast<std::size_t>(PixelExclusion::none)];
   return pixels > 0 ? sum / static_cast<double>(pixels) : 0.0;

@@ -18,7 +18,8 @@ std::vector<std::vector<VisibilityStatistics>> measure_biases(Stages& stages, co
                                                               std::uint32_t light, const std::vector<double>& constant,
                                                               const std::vector<double>& slope);
 
-/// Metres per unit of the depth that the light's map stores: mean over the counted pixels, 0 if there is none.
+/// Metres per unit of the depth that the light's map stores: mean over the counted pixels, 0 if there is none. Of
+/// own_range, per unit of the cascade's own.
 double mean_depth_unit(Stages& stages, const Experiment& experiment, std::uint32_t light);
 
 /// What the light's bias depends on besides the scene. NaN where a fact is not known: without counted pixels, or

@@ -42,6 +42,10 @@ Parameters describe(RunParams& params) {
              {"", "write what the AO technique reads: depth, normals, matrices, kernel and noise, as EXR and JSON"})
       .field("overlay", params.overlay,
              {"", "debug views in a corner of the image and as figures: all, depth, normal, shadow-map:LIGHT, ..."})
+      .field("for", params.for_engines,
+             {.unit = "",
+              .meaning = "recommended bias in the numbers of these engines: godot,unity-urp,three:near=1",
+              .basic = true})
       .take();
 }
 

@@ -37,7 +37,8 @@ struct RunParams {
   std::string metrics;  ///< names of image metrics, comma-separated
   bool write_maps = false;
   bool write_ao_inputs = false;
-  std::string overlay;  ///< names of debug views, comma-separated
+  std::string overlay;      ///< names of debug views, comma-separated
+  std::string for_engines;  ///< as parse_bias_targets() reads it
 };
 Parameters describe(RunParams& params);
 

@@ -61,10 +61,13 @@ bool shows_shadows(const FrameParams& params) { return !params.visibility.empty(
 bool shows_ao(const FrameParams& params) { return !params.ao.empty() || !params.occluded.empty(); }
 
 std::string title_of(const FrameParams& params) {
-  for (const std::string* file : {&params.visibility, &params.lit, &params.ao, &params.occluded}) {
-    if (!file->empty()) return "frame of " + std::filesystem::path(*file).filename().string();
-  }
-  return {};
+  const auto name_of = [](const std::string& first, const std::string& second) {
+    return std::filesystem::path(first.empty() ? second : first).filename().string();
+  };
+  const std::string shadow = name_of(params.visibility, params.lit);
+  const std::string ao = name_of(params.ao, params.occluded);
+  if (shadow.empty() && ao.empty()) return {};
+  return shadow.empty() || ao.empty() ? "frame of " + shadow + ao : "frames of " + shadow + " and " + ao;
 }
 
 FrameAxes parse_axes_of(const FrameParams& params) {

@@ -30,6 +30,7 @@ Identity measuring_identity(Stages& stages) {
 
 Identity identity_of_sweep(Stages& stages, Experiment experiment, SweptQuantity quantity) {
   Identity identity = {{"scene", experiment.scene}};
+  experiment.run.for_engines.clear();  // it adds to the answer, and changes no row
   for (const Parameter& parameter : describe(experiment)) {
     identity.emplace_back(parameter.key, to_string(parameter.value()));
   }

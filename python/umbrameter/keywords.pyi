@@ -36,6 +36,8 @@ class Keywords(TypedDict, total=False):
     """splits of the cascades: 1 logarithmic, 0 uniform; a number from 0 to 1. Default: 0.5."""
     shadow_splits: str
     """ends of the first cascades as shares of the range, '0.1,0.2,0.5'; empty: by lambda; text."""
+    shadow_cascade_bias: str
+    """factors of the constant bias in the cascades, '1,2,4', or own-range: a share of each one's own depth range; text."""
     shadow_split_range: Literal['seen', 'camera']
     """depths that the cascades divide: those seen, or near plane to shadow.max-distance; seen or camera. Default: seen."""
     shadow_max_distance: float
@@ -376,3 +378,5 @@ class Keywords(TypedDict, total=False):
     """write what the AO technique reads: depth, normals, matrices, kernel and noise, as EXR and JSON; true or false. Default: False."""
     run_overlay: str
     """debug views in a corner of the image and as figures: all, depth, normal, shadow-map:LIGHT, ...; text."""
+    run_for: str
+    """recommended bias in the numbers of these engines: godot,unity-urp,three:near=1; text."""

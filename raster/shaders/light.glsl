@@ -5,6 +5,7 @@ layout(std140) uniform LightBlock {
   dvec4 face_basis[18];            // cube face i, in light space: [3i] right, [3i + 1] up, [3i + 2] forward
   dvec4 map_views[MAX_MAP_VIEWS];  // x, y: centre in light space, metres; z: half extent, metres or tangent;
                                    // w: largest view depth, metres
+  vec4 bias_factors[MAX_MAP_VIEWS / 4];  // of the constant bias, of each view
   dvec4 view_depth_plane;          // view depth = xyz · position in light space + w, metres
   double far_depth;
   double nearest_view_depth;  // metres

@@ -185,9 +185,14 @@ float texel_at(Receiver receiver) {
 
 // Metres per unit of constant bias at a receiver: bias_unit_of() of tests/support/reference/taps.cpp.
 float bias_unit_of(Receiver receiver, float texel) {
-  if (bias_unit == BIAS_IN_TEXELS) return texel;
-  if (bias_unit != BIAS_IN_MAP_DEPTH) return 1.0;
-  if (encoded_near == 0.0lf) return float(far_depth);
+#if MAP_KIND == MAP_ORTHOGRAPHIC
+  precise float factor = bias_factors[receiver.view / 4][receiver.view % 4];
+#else
+  float factor = 1.0;
+#endif
+  if (bias_unit == BIAS_IN_TEXELS) return factor * texel;
+  if (bias_unit != BIAS_IN_MAP_DEPTH) return factor;
+  if (encoded_near == 0.0lf) return factor * float(far_depth);
   precise double metres = receiver.depth * receiver.depth * (far_depth - encoded_near) / (encoded_near * far_depth);
   return float(metres);
 }

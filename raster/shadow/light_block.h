@@ -14,6 +14,7 @@ struct LightBlock {
   dvec4 light_in_world{0.0};
   dvec4 face_basis[18] = {};
   dvec4 views[max_map_views] = {};
+  float bias_factors[max_map_views] = {};
   dvec4 view_depth_plane{0.0};
   double far_depth = 1.0;
   double nearest_view_depth = 0.0;
@@ -41,7 +42,7 @@ struct LightBlock {
   int offset_is_across = 0;
   int unused[3] = {};
 };
-static_assert(sizeof(LightBlock) == 1152);
+static_assert(sizeof(LightBlock) == 1184);
 
 /// The block for drawing the map. Bias and filter are 0; lookup_pass() in shadow_lookup.h sets them for a look-up.
 LightBlock make_light_block(const Light& light, const MapLayout& layout);

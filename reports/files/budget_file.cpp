@@ -119,7 +119,9 @@ std::vector<BudgetEntry> read_budget(const std::filesystem::path& path) {
 }
 
 void write_budget(const std::filesystem::path& path, const std::vector<BudgetEntry>& entries) {
-  std::string text = "# Bounds for `umbrameter check DIR --budget FILE`; `--update` sets them to the present values.\n";
+  std::string text =
+      "# Bounds for `umbrameter check DIR --budget FILE`; `--update` sets them to the present values and some head "
+      "room.\n";
   for (const BudgetEntry& entry : entries) {
     text += "\n[[budget]]\n";
     const auto line = [&](const char* key, const std::string& value) {

@@ -1,134 +1,15 @@
 #include "techniques/engine_bias/conversion.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <variant>
 
 #include "core/error.h"
-#include "core/suggestion.h"
 
 namespace umbrameter {
 namespace {
 
 constexpr std::string_view light_names[] = {"directional", "spot", "point"};
-
-std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
-
-// "shadow_normal_bias", "shadowNormalBias" and "normal_bias" are one name.
-std::string plain_name(std::string_view name) {
-  std::string plain;
-  for (const char c : name) {
-    if (c != '_' && c != '-' && c != '.') plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return plain.starts_with("shadow") ? plain.substr(6) : plain;
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t at = text.find(separator);
-    parts.push_back(text.substr(0, at));
-    if (at == std::string_view::npos) return parts;
-    text.remove_prefix(at + 1);
-  }
-}
-
-double read_number(std::string_view text, const std::string& place) {
-  double number = 0.0;
-  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (error == std::errc() && end == digits.data() + digits.size() && std::isfinite(number)) return number;
-  throw Error(ExitCode::usage, place, text.empty() ? "no value given" : quoted(text) + " is not a number",
-              "write " + place.substr(place.find(' ') + 1) + "=0.5, for example");
-}
-
-std::vector<double> read_lengths(std::string_view text, const std::string& place) {
-  std::vector<double> lengths;
-  for (const std::string_view part : split(text, '/')) {
-    lengths.push_back(read_number(part, place));
-    if (!(lengths.back() > 0.0)) throw Error(ExitCode::usage, place, "a length in metres must be above 0");
-  }
-  return lengths;
-}
-
-[[noreturn]] void reject_name(const BiasEngine& engine, std::string_view name, bool is_source) {
-  std::vector<std::string> names;
-  for (const BiasNumber& number : engine.numbers) {
-    if (is_source) names.emplace_back(number.name);
-  }
-  for (const BiasSetting& setting : engine.settings) names.emplace_back(setting.name);
-  names.insert(names.end(), {"texel", "range"});
-  std::string all;
-  for (const std::string& each : names) all += (all.empty() ? "" : ", ") + each;
-  const std::string what = std::string(engine.name) + " " + std::string(name);
-  const bool is_number = std::ranges::any_of(
-      engine.numbers, [&](const BiasNumber& number) { return plain_name(number.name) == plain_name(name); });
-  if (!is_source && is_number) {
-    throw Error(ExitCode::usage, what, "a number of a target is the answer and cannot be given", "settings are " + all);
-  }
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i].starts_with("shadow_")) names.push_back(names[i].substr(7));
-  }
-  const std::string similar = suggestion(similar_names(std::string(name), names));
-  throw Error(ExitCode::usage, what, "unknown number or setting", similar.empty() ? "known are " + all : similar);
-}
-
-void set_setting(BiasSpec& spec, const BiasSetting& setting, std::string_view text, const std::string& place) {
-  double& value = spec.settings.values[static_cast<std::size_t>(&setting - spec.engine->settings.data())];
-  std::vector<std::string> names;
-  for (const auto& [name, choice] : setting.choices) {
-    if (name == text) {
-      value = choice;
-      return;
-    }
-    names.emplace_back(name);
-  }
-  if (!names.empty()) {
-    std::string all;
-    for (const std::string& each : names) all += (all.empty() ? "" : ", ") + each;
-    throw Error(ExitCode::usage, place, quoted(text) + " is not allowed", "choose one of " + all);
-  }
-  value = read_number(text, place);
-  if (value < 0.0) throw Error(ExitCode::usage, place, "it must not be below 0");
-}
-
-void read_item(BiasSpec& spec, std::string_view item, bool is_source) {
-  const BiasEngine& engine = *spec.engine;
-  const std::size_t equals = item.find('=');
-  // "three:-0.0005" is its first number.
-  const bool is_bare =
-      equals == std::string_view::npos && is_source && !item.empty() &&
-      (engine.numbers.size() == 1 || std::string_view("+-.0123456789").find(item[0]) != std::string_view::npos);
-  if (equals == std::string_view::npos && !is_bare) {
-    throw Error(ExitCode::usage, std::string(engine.name) + " " + std::string(item), "no value given",
-                "write NAME=VALUE");
-  }
-  const std::string_view name = is_bare ? engine.numbers.front().name : item.substr(0, equals);
-  const std::string_view text = is_bare ? item : item.substr(equals + 1);
-  const std::string place = std::string(engine.name) + " " + std::string(name);
-  if (name == "texel" || name == "range") {
-    (name == "texel" ? spec.texels : spec.ranges) = read_lengths(text, place);
-    return;
-  }
-  for (const BiasSetting& setting : engine.settings) {
-    if (plain_name(setting.name) == plain_name(name)) return set_setting(spec, setting, text, place);
-  }
-  for (std::size_t i = 0; is_source && i < engine.numbers.size(); ++i) {
-    if (plain_name(engine.numbers[i].name) != plain_name(name)) continue;
-    spec.numbers[i] = read_number(text, place);
-    return;
-  }
-  reject_name(engine, name, is_source);
-}
-
-BiasSpec spec_of(const BiasEngine& engine) {
-  if (!engine.no_numbers.empty()) {
-    throw Error(ExitCode::usage, std::string(engine.title),
-                "its bias cannot be converted: " + std::string(engine.no_numbers));
-  }
-  return default_target(engine);
-}
 
 std::optional<double> per_unit_of(const BiasSpec& spec, const BiasNumber& number, const MapPlace& place) {
   const std::optional<double> metres = number.per_unit(place, spec.settings);
@@ -145,7 +26,7 @@ std::string why_unknown(const BiasSpec& spec, const BiasNumber& number, const Ma
     const BiasSetting& setting = spec.engine->settings[i];
     return "it needs " + std::string(setting.name) + "=, " + std::string(setting.meaning);
   }
-  return "the place lies outside its depth range, or its settings leave the number without effect";
+  return "the " + place.name + " lies outside its depth range, or its settings leave the number without effect";
 }
 
 // Our own flags for an offset.
@@ -156,6 +37,17 @@ std::string flags_of(const OffsetKind& kind) {
     text += " " + flag + "-profile " + std::string(offset_profile_names[static_cast<std::size_t>(kind.profile)]);
   }
   return text + (kind.direction == OffsetDirection::across ? " --shadow.normal-offset-direction across" : "");
+}
+
+// Away from 0, up to a multiple of the unit.
+double multiple_above(double number, double unit) {
+  return std::copysign(std::ceil(std::abs(number) / unit - 1e-9) * unit, number);
+}
+
+double rounded_up(double number, double step) {
+  if (number == 0.0) return number;
+  const double rounded = multiple_above(number, std::pow(10.0, std::floor(std::log10(std::abs(number))) - 2.0));
+  return step > 0.0 ? multiple_above(rounded, step) : rounded;
 }
 
 }  // namespace
@@ -171,19 +63,6 @@ std::string text_of(const OffsetKind& kind) {
 double BiasSettings::operator[](std::string_view name) const {
   const auto found = std::ranges::find(*described, name, &BiasSetting::name);
   return values.at(static_cast<std::size_t>(found - described->begin()));
-}
-
-const BiasEngine& require_bias_engine(std::string_view name) {
-  std::vector<std::string> names;
-  std::string all;
-  for (const BiasEngine& engine : bias_engines()) {
-    if (engine.name == name) return engine;
-    names.emplace_back(engine.name);
-    if (engine.no_numbers.empty()) all += (all.empty() ? "" : ", ") + names.back();
-  }
-  const std::string similar = suggestion(similar_names(std::string(name), names));
-  throw Error(ExitCode::usage, quoted(name), name.empty() ? "no engine named" : "unknown engine or unit",
-              similar.empty() ? "known are " + all : similar);
 }
 
 std::vector<MapPlace> places_of(const Light& light, const MapLayout& layout, const GBuffer& surfels) {
@@ -225,44 +104,6 @@ std::vector<MapPlace> places_of(const Light& light, const MapLayout& layout, con
   return places;
 }
 
-BiasSpec default_target(const BiasEngine& engine) {
-  BiasSpec spec;
-  spec.engine = &engine;
-  spec.settings.described = &engine.settings;
-  for (const BiasSetting& setting : engine.settings) spec.settings.values.push_back(setting.value);
-  for (const BiasNumber& number : engine.numbers) spec.numbers.push_back(number.value);
-  return spec;
-}
-
-BiasSpec parse_bias_source(std::string_view text) {
-  const std::size_t colon = text.find(':');
-  BiasSpec spec = spec_of(require_bias_engine(text.substr(0, colon)));
-  if (colon != std::string_view::npos) {
-    for (const std::string_view item : split(text.substr(colon + 1), ',')) read_item(spec, item, true);
-  }
-  for (std::size_t i = 0; i < spec.numbers.size(); ++i) {
-    if (!std::isnan(spec.numbers[i])) continue;
-    const std::string name = std::string(spec.engine->name) + ":" + std::string(spec.engine->numbers[i].name);
-    throw Error(ExitCode::usage, "--from " + std::string(text), "no value given", "write --from " + name + "=0.05");
-  }
-  return spec;
-}
-
-std::vector<BiasSpec> parse_bias_targets(std::string_view text) {
-  std::vector<BiasSpec> targets;
-  for (std::string_view item : split(text, ',')) {
-    const std::size_t colon = item.find(':');
-    const bool starts = colon != std::string_view::npos || item.find('=') == std::string_view::npos || targets.empty();
-    if (starts) {
-      targets.push_back(spec_of(require_bias_engine(item.substr(0, colon))));
-      if (colon == std::string_view::npos) continue;
-      item.remove_prefix(colon + 1);
-    }
-    read_item(targets.back(), item, false);
-  }
-  return targets;
-}
-
 std::vector<MapPlace> places_for(const BiasSpec& spec, const std::vector<MapPlace>& places) {
   const auto value_at = [&](const std::vector<double>& values, std::size_t i, const char* name) {
     if (values.size() > 1 && values.size() != places.size()) {
@@ -283,6 +124,14 @@ std::vector<MapPlace> places_for(const BiasSpec& spec, const std::vector<MapPlac
   return own;
 }
 
+bool has_terms(const BiasSpec& source, const MapPlace& place) {
+  for (std::size_t i = 0; i < source.numbers.size(); ++i) {
+    if (source.numbers[i] == 0.0) continue;
+    if (std::isnan(source.numbers[i]) || !per_unit_of(source, source.engine->numbers[i], place)) return false;
+  }
+  return true;
+}
+
 BiasTerms terms_of(const BiasSpec& source, const MapPlace& place) {
   BiasTerms terms;
   for (std::size_t i = 0; i < source.numbers.size(); ++i) {
@@ -292,8 +141,11 @@ BiasTerms terms_of(const BiasSpec& source, const MapPlace& place) {
     const std::optional<double> per_unit = per_unit_of(source, number, place);
     if (!per_unit) {
       const std::string name(number.name);
+      const bool has_rest = std::ranges::any_of(source.engine->numbers, [&](const BiasNumber& other) {
+        return per_unit_of(source, other, place).has_value();
+      });
       throw Error(ExitCode::usage, std::string(source.engine->name) + " " + name, why_unknown(source, number, place),
-                  "set " + name + "=0 to convert the rest");
+                  has_rest ? "set " + name + "=0 to convert the rest" : "give the bias in metres or texels");
     }
     double& term = number.term == BiasTerm::constant ? terms.constant
                    : number.term == BiasTerm::normal ? terms.normal
@@ -317,6 +169,7 @@ BiasConversion convert(const BiasTerms& terms, const BiasSpec& target, const Map
     }
     if (number.term == BiasTerm::normal && !number.takes_any_offset && number.offset != terms.offset) {
       converted.reason = "the source " + text_of(terms.offset) + "; this one " + text_of(number.offset);
+      converted.is_other_kind = true;
       continue;
     }
     const std::optional<double> per_unit = per_unit_of(target, number, place);
@@ -336,6 +189,24 @@ BiasConversion convert(const BiasTerms& terms, const BiasSpec& target, const Map
   return conversion;
 }
 
+ConvertedTarget convert_terms(const std::vector<BiasTerms>& terms, BiasSpec target,
+                              const std::vector<MapPlace>& places) {
+  ConvertedTarget converted{std::move(target), {}, {}};
+  converted.places = places_for(converted.spec, places);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    converted.conversions.push_back(convert(terms[i], converted.spec, converted.places[i]));
+  }
+  return converted;
+}
+
+bool is_complete(const ConvertedTarget& target) {
+  return std::ranges::all_of(target.conversions, [](const BiasConversion& each) {
+    return each.missing.empty() && std::ranges::all_of(each.numbers, [](const ConvertedNumber& number) {
+             return number.value || number.is_other_kind;
+           });
+  });
+}
+
 ConvertedBias convert_bias(BiasSpec source, std::vector<BiasSpec> targets, const std::vector<MapPlace>& places) {
   ConvertedBias result{std::move(source), places, {}, {}, {}};
   result.source_places = places_for(result.source, places);
@@ -345,11 +216,7 @@ ConvertedBias convert_bias(BiasSpec source, std::vector<BiasSpec> targets, const
     if (takes_all && engine.no_numbers.empty()) targets.push_back(default_target(engine));
   }
   for (BiasSpec& spec : targets) {
-    ConvertedTarget target{std::move(spec), {}, {}};
-    target.places = places_for(target.spec, places);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      target.conversions.push_back(convert(result.terms[i], target.spec, target.places[i]));
-    }
+    ConvertedTarget target = convert_terms(result.terms, std::move(spec), places);
     const bool has_equivalent = std::ranges::any_of(target.conversions, &BiasConversion::has_equivalent);
     if (!takes_all || (has_equivalent && target.spec.engine != result.source.engine)) {
       result.targets.push_back(std::move(target));
@@ -372,6 +239,25 @@ std::optional<ChosenValue> choose_value(const ConvertedTarget& target, std::size
     if (own != 0.0) chosen->excess = std::max(chosen->excess, chosen->value / own);
   }
   return chosen;
+}
+
+std::optional<std::vector<double>> set_values(const ConvertedTarget& target, std::size_t number) {
+  const BiasNumber& described = target.spec.engine->numbers[number];
+  std::vector<double> values;
+  const bool is_sun = target.places.front().light == LightKind::directional;
+  const bool is_each = target.spec.engine->sets_each_cascade && is_sun;
+  const std::optional<ChosenValue> chosen = choose_value(target, number);
+  for (const BiasConversion& conversion : target.conversions) {
+    const ConvertedNumber& own = conversion.numbers[number];
+    if (own.is_other_kind) {
+      values.push_back(0.0);
+      continue;
+    }
+    if (!chosen) return {};
+    const double value = rounded_up(is_each ? *own.value : chosen->value, described.step);
+    values.push_back(std::clamp(value, described.min, described.max));
+  }
+  return values;
 }
 
 }  // namespace umbrameter

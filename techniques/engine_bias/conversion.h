@@ -3,12 +3,11 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/gbuffer.h"
 #include "scenes/light.h"
-#include "techniques/engine_bias/engine.h"
+#include "techniques/engine_bias/bias_spec.h"
 #include "techniques/shadow/map_layout.h"
 
 namespace umbrameter {
@@ -16,25 +15,6 @@ namespace umbrameter {
 /// Where a light's map is converted: each cascade, or the nearest and the farthest receiver of a spot or point light.
 /// Throws Error (usage) if such a light reaches no surfel.
 std::vector<MapPlace> places_of(const Light& light, const MapLayout& layout, const GBuffer& surfels);
-
-/// An engine, its numbers and settings as a user gives them.
-struct BiasSpec {
-  const BiasEngine* engine = nullptr;
-  std::vector<double> numbers;  ///< of a source
-  BiasSettings settings;
-  std::vector<double> texels;  ///< instead of the places' own, metres; none, one or one for each
-  std::vector<double> ranges;  ///< likewise
-};
-
-/// "godot:bias=0.1,normal_bias=2", "metres:0.05", "three". Numbers that are not named have the engine's defaults; their
-/// names are those of the API, with or without "shadow". Throws Error (usage).
-BiasSpec parse_bias_source(std::string_view text);
-
-/// "three:near=1,far=80,unity-urp": engines with settings. Throws Error (usage).
-std::vector<BiasSpec> parse_bias_targets(std::string_view text);
-
-/// An engine without settings: its defaults.
-BiasSpec default_target(const BiasEngine& engine);
 
 /// The places with the spec's own texels and ranges. Throws Error (usage) if their numbers do not match.
 std::vector<MapPlace> places_for(const BiasSpec& spec, const std::vector<MapPlace>& places);
@@ -47,14 +27,18 @@ struct BiasTerms {
   double slope = 0.0;     ///< polygon offset factor
 };
 
-/// Throws Error (usage) if a number that is not 0 has no formula for this light, or needs a setting that is not given.
+/// Whether every number that is not 0 is known and has a formula for this light.
+bool has_terms(const BiasSpec& source, const MapPlace& place);
+
+/// Throws Error (usage) unless has_terms().
 BiasTerms terms_of(const BiasSpec& source, const MapPlace& place);
 
 /// A number of the target, or why there is none.
 struct ConvertedNumber {
   std::optional<double> value;
   std::string reason;
-  std::string code{};  ///< in place of the number's own; empty: as it is
+  std::string code{};          ///< in place of the number's own; empty: as it is
+  bool is_other_kind = false;  ///< there is no value since the number moves something else: set it to 0
 };
 
 struct BiasConversion {
@@ -79,6 +63,13 @@ struct ConvertedBias {
   std::vector<ConvertedTarget> targets;
 };
 
+/// Terms at each place, in the target's numbers.
+ConvertedTarget convert_terms(const std::vector<BiasTerms>& terms, BiasSpec target,
+                              const std::vector<MapPlace>& places);
+
+/// Whether the target has a number for every term that is not 0, if not for its kind of offset.
+bool is_complete(const ConvertedTarget& target);
+
 /// Without targets: to all engines for which a part of the source has an equivalent.
 ConvertedBias convert_bias(BiasSpec source, std::vector<BiasSpec> targets, const std::vector<MapPlace>& places);
 
@@ -90,5 +81,10 @@ struct ChosenValue {
   double excess = 1.0;    ///< largest factor by which it exceeds the source's bias elsewhere
 };
 std::optional<ChosenValue> choose_value(const ConvertedTarget& target, std::size_t number);
+
+/// What to set a number to at each place: up to three significant digits and up to a step of the engine's inspector,
+/// away from 0, and within the engine's limits. One value for all if the engine has no number for each. Nothing if a
+/// place has none.
+std::optional<std::vector<double>> set_values(const ConvertedTarget& target, std::size_t number);
 
 }  // namespace umbrameter

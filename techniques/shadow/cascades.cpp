@@ -5,6 +5,7 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -183,8 +184,9 @@ class Fitter {
   CascadeFit fit_;
 };
 
-// The last view is the layout's present one, unless it is to be that of what is seen.
-void fit_views(MapLayout& layout, const Fitter& fitter, const std::vector<double>& splits, MapFit last_fit) {
+// The last view is the layout's present one, unless it is to be that of what is seen. `bias_factors`: of each split.
+void fit_views(MapLayout& layout, const Fitter& fitter, const std::vector<double>& splits, MapFit last_fit,
+               const std::vector<double>& bias_factors) {
   const bool is_by_depth = layout.selection == CascadeSelection::depth;
   const bool has_room = layout.resolution > 2 * map_view_margin;
   std::vector<MapView> views;
@@ -197,6 +199,7 @@ void fit_views(MapLayout& layout, const Fitter& fitter, const std::vector<double
     if (is_by_depth && view && !is_finer) view = whole;
     if (view && (is_finer || is_by_depth)) {
       view->farthest = splits[i];
+      view->bias_factor = bias_factors[i];
       views.push_back(*view);
     }
     if (!is_by_depth) continue;
@@ -206,6 +209,7 @@ void fit_views(MapLayout& layout, const Fitter& fitter, const std::vector<double
   if (last_fit == MapFit::view)
     layout.views.back() = fitter.fit({nearest, splits.back()}).value_or(layout.views.back());
   views.push_back(layout.views.back());
+  views.back().bias_factor = bias_factors.back();
   layout.views = std::move(views);
 }
 
@@ -233,9 +237,25 @@ MapLayout fit_area(MapLayout layout, const ShadowMapParams& params, const SeenPa
     std::ranges::transform(shares, splits.begin(),
                            [&](double share) { return range.nearest + share * (range.farthest - range.nearest); });
   }
-  fit_views(layout, Fitter(layout, seen, fit.cascade_fit), splits, fit.fit);
+  const std::optional<std::vector<double>> factors = parse_cascade_bias(fit.cascade_bias, params.cascades);
+  fit_views(layout, Fitter(layout, seen, fit.cascade_fit), splits, fit.fit,
+            factors.value_or(std::vector<double>(splits.size(), 1.0)));
   if (fit.fit == MapFit::view && is_by_camera) layout.views.back().farthest = range.farthest;
   return layout;
+}
+
+// "0.1,0.2,0.5"; nothing if that is no list of numbers.
+std::optional<std::vector<double>> numbers_of(const std::string& text) {
+  std::vector<double> numbers;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (at != end) {
+    const auto [next, error] = std::from_chars(at, end, numbers.emplace_back());
+    const bool goes_on = error == std::errc{} && next != end && *next == ',' && next + 1 != end;
+    if (error != std::errc{} || !std::isfinite(numbers.back()) || (next != end && !goes_on)) return {};
+    at = goes_on ? next + 1 : end;
+  }
+  return numbers;
 }
 
 }  // namespace
@@ -247,6 +267,10 @@ Parameters describe(MapFitParams& params) {
       .field(
           "splits", params.splits,
           {.unit = {}, .meaning = "ends of the first cascades as shares of the range, '0.1,0.2,0.5'; empty: by lambda"})
+      .field("cascade-bias", params.cascade_bias,
+             {.unit = {},
+              .meaning = "factors of the constant bias in the cascades, '1,2,4', or own-range: a share of each one's "
+                         "own depth range"})
       .choice(
           "split-range", params.split_range, split_range_names,
           {.unit = {}, .meaning = "depths that the cascades divide: those seen, or near plane to shadow.max-distance"})
@@ -306,22 +330,30 @@ std::vector<double> split_depths(double nearest, double farthest, int count, dou
 }
 
 std::vector<double> parse_splits(const std::string& text, int count) {
-  std::vector<double> shares;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  bool is_fine = true;
-  while (is_fine && at != end) {
-    double share = 0.0;
-    const auto [next, error] = std::from_chars(at, end, share);
-    is_fine = error == std::errc{} && (next == end || (*next == ',' && next + 1 != end));
-    at = is_fine && next != end ? next + 1 : next;
-    is_fine = is_fine && share > (shares.empty() ? 0.0 : shares.back()) && share < 1.0;
-    shares.push_back(share);
-  }
-  if (is_fine && static_cast<int>(shares.size()) == count - 1) return shares;
+  const std::optional<std::vector<double>> shares = numbers_of(text);
+  const auto is_rising = [](const std::vector<double>& each) {
+    return std::ranges::adjacent_find(each, std::greater_equal<>()) == each.end() &&
+           (each.empty() || (each.front() > 0.0 && each.back() < 1.0));
+  };
+  if (shares && is_rising(*shares) && static_cast<int>(shares->size()) == count - 1) return *shares;
   throw Error(ExitCode::usage, "shadow.splits",
               "'" + text + "' does not divide a range among " + std::to_string(count) + " cascades",
               "expected " + std::to_string(count - 1) + " rising numbers between 0 and 1, such as 0.1,0.2,0.5 for 4");
+}
+
+std::optional<std::vector<double>> parse_cascade_bias(const std::string& text, int count) {
+  if (text == own_range) return {};
+  if (text.empty()) return std::vector<double>(static_cast<std::size_t>(count), 1.0);
+  std::optional<std::vector<double>> factors = numbers_of(text);
+  const auto is_positive = [](double factor) { return factor > 0.0; };
+  if (factors && std::ranges::all_of(*factors, is_positive) && static_cast<int>(factors->size()) == count) {
+    return factors;
+  }
+  throw Error(ExitCode::usage, "shadow.cascade-bias",
+              "'" + text + "' is not a factor above 0 for each of " + std::to_string(count) +
+                  (count == 1 ? " cascade" : " cascades"),
+              "expected " + std::to_string(count) + (count == 1 ? " number" : " numbers, such as 1,2,4 for 3") +
+                  ", or own-range");
 }
 
 MapLayout fit_map(const Light& light, const MappedBounds& bounds, const ShadowMapParams& params, const SeenPart& seen,
@@ -330,8 +362,15 @@ MapLayout fit_map(const Light& light, const MappedBounds& bounds, const ShadowMa
   MapLayout layout = fit_light(light, is_directional ? bounds.scene : bounds.all(), params.resolution);
   if (!is_directional) return layout;
   if (fit.pancaking) shorten_depth(layout, seen.surfels, fit.near_offset);
-  if (params.cascades > 1 || fit.fit != MapFit::scene) layout = fit_area(layout, params, seen, fit);
+  if (params.cascades > 1 || fit.fit != MapFit::scene || !fit.cascade_bias.empty()) {
+    layout = fit_area(layout, params, seen, fit);
+  }
   include_ground(layout, bounds.ground, fit.pancaking);
+  if (fit.cascade_bias == own_range) {
+    for (MapView& view : layout.views) {
+      view.bias_factor = (2.0 * view.half_extent + fit.near_offset) / layout.far_depth;
+    }
+  }
   return layout;
 }
 

@@ -2,8 +2,10 @@
 // views and their resolution are in ShadowMapParams.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/gbuffer.h"
@@ -29,7 +31,8 @@ enum class CascadeFit : int { tight, stable };
 /// The shadow.* parameters of how a directional light's map is fitted. Other lights ignore them.
 struct MapFitParams {
   double split_lambda = 0.5;
-  std::string splits;  ///< as parse_splits() reads it; empty: by split_lambda
+  std::string splits;        ///< as parse_splits() reads it; empty: by split_lambda
+  std::string cascade_bias;  ///< as parse_cascade_bias() reads it
   SplitRange split_range = SplitRange::seen;
   double max_distance = 100.0;
   MapFit fit = MapFit::scene;
@@ -56,6 +59,14 @@ std::vector<double> split_depths(double nearest, double farthest, int count, dou
 /// Far ends of all ranges but the last, as shares of the whole range: "0.1,0.2,0.5". Throws Error (usage) unless there
 /// are `count` − 1 rising numbers between 0 and 1.
 std::vector<double> parse_splits(const std::string& text, int count);
+
+/// A value of MapFitParams::cascade_bias.
+inline constexpr std::string_view own_range = "own-range";
+
+/// Factors of the constant bias in the cascades, of which each is above 0: "1,2,4". Empty: all are 1. Nothing for
+/// "own-range": each is the cascade's own depth range, its side plus MapFitParams::near_offset, over that of the map,
+/// so that a bias in the map's depth is a share of the cascade's own range. Throws Error (usage).
+std::optional<std::vector<double>> parse_cascade_bias(const std::string& text, int count);
 
 /// What a map is fitted to: its area to the scene. The ground, a flat box or an empty one, only extends the range of
 /// depths: light that passes the scene casts no shadow on it.

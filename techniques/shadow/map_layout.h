@@ -24,6 +24,7 @@ struct MapView {
   /// orthographic: metres; perspective and cube: tangent of half the opening angle; paraboloid: 1
   double half_extent = 1.0;
   double farthest = std::numeric_limits<double>::infinity();  ///< CascadeSelection::depth: largest view depth, metres
+  double bias_factor = 1.0;                                   ///< of the constant bias; orthographic
 };
 
 /// The cascade in which a position is looked up. map: the first that contains it. depth: the first whose farthest view

@@ -84,6 +84,8 @@ TEST_F(BiasResponseGl, Cascades_agree_too) {
   grid.judged_filters = 1;
   grid.cascades = 3;
   expect_agreement(lights_[0], grid);
+  grid.fit.cascade_bias = "1,0.7,3.3";
+  expect_agreement(lights_[0], grid);
 }
 
 TEST_F(BiasResponseGl, Maps_with_other_depths_agree_too) {

@@ -48,6 +48,14 @@ TEST_F(Check, Passes_within_the_bounds_and_fails_beyond_them) {
   EXPECT_NEAR(check["excess"], 0.008, 1e-12);
 }
 
+TEST_F(Check, Of_several_runs_each_bound_names_the_folder) {
+  const ProgramResult result =
+      run_program({"check", run("good", summary(0.01)), run("bad", summary(0.02)), "--budget", budget(acne_budget)});
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_NE(result.out.find("bad: court, sun"), std::string::npos) << result.out;
+  EXPECT_EQ(result.out.find("good: court, sun"), std::string::npos) << "it keeps its bound";
+}
+
 TEST_F(Check, Only_the_rays_of_a_sampled_reference_give_an_interval) {
   const ProgramResult result = run_program(
       {"check", run("good", summary(0.01)), "--budget",

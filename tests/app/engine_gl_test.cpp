@@ -206,9 +206,9 @@ TEST_F(EngineRun, A_frame_that_does_not_fit_is_refused_with_what_would_fit) {
   const std::vector<std::string> depth = {"--depth", ours + "/images.exr:Z"};
   const std::vector<std::pair<std::vector<std::string>, const char*>> cases = {
       {words(position, {"--frame.rows", "bottom"}), "its rows run the other way"},
-      {words(position, {"--frame.axes", "x,z,-y"}), "our x, y, z are, of the axes as now read, x, −z, y"},
+      {words(position, {"--frame.axes", "x,z,-y"}), "as now read, its x, −z, y are our x, y, z"},
       {words(position, {"--frame.axes", "x,y,-z"}), "left-handed: z is negated"},
-      {words(position, {"--frame.unit", "0.01"}), "its unit is 100 m"},
+      {words(position, {"--frame.unit", "0.01"}), "its lengths are multiplied by 100"},
       {depth, "its depth is 'axis'"},
       {words(depth, {"--convention", "reversed-z"}), "its depth is 'axis'"},
       {words(depth, {"--frame.depth-kind", "axis", "--frame.camera", "1 0 0 0 0 1 0 0 0 0 1 0 0 1 4 1"}),

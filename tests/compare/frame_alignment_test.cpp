@@ -205,8 +205,9 @@ TEST(FrameAlignment, Axes_and_units_are_named) {
   };
   EXPECT_EQ(remedy(mapped([](vec3 p) { return vec3(p.x, -p.z, p.y); })), "Z points up");
   EXPECT_EQ(remedy(mapped([](vec3 p) { return vec3(p.x, p.y, -p.z); })), "the axes are left-handed: z is negated");
-  EXPECT_EQ(remedy(mapped([](vec3 p) { return 100.0f * p; })), "its unit is cm");
-  EXPECT_EQ(remedy(mapped([](vec3 p) { return 100.0f * vec3(p.x, -p.z, p.y); })), "Z points up, and its unit is cm");
+  EXPECT_EQ(remedy(mapped([](vec3 p) { return 100.0f * p; })), "its lengths are multiplied by 0.01 (cm instead of m)");
+  EXPECT_EQ(remedy(mapped([](vec3 p) { return 100.0f * vec3(p.x, -p.z, p.y); })),
+            "Z points up, and its lengths are multiplied by 0.01 (cm instead of m)");
 }
 
 TEST(FrameAlignment, A_wrong_camera_is_refused_and_nothing_is_promised) {

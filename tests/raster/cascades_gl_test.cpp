@@ -94,6 +94,45 @@ TEST_F(CascadesGl, The_least_bias_without_acne_follows_its_formula_in_every_casc
   }
 }
 
+// Each cascade's pixels are those that its own bias draws, on the GPU as on the CPU.
+TEST_F(CascadesGl, Factors_multiply_the_constant_bias_of_each_cascade) {
+  const Scene scene = posts();
+  const UploadedScene uploaded = upload(context(), scene);
+  const Seen seen = look(uploaded, perspective_view(200, 150, {0, 2, 6}, {0, 0, -10}));
+  const gl::Texture lit = upload(context(), Image<float>(200, 150, 1.0f));
+  const Light light = directional_light({0.8, 0.7, 0.3});
+  MapFitParams fit;
+  fit.cascade_bias = "1,4,16";
+  const MapLayout layout = fit_map(light, bounds_of(scene), {128, 3}, {seen.gbuffer, seen.view}, fit);
+  ASSERT_EQ(layout.views.size(), 3u);
+  MapLayout plain = layout;
+  for (MapView& view : plain.views) view.bias_factor = 1.0;
+  const auto drawn = [&](const MapLayout& each, Length bias) {
+    const ShadowMap map = draw_shadow_map(context(), uploaded, light, each);
+    ShadowParams params;
+    params.bias.constant = bias;
+    return draw_visibility(context(), {uploaded, seen.gpu, map, light, params.bias, make_technique(params), &lit})
+        .visibility;
+  };
+  for (const LengthUnit unit : {LengthUnit::metres, LengthUnit::texels, LengthUnit::map_depth}) {
+    const double bias = unit == LengthUnit::texels ? 0.25 : unit == LengthUnit::metres ? 0.02 : 0.0005;
+    const Image<float> with_factors = drawn(layout, {bias, unit});
+    std::size_t changed = 0;
+    for (std::size_t v = 0; v < 3; ++v) {
+      const Image<float> own = drawn(plain, {bias * std::pow(4.0, static_cast<double>(v)), unit});
+      const Image<float> first = drawn(plain, {bias, unit});
+      for (std::size_t i = 0; i < own.pixels.size(); ++i) {
+        if (!seen.gbuffer.is_surface(i)) continue;
+        const Receiver receiver = project_to_map(layout, dvec3(seen.gbuffer.position[i]));
+        if (receiver.view != static_cast<int>(v)) continue;
+        EXPECT_EQ(with_factors.pixels[i], own.pixels[i]) << "cascade " << v;
+        if (own.pixels[i] != first.pixels[i]) ++changed;
+      }
+    }
+    EXPECT_GT(changed, 100u);
+  }
+}
+
 // The same surfels before and after a step of the camera: change of their visibility where the same view serves them.
 TEST_F(CascadesGl, Whole_texels_make_the_shimmer_of_a_moving_camera_zero) {
   const Scene scene = posts();

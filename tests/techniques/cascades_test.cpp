@@ -56,6 +56,26 @@ TEST(Cascades, Splits_can_be_given_as_rising_shares_of_the_range) {
   }
 }
 
+TEST(Cascades, Constant_biases_have_a_factor_for_each_cascade) {
+  EXPECT_EQ(parse_cascade_bias("", 3), (std::vector<double>{1, 1, 1}));
+  EXPECT_EQ(parse_cascade_bias("1,2.5,4", 3), (std::vector<double>{1, 2.5, 4}));
+  EXPECT_FALSE(parse_cascade_bias("own-range", 3));
+  for (const char* text : {"1,2", "1,2,0", "1,2,-4", "1,2,4,", "1;2;4", "own", "nan,1,1"}) {
+    EXPECT_THROW(parse_cascade_bias(text, 3), Error) << text;
+  }
+}
+
+TEST(Cascades, A_cascades_own_range_is_its_side_and_the_near_offset) {
+  MapFitParams fit;
+  fit.cascade_bias = "own-range";
+  fit.near_offset = 20.0;
+  const MapLayout layout = fit_map(sun(), scene_bounds(), {512, 2}, {row_of_surfels()}, fit);
+  ASSERT_EQ(layout.views.size(), 2u);
+  for (const MapView& view : layout.views) {
+    EXPECT_NEAR(view.bias_factor * layout.far_depth, 2.0 * view.half_extent + 20.0, 1e-9);
+  }
+}
+
 TEST(Cascades, Lambda_mixes_uniform_and_logarithmic_splits) {
   // Of 1 to 81 in four: 3, 9, 27, 81 and 21, 41, 61, 81. A quarter of the one and three quarters of the other.
   const double logarithmic[] = {3, 9, 27, 81};

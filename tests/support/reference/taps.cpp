@@ -30,13 +30,16 @@ float texel_side(const MapLayout& layout, const Receiver& receiver) {
 
 // Metres per unit of constant bias. The same operations in the same order as in light_map.glsl.
 float bias_unit_of(const MapLookup& lookup, const Receiver& receiver, float texel) {
+  const bool is_orthographic = lookup.layout.kind == MapKind::orthographic;
+  const std::size_t view = is_orthographic ? static_cast<std::size_t>(receiver.view) : 0;
+  const auto factor = static_cast<float>(lookup.layout.views[view].bias_factor);
   switch (lookup.bias.constant.unit) {
     case LengthUnit::texels:
-      return texel;
+      return factor * texel;
     case LengthUnit::map_depth:
-      return static_cast<float>(metres_per_map_depth(lookup.layout, receiver.depth));
+      return factor * static_cast<float>(metres_per_map_depth(lookup.layout, receiver.depth));
     default:
-      return 1.0f;
+      return factor;
   }
 }
 

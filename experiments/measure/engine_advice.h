@@ -1,0 +1,15 @@
+// A recommended bias in the numbers of other engines, measured again after rounding.
+#pragma once
+
+#include <vector>
+
+#include "experiments/stages/stages.h"
+#include "results/engine_advice.h"
+
+namespace umbrameter {
+
+/// The experiment's bias in the numbers of the engines that its run.for names, for one light with a binary reference.
+/// Empty if it names none. Throws Error (usage) for what parse_bias_targets() refuses.
+std::vector<EngineAdvice> advise_engines(Stages& stages, const Experiment& experiment, std::uint32_t light);
+
+}  // namespace umbrameter

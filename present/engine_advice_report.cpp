@@ -1,0 +1,89 @@
+#include "present/engine_advice_report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "present/bias_conversion.h"
+
+namespace umbrameter {
+namespace {
+
+std::string engine_error_text(const EngineAdvice& advice) {
+  const std::string usual =
+      advice.by_default ? fmt::format("; with its default numbers {}", percent(advice.by_default->mae)) : "";
+  if (!is_complete(advice.target)) return "it cannot say this bias" + usual;
+  if (!advice.measured) return "error not measured, as " + advice.why_not_measured + usual;
+  const std::string acne = advice.measured->acne > little_acne_share ? ", acne " + percent(advice.measured->acne) : "";
+  return fmt::format("error {}{}{}", percent(advice.measured->mae), acne, usual);
+}
+
+// None where a part of the bias is left out: zeros would look like a recommendation.
+std::vector<std::string> shown_code(const EngineAdvice& advice) {
+  return is_complete(advice.target) ? code_lines(advice.target) : std::vector<std::string>();
+}
+
+std::vector<std::string> engine_lines(const std::vector<EngineAdvice>& engines, const std::string& what) {
+  std::vector<std::string> lines;
+  for (const EngineAdvice& each : engines) {
+    lines.push_back(fmt::format("  {} in {}: {}", what, title_of(each.target.spec), engine_error_text(each)));
+    for (const std::string& code : shown_code(each)) lines.push_back("    " + code);
+    for (const std::string& note : notes_of(each.target)) lines.push_back("    note: " + note);
+  }
+  return lines;
+}
+
+ReportTable engine_table(const std::vector<EngineAdvice>& engines, const std::string& what) {
+  Table table{{{"engine", "", "with the settings that enter its formulas"},
+               {"set", "", "rounded up to three digits and to the engine's steps, within its limits"},
+               {"error", "%", "mean absolute error of visibility with these numbers, in our rasteriser"},
+               {"acne", "%", std::string(cause_meaning(Cause::acne))},
+               {"error by default", "%", "the same with the engine's default numbers"}},
+              {}};
+  const auto share = [](const std::optional<BiasCell>& cell, double BiasCell::*value) {
+    return cell ? share_text((*cell).*value) : std::string("unknown");
+  };
+  for (const EngineAdvice& each : engines) {
+    std::string set;
+    for (const std::string& code : shown_code(each)) set += (set.empty() ? "" : "\n") + code;
+    table.rows.push_back({title_of(each.target.spec), set.empty() ? "no equivalent" : set,
+                          share(each.measured, &BiasCell::mae), share(each.measured, &BiasCell::acne),
+                          share(each.by_default, &BiasCell::mae)});
+  }
+  return {"In the numbers of engines: " + what, std::move(table)};
+}
+
+std::string engine_notes(const std::vector<EngineAdvice>& engines) {
+  std::string text;
+  for (const EngineAdvice& each : engines) {
+    if (!each.why_not_measured.empty()) {
+      text += fmt::format("{}{}: {}.", text.empty() ? "" : " ", each.target.spec.engine->name, each.why_not_measured);
+    }
+    for (const std::string& note : notes_of(each.target)) text += (text.empty() ? "" : " ") + note + ".";
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_engines(Presentation& presentation, const std::vector<EngineAdvice>& engines, const std::string& what) {
+  if (engines.empty()) return;
+  for (std::string& line : engine_lines(engines, what)) presentation.lines.push_back(std::move(line));
+  presentation.section.tables.push_back(engine_table(engines, what));
+  if (const std::string notes = engine_notes(engines); !notes.empty()) presentation.section.text += "\n\n" + notes;
+}
+
+nlohmann::ordered_json to_json(const std::vector<EngineAdvice>& engines) {
+  using Json = nlohmann::ordered_json;
+  const auto error_json = [](const std::optional<BiasCell>& cell) { return cell ? Json(cell->mae) : Json(nullptr); };
+  Json list = Json::array();
+  for (const EngineAdvice& each : engines) {
+    Json engine = to_json(each.target);
+    engine["mae"] = error_json(each.measured);
+    engine["mae_of_defaults"] = error_json(each.by_default);
+    list.push_back(std::move(engine));
+  }
+  return list;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,20 @@
+// A recommended bias in the numbers of an engine, and the error that these numbers have.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "compare/bias_curves.h"
+#include "techniques/engine_bias/conversion.h"
+
+namespace umbrameter {
+
+/// Errors are those of the run's own settings with the bias that the engine's numbers mean.
+struct EngineAdvice {
+  ConvertedTarget target;                ///< set_values() are what to set
+  std::optional<BiasCell> measured{};    ///< with set_values(); `constant` and `slope` are not set
+  std::optional<BiasCell> by_default{};  ///< with the engine's defaults, likewise
+  std::string why_not_measured{};        ///< which part of set_values() our parameters cannot say
+};
+
+}  // namespace umbrameter

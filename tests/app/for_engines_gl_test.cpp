@@ -1,0 +1,107 @@
+// A recommended bias in the numbers of engines: what they have is what their own numbers, set by hand, have.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/gl_run.h"
+
+namespace umbrameter {
+namespace {
+
+using Json = nlohmann::json;
+
+struct ForEngines : GlRun {
+  Json compare(const std::vector<std::string>& more) {
+    const ProgramResult result =
+        run_program(words({"compare", "contact-box", "-o", folder_ / "out", "--force", "--light", "sun", "--size",
+                           "160x90", "--measure", "visibility", "--no-figures", "--quiet", "--json"},
+                          more));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return Json::parse(result.out).at("shadows").at(0);
+  }
+  static double error_of(const Json& shadow) { return shadow.at("statistics").at("mae"); }
+};
+
+TEST_F(ForEngines, Rounded_numbers_are_measured_again) {
+  // Three digits of the depth are other biases than three digits of metres.
+  const Json engines = compare({"--for", "metres,three:near=1,far=51"}).at("recommended_bias").at("engines");
+  ASSERT_EQ(engines.size(), 2u);
+  for (const auto& [engine, unit] : {std::pair{0, 1.0}, std::pair{1, -50.0}}) {
+    const Json& advice = engines.at(engine);
+    const double set = advice.at("numbers").at(0).at("set").at(0);
+    const Json by_hand = compare({"--shadow.constant-bias", fmt::format("{}", set * unit)});
+    EXPECT_NEAR(advice.at("mae").get<double>(), error_of(by_hand), 1e-12) << advice;
+  }
+  EXPECT_EQ(engines.at(1).at("code").at(1), "light.shadow.normalBias = 0.0;");
+  EXPECT_NEAR(engines.at(1).at("mae_of_defaults").get<double>(), error_of(compare({"--shadow.constant-bias", "0"})),
+              1e-12);
+}
+
+TEST_F(ForEngines, One_number_for_all_cascades_is_measured_in_each) {
+  const std::vector<std::string> cascades = {"--shadow.cascades", "3"};
+  const Json shadow =
+      compare(words({"--for", "godot:pancake=5", "--shadow.normal-offset", "1", "--shadow.normal-offset-profile",
+                     "constant", "--shadow.normal-offset-direction", "across"},
+                    cascades));
+  const Json& godot = shadow.at("recommended_bias").at("engines").at(0);
+  const double bias = godot.at("numbers").at(0).at("set").at(0);
+  EXPECT_EQ(godot.at("numbers").at(1).at("set"), (Json{1.0, 1.0, 1.0}));
+  ASSERT_EQ(godot.at("places").size(), 3u);
+  // R/100 · blur · quality with R = t · resolution + pancake, and steps of 0.001.
+  EXPECT_NEAR(bias, std::round(1000 * bias) / 1000, 1e-12);
+  std::vector<double> metres;
+  for (const Json& place : godot.at("places")) {
+    metres.push_back(bias * 2.0 / 100.0 * (place.at("texel_m").get<double>() * 1024 + 5.0));
+  }
+  EXPECT_GT(metres[2], 1.05 * metres[0]);
+  const Json by_hand =
+      compare(words({"--shadow.constant-bias", fmt::format("{}", metres[0]), "--shadow.cascade-bias",
+                     fmt::format("1,{},{}", metres[1] / metres[0], metres[2] / metres[0]), "--shadow.normal-offset",
+                     "1", "--shadow.normal-offset-profile", "constant", "--shadow.normal-offset-direction", "across"},
+                    cascades));
+  EXPECT_NEAR(godot.at("mae").get<double>(), error_of(by_hand), 1e-9);
+}
+
+TEST_F(ForEngines, A_bias_that_an_engine_cannot_say_has_no_numbers) {
+  const ProgramResult result =
+      run_program({"compare", "contact-box", "-o", folder_ / "out", "--light", "sun", "--size", "160x90", "--measure",
+                   "visibility", "--no-figures", "--for", "unity-hdrp"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.out.find("in Unity HDRP: it cannot say this bias"), std::string::npos) << result.out;
+  EXPECT_EQ(result.out.find("hdLight"), std::string::npos) << "zeros would look like a recommendation";
+}
+
+TEST_F(ForEngines, A_sweep_and_a_tuning_state_their_best_bias) {
+  const std::vector<std::string> common = {
+      "--light", "sun",          "--size", "160x90",  "--no-figures",        "--quiet",
+      "--json",  "--for",        "metres", "--force", "--shadow.resolution", "256",
+      "-o",      folder_ / "out"};
+  const ProgramResult sweep =
+      run_program(words({"sweep", "contact-box", "--vary", "shadow.constant-bias=0.01,0.02,0.04"}, common));
+  ASSERT_EQ(sweep.exit_code, 0) << sweep.err;
+  const Json cell = Json::parse(sweep.out).at("sweep").at("engines_at_least_mae").at(0);
+  EXPECT_EQ(cell.at("engine"), "metres");
+  EXPECT_TRUE(cell.at("mae").is_number());
+  const ProgramResult tune =
+      run_program(words({"tune", "contact-box", "--vary", "shadow.constant-bias=0.001:0.1"}, common));
+  ASSERT_EQ(tune.exit_code, 0) << tune.err;
+  const Json tuning = Json::parse(tune.out).at("tuning");
+  const Json& of_case = tuning.at("engines").at(0);
+  EXPECT_NE(of_case.at("case").get<std::string>().find("sun"), std::string::npos);
+  EXPECT_TRUE(of_case.at("engines").at(0).at("mae").is_number());
+}
+
+TEST_F(ForEngines, Wrong_names_are_refused_before_any_work) {
+  for (const auto& [text, word] :
+       {std::pair{"godott", "godot"}, std::pair{"three:nera=1", "near"}, std::pair{"eevee", "automatically"}}) {
+    const ProgramResult result = run_program({"compare", "contact-box", "-o", folder_ / "out", "--for", text});
+    EXPECT_EQ(result.exit_code, 2) << text;
+    EXPECT_NE(result.err.find(word), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+  }
+}
+
+}  // namespace
+}  // namespace umbrameter
