@@ -34,7 +34,10 @@ ExitCode run_presets(const Console& console) {
   add_line(console,
            "confirmed by: run, the engine itself has the same errors; source, its source says so; second-hand, a copy "
            "or a description of it does.");
-  add_line(console, "Measure one: umbrameter compare courtyard --light sun --preset NAME -o out; flags override it.");
+  add_line(
+      console,
+      "Measure one: umbrameter compare courtyard --light sun --preset NAME -o out, with --light spot or lantern for "
+      "those of spot and point lights; flags override it.");
   if (console.json) write_to(stdout, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   return ExitCode::ok;
 }

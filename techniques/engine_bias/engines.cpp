@@ -230,11 +230,17 @@ std::vector<BiasEngine> unity() {
        .unverified = "(1 − cos θ), from ApplyShadowBias in Shadows.hlsl, was read in copies"},
       {.name = "unity-hdrp",
        .title = "Unity HDRP",
-       .source = "HDShadowAlgorithms.hlsl (EvalShadow_NormalBias), HDAdditionalLightData.cs",
-       .numbers = {{"normalBias", "texels", 0.75, BiasTerm::normal, one_texel, "t", "hdLight.normalBias = {}f;"},
+       .source = "HDShadowAlgorithms.hlsl (EvalShadow_NormalBias), HDAdditionalLightData.cs "
+                 "(SetCommonShadowRequestSettings), HDShadowUtils.cs (GetSlopeBias)",
+       .numbers = {{"normalBias", "texels", 0.75, BiasTerm::normal,
+                    [](const Place& p, const Settings&) -> Result { return sqrt_2 * p.texel; }, "√2 t",
+                    "hdLight.normalBias = {}f;"},
                    {"slopeBias", "texels × slope", 0.5, BiasTerm::slope,
-                    [](const Place& p, const Settings&) { return of_sun(p, 1.0); }, "1", "hdLight.slopeBias = {}f;"}},
-       .note = "in addition every caster is drawn with polygon offset units 1"},
+                    [](const Place& p, const Settings&) { return of_sun(p, 5.0); }, "5 texels × slope",
+                    "hdLight.slopeBias = {}f;"}},
+       .note =
+           "in addition every caster is drawn with polygon offset units 1, and receivers are compared with a bias of "
+           "1/65536 of the depth; with filtering quality High the 5 grows with the light's size, up to 18"},
   };
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "experiments/settings/experiment.h"
 #include "tests/app/run_program.h"
@@ -26,9 +27,11 @@ ProgramResult settings(std::vector<std::string> more) {
 
 TEST(Presets, Every_one_says_where_it_is_from_and_sets_known_parameters_to_allowed_values) {
   const Json presets = listed();
-  EXPECT_GE(presets.size(), 14u);
+  EXPECT_GE(presets.size(), 39u);
+  std::set<std::string> kinds;
   for (const Json& preset : presets) {
     SCOPED_TRACE(preset.at("name").get<std::string>());
+    kinds.insert(preset.at("kind").get<std::string>());
     Experiment experiment;
     const Parameters parameters = describe(experiment);
     EXPECT_FALSE(preset.at("values").empty());
@@ -46,6 +49,7 @@ TEST(Presets, Every_one_says_where_it_is_from_and_sets_known_parameters_to_allow
     }
     EXPECT_EQ(settings({"--preset", preset.at("name").get<std::string>()}).exit_code, 0);
   }
+  EXPECT_EQ(kinds, (std::set<std::string>{"ao", "directional", "point", "spot"}));
 }
 
 TEST(Presets, A_file_overrides_a_preset_and_flags_override_both) {

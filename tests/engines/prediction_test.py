@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 bound = 0.3   # percentage points
-common = ["--light", "sun", "--size", "480x270", "--measure", "visibility", "--no-figures"]
+common = ["--size", "480x270", "--measure", "visibility", "--no-figures"]
 aspect = 480 / 270
 
 
@@ -46,6 +46,7 @@ class Case:
     our_axis: str
     biases: dict           # of each scene
     setting: object        # (scene) -> flags of the engine, flags of ours, our bias from the engine's
+    kind: str = "sun"      # of light; "spot" or "point"
 
 
 def dot(a, b):
@@ -99,6 +100,11 @@ def playcanvas(kind):
     return setting
 
 
+def lamp(engine, ours, convert):
+    """A spot or point light, whose map needs no area."""
+    return lambda scene: (engine, ours, convert)
+
+
 def at_bias(setting, flag, bias, *ours):
     """Varies the normal bias at one bias. `ours`: our parameters that the bias sets."""
     def with_bias(scene):
@@ -114,6 +120,15 @@ unfiltered = {"courtyard": [0.001, 0.002, 0.0005, 0.0015, 0.004], "city": [0.000
               "room": [0.0005, 0.001, 0.0015, 0.002, 0.004]}
 filtered = dict.fromkeys(["courtyard", "city", "room"], [0.004, 0.008, 0.002, 0.006, 0.012])
 sloped = dict.fromkeys(["courtyard", "city", "room"], [0.1, 0.2, 0.05, 0.15, 0.4])
+lights = {"sun": dict.fromkeys(["courtyard", "city", "room"], "sun"), "spot": {"courtyard": "spot"},
+          "point": {"courtyard": "lantern", "room": "lamp"}}
+lamp_of_three = ["--engine.map-size", "512", "--engine.shadow-camera", "custom", "--engine.camera-near", "0.5",
+                 "--engine.camera-far", "500", "--engine.type"]
+lamp_of_babylon = ["--engine.map-size", "1024", "--engine.shadow-min-z", "0.5", "--engine.shadow-max-z", "30",
+                   "--engine.use-float32-texture-type", "true"]
+near = ["--shadow.depth-near", "0.5"]
+spot_of_three = {"courtyard": [-0.0005, -0.002, 0, -0.005]}
+lamp_normal = dict.fromkeys(["courtyard", "room"], [0, 0.03, 0.01])
 constant = "shadow.constant-bias"
 factor = "shadow.polygon-offset-factor"
 units = "shadow.polygon-offset-units"
@@ -137,6 +152,19 @@ cases = [
          at_bias(babylon(0.5, "--engine.filter", "pcf"), "bias", 0.002, constant)),
     Case("PlayCanvas, pcf1-32f, normalOffsetBias", "playcanvas", "playcanvas-pcf1", "normal-offset-bias", receiver, normal,
          at_bias(playcanvas("pcf1-32f"), "shadow-bias", 0.05, factor, units)),
+    *(Case(f"three.js, type {kind}, spot light", "threejs", f"threejs-{kind}-spot", "bias", constant, spot_of_three,
+           lamp([*lamp_of_three, kind], [], lambda bias: f"{-bias:.6g}depth"), "spot") for kind in ("basic", "pcf")),
+    *(Case(f"three.js, type {kind}, point light, normalBias", "threejs", f"threejs-{kind}-point", "normal-bias", receiver,
+           lamp_normal, lamp([*lamp_of_three, kind], [], lambda metres: f"{metres:.6g}"), "point")
+      for kind in ("basic", "pcf")),
+    Case("Babylon.js, filter none, spot light", "babylon", "babylon-none-spot", "bias", constant,
+         {"courtyard": [0.0002, 0.003, 0.001]}, lamp(lamp_of_babylon, near, lambda bias: f"{29.5 * bias:.6g}"), "spot"),
+    Case("Babylon.js, filter pcf, high quality, spot light", "babylon", "babylon-pcf-spot", "bias", constant,
+         {"courtyard": [0.0005, 0.002, 0.0001]},
+         lamp([*lamp_of_babylon, "--engine.filter", "pcf"], near, lambda bias: f"{bias / 2:.6g}depth"), "spot"),
+    Case("Babylon.js, filter none, point light", "babylon", "babylon-none-point", "bias", constant,
+         dict.fromkeys(["courtyard", "room"], [0.001, 0.003, 0.0002]),
+         lamp(lamp_of_babylon, near, lambda bias: f"{30.5 * bias:.6g}"), "point"),
 ]
 
 
@@ -200,13 +228,14 @@ class Predictions:
     def measure(self, case, name, count):
         """Pairs of rows, in percent: of the engine, of our simulation."""
         scene = self.scene(name, case.engine == "playcanvas")
+        light = ["--light", lights[case.kind][name]]
         biases = sorted(case.biases[name][:count], key=abs)
         engine, ours, convert = case.setting(scene)
         adapter = str(self.root / "engines" / case.engine / "adapter")
-        theirs = self.sweep(scene, f"engine.{case.axis}", biases, "--engine", adapter, *engine)
+        theirs = self.sweep(scene, f"engine.{case.axis}", biases, *light, "--engine", adapter, *engine)
         preset = str(self.root / "presets" / f"{case.preset}.toml")
-        ours = self.sweep(scene, case.our_axis, [convert(bias) for bias in biases], "-c", preset, "--view.surfels", "traced",
-                          *ours)
+        ours = self.sweep(scene, case.our_axis, [convert(bias) for bias in biases], *light, "-c", preset,
+                          "--view.surfels", "traced", *ours)
         return list(zip(biases, theirs, ours))
 
 

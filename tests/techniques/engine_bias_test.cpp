@@ -89,7 +89,7 @@ TEST(EngineBias, Normal_offsets_and_slopes_are_those_of_the_engines_sources) {
       {"godot:normal_bias=2", 0.04, {constant, receiver, across}},
       {"three:bias=0,normalBias=0.03", 0.03, {constant, receiver, normal}},
       {"bevy:shadow_normal_bias=1.8", 1.8 * std::sqrt(2.0) * 0.02, {constant, receiver, normal}},
-      {"unity-hdrp:normalBias=0.75", 0.015, {constant, receiver, normal}},
+      {"unity-hdrp:normalBias=0.75", 0.75 * std::sqrt(2.0) * 0.02, {constant, receiver, normal}},
       {"filament:normalBias=1", 0.02, {sine, receiver, normal}},
       {"umbrameter:0,normal-offset=1", 0.02, {sine, receiver, normal}},
       {"babylon:normalBias=0.03", 0.03, {sine, caster, normal}},
@@ -101,8 +101,8 @@ TEST(EngineBias, Normal_offsets_and_slopes_are_those_of_the_engines_sources) {
     EXPECT_NEAR(terms(each.source, courtyard()).normal, each.metres, 1e-12) << each.source;
     EXPECT_EQ(terms(each.source, courtyard()).offset, each.kind) << each.source;
   }
-  EXPECT_NEAR(terms("playcanvas:0.05", courtyard()).slope, 0.5, 1e-12);  // −0.01 · −1000 · v
-  EXPECT_NEAR(terms("unity-hdrp:slopeBias=0.5", courtyard()).slope, 0.5, 1e-12);
+  EXPECT_NEAR(terms("playcanvas:0.05", courtyard()).slope, 0.5, 1e-12);           // −0.01 · −1000 · v
+  EXPECT_NEAR(terms("unity-hdrp:slopeBias=0.5", courtyard()).slope, 2.5, 1e-12);  // baseBias 5 · 0.5
 }
 
 TEST(EngineBias, Spot_and_point_lights_have_the_depth_of_a_perspective) {
@@ -155,8 +155,9 @@ TEST(EngineBias, Every_engine_has_a_name_a_source_and_numbers_or_a_reason) {
 }
 
 TEST(EngineBias, Offsets_are_equivalent_only_if_profile_side_and_direction_agree) {
-  // Both move the receiver along its normal at any angle: 2 texels of 2 cm are 4 cm.
-  EXPECT_NEAR(*converted("unity-hdrp:normalBias=2,slopeBias=0", "three", courtyard()).numbers[1].value, 0.04, 1e-12);
+  // Both move the receiver along its normal at any angle: 2 √2 texels of 2 cm.
+  EXPECT_NEAR(*converted("unity-hdrp:normalBias=2,slopeBias=0", "three", courtyard()).numbers[1].value,
+              0.04 * std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(*converted("filament:normalBias=2", "umbrameter", courtyard()).numbers[1].value, 2.0, 1e-12);
   // Our own technique has every kind, by flags beside the number.
   const BiasConversion ours = converted("godot:normal_bias=2", "umbrameter", courtyard());
