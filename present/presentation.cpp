@@ -317,10 +317,10 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
   };
   const std::string radius = metres_text(experiment.ao.sampling.radius.number);
   section.text += !renderer.empty()
-                      ? fmt::format(
-                            "\n\nThe reference looks for occluders {}; set truth.ao-distance to the reach "
-                            "that {} has.",
-                            limit, renderer)
+                      ? fmt::format("\n\nThe reference looks for occluders {}{}.", limit,
+                                    limit == "up to " + radius
+                                        ? ", as our ao.radius does; set truth.ao-distance to the reach of " + renderer
+                                        : "")
                   : limit == "up to " + radius
                       ? fmt::format("\n\nTechnique and reference look for occluders up to {}.", radius)
                       : fmt::format("\n\nThe technique looks for occluders up to {}, the reference {}.", radius, limit);

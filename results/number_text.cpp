@@ -43,7 +43,7 @@ std::string with_sign(std::string text) {
 
 std::string digits_text(double number, int digits) {
   constexpr double least_with_digits = 1e-4;
-  constexpr double least_in_decimals = 1e-9;
+  constexpr double least_in_decimals = 1e-6;
   if (!std::isfinite(number)) return "—";
   if (number != 0.0 && std::abs(number) < least_in_decimals) return with_minus(fmt::format("{:.1g}", number));
   if (std::abs(number) < least_with_digits) return rounded(number, decimals_of(number, 1));

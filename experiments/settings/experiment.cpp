@@ -43,9 +43,7 @@ Parameters describe(RunParams& params) {
       .field("overlay", params.overlay,
              {"", "debug views in a corner of the image and as figures: all, depth, normal, shadow-map:LIGHT, ..."})
       .field("for", params.for_engines,
-             {.unit = "",
-              .meaning = "recommended bias in the numbers of these engines: godot,unity-urp,three:near=1",
-              .basic = true})
+             {"", "recommended bias in the numbers of these engines: godot,unity-urp,three:near=1"})
       .take();
 }
 

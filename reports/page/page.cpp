@@ -182,7 +182,8 @@ Json files_data(const fs::path& folder) {
   Json list = Json::array();
   for (const auto& [name, meaning] : file_meanings) {
     if (std::find(linked.begin(), linked.end(), name) != linked.end()) {
-      list.push_back({{"name", name}, {"meaning", meaning}});
+      const bool is_of_cell = name == std::string_view("images.exr") && std::ranges::count(linked, "sweep.csv") > 0;
+      list.push_back({{"name", name}, {"meaning", is_of_cell ? "float layers of the cell of least error" : meaning}});
     }
   }
   return list;

@@ -23,7 +23,8 @@ RUNS = {
     "rectangle": ["trace", "courtyard", "--light", "lantern", "--light.width", "0.2", "--light.height", "0.1"],
     "vsm": ["compare", "courtyard", "--light", "sun", "--shadow.technique", "vsm"],
     "screen space": ["compare", "courtyard", "--light", "sun", "--shadow.technique", "screen-space"],
-    "cascades": ["compare", "long-posts", "--view.camera", "near", "--view.light", "sun", "--shadow.cascades", "4", "--shimmer"],
+    "cascades": ["compare", "long-posts", "--view.camera", "near", "--view.light", "sun", "--shadow.cascades", "4", "--shimmer",
+                 "--for", "godot,unity-hdrp"],
     "image": ["compare", "courtyard", "--measure", "image", "--shading.path", "deferred"],
     "nothing counted": ["compare", "courtyard", "--light", "sun", "--shadow.fit", "bounds", "--shadow.fit-x", "1000"],
     "engine": ["compare", "contact-box", "--engine", "umbrameter"],
@@ -32,7 +33,7 @@ RUNS = {
     "raster": ["raster", "courtyard"],
     "raster, image": ["raster", "courtyard", "--measure", "image"],
     "sweep of biases": ["sweep", "courtyard", "--light", "sun", "--vary", BIASES, "--vary", "shadow.slope-bias=0,0.5,1",
-                        "--vary", "shadow.resolution=64,128,256"],
+                        "--vary", "shadow.resolution=64,128,256", "--for", "three"],
     "sweep with a formula": ["sweep", "tilted-plane", "--light", "sun-60", "--shadow.filter", "box", "--vary",
                              "shadow.constant-bias=0.02texels:9texels:450", "--vary", "shadow.resolution=2048,4096",
                              "--vary", "shadow.filter-size=1,3", "--vary", "shadow.depth-format=24,16"],
@@ -41,7 +42,7 @@ RUNS = {
     "sweep of AO": ["sweep", "courtyard", "--vary", "ao.radius=1%:4%:3"],
     "sweep of images": ["sweep", "courtyard", "--measure", "image", "--vary", "shadow.constant-bias=0.01,0.02", "--run.metrics", "ssim"],
     "tune": ["tune", "courtyard", "--light", "sun", "--minimize", "acne+peter_panning", "--vary",
-             "shadow.constant-bias=0.5texels:8texels:9", "--vary", "shadow.filter=nearest,box"],
+             "shadow.constant-bias=0.5texels:8texels:9", "--vary", "shadow.filter=nearest,box", "--for", "three"],
 }
 # Keys that need a scene or a failure that is not worth a run here.
 RARE = {"missed_px", "front_is_thinned", "not_measured"}

@@ -2,6 +2,7 @@
 
 prediction_test.py ROOT PROGRAM [ENGINE …]    two biases on one scene; fails above 0.3 percentage points
 prediction_test.py ROOT PROGRAM --table       five biases on three scenes, as the tables of docs/engine-presets.md
+prediction_test.py ROOT PROGRAM --recommend   a recommended bias set in the engine, on the scenes of the table
 """
 import csv
 import json
@@ -13,7 +14,8 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-bound = 0.3   # percentage points
+bound = 0.3          # percentage points
+recommended = 0.2    # percentage points, or a tenth of the error
 common = ["--size", "480x270", "--measure", "visibility", "--no-figures"]
 aspect = 480 / 270
 
@@ -168,6 +170,23 @@ cases = [
 ]
 
 
+@dataclass
+class Recommendation:
+    """A bias that `tune` finds with a case's preset, in the numbers of its engine."""
+    case: Case
+    axis: str             # of ours, with the range to search
+    target: object        # (scene) -> the engine of --for, with its settings
+    number: str           # of that engine
+
+
+recommendations = [
+    Recommendation(cases[0], f"{constant}=0.001:0.5:log", lambda scene: f"three:near=0,far={2 * scene.radius:.8g}", "bias"),
+    Recommendation(cases[2], f"{constant}=0.001:0.5:log",
+                   lambda scene: f"babylon:filter=none,minZ=0.001,maxZ={2 * scene.radius:.8g}", "bias"),
+    Recommendation(cases[5], f"{factor}=0.1:9", lambda scene: "playcanvas", "shadowBias"),
+]
+
+
 def turned(file):
     """Turns the sun about its axis as the adapter of PlayCanvas does, by the shortest rotation from -Y to its direction.
     The map of PlayCanvas is aligned with its light, as ours is."""
@@ -225,6 +244,22 @@ class Predictions:
         assert len(rows) == len(values), rows
         return [{name: 100 * float(row[name]) for name in ("mae", "acne", "false_blocked", "false_lit")} for row in rows]
 
+    def recommend(self, each, name):
+        """What to set in the engine, our error with it, and the engine's own, in percent."""
+        case = each.case
+        scene = self.scene(name, case.engine == "playcanvas")
+        engine, ours, _ = case.setting(scene)
+        out = str(self.folder / "tuned")
+        self.run("tune", scene.file, "--light", "sun", *common, "-c", str(self.root / "presets" / f"{case.preset}.toml"),
+                 "--shadow.constant-bias", "0", "--view.surfels", "traced", *ours, "--vary", each.axis, "--for",
+                 each.target(scene), "--evaluations", "30", "--force", "-o", out)
+        summary = json.loads(Path(out, "summary.json").read_text(encoding="utf-8"))
+        advice = summary["tuning"]["engines"][0]["engines"][0]
+        value = next(number["set"][0] for number in advice["numbers"] if number["name"] == each.number)
+        adapter = str(self.root / "engines" / case.engine / "adapter")
+        theirs = self.sweep(scene, f"engine.{case.axis}", [value], "--light", "sun", "--engine", adapter, *engine)
+        return value, 100 * advice["mae"], theirs[0]["mae"]
+
     def measure(self, case, name, count):
         """Pairs of rows, in percent: of the engine, of our simulation."""
         scene = self.scene(name, case.engine == "playcanvas")
@@ -258,19 +293,29 @@ def check(predictions, case):
         assert theirs["mae"] > 1.0, "the engine shows too little error to predict"
 
 
+def check_recommendation(predictions, each, names):
+    for name in names:
+        value, ours, theirs = predictions.recommend(each, name)
+        print(f"{each.case.title}, {name}: {each.number} {value:.6g}: {theirs:.2f} %, predicted {ours - theirs:+.2f} points", flush=True)
+        assert abs(ours - theirs) <= max(recommended, 0.1 * theirs), f"more than {recommended} points and a tenth"
+
+
 def main():
     root, program, *chosen = sys.argv[1:]
     root = Path(root)
     is_table = "--table" in chosen
-    wanted = [case for case in cases if is_table or not chosen or case.engine in chosen]
+    wanted = [case for case in cases if is_table or "--recommend" in chosen or not chosen or case.engine in chosen]
     ready = [case for case in wanted if (root / "engines" / case.engine / "node_modules").is_dir()]
     if not ready:
         print("no engine is set up: run engines/threejs/setup, engines/babylon/setup or engines/playcanvas/setup")
         sys.exit(77)
     with tempfile.TemporaryDirectory() as folder:
         predictions = Predictions(root, program, folder)
-        for case in ready:
+        for case in ready if "--recommend" not in chosen else []:
             (print_table if is_table else check)(predictions, case)
+        for each in recommendations if not is_table else []:
+            if each.case in ready:
+                check_recommendation(predictions, each, list(each.case.biases) if "--recommend" in chosen else ["courtyard"])
 
 
 main()

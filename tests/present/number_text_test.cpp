@@ -23,6 +23,7 @@ TEST(NumberText, Numbers_of_a_column_keep_their_zeros_and_have_a_minus_sign) {
   EXPECT_EQ(digits_text(12345.6), "12346") << "the whole part is never cut";
   EXPECT_EQ(digits_text(0.0), "0");
   EXPECT_EQ(digits_text(5.96e-8), "6e-08");
+  EXPECT_EQ(digits_text(8.9e-5), "0.00009");
   EXPECT_EQ(share_text(0.147406), "14.7");
   EXPECT_EQ(percent(-0.008), "−0.800 %");
 }

@@ -71,9 +71,10 @@ export class Viewer {
     const sampling = run.stride > 1
       ? `Every second pixel of ${run.width}×${run.height}; run with --full-images for all of them.`
       : `${run.width}×${run.height} pixels.`;
+    const in_full = document.querySelector('a[href="sweep.csv"]') ? 'those of the cell of least error' : 'them';
     this.precision.textContent = sampling + (run.rounded
       ? ' Values of this cell are rounded: visibility and AO to 1/255 where they have more than 256 values, others to 7 bits.'
-      : ' Values are half floats' + (document.querySelector('a[href="images.exr"]') ? '; images.exr has them in full.' : '.'));
+      : ' Values are half floats' + (document.querySelector('a[href="images.exr"]') ? `; images.exr has ${in_full} in full.` : '.'));
   }
 
   // Shows another set of images; view and layers stay where it has them.
