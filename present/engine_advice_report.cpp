@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "present/bias_conversion.h"
@@ -41,12 +42,15 @@ ReportTable engine_table(const std::vector<EngineAdvice>& engines, const std::st
                {"error by default", "%", "the same with the engine's default numbers"}},
               {}};
   const auto share = [](const std::optional<BiasCell>& cell, double BiasCell::*value) {
-    return cell ? share_text((*cell).*value) : std::string("unknown");
+    return share_text(cell ? (*cell).*value : std::numeric_limits<double>::quiet_NaN());
   };
   for (const EngineAdvice& each : engines) {
     std::string set;
-    for (const std::string& code : shown_code(each)) set += (set.empty() ? "" : "\n") + code;
-    table.rows.push_back({title_of(each.target.spec), set.empty() ? "no equivalent" : set,
+    for (const std::string& code : shown_code(each)) {
+      if (!set.empty()) set += set.ends_with(';') || set.ends_with(',') ? " " : "; ";
+      set += code;
+    }
+    table.rows.push_back({title_of(each.target.spec), set.empty() ? "it cannot say this bias" : set,
                           share(each.measured, &BiasCell::mae), share(each.measured, &BiasCell::acne),
                           share(each.by_default, &BiasCell::mae)});
   }
