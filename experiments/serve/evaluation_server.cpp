@@ -78,7 +78,7 @@ Json describe_point(Stages& stages, Experiment experiment, SweptQuantity quantit
         {{"name", stages.title(light)}, {"kind", kind_of(stages.scene().lights[light])}, {"index", light}});
   }
   const Experiment measured = stages.in_metres(experiment);
-  reply["error"] = error_statistic;
+  reply["objective"] = error_statistic;
   reply["statistics"] = Json::array();
   for (const Column& column : measured_columns(measured, choose_statistics(stages, measured, {}, quantity))) {
     reply["statistics"].push_back({{"name", column.name}, {"unit", column.unit}, {"meaning", column.meaning}});
@@ -118,6 +118,7 @@ EvaluationServer::EvaluationServer(Stages& stages, Experiment experiment, SweptQ
                                                           : SweepMeasure::visibility;
   if (given_.truth.ao_distance.unit == LengthUnit::automatic) given_.truth.ao_distance = given_.ao.sampling.radius;
   measure(given_);
+  stages_.report_tracing([](double) {});  // requests show no bars
 }
 
 Table EvaluationServer::measure(const Experiment& experiment) {

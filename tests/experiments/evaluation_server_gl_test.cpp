@@ -157,7 +157,7 @@ TEST_F(EvaluationServerGl, Describe_says_what_is_measured_and_what_may_be_set) {
   EXPECT_EQ(described["measure"], "visibility");
   EXPECT_EQ(described["lights"].size(), 3u);
   EXPECT_EQ(described["lights"][0], Json::parse(R"({"name": "sun", "kind": "directional", "index": 0})"));
-  EXPECT_EQ(described["error"], "mae");
+  EXPECT_EQ(described["objective"], "mae");
   // Its statistics are those of a reply.
   const Json measured = ask(server)["statistics"];
   ASSERT_EQ(described["statistics"].size(), measured.size());
