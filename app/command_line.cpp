@@ -74,6 +74,11 @@ constexpr CommandDescription engine_command = {
     "engine", "List the engines that can be measured, or check an adapter",
     "Example: umbrameter engine check 'python3 my_adapter.py'\n"
     "An engine takes the place of our techniques: umbrameter compare courtyard --engine threejs -o out"};
+constexpr CommandDescription serve_command = {
+    "serve", "Keep a scene loaded and measure it at the parameters of each request on stdin",
+    "Example: echo '{\"id\": 1, \"request\": \"evaluate\", \"parameters\": {\"shadow.constant-bias\": 0.02}}' |\n"
+    "             umbrameter serve courtyard --light sun\n"
+    "Requests and replies are JSON, one a line: docs/serve.md."};
 constexpr CommandDescription presets_command = {
     "presets", "List the presets: engines' settings as ours",
     "Example: umbrameter compare courtyard --light sun --preset godot -o out"};
@@ -296,6 +301,11 @@ void add_other_commands(CLI::App& app, CommandLine& line) {
   add_engine_options(engine, line);
   add_threads(engine, line);
   add_output_flags(engine, line);
+
+  CLI::App& serve = add_command(app, serve_command);
+  add_serve_options(serve, line);
+  add_threads(serve, line);
+  add_memory(serve, line);
 
   add_output_flags(add_command(app, presets_command), line);
 

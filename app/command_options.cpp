@@ -192,6 +192,17 @@ void add_engine_choice(CLI::App& command, CommandLine& line) {
       ->type_name("NAME");
 }
 
+void add_serve_options(CLI::App& command, CommandLine& line) {
+  command.add_option("SCENE", line.scene, "a .gltf or .glb file, or a built-in scene ('umbrameter scenes')");
+  add_settings_options(command, line);
+  add_engine_choice(command, line);
+  command.add_option("--gl-device", line.gl_device, "OpenGL device: index, part of its name, or 'software'")
+      ->type_name("NAME");
+  command.add_flag("--no-cache", line.no_cache, "trace the reference again and do not cache it");
+  command.add_flag("--quiet", line.quiet, "no notes and no progress on stderr");
+  add_parameters(command, line, [](std::string_view key) { return !key.starts_with("frame."); });
+}
+
 void add_engine_options(CLI::App& command, CommandLine& line) {
   command.add_option("ACTION", line.action, "list, check or serve (our own rasteriser as an adapter)")
       ->check(CLI::IsMember({"list", "check", "serve"}));

@@ -36,6 +36,8 @@ void add_report_options(CLI::App& command, CommandLine& line);
 void add_convert_options(CLI::App& command, CommandLine& line);
 /// --engine, of commands that draw.
 void add_engine_choice(CLI::App& command, CommandLine& line);
+/// All of serve but what other commands share.
+void add_serve_options(CLI::App& command, CommandLine& line);
 void add_engine_options(CLI::App& command, CommandLine& line);
 /// The files of a frame, of evaluate.
 void add_frame_options(CLI::App& command, CommandLine& line);

@@ -1,7 +1,9 @@
 // The subcommands. Each returns the program's exit code and throws Error.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <string>
 
 #include "app/command_line.h"
 #include "core/error.h"
@@ -41,6 +43,9 @@ void set_renderer(RunResults& results, Stages& stages);
 /// Prints what fails and the answer; ExitCode::check_failed if a bound is broken.
 ExitCode show_checks(const Console& console, const std::vector<GateCheck>& checks);
 
+/// Writes the reply to each line of stdin, until its end. Throws Error when SIGINT or SIGTERM arrives.
+ExitCode serve_lines(const std::function<std::string(const std::string&)>& reply);
+
 ExitCode run_image_command(const CommandLine& line, const Console& console);  ///< compare, evaluate, trace, raster
 ExitCode run_sweep_command(const CommandLine& line, const Console& console);
 ExitCode run_tune_command(const CommandLine& line, const Console& console);
@@ -53,6 +58,7 @@ ExitCode run_cache(const CommandLine& line, const Console& console);
 ExitCode run_presets(const Console& console);
 ExitCode run_convert(const CommandLine& line, const Console& console);
 ExitCode run_engine(const CommandLine& line, const Console& console);
+ExitCode run_serve(const CommandLine& line, const Console& console);
 ExitCode run_info(const CommandLine& line, const Console& console);
 ExitCode run_parameters(const CommandLine& line);
 

@@ -1,9 +1,6 @@
 // umbrameter engine: lists the engines, holds an adapter against the protocol, and serves our own rasteriser as one.
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <iostream>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
@@ -57,11 +54,7 @@ ExitCode run_engine(const CommandLine& line, const Console& console) {
   if (line.action != "serve") return list_engines(console);
   const ThreadLimit threads(line.threads);
   OwnAdapter adapter(line.gl_device, line.threads);
-  for (std::string request; std::getline(std::cin, request);) {
-    write_to(stdout, adapter.reply(request) + "\n");
-    std::fflush(stdout);
-  }
-  return ExitCode::ok;
+  return serve_lines([&](const std::string& request) { return adapter.reply(request); });
 }
 
 }  // namespace umbrameter

@@ -37,6 +37,7 @@ ExitCode run(int argc, const char* const* argv) {
   if (line.command == "engine") return run_engine(line, console);
   if (line.command == "convert") return run_convert(line, console);
   if (line.command == "cache") return run_cache(line, console);
+  if (line.command == "serve") return run_serve(line, console);
   if (line.command == "info") return run_info(line, console);
   if (line.command == "parameters") return run_parameters(line);
   return run_image_command(line, console);

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <variant>
 
 #include "app/commands.h"
 #include "core/standard_streams.h"
 #include "experiments/stages/byte_size.h"
 #include "reports/files/output.h"
 #include "reports/files/text_layout.h"
+#include "reports/files/value_json.h"
 #include "scenes/builtin.h"
 #include "scenes/gltf.h"
 
@@ -54,34 +52,11 @@ ExitCode run_scene(const CommandLine& line, const Console& console) {
   return ExitCode::ok;
 }
 
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json to_json(const Parameter& parameter) {
-  constexpr const char* types[] = {"boolean", "integer", "number", "string", "size", "choice", "length"};
-  static_assert(std::variant_size_v<decltype(parameter.field)> == std::size(types));
-  const FieldDescription& description = parameter.description;
-  Json json = {{"name", parameter.key},
-               {"type", types[parameter.field.index()]},
-               {"default", std::visit([](const auto& value) { return Json(value); }, parameter.value())},
-               {"unit", description.unit},
-               {"meaning", description.meaning},
-               {"limits", parameter.limits()}};
-  if (std::isfinite(description.min)) json["minimum"] = description.min;
-  if (std::isfinite(description.max)) json["maximum"] = description.max;
-  if (const auto* choice = std::get_if<ChoiceRef>(&parameter.field)) json["choices"] = choice->names;
-  for (const auto& [alias, name] : description.aliases) json["aliases"][alias] = name;
-  return json;
-}
-
-}  // namespace
-
 ExitCode run_parameters(const CommandLine& line) {
   if (line.json) {
     Experiment experiment;
-    Json json = {{"version", UMBRAMETER_VERSION}, {"parameters", Json::array()}};
-    for (const Parameter& parameter : describe(experiment)) json["parameters"].push_back(to_json(parameter));
+    nlohmann::ordered_json json = {{"version", UMBRAMETER_VERSION}, {"parameters", nlohmann::ordered_json::array()}};
+    for (const Parameter& parameter : describe(experiment)) json["parameters"].push_back(to_json(parameter, "default"));
     write_to(stdout, json.dump(1) + "\n");
     return ExitCode::ok;
   }

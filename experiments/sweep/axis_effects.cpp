@@ -54,8 +54,7 @@ std::vector<Value> alternatives(const Parameter& parameter) {
 }
 
 // "shadow.filter nearest does not read it", and what would.
-Error unread(SweptQuantity quantity, const Experiment& given, const std::string& key) {
-  const std::string what = "--vary " + key;
+Error unread(SweptQuantity quantity, const Experiment& given, const std::string& key, const std::string& what) {
   if (!is_measured(quantity, key)) {
     for (const SweptQuantity other : {SweptQuantity::visibility, SweptQuantity::ao, SweptQuantity::image}) {
       if (!is_measured(other, key)) continue;
@@ -110,6 +109,10 @@ bool is_read(SweptQuantity quantity, Experiment experiment, std::string_view par
   return is_measured(quantity, parameter) && is_read_by_technique(experiment, parameter);
 }
 
+void require_read(SweptQuantity quantity, const Experiment& experiment, const std::string& parameter) {
+  if (!is_read(quantity, experiment, parameter)) throw unread(quantity, experiment, parameter, parameter);
+}
+
 void require_effect(SweptQuantity quantity, const std::vector<Experiment>& experiments,
                     const std::vector<SweepAxis>& axes, const std::vector<SweepAxis>& others) {
   std::vector<SweepAxis> varied = axes;
@@ -122,7 +125,7 @@ void require_effect(SweptQuantity quantity, const std::vector<Experiment>& exper
     if (has_effect) continue;
     Experiment first = experiments.front();
     for (const SweepAxis& each : varied) set_value(describe(first), each, each.values.front());
-    throw unread(quantity, first, axis.key);
+    throw unread(quantity, first, axis.key, "--vary " + axis.key);
   }
 }
 

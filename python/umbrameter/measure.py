@@ -27,19 +27,15 @@ from .results import Run
 if TYPE_CHECKING:
     from .keywords import Keywords
 
-    class Options(Keywords, total=False):
-        """What every measuring command takes, beside the parameters."""
+    class ObjectiveOptions(Keywords, total=False):
+        """What everything that measures takes, beside the parameters."""
 
         settings: Mapping[str, Value]
         """parameters by full name; the place for `engine.*`"""
         config: str | os.PathLike[str]
         """experiment file (TOML); the other arguments override it"""
-        force: bool
-        """replace an earlier run in the folder"""
         engine: str
         """engine to measure in place of our techniques"""
-        figures: bool
-        """draw figures; default True"""
         cache: bool
         """read and write the cache of references; default True"""
         threads: int
@@ -50,8 +46,16 @@ if TYPE_CHECKING:
         """further words of the command line"""
         progress: bool | None
         """show progress; None: in a terminal and in a notebook"""
+
+    class Options(ObjectiveOptions, total=False):
+        """What every command that writes a folder takes, beside the parameters."""
+
+        force: bool
+        """replace an earlier run in the folder"""
+        figures: bool
+        """draw figures; default True"""
 else:
-    Options = dict[str, Any]
+    Options = ObjectiveOptions = dict[str, Any]
 
 Path = str | os.PathLike[str]
 #: A file, or an array that is written as one: height x width (x 3), row 0 is the first row of the file.
@@ -176,17 +180,23 @@ _not_parameters = {"settings", "config", "force", "engine", "figures", "cache", 
 
 def _measure(command: str, scenes: Sequence[Path], output: Path | None, words: Sequence[str], options: Mapping[str, Any],
              is_temporary: bool = False) -> Run:
-    settings = flags(_settings(options))
+    settings = command_words(options)
     with _output_folder(output) as folder:
         line = [command, *(os.fspath(scene) for scene in scenes), "-o", str(folder), *words, *settings]
-        for key in ("config", "engine", "threads", "gl_device"):
-            if key in options:
-                line += [f"--{key.replace('_', '-')}", str(options[key])]
         line += ["--force"] if options.get("force") else []
         line += [] if options.get("figures", True) else ["--no-figures"]
-        line += [] if options.get("cache", True) else ["--no-cache"]
-        answer = run([*line, *options.get("arguments", ())], options.get("progress"))
+        answer = run(line, options.get("progress"))
         return Run(folder, answer.strip(), is_temporary or output is None)
+
+
+def command_words(options: Mapping[str, Any]) -> list[str]:
+    """Words of the command line for the parameters and other keywords of ObjectiveOptions."""
+    words = flags(_settings(options))
+    for key in ("config", "engine", "threads", "gl_device"):
+        if key in options:
+            words += [f"--{key.replace('_', '-')}", str(options[key])]
+    words += [] if options.get("cache", True) else ["--no-cache"]
+    return [*words, *options.get("arguments", ())]
 
 
 def _settings(options: Mapping[str, Any]) -> dict[str, Any]:

@@ -24,7 +24,7 @@ class Error(RuntimeError):
     """What the program refused or could not do; the message is the program's line.
 
     `exit_code` is 1 where a check failed, 2 for usage or configuration, 3 without usable OpenGL or Embree, 4 for
-    unreadable input, 5 for a partial result, and None where the program did not run.
+    unreadable input, 5 for a partial result, and None where the program did not run or goes on.
     """
 
     def __init__(self, line: str, exit_code: int | None = None, command: Sequence[str] = ()) -> None:
@@ -70,51 +70,71 @@ def run(arguments: Sequence[str], progress: bool | None = None) -> str:
     waits until it has stored what it has, and raises KeyboardInterrupt; a second one ends it at once.
     Raises Error with the program's line where its exit code is not 0.
     """
-    command = [str(find_program()), *arguments]
-    if progress is None:
-        progress = sys.stderr.isatty() or "ipykernel" in sys.modules
-    environment = dict(os.environ)
-    if progress:
-        # The program draws its bar only in a terminal.
-        ours, theirs = pty.openpty()
-        tty.setraw(theirs)
-        environment.update(TERM="xterm", NO_COLOR="1")
-    else:
-        ours, theirs = os.pipe()
     pressed: list[int] = []
-    process: subprocess.Popen[bytes] | None = None
+    program: Program | None = None
 
     def stop(*_: object) -> None:
         pressed.append(signal.SIGKILL if pressed else signal.SIGINT)
-        if process is not None:
-            process.send_signal(pressed[-1])
+        if program is not None:
+            program.process.send_signal(pressed[-1])
 
-    lines: list[str] = []
     printed: list[bytes] = []
     with _on_interrupt(stop):
-        # Its own process group: Ctrl-C of a terminal would reach the program twice, and the second signal ends it at once.
-        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=theirs,
-                                   env=environment, process_group=0)
+        program = Program(arguments, subprocess.DEVNULL, progress)
         if pressed:  # while it started
-            process.send_signal(signal.SIGINT)
-        os.close(theirs)
-        assert process.stdout is not None
-        stdout = process.stdout
-        readers = [threading.Thread(target=lambda: printed.append(stdout.read()), daemon=True),
-                   threading.Thread(target=_follow, args=(ours, lines, _show if progress else None), daemon=True)]
-        for reader in readers:
-            reader.start()
-        exit_code = process.wait()
-        for reader in readers:
-            reader.join()
-        stdout.close()
-        os.close(ours)
+            program.process.send_signal(signal.SIGINT)
+        assert program.process.stdout is not None
+        read = program.process.stdout.read
+        reader = threading.Thread(target=lambda: printed.append(read()), daemon=True)
+        reader.start()
+        exit_code = program.process.wait()
+        reader.join()
+        program.close()
     if pressed:
         raise KeyboardInterrupt
     if exit_code != 0:
-        refusals = [line for line in lines if line.startswith("umbrameter: ")] or lines
-        raise Error(refusals[-1] if refusals else f"umbrameter ended with exit code {exit_code}", exit_code, command)
+        raise program.error()
     return b"".join(printed).decode()
+
+
+class Program:
+    """The program while it runs: shows its progress, and keeps its lines for an Error."""
+
+    def __init__(self, arguments: Sequence[str], stdin: int, progress: bool | None) -> None:
+        """`stdin` is subprocess.DEVNULL or PIPE; `progress` is that of run()."""
+        self.command = [str(find_program()), *arguments]
+        self._lines: list[str] = []
+        if progress is None:
+            progress = sys.stderr.isatty() or "ipykernel" in sys.modules
+        environment = dict(os.environ)
+        if progress:
+            # The program draws its bar only in a terminal.
+            self._ours, theirs = pty.openpty()
+            tty.setraw(theirs)
+            environment.update(TERM="xterm", NO_COLOR="1")
+        else:
+            self._ours, theirs = os.pipe()
+        # Its own process group: Ctrl-C of a terminal would reach the program twice, and the second signal ends it at once.
+        self.process = subprocess.Popen(self.command, stdin=stdin, stdout=subprocess.PIPE, stderr=theirs, env=environment,
+                                        process_group=0)
+        os.close(theirs)
+        self._follower = threading.Thread(target=_follow, args=(self._ours, self._lines, _show if progress else None), daemon=True)
+        self._follower.start()
+
+    def close(self) -> None:
+        """Close its pipes, after it has ended."""
+        self._follower.join()
+        os.close(self._ours)
+        for pipe in (self.process.stdin, self.process.stdout):
+            if pipe is not None:
+                with contextlib.suppress(OSError):  # what was not written yet
+                    pipe.close()
+
+    def error(self) -> Error:
+        """Why it ended: its line."""
+        exit_code = self.process.returncode
+        refusals = [line for line in self._lines if line.startswith("umbrameter: ")] or self._lines
+        return Error(refusals[-1] if refusals else f"umbrameter ended with exit code {exit_code}", exit_code, self.command)
 
 
 @contextlib.contextmanager

@@ -1,9 +1,13 @@
-// Values, rows and statistics as JSON.
+// Values, parameters, rows and statistics as JSON.
 #pragma once
 
+#include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <variant>
 #include <vector>
 
+#include "core/parameters.h"
 #include "core/statistics.h"
 #include "core/table.h"
 
@@ -11,6 +15,21 @@ namespace umbrameter {
 
 inline nlohmann::ordered_json to_json(const Value& value) {
   return std::visit([](const auto& v) { return nlohmann::ordered_json(v); }, value);
+}
+
+/// A parameter's type, value (under the name `value_name`), unit, meaning and limits.
+inline nlohmann::ordered_json to_json(const Parameter& parameter, const char* value_name) {
+  constexpr const char* types[] = {"boolean", "integer", "number", "string", "size", "choice", "length"};
+  static_assert(std::variant_size_v<decltype(parameter.field)> == std::size(types));
+  const FieldDescription& description = parameter.description;
+  nlohmann::ordered_json json = {
+      {"name", parameter.key},    {"type", types[parameter.field.index()]}, {value_name, to_json(parameter.value())},
+      {"unit", description.unit}, {"meaning", description.meaning},         {"limits", parameter.limits()}};
+  if (std::isfinite(description.min)) json["minimum"] = description.min;
+  if (std::isfinite(description.max)) json["maximum"] = description.max;
+  if (const auto* choice = std::get_if<ChoiceRef>(&parameter.field)) json["choices"] = choice->names;
+  for (const auto& [alias, name] : description.aliases) json["aliases"][alias] = name;
+  return json;
 }
 
 /// A row by the names of its columns.

@@ -11,7 +11,7 @@ namespace umbrameter {
 namespace {
 
 const std::vector<std::string> commands = {"compare", "sweep", "trace", "raster",     "diff", "scenes",
-                                           "scene",   "cache", "info",  "parameters", "help"};
+                                           "scene",   "cache", "info",  "parameters", "help", "serve"};
 
 // In characters, not bytes.
 std::size_t width_of(const std::string& line) {

@@ -140,6 +140,10 @@ TEST_F(Documentation, The_commands_of_the_readme_work_on_a_file_without_names) {
   expect_commands_to_work(readme, without_names(contact_box()), {"compare", "sweep"});
 }
 
+TEST_F(Documentation, The_command_of_the_page_on_serve_works_when_pasted) {
+  expect_commands_to_work(fs::path(UMBRAMETER_SOURCE) / "docs" / "serve.md", contact_box(), {"serve"});
+}
+
 TEST_F(Documentation, The_commands_of_the_tutorial_work_when_pasted) {
   expect_commands_to_work(tutorial, contact_box(), {"info", "compare", "sweep"});
 }
