@@ -1,5 +1,5 @@
-# Debian packages by cpack: umbrameter (program, man page, completion, presets, schema) and libumbrameter-dev (headers,
-# static libraries, CMake package). scripts/package builds them.
+# Debian packages by cpack: umbrameter (program, man page, completion, presets, schema), libumbrameter-dev (headers, static
+# libraries, CMake package) and python3-umbrameter. scripts/package builds them.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME umbrameter)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
@@ -7,7 +7,7 @@ set(CPACK_PACKAGE_CONTACT "The Umbrameter team <umbrameter@users.noreply.github.
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # that of each package is the first line of its description
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_COMPONENTS_ALL program dev)
+set(CPACK_COMPONENTS_ALL program dev python)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
@@ -59,6 +59,19 @@ set(CPACK_COMPONENT_DEV_DESCRIPTION "shadow and ambient-occlusion error measurem
 The rooms of umbrameter as static libraries, their headers, and a CMake
 package: find_package(umbrameter) gives umbrameter::experiments and others.")
 
+# The package python/ of the same version as the program that it starts.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-umbrameter)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= 3.11), python3-numpy, umbrameter (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-pandas, python3-matplotlib")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "shadow and ambient-occlusion error measurement, Python package
+Starts umbrameter with typed parameters and reads its results: tables with
+units, images as arrays, plots, and an objective for optimisers.")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/umbrameter DESTINATION lib/python3/dist-packages COMPONENT python
+        EXCLUDE_FROM_ALL PATTERN __pycache__ EXCLUDE)
+
 # What Debian's policy wants in /usr/share/doc/PACKAGE.
 set(documents ${PROJECT_BINARY_DIR}/package-documents)
 file(MAKE_DIRECTORY ${documents})
@@ -84,4 +97,6 @@ install(FILES ${documents}/copyright ${documents}/changelog.Debian.gz DESTINATIO
         COMPONENT program EXCLUDE_FROM_ALL)
 install(FILES ${documents}/copyright ${documents}/changelog.Debian.gz
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libumbrameter-dev COMPONENT dev EXCLUDE_FROM_ALL)
+install(FILES ${documents}/copyright ${documents}/changelog.Debian.gz
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-umbrameter COMPONENT python EXCLUDE_FROM_ALL)
 include(CPack)

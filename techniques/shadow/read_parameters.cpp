@@ -12,11 +12,11 @@ namespace {
 // A map is fitted to a directional light only; others ignore all of it.
 Parameters read_by_fit(MapFitParams& params, int cascades) {
   const Parameters all = describe(params);
-  Parameters read = select(all, {"shadow.fit", "shadow.pancaking"});
+  Parameters read = select(all, {"shadow.fit", "shadow.pancaking", "shadow.cascade-bias"});
   const auto add = [&](std::initializer_list<std::string_view> keys) {
     read = concatenate({std::move(read), select(all, keys)});
   };
-  if (params.pancaking) add({"shadow.near-offset"});
+  if (params.pancaking || params.cascade_bias == own_range) add({"shadow.near-offset"});
   if (params.fit == MapFit::bounds) add({"shadow.fit-x", "shadow.fit-y", "shadow.fit-z", "shadow.fit-size"});
   if (cascades > 1) add({"shadow.split-lambda", "shadow.splits", "shadow.cascade-blend"});
   if (cascades > 1 || params.fit != MapFit::scene) add({"shadow.cascade-fit"});
