@@ -26,8 +26,7 @@ struct CommandDescription {
 constexpr CommandDescription compare_command = {
     "compare", "Measure one configuration: recommended bias, images, causes, report",
     "Example: umbrameter compare courtyard -o out --light sun --shadow.resolution 2048\n"
-    "Then open out/index.html; the layers are in out/images.exr.\n"
-    "--for godot,three adds the recommended bias in the numbers of these engines."};
+    "Then open out/index.html. --for godot,three adds the bias in the numbers of these engines."};
 constexpr CommandDescription sweep_command = {
     "sweep", "Measure all combinations of varied parameters",
     "Example: umbrameter sweep courtyard -o out --light sun \\\n"

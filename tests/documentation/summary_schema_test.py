@@ -17,7 +17,8 @@ import jsonschema
 SMALL = ["--size", "64x36", "--shadow.resolution", "128", "--truth.spp", "16", "--no-figures", "--quiet", "--force"]
 BIASES = "shadow.constant-bias=0.02:0.4:33:log"
 RUNS = {
-    "compare": ["compare", "courtyard", "--shimmer", "--run.ao-stages", "true", "--run.metrics", "all of the schema"],
+    "compare": ["compare", "courtyard", "--shimmer", "--run.ao-stages", "true", "--run.metrics", "all of the schema",
+                "--for", "three"],
     "pcss": ["compare", "contact-box", "--light.angle", "2", "--shadow.technique", "pcss"],
     "point, area light": ["compare", "courtyard", "--light", "lantern", "--light.radius", "0.1"],
     "rectangle": ["trace", "courtyard", "--light", "lantern", "--light.width", "0.2", "--light.height", "0.1"],
