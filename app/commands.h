@@ -37,6 +37,13 @@ std::optional<CacheFolder> chosen_cache(const CommandLine& line, const Console& 
 StageOptions stage_options(const CommandLine& line, const Console& console, const Experiment& experiment,
                            const dvec3& origin = dvec3(0.0));
 
+/// Throws Error (usage) if run.for is given, but no bias of our own techniques is measured.
+void check_bias_engines(const Experiment& experiment, bool measures_shadows);
+
+/// Notes the factors of cascades, and each preset: what differs in its engine, and which of the lights it is not for.
+void add_setting_notes(Stages& stages, const CommandLine& line, const Experiment& experiment,
+                       const std::vector<std::uint32_t>& lights);
+
 /// Names what drew: the engine, or the OpenGL device.
 void set_renderer(RunResults& results, Stages& stages);
 

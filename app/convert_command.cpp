@@ -54,7 +54,7 @@ ExitCode run_convert(const CommandLine& line, const Console& console) {
   const Experiment experiment = stages.in_metres(given);
   const std::uint32_t light = only_light(stages, experiment);
   stages.check_is_meaningful(experiment, {light});
-  const MapLayout layout = *stages.layout(experiment, light);
+  const MapLayout layout = with_depth_encoding(*stages.layout(experiment, light), experiment.shadow.map_depth);
   const std::vector<MapPlace> places =
       places_of(stages.light(experiment, light), layout, stages.surfels(experiment)->gbuffer);
   if (places.size() < static_cast<std::size_t>(experiment.shadow.map.cascades)) {

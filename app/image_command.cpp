@@ -11,6 +11,7 @@
 #include "experiments/measure/ao_input_files.h"
 #include "experiments/measure/bias_advice.h"
 #include "experiments/measure/debug_views.h"
+#include "experiments/measure/engine_advice.h"
 #include "experiments/measure/map_files.h"
 #include "experiments/measure/measure.h"
 #include "experiments/measure/measure_ao_stages.h"
@@ -61,24 +62,6 @@ void add_technique_notes(Stages& stages, const Experiment& experiment, const std
   }
 }
 
-// What a run shows of its presets, whose values alone would not say where they are from.
-void add_preset_notes(Stages& stages, const CommandLine& line, const std::vector<std::uint32_t>& lights) {
-  for (const std::string& name : line.presets) {
-    const Preset preset = require_preset(name);
-    std::string text = fmt::format("preset {}: {}, {}", name, preset.engine, preset.meaning);
-    if (!preset.differs.empty()) text += "; what differs: " + preset.differs;
-    if (text.ends_with('.')) text.pop_back();
-    std::string others;
-    for (const std::uint32_t light : lights) {
-      if (preset.kind == "ao" || kind_of(stages.scene().lights[light]) == preset.kind) continue;
-      others += (others.empty() ? "" : ", ") + stages.title(light);
-    }
-    if (!others.empty())
-      text += fmt::format("; it is for {} lights, and others have the same parameters: {}", preset.kind, others);
-    stages.add_notes({text});
-  }
-}
-
 // run.measure selects what is measured, and other settings refer to parts of it.
 void require_measured(const Experiment& experiment, const std::vector<BudgetEntry>& conditions) {
   const bool shadows = measures_shadows(experiment);
@@ -92,7 +75,6 @@ void require_measured(const Experiment& experiment, const std::vector<BudgetEntr
   const RunParams& run = experiment.run;
   require(run.shimmer, shadows, "--shimmer", "shadows");
   require(run.write_maps, shadows, "--write-maps", "shadows");
-  require(!run.for_engines.empty(), shadows, "--for", "shadows");
   require(run.ao_stages, ao, "--ao-stages", "ambient occlusion");
   require(run.write_ao_inputs, ao, "--write-ao-inputs", "ambient occlusion");
   require(!run.overlay.empty(), false, "--overlay", "the shaded image");
@@ -110,13 +92,10 @@ void require_measured(const Experiment& experiment, const std::vector<BudgetEntr
 void require_engine_can(const Experiment& experiment) {
   if (renderer_title(experiment).empty()) return;
   const RunParams& run = experiment.run;
-  const std::pair<bool, const char*> ours[] = {{run.shimmer, "--shimmer"},
-                                               {run.ao_stages, "--ao-stages"},
-                                               {run.write_maps, "--write-maps"},
-                                               {run.write_ao_inputs, "--write-ao-inputs"},
-                                               {!run.for_engines.empty(), "--for"},
-                                               {!run.overlay.empty(), "--overlay"},
-                                               {run.measure == SweepMeasure::image, "--measure image"}};
+  const std::pair<bool, const char*> ours[] = {
+      {run.shimmer, "--shimmer"},          {run.ao_stages, "--ao-stages"},
+      {run.write_maps, "--write-maps"},    {run.write_ao_inputs, "--write-ao-inputs"},
+      {!run.overlay.empty(), "--overlay"}, {run.measure == SweepMeasure::image, "--measure image"}};
   for (const auto& [is_given, option] : ours) {
     if (!is_given) continue;
     throw Error(ExitCode::usage, option, "it looks into our own techniques, not into an engine", "leave it out");
@@ -152,6 +131,42 @@ void add_metrics(Experiment& experiment, const std::vector<BudgetEntry>& conditi
 }
 
 }  // namespace
+
+void add_setting_notes(Stages& stages, const CommandLine& line, const Experiment& experiment,
+                       const std::vector<std::uint32_t>& lights) {
+  const std::string& factors = experiment.shadow.fit.cascade_bias;
+  if (!factors.empty() && factors != own_range) {
+    stages.add_notes(
+        {fmt::format("constant biases are stated for the factor 1; shadow.cascade-bias multiplies them by {}",
+                     shortened(factors, 60))});
+  }
+  for (const std::string& name : line.presets) {
+    const Preset preset = require_preset(name);
+    std::string text = fmt::format("preset {}: {}, {}", name, preset.engine, preset.meaning);
+    if (!preset.differs.empty()) text += "; what differs: " + preset.differs;
+    if (text.ends_with('.')) text.pop_back();
+    std::string others;
+    for (const std::uint32_t light : lights) {
+      if (preset.kind == "ao" || kind_of(stages.scene().lights[light]) == preset.kind) continue;
+      others += (others.empty() ? "" : ", ") + stages.title(light);
+    }
+    if (!others.empty()) {
+      text += fmt::format("; it is for {} lights, but {} has the same parameters", preset.kind, others);
+    }
+    stages.add_notes({text});
+  }
+}
+
+void check_bias_engines(const Experiment& experiment, bool measures_shadows) {
+  if (experiment.run.for_engines.empty()) return;
+  if (!renderer_title(experiment).empty()) {
+    throw Error(ExitCode::usage, "--for", "it converts the bias of our own techniques, which are not used here",
+                "leave it out");
+  }
+  if (!measures_shadows) {
+    throw Error(ExitCode::usage, "--for", "it needs shadows, which are not measured here", "leave it out");
+  }
+}
 
 Experiment make_experiment(const CommandLine& line) {
   Experiment experiment;
@@ -213,6 +228,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
   const std::vector<BudgetEntry> conditions = budgets_of(line.fail_if);
   choose_measured(line, given);
   require_engine_can(given);
+  check_bias_engines(given, measures_shadows(given));
   require_measured(given, conditions);
   add_metrics(given, conditions);
   std::optional<RunFolder> run_folder;
@@ -240,7 +256,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
                 fmt::format("the scene has {} lights, and a frame shows the shadow of one", lights.size()),
                 fmt::format("add --light NAME, such as --light '{}'", stages.title(lights.front())));
   }
-  add_preset_notes(stages, line, lights);
+  add_setting_notes(stages, line, experiment, lights);
   add_technique_notes(stages, experiment, lights);
   if (has_ao && stages.has_engine() && given.truth.ao_distance.unit == LengthUnit::automatic) {
     stages.add_notes(
@@ -272,7 +288,7 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
       shadow.advice = advise_bias(stages, experiment, light);
     }
     if (!experiment.run.for_engines.empty() && !shadow.advice) {
-      stages.add_notes({stages.title(light) + ": no numbers for engines, as this technique's bias has no exact curve"});
+      stages.add_notes({no_engines_text(stages.title(light))});
     }
     if (shadow.shape && experiment.run.shimmer) shadow.shape->shimmer = measure_shimmer(stages, shadow);
     measurement.shadows.push_back(std::move(shadow));

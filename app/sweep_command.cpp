@@ -10,6 +10,7 @@
 #include "app/dry_run.h"
 #include "core/interrupt.h"
 #include "core/parallel.h"
+#include "experiments/measure/engine_advice.h"
 #include "experiments/measure/measure_biases.h"
 #include "experiments/settings/stage_inputs.h"
 #include "experiments/sweep/axis_effects.h"
@@ -131,6 +132,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   check_insets(style, given.view.size.width, given.view.size.height);
   const SweptQuantity quantity = choose_quantity(given.run.measure, axes);
   require_effect(quantity, {given}, axes);
+  check_bias_engines(given, quantity == SweptQuantity::visibility);
   const Parameters parameters = describe(given);
   const SweepPlan plan = plan_sweep(parameters, axes, cost_of_change, inner_keys(given, axes, quantity));
   std::optional<RunFolder> run_folder;
@@ -150,6 +152,7 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
   }
   const Experiment experiment = stages.in_metres(given);
   check_against_scene(stages, experiment, axes, quantity);
+  add_setting_notes(stages, line, experiment, swept_lights(stages, experiment, axes, quantity));
   const CellStatistics statistics = choose_statistics(stages, experiment, axes, quantity);
 
   const std::vector<MetricColumn> metrics = swept_metrics(experiment, statistics);
@@ -232,6 +235,9 @@ ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
       }
       if (i == 0) results.measurement = std::move(measurement);
     }
+  }
+  if (!given.run.for_engines.empty() && !results.measurement->shadows.front().advice) {
+    stages.add_notes({no_engines_text("the cell of least error")});
   }
   results.notes = stages.notes();
   RunOutput output;

@@ -142,6 +142,9 @@ Job make_job(const CommandLine& line) {
     if (!key.starts_with("view.")) over.push_back(parse_axis(describe(first), key, text));
   }
   require_effect(job.quantity, job.experiments, axes, over);
+  for (const Experiment& experiment : job.experiments) {
+    check_bias_engines(experiment, job.quantity == SweptQuantity::visibility);
+  }
   const std::string kind = job.quantity == SweptQuantity::ao      ? "ao"
                            : job.quantity == SweptQuantity::image ? "image"
                                                                   : "shadow";
@@ -314,10 +317,9 @@ std::vector<CaseEngines> engines_of(const Job& job, const std::vector<TuneCase>&
     Experiment best = at_point(each, summary.axes, summary.result.best.values);
     best.run.for_engines = job.for_engines;
     Stages& stages = *each.stages;
-    if (job.quantity != SweptQuantity::visibility || stages.has_engine() || stages.is_sampled(best, each.light) ||
-        !stages.capabilities(best).taps_independent_of_bias) {
-      stages.add_notes({"--for: only the bias of a hard shadow has numbers in engines"});
-      return {};
+    if (stages.is_sampled(best, each.light) || !stages.capabilities(best).taps_independent_of_bias) {
+      stages.add_notes({no_engines_text(each.title)});
+      continue;
     }
     all.push_back({each.title, advise_engines(stages, best, each.light)});
   }

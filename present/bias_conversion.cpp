@@ -154,8 +154,7 @@ void add_number_notes(const ConvertedTarget& target, std::vector<std::string>& n
     const std::optional<ChosenValue> chosen = choose_value(target, n);
     if (!chosen) continue;
     const double value = std::clamp(chosen->value, number.min, number.max);
-    const bool is_each = engine.sets_each_cascade && target.places.front().light == LightKind::directional;
-    const bool is_one_for_all = target.conversions.size() > 1 && !number.code.empty() && !is_each;
+    const bool is_one_for_all = target.conversions.size() > 1 && !number.code.empty() && !sets_each_place(target);
     if (is_one_for_all && chosen->excess > 1.005) {
       add(fmt::format("{} {}: {} decides, as it needs most; elsewhere this is up to {} times the source's bias",
                       engine.name, number.name, target.places[chosen->place].name, digits_text(chosen->excess, 2)));
@@ -210,8 +209,7 @@ std::vector<std::string> code_lines(const ConvertedTarget& target) {
     if (engine.numbers[n].code.empty() || !values || is_idle(target, n)) continue;
     const std::string& own = target.conversions.front().numbers[n].code;
     const std::string code = own.empty() ? std::string(engine.numbers[n].code) : own;
-    const bool is_sun = target.places.front().light == LightKind::directional;
-    const bool is_each = engine.sets_each_cascade && is_sun && values->size() > 1;
+    const bool is_each = sets_each_place(target);
     for (std::size_t i = 0; i < (is_each ? values->size() : 1); ++i) {
       lines.push_back(code_line(code, (*values)[i], i, is_each));
     }

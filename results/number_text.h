@@ -19,7 +19,7 @@ std::string with_minus(std::string text);
 std::string with_sign(std::string text);
 
 /// "8.71", "0.350", "−1250", "0": significant digits, zeros at the end included, which keeps columns even; a whole part
-/// in full. "—" for what is no number.
+/// in full; one digit below 0.0001. "—" for what is no number.
 std::string digits_text(double number, int digits = 3);
 
 /// "8.71 %", "0.0123 %": three significant digits; "—" if the share was not measured.

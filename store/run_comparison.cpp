@@ -77,6 +77,15 @@ const std::string& value_of(const std::vector<std::pair<std::string, std::string
 
 std::string size_of(const StoredRun& run) { return value_of(run.parameters, "view.size"); }
 
+// A number alone is in the parameter's unit.
+std::string with_unit(const Parameters& parameters, const std::string& key, const std::string& value) {
+  const Parameter* parameter = find(parameters, key);
+  if (parameter == nullptr || !parameter->is_number() || value.empty()) return value;
+  if (value.back() < '0' || value.back() > '9') return value;
+  const std::string& unit = parameter->description.unit;
+  return unit.empty() || unit == "1" ? value : value + " " + unit;
+}
+
 }  // namespace
 
 std::vector<ComparedStatistic> compare_runs(const std::vector<StoredRun>& runs) {
@@ -129,19 +138,6 @@ std::vector<std::string> limits_of_comparison(const std::vector<StoredRun>& runs
   }
   return limits;
 }
-
-namespace {
-
-// A number alone is in the parameter's unit.
-std::string with_unit(const Parameters& parameters, const std::string& key, const std::string& value) {
-  const Parameter* parameter = find(parameters, key);
-  if (parameter == nullptr || !parameter->is_number() || value.empty()) return value;
-  if (value.back() < '0' || value.back() > '9') return value;
-  const std::string& unit = parameter->description.unit;
-  return unit.empty() || unit == "1" ? value : value + " " + unit;
-}
-
-}  // namespace
 
 Table differing_parameters(const std::vector<StoredRun>& runs) {
   Experiment usual;

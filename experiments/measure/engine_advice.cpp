@@ -61,7 +61,7 @@ std::vector<BiasTerms> terms_of(const Experiment& experiment, const MapLayout& l
 bool set_constant(Experiment& experiment, const MapLayout& layout, const AtPlaces& bias) {
   Length& constant = experiment.shadow.bias.constant;
   std::string& factors = experiment.shadow.fit.cascade_bias;
-  factors.clear();
+  if (factors != own_range) factors.clear();
   if (are_equal(bias.metres)) {
     constant = Length{bias.metres[0]};
   } else if (are_equal(bias.texels)) {
@@ -71,6 +71,7 @@ bool set_constant(Experiment& experiment, const MapLayout& layout, const AtPlace
   } else if (layout.kind == MapKind::orthographic &&
              std::ranges::all_of(bias.metres, [&](double metres) { return metres * bias.metres[0] > 0.0; })) {
     constant = Length{bias.metres[0]};
+    factors.clear();
     // Cascades that are no finer than the last are left out of the layout, before the last.
     for (int i = 0; i < experiment.shadow.map.cascades; ++i) {
       const bool is_last = i + 1 == experiment.shadow.map.cascades;
@@ -116,7 +117,7 @@ class EnginesOfLight {
       : stages_(stages),
         experiment_(experiment),
         light_(light),
-        layout_(*stages.layout(experiment, light)),
+        layout_(with_depth_encoding(*stages.layout(experiment, light), experiment.shadow.map_depth)),
         places_(places_of(stages.light(experiment, light), layout_, stages.surfels(experiment)->gbuffer)),
         terms_(terms_of(experiment, layout_, places_)) {}
 
@@ -171,6 +172,12 @@ class EnginesOfLight {
 };
 
 }  // namespace
+
+std::string no_engines_text(const std::string& what) {
+  return what +
+         ": no bias in the numbers of engines; that needs a hard shadow, counted pixels, and a technique that "
+         "compares the same texels at every bias";
+}
 
 std::vector<EngineAdvice> advise_engines(Stages& stages, const Experiment& experiment, std::uint32_t light) {
   std::vector<EngineAdvice> advice;

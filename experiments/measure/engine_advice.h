@@ -1,12 +1,16 @@
 // A recommended bias in the numbers of other engines, measured again after rounding.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "experiments/stages/stages.h"
 #include "results/engine_advice.h"
 
 namespace umbrameter {
+
+/// Why `what`, a light or a case, has no numbers of engines.
+std::string no_engines_text(const std::string& what);
 
 /// The experiment's bias in the numbers of the engines that its run.for names, for one light with a binary reference.
 /// Empty if it names none. Throws Error (usage) for what parse_bias_targets() refuses.

@@ -42,9 +42,10 @@ double mean_depth_unit(Stages& stages, const Experiment& experiment, std::uint32
   for (std::size_t i = 0; i < counted->exclusion.size(); ++i) {
     if (counted->exclusion[i] != PixelExclusion::none) continue;
     const dvec3 position(surfels->gbuffer.position[i]);
-    const dvec3 local(layout.light_from_world * dvec4(position, 1.0));
-    const double factor = is_own ? layout.views[view_of(layout, local)].bias_factor : 1.0;
-    sum += factor * metres_per_map_depth(layout, depth_of(layout, position));
+    const auto share = [&] {
+      return layout.views[view_of(layout, dvec3(layout.light_from_world * dvec4(position, 1.0)))].range_share;
+    };
+    sum += (is_own ? share() : 1.0) * metres_per_map_depth(layout, depth_of(layout, position));
   }
   const std::uint64_t pixels = counted->totals[static_cast<std::size_t>(PixelExclusion::none)];
   return pixels > 0 ? sum / static_cast<double>(pixels) : 0.0;

@@ -17,7 +17,6 @@ LightBlock make_light_block(const Light& light, const MapLayout& layout) {
   block.view_count = static_cast<int>(layout.views.size());
   for (std::size_t v = 0; v < layout.views.size(); ++v) {
     block.views[v] = dvec4(layout.views[v].center, layout.views[v].half_extent, layout.views[v].farthest);
-    block.bias_factors[v] = static_cast<float>(layout.views[v].bias_factor);
   }
   block.view_depth_plane = layout.view_depth_plane;
   block.nearest_view_depth = layout.nearest_view_depth;

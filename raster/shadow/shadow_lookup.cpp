@@ -61,6 +61,9 @@ gl::Pass lookup_pass(const gl::Context& context, const ShadowLookup& lookup, Len
   block.offset_is_across = lookup.bias.offset_direction == OffsetDirection::across ? 1 : 0;
   block.cone_bias = static_cast<float>(lookup.bias.cone);
   block.bias_unit = static_cast<int>(bias_unit);
+  for (std::size_t v = 0; v < lookup.map.layout.views.size(); ++v) {
+    block.bias_factors[v] = static_cast<float>(bias_factor(lookup.map.layout.views[v], bias_unit));
+  }
   std::string defines = map_defines(lookup.map.layout) + source.defines +
                         define("RECEIVER_PLANE", lookup.bias.receiver_plane ? 1 : 0) +
                         define("CONE_BIAS", lookup.bias.cone > 0.0 ? 1 : 0) +

@@ -70,8 +70,8 @@ std::vector<MapPlace> places_of(const Light& light, const MapLayout& layout, con
   if (layout.kind == MapKind::orthographic) {
     for (const MapView& view : layout.views) {
       const std::string name = layout.views.size() == 1 ? "map" : "cascade " + std::to_string(places.size() + 1);
-      places.push_back({name, LightKind::directional, 2.0 * view.half_extent / layout.resolution, layout.far_depth,
-                        layout.resolution});
+      places.push_back({name, LightKind::directional, 2.0 * view.half_extent / layout.resolution,
+                        view.range_share * layout.far_depth, layout.resolution});
     }
     return places;
   }
@@ -241,11 +241,14 @@ std::optional<ChosenValue> choose_value(const ConvertedTarget& target, std::size
   return chosen;
 }
 
+bool sets_each_place(const ConvertedTarget& target) {
+  return target.spec.engine->sets_each_cascade && target.places.size() > 1 &&
+         target.places.front().light == LightKind::directional;
+}
+
 std::optional<std::vector<double>> set_values(const ConvertedTarget& target, std::size_t number) {
   const BiasNumber& described = target.spec.engine->numbers[number];
   std::vector<double> values;
-  const bool is_sun = target.places.front().light == LightKind::directional;
-  const bool is_each = target.spec.engine->sets_each_cascade && is_sun;
   const std::optional<ChosenValue> chosen = choose_value(target, number);
   for (const BiasConversion& conversion : target.conversions) {
     const ConvertedNumber& own = conversion.numbers[number];
@@ -254,7 +257,7 @@ std::optional<std::vector<double>> set_values(const ConvertedTarget& target, std
       continue;
     }
     if (!chosen) return {};
-    const double value = rounded_up(is_each ? *own.value : chosen->value, described.step);
+    const double value = rounded_up(sets_each_place(target) ? *own.value : chosen->value, described.step);
     values.push_back(std::clamp(value, described.min, described.max));
   }
   return values;

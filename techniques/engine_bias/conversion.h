@@ -82,9 +82,12 @@ struct ChosenValue {
 };
 std::optional<ChosenValue> choose_value(const ConvertedTarget& target, std::size_t number);
 
+/// Whether the engine has a number for each place: a cascade of an engine that sets each.
+bool sets_each_place(const ConvertedTarget& target);
+
 /// What to set a number to at each place: up to three significant digits and up to a step of the engine's inspector,
-/// away from 0, and within the engine's limits. One value for all if the engine has no number for each. Nothing if a
-/// place has none.
+/// away from 0, and within the engine's limits. One value for all unless sets_each_place(). Nothing if a place has
+/// none.
 std::optional<std::vector<double>> set_values(const ConvertedTarget& target, std::size_t number);
 
 }  // namespace umbrameter

@@ -237,9 +237,8 @@ MapLayout fit_area(MapLayout layout, const ShadowMapParams& params, const SeenPa
     std::ranges::transform(shares, splits.begin(),
                            [&](double share) { return range.nearest + share * (range.farthest - range.nearest); });
   }
-  const std::optional<std::vector<double>> factors = parse_cascade_bias(fit.cascade_bias, params.cascades);
   fit_views(layout, Fitter(layout, seen, fit.cascade_fit), splits, fit.fit,
-            factors.value_or(std::vector<double>(splits.size(), 1.0)));
+            parse_cascade_bias(fit.cascade_bias, params.cascades));
   if (fit.fit == MapFit::view && is_by_camera) layout.views.back().farthest = range.farthest;
   return layout;
 }
@@ -267,10 +266,11 @@ Parameters describe(MapFitParams& params) {
       .field(
           "splits", params.splits,
           {.unit = {}, .meaning = "ends of the first cascades as shares of the range, '0.1,0.2,0.5'; empty: by lambda"})
-      .field("cascade-bias", params.cascade_bias,
-             {.unit = {},
-              .meaning = "factors of the constant bias in the cascades, '1,2,4', or own-range: a share of each one's "
-                         "own depth range"})
+      .field(
+          "cascade-bias", params.cascade_bias,
+          {.unit = {},
+           .meaning = "factors of the constant bias in the cascades, '1,2,4', or own-range: the depth of a bias is a "
+                      "share of each one's own range"})
       .choice(
           "split-range", params.split_range, split_range_names,
           {.unit = {}, .meaning = "depths that the cascades divide: those seen, or near plane to shadow.max-distance"})
@@ -341,13 +341,12 @@ std::vector<double> parse_splits(const std::string& text, int count) {
               "expected " + std::to_string(count - 1) + " rising numbers between 0 and 1, such as 0.1,0.2,0.5 for 4");
 }
 
-std::optional<std::vector<double>> parse_cascade_bias(const std::string& text, int count) {
-  if (text == own_range) return {};
-  if (text.empty()) return std::vector<double>(static_cast<std::size_t>(count), 1.0);
-  std::optional<std::vector<double>> factors = numbers_of(text);
+std::vector<double> parse_cascade_bias(const std::string& text, int count) {
+  if (text.empty() || text == own_range) return std::vector<double>(static_cast<std::size_t>(count), 1.0);
+  const std::optional<std::vector<double>> factors = numbers_of(text);
   const auto is_positive = [](double factor) { return factor > 0.0; };
   if (factors && std::ranges::all_of(*factors, is_positive) && static_cast<int>(factors->size()) == count) {
-    return factors;
+    return *factors;
   }
   throw Error(ExitCode::usage, "shadow.cascade-bias",
               "'" + text + "' is not a factor above 0 for each of " + std::to_string(count) +
@@ -368,7 +367,7 @@ MapLayout fit_map(const Light& light, const MappedBounds& bounds, const ShadowMa
   include_ground(layout, bounds.ground, fit.pancaking);
   if (fit.cascade_bias == own_range) {
     for (MapView& view : layout.views) {
-      view.bias_factor = (2.0 * view.half_extent + fit.near_offset) / layout.far_depth;
+      view.range_share = (2.0 * view.half_extent + fit.near_offset) / layout.far_depth;
     }
   }
   return layout;

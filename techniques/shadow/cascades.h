@@ -2,7 +2,6 @@
 // views and their resolution are in ShadowMapParams.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,7 +31,7 @@ enum class CascadeFit : int { tight, stable };
 struct MapFitParams {
   double split_lambda = 0.5;
   std::string splits;        ///< as parse_splits() reads it; empty: by split_lambda
-  std::string cascade_bias;  ///< as parse_cascade_bias() reads it
+  std::string cascade_bias;  ///< own_range, or as parse_cascade_bias() reads it
   SplitRange split_range = SplitRange::seen;
   double max_distance = 100.0;
   MapFit fit = MapFit::scene;
@@ -60,13 +59,13 @@ std::vector<double> split_depths(double nearest, double farthest, int count, dou
 /// are `count` − 1 rising numbers between 0 and 1.
 std::vector<double> parse_splits(const std::string& text, int count);
 
-/// A value of MapFitParams::cascade_bias.
+/// MapFitParams::cascade_bias: a bias in the map's depth is a share of each cascade's own depth range, its side plus
+/// MapFitParams::near_offset.
 inline constexpr std::string_view own_range = "own-range";
 
-/// Factors of the constant bias in the cascades, of which each is above 0: "1,2,4". Empty: all are 1. Nothing for
-/// "own-range": each is the cascade's own depth range, its side plus MapFitParams::near_offset, over that of the map,
-/// so that a bias in the map's depth is a share of the cascade's own range. Throws Error (usage).
-std::optional<std::vector<double>> parse_cascade_bias(const std::string& text, int count);
+/// Factors of the constant bias in the cascades, each above 0: "1,2,4". Empty or own_range: all are 1. Throws Error
+/// (usage).
+std::vector<double> parse_cascade_bias(const std::string& text, int count);
 
 /// What a map is fitted to: its area to the scene. The ground, a flat box or an empty one, only extends the range of
 /// depths: light that passes the scene casts no shadow on it.

@@ -123,6 +123,10 @@ double metres_per_map_depth(const MapLayout& layout, double depth) {
   return near > 0.0 ? depth * depth * (far - near) / (near * far) : far;
 }
 
+double bias_factor(const MapView& view, LengthUnit unit) {
+  return unit == LengthUnit::map_depth ? view.bias_factor * view.range_share : view.bias_factor;
+}
+
 bool compares_encoded(const MapLayout& layout, LengthUnit bias_unit) {
   return bias_unit == LengthUnit::map_depth && layout.encoded_near > 0.0;
 }

@@ -25,6 +25,8 @@ struct MapView {
   double half_extent = 1.0;
   double farthest = std::numeric_limits<double>::infinity();  ///< CascadeSelection::depth: largest view depth, metres
   double bias_factor = 1.0;                                   ///< of the constant bias; orthographic
+  double range_share =
+      1.0;  ///< depth range of which a bias in the map's depth is a share, over far_depth; orthographic
 };
 
 /// The cascade in which a position is looked up. map: the first that contains it. depth: the first whose farthest view
@@ -109,6 +111,9 @@ double depth_of(const MapLayout& layout, const dvec3& position);
 
 /// The change of a depth when the number that the map stores for it changes by one, metres.
 double metres_per_map_depth(const MapLayout& layout, double depth);
+
+/// Factor of a constant bias of this unit in an orthographic view.
+double bias_factor(const MapView& view, LengthUnit unit);
 
 /// Whether depths are compared as the map stores them, and not in metres.
 bool compares_encoded(const MapLayout& layout, LengthUnit bias_unit);

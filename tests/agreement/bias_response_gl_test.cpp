@@ -86,6 +86,9 @@ TEST_F(BiasResponseGl, Cascades_agree_too) {
   expect_agreement(lights_[0], grid);
   grid.fit.cascade_bias = "1,0.7,3.3";
   expect_agreement(lights_[0], grid);
+  grid.fit.cascade_bias = own_range;
+  grid.axes = {{0.0f, 0.002f, 0.02f}, {0.0f, 1.5f}, LengthUnit::map_depth};
+  expect_agreement(lights_[0], grid);
 }
 
 TEST_F(BiasResponseGl, Maps_with_other_depths_agree_too) {

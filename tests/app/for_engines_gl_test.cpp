@@ -13,10 +13,11 @@ namespace {
 using Json = nlohmann::json;
 
 struct ForEngines : GlRun {
-  Json compare(const std::vector<std::string>& more) {
+  Json compare(const std::vector<std::string>& more, const std::string& scene = "contact-box",
+               const std::string& light = "sun") {
     const ProgramResult result =
-        run_program(words({"compare", "contact-box", "-o", folder_ / "out", "--force", "--light", "sun", "--size",
-                           "160x90", "--measure", "visibility", "--no-figures", "--quiet", "--json"},
+        run_program(words({"compare", scene, "-o", folder_ / "out", "--force", "--light", light, "--size", "160x90",
+                           "--measure", "visibility", "--no-figures", "--quiet", "--json"},
                           more));
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return Json::parse(result.out).at("shadows").at(0);
@@ -29,7 +30,7 @@ TEST_F(ForEngines, Rounded_numbers_are_measured_again) {
   const Json engines = compare({"--for", "metres,three:near=1,far=51"}).at("recommended_bias").at("engines");
   ASSERT_EQ(engines.size(), 2u);
   for (const auto& [engine, unit] : {std::pair{0, 1.0}, std::pair{1, -50.0}}) {
-    const Json& advice = engines.at(engine);
+    const Json& advice = engines.at(static_cast<std::size_t>(engine));
     const double set = advice.at("numbers").at(0).at("set").at(0);
     const Json by_hand = compare({"--shadow.constant-bias", fmt::format("{}", set * unit)});
     EXPECT_NEAR(advice.at("mae").get<double>(), error_of(by_hand), 1e-12) << advice;
@@ -62,6 +63,45 @@ TEST_F(ForEngines, One_number_for_all_cascades_is_measured_in_each) {
                      "1", "--shadow.normal-offset-profile", "constant", "--shadow.normal-offset-direction", "across"},
                     cascades));
   EXPECT_NEAR(godot.at("mae").get<double>(), error_of(by_hand), 1e-9);
+}
+
+TEST_F(ForEngines, The_defaults_of_an_engine_have_the_error_of_its_preset) {
+  // Shares of each cascade's own depth range, and texels: what Godot's preset says is what its numbers mean.
+  const Json shadow = compare({"--preset", "godot", "--shadow.resolution", "256", "--for", "godot"});
+  const Json& godot = shadow.at("recommended_bias").at("engines").at(0);
+  EXPECT_NEAR(godot.at("mae_of_defaults").get<double>(), error_of(shadow), 1e-9);
+  EXPECT_GT(error_of(shadow), 0.0);
+}
+
+TEST_F(ForEngines, The_depth_of_a_perspective_projection_is_that_of_the_map) {
+  const std::vector<std::string> encoded = {"--shadow.depth-encoding", "perspective", "--shadow.depth-near", "0.5"};
+  const Json shadow =
+      compare(words({"--shadow.constant-bias", "0.001depth", "--for", "map-depth"}, encoded), "courtyard", "spot");
+  const Json& advice = shadow.at("recommended_bias").at("engines").at(0);
+  const Json& number = advice.at("numbers").at(0);
+  // A share of the depth is one number at every distance.
+  EXPECT_NEAR(number.at("values").at(0).get<double>(), number.at("values").at(1).get<double>(), 1e-12);
+  const double set = number.at("set").at(0);
+  const Json by_hand =
+      compare(words({"--shadow.constant-bias", fmt::format("{}depth", set)}, encoded), "courtyard", "spot");
+  EXPECT_NEAR(advice.at("mae").get<double>(), error_of(by_hand), 1e-12);
+}
+
+TEST_F(ForEngines, What_has_no_bias_to_convert_is_refused_or_noted) {
+  const std::vector<std::string> small_run = {"--light", "sun", "--size", "96x54", "--no-figures", "--for", "metres"};
+  const auto run = [&](const std::string& command, const std::vector<std::string>& more) {
+    return run_program(words({command, "contact-box", "-o", folder_ / "out", "--force"}, words(small_run, more)));
+  };
+  for (const std::string command : {"compare", "sweep", "tune"}) {
+    std::vector<std::string> axis;
+    if (command != "compare") axis = {"--vary", "ao.radius=0.1:0.3:2"};
+    const ProgramResult ao = run(command, words({"--measure", "ao"}, axis));
+    EXPECT_EQ(ao.exit_code, 2) << command;
+    EXPECT_NE(ao.err.find("--for"), std::string::npos) << ao.err;
+  }
+  const ProgramResult soft = run("compare", {"--measure", "visibility", "--light.angle", "2", "--truth.spp", "16"});
+  EXPECT_EQ(soft.exit_code, 0) << soft.err;
+  EXPECT_NE(soft.err.find("no bias in the numbers of engines"), std::string::npos) << soft.err;
 }
 
 TEST_F(ForEngines, A_bias_that_an_engine_cannot_say_has_no_numbers) {

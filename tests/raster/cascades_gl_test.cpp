@@ -107,6 +107,7 @@ TEST_F(CascadesGl, Factors_multiply_the_constant_bias_of_each_cascade) {
   ASSERT_EQ(layout.views.size(), 3u);
   MapLayout plain = layout;
   for (MapView& view : plain.views) view.bias_factor = 1.0;
+  ASSERT_EQ(layout.views.back().bias_factor, 16.0);
   const auto drawn = [&](const MapLayout& each, Length bias) {
     const ShadowMap map = draw_shadow_map(context(), uploaded, light, each);
     ShadowParams params;

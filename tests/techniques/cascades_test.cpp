@@ -59,7 +59,7 @@ TEST(Cascades, Splits_can_be_given_as_rising_shares_of_the_range) {
 TEST(Cascades, Constant_biases_have_a_factor_for_each_cascade) {
   EXPECT_EQ(parse_cascade_bias("", 3), (std::vector<double>{1, 1, 1}));
   EXPECT_EQ(parse_cascade_bias("1,2.5,4", 3), (std::vector<double>{1, 2.5, 4}));
-  EXPECT_FALSE(parse_cascade_bias("own-range", 3));
+  EXPECT_EQ(parse_cascade_bias("own-range", 3), (std::vector<double>{1, 1, 1}));
   for (const char* text : {"1,2", "1,2,0", "1,2,-4", "1,2,4,", "1;2;4", "own", "nan,1,1"}) {
     EXPECT_THROW(parse_cascade_bias(text, 3), Error) << text;
   }
@@ -72,7 +72,9 @@ TEST(Cascades, A_cascades_own_range_is_its_side_and_the_near_offset) {
   const MapLayout layout = fit_map(sun(), scene_bounds(), {512, 2}, {row_of_surfels()}, fit);
   ASSERT_EQ(layout.views.size(), 2u);
   for (const MapView& view : layout.views) {
-    EXPECT_NEAR(view.bias_factor * layout.far_depth, 2.0 * view.half_extent + 20.0, 1e-9);
+    EXPECT_NEAR(view.range_share * layout.far_depth, 2.0 * view.half_extent + 20.0, 1e-9);
+    EXPECT_EQ(bias_factor(view, LengthUnit::map_depth), view.range_share);
+    EXPECT_EQ(bias_factor(view, LengthUnit::metres), 1.0) << "metres are metres";
   }
 }
 

@@ -32,7 +32,7 @@ float texel_side(const MapLayout& layout, const Receiver& receiver) {
 float bias_unit_of(const MapLookup& lookup, const Receiver& receiver, float texel) {
   const bool is_orthographic = lookup.layout.kind == MapKind::orthographic;
   const std::size_t view = is_orthographic ? static_cast<std::size_t>(receiver.view) : 0;
-  const auto factor = static_cast<float>(lookup.layout.views[view].bias_factor);
+  const auto factor = static_cast<float>(bias_factor(lookup.layout.views[view], lookup.bias.constant.unit));
   switch (lookup.bias.constant.unit) {
     case LengthUnit::texels:
       return factor * texel;
