@@ -6,7 +6,7 @@ import {existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, w
 import {tmpdir} from 'node:os';
 import path from 'node:path';
 import {createInterface} from 'node:readline';
-import test, {afterEach} from 'node:test';
+import test from 'node:test';
 import {fileURLToPath} from 'node:url';
 import {find_chromium} from './chromium.mjs';
 import {box_scene, load_request} from './test_scene.mjs';
@@ -43,9 +43,9 @@ mkdirSync(frames);
 
 // A test that failed leaves its adapters behind.
 const adapters = new Set();
-afterEach(() => {
+const end_adapters = () => {
   for (const adapter of adapters) adapter.process.kill();
-});
+};
 
 class Adapter {
   constructor(engine, environment = {}) {
@@ -174,103 +174,108 @@ const timeout = 240_000;
 for (const engine of ready) {
   const {name, bias: [bias, ...biases], choice, shadow = ['visibility'], has_more = true} = cases[engine];
 
-  test(`${name}: describes itself, and draws what it is asked for`, {timeout}, async () => {
+  test(name, {timeout}, async (adapter_test) => {
+    adapter_test.after(end_adapters);
     const adapter = new Adapter(engine);
-    const described = await adapter.good('describe', {protocol: 1});
-    assert.equal(described.protocol, 1);
-    assert.equal(described.name, name);
-    for (const parameter of described.parameters) {
-      assert.match(parameter.name, /^[a-z][a-z0-9]*(-[a-z0-9]+)*$/);
-      assert.ok(['number', 'integer', 'boolean', 'choice'].includes(parameter.type) && parameter.meaning !== '');
-      assert.ok(['shadow', 'ao'].includes(parameter.for));
-      const {default: value, min = -Infinity, max = Infinity, choices} = parameter;
-      const is_allowed = choices ? choices.includes(value)
-                                 : typeof value === 'boolean' || (value >= min && value <= max);
-      assert.ok(is_allowed, parameter.name);
-    }
-    assert.equal(new Set(described.parameters.map((each) => each.name)).size, described.parameters.length);
+    await adapter_test.test('what fails is answered in a line, and the adapter goes on', async () => {
+      const fails = async (request, more, pattern) => {
+        const {error} = await adapter.ask(request, more);
+        assert.match(error ?? 'no error', pattern);
+        assert.ok(!error.includes('\n'));
+      };
+      await fails('describe', {protocol: 2}, /protocol 2/);
+      await fails('draw', {}, /no request 'draw'/);
+      await fails('render', {outputs: shadow, frames: [{}]}, /no scene/);
+      await fails('load', load_request(path.join(folder, 'absent.glb'), frames), /absent\.glb: cannot be read/);
+      await fails('load', load_request(fileURLToPath(import.meta.url), frames), /no binary glTF/);
+      writeFileSync(path.join(folder, 'broken.glb'), box_scene().subarray(0, 200));
+      await fails('load', load_request(path.join(folder, 'broken.glb'), frames), /./);
+      await fails('load', {...load_request(scene, frames), light: {kind: 'area'}}, /'area'/);
+      await fails('load', {...load_request(scene, frames), width: 40_000, height: 2}, /at most/);
+      await adapter.load();
+      await fails('render', {outputs: shadow, frames: [{[choice]: 'best'}]}, new RegExp(`'${choice}'.*best`));
+      await fails('render', {outputs: shadow, frames: [{[bias]: 1e9}]}, /outside/);
+      await fails('render', {outputs: shadow, frames: [{wish: 1}]}, /no parameter 'wish'/);
+      await fails('render', {outputs: ['depth'], frames: [{}]}, /'depth'/);
+      const {frames: [frame]} = await adapter.good('render', {outputs: shadow, frames: [{}]});
+      share_of(frame.files, shadow);
 
-    await adapter.load();
-    const defaults = Object.fromEntries(described.parameters.map((each) => [each.name, each.default]));
-    const values = [biases[0], biases[1], biases[0]].map((value) => ({...defaults, [bias]: value}));
-    const {frames: drawn} = await adapter.good('render', {outputs: [...shadow, 'position'], frames: values});
-    assert.equal(drawn.length, 3);
-    const images = drawn.map(({files, milliseconds}) => {
-      assert.ok(milliseconds > 0);
-      return {visibility: share_of(files, shadow), position: read_pfm(files.position)};
+      const lonely = new Adapter(engine, {CHROMIUM: path.join(folder, 'no-browser')});
+      assert.match((await lonely.ask('describe', {protocol: 1})).error, /no-browser|executable/);
+      assert.deepEqual(await lonely.close(), {code: 0, signal: null});
     });
-    for (const {visibility, position} of images) {
-      assert.deepEqual([visibility.width, visibility.height, visibility.channels], [160, 120, 1]);
-      assert.deepEqual([position.width, position.height, position.channels], [160, 120, 3]);
-    }
-    check_images(images[0].position, images[0].visibility);
-    assert.notDeepEqual(images[1].visibility.bytes, images[0].visibility.bytes, `${bias} changes nothing`);
-    assert.deepEqual(images[2].visibility.bytes, images[0].visibility.bytes, 'a frame depends on the one before');
 
-    if (has_more) {
-      const outputs = ['ao', 'normal', 'position'];
-      const {frames: [ambient]} = await adapter.good('render', {outputs, frames: [defaults]});
-      const [ao, normal, position] = outputs.map((output) => read_pfm(ambient.files[output]));
-      for (let y = 0; y < 120; ++y) {
-        for (let x = 0; x < 160; ++x) {
-          assert.ok(ao.at(x, y)[0] >= 0 && ao.at(x, y)[0] <= 1);
-          const [nx, ny, nz] = normal.at(x, y);
-          assert.equal(Number.isNaN(nx), Number.isNaN(position.at(x, y)[0]));
-          if (!Number.isNaN(nx)) assert.ok(Math.abs(Math.hypot(nx, ny, nz) - 1) < 1e-3);
+    await adapter_test.test('describes itself, and draws what it is asked for', async () => {
+      const described = await adapter.good('describe', {protocol: 1});
+      assert.equal(described.protocol, 1);
+      assert.equal(described.name, name);
+      for (const parameter of described.parameters) {
+        assert.match(parameter.name, /^[a-z][a-z0-9]*(-[a-z0-9]+)*$/);
+        assert.ok(['number', 'integer', 'boolean', 'choice'].includes(parameter.type) && parameter.meaning !== '');
+        assert.ok(['shadow', 'ao'].includes(parameter.for));
+        const {default: value, min = -Infinity, max = Infinity, choices} = parameter;
+        const is_allowed = choices ? choices.includes(value)
+                                   : typeof value === 'boolean' || (value >= min && value <= max);
+        assert.ok(is_allowed, parameter.name);
+      }
+      assert.equal(new Set(described.parameters.map((each) => each.name)).size, described.parameters.length);
+
+      await adapter.load();
+      const defaults = Object.fromEntries(described.parameters.map((each) => [each.name, each.default]));
+      const values = [biases[0], biases[1], biases[0]].map((value) => ({...defaults, [bias]: value}));
+      const {frames: drawn} = await adapter.good('render', {outputs: [...shadow, 'position'], frames: values});
+      assert.equal(drawn.length, 3);
+      const images = drawn.map(({files, milliseconds}) => {
+        assert.ok(milliseconds > 0);
+        return {visibility: share_of(files, shadow), position: read_pfm(files.position)};
+      });
+      for (const {visibility, position} of images) {
+        assert.deepEqual([visibility.width, visibility.height, visibility.channels], [160, 120, 1]);
+        assert.deepEqual([position.width, position.height, position.channels], [160, 120, 3]);
+      }
+      check_images(images[0].position, images[0].visibility);
+      assert.notDeepEqual(images[1].visibility.bytes, images[0].visibility.bytes, `${bias} changes nothing`);
+      assert.deepEqual(images[2].visibility.bytes, images[0].visibility.bytes, 'a frame depends on the one before');
+
+      if (has_more) {
+        const outputs = ['ao', 'normal', 'position'];
+        const {frames: [ambient]} = await adapter.good('render', {outputs, frames: [defaults]});
+        const [ao, normal, position] = outputs.map((output) => read_pfm(ambient.files[output]));
+        for (let y = 0; y < 120; ++y) {
+          for (let x = 0; x < 160; ++x) {
+            assert.ok(ao.at(x, y)[0] >= 0 && ao.at(x, y)[0] <= 1);
+            const [nx, ny, nz] = normal.at(x, y);
+            assert.equal(Number.isNaN(nx), Number.isNaN(position.at(x, y)[0]));
+            if (!Number.isNaN(nx)) assert.ok(Math.abs(Math.hypot(nx, ny, nz) - 1) < 1e-3);
+          }
         }
       }
-    }
-    for (const kind of ['spot', 'point']) {
-      const above = {kind, position: [0, 4, 0], direction: [0, -1, 0], range: 0, inner_cone: 0, outer_cone: 0.8};
-      await adapter.load({light: {...load_request(scene, frames).light, ...above}});
-      const {frames: [lamp]} = await adapter.good('render', {outputs: [...shadow, 'position'], frames: [defaults]});
-      const [visible, where] = [share_of(lamp.files, shadow), read_pfm(lamp.files.position)];
-      let shadowed = 0;
-      for (let i = 0; i < 160 * 120; ++i) {
-        const [px, py, pz] = where.at(i % 160, Math.floor(i / 160));
-        if (Math.abs(py) < 1e-3 && Math.max(Math.abs(px), Math.abs(pz)) < 0.3) {
-          ++shadowed;
-          assert.ok(visible.at(i % 160, Math.floor(i / 160))[0] < 0.1, `${kind} light below the box`);
+      for (const kind of ['spot', 'point']) {
+        const above = {kind, position: [0, 4, 0], direction: [0, -1, 0], range: 0, inner_cone: 0, outer_cone: 0.8};
+        await adapter.load({light: {...load_request(scene, frames).light, ...above}});
+        const {frames: [lamp]} = await adapter.good('render', {outputs: [...shadow, 'position'], frames: [defaults]});
+        const [visible, where] = [share_of(lamp.files, shadow), read_pfm(lamp.files.position)];
+        let shadowed = 0;
+        for (let i = 0; i < 160 * 120; ++i) {
+          const [px, py, pz] = where.at(i % 160, Math.floor(i / 160));
+          if (Math.abs(py) < 1e-3 && Math.max(Math.abs(px), Math.abs(pz)) < 0.3) {
+            ++shadowed;
+            assert.ok(visible.at(i % 160, Math.floor(i / 160))[0] < 0.1, `${kind} light below the box`);
+          }
         }
+        assert.ok(shadowed > 5);
       }
-      assert.ok(shadowed > 5);
-    }
+    });
+
     const below = descendants(adapter.process.pid);
     assert.deepEqual(await adapter.close(), {code: 0, signal: null});
     await expect_end(below);
   });
 
-  test(`${name}: what fails is answered in a line, and the adapter goes on`, {timeout}, async () => {
-    const adapter = new Adapter(engine);
-    const fails = async (request, more, pattern) => {
-      const {error} = await adapter.ask(request, more);
-      assert.match(error ?? 'no error', pattern);
-      assert.ok(!error.includes('\n'));
-    };
-    await fails('describe', {protocol: 2}, /protocol 2/);
-    await fails('draw', {}, /no request 'draw'/);
-    await fails('render', {outputs: shadow, frames: [{}]}, /no scene/);
-    await fails('load', load_request(path.join(folder, 'absent.glb'), frames), /absent\.glb: cannot be read/);
-    await fails('load', load_request(fileURLToPath(import.meta.url), frames), /no binary glTF/);
-    writeFileSync(path.join(folder, 'broken.glb'), box_scene().subarray(0, 200));
-    await fails('load', load_request(path.join(folder, 'broken.glb'), frames), /./);
-    await fails('load', {...load_request(scene, frames), light: {kind: 'area'}}, /'area'/);
-    await fails('load', {...load_request(scene, frames), width: 40_000, height: 2}, /at most/);
-    await adapter.load();
-    await fails('render', {outputs: shadow, frames: [{[choice]: 'best'}]}, new RegExp(`'${choice}'.*best`));
-    await fails('render', {outputs: shadow, frames: [{[bias]: 1e9}]}, /outside/);
-    await fails('render', {outputs: shadow, frames: [{wish: 1}]}, /no parameter 'wish'/);
-    await fails('render', {outputs: ['depth'], frames: [{}]}, /'depth'/);
-    const {frames: [frame]} = await adapter.good('render', {outputs: shadow, frames: [{}]});
-    share_of(frame.files, shadow);
-    await adapter.close();
-
-    const lonely = new Adapter(engine, {CHROMIUM: path.join(folder, 'no-browser')});
-    assert.match((await lonely.ask('describe', {protocol: 1})).error, /no-browser|executable/);
-    assert.deepEqual(await lonely.close(), {code: 0, signal: null});
-  });
-
-  test(`${name}: no process is left when the browser, the adapter or its caller ends`, {timeout}, async () => {
+  // The host is the same for all engines.
+  if (engine !== 'threejs') continue;
+  test(`${name}: no process is left when the browser, the adapter or its caller ends`, {timeout}, async (process_test) => {
+    process_test.after(end_adapters);
     if (!existsSync('/proc/self/stat')) return;
     const start = async () => {
       const adapter = new Adapter(engine);

@@ -1,5 +1,6 @@
-"""A sweep of a bias of an engine in a browser that is killed half way, and the axis that it must show."""
+"""A sweep of a bias of an engine in a browser that is killed half way: the axis that it must show, and replies that fit the schema."""
 import csv
+import importlib.util
 import os
 import signal
 import subprocess
@@ -14,9 +15,14 @@ if not (root / "engines" / engine / "node_modules").is_dir():
     print(f"not set up: run engines/{engine}/setup")
     sys.exit(77)
 # From no bias, which gives acne, to one that loses the shadows.
-cells = 24
+cells = 12
 axis = {"threejs": "engine.bias=-0.2:0", "babylon": "engine.bias=0:1", "playcanvas": "engine.shadow-bias=0:1",
         "filament": "engine.constant-bias=0:1"}[engine] + f":{cells}"
+
+adapter = str(root / "engines" / engine / "adapter")
+if importlib.util.find_spec("jsonschema"):
+    words = [sys.executable, "-B", Path(__file__).with_name("held_adapter.py"), root / "engines/protocol.schema.json", adapter]
+    adapter = " ".join(f"'{word}'" for word in words)
 
 
 def children(pid):
@@ -48,7 +54,7 @@ def kill_browser(pid, folder, killed):
 
 
 with tempfile.TemporaryDirectory() as folder:
-    command = [program, "sweep", "two-occluders", "--engine", str(root / "engines" / engine / "adapter"), "--light", "sun", "--size",
+    command = [program, "sweep", "two-occluders", "--engine", adapter, "--light", "sun", "--size",
                "320x180", "--vary", axis, "--no-figures", "--no-cache", "-o", folder + "/out"]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                env={**os.environ, "TMPDIR": folder})
