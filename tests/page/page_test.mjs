@@ -201,6 +201,18 @@ test('a bias in the depth of the map is read in its own unit, in texels and as a
   await close();
 });
 
+test('wrong pixels of a small picture are enlarged where they stand among right ones', async () => {
+  const {page, close} = await open_page(out, {fragment: '#view=single&group=sun&a=error_visibility_sun&zoom=1&at=48,27'});
+  await page.getByText('Each wrong pixel covers at least 2×2 pixels of the screen.').waitFor();
+  for (const fragment of ['group=ambient occlusion&a=error_ao&zoom=1', 'group=sun&a=error_visibility_sun&zoom=2',
+                          'group=sun&a=error_visibility_sun&zoom=1&errors=plain']) {
+    await go(page, `#view=single&at=48,27&${fragment}`);
+    await expect_fragment(page, Object.fromEntries(new URLSearchParams(fragment)));
+    await page.getByText('Each wrong pixel covers').waitFor({state: 'detached'});
+  }
+  await close();
+});
+
 test('keys go to the largest error and through connected regions', async () => {
   const {channels} = read_exr(path.join(out, 'images.exr'));
   const {page, close} = await open_page(out, {fragment: '#view=grid&group=ambient occlusion'});

@@ -1,7 +1,7 @@
 // Paints layers with WebGL2: values stay float textures, the fragment shader turns them into colours (pixels.ts has the
 // same formulas).
 import {Layer, Run} from './data';
-import {is_of_errors, Look, scale_of, table_of} from './pixels';
+import {dot_of, is_of_errors, Look, scale_of, table_of} from './pixels';
 
 // In device pixels from the top left.
 export interface Rect {
@@ -227,7 +227,7 @@ export function make_gl_painter(canvas: HTMLCanvasElement, first: Run): Painter 
       gl.uniform1i(place.get('table')!, 1);
       gl.uniform1i(place.get('base')!, 2);
       gl.uniform1i(place.get('has_base')!, Number(base !== null));
-      gl.uniform1f(place.get('dots')!, look.dot);
+      gl.uniform1f(place.get('dots')!, dot_of(layer, look));
       gl.uniform2f(place.get('size')!, run.columns, run.rows);
       gl.uniform2f(place.get('middle')!, pane.x + pane.width / 2, canvas.height - pane.y - pane.height / 2);
       gl.uniform2f(place.get('center')!, x, y);

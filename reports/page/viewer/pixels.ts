@@ -6,7 +6,7 @@ export interface Look {
   exposure: number; // stops
   map: MapName;
   base: Layer | null; // the picture below errors and causes, in grey
-  dot: number; // device pixels that a wrong pixel covers at least; 0: as many as it has
+  dot: number; // see dot_of
 }
 
 export const not_a_number: Color = [255, 0, 255];
@@ -32,6 +32,23 @@ function srgb_byte(linear: number): number {
 
 // A kind that shows what is wrong, and where nothing is, the picture below.
 export const is_of_errors = (layer: Layer) => layer.kind === 'error' || layer.kind === 'category';
+
+// Device pixels that a wrong pixel of this layer covers at least; 0: as many as it has. As in figures, a map in which
+// more than half of the pixels have an error, as of ambient occlusion, shows them as they are.
+const single_errors = new WeakMap<Layer, boolean>();
+export function dot_of(layer: Layer, look: Look): number {
+  if (!is_of_errors(layer)) return 0;
+  if (layer.kind === 'category') return look.dot;
+  let is_single = single_errors.get(layer);
+  if (is_single === undefined) {
+    const values = layer.planes[0];
+    let right = 0;
+    for (const value of values) right += Number(!(Math.abs(value) > 0));
+    is_single = 2 * right >= values.length;
+    single_errors.set(layer, is_single);
+  }
+  return is_single ? look.dot : 0;
+}
 
 const is_grey = ([r, g, b]: Color) => r === g && g === b;
 

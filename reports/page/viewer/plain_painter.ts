@@ -1,7 +1,7 @@
 // Paints layers on a 2D canvas, where the browser has no WebGL2.
 import {Layer, Run} from './data';
 import {Painter, Placement} from './gl_painter';
-import {color_of, is_of_errors, Look, strength_of} from './pixels';
+import {color_of, dot_of, Look, strength_of} from './pixels';
 
 interface Painted {
   canvas: HTMLCanvasElement;
@@ -32,13 +32,15 @@ export function make_plain_painter(canvas: HTMLCanvasElement, first: Run): Paint
 
   // Wrong pixels, which have half the scale as in regions.ts, in the least size of a dot.
   function paint_dots(layer: Layer, look: Look, {pane, x, y, scale}: Placement): void {
+    const dot = dot_of(layer, look);
+    if (scale >= dot) return;
     for (let i = 0; i < layer.planes[0].length; ++i) {
       if (!(strength_of(layer, i, look) >= 0.5)) continue;
       const column = i % run.columns;
       const row = (i - column) / run.columns;
       context.fillStyle = `rgb(${color_of(layer, i, look, run).join(',')})`;
-      context.fillRect(pane.x + pane.width / 2 + (column + 0.5 - x) * scale - look.dot / 2,
-                       pane.y + pane.height / 2 + (row + 0.5 - y) * scale - look.dot / 2, look.dot, look.dot);
+      context.fillRect(pane.x + pane.width / 2 + (column + 0.5 - x) * scale - dot / 2,
+                       pane.y + pane.height / 2 + (row + 0.5 - y) * scale - dot / 2, dot, dot);
     }
   }
 
@@ -61,7 +63,7 @@ export function make_plain_painter(canvas: HTMLCanvasElement, first: Run): Paint
       context.imageSmoothingQuality = 'high';
       context.drawImage(picture_of(layer, look), pane.x + pane.width / 2 - x * scale, pane.y + pane.height / 2 - y * scale,
                         run.columns * scale, run.rows * scale);
-      if (is_of_errors(layer) && scale < look.dot) paint_dots(layer, look, placement);
+      paint_dots(layer, look, placement);
       context.restore();
     },
   };

@@ -8,7 +8,7 @@ import {make_gl_painter, Painter, Rect} from './gl_painter';
 import {fill_inspector, fill_legend} from './inspector';
 import {handle_key, Pointer} from './input';
 import {Overlay, Pane} from './overlay';
-import {difference, is_of_errors, Look} from './pixels';
+import {difference, dot_of, Look} from './pixels';
 import {make_plain_painter} from './plain_painter';
 import {Jumps} from './jumps';
 import {ObjectList} from './object_list';
@@ -346,7 +346,7 @@ export class Viewer {
                         hovered: this.hovered});
     const layers = panes.flatMap((pane) => pane.layers);
     fill_legend(this.legend, layers, this.look(), this.run);
-    const has_dots = !this.state.plain && view.zoom < least_dot && layers.some(is_of_errors);
+    const has_dots = layers.some((layer) => view.zoom * ratio < dot_of(layer, this.look()));
     this.dots_hint.textContent = has_dots ? `Each wrong pixel covers at least ${least_dot}×${least_dot} pixels of the screen.` : '';
     this.stage.setAttribute('aria-label', `${this.state.group}: ${titles.flat().join(', ')}`);
     this.stage.dataset.painted = this.fragment(); // for tests
