@@ -232,7 +232,7 @@ class Views {
     const int layers = static_cast<int>(map->layout.views.size());
     const std::vector<Image<float>> depths = read_layers<float>(map->depth, gl::Format::depth32f, layers);
     for (std::size_t v = 0; v < depths.size(); ++v) {
-      push_of_light("shadow_map_", "Shadow map", light, v, depths.size(),
+      push_of_light("shadow_map_", "Shadow map", light, map->layout, v,
                     "Depth from the light. " + range_text(depths[v], 1.0f, map->layout.far_depth),
                     gray(depths[v], 1.0f));
     }
@@ -250,7 +250,7 @@ class Views {
         const auto cosine = static_cast<float>(glm::dot(dvec3(seen.shading_normal[i]), to_eye));
         colors[i] = seen.albedo[i] * (0.25f + 0.75f * std::max(cosine, 0.0f));
       }
-      push_of_light("light_view_", "Seen from", light, v, layout.views.size(),
+      push_of_light("light_view_", "Seen from", light, layout, v,
                     "What the light lights: its colours, brighter where they face it.", tone_map(colors, 1.0f));
     }
   }
@@ -268,12 +268,13 @@ class Views {
     add({std::move(stem), std::move(title), std::move(caption), std::move(picture)});
   }
 
-  void push_of_light(const std::string& stem, const std::string& title, std::uint32_t light, std::size_t view,
-                     std::size_t count, std::string caption, Colors picture) {
+  void push_of_light(const std::string& stem, const std::string& title, std::uint32_t light, const MapLayout& layout,
+                     std::size_t view, std::string caption, Colors picture) {
     const std::string& layer = stages_.layer(light);
     const std::string name = stages_.title(light);
-    add({count > 1 ? fmt::format("{}{}_{}", stem, layer, view) : stem + layer,
-         count > 1 ? fmt::format("{}: {}, view {}", title, name, view) : title + ": " + name, std::move(caption),
+    const std::string part = view_name(layout, view);
+    add({part.empty() ? stem + layer : fmt::format("{}{}_{}", stem, layer, view),
+         part.empty() ? title + ": " + name : fmt::format("{}: {}, {}", title, name, part), std::move(caption),
          std::move(picture)});
   }
 

@@ -69,9 +69,9 @@ std::vector<MapPlace> places_of(const Light& light, const MapLayout& layout, con
   std::vector<MapPlace> places;
   if (layout.kind == MapKind::orthographic) {
     for (const MapView& view : layout.views) {
-      const std::string name = layout.views.size() == 1 ? "map" : "cascade " + std::to_string(places.size() + 1);
-      places.push_back({name, LightKind::directional, 2.0 * view.half_extent / layout.resolution,
-                        view.range_share * layout.far_depth, layout.resolution});
+      places.push_back({layout.views.size() == 1 ? "map" : view_name(layout, places.size()), LightKind::directional,
+                        2.0 * view.half_extent / layout.resolution, view.range_share * layout.far_depth,
+                        layout.resolution});
     }
     return places;
   }

@@ -1,7 +1,11 @@
 #include "techniques/shadow/map_layout.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "core/error.h"
 
@@ -49,6 +53,13 @@ dmat3 cube_face(int face) {
   forward[face / 2] = face % 2 == 0 ? 1.0 : -1.0;
   const dvec3 up = face / 2 == 1 ? dvec3(0.0, 0.0, 1.0) : dvec3(0.0, 1.0, 0.0);
   return {glm::cross(forward, up), up, forward};
+}
+
+std::string view_name(const MapLayout& layout, std::size_t view) {
+  constexpr std::array<std::string_view, 6> faces = {"+x", "−x", "+y", "−y", "+z", "−z"};
+  if (layout.kind == MapKind::cube) return fmt::format("face {}", faces.at(view));
+  if (layout.kind == MapKind::paraboloid) return view == 0 ? "front" : "back";
+  return layout.views.size() > 1 ? fmt::format("cascade {}", view + 1) : "";
 }
 
 MapLayout fit_light(const Light& light, const Bounds& bounds, int resolution) {

@@ -82,6 +82,9 @@ struct ShadowMapImages {
 /// Right, up and forward vector (the columns) of a cube map's face, 0 to 5 (+x −x +y −y +z −z), in light space.
 dmat3 cube_face(int face);
 
+/// "face +x" of a cube, "cascade 1", a paraboloid's "front" or "back"; empty where the map has one view only.
+std::string view_name(const MapLayout& layout, std::size_t view);
+
 /// How far surfaces stay from the ends of a map's depth range, metres, so that the shaders' single precision does not
 /// round them out of it.
 double rounding_room(const Bounds& bounds);

@@ -123,6 +123,23 @@ TEST(CubeMap, Depth_is_radial_and_texels_are_those_of_the_face) {
   EXPECT_TRUE(is_inside(layout, {-100, 7, 2}));
 }
 
+TEST(MapViews, Faces_cascades_and_halves_have_names) {
+  MapLayout layout;
+  EXPECT_EQ(view_name(layout, 0), "");
+  layout.views.resize(2);
+  EXPECT_EQ(view_name(layout, 1), "cascade 2");
+  layout.kind = MapKind::paraboloid;
+  EXPECT_EQ(view_name(layout, 1), "back");
+  layout.kind = MapKind::cube;
+  for (int face = 0; face < 6; ++face) {
+    // "+x" names the axis along which the face looks.
+    const std::string name = view_name(layout, static_cast<std::size_t>(face));
+    const char axis = name.back();
+    const double sign = name.find('+') != std::string::npos ? 1.0 : -1.0;
+    EXPECT_EQ(cube_face(face)[2][axis - 'x'], sign) << name;
+  }
+}
+
 TEST(ToLight, It_is_against_the_axis_or_towards_the_position) {
   EXPECT_NEAR(glm::distance(to_light(make_light(straight_down({5, 5, 5}), DirectionalLight{}), {9, 9, 9}), {0, 1, 0}),
               0, 1e-15);
