@@ -5,7 +5,6 @@ import {read_occlusion} from './ambient.mjs';
 import {add_light} from './lights.mjs';
 import {what, whiten} from './materials.mjs';
 
-const least_light = 1e-5;  // of the frame without shadows, 1 at the light, for a quotient
 
 async function make_app(canvas) {
   const options = new pc.AppOptions();
@@ -115,17 +114,12 @@ class Engine {
     return target.colorBuffer.read(0, 0, width, height, {renderTarget: target, immediate: true});
   }
 
-  // The shadow factor; of spot and point lights, light with shadows ÷ light without.
   async visibility(values) {
     const {light, bounds} = this;
     await this.use_clusters(values['clustered-lighting'] || light.kind === 'directional');
     const entity = add_light(this.app, light, bounds, values);
     try {
-      const lit = await this.draw(what.light);
-      if (light.kind === 'directional') return lit;
-      entity.light.shadowIntensity = 0;
-      const open = await this.draw(what.light);
-      return lit.map((value, i) => (open[i] > least_light ? Math.min(1, value / open[i]) : 0));
+      return await this.draw(what.shadow);
     } finally {
       entity.destroy();
     }

@@ -1,10 +1,15 @@
 // White materials in the place of a file's own, and what their fragment shader writes.
 import * as pc from 'playcanvas';
 
-export const what = {light: 0, position: 1, normal: 2};
+export const what = {shadow: 0, position: 1, normal: 2};
 
-// Of a sun, LIT_SHADOW_CATCHER has the shadow factor. For other lights the sum of their diffuse light is written, from
-// which a factor results by division.
+// Of a sun, LIT_SHADOW_CATCHER has the shadow factor. Of other lights it is the sum of their diffuse light, whose other
+// factors are 1 here: a quotient of two frames would say nothing where cone, range or shading normal leave no light.
+const unshaded = {
+  spotPS: 'float getSpotEffect(vec3 direction, float inner, float outer, vec3 to_surface) { return 1.0; }',
+  falloffLinearPS: 'float getFalloffLinear(float range, vec3 to_surface) { return 1.0; }',
+  lightDiffuseLambertPS: 'float getLightDiffuse(vec3 normal, vec3 view, vec3 to_surface) { return 1.0; }',
+};
 const declared = `
 uniform float shown;
 `;
@@ -47,6 +52,7 @@ function white(original, is_sun) {
   const chunks = material.getShaderChunks(pc.SHADERLANGUAGE_GLSL);
   chunks.set('litUserDeclarationPS', declared);
   chunks.set('litUserMainEndPS', written);
+  if (!is_sun) for (const [name, text] of Object.entries(unshaded)) chunks.set(name, text);
   material.update();
   return material;
 }

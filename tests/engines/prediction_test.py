@@ -130,6 +130,20 @@ lamp_of_three = ["--engine.map-size", "512", "--engine.shadow-camera", "custom",
 lamp_of_babylon = ["--engine.map-size", "1024", "--engine.shadow-min-z", "0.5", "--engine.shadow-max-z", "30",
                    "--engine.use-float32-texture-type", "true"]
 near = ["--shadow.depth-near", "0.5"]
+
+
+def omni(scene):
+    """Its bias is a share of the range, which reaches the farthest corner where the file has none."""
+    reach = {"courtyard": 12.0, "room": 4.511}[scene.name]
+    return [*lamp_of_playcanvas, "pcf1-32f"], [], lambda bias: f"{0.01 * bias * reach:.6g}"
+
+
+def spot_of_playcanvas(kind):
+    """The near plane is a thousandth of the range, 16 m."""
+    return lamp([*lamp_of_playcanvas, kind], ["--shadow.depth-near", "0.016"], lambda bias: f"{10 * bias:.6g}")
+
+
+lamp_of_playcanvas = ["--engine.clustered-lighting", "false", "--engine.shadow-type"]
 spot_of_three = {"courtyard": [-0.0005, -0.002, 0, -0.005]}
 lamp_normal = dict.fromkeys(["courtyard", "room"], [0, 0.03, 0.01])
 constant = "shadow.constant-bias"
@@ -168,6 +182,14 @@ cases = [
     Case("Babylon.js, filter none, point light", "babylon", "babylon-none-point", "bias", constant,
          dict.fromkeys(["courtyard", "room"], [0.001, 0.003, 0.0002]),
          lamp(lamp_of_babylon, near, lambda bias: f"{30.5 * bias:.6g}"), "point"),
+    *(Case(f"PlayCanvas, {kind}-32f, spot light", "playcanvas", f"playcanvas-{kind}-spot", "shadow-bias", factor,
+           {"courtyard": [0.1, second, 0.05, 0.2, 0.4]}, spot_of_playcanvas(f"{kind}-32f"), "spot")
+      for kind, second in (("pcf1", 0.12), ("pcf3", 0.15))),
+    Case("PlayCanvas, pcf3-32f, spot light, normalOffsetBias", "playcanvas", "playcanvas-pcf3-spot", "normal-offset-bias",
+         receiver, {"courtyard": [0.01, 0.03, 0]}, at_bias(spot_of_playcanvas("pcf3-32f"), "shadow-bias", 0.05, factor, units),
+         "spot"),
+    Case("PlayCanvas, pcf1-32f, point light", "playcanvas", "playcanvas-pcf1-point", "shadow-bias", constant,
+         dict.fromkeys(["courtyard", "room"], [0.05, 0.2, 0.1, 0.15, 0.4]), omni, "point"),
 ]
 
 
@@ -189,15 +211,16 @@ recommendations = [
 
 
 def turned(file):
-    """Turns the sun about its axis as the adapter of PlayCanvas does, by the shortest rotation from -Y to its direction.
-    The map of PlayCanvas is aligned with its light, as ours is."""
+    """Turns sun and spot lights about their axes as the adapter of PlayCanvas does, by the shortest rotation from -Y to
+    their direction; gives the sun's axes. The map of PlayCanvas is aligned with its light, as ours is."""
+    sun = {}
     data = file.read_bytes()
     length = struct.unpack("<I", data[12:16])[0]
     document = json.loads(data[20:20 + length])
     lights = document["extensions"]["KHR_lights_punctual"]["lights"]
     for node in document["nodes"]:
         light = node.get("extensions", {}).get("KHR_lights_punctual")
-        if light is None or lights[light["light"]]["name"] != "sun":
+        if light is None or lights[light["light"]]["type"] == "point":
             continue
         forward = [-x for x in node["matrix"][8:11]]
         # Rodrigues' formula for the x axis: v + k × v + k × (k × v) / (1 + c), k = (-y) × forward, c = (-y) · forward.
@@ -208,13 +231,14 @@ def turned(file):
         back = [-x for x in forward]
         up = cross(back, right)
         node["matrix"][:12] = [*right, 0, *up, 0, *back, 0]
-        text = json.dumps(document).encode()
-        text += b" " * (-len(text) % 4)
-        rest = data[20 + length:]
-        file.write_bytes(struct.pack("<4sII", b"glTF", 2, 20 + len(text) + len(rest)) +
-                         struct.pack("<I4s", len(text), b"JSON") + text + rest)
-        return {"right": right, "up": up, "forward": forward}
-    raise ValueError(f"{file}: no sun")
+        if lights[light["light"]]["name"] == "sun":
+            sun = {"right": right, "up": up, "forward": forward}
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    rest = data[20 + length:]
+    file.write_bytes(struct.pack("<4sII", b"glTF", 2, 20 + len(text) + len(rest)) +
+                     struct.pack("<I4s", len(text), b"JSON") + text + rest)
+    return sun
 
 
 def value_of(text):
