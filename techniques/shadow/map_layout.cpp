@@ -127,6 +127,13 @@ std::size_t view_of(const MapLayout& layout, const dvec3& local, double dither) 
   return layout.uses_neighbour ? std::min(view + 1, last) : view;
 }
 
+bool is_faded(const MapLayout& layout, const dvec3& local, double dither) {
+  const double depth = view_depth(layout, local);
+  if (layout.selection == CascadeSelection::map || !(depth > layout.fade_start)) return false;
+  const double share = std::min((depth - layout.fade_start) / (layout.views.back().farthest - layout.fade_start), 1.0);
+  return share * share * (3.0 - 2.0 * share) > 1.0 - dither;
+}
+
 double metres_per_map_depth(const MapLayout& layout, double depth) {
   const double near = layout.encoded_near;
   const double far = layout.far_depth;
@@ -151,6 +158,7 @@ void require_bias_unit(const MapLayout& layout, LengthUnit unit) {
 
 double texel_at(const MapLayout& layout, const dvec3& position) {
   const dvec3 local = in_light_space(layout, position);
+  if (layout.warp) return warped_texel(*layout.warp, layout.resolution, dvec2(local));
   const double texel = 2.0 * layout.views[view_of(layout, local)].half_extent / layout.resolution;
   if (layout.kind == MapKind::orthographic) return texel;
   if (layout.kind == MapKind::perspective) return texel * std::max(-local.z, 0.0);
@@ -169,7 +177,9 @@ bool is_inside(const MapLayout& layout, const dvec3& position) {
   }
   const bool is_near =
       layout.selection == CascadeSelection::map || view_depth(layout, local) <= layout.views.back().farthest;
-  return is_near && is_on_view(layout.views[view_of(layout, local)], local);
+  if (!is_near || !layout.warp) return is_near && is_on_view(layout.views[view_of(layout, local)], local);
+  const dvec2 place = glm::abs(on_warped(*layout.warp, dvec2(local)));
+  return local.y > layout.warp->center.y && place.x <= 1.0 && place.y <= 1.0;
 }
 
 PixelExclusion exclusion_of(const Light& light, const MapLayout& layout, const dvec3& position,

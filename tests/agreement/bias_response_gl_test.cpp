@@ -53,7 +53,7 @@ TEST_F(BiasResponseGl, A_normal_offset_and_slopes_below_zero_agree_too) {
   grid.resolutions = {130};
   BiasParams& bias = grid.filters[0].params.bias;
   bias.normal_offset.metres = 0.03;
-  for (const OffsetProfile profile : {OffsetProfile::constant, OffsetProfile::one_minus_cosine}) {
+  for (const OffsetProfile profile : {OffsetProfile::constant, OffsetProfile::one_minus_cosine, OffsetProfile::eevee}) {
     for (const OffsetDirection direction : {OffsetDirection::normal, OffsetDirection::across}) {
       bias.normal_offset.profile = profile;
       bias.offset_direction = direction;
@@ -88,6 +88,32 @@ TEST_F(BiasResponseGl, Cascades_agree_too) {
   expect_agreement(lights_[0], grid);
   grid.fit.cascade_bias = own_range;
   grid.axes = {{0.0f, 0.002f, 0.02f}, {0.0f, 1.5f}, LengthUnit::map_depth};
+  expect_agreement(lights_[0], grid);
+}
+
+TEST_F(BiasResponseGl, Shadows_that_fade_agree_too) {
+  BiasGrid grid{{{0.0f, 0.05f}, {0.0f, 1.5f}}, {96}, {usual_filters()[2]}};
+  grid.cascades = 2;
+  grid.fit.fit = MapFit::view;
+  grid.fit.selection = CascadeSelection::depth;
+  grid.fit.split_range = SplitRange::camera;
+  grid.fit.max_distance = 30.0;
+  grid.fit.fade = 0.9;
+  expect_agreement(lights_[0], grid);
+}
+
+TEST_F(BiasResponseGl, Warped_maps_agree_too) {
+  const std::vector<NamedFilter> all = usual_filters();
+  BiasGrid grid{{{0.0f, 0.5f, 3.0f}, {0.0f, 1.5f}, LengthUnit::texels}, {96}, {all[0], all[2]}, {0.7}};
+  grid.judged_filters = 1;
+  grid.fit.fit = MapFit::view;
+  grid.fit.warp = Warp::lispsm;
+  expect_agreement(lights_[0], grid);
+  grid.filters = {all[3]};
+  grid.filters.front().params.bias.receiver_plane = true;
+  grid.filters.front().params.bias.cone = 0.1;
+  grid.map_depth.format = MapDepthFormat::fixed16;
+  grid.map_depth.caster_offset.texels = 1.5;
   expect_agreement(lights_[0], grid);
 }
 

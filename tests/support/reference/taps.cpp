@@ -22,6 +22,9 @@ bool is_on_map(const ivec2& texel, int resolution) {
 }
 
 float texel_side(const MapLayout& layout, const Receiver& receiver) {
+  if (layout.warp) {
+    return static_cast<float>(warped_texel(*layout.warp, layout.resolution, dvec2(receiver.in_light)));
+  }
   const std::size_t view = layout.kind == MapKind::orthographic ? static_cast<std::size_t>(receiver.view) : 0;
   double side = 2.0 * layout.views[view].half_extent / static_cast<double>(layout.resolution);
   if (layout.kind != MapKind::orthographic) side *= receiver.axis_depth;
@@ -278,6 +281,7 @@ SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel) {
     const double distance = length_of(to_light);
     const double scale = offset.profile == OffsetProfile::sine       ? sine / distance
                          : offset.profile == OffsetProfile::constant ? 1.0
+                         : offset.profile == OffsetProfile::eevee    ? sine / distance + eevee_share
                                                                      : 1.0 - std::max(cosine / distance, 0.0);
     const double texels = static_cast<float>(offset.texels);
     dvec3 direction = normal;
