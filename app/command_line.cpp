@@ -4,98 +4,16 @@
 #include <algorithm>
 #include <string_view>
 
+#include "app/command_descriptions.h"
 #include "app/command_help.h"
 #include "app/command_options.h"
+#include "app/plan_options.h"
 #include "core/error.h"
 #include "core/suggestion.h"
 #include "experiments/settings/experiment.h"
 
 namespace umbrameter {
 namespace {
-
-constexpr const char* about =
-    "Umbrameter measures the error of real-time shadows and ambient occlusion: it renders a glTF scene with OpenGL and "
-    "with Embree, breaks the difference down by cause, and recommends settings.";
-
-struct CommandDescription {
-  const char* name;
-  const char* summary;
-  const char* example;
-};
-
-constexpr CommandDescription compare_command = {
-    "compare", "Measure one configuration: recommended bias, images, causes, report",
-    "Example: umbrameter compare courtyard -o out --light sun --shadow.resolution 2048\n"
-    "Then open out/index.html. --for godot,three adds the bias in the numbers of these engines."};
-constexpr CommandDescription sweep_command = {
-    "sweep", "Measure all combinations of varied parameters",
-    "Example: umbrameter sweep courtyard -o out --light sun \\\n"
-    "             --vary shadow.constant-bias=0:0.2:65 --vary shadow.resolution=512,1024,2048\n"
-    "An axis is first:last:count[:log] or a list a,b,c. Open out/index.html; out/sweep.csv has all cells."};
-constexpr CommandDescription tune_command = {
-    "tune", "Find the best parameters over several scenes, cameras and lights",
-    "Example: umbrameter tune courtyard -o out --over view.camera=all --constraint 'acne<0.1%' \\\n"
-    "             --vary shadow.constant-bias=0:8texels --vary shadow.slope-bias=0:4\n"
-    "An axis is first:last[:log], or as for sweep. Then run: umbrameter compare -c out/tuned.toml -o best"};
-constexpr CommandDescription trace_command = {
-    "trace", "Render the reference alone: Embree, no OpenGL",
-    "Example: umbrameter trace courtyard -o out --truth.spp 1024 --truth.ao-distance 2"};
-constexpr CommandDescription raster_command = {
-    "raster", "Render the techniques alone: OpenGL, no Embree",
-    "Example: umbrameter raster courtyard -o out --shadow.filter box --shadow.filter-size 5"};
-constexpr CommandDescription evaluate_command = {
-    "evaluate", "Measure a frame that an engine wrote to files: shadow mask, AO, or two frames",
-    "Example: umbrameter evaluate scene.glb -o out --visibility mask.exr --depth depth.exr \\\n"
-    "             --convention opengl --size 1280x720\n"
-    "Camera and light are those of the scene, or --frame.camera; docs/evaluate.md."};
-constexpr CommandDescription diff_command = {"diff", "Measure the difference of two images: FLIP, SSIM, PSNR, ...",
-                                             "Example: umbrameter diff test.exr reference.exr -o error.png --json"};
-constexpr CommandDescription check_command = {
-    "check", "Check finished runs against a budget; exit code 1 if a bound is broken",
-    "Example: umbrameter check out --budget budget.toml --junit report.xml\n"
-    "'umbrameter check out --budget budget.toml --update' writes the budget."};
-constexpr CommandDescription report_command = {
-    "report", "Compare finished runs: differences, figures, LaTeX tables",
-    "Example: umbrameter report before after -o both --latex --figure-style column\n"
-    "Then open both/index.html; both/comparison.csv has all differences."};
-constexpr CommandDescription scenes_command = {"scenes", "List the built-in scenes, or draw them on a contact sheet",
-                                               "Example: umbrameter scenes --sheet scenes.pdf"};
-constexpr CommandDescription scene_command = {"scene", "Write a built-in scene as a .glb file",
-                                              "Example: umbrameter scene courtyard -o courtyard.glb"};
-constexpr CommandDescription convert_command = {
-    "convert", "Convert a shadow bias between engines, metres, texels and map depth",
-    "Example: umbrameter convert courtyard --light sun --shadow.cascades 4 \\\n"
-    "             --from godot:bias=0.1,normal_bias=2 --to three:near=1,far=80,unity-urp,metres"};
-constexpr CommandDescription cache_command = {
-    "cache", "List or remove the cached references",
-    "Example: umbrameter cache --clear\n"
-    "The limit is 2 GB; set UMBRAMETER_CACHE_SIZE to change it (500M, 10G; 0 for no cache)."};
-constexpr CommandDescription engine_command = {
-    "engine", "List the engines that can be measured, or check an adapter",
-    "Example: umbrameter engine check 'python3 my_adapter.py'\n"
-    "An engine takes the place of our techniques: umbrameter compare courtyard --engine threejs -o out"};
-constexpr CommandDescription serve_command = {
-    "serve", "Keep a scene loaded and measure it at the parameters of each request on stdin",
-    "Example: echo '{\"id\": 1, \"request\": \"evaluate\", \"parameters\": {\"shadow.constant-bias\": 0.02}}' |\n"
-    "             umbrameter serve courtyard --light sun\n"
-    "Requests and replies are JSON, one a line: docs/serve.md."};
-constexpr CommandDescription presets_command = {
-    "presets", "List the presets: engines' settings as ours",
-    "Example: umbrameter compare courtyard --light sun --preset godot -o out"};
-constexpr CommandDescription info_command = {"info", "Show versions and OpenGL devices, or the contents of a scene",
-                                             "Example: umbrameter info courtyard"};
-constexpr CommandDescription parameters_command = {"parameters", "List every parameter with default, unit and limits",
-                                                   "Example: umbrameter parameters --markdown > docs/parameters.md"};
-constexpr CommandDescription help_command = {"help", "Show the help of a command", "Example: umbrameter help sweep"};
-// Packagers' command, in no list: CMake calls it.
-constexpr CommandDescription generate_command = {"generate", "Print a completion script or the man page",
-                                                 "Example: umbrameter generate bash -o umbrameter.bash"};
-
-CLI::App& add_command(CLI::App& app, const CommandDescription& description) {
-  CLI::App& command = *app.add_subcommand(description.name, description.summary);
-  command.footer(description.example);
-  return command;
-}
 
 // --NAME for --run.NAME true.
 CLI::Option* add_switch(CLI::App& command, CommandLine& line, const std::string& name) {
@@ -104,50 +22,41 @@ CLI::Option* add_switch(CLI::App& command, CommandLine& line, const std::string&
       "--" + name, [&line, key] { line.settings.emplace_back(key, "true"); }, "same as --" + key + " true");
 }
 
-void add_output_flags(CLI::App& command, CommandLine& line) {
-  CLI::Option* quiet = command.add_flag("--quiet", line.quiet, "print only the answer");
-  command.add_flag("--verbose", line.verbose, "print diagnostics too: rays, times, reclassified taps")->excludes(quiet);
-  command.add_flag("--json", line.json, "print the summary as JSON on stdout, and nothing else");
-}
-
-void add_threads(CLI::App& command, CommandLine& line) {
-  command.add_option("--threads", line.threads, "threads; 0 for all cores; results do not depend on it")
-      ->check(number_between(0, 4096))
-      ->type_name("N");
-}
-
-void add_memory(CLI::App& command, CommandLine& line) {
-  command.add_option("--memory", line.memory, "max memory for a glTF file: 512M, 8G (1 GiB + 64 × its size)")
-      ->type_name("SIZE")
-      ->group(files_group);
-}
-
 void add_image_command(CLI::App& app, CommandLine& line, const CommandDescription& description) {
   CLI::App& command = add_command(app, description);
   const bool is_tune = &description == &tune_command;
   const bool is_evaluate = &description == &evaluate_command;
+  const bool is_plan = &description == &plan_command;
+  const bool is_sweep = &description == &sweep_command;
+  if (is_plan) add_planned_command(command, line.plan);
   const char* scene_meaning = "a .gltf or .glb file, or a built-in scene ('umbrameter scenes')";
   if (is_tune) {
     command.add_option("SCENE", line.tune.scenes, scene_meaning);
   } else {
     command.add_option("SCENE", line.scene, scene_meaning);
   }
-  command.add_option("-o,--output", line.output, "folder for the results, created if missing")
+  command
+      .add_option("-o,--output", line.output,
+                  is_plan ? "folder for the plan" : "folder for the results, created if missing")
       ->type_name("DIR")
       ->required();
   add_settings_options(command, line);
-  if (&description == &sweep_command) {
+  if (is_sweep || is_plan) {
     command.add_option("--vary", line.vary, "axis: first:last:count[:log] or a list a,b,c; repeatable")
         ->type_name("PARAM=AXIS")
         ->take_all();
+  }
+  if (is_plan) add_plan_options(command, line.plan);
+  if (is_sweep) {
     command.add_option("--page-cells", line.page_cells, "max number of cells whose images the page has (6)")
         ->type_name("N");
   }
   if (is_tune) add_tune_options(command, line);
   command.add_flag("--force", line.force,
-                   &description == &sweep_command ? "replace an earlier run's results and measure every cell again"
-                                                  : "replace an earlier run's results in the folder");
-  if (!is_tune) command.add_flag("--dry-run", line.dry_run, "show what would be measured, and stop");
+                   is_sweep  ? "replace an earlier run's results and measure every cell again"
+                   : is_plan ? "replace an earlier plan and its results"
+                             : "replace an earlier run's results in the folder");
+  if (!is_tune && !is_plan) command.add_flag("--dry-run", line.dry_run, "show what would be measured, and stop");
   if (is_evaluate) add_frame_options(command, line);
   if (&description == &compare_command) {
     for (const char* name : {"shimmer", "ao-stages"}) add_switch(command, line, name);
@@ -159,7 +68,7 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   }
   const bool writes_files = &description == &compare_command || &description == &raster_command;
   // A sweep accepts them only to say that it writes no such files.
-  if (writes_files || &description == &sweep_command) {
+  if (writes_files || is_sweep || is_plan) {
     for (const char* name : {"write-maps", "write-ao-inputs"}) {
       add_switch(command, line, name)->group(writes_files ? files_group : "");
     }
@@ -172,12 +81,8 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   if (&description != &raster_command) {
     command.add_flag("--no-cache", line.no_cache, "trace the reference again and do not cache it");
   }
-  command.add_flag("--no-figures", line.no_figures, "draw no figures; the page has no pictures");
-  if (&description == &compare_command || is_evaluate || &description == &sweep_command)
-    add_figure_options(command, line.figures);
-  command
-      .add_flag("--full-images", line.full_images, "keep every pixel of images above 1920x1080 in the page's viewer")
-      ->group(files_group);
+  if (&description == &compare_command || is_evaluate || is_sweep) add_figure_options(command, line.figures);
+  if (!is_plan) add_page_options(command, line);
   add_threads(command, line);
   add_memory(command, line);
   add_output_flags(command, line);
@@ -297,7 +202,7 @@ void add_other_commands(CLI::App& app, CommandLine& line) {
   cache.add_flag("--clear", line.clear, "remove all cached references");
   add_output_flags(cache, line);
 
-  CLI::App& engine = add_command(app, engine_command);
+  CLI::App& engine = add_command(app, engine_command_text);
   add_engine_options(engine, line);
   add_threads(engine, line);
   add_output_flags(engine, line);
@@ -334,13 +239,14 @@ std::variant<CommandLine, Information> parse_command_line(int argc, const char* 
   app.set_help_all_flag("--help-all", "show all options");
   app.set_version_flag("-V,--version", std::string("umbrameter ") + UMBRAMETER_VERSION, "show the version");
   app.require_subcommand(1);
-  for (const CommandDescription* description :
-       {&compare_command, &sweep_command, &tune_command, &evaluate_command, &trace_command, &raster_command}) {
+  for (const CommandDescription* description : {&compare_command, &sweep_command, &plan_command, &tune_command,
+                                                &evaluate_command, &trace_command, &raster_command}) {
     add_image_command(app, line, *description);
   }
   add_diff_command(app, line);
   add_check_command(app, line);
   add_report_command(app, line);
+  add_shard_commands(app, line);
   add_other_commands(app, line);
   std::string topic;
   add_command(app, help_command).add_option("COMMAND", topic, "command to explain");

@@ -65,9 +65,21 @@ struct ConvertOptions {
   std::vector<std::string> to;  ///< "three,unity-urp"; empty for all
 };
 
+/// Of `plan`, `run`, `merge` and `status`.
+struct PlanOptions {
+  std::string planned;           ///< command that is cut: "sweep"
+  std::filesystem::path folder;  ///< of the plan
+  std::size_t shards = 0;        ///< number of shards; 0: by one of the two below
+  std::size_t cells_per_shard = 0;
+  double minutes_per_shard = 0.0;
+  bool by_reference = false;  ///< the scene stays where it is
+  bool commands = false;      ///< print commands, one a line
+  std::string shard;          ///< "3,7-9" or "env"
+  bool partial = false;
+};
+
 struct CommandLine {
-  std::string command;  ///< "compare", "sweep", "tune", "trace", "raster", "diff", "check", "report", "scenes",
-                        ///< "scene", "cache", "convert", "engine", "info" or "parameters"
+  std::string command;  ///< the subcommand
   std::string scene;    ///< file or name of a built-in scene; empty when not given
   std::filesystem::path output;
   std::filesystem::path experiment_file;
@@ -100,6 +112,7 @@ struct CommandLine {
   TuneOptions tune;
   ReportOptions report;
   ConvertOptions convert;
+  PlanOptions plan;
   std::vector<std::string> fail_if;  ///< conditions under which compare ends with exit code 1
 };
 

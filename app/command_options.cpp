@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "app/command_descriptions.h"
 #include "experiments/settings/experiment.h"
 #include "experiments/settings/stage_inputs.h"
 #include "reports/files/text_layout.h"
@@ -41,6 +42,37 @@ CLI::Validator number_check(Number min, Number max, const char* kind) {
 
 CLI::Validator number_between(int min, int max) { return number_check(min, max, "an integer"); }
 CLI::Validator number_between(double min, double max) { return number_check(min, max, "a number"); }
+
+CLI::App& add_command(CLI::App& app, const CommandDescription& description) {
+  CLI::App& command = *app.add_subcommand(description.name, description.summary);
+  command.footer(description.example);
+  return command;
+}
+
+void add_output_flags(CLI::App& command, CommandLine& line) {
+  CLI::Option* quiet = command.add_flag("--quiet", line.quiet, "print only the answer");
+  command.add_flag("--verbose", line.verbose, "print diagnostics too: rays, times, reclassified taps")->excludes(quiet);
+  command.add_flag("--json", line.json, "print the summary as JSON on stdout, and nothing else");
+}
+
+void add_threads(CLI::App& command, CommandLine& line) {
+  command.add_option("--threads", line.threads, "threads; 0 for all cores; results do not depend on it")
+      ->check(number_between(0, 4096))
+      ->type_name("N");
+}
+
+void add_memory(CLI::App& command, CommandLine& line) {
+  command.add_option("--memory", line.memory, "max memory for a glTF file: 512M, 8G (1 GiB + 64 × its size)")
+      ->type_name("SIZE")
+      ->group(files_group);
+}
+
+void add_page_options(CLI::App& command, CommandLine& line) {
+  command.add_flag("--no-figures", line.no_figures, "draw no figures; the page has no pictures");
+  command
+      .add_flag("--full-images", line.full_images, "keep every pixel of images above 1920x1080 in the page's viewer")
+      ->group(files_group);
+}
 
 void add_diff_options(CLI::App& command, CommandLine& line) {
   DiffOptions& diff = line.diff;

@@ -26,6 +26,13 @@ CLI::Validator number_between(double min, double max);
 void add_parameters(CLI::App& command, CommandLine& line, const std::function<bool(std::string_view)>& is_wanted);
 void add_parameters(CLI::App& command, CommandLine& line, std::string_view prefix);
 
+/// --quiet, --verbose and --json.
+void add_output_flags(CLI::App& command, CommandLine& line);
+void add_threads(CLI::App& command, CommandLine& line);
+void add_memory(CLI::App& command, CommandLine& line);
+/// --no-figures and --full-images.
+void add_page_options(CLI::App& command, CommandLine& line);
+
 void add_diff_options(CLI::App& command, CommandLine& line);
 void add_tune_options(CLI::App& command, CommandLine& line);
 /// -c and --preset.

@@ -56,6 +56,10 @@ ExitCode serve_lines(const std::function<std::string(const std::string&)>& reply
 ExitCode run_image_command(const CommandLine& line, const Console& console);  ///< compare, evaluate, trace, raster
 ExitCode run_sweep_command(const CommandLine& line, const Console& console);
 ExitCode run_tune_command(const CommandLine& line, const Console& console);
+ExitCode run_plan(const CommandLine& line, const Console& console);
+ExitCode run_shards(const CommandLine& line, const Console& console);
+ExitCode run_merge(const CommandLine& line, const Console& console);
+ExitCode run_status(const CommandLine& line, const Console& console);
 ExitCode run_diff(const CommandLine& line, const Console& console);
 ExitCode run_report(const CommandLine& line, const Console& console);
 ExitCode run_check(const CommandLine& line, const Console& console);

@@ -39,11 +39,6 @@ std::string value_of(Experiment experiment, const std::string& key) {
   return to_string(require(describe(experiment), key).value());
 }
 
-std::string time_text(double seconds) {
-  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
-  return seconds < 5400.0 ? fmt::format("{:.0f} min", seconds / 60.0) : fmt::format("{:.1f} h", seconds / 3600.0);
-}
-
 ExitCode show(const Console& console, const std::vector<Row>& rows) {
   nlohmann::ordered_json json;
   for (const auto& [key, text] : rows) {
@@ -56,6 +51,11 @@ ExitCode show(const Console& console, const std::vector<Row>& rows) {
 }
 
 }  // namespace
+
+std::string time_text(double seconds) {
+  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
+  return seconds < 5400.0 ? fmt::format("{:.0f} min", seconds / 60.0) : fmt::format("{:.1f} h", seconds / 3600.0);
+}
 
 ExitCode show_image_plan(const CommandLine& line, const Console& console, Stages& stages,
                          const Experiment& experiment) {
@@ -88,47 +88,13 @@ ExitCode show_image_plan(const CommandLine& line, const Console& console, Stages
   return show(console, rows);
 }
 
-TimeEstimate estimate_time(const SweepPlan& plan, double budget, const std::function<double(std::size_t)>& measure) {
-  const std::size_t groups = count_groups(plan);
-  TimeEstimate estimate;
-  double spent = 0.0;
-  const auto sample = [&](std::size_t group) {
-    const double seconds = measure(group);
-    spent += seconds;
-    ++estimate.measured;
-    return seconds;
-  };
-  const double first = sample(0);
-  estimate.seconds = first;
-  // Groups at which the outermost axis that changes is this one; everything inside it starts again.
-  struct Level {
-    std::size_t step;
-    std::size_t steps_within;  // steps until the next outer axis changes
-  };
-  std::vector<Level> levels;
-  std::size_t step = groups;
-  for (const std::size_t axis : plan.outer) {
-    const std::size_t outer_step = step;
-    step /= plan.axes[axis].values.size();
-    if (step < outer_step) levels.push_back({step, outer_step / step});
-  }
-  // A large grid of biases is split into several groups.
-  if (step > 1) levels.push_back({1, step});
-  for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
-    const std::size_t times = groups / level->step - groups / (level->step * level->steps_within);
-    double each = first;
-    if (spent < budget) {
-      each = sample(level->step);
-      // The cost of a step may grow along the axis, as with the resolution: the mean of both ends.
-      if (level->steps_within > 2 && spent < budget) {
-        each = 0.5 * (each + sample((level->steps_within - 1) * level->step));
-      }
-    } else {
-      estimate.is_upper_bound = true;
-    }
-    estimate.seconds += each * static_cast<double>(times);
-  }
-  return estimate;
+SweepCosts measure_costs(Stages& stages, const PlannedSweep& sweep) {
+  const EvaluateGroup evaluate = make_evaluator(stages, sweep.experiment, sweep.axes, sweep.statistics);
+  return measure_costs(sweep.plan, estimate_budget, [&](std::size_t index) {
+    const auto start = std::chrono::steady_clock::now();
+    evaluate(group_at(sweep.plan, index), [](std::size_t, std::span<const Value>) {});
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  });
 }
 
 ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSweep& sweep) {
@@ -155,17 +121,12 @@ ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSw
                                 is_one_pass(stages, sweep.experiment, sweep.axes, sweep.statistics)
                                     ? "one pass measures all cells of a group"
                                     : "each cell is measured separately"));
-  const EvaluateGroup evaluate = make_evaluator(stages, sweep.experiment, sweep.axes, sweep.statistics);
-  const TimeEstimate estimate = estimate_time(plan, estimate_budget, [&](std::size_t index) {
-    const auto start = std::chrono::steady_clock::now();
-    evaluate(group_at(plan, index), [](std::size_t, std::span<const Value>) {});
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  });
-  const std::string time = estimate.seconds < 1.0
-                               ? "less than 1 s"
-                               : (estimate.is_upper_bound ? "at most about " : "about ") + time_text(estimate.seconds);
+  const SweepCosts costs = measure_costs(stages, sweep);
+  const double seconds = seconds_of(costs, 0, groups);
+  const std::string time =
+      seconds < 1.0 ? "less than 1 s" : (costs.is_upper_bound ? "at most about " : "about ") + time_text(seconds);
   rows.emplace_back("time", fmt::format("{} to measure, plus the report; estimated from {} of {} groups", time,
-                                        estimate.measured, grouped(groups)));
+                                        costs.measured, grouped(groups)));
   return show(console, rows);
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/command_line.h"
 #include "core/error.h"
+#include "experiments/settings/sweep_costs.h"
 #include "experiments/sweep/sweep_evaluator.h"
 #include "reports/files/console.h"
 
@@ -22,14 +23,10 @@ struct PlannedSweep {
 /// first group and, for each axis, the first and the last group at which it changes, for at most about 20 s.
 ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSweep& sweep);
 
-struct TimeEstimate {
-  double seconds = 0.0;         ///< of all groups
-  std::size_t measured = 0;     ///< groups that were measured for it
-  bool is_upper_bound = false;  ///< some axis was not measured, and was taken to cost as much as the first group
-};
+/// The costs of its groups, from measuring some for at most about 20 s.
+SweepCosts measure_costs(Stages& stages, const PlannedSweep& sweep);
 
-/// Calls measure(group index), which returns its seconds, in an order that changes one axis at a time, until `budget`
-/// seconds are spent.
-TimeEstimate estimate_time(const SweepPlan& plan, double budget, const std::function<double(std::size_t)>& measure);
+/// "90 s", "12 min", "3.5 h".
+std::string time_text(double seconds);
 
 }  // namespace umbrameter

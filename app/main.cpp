@@ -27,6 +27,10 @@ ExitCode run(int argc, const char* const* argv) {
   const CommandLine& line = std::get<CommandLine>(parsed);
   const Console console{line.quiet, line.json, line.verbose};
   if (line.command == "sweep") return run_sweep_command(line, console);
+  if (line.command == "plan") return run_plan(line, console);
+  if (line.command == "run") return run_shards(line, console);
+  if (line.command == "merge") return run_merge(line, console);
+  if (line.command == "status") return run_status(line, console);
   if (line.command == "tune") return run_tune_command(line, console);
   if (line.command == "diff") return run_diff(line, console);
   if (line.command == "check") return run_check(line, console);

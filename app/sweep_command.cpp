@@ -1,92 +1,19 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 
-#include "app/commands.h"
 #include "app/dry_run.h"
+#include "app/sweep_run.h"
 #include "core/interrupt.h"
-#include "core/parallel.h"
-#include "experiments/measure/engine_advice.h"
-#include "experiments/measure/measure_biases.h"
-#include "experiments/settings/stage_inputs.h"
-#include "experiments/sweep/axis_effects.h"
-#include "experiments/sweep/identity.h"
-#include "experiments/sweep/page_cells.h"
-#include "experiments/sweep/sweep_evaluator.h"
 #include "experiments/sweep/sweep_progress.h"
-#include "present/costs_text.h"
-#include "present/page_viewer.h"
 #include "present/run_output.h"
-#include "present/sweep_report.h"
-#include "reports/files/data.h"
 #include "reports/files/output.h"
-#include "results/layers.h"
-#include "scenes/builtin.h"
-#include "scenes/floor.h"
-#include "scenes/view.h"
-#include "store/read_bias_curves.h"
 #include "store/stored_sweep.h"
 
 namespace umbrameter {
 namespace {
-
-// Axes that a sweep cannot have.
-void check_axes(const std::vector<SweepAxis>& axes, const Experiment& experiment) {
-  if (axes.empty()) {
-    throw Error(ExitCode::usage, "sweep", "nothing to vary",
-                "add an axis, such as --vary shadow.constant-bias=0:0.2:65");
-  }
-  for (const auto& [group, flag] :
-       {std::pair("view.scene", "--scene"), std::pair("scene.unit", "--scene.unit"),
-        std::pair("scene.blend", "--scene.blend"), std::pair("scene.ground", "--scene.ground")}) {
-    if (!varies_group(axes, group)) continue;
-    throw Error(ExitCode::usage, std::string("--vary ") + group, "a sweep can use only one scene",
-                std::string("run one sweep for each, with ") + flag);
-  }
-  if (!experiment.run.overlay.empty()) {
-    throw Error(ExitCode::usage, "--overlay", "a sweep draws no views", "use compare or raster");
-  }
-  if (experiment.run.write_maps) {
-    throw Error(ExitCode::usage, "--write-maps", "a sweep writes no maps", "use compare or raster");
-  }
-  if (experiment.run.write_ao_inputs) {
-    throw Error(ExitCode::usage, "--write-ao-inputs", "a sweep writes no inputs", "use compare or raster");
-  }
-}
-
-// Whatever the axes name in the scene, and every size of its lights: one slip must not show after hours.
-void check_against_scene(const Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
-                         SweptQuantity quantity) {
-  const double aspect = static_cast<double>(experiment.view.size.width) / experiment.view.size.height;
-  std::vector<const SweepAxis*> extents;
-  std::size_t combinations = 1;
-  for (const SweepAxis& axis : axes) {
-    std::vector<std::string> ignored;
-    for (const Value& value : axis.values) {
-      if (axis.key == "view.camera") select_camera(stages.scene(), to_string(value), aspect, ignored);
-      if (axis.key == "view.light") stages.lights(to_string(value));
-    }
-    if (!axis.key.starts_with("light.")) continue;
-    extents.push_back(&axis);
-    combinations *= axis.values.size();
-  }
-  if (quantity == SweptQuantity::ao && !extents.empty()) return;
-  const std::vector<std::uint32_t> lights = swept_lights(stages, experiment, axes, quantity);
-  Experiment cell = experiment;
-  const Parameters parameters = describe(cell);
-  for (std::size_t i = 0; i < combinations; ++i) {
-    std::size_t rest = i;
-    for (const SweepAxis* axis : extents) {
-      set_value(parameters, *axis, axis->values[rest % axis->values.size()]);
-      rest /= axis->values.size();
-    }
-    stages.check_is_meaningful(cell, lights);
-  }
-}
 
 // One bar for all of it, tracing included.
 void measure_missing(const SweepPlan& plan, ResultsStore& store, Stages& stages, const EvaluateGroup& evaluate,
@@ -125,127 +52,42 @@ void measure_missing(const SweepPlan& plan, ResultsStore& store, Stages& stages,
 }  // namespace
 
 ExitCode run_sweep_command(const CommandLine& line, const Console& console) {
-  Experiment given = make_experiment(line);
-  const std::vector<SweepAxis> axes = parse_axes(describe(given), given.axes);
-  check_axes(axes, given);
-  const FigureStyle style = make_figure_style(line.figures);
-  check_insets(style, given.view.size.width, given.view.size.height);
-  const SweptQuantity quantity = choose_quantity(given.run.measure, axes);
-  require_effect(quantity, {given}, axes);
-  check_bias_engines(given, quantity == SweptQuantity::visibility);
-  const Parameters parameters = describe(given);
-  const SweepPlan plan = plan_sweep(parameters, axes, cost_of_change, inner_keys(given, axes, quantity));
+  SweepRun sweep(line, make_experiment(line));
   std::optional<RunFolder> run_folder;
   if (!line.dry_run) {
-    run_folder.emplace(line.output, RunPlan{line.command, experiment_text(given), run_files(true), true}, line.force);
+    run_folder.emplace(line.output, RunPlan{line.command, experiment_text(sweep.given), run_files(true), true},
+                       line.force);
   }
-  const ThreadLimit threads(line.threads);
-  Stages stages(load_scene(given.scene, given.view.scene, given.scene_params,
-                           load_options(line, quantity == SweptQuantity::image)),
-                stage_options(line, console, given), console);
-  const std::vector<std::uint32_t> lights = stages.lights(given.view.light);
-  if (quantity == SweptQuantity::visibility && !varies_group(axes, "view.light") && lights.size() > 1) {
-    // A sweep is about one light; which one is part of the stored experiment.
-    given.view.light = std::to_string(lights.front());
-    note(console, fmt::format("the scene has {} lights; this sweep uses '{}'; select another with --light",
-                              lights.size(), stages.title(lights.front())));
+  sweep.load(console);
+  Stages& stages = *sweep.stages;
+  if (!sweep.metrics.empty() && is_one_pass(stages, sweep.experiment, sweep.axes, sweep.statistics)) {
+    note(console, fmt::format("one pass measures the statistics of a group; the metrics draw each of the {} cells",
+                              sweep.plan.cells));
   }
-  const Experiment experiment = stages.in_metres(given);
-  check_against_scene(stages, experiment, axes, quantity);
-  add_setting_notes(stages, line, experiment, swept_lights(stages, experiment, axes, quantity));
-  const CellStatistics statistics = choose_statistics(stages, experiment, axes, quantity);
-
-  const std::vector<MetricColumn> metrics = swept_metrics(experiment, statistics);
-  if (!metrics.empty() && is_one_pass(stages, experiment, axes, statistics)) {
-    note(console,
-         fmt::format("one pass measures the statistics of a group; the metrics draw each of the {} cells", plan.cells));
-  }
-
   if (line.dry_run) {
-    return show_sweep_plan(console, stages, {experiment, axes, plan, statistics});
+    return show_sweep_plan(console, stages, {sweep.experiment, sweep.axes, sweep.plan, sweep.statistics});
   }
 
   RunFolder& folder = *run_folder;
-  const std::string toml = experiment_text(given);
   folder.announce(ResultsStore::file_names());
-  ResultsStore store = ResultsStore::open(
-      line.output,
-      {toml, identity_of_sweep(stages, given, quantity), given.axes,
-       stored_columns(parameters, plan, measured_columns(experiment, statistics), sample_row(experiment, statistics)),
-       plan.cells, maker_of(stages)},
-      line.force);
-  if (const std::vector<std::string> makers = store.makers(); makers.size() > 1) {
-    std::string names;
-    for (const std::string& maker : makers) names += (names.empty() ? "" : "; ") + maker;
-    stages.add_notes({"cells were measured by different programs or machines, whose last digits may differ: " + names});
-  }
+  ResultsStore store = ResultsStore::open(line.output, sweep.description(), line.force);
   if (store.complete()) {
-    note(console, fmt::format("all {} cells are done; --force recomputes them", plan.cells));
+    note(console, fmt::format("all {} cells are done; --force recomputes them", sweep.plan.cells));
   } else {
-    const EvaluateGroup evaluate = make_evaluator(stages, experiment, axes, statistics);
+    const EvaluateGroup evaluate = make_evaluator(stages, sweep.experiment, sweep.axes, sweep.statistics);
     bool is_begun = false;
     measure_missing(
-        plan, store, stages,
+        sweep.plan, store, stages,
         [&](const CellGroup& group, const RowSink& keep) {
           evaluate(group, keep);
           if (std::exchange(is_begun, true)) return;
           // What makes no sense has shown by now: only then earlier results give way.
           folder.begin();
-          write_text(folder.path() / "experiment.toml", toml);
+          write_text(folder.path() / "experiment.toml", experiment_text(sweep.given));
         },
         console);
   }
-
-  // The view does not move the map's range, and hardly its mean depth: with the view at hand nothing has to be drawn.
-  const auto depth_unit = [&](const std::vector<Value>& values) {
-    Experiment cell = cell_in_metres(stages, experiment, axes, values);
-    const std::uint32_t light = stages.lights(cell.view.light).front();
-    cell.view = experiment.view;
-    return mean_depth_unit(stages, cell, light);
-  };
-  const auto measure_context = [&](const std::vector<Value>& values, bool with_facts) {
-    BiasContext context;
-    context.depth_unit = depth_unit(values);
-    const Experiment cell = cell_in_metres(stages, experiment, axes, values);
-    const std::uint32_t light = stages.lights(cell.view.light).front();
-    if (with_facts) context.facts = measure_bias_facts(stages, cell, light);
-    if (!has_floor(stages.scene())) context.evidence = measure_bias_evidence(stages, cell, light);
-    return context;
-  };
-  const bool is_limit_fixed = quantity == SweptQuantity::ao && !varies_group(axes, "truth.ao-distance");
-  const std::string ao_limit = is_limit_fixed ? ao_limit_text(experiment.truth) : "";
-  const SweepResults rows{parameters, plan, store, statistics, ao_limit, metrics};
-  RunResults results{line.command, given, stages.facts(), embree_version()};
-  set_renderer(results, stages);
-  results.full_images = line.full_images;
-  results.sweep = SweepFindings{ao_limit, best_rows(rows), read_bias_curves(rows, measure_context)};
-  SweepFindings& found = *results.sweep;
-  PageCells page_cells = choose_page_cells(stages, rows, experiment, found.best, line.page_cells);
-  found.cells = page_cells.cells;
-  found.images.title = "Images of cells";
-  {
-    ProgressBar bar(console, "images of cells");
-    const std::size_t count = line.no_figures ? 1 : found.cells.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      bar.show(static_cast<double>(i) / static_cast<double>(count), fmt::format("{} of {}", i, count));
-      Measurement measurement = page_cells.measure(found.cells[i]);
-      move_to_layers(results.scene, measurement);
-      if (!line.no_figures) {
-        add_cell_images(found.images, results.scene, measurement, found.cells[i].cell, line.full_images);
-      }
-      if (i == 0) results.measurement = std::move(measurement);
-    }
-  }
-  if (!given.run.for_engines.empty() && !results.measurement->shadows.front().advice) {
-    stages.add_notes({no_engines_text("the cell of least error")});
-  }
-  results.notes = stages.notes();
-  RunOutput output;
-  output.experiment_toml = toml;
-  output.rows = &rows;
-  output.costs = costs_text(stages.costs(), peak_resident_bytes());
-  output.page = {style, !line.no_figures};
-  return write_run(folder, console, std::move(results), std::move(output));
+  return write_sweep(sweep, store, folder, console);
 }
 
 }  // namespace umbrameter

@@ -4,11 +4,16 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "scenes/load_options.h"
 #include "scenes/scene.h"
 
 namespace umbrameter {
+
+/// The files that a .gltf or .glb file refers to, relative to its folder. Throws Error (unreadable_input) if one of
+/// them is missing or outside that folder.
+std::vector<std::filesystem::path> files_of_gltf(const std::filesystem::path& path);
 
 /// Reads a .gltf or .glb file; `part` selects one of several scenes in it by name or index, else its default scene.
 /// Throws Error (unreadable_input) naming the file, the object and the way out.

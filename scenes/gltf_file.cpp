@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "scenes/gltf.h"
 #include "scenes/gltf_document.h"
 
 namespace umbrameter::gltf {
@@ -243,3 +244,23 @@ Bytes read_uri(const std::filesystem::path& scene_path, const std::string& objec
 }
 
 }  // namespace umbrameter::gltf
+
+std::vector<std::filesystem::path> umbrameter::files_of_gltf(const std::filesystem::path& path) {
+  using namespace gltf;
+  const Bytes bytes = read_file(path, "");
+  Allowance allowance{bytes.size()};
+  const Document document = parse_document(path, split_container(bytes, path), allowance);
+  std::vector<std::filesystem::path> files;
+  const auto add = [&](const std::optional<std::string>& uri) {
+    if (!uri || uri->starts_with("data:")) return;
+    const std::string objection = objection_to_uri(path, *uri);
+    if (!objection.empty()) fail(path, "", objection, "keep the file beside the scene");
+    const std::filesystem::path file = std::filesystem::path(decoded_path(*uri)).lexically_normal();
+    if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+  };
+  for (const BufferSource& buffer : document.buffers) {
+    if (!buffer.is_fallback) add(buffer.uri);
+  }
+  for (const ImageSource& image : document.images) add(image.uri);
+  return files;
+}

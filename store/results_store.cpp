@@ -123,6 +123,46 @@ std::vector<Value> row_of(SQLite::Statement& statement, const std::vector<ValueK
   return row;
 }
 
+void pack(const fs::path& path, const StoreDescription& description, const std::vector<std::string>& makers,
+          const RowsOfCells& rows) {
+  SQLite::Database packed(path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  // The file is new, and flushed before it gets its name.
+  packed.exec("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF");
+  SQLite::Transaction transaction(packed);
+  create_tables(packed, description, StoreForm::finished);
+  for (const std::string& maker : makers) add_maker(packed, maker);
+  SQLite::Statement insert = make_insert(packed, description);
+  std::optional<GroupChecksum> checksum;
+  StoredGroup group;
+  const auto close_group = [&] {
+    if (!checksum) return;
+    group.checksum = checksum->text();
+    insert_group(packed, group);
+    checksum.reset();
+  };
+  rows([&](std::size_t cell, std::span<const Value> values) {
+    throw_if_interrupted();
+    insert_row(packed, insert, cell, values);
+    if (group.cells == cells_of_finished_group) close_group();
+    if (!checksum) {
+      checksum.emplace(description.columns, cell);
+      const auto number = static_cast<std::int64_t>(cell);
+      group = {number, 0, number};  // the cell's number is its rowid
+    }
+    checksum->add(cell, values);
+    ++group.cells;
+  });
+  close_group();
+  transaction.commit();
+}
+
+void write_finished(const fs::path& folder, const StoreDescription& description, const std::vector<std::string>& makers,
+                    const RowsOfCells& rows) {
+  const fs::path path = folder / finished_name;
+  write_whole(path,
+              [&](const fs::path& temporary) { guarded(path, [&] { pack(temporary, description, makers, rows); }); });
+}
+
 }  // namespace
 
 ResultsStore::ResultsStore(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -245,49 +285,27 @@ void ResultsStore::append(std::size_t first_cell, const std::function<void(const
 
 void ResultsStore::finish() {
   if (state_->complete) return;
-  const fs::path partial = state_->path;
-  const fs::path finished = state_->folder / finished_name;
-  write_whole(finished, [&](const fs::path& temporary) { guarded(finished, [&] { pack(temporary); }); });
+  const State& state = *state_;
+  const fs::path folder = state.folder;
+  const fs::path partial = state.path;
+  std::vector<ValueKind> kinds = {ValueKind::integer};
+  for (const StoredColumn& stored : state.description.columns) kinds.push_back(stored.kind);
+  write_finished(folder, state.description, makers(), [&](const CellSink& add) {
+    SQLite::Statement rows(*state.database, "SELECT * FROM cells ORDER BY cell");
+    while (rows.executeStep()) {
+      const std::vector<Value> row = row_of(rows, kinds);
+      add(static_cast<std::size_t>(std::get<std::int64_t>(row.front())), std::span(row).subspan(1));
+    }
+  });
   state_ = nullptr;
   remove_store(partial);
-  *this = load(finished.parent_path());
+  *this = load(folder);
 }
 
-void ResultsStore::pack(const fs::path& path) const {
-  SQLite::Database packed(path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-  // The file is new, and flushed before it gets its name.
-  packed.exec("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF");
-  SQLite::Transaction transaction(packed);
-  create_tables(packed, state_->description, StoreForm::finished);
-  for (const std::string& maker : read_makers(*state_->database)) add_maker(packed, maker);
-  SQLite::Statement insert = make_insert(packed, state_->description);
-  std::vector<ValueKind> kinds = {ValueKind::integer};
-  for (const StoredColumn& stored : state_->description.columns) kinds.push_back(stored.kind);
-  std::optional<GroupChecksum> checksum;
-  StoredGroup group;
-  const auto close_group = [&] {
-    if (!checksum) return;
-    group.checksum = checksum->text();
-    insert_group(packed, group);
-    checksum.reset();
-  };
-  SQLite::Statement rows(*state_->database, "SELECT * FROM cells ORDER BY cell");
-  while (rows.executeStep()) {
-    throw_if_interrupted();
-    const std::vector<Value> row = row_of(rows, kinds);
-    const auto cell = std::get<std::int64_t>(row.front());
-    const std::span<const Value> values = std::span(row).subspan(1);
-    insert_row(packed, insert, static_cast<std::size_t>(cell), values);
-    if (group.cells == cells_of_finished_group) close_group();
-    if (!checksum) {
-      checksum.emplace(state_->description.columns, static_cast<std::size_t>(cell));
-      group = {cell, 0, cell};  // the cell's number is its rowid
-    }
-    checksum->add(static_cast<std::size_t>(cell), values);
-    ++group.cells;
-  }
-  close_group();
-  transaction.commit();
+ResultsStore ResultsStore::write(const fs::path& folder, const StoreDescription& description,
+                                 const std::vector<std::string>& makers, const RowsOfCells& rows) {
+  write_finished(folder, description, makers, rows);
+  return load(folder);
 }
 
 void ResultsStore::read(const std::vector<std::string>& columns, const StoredRowSink& sink) const {

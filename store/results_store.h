@@ -36,6 +36,8 @@ struct StoreDescription {
 
 /// Receives the values of all columns of a cell.
 using CellSink = std::function<void(std::size_t cell, std::span<const Value> values)>;
+/// Passes all cells to its argument, in the order of cells.
+using RowsOfCells = std::function<void(const CellSink&)>;
 /// Receives the values of the selected columns. The values are valid until the next row.
 using StoredRowSink = std::function<void(std::span<const Value> values)>;
 
@@ -53,6 +55,11 @@ class ResultsStore {
 
   /// Opens a complete store for reading and checks all of its rows. Throws as open() does.
   static ResultsStore load(const std::filesystem::path& folder);
+
+  /// Writes the finished store of rows that are at hand, in the order of cells, and opens it. Its bytes are those of a
+  /// store that grew. Throws as load() does, and what `rows` throws.
+  static ResultsStore write(const std::filesystem::path& folder, const StoreDescription& description,
+                            const std::vector<std::string>& makers, const RowsOfCells& rows);
 
   ~ResultsStore();
   ResultsStore(ResultsStore&&) noexcept;
@@ -90,7 +97,6 @@ class ResultsStore {
  private:
   struct State;
   explicit ResultsStore(std::unique_ptr<State> state);
-  void pack(const std::filesystem::path& path) const;
   std::unique_ptr<State> state_;
 };
 

@@ -9,21 +9,27 @@ namespace {
 
 void store_group(const CellGroup& group, ResultsStore& store, const EvaluateGroup& evaluate) {
   store.append(group.first_cell, [&](const CellSink& keep) {
-    std::vector<bool> seen(group.size());
-    std::size_t rows = 0;
-    evaluate(group, [&](std::size_t place, std::span<const Value> measured) {
-      if (seen.at(place)) throw std::logic_error("the evaluator gave a cell twice");
-      seen[place] = true;
+    evaluate_whole(group, evaluate, [&](std::size_t place, std::span<const Value> measured) {
       std::vector<Value> row = values_at(group, place);
       row.insert(row.end(), measured.begin(), measured.end());
       keep(group.cell(place), row);
-      ++rows;
     });
-    if (rows != group.size()) throw std::logic_error("the evaluator left cells out");
   });
 }
 
 }  // namespace
+
+void evaluate_whole(const CellGroup& group, const EvaluateGroup& evaluate, const RowSink& keep) {
+  std::vector<bool> seen(group.size());
+  std::size_t rows = 0;
+  evaluate(group, [&](std::size_t place, std::span<const Value> measured) {
+    if (seen.at(place)) throw std::logic_error("the evaluator gave a cell twice");
+    seen[place] = true;
+    keep(place, measured);
+    ++rows;
+  });
+  if (rows != group.size()) throw std::logic_error("the evaluator left cells out");
+}
 
 std::vector<StoredColumn> stored_columns(const Parameters& parameters, const SweepPlan& plan,
                                          const std::vector<Column>& measured, std::span<const Value> sample) {

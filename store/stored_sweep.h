@@ -15,9 +15,11 @@ namespace umbrameter {
 std::vector<StoredColumn> stored_columns(const Parameters& parameters, const SweepPlan& plan,
                                          const std::vector<Column>& measured, std::span<const Value> sample);
 
-/// Measures the groups that the store lacks, each in one transaction, and finishes the store. Throws what the evaluator
-/// throws; Error if the user interrupts; std::logic_error if the evaluator omits a cell or passes one twice. Groups
-/// stored before that stay.
+/// Measures a group. Throws what the evaluator throws; std::logic_error if it omits a cell or passes one twice.
+void evaluate_whole(const CellGroup& group, const EvaluateGroup& evaluate, const RowSink& keep);
+
+/// Measures the groups that the store lacks, each in one transaction, and finishes the store. Throws what
+/// evaluate_whole() throws, and Error if the user interrupts. Groups stored before that stay.
 void run_sweep(const SweepPlan& plan, ResultsStore& store, const EvaluateGroup& evaluate,
                const Progress& progress = {});
 

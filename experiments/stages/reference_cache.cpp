@@ -14,6 +14,7 @@
 namespace umbrameter {
 namespace {
 
+constexpr const char* folder_variable = "UMBRAMETER_CACHE";
 constexpr const char* size_variable = "UMBRAMETER_CACHE_SIZE";
 
 // The members of each kind of result, as references. The structured binding names every member, so a new member does
@@ -90,6 +91,10 @@ std::optional<CacheFolder> user_cache(const Console& console) {
   if (size != nullptr && *size != '\0') {
     folder.limit =
         parse_bytes(size, std::string(size_variable) + "=" + size, "write it like 500M or 10G; 0 for no cache");
+  }
+  if (const char* shared = std::getenv(folder_variable); shared != nullptr && *shared != '\0') {
+    folder.path = std::filesystem::absolute(shared);
+    return folder;
   }
   const std::optional<std::filesystem::path> base =
       xdg_cache_folder(std::getenv("XDG_CACHE_HOME"), std::getenv("HOME"));

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
@@ -39,14 +40,15 @@ class TemporaryFile {
 
 // Beside the file, so that the rename stays in one file system; short, so that the name fits wherever the file's does.
 fs::path temporary_beside(const fs::path& path) {
-  return path.parent_path() / fmt::format(".{:.200}.{}.tmp", path.filename().string(), getpid());
+  return path.parent_path() / fmt::format(".{:.160}.{}.{}.tmp", path.filename().string(), host_name(), getpid());
 }
 
-// The process that a temporary file is of; nothing for other files.
+// The process on this host that a temporary file is of; nothing for other files.
 std::optional<pid_t> writer_of(const fs::path& path) {
   const std::string name = path.filename().string();
   if (!name.starts_with('.') || !name.ends_with(".tmp")) return {};
   const std::string stem = name.substr(0, name.size() - 4);
+  if (!stem.substr(0, stem.rfind('.')).ends_with("." + host_name())) return {};
   const char* digits = stem.c_str() + stem.rfind('.') + 1;
   pid_t process = 0;
   const auto [end, error] = std::from_chars(digits, stem.c_str() + stem.size(), process);
@@ -103,6 +105,11 @@ int flush(const fs::path& path) {
 }
 
 }  // namespace
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? fmt::format("{:.60}", name.data()) : "";
+}
 
 void throw_write_error(const fs::path& path, int error) {
   throw Error(ExitCode::partial, "cannot write " + path.string(), std::generic_category().message(error),

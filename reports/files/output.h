@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <string_view>
 
 namespace umbrameter {
@@ -30,6 +31,10 @@ void write_pieces(const std::filesystem::path& path,
 
 /// write_whole() of a copy of a file.
 void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// Name of this machine. It is part of the names of temporary files: hosts may share a folder, and their processes have
+/// the same numbers.
+std::string host_name();
 
 /// Removes what processes that are no more have left half-written in the folder, by the functions above and on this
 /// machine.

@@ -1,0 +1,169 @@
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <cstring>
+#include <ctime>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/dry_run.h"
+#include "app/planned_sweep.h"
+#include "core/interrupt.h"
+#include "core/standard_streams.h"
+#include "experiments/sweep/identity.h"
+#include "reports/files/output.h"
+#include "store/merge_shards.h"
+#include "store/shard_state.h"
+#include "store/stored_sweep.h"
+
+namespace umbrameter {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_done(const fs::path& folder, const ShardPlan& plan, std::size_t shard) {
+  if (!is_there(shard_file(folder, shard))) return false;
+  try {
+    return objection_to(read_shard(shard_file(folder, shard)).manifest, plan, shard).empty();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+// A sweep that is loaded for the first shard and serves the others.
+struct ShardRunner {
+  const PlannedSweepFolder& planned;
+  const Console& console;
+  std::optional<SweepRun> sweep{};
+  std::string maker{};
+  std::size_t notes_of_loading = 0;
+  EvaluateGroup evaluate{};
+
+  void load() {
+    sweep.emplace(planned.line, planned.given);
+    maker = load_planned(planned, *sweep, console).maker;
+    notes_of_loading = sweep->stages->notes().size();
+    evaluate = make_evaluator(*sweep->stages, sweep->experiment, sweep->axes, sweep->statistics);
+  }
+
+  void measure(std::size_t shard, RunningMark& mark) {
+    const auto started = std::chrono::system_clock::now();
+    const auto begin = std::chrono::steady_clock::now();
+    if (!sweep) load();
+    Stages& stages = *sweep->stages;
+    const PlannedShard& part = planned.plan.shards[shard];
+    ProgressBar bar(console, fmt::format("shard {}", shard));
+    double share = 0.0;
+    const auto show = [&] {
+      bar.show(share);
+      mark.show(std::max(share, 1e-6));
+    };
+    stages.report_tracing([&](double) { show(); });
+    std::string rows;
+    std::size_t cells = 0;
+    for (std::size_t g = part.first_group; g < part.first_group + part.groups; ++g) {
+      throw_if_interrupted("the shard starts over when it is run again");
+      const CellGroup group = group_at(sweep->plan, g);
+      std::string of_group;
+      evaluate_whole(group, evaluate, [&](std::size_t place, std::span<const Value> measured) {
+        std::string row;
+        append_values(row, measured);
+        if (of_group.empty()) of_group.resize(group.size() * row.size());
+        std::memcpy(of_group.data() + place * row.size(), row.data(), row.size());
+      });
+      rows += of_group;
+      cells += group.size();
+      share = static_cast<double>(g + 1 - part.first_group) / static_cast<double>(part.groups);
+      show();
+    }
+    stages.report_tracing({});
+    const std::vector<std::string>& notes = stages.notes();
+    ShardManifest manifest{
+        planned.plan.id, shard, program_version(), measuring_identity(stages), maker, host_name(), {}, 0.0, cells, {}};
+    manifest.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(started)));
+    manifest.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    manifest.notes.assign(notes.begin() + static_cast<std::ptrdiff_t>(notes_of_loading), notes.end());
+    write_shard(shard_file(planned.folder, shard), manifest, rows);
+    print_line(console, fmt::format("shard {}: {} cells in {}", shard, cells, time_text(std::ceil(manifest.seconds))));
+  }
+};
+
+nlohmann::ordered_json json_of(const std::vector<ShardState>& states, double left) {
+  nlohmann::ordered_json json;
+  for (const char* name : {"done", "running", "waiting", "lost", "failed"}) json[name] = nlohmann::json::array();
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    constexpr std::array names = {"waiting", "running", "done", "failed", "lost"};
+    json[names[static_cast<std::size_t>(states[i].kind)]].push_back(i);
+  }
+  json["seconds_left"] = left < 0.0 ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(left);
+  return json;
+}
+
+}  // namespace
+
+ExitCode run_shards(const CommandLine& line, const Console& console) {
+  const PlannedSweepFolder planned = open_plan(line);
+  const std::string text = line.plan.shard == "env" ? shard_of_environment() : line.plan.shard;
+  ShardRunner runner{planned, console};
+  for (const std::size_t shard : parse_shards(text, planned.plan.shards.size())) {
+    if (!line.force && is_done(planned.folder, planned.plan, shard)) {
+      print_line(console, fmt::format("shard {}: done already; --force measures it again", shard));
+      continue;
+    }
+    RunningMark mark(planned.folder, shard);
+    try {
+      runner.measure(shard, mark);
+    } catch (const Error& error) {
+      if (error.code() != ExitCode::interrupted && error.code() != ExitCode::terminated) mark.fail(error.what());
+      throw;
+    }
+  }
+  return ExitCode::ok;
+}
+
+ExitCode run_status(const CommandLine& line, const Console& console) {
+  const fs::path& folder = line.plan.folder;
+  const ShardPlan plan = read_plan(folder);
+  const std::vector<ShardState> states = shard_states(folder, plan);
+  if (line.plan.commands) {
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      if (states[i].kind == ShardState::Kind::done) continue;
+      write_to(stdout, command_of(folder, std::to_string(i)) + "\n");
+    }
+    return ExitCode::ok;
+  }
+  const double left = seconds_left(plan, states);
+  if (console.json) {
+    write_to(stdout, json_of(states, left).dump(2) + "\n");
+    return ExitCode::ok;
+  }
+  std::array<std::size_t, 5> counts{};
+  for (const ShardState& state : states) ++counts[static_cast<std::size_t>(state.kind)];
+  std::string text = fmt::format("{} of {} shards done", counts[2], states.size());
+  constexpr std::array others = {std::pair(1, "running"), std::pair(3, "failed"), std::pair(4, "lost"),
+                                 std::pair(0, "waiting")};
+  for (const auto& [kind, name] : others) {
+    if (const std::size_t count = counts[static_cast<std::size_t>(kind)]; count > 0)
+      text += fmt::format(", {} {}", count, name);
+  }
+  if (left >= 0.0) {
+    const std::time_t end = std::time(nullptr) + static_cast<std::time_t>(left);
+    text += fmt::format("; about {} left, until {:%Y-%m-%d %H:%M}", time_text(std::ceil(left)), fmt::localtime(end));
+  }
+  print_line(console, text);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const ShardState& state = states[i];
+    if (state.kind == ShardState::Kind::running) {
+      add_line(console, fmt::format("running {}: {:.0f} % on {}", i, 100.0 * state.share, state.host));
+    } else if (state.kind == ShardState::Kind::lost) {
+      add_line(console, fmt::format("lost {}: no sign from {} for 5 minutes", i, state.host));
+    } else if (state.kind == ShardState::Kind::failed) {
+      add_line(console, fmt::format("failed {}: {}", i, state.problem));
+    }
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace umbrameter

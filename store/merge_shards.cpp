@@ -1,0 +1,171 @@
+#include "store/merge_shards.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <optional>
+#include <set>
+
+#include "core/error.h"
+#include "core/interrupt.h"
+#include "reports/files/output.h"
+
+namespace umbrameter {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t value_bytes = 8;
+constexpr std::size_t cells_at_once = 4096;
+
+void add_new(std::vector<std::string>& list, const std::string& text) {
+  if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(text);
+}
+
+std::string value_of(const std::vector<std::pair<std::string, std::string>>& pairs, const std::string& name) {
+  for (const auto& [key, value] : pairs) {
+    if (key == name) return value;
+  }
+  return {};
+}
+
+// Results under names that no shard has: copies that someone renamed.
+void report_strangers(const fs::path& folder, const ShardPlan& plan, std::vector<std::string>& problems) {
+  std::set<std::string> names;
+  std::error_code end;
+  for (fs::directory_iterator i(folder / "shards", end); !end && i != fs::directory_iterator(); i.increment(end)) {
+    const std::string name = i->path().filename().string();
+    if (i->path().extension() == ".shard" && !name.starts_with('.')) names.insert(name);
+  }
+  for (std::size_t shard = 0; shard < plan.shards.size(); ++shard) names.erase(fmt::format("{}.shard", shard));
+  for (const std::string& name : names) {
+    problems.push_back((folder / "shards" / name).string() + ": the plan has no shard of this name; ignored");
+  }
+}
+
+}  // namespace
+
+ScratchRows::ScratchRows(const fs::path& folder, const SweepPlan& plan, const std::vector<StoredColumn>& columns)
+    : plan_(&plan), path_(folder / fmt::format(".merge.{}.tmp", getpid())), is_there_(plan.cells) {
+  for (std::size_t i = plan.axes.size(); i < columns.size(); ++i) kinds_.push_back(columns[i].kind);
+  file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+  if (file_ < 0) throw_write_error(path_, errno);
+  unlink(path_.c_str());
+}
+
+ScratchRows::~ScratchRows() {
+  if (file_ >= 0) close(file_);
+}
+
+bool ScratchRows::add(const PlannedShard& shard, std::string_view rows) {
+  const std::size_t row_bytes = kinds_.size() * value_bytes;
+  std::vector<std::size_t> cells;
+  for (std::size_t g = shard.first_group; g < shard.first_group + shard.groups; ++g) {
+    const CellGroup group = group_at(*plan_, g);
+    for (std::size_t place = 0; place < group.size(); ++place) cells.push_back(group.cell(place));
+  }
+  if (rows.size() != cells.size() * row_bytes) return false;
+  for (std::size_t i = 0; i < cells.size();) {
+    std::size_t count = 1;
+    while (i + count < cells.size() && cells[i + count] == cells[i] + count) ++count;
+    std::size_t written = 0;
+    while (written < count * row_bytes) {
+      const ssize_t step = pwrite(file_, rows.data() + i * row_bytes + written, count * row_bytes - written,
+                                  static_cast<off_t>(cells[i] * row_bytes + written));
+      if (step < 0 && errno != EINTR) throw_write_error(path_, errno);
+      written += static_cast<std::size_t>(std::max<ssize_t>(step, 0));
+    }
+    i += count;
+  }
+  for (const std::size_t cell : cells) is_there_[cell] = true;
+  count_ += cells.size();
+  return true;
+}
+
+void ScratchRows::read(const CellSink& sink) const {
+  const std::size_t row_bytes = kinds_.size() * value_bytes;
+  const std::vector<SweepAxis>& axes = plan_->axes;
+  std::vector<Value> values(axes.size() + kinds_.size());
+  std::vector<std::size_t> index(axes.size(), std::size_t(-1));
+  std::string block;
+  for (std::size_t first = 0; first < plan_->cells; first += cells_at_once) {
+    const std::size_t count = std::min(cells_at_once, plan_->cells - first);
+    block.assign(count * row_bytes, '\0');
+    // Behind the last row the file ends: those cells are not there.
+    for (std::size_t got = 0; got < block.size();) {
+      const ssize_t step =
+          pread(file_, block.data() + got, block.size() - got, static_cast<off_t>(first * row_bytes + got));
+      if (step < 0 && errno != EINTR) throw_write_error(path_, errno);
+      if (step == 0) break;
+      got += static_cast<std::size_t>(std::max<ssize_t>(step, 0));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t cell = first + i;
+      if (!is_there_[cell]) continue;
+      for (std::size_t a = 0; a < axes.size(); ++a) {
+        const std::size_t now = cell / plan_->strides[a] % axes[a].values.size();
+        if (now == index[a]) continue;
+        index[a] = now;
+        values[a] = axes[a].values[now];
+      }
+      for (std::size_t c = 0; c < kinds_.size(); ++c) {
+        values[axes.size() + c] = value_at(block.data() + i * row_bytes + c * value_bytes, kinds_[c]);
+      }
+      sink(cell, values);
+    }
+  }
+}
+
+std::string objection_to(const ShardManifest& manifest, const ShardPlan& plan, std::size_t shard) {
+  if (manifest.program != plan.program) {
+    return fmt::format("umbrameter {} measured it, the plan is of {}", manifest.program, plan.program);
+  }
+  for (const auto& [name, value] : manifest.measured_by) {
+    const std::string planned = value_of(plan.identity, name);
+    if (value != planned) return fmt::format("its {} is '{}', that of the plan is '{}'", name, value, planned);
+  }
+  if (manifest.plan != plan.id) return "it belongs to another plan";
+  if (manifest.shard != shard) return fmt::format("it is a duplicate of shard {}", manifest.shard);
+  return {};
+}
+
+CollectedShards collect_shards(const fs::path& folder, const ShardPlan& plan, ScratchRows& rows,
+                               const Progress& progress) {
+  CollectedShards collected;
+  for (std::size_t shard = 0; shard < plan.shards.size(); ++shard) {
+    throw_if_interrupted();
+    if (progress) progress(static_cast<double>(shard) / static_cast<double>(plan.shards.size()));
+    const fs::path path = shard_file(folder, shard);
+    std::string problem;
+    if (!is_there(path)) {
+      collected.missing.push_back(shard);
+      continue;
+    }
+    std::optional<ShardFile> file;
+    try {
+      file = read_shard(path);
+    } catch (const Error& error) {
+      problem = error.what();
+    }
+    if (file) {
+      problem = objection_to(file->manifest, plan, shard);
+      if (problem.empty() && !rows.add(plan.shards[shard], file->rows)) problem = "it has another number of cells";
+      if (!problem.empty()) problem = path.string() + ": " + problem + "; run the shard again";
+    }
+    if (problem.empty()) {
+      add_new(collected.makers, file->manifest.maker);
+      for (const std::string& text : file->manifest.notes) add_new(collected.notes, text);
+      collected.seconds += file->manifest.seconds;
+    }
+    if (problem.empty()) continue;
+    collected.missing.push_back(shard);
+    collected.problems.push_back(problem);
+  }
+  report_strangers(folder, plan, collected.problems);
+  return collected;
+}
+
+}  // namespace umbrameter
