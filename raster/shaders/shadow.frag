@@ -1,4 +1,4 @@
-// Ids of the triangle that the light sees at a texel centre; for perspective, cube and warped maps also its stored depth.
+// Ids of the triangle that the light sees at a texel centre; for perspective, cube and warped maps also its depth.
 #include "light.glsl"
 #include "map_depth.glsl"
 #include "map_warp.glsl"

@@ -1,5 +1,5 @@
-// Lays a triangle on the faces of a perspective or cube map, or on a warped one, and hands its plane on, from which shadow.frag computes
-// the depth at the texel centre itself.
+// Lays a triangle on the faces of a perspective or cube map, or on a warped map, and hands its plane on, from which
+// shadow.frag computes the depth at the texel centre itself.
 #if MOVES_CASTERS
 #include "scene.glsl"
 #endif

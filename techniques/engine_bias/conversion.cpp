@@ -242,8 +242,9 @@ std::optional<ChosenValue> choose_value(const ConvertedTarget& target, std::size
 }
 
 bool sets_each_place(const ConvertedTarget& target) {
-  return target.spec.engine->sets_each_cascade && target.places.size() > 1 &&
-         target.places.front().light == LightKind::directional;
+  const MapPlace& first = target.places.front();
+  const bool is_cascade = first.light == LightKind::directional && first.depth == 0.0;
+  return target.spec.engine->sets_each_cascade && target.places.size() > 1 && is_cascade;
 }
 
 std::optional<std::vector<double>> set_values(const ConvertedTarget& target, std::size_t number) {

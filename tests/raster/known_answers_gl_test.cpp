@@ -181,14 +181,16 @@ TEST_F(KnownAnswersGl, The_biases_of_EEVEE_and_Final_Fantasy_XVI_free_a_plane_of
   oriented.bias.constant = 0.002;
   MapDepthParams slope_of_hardware;
   slope_of_hardware.polygon_offset_factor = 1.0;
-  for (const double theta : {0.0, 20.0, 50.0, 75.0, 85.0}) {
+  for (const double theta : {1.0, 20.0, 50.0, 75.0, 85.0}) {
     for (const double psi : {0.0, 20.0, 45.0}) {
       const Slope slope{theta, psi};
       const Plane plain = make_plane(slope, 256, 0.05);
       EXPECT_EQ(mean(measure(plain, eevee).visibility), 1.0) << theta << " " << psi;
       const Plane moved = make_plane(slope, 256, 0.05, slope_of_hardware);
       EXPECT_EQ(mean(measure(moved, oriented).visibility), 1.0) << theta << " " << psi;
-      if (theta > 0.0) EXPECT_LT(mean(measure(plain, oriented).visibility), 0.95) << "the 2 mm alone are too few";
+      if (theta > 1.0) {
+        EXPECT_LT(mean(measure(plain, oriented).visibility), 0.95) << "the 2 mm alone are too few";
+      }
     }
   }
 }

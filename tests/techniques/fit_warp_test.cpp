@@ -12,10 +12,10 @@
 namespace umbrameter {
 namespace {
 
-constexpr int resolution = 512;
+constexpr int warp_resolution = 512;
 
 // The ground that a camera at the origin sees along −z at depths of 1 to 100 m, half as wide to each side as far away.
-GBuffer ground() {
+GBuffer seen_ground() {
   GBuffer gbuffer(100, 3);
   for (std::size_t i = 0; i < gbuffer.depth.size(); ++i) {
     const float depth = static_cast<float>(1 + i % 100);
@@ -26,7 +26,7 @@ GBuffer ground() {
   return gbuffer;
 }
 
-View camera() {
+View wide_camera() {
   View view;
   view.width = 100;
   view.height = 100;
@@ -35,7 +35,7 @@ View camera() {
 }
 
 // Its y is turned away from the camera's view, which the fit undoes.
-Light sun(const dvec3& travels = {0, -1, 0}) {
+Light turned_sun(const dvec3& travels = {0, -1, 0}) {
   const dvec3 z = -glm::normalize(travels);
   const dvec3 x = glm::normalize(glm::cross(dvec3(0.3, 0.2, 0.8), z));
   Light light;
@@ -44,7 +44,7 @@ Light sun(const dvec3& travels = {0, -1, 0}) {
   return light;
 }
 
-MapFitParams warped() {
+MapFitParams warped_fit() {
   MapFitParams fit;
   fit.fit = MapFit::view;
   fit.warp = Warp::lispsm;
@@ -53,21 +53,24 @@ MapFitParams warped() {
   return fit;
 }
 
-MapLayout fitted(const MapFitParams& fit, const Light& light = sun(), const View& view = camera()) {
+MapLayout fitted_warp(const MapFitParams& fit, const Light& light = turned_sun(), const View& view = wide_camera()) {
   Bounds bounds;
   bounds.include({-60, -1, -110});
   bounds.include({60, 1, 10});
-  return fit_map(light, bounds, {resolution, 1}, {ground(), view}, fit);
+  return fit_map(light, bounds, {warp_resolution, 1}, {seen_ground(), view}, fit);
 }
+
+// How far the warp's centre is behind the camera, metres.
+double behind_camera(const MapLayout& layout) { return layout.light_from_world[3].y - layout.warp.value().center.y; }
 
 dvec2 texels_of(const MapLayout& layout, const dvec3& position) { return project_to_map(layout, position).texels; }
 
 // n = zₙ + √(zₙ z_f) = 11 m, so that w = z + 10 m and a texel is c (z + 10)² long: c · 121 z at both ends, where z is 1
 // and 100 m, and c · 40 z at √100 m. (Wimmer, Scherzer and Purgathofer, section 4.)
 TEST(MapWarp, Under_a_light_across_the_view_both_ends_of_it_get_texels_of_one_size_in_the_image) {
-  const MapLayout layout = fitted(warped());
+  const MapLayout layout = fitted_warp(warped_fit());
   ASSERT_TRUE(layout.warp);
-  EXPECT_NEAR(layout.warp->center.y, -10.0, 1e-9);
+  EXPECT_NEAR(behind_camera(layout), 10.0, 1e-9);
   const auto texel_per_depth = [&](double z) {
     const double step = 1e-4 * z;
     const dvec2 moved = texels_of(layout, {0, 0, -z - step}) - texels_of(layout, {0, 0, -z + step});
@@ -81,21 +84,21 @@ TEST(MapWarp, Under_a_light_across_the_view_both_ends_of_it_get_texels_of_one_si
 }
 
 TEST(MapWarp, A_near_distance_that_is_skipped_moves_its_centre_away) {
-  MapFitParams fit = warped();
+  MapFitParams fit = warped_fit();
   fit.warp_near = 50.0;  // 49.5 m of 99 m: n = 49.5/(2 − 3 · 49.5/99) = 99 m, above 1 + √(50 · 100)
-  EXPECT_NEAR(fitted(fit).warp.value().center.y, 1.0 - 99.0, 1e-9);
+  EXPECT_NEAR(behind_camera(fitted_warp(fit)), 98.0, 1e-9);
   fit.warp_near = 67.0;  // more than two thirds
-  EXPECT_FALSE(fitted(fit).warp);
+  EXPECT_FALSE(fitted_warp(fit).warp);
 }
 
 TEST(MapWarp, It_holds_what_is_seen_with_the_margin_of_a_cascade) {
   for (const dvec3& travels : {dvec3(0, -1, 0), dvec3(0.5, -1, -0.7), dvec3(-0.2, -1, 3)}) {
-    const MapLayout layout = fitted(warped(), sun(travels));
+    const MapLayout layout = fitted_warp(warped_fit(), turned_sun(travels));
     ASSERT_TRUE(layout.warp);
-    const GBuffer seen = ground();
-    dvec2 low(resolution);
+    const GBuffer seen = seen_ground();
+    dvec2 low(warp_resolution);
     dvec2 high(0);
-    for (const vec3& position : seen.position) {
+    for (const vec3& position : seen.position.pixels) {
       const dvec3 p(position);
       low = glm::min(low, texels_of(layout, p));
       high = glm::max(high, texels_of(layout, p));
@@ -103,14 +106,14 @@ TEST(MapWarp, It_holds_what_is_seen_with_the_margin_of_a_cascade) {
     }
     for (int axis = 0; axis < 2; ++axis) {
       EXPECT_NEAR(low[axis], map_view_margin, 1e-6);
-      EXPECT_NEAR(high[axis], resolution - map_view_margin, 1e-6);
+      EXPECT_NEAR(high[axis], warp_resolution - map_view_margin, 1e-6);
     }
     EXPECT_FALSE(is_inside(layout, {0, 0, 20})) << "behind the camera";
   }
 }
 
 TEST(MapWarp, The_ray_of_a_texel_meets_the_map_at_its_centre_and_the_longer_side_is_its_size) {
-  const MapLayout layout = fitted(warped(), sun({0.5, -1, -0.7}));
+  const MapLayout layout = fitted_warp(warped_fit(), turned_sun({0.5, -1, -0.7}));
   const dmat4 world_from_light = glm::inverse(layout.light_from_world);
   for (const ivec2 texel : {ivec2(20, 20), ivec2(300, 100), ivec2(490, 480)}) {
     const TexelRay ray = texel_ray(layout, texel, 0);
@@ -127,22 +130,22 @@ TEST(MapWarp, The_ray_of_a_texel_meets_the_map_at_its_centre_and_the_longer_side
 }
 
 TEST(MapWarp, There_is_none_along_the_light_or_for_an_orthographic_camera) {
-  EXPECT_FALSE(fitted(warped(), sun({0, -0.01, -1})).warp);
-  View flat = camera();
+  EXPECT_FALSE(fitted_warp(warped_fit(), turned_sun({0, -0.01, -1})).warp);
+  View flat = wide_camera();
   flat.camera.projection = OrthographicProjection{};
-  EXPECT_FALSE(fitted(warped(), sun(), flat).warp);
-  EXPECT_FALSE(fitted({}).warp);
+  EXPECT_FALSE(fitted_warp(warped_fit(), turned_sun(), flat).warp);
+  EXPECT_FALSE(fitted_warp({}).warp);
 }
 
 TEST(MapWarp, Only_a_single_map_that_is_fitted_tightly_to_the_view_is_warped) {
-  const Light light = sun();
-  EXPECT_NO_THROW(require_sense({resolution, 1}, warped(), {&light, 1}));
-  EXPECT_THROW(require_sense({resolution, 2}, warped(), {&light, 1}), Error);
+  const Light light = turned_sun();
+  EXPECT_NO_THROW(require_sense({warp_resolution, 1}, warped_fit(), {&light, 1}));
+  EXPECT_THROW(require_sense({warp_resolution, 2}, warped_fit(), {&light, 1}), Error);
   for (const auto change : {+[](MapFitParams& fit) { fit.fit = MapFit::scene; },
                             +[](MapFitParams& fit) { fit.cascade_fit = CascadeFit::stable; }}) {
-    MapFitParams fit = warped();
+    MapFitParams fit = warped_fit();
     change(fit);
-    EXPECT_THROW(require_sense({resolution, 1}, fit, {&light, 1}), Error);
+    EXPECT_THROW(require_sense({warp_resolution, 1}, fit, {&light, 1}), Error);
   }
 }
 
