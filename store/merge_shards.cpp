@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "core/error.h"
 #include "core/interrupt.h"
@@ -62,25 +63,28 @@ ScratchRows::~ScratchRows() {
 
 bool ScratchRows::add(const PlannedShard& shard, std::string_view rows) {
   const std::size_t row_bytes = kinds_.size() * value_bytes;
-  std::vector<std::size_t> cells;
+  std::vector<std::pair<std::size_t, std::size_t>> cells;  // and the place of their rows
   for (std::size_t g = shard.first_group; g < shard.first_group + shard.groups; ++g) {
     const CellGroup group = group_at(*plan_, g);
-    for (std::size_t place = 0; place < group.size(); ++place) cells.push_back(group.cell(place));
+    for (std::size_t place = 0; place < group.size(); ++place) cells.emplace_back(group.cell(place), cells.size());
   }
   if (rows.size() != cells.size() * row_bytes) return false;
-  for (std::size_t i = 0; i < cells.size();) {
-    std::size_t count = 1;
-    while (i + count < cells.size() && cells[i + count] == cells[i] + count) ++count;
-    std::size_t written = 0;
-    while (written < count * row_bytes) {
-      const ssize_t step = pwrite(file_, rows.data() + i * row_bytes + written, count * row_bytes - written,
-                                  static_cast<off_t>(cells[i] * row_bytes + written));
+  // The cells of a group may lie apart, those of neighbouring groups side by side: few writes then do.
+  std::sort(cells.begin(), cells.end());
+  std::string run;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    run.append(rows.substr(cells[i].second * row_bytes, row_bytes));
+    if (i + 1 < cells.size() && cells[i + 1].first == cells[i].first + 1) continue;
+    const std::size_t end = (cells[i].first + 1) * row_bytes;
+    for (std::size_t written = 0; written < run.size();) {
+      const std::size_t left = run.size() - written;
+      const ssize_t step = pwrite(file_, run.data() + written, left, static_cast<off_t>(end - left));
       if (step < 0 && errno != EINTR) throw_write_error(path_, errno);
       written += static_cast<std::size_t>(std::max<ssize_t>(step, 0));
     }
-    i += count;
+    run.clear();
   }
-  for (const std::size_t cell : cells) is_there_[cell] = true;
+  for (const auto& [cell, row] : cells) is_there_[cell] = true;
   count_ += cells.size();
   return true;
 }

@@ -187,8 +187,8 @@ ResultsStore ResultsStore::load(const fs::path& folder) {
   const fs::path path = folder / finished_name;
   return guarded(path, [&] {
     auto state = std::make_unique<State>(State{folder, path, true, open_for_reading(path), {}});
-    state->description = read_description(*state->database, path);
     SQLite::Database& database = *state->database;
+    state->description = read_description(database, path);
     ResultsStore store(std::move(state));
     const auto cells = static_cast<std::int64_t>(store.description().cells);
     for (const char* count : {"SELECT COUNT(*) FROM cells", "SELECT SUM(cells) FROM groups"}) {
@@ -305,7 +305,11 @@ void ResultsStore::finish() {
 ResultsStore ResultsStore::write(const fs::path& folder, const StoreDescription& description,
                                  const std::vector<std::string>& makers, const RowsOfCells& rows) {
   write_finished(folder, description, makers, rows);
-  return load(folder);
+  const fs::path path = folder / finished_name;
+  // What was written a moment ago is not read back.
+  return guarded(path, [&] {
+    return ResultsStore(std::make_unique<State>(State{folder, path, true, open_for_reading(path), description}));
+  });
 }
 
 void ResultsStore::read(const std::vector<std::string>& columns, const StoredRowSink& sink) const {

@@ -56,8 +56,8 @@ class ResultsStore {
   /// Opens a complete store for reading and checks all of its rows. Throws as open() does.
   static ResultsStore load(const std::filesystem::path& folder);
 
-  /// Writes the finished store of rows that are at hand, in the order of cells, and opens it. Its bytes are those of a
-  /// store that grew. Throws as load() does, and what `rows` throws.
+  /// Writes the finished store of rows that are at hand, in the order of cells, and opens it without
+  /// reading it back. Its bytes are those of a store that grew. Throws as finish() does, and what `rows` throws.
   static ResultsStore write(const std::filesystem::path& folder, const StoreDescription& description,
                             const std::vector<std::string>& makers, const RowsOfCells& rows);
 

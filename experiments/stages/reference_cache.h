@@ -14,7 +14,8 @@
 namespace umbrameter {
 
 /// The folder for references, UMBRAMETER_CACHE or that of xdg_cache_folder(), and its limit: 2 GB, or
-/// UMBRAMETER_CACHE_SIZE ("500M", "10G", "0" for no cache). Empty, with a note, if there is no home folder. Throws Error (usage) for a malformed size.
+/// UMBRAMETER_CACHE_SIZE ("500M", "10G", "0" for no cache). Empty, with a note, if there is no home folder. Throws
+/// Error (usage) for a malformed size.
 std::optional<CacheFolder> user_cache(const Console& console);
 
 class ReferenceCache {
