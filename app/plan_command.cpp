@@ -17,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* scene_folder = "scene";
+constexpr double cost_budget = 10.0;  // seconds
 
 void require_division(const PlanOptions& options) {
   if (options.shards > 0 || options.cells_per_shard > 0 || options.minutes_per_shard > 0.0) return;
@@ -84,7 +85,8 @@ ExitCode run_plan(const CommandLine& line, const Console& console) {
   SweepRun sweep(line, make_experiment(line));
   sweep.load(console);
   const StoreDescription description = sweep.description();
-  const SweepCosts costs = measure_costs(*sweep.stages, {sweep.experiment, sweep.axes, sweep.plan, sweep.statistics});
+  const SweepCosts costs =
+      measure_costs(*sweep.stages, {sweep.experiment, sweep.axes, sweep.plan, sweep.statistics}, cost_budget);
 
   const std::size_t groups = count_groups(sweep.plan);
   const std::size_t wanted = count_shards(line.plan, costs, sweep.plan);
