@@ -88,9 +88,9 @@ ExitCode show_image_plan(const CommandLine& line, const Console& console, Stages
   return show(console, rows);
 }
 
-SweepCosts measure_costs(Stages& stages, const PlannedSweep& sweep) {
+SweepCosts measure_costs(Stages& stages, const PlannedSweep& sweep, double budget) {
   const EvaluateGroup evaluate = make_evaluator(stages, sweep.experiment, sweep.axes, sweep.statistics);
-  return measure_costs(sweep.plan, estimate_budget, [&](std::size_t index) {
+  return measure_costs(sweep.plan, budget, [&](std::size_t index) {
     const auto start = std::chrono::steady_clock::now();
     evaluate(group_at(sweep.plan, index), [](std::size_t, std::span<const Value>) {});
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -121,7 +121,7 @@ ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSw
                                 is_one_pass(stages, sweep.experiment, sweep.axes, sweep.statistics)
                                     ? "one pass measures all cells of a group"
                                     : "each cell is measured separately"));
-  const SweepCosts costs = measure_costs(stages, sweep);
+  const SweepCosts costs = measure_costs(stages, sweep, estimate_budget);
   const double seconds = seconds_of(costs, 0, groups);
   const std::string time =
       seconds < 1.0 ? "less than 1 s" : (costs.is_upper_bound ? "at most about " : "about ") + time_text(seconds);

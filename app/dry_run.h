@@ -20,11 +20,11 @@ struct PlannedSweep {
 };
 
 /// Of a sweep: scene, view, light, axes, cells, groups, and the time that it would take. The estimate measures the
-/// first group and, for each axis, the first and the last group at which it changes, for at most about 20 s.
+/// groups that measure_costs() chooses, and begins none after 20 s.
 ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSweep& sweep);
 
-/// The costs of its groups, from measuring some for at most about 20 s.
-SweepCosts measure_costs(Stages& stages, const PlannedSweep& sweep);
+/// The costs of its groups, from measuring some; none is begun after `budget` seconds.
+SweepCosts measure_costs(Stages& stages, const PlannedSweep& sweep, double budget);
 
 /// "90 s", "12 min", "3.5 h".
 std::string time_text(double seconds);

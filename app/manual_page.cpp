@@ -106,6 +106,9 @@ std::string manual_page(const ProgramHelp& program) {
   text += heading("EXIT STATUS");
   for (const ExitMeaning& exit : exit_meanings) text += std::string(".TP\n") + exit.code + "\n" + exit.meaning + "\n";
   text += heading("ENVIRONMENT");
+  text += ".TP\n.B UMBRAMETER_CACHE\nfolder of the cache of references, which machines may share\n";
+  text +=
+      ".TP\n.B UMBRAMETER_SHARDS\nlist of shards, 3,7-9, of which \\-\\-shard env takes the one at the task's index\n";
   text += ".TP\n.B UMBRAMETER_CACHE_SIZE\nmax size of the cache of references: 500M, 10G; 0 for no cache (2G)\n";
   text += ".TP\n.B XDG_CACHE_HOME\nfolder that holds the cache (~/.cache)\n";
   text += ".TP\n.B NO_COLOR\nno colours in the progress bar\n";

@@ -29,7 +29,7 @@ void show_missing(const Console& console, const PlannedSweepFolder& planned, con
   print_line(console, "Slurm:    --array=" + list);
   print_line(console, "numbers: " + numbers);
   print_line(console, "command:  " + command_of(planned.folder, list));
-  print_line(console, "commands: umbrameter status " + planned.folder.string() + " --commands");
+  print_line(console, "commands: umbrameter status " + shell_word(planned.folder) + " --commands");
 }
 
 // With the experiment, the folder is an unfinished run, which the whole merge may repeat.

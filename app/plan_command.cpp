@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "app/dry_run.h"
 #include "app/planned_sweep.h"
@@ -17,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* scene_folder = "scene";
+constexpr double cost_budget = 10.0;  // seconds
 
 void require_division(const PlanOptions& options) {
   if (options.shards > 0 || options.cells_per_shard > 0 || options.minutes_per_shard > 0.0) return;
@@ -24,15 +26,23 @@ void require_division(const PlanOptions& options) {
               "add --shards N, --cells-per-shard N or --minutes-per-shard X");
 }
 
-// An earlier plan gives way only when the new one is known to make sense.
+// Also what is left of a plan when an engine has removed plan.json to have it made again.
+bool holds_plan(const fs::path& folder) {
+  return is_there(folder / "plan.json") || (is_there(folder / "experiment.toml") && is_there(folder / "shards"));
+}
+
 void require_free(const fs::path& folder, bool force) {
   std::error_code error;
-  if (force || !fs::exists(folder, error) || fs::is_empty(folder, error)) return;
-  throw Error(ExitCode::usage, folder.string(), "the folder is not empty",
-              "choose another one with -o, or replace the plan and its results with --force");
+  if (!fs::exists(folder, error) || fs::is_empty(folder, error)) return;
+  const bool is_plan = holds_plan(folder);
+  if (is_plan && force) return;
+  throw Error(ExitCode::usage, folder.string(), is_plan ? "it holds a plan" : "the folder is not empty",
+              is_plan ? "choose another one with -o, or replace the plan and its results with --force"
+                      : "choose another one with -o");
 }
 
 void remove_plan(const fs::path& folder) {
+  if (!holds_plan(folder)) return;
   for (const char* name : {"plan.json", "experiment.toml", scene_folder, "shards"}) {
     std::error_code error;
     fs::remove_all(folder / name, error);
@@ -84,7 +94,8 @@ ExitCode run_plan(const CommandLine& line, const Console& console) {
   SweepRun sweep(line, make_experiment(line));
   sweep.load(console);
   const StoreDescription description = sweep.description();
-  const SweepCosts costs = measure_costs(*sweep.stages, {sweep.experiment, sweep.axes, sweep.plan, sweep.statistics});
+  const SweepCosts costs =
+      measure_costs(*sweep.stages, {sweep.experiment, sweep.axes, sweep.plan, sweep.statistics}, cost_budget);
 
   const std::size_t groups = count_groups(sweep.plan);
   const std::size_t wanted = count_shards(line.plan, costs, sweep.plan);
@@ -117,6 +128,11 @@ ExitCode run_plan(const CommandLine& line, const Console& console) {
   }
   double longest = 0.0;
   for (const PlannedShard& shard : plan.shards) longest = std::max(longest, shard.seconds);
+  if (console.json) {
+    const nlohmann::ordered_json json = {
+        {"cells", plan.cells}, {"shards", plan.shards.size()}, {"seconds", seconds_of(costs, 0, groups)}};
+    write_to(stdout, json.dump(2) + "\n");
+  }
   print_line(console, fmt::format("{} cells in {} shards of at most about {}; all of them about {}",
                                   grouped(plan.cells), grouped(plan.shards.size()), time_text(std::ceil(longest)),
                                   time_text(std::ceil(seconds_of(costs, 0, groups)))));

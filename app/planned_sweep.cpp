@@ -37,18 +37,20 @@ std::vector<std::pair<std::string, std::string>> portable_identity(const StoreDe
   return identity;
 }
 
-std::string command_of(const fs::path& folder, const std::string& shards) {
-  std::string path = folder.string();
+std::string shell_word(const fs::path& file) {
+  const std::string path = file.string();
   const auto is_plain = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
            std::string_view("_-./+:,@%").find(c) != std::string_view::npos;
   };
-  if (!std::all_of(path.begin(), path.end(), is_plain)) {
-    std::string quoted = "'";
-    for (const char c : path) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    path = quoted + "'";
-  }
-  return "umbrameter run " + path + " --shard " + shards;
+  if (!path.empty() && std::all_of(path.begin(), path.end(), is_plain)) return path;
+  std::string quoted = "'";
+  for (const char c : path) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string command_of(const fs::path& folder, const std::string& shards) {
+  return "umbrameter run " + shell_word(folder) + " --shard " + shards;
 }
 
 }  // namespace umbrameter

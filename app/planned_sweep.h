@@ -28,7 +28,10 @@ StoreDescription load_planned(const PlannedSweepFolder& planned, SweepRun& sweep
 /// The identity of a sweep without the path of its scene, which differs between machines.
 std::vector<std::pair<std::string, std::string>> portable_identity(const StoreDescription& description);
 
-/// "umbrameter run PLAN --shard 3,7-9", quoted for a shell.
+/// A path as one word for a shell.
+std::string shell_word(const std::filesystem::path& path);
+
+/// "umbrameter run PLAN --shard 3,7-9", for a shell.
 std::string command_of(const std::filesystem::path& folder, const std::string& shards);
 
 }  // namespace umbrameter

@@ -106,7 +106,9 @@ nlohmann::ordered_json json_of(const std::vector<ShardState>& states, double lef
 ExitCode run_shards(const CommandLine& line, const Console& console) {
   const PlannedSweepFolder planned = open_plan(line);
   const std::string text = line.plan.shard == "env" ? shard_of_environment() : line.plan.shard;
+  remove_abandoned(planned.folder / "shards");
   ShardRunner runner{planned, console};
+  std::vector<std::size_t> measured;
   for (const std::size_t shard : parse_shards(text, planned.plan.shards.size())) {
     if (!line.force && is_done(planned.folder, planned.plan, shard)) {
       print_line(console, fmt::format("shard {}: done already; --force measures it again", shard));
@@ -115,11 +117,13 @@ ExitCode run_shards(const CommandLine& line, const Console& console) {
     RunningMark mark(planned.folder, shard);
     try {
       runner.measure(shard, mark);
+      measured.push_back(shard);
     } catch (const Error& error) {
       if (error.code() != ExitCode::interrupted && error.code() != ExitCode::terminated) mark.fail(error.what());
       throw;
     }
   }
+  if (console.json) write_to(stdout, nlohmann::ordered_json{{"measured", measured}}.dump(2) + "\n");
   return ExitCode::ok;
 }
 

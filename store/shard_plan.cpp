@@ -175,7 +175,7 @@ std::string shard_of_environment() {
     if (!index) throw Error(ExitCode::usage, variable, fmt::format("'{}' is no number", shortened(value, 40)));
     const char* list = std::getenv("UMBRAMETER_SHARDS");
     if (list == nullptr || *list == '\0') return std::to_string(*index);
-    const std::vector<std::size_t> shards = parse_shards(list, std::size_t{1} << 32);
+    const std::vector<std::size_t> shards = parse_shards(list, 10'000'000);
     if (*index < shards.size()) return std::to_string(shards[*index]);
     throw Error(ExitCode::usage, fmt::format("{}={}", variable, *index),
                 fmt::format("UMBRAMETER_SHARDS lists only {} shards", shards.size()));

@@ -41,9 +41,10 @@ ShardState state_of(const fs::path& folder, const ShardPlan& plan, std::size_t s
   const auto renewed = fs::last_write_time(mark, error);
   if (!error) {
     const Json json = Json::parse(text_of_file(mark).value_or(""), nullptr, false);
-    const bool is_whole = json.is_object() && json.contains("host") && json["host"].is_string();
+    const bool is_whole = json.is_object() && json.contains("host") && json["host"].is_string() &&
+                          json.contains("share") && json["share"].is_number();
     const bool is_lost = fs::file_time_type::clock::now() - renewed > lost_after;
-    return {is_lost ? Kind::lost : Kind::running, is_whole ? json.value("share", 0.0) : 0.0, 0.0,
+    return {is_lost ? Kind::lost : Kind::running, is_whole ? json["share"].get<double>() : 0.0, 0.0,
             is_whole ? json["host"].get<std::string>() : ""};
   }
   if (const std::optional<std::string> why = text_of_file(shard_file(folder, shard, failed))) problem = *why;

@@ -1,23 +1,38 @@
 #include "experiments/settings/sweep_costs.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace umbrameter {
 namespace {
 
-// Multiples of `step` in [1, end).
-std::size_t multiples(std::size_t step, std::size_t end) { return end == 0 ? 0 : (end - 1) / step; }
-
 // Of the groups from 1 up to `end`, each after the one before it.
 double seconds_before(const SweepCosts& costs, std::size_t end) {
   double seconds = 0.0;
-  std::size_t outer = 0;
   for (const SweepCosts::Level& level : costs.levels) {
-    const std::size_t all = multiples(level.step, end);
-    seconds += level.seconds * static_cast<double>(all - outer);
-    outer = all;
+    const std::size_t multiples = end == 0 ? 0 : (end - 1) / level.step;
+    const std::size_t within = level.until.size();
+    seconds += static_cast<double>(multiples / within) * level.until.back() + level.until[multiples % within];
   }
   return seconds;
+}
+
+// Running sums of costs that are linear between samples of (place, seconds); places begin at 1.
+std::vector<double> sums_of(const std::vector<std::pair<std::size_t, double>>& samples, std::size_t count) {
+  std::vector<double> until = {0.0};
+  std::size_t next = 0;
+  for (std::size_t place = 1; place < count; ++place) {
+    while (next + 1 < samples.size() && samples[next].first < place) ++next;
+    const auto& [right, after] = samples[next];
+    double seconds = after;
+    if (place < right) {
+      const auto& [left, before] = samples[next - 1];
+      seconds = before + (after - before) * static_cast<double>(place - left) / static_cast<double>(right - left);
+    }
+    until.push_back(until.back() + seconds);
+  }
+  return until;
 }
 
 // The multiple of the outermost step that is no further than `reach` from the group.
@@ -41,10 +56,8 @@ SweepCosts measure_costs(const SweepPlan& plan, double budget, const std::functi
     return seconds;
   };
   costs.first_seconds = sample(0);
-  std::vector<std::size_t> steps_within;  // steps until the next outer axis changes
   const auto add_level = [&](std::size_t step, std::size_t within) {
-    costs.levels.push_back({step, costs.first_seconds});
-    steps_within.push_back(within);
+    costs.levels.push_back({step, sums_of({{1, costs.first_seconds}}, within)});
   };
   std::size_t step = count_groups(plan);
   for (const std::size_t axis : plan.outer) {
@@ -54,16 +67,17 @@ SweepCosts measure_costs(const SweepPlan& plan, double budget, const std::functi
   }
   // A large grid of biases is split into several groups.
   if (step > 1) add_level(1, step);
-  for (std::size_t i = costs.levels.size(); i-- > 0;) {
-    SweepCosts::Level& level = costs.levels[i];
-    if (spent >= budget) {
-      costs.is_upper_bound = true;
-      continue;
+  for (auto level = costs.levels.rbegin(); level != costs.levels.rend(); ++level) {
+    const std::size_t last = level->until.size() - 1;
+    std::vector<std::pair<std::size_t, double>> samples;
+    // The cost of a step may grow along the axis, as with the resolution.
+    for (const std::size_t place : std::set<std::size_t>{1, (last + 1) / 2, last}) {
+      if (spent < budget) samples.emplace_back(place, sample(place * level->step));
     }
-    level.seconds = sample(level.step);
-    // The cost of a step may grow along the axis, as with the resolution: the mean of both ends.
-    if (steps_within[i] > 2 && spent < budget) {
-      level.seconds = 0.5 * (level.seconds + sample((steps_within[i] - 1) * level.step));
+    if (samples.empty()) {
+      costs.is_upper_bound = true;
+    } else {
+      level->until = sums_of(samples, last + 1);
     }
   }
   return costs;

@@ -12,8 +12,8 @@ namespace umbrameter {
 struct SweepCosts {
   /// Groups at which the outermost axis that changes is the same one; everything inside it starts again.
   struct Level {
-    std::size_t step = 1;  ///< the groups whose index is a multiple of it, but of no outer level's
-    double seconds = 0.0;  ///< of one such group, its reference and maps included
+    std::size_t step = 1;         ///< the groups whose index is a multiple of it, but of no outer level's
+    std::vector<double> until{};  ///< [j]: seconds of the first j such groups, up to the next outer level's; [0] is 0
   };
   double first_seconds = 0.0;   ///< of the group that a process measures first
   std::vector<Level> levels{};  ///< the outermost one first
@@ -21,8 +21,8 @@ struct SweepCosts {
   bool is_upper_bound = false;  ///< a level was not measured, and was taken to cost as much as the first group
 };
 
-/// Calls measure(group index), which returns its seconds, for the first group and for the first and the last group of
-/// each level, until `budget` seconds are spent.
+/// Calls measure(group index), which returns its seconds, for the first group and for the first, the middle and the
+/// last group of each level, until `budget` seconds are spent. Between them the costs of a level are interpolated.
 SweepCosts measure_costs(const SweepPlan& plan, double budget, const std::function<double(std::size_t)>& measure);
 
 /// Time of a process that measures the groups from `begin` up to `end`, seconds.

@@ -172,6 +172,26 @@ TEST_F(CacheCommand, The_limit_is_kept_and_wrong_ones_are_refused) {
   EXPECT_NE(refused.err.find("UMBRAMETER_CACHE_SIZE=plenty"), std::string::npos) << refused.err;
 }
 
+TEST_F(CacheCommand, A_shared_folder_serves_users_with_other_homes_and_a_dead_writer_blocks_nobody) {
+  ProgramOptions first = here();
+  first.environment.push_back("UMBRAMETER_CACHE=" + (folder_ / "shared").string());
+  ProgramOptions second = first;
+  second.environment.front() = "XDG_CACHE_HOME=" + (folder_ / "another home").string();
+  ASSERT_EQ(trace("first", {}, first).exit_code, 0);
+  std::size_t found = 0;
+  for (const auto& file : fs::directory_iterator(folder_ / "shared")) {
+    if (file.path().extension() != ".reference") continue;
+    ++found;
+    // What a host leaves that dies while it writes.
+    put_text(folder_ / "shared" / ("." + file.path().filename().string() + ".host.1.tmp"), "half");
+  }
+  EXPECT_EQ(found, 2u);
+  EXPECT_TRUE(entries().empty()) << "nothing in the home folder";
+  const ProgramResult other = trace("second", {}, second);
+  EXPECT_NE(other.err.find(hit), std::string::npos) << other.err;
+  EXPECT_TRUE(image("first") == image("second"));
+}
+
 TEST_F(CacheCommand, Is_listed_and_cleared) {
   EXPECT_EQ(list()["entries"].size(), 0u);
   trace("out");

@@ -128,6 +128,12 @@ TEST_F(Shards, A_plan_needs_a_number_of_shards_and_replaces_another_one_only_by_
             "umbrameter run " + plan_.string() + " --shard 0\numbrameter run " + plan_.string() + " --shard 1\n");
   ASSERT_EQ(run("0").exit_code, 0);
   EXPECT_EQ(plan("corner", {"--shards", "2"}).exit_code, 2);
+  fs::path other = folder_ / "other";
+  fs::create_directories(other / "scene");
+  std::swap(plan_, other);
+  EXPECT_EQ(plan("corner", {"--shards", "2", "--force"}).exit_code, 2) << "a folder that is no plan is left alone";
+  EXPECT_TRUE(fs::exists(plan_ / "scene"));
+  std::swap(plan_, other);
   EXPECT_EQ(plan("corner", {"--minutes-per-shard", "10", "--force"}).exit_code, 0);
   EXPECT_FALSE(fs::exists(plan_ / "shards/0.shard"));
   EXPECT_EQ(run("1").exit_code, 2) << "one shard of ten minutes is enough";

@@ -25,9 +25,9 @@ double seconds_of_group(std::size_t group) {
   return 1.0 + (group % 8 == 0 ? 10.0 : 0.0) + (group % 24 == 0 ? 100.0 : 0.0);
 }
 
-TEST(SweepCosts, The_first_and_last_groups_of_each_level_give_the_time_of_any_run_of_groups) {
+TEST(SweepCosts, A_few_groups_of_each_level_give_the_time_of_any_run_of_groups) {
   const SweepCosts costs = measure_costs(plan(), 1e6, seconds_of_group);
-  EXPECT_EQ(costs.measured, 6u) << "the first group; of the references the only change, two of the maps and two cells";
+  EXPECT_EQ(costs.measured, 7u) << "the first group, the only change of the reference, two of the map, three of eight";
   EXPECT_FALSE(costs.is_upper_bound);
   for (const std::size_t begin : {0u, 24u, 5u}) {
     for (std::size_t end = begin + 1; end <= 48; ++end) {
@@ -35,6 +35,17 @@ TEST(SweepCosts, The_first_and_last_groups_of_each_level_give_the_time_of_any_ru
       for (std::size_t group = begin + 1; group < end; ++group) expected += seconds_of_group(group);
       EXPECT_DOUBLE_EQ(seconds_of(costs, begin, end), expected) << begin << " to " << end;
     }
+  }
+}
+
+TEST(SweepCosts, A_cost_that_grows_along_an_axis_is_interpolated_between_its_ends_and_the_middle) {
+  // Filter sizes 3 to 17: the places 1, 4 and 7 of each run of eight are measured.
+  const SweepCosts costs =
+      measure_costs(plan(), 1e6, [](std::size_t group) { return static_cast<double>(group % 8 * (group % 8)); });
+  // 1, then to 16 at place 4, then to 49 at place 7.
+  const double expected[] = {0, 1, 6, 11, 16, 27, 38, 49};
+  for (std::size_t group = 1; group < 8; ++group) {
+    EXPECT_NEAR(seconds_of(costs, group - 1, group + 1) - seconds_of(costs, group - 1, group), expected[group], 1e-9);
   }
 }
 
@@ -61,11 +72,17 @@ TEST(SweepCosts, A_cut_is_moved_to_where_an_expensive_axis_changes) {
   EXPECT_EQ(cut_into_shards(costs, 48, 2), (std::vector<std::size_t>{0, 24})) << "each has one reference";
 }
 
+std::vector<double> running_sums(std::size_t count, double seconds) {
+  std::vector<double> sums;
+  for (std::size_t i = 0; i < count; ++i) sums.push_back(static_cast<double>(i) * seconds);
+  return sums;
+}
+
 TEST(SweepCosts, A_million_groups_are_cut_into_shards_of_equal_cost) {
   // Cells of 1 s; every thousandth has a map of 10 s, too.
   SweepCosts costs;
   costs.first_seconds = 11.0;
-  costs.levels = {{1000, 11.0}, {1, 1.0}};
+  costs.levels = {{1000, running_sums(1000, 11.0)}, {1, running_sums(1000, 1.0)}};
   const std::vector<std::size_t> first = cut_into_shards(costs, 1'000'000, 64);
   ASSERT_EQ(first.size(), 64u);
   double least = 1e9;
