@@ -50,6 +50,7 @@ inline constexpr ShaderConstant shader_constants[] = {
     {"BIAS_IN_MAP_DEPTH", static_cast<unsigned>(LengthUnit::map_depth)},
     {"OFFSET_SINE", static_cast<unsigned>(OffsetProfile::sine)},
     {"OFFSET_CONSTANT", static_cast<unsigned>(OffsetProfile::constant)},
+    {"OFFSET_EEVEE", static_cast<unsigned>(OffsetProfile::eevee)},
     {"SURFACE_MIDPOINT", static_cast<unsigned>(StoredSurface::midpoint)},
     {"SURFACE_SECOND", static_cast<unsigned>(StoredSurface::second)},
     {"SURFACE_DUAL", static_cast<unsigned>(StoredSurface::dual)},

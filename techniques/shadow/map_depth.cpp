@@ -58,7 +58,7 @@ Parameters describe(MapDepthParams& params) {
       .field("caster-offset-metres", params.caster_offset.metres,
              {.unit = "m", .meaning = "the same in metres; added to that in texels"})
       .choice("caster-offset-profile", params.caster_offset.profile, offset_profile_names,
-              {.unit = {}, .meaning = "factor of the casters' offset: sin θ, 1 or 1 − cos θ"})
+              {.unit = {}, .meaning = "factor of the casters' offset: sin θ, 1, 1 − cos θ or sin θ + 0.168"})
       .choice("point-map", params.point_map, point_map_names,
               {.unit = {}, .meaning = "map of a point light: six cube faces or two paraboloids"})
       .field("cube-passes", params.cube_passes,

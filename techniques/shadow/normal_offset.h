@@ -8,13 +8,17 @@
 namespace umbrameter {
 
 /// What a normal offset is multiplied by; θ is the angle between the normal and the direction to the light.
-/// sine: sin θ, constant: 1, one_minus_cosine: 1 − max(cos θ, 0).
-enum class OffsetProfile : int { sine, constant, one_minus_cosine };
+/// sine: sin θ, constant: 1, one_minus_cosine: 1 − max(cos θ, 0), eevee: sin θ + eevee_share.
+enum class OffsetProfile : int { sine, constant, one_minus_cosine, eevee };
+
+/// Blender's shadow_normal_offset() adds 0.195 to sin θ / cos 0.534: 0.195 · cos 0.534. (eevee_shadow_tracing_lib.glsl
+/// at 0882a98.)
+inline constexpr double eevee_share = 0.16785171781851177;
 
 /// normal: along the normal; across: only the part of that which is perpendicular to the direction to the light.
 enum class OffsetDirection : int { normal, across };
 
-inline constexpr std::array<std::string_view, 3> offset_profile_names{"sine", "constant", "one-minus-cosine"};
+inline constexpr std::array<std::string_view, 4> offset_profile_names{"sine", "constant", "one-minus-cosine", "eevee"};
 
 /// (texels · texel size + metres) · profile, in metres.
 struct NormalOffset {

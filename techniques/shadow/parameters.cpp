@@ -39,7 +39,7 @@ Parameters describe(BiasParams& params) {
       .field("normal-offset-metres", params.normal_offset.metres,
              {.unit = "m", .meaning = "normal offset, times its profile; added to that in texels"})
       .choice("normal-offset-profile", params.normal_offset.profile, offset_profile_names,
-              {.unit = {}, .meaning = "factor of the normal offset: sin θ, 1 or 1 − cos θ"})
+              {.unit = {}, .meaning = "factor of the normal offset: sin θ, 1, 1 − cos θ or sin θ + 0.168"})
       .choice("normal-offset-direction", params.offset_direction, offset_direction_names,
               {.unit = {}, .meaning = "normal offset along the normal, or only its part across the light"})
       .field("receiver-plane", params.receiver_plane,

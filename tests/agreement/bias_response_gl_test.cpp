@@ -53,7 +53,7 @@ TEST_F(BiasResponseGl, A_normal_offset_and_slopes_below_zero_agree_too) {
   grid.resolutions = {130};
   BiasParams& bias = grid.filters[0].params.bias;
   bias.normal_offset.metres = 0.03;
-  for (const OffsetProfile profile : {OffsetProfile::constant, OffsetProfile::one_minus_cosine}) {
+  for (const OffsetProfile profile : {OffsetProfile::constant, OffsetProfile::one_minus_cosine, OffsetProfile::eevee}) {
     for (const OffsetDirection direction : {OffsetDirection::normal, OffsetDirection::across}) {
       bias.normal_offset.profile = profile;
       bias.offset_direction = direction;

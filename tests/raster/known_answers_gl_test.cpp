@@ -42,7 +42,7 @@ class KnownAnswersGl : public GlTest {
   };
 
   // A plane that fills the whole map, and 256 x 256 surfels spread over the middle of it.
-  Plane make_plane(const Slope& slope, int resolution, double texel) const {
+  Plane make_plane(const Slope& slope, int resolution, double texel, const MapDepthParams& depth = {}) const {
     const double theta = slope.theta * degrees;
     const MapLayout layout =
         exact_layout({std::sin(theta), std::cos(theta), 0}, resolution, texel, slope.psi * degrees);
@@ -51,7 +51,7 @@ class KnownAnswersGl : public GlTest {
     Plane plane;
     plane.light = light_of(layout);
     plane.scene = upload(context(), scene);
-    plane.map = draw_shadow_map(context(), plane.scene, plane.light, layout);
+    plane.map = draw_shadow_map(context(), plane.scene, plane.light, layout, depth);
     const double reach = 0.5 * layout.views.front().half_extent;
     plane.surfels = upload(context(), surfels_on_ground(256, 256, -reach, reach, -reach, reach));
     return plane;
@@ -171,6 +171,28 @@ TEST_F(KnownAnswersGl, The_least_bias_without_acne_follows_its_formula) {
 
 // The plane's depth at a texel's centre is what the map holds there, up to the rounding of depths to 2^-24 of the range
 // and of vertices to 1/256 texel, which moves the plane by t tan theta / 256 along the light.
+// EEVEE: (√½ / cos 0.534) t (sin theta + …) ≥ ½ t (p + q) sin theta.
+// Final Fantasy XVI: 2 mm and the slope t p tan theta of the hardware ≥ ½ t (p + q) tan theta.
+TEST_F(KnownAnswersGl, The_biases_of_EEVEE_and_Final_Fantasy_XVI_free_a_plane_of_acne_under_one_tap) {
+  ShadowParams eevee;
+  eevee.bias.constant = 0.0;
+  eevee.bias.normal_offset = {0.82147, 0.0, OffsetProfile::eevee};
+  ShadowParams oriented;
+  oriented.bias.constant = 0.002;
+  MapDepthParams slope_of_hardware;
+  slope_of_hardware.polygon_offset_factor = 1.0;
+  for (const double theta : {1.0, 20.0, 50.0, 75.0, 85.0}) {
+    for (const double psi : {0.0, 20.0, 45.0}) {
+      const Slope slope{theta, psi};
+      const Plane plain = make_plane(slope, 256, 0.05);
+      EXPECT_EQ(mean(measure(plain, eevee).visibility), 1.0) << theta << " " << psi;
+      const Plane moved = make_plane(slope, 256, 0.05, slope_of_hardware);
+      EXPECT_EQ(mean(measure(moved, oriented).visibility), 1.0) << theta << " " << psi;
+      if (theta > 1.0) EXPECT_LT(mean(measure(plain, oriented).visibility), 0.95) << "the 2 mm alone are too few";
+    }
+  }
+}
+
 TEST_F(KnownAnswersGl, The_receiver_plane_frees_a_plane_of_acne_at_slopes_up_to_85_degrees) {
   for (const Slope slope : {Slope{20, 0}, Slope{60, 45}, Slope{75, 20}, Slope{85, 70}}) {
     for (const int resolution : {64, 1024}) {

@@ -16,11 +16,13 @@ namespace {
 using namespace testing_scenes;
 
 constexpr double texel = 0.02;
-constexpr OffsetProfile profiles[] = {OffsetProfile::sine, OffsetProfile::constant, OffsetProfile::one_minus_cosine};
+constexpr OffsetProfile profiles[] = {OffsetProfile::sine, OffsetProfile::constant, OffsetProfile::one_minus_cosine,
+                                      OffsetProfile::eevee};
 
 double scale_of(OffsetProfile profile, double theta) {
   return profile == OffsetProfile::sine       ? std::sin(theta)
          : profile == OffsetProfile::constant ? 1.0
+         : profile == OffsetProfile::eevee    ? std::sin(theta) + 0.195 * std::cos(0.534)
                                               : 1.0 - std::cos(theta);
 }
 

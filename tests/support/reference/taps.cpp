@@ -278,6 +278,7 @@ SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel) {
     const double distance = length_of(to_light);
     const double scale = offset.profile == OffsetProfile::sine       ? sine / distance
                          : offset.profile == OffsetProfile::constant ? 1.0
+                         : offset.profile == OffsetProfile::eevee    ? sine / distance + eevee_share
                                                                      : 1.0 - std::max(cosine / distance, 0.0);
     const double texels = static_cast<float>(offset.texels);
     dvec3 direction = normal;
