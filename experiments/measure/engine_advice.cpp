@@ -50,7 +50,7 @@ std::vector<BiasTerms> terms_of(const Experiment& experiment, const MapLayout& l
     const double unit = constant.unit == LengthUnit::texels      ? places[i].texel
                         : constant.unit == LengthUnit::map_depth ? places[i].range
                                                                  : 1.0;
-    const double factor = layout.kind == MapKind::orthographic ? layout.views[i].bias_factor : 1.0;
+    const double factor = has_equal_texels(layout) ? layout.views[i].bias_factor : 1.0;
     terms.push_back({constant.number * unit * factor, offset.texels * places[i].texel + offset.metres, kind,
                      experiment.shadow.map_depth.polygon_offset_factor});
   }
@@ -68,7 +68,7 @@ bool set_constant(Experiment& experiment, const MapLayout& layout, const AtPlace
     constant = {bias.texels[0], LengthUnit::texels};
   } else if (are_equal(bias.depths)) {
     constant = {bias.depths[0], LengthUnit::map_depth};
-  } else if (layout.kind == MapKind::orthographic &&
+  } else if (has_equal_texels(layout) &&
              std::ranges::all_of(bias.metres, [&](double metres) { return metres * bias.metres[0] > 0.0; })) {
     constant = Length{bias.metres[0]};
     factors.clear();

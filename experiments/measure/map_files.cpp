@@ -70,6 +70,10 @@ LayeredImage map_layers(Stages& stages, const Experiment& experiment, std::uint3
     file.attributes[name + "center"] = fmt::format("{} {}", layout.views[view].center.x, layout.views[view].center.y);
     file.attributes[name + "half_extent"] = fmt::format("{}", layout.views[view].half_extent);
   }
+  if (const auto& warp = layout.warp) {
+    file.attributes["warp"] = fmt::format("{} {} {} {} {} {}", warp->center.x, warp->center.y, warp->scale.x,
+                                          warp->scale.y, warp->shift.x, warp->shift.y);
+  }
   file.attributes["kind"] = kinds[static_cast<std::size_t>(layout.kind)];
   file.attributes["light"] = stages.title(light);
   file.attributes["light_from_world"] = matrix_text(layout.light_from_world);

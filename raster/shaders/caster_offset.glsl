@@ -1,5 +1,6 @@
 // Moves the corners of a triangle against their normals before the map is drawn: NormalOffset of
 // techniques/shadow/normal_offset.h. Includes follow scene.glsl and light.glsl.
+#include "map_warp.glsl"
 #include "normal_offset.glsl"
 uniform samplerBuffer normals;
 uniform float caster_texels;
@@ -8,6 +9,9 @@ uniform int caster_profile;
 
 // Side of a texel of the view at a position in light space, metres: texel_at() of techniques/shadow/map_layout.h.
 double caster_texel(dvec3 p, int view) {
+#if MAP_WARPED
+  return p.y > warp_center.y ? warped_texel(p.xy) : 0.0lf;
+#endif
   double side = 2.0lf * map_views[view].z / double(resolution);
 #if MAP_KIND == MAP_PERSPECTIVE
   side *= -p.z;

@@ -7,6 +7,10 @@ layout(std140) uniform LightBlock {
                                    // w: largest view depth, metres
   vec4 bias_factors[MAX_MAP_VIEWS / 4];  // of the constant bias, of each view
   dvec4 view_depth_plane;          // view depth = xyz · position in light space + w, metres
+  dvec2 warp_center;  // with MAP_WARPED: MapWarp of techniques/shadow/map_warp.h
+  dvec2 warp_scale;
+  dvec2 warp_shift;
+  dvec2 unused_pair;
   double far_depth;
   double nearest_view_depth;  // metres
   double cascade_blend;       // share of a cascade's extent

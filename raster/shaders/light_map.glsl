@@ -1,6 +1,7 @@
 // Projects world positions to the light's map, fetches taps and compares depths.
 #include "arithmetic.glsl"
 #include "light.glsl"
+#include "map_warp.glsl"
 uniform sampler2DArray shadow_depth;
 uniform usampler2DArray shadow_ids;
 
@@ -111,7 +112,12 @@ Receiver project_to_map(dvec3 world, double dither) {
   r.depth = r.axis_depth;
   r.is_inside = selects_by_depth == 0 || view_depth(p) <= map_views[view_count - 1].w;
   r.view = view_of(p, dither);
+#if MAP_WARPED
+  r.is_inside = r.is_inside && p.y > warp_center.y;
+  projected = r.is_inside ? on_warped(p.xy) : dvec2(0.0lf);
+#else
   projected = (p.xy - map_views[r.view].xy) / map_views[r.view].z;
+#endif
 #else
 #if IS_OMNIDIRECTIONAL
   r.view = uses_neighbour != 0 ? neighbour_face_of(p) : face_of(p);
@@ -143,6 +149,10 @@ dvec2 texel_center(ivec3 texel) {
 #else
   dvec4 view = map_views[0];
 #endif
+#if MAP_WARPED
+  precise dvec2 place = (dvec2(texel.xy) + 0.5lf) / double(resolution) * 2.0lf - 1.0lf;
+  return from_warped(place);
+#endif
   precise dvec2 center = view.xy + ((dvec2(texel.xy) + 0.5lf) / double(resolution) * 2.0lf - 1.0lf) * view.z;
   return center;
 }
@@ -171,6 +181,9 @@ void texel_ray(ivec3 texel, out dvec3 origin, out dvec3 direction) {
 
 // Side length of a texel at the receiver, metres: texel_at() of techniques/shadow/map_layout.h.
 float texel_at(Receiver receiver) {
+#if MAP_WARPED
+  return float(warped_texel(receiver.in_light.xy));
+#endif
 #if MAP_KIND == MAP_ORTHOGRAPHIC
   double half_extent = map_views[receiver.view].z;
 #else

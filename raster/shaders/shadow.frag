@@ -1,6 +1,7 @@
-// Ids of the triangle that the light sees at a texel centre; for perspective and cube maps also its stored depth.
+// Ids of the triangle that the light sees at a texel centre; for perspective, cube and warped maps also its depth.
 #include "light.glsl"
 #include "map_depth.glsl"
+#include "map_warp.glsl"
 #if ALPHA_MASK
 #include "base_color.glsl"
 uniform float alpha_cutoff;
@@ -29,6 +30,11 @@ const float same_layer = 9.5367431640625e-7;  // 2^-20
 #if HAS_PLANE
 // Where the light's ray through the texel's centre meets the plane of the triangle, metres.
 float plane_depth() {
+#if MAP_WARPED
+  precise dvec2 place = 2.0lf * dvec2(gl_FragCoord.xy) / double(resolution) - 1.0lf;
+  dvec2 p = from_warped(place);
+  return float((dot(dvec2(plane.xy), p) - double(plane.w)) / double(plane.z));
+#else
   vec2 p = (2.0 * gl_FragCoord.xy / float(resolution) - 1.0) * float(map_views[0].z);
 #if MAP_KIND == MAP_CUBE
   vec3 direction = vec3(face_basis[3 * face].xyz) * p.x + vec3(face_basis[3 * face + 1].xyz) * p.y +
@@ -40,6 +46,7 @@ float plane_depth() {
   vec3 direction = vec3(p, -1.0);
 #endif
   return plane.w / dot(plane.xyz, direction);
+#endif
 }
 
 float stored_of(float depth) {

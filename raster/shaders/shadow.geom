@@ -1,5 +1,5 @@
-// Lays a triangle on the faces of a perspective or cube map and hands its plane on, from which shadow.frag computes
-// the depth at the texel centre itself.
+// Lays a triangle on the faces of a perspective or cube map, or on a warped map, and hands its plane on, from which
+// shadow.frag computes the depth at the texel centre itself.
 #if MOVES_CASTERS
 #include "scene.glsl"
 #endif
@@ -73,6 +73,13 @@ void main() {
 #if MAP_KIND == MAP_CUBE
       p = vec3(dot(vec3(face_basis[3 * f].xyz), p), dot(vec3(face_basis[3 * f + 1].xyz), p),
                -dot(vec3(face_basis[3 * f + 2].xyz), p));
+#endif
+#if MAP_WARPED
+      // Which triangles are drawn does not depend on depth: it is clamped.
+      double w = double(p.y) - warp_center.y;
+      clip[i] = vec4(warp_scale.x * (double(p.x) - warp_center.x) + warp_shift.x * w, warp_scale.y + warp_shift.y * w,
+                     0.0lf, w);
+      continue;
 #endif
       // Clip depth holds only the near plane, at w = near; the depth buffer gets what shadow.frag computes.
       clip[i] = vec4(p.x / tangent, p.y / tangent, -p.z - near, -p.z);

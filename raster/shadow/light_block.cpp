@@ -19,6 +19,11 @@ LightBlock make_light_block(const Light& light, const MapLayout& layout) {
     block.views[v] = dvec4(layout.views[v].center, layout.views[v].half_extent, layout.views[v].farthest);
   }
   block.view_depth_plane = layout.view_depth_plane;
+  if (layout.warp) {
+    block.warp_center = layout.warp->center;
+    block.warp_scale = layout.warp->scale;
+    block.warp_shift = layout.warp->shift;
+  }
   block.nearest_view_depth = layout.nearest_view_depth;
   block.cascade_blend = layout.blend;
   block.selects_by_depth = layout.selection == CascadeSelection::depth ? 1 : 0;
@@ -30,6 +35,8 @@ LightBlock make_light_block(const Light& light, const MapLayout& layout) {
   return block;
 }
 
-std::string map_defines(const MapLayout& layout) { return define("MAP_KIND", static_cast<unsigned>(layout.kind)); }
+std::string map_defines(const MapLayout& layout) {
+  return define("MAP_KIND", static_cast<unsigned>(layout.kind)) + define("MAP_WARPED", layout.warp ? 1 : 0);
+}
 
 }  // namespace umbrameter

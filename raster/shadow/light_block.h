@@ -16,6 +16,10 @@ struct LightBlock {
   dvec4 views[max_map_views] = {};
   float bias_factors[max_map_views] = {};
   dvec4 view_depth_plane{0.0};
+  dvec2 warp_center{0.0};
+  dvec2 warp_scale{1.0};
+  dvec2 warp_shift{0.0};
+  dvec2 unused_pair{0.0};
   double far_depth = 1.0;
   double nearest_view_depth = 0.0;
   double cascade_blend = 0.0;
@@ -42,12 +46,12 @@ struct LightBlock {
   int offset_is_across = 0;
   int unused[3] = {};
 };
-static_assert(sizeof(LightBlock) == 1184);
+static_assert(sizeof(LightBlock) == 1248);
 
 /// The block for drawing the map. Bias and filter are 0; lookup_pass() in shadow_lookup.h sets them for a look-up.
 LightBlock make_light_block(const Light& light, const MapLayout& layout);
 
-/// "#define MAP_KIND 0"
+/// "#define MAP_KIND 0", and MAP_WARPED
 std::string map_defines(const MapLayout& layout);
 
 }  // namespace umbrameter

@@ -13,6 +13,9 @@ bool is_reversed(int mapping) {
   return mapping == shared::DEPTH_REVERSED_LINEAR || mapping == shared::DEPTH_REVERSED_PERSPECTIVE;
 }
 
+// Whether shadow.frag computes the depth at a texel's centre; the rasteriser would interpolate it.
+bool writes_depth(const MapLayout& layout) { return is_projective(layout.kind) || layout.warp; }
+
 DrawnFor use_of(CasterFaces faces) {
   switch (faces) {
     case CasterFaces::front:
@@ -27,7 +30,7 @@ DrawnFor use_of(CasterFaces faces) {
 
 // Where a shader writes the depth, it adds the polygon offset, too: the hardware's has no effect there.
 MakePass pass_maker(const MapSource& source, const MapLayer& layer) {
-  const bool has_plane = is_projective(source.layout.kind);
+  const bool has_plane = writes_depth(source.layout);
   const bool has_passes = source.layout.kind == MapKind::cube && source.params.cube_passes;
   const NormalOffset& offset = source.params.caster_offset;
   const bool moves_casters = !is_none(offset);
@@ -121,7 +124,7 @@ void draw_map_layer(const MapSource& source, const MapLayer& layer) {
                     static_cast<GLfloat>(sign * params.polygon_offset_units));
   }
   if (layout.kind == MapKind::paraboloid) glEnable(GL_CLIP_DISTANCE0);
-  if (!is_projective(layout.kind) || (layout.kind == MapKind::cube && params.cube_passes)) {
+  if (!writes_depth(layout) || (layout.kind == MapKind::cube && params.cube_passes)) {
     draw_views(source, layer, make_pass, target);
   } else {
     // All views at once, through a geometry shader.

@@ -67,7 +67,7 @@ double BiasSettings::operator[](std::string_view name) const {
 
 std::vector<MapPlace> places_of(const Light& light, const MapLayout& layout, const GBuffer& surfels) {
   std::vector<MapPlace> places;
-  if (layout.kind == MapKind::orthographic) {
+  if (has_equal_texels(layout)) {
     for (const MapView& view : layout.views) {
       const std::string name = layout.views.size() == 1 ? "map" : "cascade " + std::to_string(places.size() + 1);
       places.push_back({name, LightKind::directional, 2.0 * view.half_extent / layout.resolution,
@@ -76,15 +76,15 @@ std::vector<MapPlace> places_of(const Light& light, const MapLayout& layout, con
     return places;
   }
   const bool is_spot = std::holds_alternative<SpotLight>(light.shape);
+  const LightKind kind = layout.warp ? LightKind::directional : is_spot ? LightKind::spot : LightKind::point;
   const auto place_at = [&](const char* name, const dvec3& position) {
     const dvec3 local(layout.light_from_world * dvec4(position, 1.0));
     const dvec3 size = glm::abs(local);
-    const double depth = is_spot ? size.z : std::max({size.x, size.y, size.z});
-    return MapPlace{name,
-                    is_spot ? LightKind::spot : LightKind::point,
-                    texel_at(layout, position),
-                    metres_per_map_depth(layout, depth),
-                    layout.resolution,
+    // Texels grow with it.
+    const double depth = layout.warp ? local.y - layout.warp->center.y
+                         : is_spot   ? size.z
+                                     : std::max({size.x, size.y, size.z});
+    return MapPlace{name, kind, texel_at(layout, position), metres_per_map_depth(layout, depth), layout.resolution,
                     depth};
   };
   for (std::size_t i = 0; i < surfels.depth.size(); ++i) {
@@ -242,8 +242,9 @@ std::optional<ChosenValue> choose_value(const ConvertedTarget& target, std::size
 }
 
 bool sets_each_place(const ConvertedTarget& target) {
-  return target.spec.engine->sets_each_cascade && target.places.size() > 1 &&
-         target.places.front().light == LightKind::directional;
+  const MapPlace& first = target.places.front();
+  const bool is_cascade = first.light == LightKind::directional && first.depth == 0.0;
+  return target.spec.engine->sets_each_cascade && target.places.size() > 1 && is_cascade;
 }
 
 std::optional<std::vector<double>> set_values(const ConvertedTarget& target, std::size_t number) {

@@ -12,7 +12,8 @@
 
 namespace umbrameter {
 
-/// Where a light's map is converted: each cascade, or the nearest and the farthest receiver of a spot or point light.
+/// Where a light's map is converted: each cascade, or the nearest and the farthest receiver of a spot or point light or
+/// of a warped map.
 /// Throws Error (usage) if such a light reaches no surfel.
 std::vector<MapPlace> places_of(const Light& light, const MapLayout& layout, const GBuffer& surfels);
 

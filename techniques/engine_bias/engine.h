@@ -20,10 +20,11 @@ enum class LightKind { directional, spot, point };
 struct MapPlace {
   std::string name;  ///< "cascade 2", "nearest receiver"
   LightKind light = LightKind::directional;
-  double texel = 0.0;           ///< side of a texel there, metres
-  double range = 0.0;           ///< change of depth when the stored number changes by 1, metres
-  int resolution = 0;           ///< texels along a side of the map
-  double depth = 0.0;           ///< from the light along the map's axis, metres; 0 for a directional light
+  double texel = 0.0;  ///< side of a texel there, metres
+  double range = 0.0;  ///< change of depth when the stored number changes by 1, metres
+  int resolution = 0;  ///< texels along a side of the map
+  /// from the light along the map's axis, metres; of a directional light 0, or from the centre of its map's warp
+  double depth = 0.0;
   bool is_range_given = false;  ///< `range` is the user's own, and comes before an engine's settings
 };
 

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "techniques/shadow/fit_warp.h"
 
 namespace umbrameter {
 namespace {
@@ -21,6 +22,7 @@ constexpr std::array<std::string_view, 3> map_fit_names{"scene", "view", "bounds
 constexpr std::array<std::string_view, 2> cascade_fit_names{"tight", "stable"};
 
 constexpr std::array<std::string_view, 2> cascade_selection_names{"map", "depth"};
+constexpr std::array<std::string_view, 2> warp_names{"none", "lispsm"};
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -292,6 +294,12 @@ Parameters describe(MapFitParams& params) {
               .meaning = "share of a cascade's extent over which it is blended into the next, by dithering",
               .min = 0,
               .max = 1})
+      .choice("warp", params.warp, warp_names,
+              {.unit = {}, .meaning = "warp of a single map fitted to the view: none, or light-space perspective"})
+      .field("warp-near", params.warp_near,
+             {.unit = "m", .meaning = "nearest depth that the warp serves best", .min = 0})
+      .field("warp-far", params.warp_far,
+             {.unit = "m", .meaning = "farthest depth that the warp serves best", .min = 1e-6})
       .field(
           "pancaking", params.pancaking,
           {.unit = "", .meaning = "start a directional light's depth range at the receivers, clamp casters before it"})
@@ -304,6 +312,11 @@ void require_sense(const ShadowMapParams& map, const MapFitParams& fit, std::spa
   const bool any_directional = std::any_of(lights.begin(), lights.end(), [](const Light& light) {
     return std::holds_alternative<DirectionalLight>(light.shape);
   });
+  const bool is_single = map.cascades == 1 && fit.fit == MapFit::view && fit.cascade_fit == CascadeFit::tight;
+  if (any_directional && fit.warp != Warp::none && !is_single) {
+    throw Error(ExitCode::usage, "shadow.warp", "only a single map that is fitted to the view is warped",
+                "use --shadow.cascades 1 --shadow.fit view --shadow.cascade-fit tight");
+  }
   if (any_directional) return;
   const auto refuse = [](const std::string& key) {
     throw Error(ExitCode::usage, key, "no measured light is directional, and only directional lights have cascades",
@@ -364,6 +377,7 @@ MapLayout fit_map(const Light& light, const MappedBounds& bounds, const ShadowMa
   if (params.cascades > 1 || fit.fit != MapFit::scene || !fit.cascade_bias.empty()) {
     layout = fit_area(layout, params, seen, fit);
   }
+  if (fit.warp == Warp::lispsm) warp_map(layout, seen, fit);
   include_ground(layout, bounds.ground, fit.pancaking);
   if (fit.cascade_bias == own_range) {
     for (MapView& view : layout.views) {

@@ -27,6 +27,9 @@ enum class MapFit : int { scene, view, bounds };
 /// SplitRange::camera, a stable area has the same size wherever the camera is and looks.
 enum class CascadeFit : int { tight, stable };
 
+/// lispsm: a single map that is fitted to the view is warped by warp_map().
+enum class Warp : int { none, lispsm };
+
 /// The shadow.* parameters of how a directional light's map is fitted. Other lights ignore them.
 struct MapFitParams {
   double split_lambda = 0.5;
@@ -42,12 +45,16 @@ struct MapFitParams {
   CascadeFit cascade_fit = CascadeFit::tight;
   CascadeSelection selection = CascadeSelection::map;
   double blend = 0.0;
+  Warp warp = Warp::none;
+  double warp_near = 1.0;   ///< metres from the camera; nearer surfaces get fewer texels
+  double warp_far = 100.0;  ///< metres
   bool pancaking = false;
   double near_offset = 1.0;
 };
 Parameters describe(MapFitParams& params);
 
-/// Throws Error (usage) for cascades or a fit that differs from the default if none of the lights is directional.
+/// Throws Error (usage) for cascades or a fit that differs from the default if none of the lights is directional, and
+/// for a warp of a map that is not a single one, fitted to the view and tight.
 void require_sense(const ShadowMapParams& map, const MapFitParams& fit, std::span<const Light> lights);
 
 /// Far ends of `count` ranges of view depth, metres. lambda mixes logarithmic (1) and uniform (0) splits: the practical

@@ -140,6 +140,7 @@ void require_bias_unit(const MapLayout& layout, LengthUnit unit) {
 
 double texel_at(const MapLayout& layout, const dvec3& position) {
   const dvec3 local = in_light_space(layout, position);
+  if (layout.warp) return warped_texel(*layout.warp, layout.resolution, dvec2(local));
   const double texel = 2.0 * layout.views[view_of(layout, local)].half_extent / layout.resolution;
   if (layout.kind == MapKind::orthographic) return texel;
   if (layout.kind == MapKind::perspective) return texel * std::max(-local.z, 0.0);
@@ -158,7 +159,9 @@ bool is_inside(const MapLayout& layout, const dvec3& position) {
   }
   const bool is_near =
       layout.selection == CascadeSelection::map || view_depth(layout, local) <= layout.views.back().farthest;
-  return is_near && is_on_view(layout.views[view_of(layout, local)], local);
+  if (!is_near || !layout.warp) return is_near && is_on_view(layout.views[view_of(layout, local)], local);
+  const dvec2 place = glm::abs(on_warped(*layout.warp, dvec2(local)));
+  return local.y > layout.warp->center.y && place.x <= 1.0 && place.y <= 1.0;
 }
 
 PixelExclusion exclusion_of(const Light& light, const MapLayout& layout, const dvec3& position,

@@ -4,12 +4,14 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/bounds.h"
 #include "core/image.h"
 #include "core/parameters.h"
 #include "scenes/light.h"
+#include "techniques/shadow/map_warp.h"
 
 namespace umbrameter {
 
@@ -61,6 +63,8 @@ struct MapLayout {
   /// Near plane if the map stores the depth of a perspective projection, metres; 0: it stores a linear depth.
   double encoded_near = 0.0;
   std::vector<MapView> views = std::vector<MapView>(1);
+  /// Of the only view of an orthographic map, whose centre and extent are then those of the square around its area.
+  std::optional<MapWarp> warp;
   CascadeSelection selection = CascadeSelection::map;
   double blend = 0.0;               ///< share of a cascade's extent, 0 to 1
   dvec4 view_depth_plane{0.0};      ///< the camera's view depth is xyz · position in light space + w, metres
@@ -122,7 +126,10 @@ bool compares_encoded(const MapLayout& layout, LengthUnit bias_unit);
 /// depth of a perspective projection, because a face's depth is not the distance from the light.
 void require_bias_unit(const MapLayout& layout, LengthUnit unit);
 
-/// Side length of a texel at a world position, metres, without blending.
+/// Whether all texels of a view have one size.
+inline bool has_equal_texels(const MapLayout& layout) { return layout.kind == MapKind::orthographic && !layout.warp; }
+
+/// Side length of a texel at a world position, metres, without blending; of a warped map its longer side.
 double texel_at(const MapLayout& layout, const dvec3& position);
 
 /// Whether the position falls on the map.

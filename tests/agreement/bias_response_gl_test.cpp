@@ -91,6 +91,21 @@ TEST_F(BiasResponseGl, Cascades_agree_too) {
   expect_agreement(lights_[0], grid);
 }
 
+TEST_F(BiasResponseGl, Warped_maps_agree_too) {
+  const std::vector<NamedFilter> all = usual_filters();
+  BiasGrid grid{{{0.0f, 0.5f, 3.0f}, {0.0f, 1.5f}, LengthUnit::texels}, {96}, {all[0], all[2]}, {0.7}};
+  grid.judged_filters = 1;
+  grid.fit.fit = MapFit::view;
+  grid.fit.warp = Warp::lispsm;
+  expect_agreement(lights_[0], grid);
+  grid.filters = {all[3]};
+  grid.filters.front().params.bias.receiver_plane = true;
+  grid.filters.front().params.bias.cone = 0.1;
+  grid.map_depth.format = MapDepthFormat::fixed16;
+  grid.map_depth.caster_offset.texels = 1.5;
+  expect_agreement(lights_[0], grid);
+}
+
 TEST_F(BiasResponseGl, Maps_with_other_depths_agree_too) {
   const auto set = [](const auto& change) {
     MapDepthParams params;

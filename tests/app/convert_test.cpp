@@ -130,6 +130,17 @@ TEST(Convert, A_lamp_has_its_nearest_and_its_farthest_receiver) {
   EXPECT_LT(json["map"][0]["depth_m"], json["map"][1]["depth_m"]);
 }
 
+TEST(Convert, A_warped_map_has_its_finest_and_its_coarsest_receiver_and_one_setting_for_both) {
+  const std::vector<std::string> words{"courtyard", "--light",       "sun",         "--shadow.fit",
+                                       "view",      "--shadow.warp", "lispsm",      "--from",
+                                       "texels:1",  "--to",          "three,metres"};
+  const Json json = converted(words);
+  ASSERT_EQ(json["map"].size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(json["to"][1]["numbers"][0]["values"][i], json["map"][i]["texel_m"]);
+  EXPECT_LT(json["map"][0]["texel_m"], json["map"][1]["texel_m"]);
+  EXPECT_EQ(convert(words).out.find("csm"), std::string::npos) << "it has no cascades";
+}
+
 TEST(Convert, A_mistake_is_one_line_and_exit_code_2) {
   const std::pair<std::vector<std::string>, std::vector<std::string>> cases[] = {
       {{"courtyard"}, {"--from", "no bias given"}},

@@ -51,7 +51,12 @@ Receiver project_to_map(const MapLayout& layout, const dvec3& world, double dith
     r.is_inside = layout.selection == CascadeSelection::map || view_depth(layout, p) <= layout.views.back().farthest;
     r.view = static_cast<int>(view_of(layout, p, dither));
     const MapView& view = layout.views[static_cast<std::size_t>(r.view)];
-    projected = (dvec2(p.x, p.y) - view.center) / view.half_extent;
+    if (layout.warp) {
+      r.is_inside = r.is_inside && p.y > layout.warp->center.y;
+      if (r.is_inside) projected = on_warped(*layout.warp, dvec2(p.x, p.y));
+    } else {
+      projected = (dvec2(p.x, p.y) - view.center) / view.half_extent;
+    }
   } else {
     dvec3 q(p.x, p.y, -p.z);
     r.depth = q.z;
@@ -74,8 +79,8 @@ Receiver project_to_map(const MapLayout& layout, const dvec3& world, double dith
 
 TexelRay texel_ray(const MapLayout& layout, const ivec2& texel, int face) {
   const MapView& view = layout.views[layout.kind == MapKind::orthographic ? static_cast<std::size_t>(face) : 0];
-  const dvec2 c =
-      view.center + ((dvec2(texel) + 0.5) / static_cast<double>(layout.resolution) * 2.0 - 1.0) * view.half_extent;
+  const dvec2 place = (dvec2(texel) + 0.5) / static_cast<double>(layout.resolution) * 2.0 - 1.0;
+  const dvec2 c = layout.warp ? from_warped(*layout.warp, place) : view.center + place * view.half_extent;
   switch (layout.kind) {
     case MapKind::orthographic:
       return {{c.x, c.y, 0.0}, {0.0, 0.0, -1.0}};

@@ -22,6 +22,9 @@ bool is_on_map(const ivec2& texel, int resolution) {
 }
 
 float texel_side(const MapLayout& layout, const Receiver& receiver) {
+  if (layout.warp) {
+    return static_cast<float>(warped_texel(*layout.warp, layout.resolution, dvec2(receiver.in_light)));
+  }
   const std::size_t view = layout.kind == MapKind::orthographic ? static_cast<std::size_t>(receiver.view) : 0;
   double side = 2.0 * layout.views[view].half_extent / static_cast<double>(layout.resolution);
   if (layout.kind != MapKind::orthographic) side *= receiver.axis_depth;
