@@ -10,7 +10,8 @@ layout(std140) uniform LightBlock {
   dvec2 warp_center;  // with MAP_WARPED: MapWarp of techniques/shadow/map_warp.h
   dvec2 warp_scale;
   dvec2 warp_shift;
-  dvec2 unused_pair;
+  double fade_start;  // metres of view depth
+  double unused_double;
   double far_depth;
   double nearest_view_depth;  // metres
   double cascade_blend;       // share of a cascade's extent

@@ -100,6 +100,18 @@ int view_of(dvec3 p, double dither) {
 }
 #endif
 
+#if MAP_KIND == MAP_ORTHOGRAPHIC
+// is_faded() of techniques/shadow/map_layout.h.
+bool is_faded(dvec3 p, double dither) {
+  double depth = view_depth(p);
+  if (selects_by_depth == 0 || !(depth > fade_start)) return false;
+  precise double share = min((depth - fade_start) / (map_views[view_count - 1].w - fade_start), 1.0lf);
+  precise double smooth_share = share * share * (3.0lf - 2.0lf * share);
+  precise double least = 1.0lf - dither;
+  return smooth_share > least;
+}
+#endif
+
 // dither: threshold of the pixel for blended cascades.
 Receiver project_to_map(dvec3 world, double dither) {
   Receiver r;
@@ -111,6 +123,7 @@ Receiver project_to_map(dvec3 world, double dither) {
   r.axis_depth = -p.z;
   r.depth = r.axis_depth;
   r.is_inside = selects_by_depth == 0 || view_depth(p) <= map_views[view_count - 1].w;
+  r.is_inside = r.is_inside && !is_faded(p, dither);
   r.view = view_of(p, dither);
 #if MAP_WARPED
   r.is_inside = r.is_inside && p.y > warp_center.y;

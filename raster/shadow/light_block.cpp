@@ -24,6 +24,7 @@ LightBlock make_light_block(const Light& light, const MapLayout& layout) {
     block.warp_scale = layout.warp->scale;
     block.warp_shift = layout.warp->shift;
   }
+  block.fade_start = layout.fade_start;
   block.nearest_view_depth = layout.nearest_view_depth;
   block.cascade_blend = layout.blend;
   block.selects_by_depth = layout.selection == CascadeSelection::depth ? 1 : 0;

@@ -19,7 +19,8 @@ struct LightBlock {
   dvec2 warp_center{0.0};
   dvec2 warp_scale{1.0};
   dvec2 warp_shift{0.0};
-  dvec2 unused_pair{0.0};
+  double fade_start = 0.0;
+  double unused_double = 0.0;
   double far_depth = 1.0;
   double nearest_view_depth = 0.0;
   double cascade_blend = 0.0;

@@ -241,7 +241,10 @@ MapLayout fit_area(MapLayout layout, const ShadowMapParams& params, const SeenPa
   }
   fit_views(layout, Fitter(layout, seen, fit.cascade_fit), splits, fit.fit,
             parse_cascade_bias(fit.cascade_bias, params.cascades));
-  if (fit.fit == MapFit::view && is_by_camera) layout.views.back().farthest = range.farthest;
+  if (fit.fit == MapFit::view && is_by_camera) {
+    layout.views.back().farthest = range.farthest;
+    layout.fade_start = (1.0 - fit.fade) * range.farthest;
+  }
   return layout;
 }
 
@@ -294,6 +297,8 @@ Parameters describe(MapFitParams& params) {
               .meaning = "share of a cascade's extent over which it is blended into the next, by dithering",
               .min = 0,
               .max = 1})
+      .field("fade", params.fade,
+             {.unit = "1", .meaning = "last share of shadow.max-distance over which shadows fade", .min = 0, .max = 1})
       .choice("warp", params.warp, warp_names,
               {.unit = {}, .meaning = "warp of a single map fitted to the view: none, or light-space perspective"})
       .field("warp-near", params.warp_near,

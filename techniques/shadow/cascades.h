@@ -45,6 +45,7 @@ struct MapFitParams {
   CascadeFit cascade_fit = CascadeFit::tight;
   CascadeSelection selection = CascadeSelection::map;
   double blend = 0.0;
+  double fade = 0.0;  ///< share of max_distance, of a map whose farthest depth that is
   Warp warp = Warp::none;
   double warp_near = 1.0;   ///< metres from the camera; nearer surfaces get fewer texels
   double warp_far = 100.0;  ///< metres

@@ -116,6 +116,13 @@ std::size_t view_of(const MapLayout& layout, const dvec3& local, double dither) 
   return layout.uses_neighbour ? std::min(view + 1, last) : view;
 }
 
+bool is_faded(const MapLayout& layout, const dvec3& local, double dither) {
+  const double depth = view_depth(layout, local);
+  if (layout.selection == CascadeSelection::map || !(depth > layout.fade_start)) return false;
+  const double share = std::min((depth - layout.fade_start) / (layout.views.back().farthest - layout.fade_start), 1.0);
+  return share * share * (3.0 - 2.0 * share) > 1.0 - dither;
+}
+
 double metres_per_map_depth(const MapLayout& layout, double depth) {
   const double near = layout.encoded_near;
   const double far = layout.far_depth;

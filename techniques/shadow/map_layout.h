@@ -66,7 +66,10 @@ struct MapLayout {
   /// Of the only view of an orthographic map, whose centre and extent are then those of the square around its area.
   std::optional<MapWarp> warp;
   CascadeSelection selection = CascadeSelection::map;
-  double blend = 0.0;               ///< share of a cascade's extent, 0 to 1
+  double blend = 0.0;  ///< share of a cascade's extent, 0 to 1
+  /// CascadeSelection::depth: the view depth from which shadows fade until that of the last view, metres. By
+  /// dithering, as cascades blend: a pixel is lit, or looks up the map.
+  double fade_start = std::numeric_limits<double>::infinity();
   dvec4 view_depth_plane{0.0};      ///< the camera's view depth is xyz · position in light space + w, metres
   double nearest_view_depth = 0.0;  ///< where the range of the first cascade starts, metres
   /// The centres of the views are whole texels from the origin of light space, and vertices are drawn at whole 1/256
@@ -109,6 +112,10 @@ double view_depth(const MapLayout& layout, const dvec3& local);
 /// Whether a position (light space) belongs to a cascade other than the last. `inset` moves the cascade's border
 /// inwards by this share of its extent.
 bool is_in_cascade(const MapLayout& layout, std::size_t view, const dvec3& local, double inset);
+
+/// Whether the shadow of a position (light space) has faded for a pixel with this threshold: beyond the share of the
+/// fading range whose smoothstep is 1 − dither. Never with 0.
+bool is_faded(const MapLayout& layout, const dvec3& local, double dither);
 
 /// Depth of a world position, metres.
 double depth_of(const MapLayout& layout, const dvec3& position);

@@ -26,7 +26,9 @@ Parameters read_by_fit(MapFitParams& params, int cascades) {
   if (cascades > 1 || params.fit != MapFit::scene) add({"shadow.cascade-fit"});
   if (cascades > 1 || params.fit == MapFit::view) {
     add({"shadow.split-range", "shadow.cascade-selection"});
-    if (params.split_range == SplitRange::camera) add({"shadow.max-distance"});
+    const bool is_by_camera = params.split_range == SplitRange::camera;
+    if (is_by_camera) add({"shadow.max-distance"});
+    if (is_by_camera && params.fit == MapFit::view && params.selection == CascadeSelection::depth) add({"shadow.fade"});
   }
   return read;
 }

@@ -91,6 +91,17 @@ TEST_F(BiasResponseGl, Cascades_agree_too) {
   expect_agreement(lights_[0], grid);
 }
 
+TEST_F(BiasResponseGl, Shadows_that_fade_agree_too) {
+  BiasGrid grid{{{0.0f, 0.05f}, {0.0f, 1.5f}}, {96}, {usual_filters()[2]}};
+  grid.cascades = 2;
+  grid.fit.fit = MapFit::view;
+  grid.fit.selection = CascadeSelection::depth;
+  grid.fit.split_range = SplitRange::camera;
+  grid.fit.max_distance = 30.0;
+  grid.fit.fade = 0.9;
+  expect_agreement(lights_[0], grid);
+}
+
 TEST_F(BiasResponseGl, Warped_maps_agree_too) {
   const std::vector<NamedFilter> all = usual_filters();
   BiasGrid grid{{{0.0f, 0.5f, 3.0f}, {0.0f, 1.5f}, LengthUnit::texels}, {96}, {all[0], all[2]}, {0.7}};

@@ -256,6 +256,15 @@ TEST(Cascades, What_is_beyond_the_farthest_distance_is_outside_the_map) {
   EXPECT_TRUE(is_inside(fit_map(sun(), scene_bounds(), {512, 2}, {row_of_surfels(), camera_at()}, fit), {0, 0, -99}));
 }
 
+TEST(Cascades, Shadows_fade_smoothly_over_the_last_share_of_the_distance) {
+  MapFitParams fit = stable_fit(MapFit::view);
+  fit.selection = CascadeSelection::depth;
+  fit.fade = 0.5;
+  const MapLayout layout = fit_map(sun(), scene_bounds(), {512, 2}, {row_of_surfels(), camera_at()}, fit);
+  const auto is_inside_at = [&](double dither) { return project_to_map(layout, {0, 0, -25.625}, dither).is_inside; };
+  EXPECT_TRUE(is_inside_at(0.0) && is_inside_at(0.84) && !is_inside_at(0.85));  // s² (3 − 2s) = 0.15625 at s = ¼
+}
+
 TEST(Cascades, A_blend_hands_over_linearly_over_its_share_of_the_extent) {
   for (const CascadeSelection selection : {CascadeSelection::map, CascadeSelection::depth}) {
     MapFitParams fit;

@@ -49,6 +49,7 @@ Receiver project_to_map(const MapLayout& layout, const dvec3& world, double dith
   if (layout.kind == MapKind::orthographic) {
     r.axis_depth = r.depth = -p.z;
     r.is_inside = layout.selection == CascadeSelection::map || view_depth(layout, p) <= layout.views.back().farthest;
+    r.is_inside = r.is_inside && !is_faded(layout, p, dither);
     r.view = static_cast<int>(view_of(layout, p, dither));
     const MapView& view = layout.views[static_cast<std::size_t>(r.view)];
     if (layout.warp) {
