@@ -58,6 +58,14 @@ class Keywords(TypedDict, total=False):
     """cascade of a receiver: the first that contains it, or by its view depth; map or depth. Default: map."""
     shadow_cascade_blend: float
     """share of a cascade's extent over which it is blended into the next, by dithering; a number from 0 to 1. Default: 0.0."""
+    shadow_fade: float
+    """last share of shadow.max-distance over which shadows fade; a number from 0 to 1. Default: 0.0."""
+    shadow_warp: Literal['none', 'lispsm']
+    """warp of a single map fitted to the view: none, or light-space perspective; none or lispsm. Default: none."""
+    shadow_warp_near: float
+    """nearest depth that the warp serves best [m]; a number from 0 to 1e+12. Default: 1.0."""
+    shadow_warp_far: float
+    """farthest depth that the warp serves best [m]; a number from 1e-06 to 1e+12. Default: 100.0."""
     shadow_pancaking: bool
     """start a directional light's depth range at the receivers, clamp casters before it; true or false. Default: False."""
     shadow_near_offset: float
@@ -82,8 +90,8 @@ class Keywords(TypedDict, total=False):
     """moves the vertices of casters against their normals, times the profile [texels]; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_caster_offset_metres: float
     """the same in metres; added to that in texels [m]; a number from -1e+12 to 1e+12. Default: 0.0."""
-    shadow_caster_offset_profile: Literal['sine', 'constant', 'one-minus-cosine']
-    """factor of the casters' offset: sin θ, 1 or 1 − cos θ; sine, constant or one-minus-cosine. Default: sine."""
+    shadow_caster_offset_profile: Literal['sine', 'constant', 'one-minus-cosine', 'eevee']
+    """factor of the casters' offset: sin θ, 1, 1 − cos θ or sin θ + 0.168; sine, constant, one-minus-cosine or eevee. Default: sine."""
     shadow_point_map: Literal['cube', 'paraboloid']
     """map of a point light: six cube faces or two paraboloids; cube or paraboloid. Default: cube."""
     shadow_cube_passes: bool
@@ -96,8 +104,8 @@ class Keywords(TypedDict, total=False):
     """normal offset, times its profile [texels]; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_normal_offset_metres: float
     """normal offset, times its profile; added to that in texels [m]; a number from -1e+12 to 1e+12. Default: 0.0."""
-    shadow_normal_offset_profile: Literal['sine', 'constant', 'one-minus-cosine']
-    """factor of the normal offset: sin θ, 1 or 1 − cos θ; sine, constant or one-minus-cosine. Default: sine."""
+    shadow_normal_offset_profile: Literal['sine', 'constant', 'one-minus-cosine', 'eevee']
+    """factor of the normal offset: sin θ, 1, 1 − cos θ or sin θ + 0.168; sine, constant, one-minus-cosine or eevee. Default: sine."""
     shadow_normal_offset_direction: Literal['normal', 'across']
     """normal offset along the normal, or only its part across the light; normal or across. Default: normal."""
     shadow_receiver_plane: bool
