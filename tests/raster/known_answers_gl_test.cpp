@@ -169,8 +169,6 @@ TEST_F(KnownAnswersGl, The_least_bias_without_acne_follows_its_formula) {
   }
 }
 
-// The plane's depth at a texel's centre is what the map holds there, up to the rounding of depths to 2^-24 of the range
-// and of vertices to 1/256 texel, which moves the plane by t tan theta / 256 along the light.
 // EEVEE: (√½ / cos 0.534) t (sin theta + …) ≥ ½ t (p + q) sin theta.
 // Final Fantasy XVI: 2 mm and the slope t p tan theta of the hardware ≥ ½ t (p + q) tan theta.
 TEST_F(KnownAnswersGl, The_biases_of_EEVEE_and_Final_Fantasy_XVI_free_a_plane_of_acne_under_one_tap) {
@@ -188,11 +186,15 @@ TEST_F(KnownAnswersGl, The_biases_of_EEVEE_and_Final_Fantasy_XVI_free_a_plane_of
       EXPECT_EQ(mean(measure(plain, eevee).visibility), 1.0) << theta << " " << psi;
       const Plane moved = make_plane(slope, 256, 0.05, slope_of_hardware);
       EXPECT_EQ(mean(measure(moved, oriented).visibility), 1.0) << theta << " " << psi;
-      if (theta > 1.0) EXPECT_LT(mean(measure(plain, oriented).visibility), 0.95) << "the 2 mm alone are too few";
+      if (theta > 1.0) {
+        EXPECT_LT(mean(measure(plain, oriented).visibility), 0.95) << "the 2 mm alone are too few";
+      }
     }
   }
 }
 
+// The plane's depth at a texel's centre is what the map holds there, up to the rounding of depths to 2^-24 of the range
+// and of vertices to 1/256 texel, which moves the plane by t tan theta / 256 along the light.
 TEST_F(KnownAnswersGl, The_receiver_plane_frees_a_plane_of_acne_at_slopes_up_to_85_degrees) {
   for (const Slope slope : {Slope{20, 0}, Slope{60, 45}, Slope{75, 20}, Slope{85, 70}}) {
     for (const int resolution : {64, 1024}) {
