@@ -17,7 +17,8 @@ std::string_view cause_meaning(Cause cause) {
 
 std::uint32_t wrong_weight(const uvec4& by_cause) { return by_cause.x + by_cause.y + by_cause.z + by_cause.w; }
 
-CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const MapLayout& layout) {
+CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const MapLayout& layout,
+                           const Image<std::uint8_t>& unlit) {
   CountedPixels counted{Image<PixelExclusion>(gbuffer.width, gbuffer.height, PixelExclusion::background)};
   std::vector<double> texels(static_cast<std::size_t>(gbuffer.height), 0.0);
   parallel_for(static_cast<std::size_t>(gbuffer.height), [&](std::size_t y) {
@@ -26,6 +27,8 @@ CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const Map
       if (!gbuffer.is_surface(i)) continue;
       const dvec3 position(gbuffer.position[i]);
       counted.exclusion[i] = exclusion_of(light, layout, position, dvec3(gbuffer.geometric_normal[i]));
+      const bool is_unlit = unlit.size() > 0 && unlit[i] != 0;
+      if (is_unlit && counted.exclusion[i] == PixelExclusion::none) counted.exclusion[i] = PixelExclusion::back_facing;
       if (counted.exclusion[i] == PixelExclusion::none) texels[y] += texel_at(layout, position);
     }
   });

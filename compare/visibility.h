@@ -70,7 +70,9 @@ struct CountedPixels {
   ExclusionTotals totals{};
   double mean_texel = 0.0;  ///< mean over the counted pixels, metres
 };
-CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const MapLayout& layout);
+/// `unlit`: the pixels that a frame does not light even without shadows count as back-facing; empty: none.
+CountedPixels count_pixels(const GBuffer& gbuffer, const Light& light, const MapLayout& layout,
+                           const Image<std::uint8_t>& unlit = {});
 
 /// The number of counted pixels, and of those that are lit in a binary truth.
 struct TruthCounts {

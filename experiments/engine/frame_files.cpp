@@ -97,6 +97,11 @@ FrameSource frames_of(const FrameParams& params, const dvec3& origin) {
   source.visibility = [params, shares](const FramedView& framed, std::span<const EngineParams> frames) {
     return shares(params.visibility, params.lit, params.unshadowed, framed, frames.size());
   };
+  if (!params.unshadowed.empty()) {
+    source.unlit = [params](const FramedView& framed) {
+      return unlit_of(read(params.unshadowed, params, framed.view, Content::light));
+    };
+  }
   source.ao = [params, shares](const FramedView& framed, std::span<const EngineParams> frames) {
     return shares(params.ao, params.occluded, params.open, framed, frames.size());
   };

@@ -61,6 +61,13 @@ FrameSource frames_of(std::shared_ptr<Engine> engine) {
   source.visibility = [at](const FramedView& framed, std::span<const EngineParams> params) {
     return shares(at(framed), params, "visibility", {"lit", "unshadowed"});
   };
+  if (!described.writes("visibility") && described.writes("unshadowed")) {
+    source.unlit = [at](const FramedView& framed) {
+      Engine& loaded = at(framed);
+      const EngineParams params = loaded.parameters();
+      return unlit_of(loaded.render({"lit", "unshadowed"}, {&params, 1}).front().images[1]);
+    };
+  }
   source.ao = [at](const FramedView& framed, std::span<const EngineParams> params) {
     return shares(at(framed), params, "ao", {"occluded", "open"});
   };
@@ -83,6 +90,12 @@ Image<float> ratio_of(const Image<vec3>& with, const Image<vec3>& without) {
     }
   }
   return ratio;
+}
+
+Image<std::uint8_t> unlit_of(const Image<vec3>& without) {
+  Image<std::uint8_t> unlit(without.width, without.height, 0);
+  for (std::size_t i = 0; i < unlit.size(); ++i) unlit[i] = luminance(without[i]) <= 0.0 ? 1 : 0;
+  return unlit;
 }
 
 Image<float> share_of(const Image<vec3>& image, const std::string& what) {

@@ -2,6 +2,7 @@
 // occlusion multiply. They come from an engine that runs, or from files that one wrote.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -37,6 +38,9 @@ struct FrameSource {
   /// For each set of parameters an image of the view's size.
   std::function<std::vector<FrameShare>(const FramedView&, std::span<const EngineParams>)> visibility;
   std::function<std::vector<FrameShare>(const FramedView&, std::span<const EngineParams>)> ao;
+  /// The pixels that the light does not reach even without shadows: they tell nothing of shadows. Empty if the source
+  /// has no frame without shadows.
+  std::function<Image<std::uint8_t>(const FramedView&)> unlit = [](const FramedView&) { return Image<std::uint8_t>(); };
   std::function<std::vector<std::string>()> take_warnings = [] { return std::vector<std::string>(); };
 };
 
@@ -52,6 +56,9 @@ bool shows_ao(const EngineDescription& engine);
 /// The quotient of two frames by luminance, 0 to 1: what a shadow or an occlusion has multiplied. 1 where the divisor
 /// has no light to take away.
 Image<float> ratio_of(const Image<vec3>& with, const Image<vec3>& without);
+
+/// 1 where the frame without shadows has no light.
+Image<std::uint8_t> unlit_of(const Image<vec3>& without);
 
 /// The first channel, between 0 and 1. Throws Error (unreadable_input) naming `what` if more than rounding lies
 /// outside.

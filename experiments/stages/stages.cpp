@@ -153,7 +153,10 @@ std::shared_ptr<const MapLayout> Stages::layout(const Experiment& experiment, st
 std::shared_ptr<const CountedPixels> Stages::counted(const Experiment& experiment, std::uint32_t light) {
   return counted_.get(key(Stage::counted, experiment, light), [&] {
     const auto seen = surfels(experiment);
-    return count_pixels(seen->gbuffer, this->light(experiment, light), *layout(experiment, light));
+    const auto count = [&](const Image<std::uint8_t>& unlit) {
+      return count_pixels(seen->gbuffer, this->light(experiment, light), *layout(experiment, light), unlit);
+    };
+    return has_engine() ? count_lit(framed(seen->view, light), count) : count({});
   });
 }
 

@@ -244,6 +244,8 @@ class Stages {
   void test_unresolved_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes, bool of_lit,
                             const TestedTaps& take);
   FramedView framed(const View& view, std::uint32_t light);
+  using CountPixels = std::function<CountedPixels(const Image<std::uint8_t>& unlit)>;
+  CountedPixels count_lit(const FramedView& framed, const CountPixels& count);
   GBuffer aligned_surfels(const Experiment& experiment, const View& view, GBuffer gbuffer);
   std::vector<FrameShare> engine_frames(std::span<const Experiment> experiments, std::uint32_t light, bool is_ao);
   std::vector<Image<float>> engine_visibility(std::span<const Experiment> experiments, std::uint32_t light);

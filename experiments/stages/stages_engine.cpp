@@ -58,6 +58,27 @@ GBuffer Stages::aligned_surfels(const Experiment& experiment, const View& view, 
   return surfels_of_frame(*shown, gbuffer, view);
 }
 
+// Leaves out what the engine does not light even without shadows, because its own normals face away.
+CountedPixels Stages::count_lit(const FramedView& framed, const CountPixels& count) {
+  const FrameSource& frames = *options_.frames;
+  const Image<std::uint8_t> unlit = frames.unlit(framed);
+  add_notes(frames.take_warnings());
+  const CountedPixels all = count({});
+  if (unlit.size() == 0) return all;
+  CountedPixels lit = count(unlit);
+  const auto pixels_of = [](const CountedPixels& counted) {
+    return static_cast<double>(counted.totals[static_cast<std::size_t>(PixelExclusion::none)]);
+  };
+  const double left_out = pixels_of(all) - pixels_of(lit);
+  if (left_out > 0.0) {
+    add_notes(
+        {fmt::format("{}: {:.2g} % of the pixels that face the light get none there even without shadows and are "
+                     "left out",
+                     frames.title, 100.0 * left_out / pixels_of(all))});
+  }
+  return lit;
+}
+
 std::vector<FrameShare> Stages::engine_frames(std::span<const Experiment> experiments, std::uint32_t light,
                                               bool is_ao) {
   const FrameSource& frames = *options_.frames;

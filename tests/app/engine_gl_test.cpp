@@ -199,6 +199,26 @@ TEST_F(EngineRun, A_mask_from_a_file_gives_the_statistics_of_the_run_that_wrote_
   expect_same_page_in_report(folder_ / "drawn", folder_ / "again", {"class_sun.png"});
 }
 
+// Two frames of which the one without shadows is black where the reference is dark: nothing is known there.
+TEST_F(EngineRun, Pixels_without_light_in_the_frame_without_shadows_are_left_out) {
+  ASSERT_EQ(run({"compare", "contact-box", "--light", "sun", "--view.surfels", "traced"}, "ours").exit_code, 0);
+  const std::string layers = folder_ / "ours/images.exr:";
+  const ProgramResult result =
+      run({"evaluate", "contact-box", "--light", "sun", "--position", layers + "gbuffer_position", "--lit",
+           layers + "raster_visibility_sun", "--unshadowed", layers + "truth_visibility_sun"},
+          "pair");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json all = summary("ours")["shadows"][0]["statistics"], lit = summary("pair")["shadows"][0]["statistics"];
+  const double pixels = all["pixels"].get<double>() * all["lit"].get<double>();
+  EXPECT_LT(pixels, all["pixels"].get<double>());
+  EXPECT_NEAR(lit["pixels"].get<double>(), pixels, 1e-6);
+  EXPECT_EQ(lit["lit"], 1.0);
+  EXPECT_EQ(lit["false_lit"], 0.0);
+  EXPECT_NEAR(lit["mae"].get<double>() * pixels, all["false_blocked"].get<double>() * all["pixels"].get<double>(),
+              1e-4);
+  EXPECT_NE(text_of(folder_ / "pair/summary.json").find("get none there even without shadows"), std::string::npos);
+}
+
 TEST_F(EngineRun, A_frame_that_does_not_fit_is_refused_with_what_would_fit) {
   ASSERT_EQ(run({"compare", "contact-box", "--light", "sun", "--view.surfels", "traced"}, "ours").exit_code, 0);
   const std::string ours = folder_ / "ours";

@@ -140,6 +140,13 @@ TEST(Visibility, Pixels_are_counted_by_facing_map_cone_and_range) {
   EXPECT_EQ(counted.exclusion[5], PixelExclusion::background);
   // One texel spans 2 · tan 45° · 4 m / 256 at the only counted surfel.
   EXPECT_NEAR(counted.mean_texel, 8.0 / 256.0, 1e-9);
+  // What a frame does not light even without shadows is left out; what is left out already keeps its reason.
+  const CountedPixels lit =
+      count_pixels(gbuffer, light, fit_light(light, bounds, 256), Image<std::uint8_t>(6, 1, std::uint8_t{1}));
+  EXPECT_EQ(lit.exclusion[0], PixelExclusion::back_facing);
+  EXPECT_EQ(lit.exclusion[2], PixelExclusion::outside_cone);
+  EXPECT_EQ(lit.exclusion[5], PixelExclusion::background);
+  EXPECT_EQ(lit.totals[0], 0u);
 }
 
 }  // namespace

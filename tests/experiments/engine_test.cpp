@@ -257,6 +257,7 @@ TEST(RatioOf, Frames_are_divided_by_luminance_where_there_is_light) {
   EXPECT_EQ(ratio[1], 1.0f);
   EXPECT_EQ(ratio[2], 1.0f);
   EXPECT_TRUE(std::isnan(ratio[3]));
+  EXPECT_EQ(unlit_of(without).pixels, (std::vector<std::uint8_t>{0, 0, 1, 0}));
 }
 
 }  // namespace
