@@ -8,7 +8,7 @@ const shadow = [
           {min: 8, max: 2048, unit: 'texels'}),
   integer('shadow-cascades', 1, 'shadowCascades: number of cascades of a sun', {min: 1, max: 4}),
   number('constant-bias', 0.001, 'constantBias: shift of the map along the light', {min: 0, max: 2, unit: 'm'}),
-  number('normal-bias', 1, 'normalBias: shift of the receiver along its normal, times sin θ; changed nothing under a sun',
+  number('normal-bias', 1, 'normalBias: shift of the receiver along its normal, times sin θ; a sun has 1, whatever is set',
          {min: 0, max: 3, unit: 'texels'}),
   number('shadow-far', 0, "shadowFar: distance from the camera where shadows of a sun end; 0: the camera's far plane",
          meters),

@@ -267,7 +267,9 @@ std::vector<BiasEngine> other_engines() {
        .note = "the defaults of a point light are 0.08 and 0.6"},
       {.name = "filament",
        .title = "Filament",
-       .source = "ShadowMap.cpp @0362f36 (constantBias), common_shadowing.fs @376e69f, LightManager.cpp (limits)",
+       .source =
+           "ShadowMap.cpp @0362f36 (constantBias), ShadowMapManager.cpp @003e500 (half a texel), common_shadowing.fs "
+           "@376e69f, LightManager.cpp (limits)",
        .numbers = {{"constantBias",
                     "m",
                     0.001,
@@ -279,20 +281,21 @@ std::vector<BiasEngine> other_engines() {
                     0.0,
                     2.0},
                    {"normalBias",
-                    "texels × sin θ",
+                    "half texels × sin θ",
                     1.0,
                     BiasTerm::normal,
-                    [](const Place& p, const Settings&) -> Result {
-                      return p.light == LightKind::point ? std::nullopt : Result(p.texel);
-                    },
-                    "t",
+                    [](const Place& p, const Settings&) { return of_sun(p, 0.5 * p.texel); },
+                    "t / 2",
                     "options.normalBias = {}f;",
                     {OffsetProfile::sine},
                     0.0,
                     3.0}},
        .note = "in addition every caster is drawn with polygon offset factor 2 and units 0.5; a VSM map ignores both "
-               "numbers; the texels of a map that is not `stable` are warped",
-       .unverified = "the newest sources scale normalBias differently along the two axes of the map"},
+               "numbers; the texels of a map that is not `stable` are warped; 1.53.4 gives every sun the default "
+               "normalBias "
+               "of 1, whatever is set",
+       .unverified = "a spot light's normalBias has no formula here: 1 acts as 1.2 to 1.3 texels in 1.53.4; the newest "
+                     "sources scale it differently along the two axes of the map"},
       {.name = "stride",
        .title = "Stride",
        .source = "ShadowMapReceiverBase.sdsl @3e83da5, LightShadowMap.cs (defaults)",

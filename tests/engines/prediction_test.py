@@ -1,4 +1,4 @@
-"""The presets of three.js, Babylon.js and PlayCanvas predict the error that these engines have.
+"""The presets of three.js, Babylon.js, PlayCanvas and Filament predict the error that these engines have.
 
 prediction_test.py ROOT PROGRAM [ENGINE …]    two biases of each technique and a recommendation, on one scene; fails above 0.3
                                               percentage points, and for a recommendation above 0.2 and a tenth
@@ -7,36 +7,17 @@ prediction_test.py ROOT PROGRAM --recommend   a recommended bias set in the engi
 """
 import csv
 import json
-import math
-import struct
 import subprocess
 import sys
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
+from engine_maps import Scene, babylon, filament, map_axes, playcanvas, threejs, turned
+
 bound = 0.3          # percentage points
 recommended = 0.2    # percentage points, or a tenth of the error
 common = ["--size", "480x270", "--measure", "visibility", "--no-figures"]
-aspect = 480 / 270
-
-
-@dataclass
-class Scene:
-    name: str
-    file: str             # the name, or a file whose sun is turned
-    low: list
-    high: list
-    camera: dict
-    sun: dict             # right, up and forward: the axes of PlayCanvas's map
-
-    @property
-    def center(self):
-        return [(a + b) / 2 for a, b in zip(self.low, self.high)]
-
-    @property
-    def radius(self):
-        return math.dist(self.low, self.high) / 2
 
 
 @dataclass
@@ -50,57 +31,6 @@ class Case:
     biases: dict           # of each scene
     setting: object        # (scene) -> flags of the engine, flags of ours, our bias from the engine's
     kind: str = "sun"      # of light; "spot" or "point"
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-
-
-def area(center, size, resolution):
-    place = [flag for axis, value in zip("xyz", center) for flag in (f"--shadow.fit-{axis}", f"{value:.8g}")]
-    return ["--shadow.fit", "bounds", *place, "--shadow.fit-size", f"{size:.8g}", "--shadow.resolution", str(resolution)]
-
-
-def threejs(kind):
-    """The adapter's shadow-camera fit: the sphere around the bounds, near 0, far its diameter."""
-    def setting(scene):
-        flags = ["--engine.type", kind, "--engine.map-size", "2048"]
-        return flags, area(scene.center, 2 * scene.radius, 2048), lambda bias: f"{-bias * 2 * scene.radius:.6g}"
-    return setting
-
-
-def babylon(share, *more):
-    """A square of shadow-frustum-size around the light, which the adapter puts one radius before the bounds' centre."""
-    def setting(scene):
-        size = f"{2 * scene.radius:.8g}"
-        flags = ["--engine.map-size", "2048", "--engine.shadow-frustum-size", size, "--engine.shadow-min-z", "0.001",
-                 "--engine.shadow-max-z", size, *more]
-        return flags, area(scene.center, 2 * scene.radius, 2048), lambda bias: f"{share * bias * 2 * scene.radius:.6g}"
-    return setting
-
-
-def playcanvas(kind):
-    """The sphere around the frustum up to shadow-distance, about the mean of its corners, moved in steps of two texels."""
-    def setting(scene):
-        distance, resolution = {"courtyard": (40, 2048), "city": (200, 4096), "room": (8, 2048)}[scene.name]
-        near = scene.camera["near_m"]
-        diagonal = math.tan(math.radians(scene.camera["vertical_fov_deg"]) / 2) * math.hypot(aspect, 1)
-        middle = (near + distance) / 2
-        radius = math.hypot(diagonal * distance, distance - middle)
-        center = [a + b * middle for a, b in zip(scene.camera["position_m"], scene.camera["direction"])]
-        step = 4 * radius / resolution
-        along = dot(center, scene.sun["forward"])
-        up, right = (step * math.ceil(dot(center, scene.sun[axis]) / step) for axis in ("up", "right"))
-        center = [u * up + r * right + f * along
-                  for u, r, f in zip(scene.sun["up"], scene.sun["right"], scene.sun["forward"])]
-        flags = ["--engine.shadow-type", kind, "--engine.shadow-resolution", str(resolution),
-                 "--engine.shadow-distance", str(distance)]
-        return flags, area(center, 2 * radius, resolution), lambda bias: f"{10 * bias:.6g}"
-    return setting
 
 
 def lamp(engine, ours, convert):
@@ -151,6 +81,7 @@ factor = "shadow.polygon-offset-factor"
 units = "shadow.polygon-offset-units"
 receiver = "shadow.normal-offset-metres"
 caster = "shadow.caster-offset-metres"
+metres = dict.fromkeys(["courtyard", "city", "room"], [0.001, 0.02, 0.005, 0.01, 0.05])
 normal = {"courtyard": [0.02, 0.05, 0, 0.01, 0.1], "city": [0.05, 0.1, 0, 0.02, 0.2], "room": [0.005, 0.01, 0, 0.002, 0.02]}
 cases = [
     Case("three.js, type basic", "threejs", "threejs-basic", "bias", constant, sun_of_three, threejs("basic")),
@@ -163,6 +94,7 @@ cases = [
          babylon(0.5, "--engine.filter", "pcf")),
     Case("PlayCanvas, pcf1-32f", "playcanvas", "playcanvas-pcf1", "shadow-bias", factor, sloped, playcanvas("pcf1-32f")),
     Case("PlayCanvas, pcf3-32f", "playcanvas", "playcanvas-pcf3", "shadow-bias", factor, sloped, playcanvas("pcf3-32f")),
+    Case("Filament, PCF, stable", "filament", "filament-stable", "constant-bias", constant, metres, filament),
     Case("three.js, type basic, normalBias", "threejs", "threejs-basic", "normal-bias", receiver, normal,
          at_bias(threejs("basic"), "bias", -0.00005, constant)),
     Case("Babylon.js, filter pcf, high quality, normalBias", "babylon", "babylon-pcf", "normal-bias", caster, normal,
@@ -208,37 +140,6 @@ recommendations = [
                    lambda scene: f"babylon:filter=none,minZ=0.001,maxZ={2 * scene.radius:.8g}", "bias"),
     Recommendation(cases[5], f"{factor}=0.1:9", lambda scene: "playcanvas", "shadowBias"),
 ]
-
-
-def turned(file):
-    """Turns sun and spot lights about their axes as the adapter of PlayCanvas does, by the shortest rotation from -Y to
-    their direction; gives the sun's axes. The map of PlayCanvas is aligned with its light, as ours is."""
-    sun = {}
-    data = file.read_bytes()
-    length = struct.unpack("<I", data[12:16])[0]
-    document = json.loads(data[20:20 + length])
-    lights = document["extensions"]["KHR_lights_punctual"]["lights"]
-    for node in document["nodes"]:
-        light = node.get("extensions", {}).get("KHR_lights_punctual")
-        if light is None or lights[light["light"]]["type"] == "point":
-            continue
-        forward = [-x for x in node["matrix"][8:11]]
-        # Rodrigues' formula for the x axis: v + k × v + k × (k × v) / (1 + c), k = (-y) × forward, c = (-y) · forward.
-        axis = cross([0, -1, 0], forward)
-        once = cross(axis, [1, 0, 0])
-        twice = cross(axis, once)
-        right = [x + a + b / (1 - forward[1]) for x, a, b in zip([1, 0, 0], once, twice)]
-        back = [-x for x in forward]
-        up = cross(back, right)
-        node["matrix"][:12] = [*right, 0, *up, 0, *back, 0]
-        if lights[light["light"]]["name"] == "sun":
-            sun = {"right": right, "up": up, "forward": forward}
-    text = json.dumps(document).encode()
-    text += b" " * (-len(text) % 4)
-    rest = data[20 + length:]
-    file.write_bytes(struct.pack("<4sII", b"glTF", 2, 20 + len(text) + len(rest)) +
-                     struct.pack("<I4s", len(text), b"JSON") + text + rest)
-    return sun
 
 
 def value_of(text):
@@ -297,16 +198,17 @@ class Predictions:
         assert result.returncode == 0, f"{' '.join(arguments)}: {result.stderr}"
         return result.stdout
 
-    def scene(self, name, is_turned):
-        if (name, is_turned) not in self.scenes:
+    def scene(self, name, engine):
+        axes_of = map_axes.get(engine)
+        if (name, axes_of) not in self.scenes:
             found = json.loads(self.run("info", name, "--json"))["scene"]
             file, sun = name, {}
-            if is_turned:
-                file = str(self.folder / f"{name}.glb")
+            if axes_of:
+                file = str(self.folder / f"{name}-{engine}.glb")
                 self.run("scene", name, "-o", file)
-                sun = turned(Path(file))
-            self.scenes[name, is_turned] = Scene(name, file, *found["bounds_m"], found["cameras"][0], sun)
-        return self.scenes[name, is_turned]
+                sun = turned(Path(file), axes_of, found["cameras"][0])
+            self.scenes[name, axes_of] = Scene(name, file, *found["bounds_m"], found["cameras"][0], sun)
+        return self.scenes[name, axes_of]
 
     def sweep(self, scene, axis, values, *flags):
         out = str(self.folder / "out")
@@ -318,7 +220,7 @@ class Predictions:
     def recommend(self, each, name):
         """What to set in the engine, our error with it, and the engine's own, in percent."""
         case = each.case
-        scene = self.scene(name, case.engine == "playcanvas")
+        scene = self.scene(name, case.engine)
         engine, ours, _ = case.setting(scene)
         out = str(self.folder / "tuned")
         self.run("tune", scene.file, "--light", "sun", *common, "-c", str(self.root / "presets" / f"{case.preset}.toml"),
@@ -332,7 +234,7 @@ class Predictions:
 
     def measure(self, case, name, count):
         """Pairs of rows, in percent: of the engine, of our simulation."""
-        scene = self.scene(name, case.engine == "playcanvas")
+        scene = self.scene(name, case.engine)
         light = lights[case.kind][name]
         biases = sorted(case.biases[name][:count], key=abs)
         engine, ours, convert = case.setting(scene)
@@ -379,7 +281,7 @@ def main():
     wanted = [case for case in cases if not engines or case.engine in engines]
     ready = [case for case in wanted if (root / "engines" / case.engine / "node_modules").is_dir()]
     if not ready:
-        print("no engine is set up: run engines/threejs/setup, engines/babylon/setup or engines/playcanvas/setup")
+        print("no engine is set up: run engines/threejs/setup, engines/babylon/setup, engines/playcanvas/setup or engines/filament/setup")
         sys.exit(77)
     with tempfile.TemporaryDirectory() as folder:
         predictions = Predictions(root, program, folder)
