@@ -313,12 +313,15 @@ Parameters describe(MapFitParams& params) {
       .take();
 }
 
+bool can_warp(int cascades, const MapFitParams& fit) {
+  return cascades == 1 && fit.fit == MapFit::view && fit.cascade_fit == CascadeFit::tight;
+}
+
 void require_sense(const ShadowMapParams& map, const MapFitParams& fit, std::span<const Light> lights) {
   const bool any_directional = std::any_of(lights.begin(), lights.end(), [](const Light& light) {
     return std::holds_alternative<DirectionalLight>(light.shape);
   });
-  const bool is_single = map.cascades == 1 && fit.fit == MapFit::view && fit.cascade_fit == CascadeFit::tight;
-  if (any_directional && fit.warp != Warp::none && !is_single) {
+  if (any_directional && fit.warp != Warp::none && !can_warp(map.cascades, fit)) {
     throw Error(ExitCode::usage, "shadow.warp", "only a single map that is fitted to the view is warped",
                 "use --shadow.cascades 1 --shadow.fit view --shadow.cascade-fit tight");
   }
@@ -382,7 +385,7 @@ MapLayout fit_map(const Light& light, const MappedBounds& bounds, const ShadowMa
   if (params.cascades > 1 || fit.fit != MapFit::scene || !fit.cascade_bias.empty()) {
     layout = fit_area(layout, params, seen, fit);
   }
-  if (fit.warp == Warp::lispsm) warp_map(layout, seen, fit);
+  if (fit.warp == Warp::lispsm && can_warp(params.cascades, fit)) warp_map(layout, seen, fit);
   include_ground(layout, bounds.ground, fit.pancaking);
   if (fit.cascade_bias == own_range) {
     for (MapView& view : layout.views) {

@@ -53,6 +53,8 @@ struct MapFitParams {
   double near_offset = 1.0;
 };
 Parameters describe(MapFitParams& params);
+/// Whether the warp applies: to a single map that is fitted tightly to the view.
+bool can_warp(int cascades, const MapFitParams& fit);
 
 /// Throws Error (usage) for cascades or a fit that differs from the default if none of the lights is directional, and
 /// for a warp of a map that is not a single one, fitted to the view and tight.

@@ -18,7 +18,7 @@ Parameters read_by_fit(MapFitParams& params, int cascades) {
   };
   if (params.pancaking || params.cascade_bias == own_range) add({"shadow.near-offset"});
   if (params.fit == MapFit::bounds) add({"shadow.fit-x", "shadow.fit-y", "shadow.fit-z", "shadow.fit-size"});
-  if (cascades == 1 && params.fit == MapFit::view) {
+  if (can_warp(cascades, params)) {
     add({"shadow.warp"});
     if (params.warp != Warp::none) add({"shadow.warp-near", "shadow.warp-far"});
   }

@@ -86,6 +86,9 @@ TEST(AxisEffects, Every_parameter_of_a_technique_is_read_with_some_settings) {
                                                     "shadow.split-range=camera", "shadow.pancaking=true",
                                                     "shadow.surface=dual",       "shadow.depth-encoding=reversed",
                                                     "shadow.filter=box",         "shadow.contact-shadows=true"};
+  // What a single map reads that is fitted to the view.
+  const std::vector<std::string> view_settings = {"shadow.fit=view", "shadow.warp=lispsm", "shadow.split-range=camera",
+                                                  "shadow.cascade-selection=depth"};
   const std::vector<std::string> ao_settings = {"ao.blur=bilateral", "ao.resolution=half", "ao.multi-bounce=true",
                                                 "ao.alchemy-mip-chain=true"};
   const std::vector<std::string> shading_settings = {"shading.path=deferred", "shading.attenuation=polynomial"};
@@ -101,7 +104,8 @@ TEST(AxisEffects, Every_parameter_of_a_technique_is_read_with_some_settings) {
     const std::string& key = parameter.key;
     if (key.starts_with("shadow.")) {
       EXPECT_TRUE(any_of(shadows, key, shadow_settings, "shadow.technique") ||
-                  any_of(shadows, key, shadow_settings, "shadow.filter"))
+                  any_of(shadows, key, shadow_settings, "shadow.filter") ||
+                  any_of(shadows, key, view_settings, "shadow.technique"))
           << key;
     } else if (key.starts_with("ao.")) {
       EXPECT_TRUE(any_of(SweptQuantity::ao, key, ao_settings, "ao.technique")) << key;
