@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "scenes/flat_normals.h"
 #include "scenes/gltf_draco.h"
 #include "scenes/gltf_geometry.h"
 
@@ -30,11 +31,6 @@ std::vector<uvec3> assemble(const std::vector<std::uint32_t>& v, int mode, Dropp
     }
   }
   return triangles;
-}
-
-dvec3 area_vector(const Mesh& mesh, const uvec3& t) {
-  const dvec3 a(mesh.positions[t.x]);
-  return glm::cross(dvec3(mesh.positions[t.y]) - a, dvec3(mesh.positions[t.z]) - a);
 }
 
 // A normal that is no direction takes that of the first triangle at its vertex.

@@ -17,6 +17,7 @@
 #include "reports/files/image_file.h"
 #include "reports/files/markup.h"
 #include "reports/files/output.h"
+#include "scenes/flat_normals.h"
 #include "scenes/gltf.h"
 #include "scenes/ground.h"
 #include "scenes/light.h"
@@ -38,8 +39,13 @@ View with_far_plane(View view, const Bounds& bounds) {
   return view;
 }
 
+// What an engine draws: one camera, one light, and a normal at every vertex, as engines differ in what they make of
+// none.
 Scene with_one_view(const Scene& scene, const View& view, const Light& light) {
   Scene one = scene;
+  for (Mesh& mesh : one.meshes) {
+    if (mesh.normals.empty()) mesh = with_flat_normals(mesh);
+  }
   one.cameras = {view.camera};
   one.lights = {light};
   one.lights.front().emitter = std::monostate{};
