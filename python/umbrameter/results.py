@@ -129,7 +129,9 @@ class Run:
 
         axes = self.axes
         variables = {name: (list(axes), self.over_axes(name), attributes(name)) for name in self.columns if name not in axes}
-        return xarray.Dataset(variables, {name: (name, values, attributes(name)) for name, values in axes.items()})
+        coordinates = {name: (name, values, attributes(name)) for name, values in axes.items()}
+        about = {"title": f"{self.summary['scene']['name']}: sweep", "source": f"umbrameter {self.summary['program']['version']}"}
+        return xarray.Dataset(variables, coordinates, about)
 
     @functools.cached_property
     def layers(self) -> Layers:

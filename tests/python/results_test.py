@@ -37,11 +37,21 @@ class Sweep(unittest.TestCase):
             import xarray  # noqa: F401
         except ImportError:
             self.skipTest("python3-xarray is not installed")
-        cells = swept().cells
-        least = cells["mae"].sel({"shadow.resolution": 512, "shadow.filter": "nearest"}).min().item()
-        self.assertEqual(least, swept().over_axes("mae")[:, 1, 0].min())
-        self.assertEqual(cells["mean_texel"].attrs["units"], "m")
-        self.assertEqual(cells["shadow.constant-bias"].attrs["units"], "texels")
+        run = swept()
+        cells = run.cells
+        self.assertEqual(dict(cells.sizes), {"shadow.constant-bias": 5, "shadow.resolution": 2, "shadow.filter": 2})
+        self.assertEqual(list(cells.data_vars), [name for name in run.columns if name not in run.axes])
+        for name, values in run.axes.items():
+            np.testing.assert_array_equal(cells.coords[name], values, name)
+        for name in run.columns:
+            described = {"units": run.quantities[name].unit, "long_name": run.quantities[name].meaning}
+            self.assertEqual(cells[name].attrs, described, name)
+        self.assertEqual([cells[name].attrs["units"] for name in ("mean_texel", "shadow.constant-bias")], ["m", "texels"])
+        self.assertEqual(cells.attrs, {"title": "contact-box: sweep", "source": f"umbrameter {um.program_version}"})
+        # The row of sweep.csv that has the values of the axes.
+        row = run.table.iloc[3 * 4 + 1 * 2 + 0]
+        cell = cells.sel({name: row[name] for name in run.axes})
+        self.assertEqual({name: cell[name].item() for name in cells.data_vars}, {name: row[name] for name in cells.data_vars})
 
     def test_figures_are_found_in_three_formats(self):
         figures = swept().figures
@@ -63,9 +73,9 @@ class Sweep(unittest.TestCase):
         self.assertEqual(len(run.table), 13)
         self.assertTrue(math.isnan(run.columns["mae"][4]))
         with self.assertRaisesRegex(ValueError, "an incomplete sweep"):
-            run.axes
+            _ = run.axes
         with self.assertRaisesRegex(FileNotFoundError, "rerun its command"):
-            run.summary
+            _ = run.summary
 
 
 class Other(unittest.TestCase):
@@ -96,7 +106,7 @@ class Other(unittest.TestCase):
         summary = json.loads((folder / "summary.json").read_text())
         (folder / "summary.json").write_text(json.dumps({**summary, "schema_version": "99"}))
         with self.assertRaisesRegex(ValueError, "version 99"):
-            um.load(folder).summary
+            _ = um.load(folder).summary
 
 
 class Large(unittest.TestCase):
