@@ -8,5 +8,5 @@ from .program import Error, find_program
 from .results import Figure, Quantity, Run, load
 
 __version__ = program_version
-__all__ = ["Difference", "Error", "Evaluation", "Figure", "Layers", "Objective", "Parameter", "Quantity", "Run", "compare", "diff",
-           "evaluate", "find_program", "load", "objective", "parameters", "plot", "sweep", "tune"]
+__all__ = ["Difference", "Error", "Evaluation", "Figure", "Layers", "Objective", "Parameter", "Quantity", "Run", "compare",
+           "diff", "evaluate", "find_program", "load", "objective", "parameters", "plot", "sweep", "tune"]

@@ -118,7 +118,8 @@ class Program:
         self.process = subprocess.Popen(self.command, stdin=stdin, stdout=subprocess.PIPE, stderr=theirs, env=environment,
                                         process_group=0)
         os.close(theirs)
-        self._follower = threading.Thread(target=_follow, args=(self._ours, self._lines, _show if progress else None), daemon=True)
+        self._follower = threading.Thread(target=_follow, args=(self._ours, self._lines, _show if progress else None),
+                                          daemon=True)
         self._follower.start()
 
     def close(self) -> None:

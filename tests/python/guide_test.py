@@ -30,7 +30,8 @@ class Guide(unittest.TestCase):
         output = self.run_in(folder, environment, "venv/bin/python", "-B", "-c", code)
         self.assertIn("sun: ", output)
         self.assertEqual(before, sorted((folder / "python").rglob("*")), "the installation left files in python/")
-        where = self.run_in(folder / "out", environment, "../venv/bin/python", "-c", "import umbrameter; print(umbrameter.__file__)")
+        where = self.run_in(folder / "out", environment, "../venv/bin/python", "-c",
+                            "import umbrameter; print(umbrameter.__file__)")
         self.assertIn("site-packages", where)
 
     def run_in(self, folder, environment, *command):
