@@ -12,10 +12,10 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Self, Unpack
 
-from .measure import Path, command_words
+from .measure import command_words
 from .parameters import Value, name_of, parameters, text_of
 from .program import Error, Program
-from .results import Quantity
+from .results import Path, Quantity
 
 if TYPE_CHECKING:
     from .measure import ObjectiveOptions

@@ -13,7 +13,7 @@ import subprocess
 import sys
 import threading
 import tty
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 
 from .parameters import program_version
 
@@ -63,12 +63,12 @@ def _version_of(path: pathlib.Path, _changed: int) -> str:
     return words[1] if len(words) == 2 and words[0] == "umbrameter" else ""
 
 
-def run(arguments: Sequence[str], progress: bool | None = None) -> str:
+def run(arguments: Sequence[str], progress: bool | None = None, exit_codes: Collection[int] = (0,)) -> str:
     """Run the program and return what it prints on stdout.
 
     `progress` shows its bar and notes on `sys.stderr`; None: in a terminal and in a notebook. Ctrl-C stops the program,
     waits until it has stored what it has, and raises KeyboardInterrupt; a second one ends it at once.
-    Raises Error with the program's line where its exit code is not 0.
+    Raises Error with the program's line for any other exit code than `exit_codes`.
     """
     pressed: list[int] = []
     program: Program | None = None
@@ -92,9 +92,10 @@ def run(arguments: Sequence[str], progress: bool | None = None) -> str:
         program.close()
     if pressed:
         raise KeyboardInterrupt
-    if exit_code != 0:
-        raise program.error()
-    return b"".join(printed).decode()
+    answer = b"".join(printed).decode()
+    if exit_code not in exit_codes:
+        raise program.error(answer if exit_code == 1 else "")
+    return answer
 
 
 class Program:
@@ -131,10 +132,10 @@ class Program:
                 with contextlib.suppress(OSError):  # what was not written yet
                     pipe.close()
 
-    def error(self) -> Error:
-        """Why it ended: its line."""
+    def error(self, answer: str = "") -> Error:
+        """Why it ended: its line. A check that fails says so in the last line of its answer."""
         exit_code = self.process.returncode
-        refusals = [line for line in self._lines if line.startswith("umbrameter: ")] or self._lines
+        refusals = [line for line in self._lines if line.startswith("umbrameter: ")] or answer.splitlines() or self._lines
         return Error(refusals[-1] if refusals else f"umbrameter ended with exit code {exit_code}", exit_code, self.command)
 
 
