@@ -17,6 +17,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 
 from .parameters import program_version
 
+bundled = pathlib.Path(__file__).resolve().parent / "program" / "umbrameter"  # in a wheel that carries the program
 erase_line = "\r\x1b[K"  # what the program writes before each state of its progress bar
 
 
@@ -34,13 +35,13 @@ class Error(RuntimeError):
 
 
 def find_program() -> pathlib.Path:
-    """Path of the program: `UMBRAMETER`, else on PATH, else in the prefix of Python or of this package.
+    """Path of the program: `UMBRAMETER`, else the one of a wheel that carries it, on PATH, or in the prefix of Python.
 
     Raises Error if there is none, or if its major or minor version is not that of this package.
     """
     chosen = os.environ.get("UMBRAMETER")
     prefixes = [pathlib.Path(sys.prefix), *pathlib.Path(__file__).resolve().parents, pathlib.Path("/usr/local")]
-    places = [chosen] if chosen else ["umbrameter", *(str(prefix / "bin" / "umbrameter") for prefix in prefixes)]
+    places = [chosen] if chosen else [str(bundled), "umbrameter", *(str(prefix / "bin" / "umbrameter") for prefix in prefixes)]
     found = next((where for place in places if (where := shutil.which(place))), None)
     if found is None:
         sought = f"UMBRAMETER names {chosen}, which is no program" if chosen else "neither on PATH nor in a prefix"
@@ -51,6 +52,11 @@ def find_program() -> pathlib.Path:
         raise Error(f"{path} is version {version or 'unknown'}, this package is for {program_version}: "
                     "install the package of the program's version")
     return path
+
+
+def run_bundled() -> None:
+    """Become the program that the wheel carries: its console script."""
+    os.execv(bundled, ["umbrameter", *sys.argv[1:]])
 
 
 @functools.lru_cache(maxsize=8)
