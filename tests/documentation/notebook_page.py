@@ -10,6 +10,7 @@ import os
 import pathlib
 import sys
 import tempfile
+import textwrap
 
 import matplotlib
 
@@ -52,7 +53,10 @@ def run_cell(source, name, variables):
         exec(compile(ast.Module(body, []), name, "exec"), variables)
         value = eval(compile(last, name, "eval"), variables) if last else None
     shown = "" if value is None or isinstance(value, matplotlib.axes.Axes) else repr(value)
-    return (printed.getvalue() + shown).rstrip()
+    # What fits the page beside its navigation.
+    return "\n".join(line if len(line) <= 96 else textwrap.fill(line, 96, subsequent_indent="    ", break_long_words=False,
+                                                                break_on_hyphens=False)
+                     for line in (printed.getvalue() + shown).rstrip().split("\n"))
 
 
 if __name__ == "__main__":
