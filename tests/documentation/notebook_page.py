@@ -53,10 +53,14 @@ def run_cell(source, name, variables):
         exec(compile(ast.Module(body, []), name, "exec"), variables)
         value = eval(compile(last, name, "eval"), variables) if last else None
     shown = "" if value is None or isinstance(value, matplotlib.axes.Axes) else repr(value)
-    # What fits the page beside its navigation.
-    return "\n".join(line if len(line) <= 96 else textwrap.fill(line, 96, subsequent_indent="    ", break_long_words=False,
-                                                                break_on_hyphens=False)
-                     for line in (printed.getvalue() + shown).rstrip().split("\n"))
+    return "\n".join(map(wrapped, (printed.getvalue() + shown).rstrip().split("\n")))
+
+
+def wrapped(line):
+    """As long as the page shows it without scrolling."""
+    if len(line) <= 96:
+        return line
+    return textwrap.fill(line, 96, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
 
 
 if __name__ == "__main__":
