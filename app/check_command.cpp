@@ -34,7 +34,10 @@ ExitCode update(const CheckOptions& options, const std::vector<MeasuredStatistic
   print_line(console, is_new ? fmt::format("{}: {} bounds written", options.budget.string(), budget.size())
                              : fmt::format("{}: {} of {} bounds updated", options.budget.string(), budget.size() - kept,
                                            budget.size()));
-  if (kept > 0) note(console, fmt::format("{} bounds name nothing in these runs and were left as they are", kept));
+  if (kept > 0) {
+    note(console, kept == 1 ? "1 bound names nothing in these runs and was left as it is"
+                            : fmt::format("{} bounds name nothing in these runs and were left as they are", kept));
+  }
   if (console.json)
     write_to(stdout, nlohmann::ordered_json({{"bounds", budget.size()}, {"unchanged", kept}}).dump(2) + "\n");
   return ExitCode::ok;

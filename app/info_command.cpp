@@ -52,8 +52,10 @@ void say_devices(const Console& console, const Json& devices) {
     print_line(console, fmt::format("{:<10} {}: {}", "OpenGL", indices, text));
   }
   if (devices.empty()) {
-    print_line(console, fmt::format("{:<10} no usable device; install a driver (Debian: libegl-mesa0 libgl1-mesa-dri)",
-                                    "OpenGL"));
+    print_line(
+        console,
+        fmt::format("{:<10} no usable device; install a driver (Debian: libegl1 libegl-mesa0 libgl1 libgl1-mesa-dri)",
+                    "OpenGL"));
   }
 }
 

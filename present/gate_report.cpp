@@ -113,6 +113,7 @@ std::string gate_answer(const std::vector<GateCheck>& checks) {
   const std::size_t failed = count_failed(checks);
   if (failed == 0)
     return checks.size() == 1 ? "the bound is kept" : fmt::format("all {} bounds are kept", checks.size());
+  if (checks.size() == 1) return "the bound is broken";
   return fmt::format("{} of {} bounds {} broken", failed, checks.size(), failed == 1 ? "is" : "are");
 }
 
@@ -165,7 +166,8 @@ Json to_json(const std::vector<GateCheck>& checks) {
     Json object = {{"kept", check.is_kept}, {"statistic", statistic_text(check)}};
     if (check.measured) {
       const MeasuredStatistic& measured = *check.measured;
-      object.update({{"scene", measured.scene},
+      object.update({{"run", measured.run},
+                     {"scene", measured.scene},
                      {"kind", measured.kind},
                      {"light", measured.light},
                      {"unit", measured.unit},
@@ -173,6 +175,12 @@ Json to_json(const std::vector<GateCheck>& checks) {
                      {"half_width_95", measured.half_width},
                      {"excess", check.excess},
                      {"excess_in_intervals", check.intervals}});
+    } else {
+      const BudgetEntry& budget = check.budget;
+      object.update({{"scene", budget.scene},
+                     {"kind", budget.kind},
+                     {"light", budget.light},
+                     {"unit", budget.bound.quantity.unit}});
     }
     object["relation"] = relation_text(check.budget.bound.relation);
     object["bound"] = check.bound;

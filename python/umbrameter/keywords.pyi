@@ -1,7 +1,10 @@
 """Parameters as keyword arguments. Written by scripts/docs --references; do not edit."""
 from typing import Literal, TypedDict
 
+
 class Keywords(TypedDict, total=False):
+    """The program's parameters."""
+
     scene_unit: str
     """unit of lengths: mm, cm, m, km, inch, foot, or metres; text. Default: m."""
     scene_blend: Literal['opaque', 'leave-out', 'mask']

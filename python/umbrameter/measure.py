@@ -1,4 +1,4 @@
-"""The program's commands as functions: compare, sweep, tune, evaluate, diff.
+"""The program's commands as functions: compare, trace, raster, sweep, tune, evaluate, diff, report, info.
 
 Parameters are keyword arguments (`shadow_constant_bias=0.02`), as `parameters` lists them, or have their full names in
 `settings={"shadow.constant-bias": 0.02}`. A length is a number of metres or a text with its unit, "1.5texels".
@@ -22,7 +22,7 @@ import numpy.typing as npt
 from .exr import write_pfm
 from .parameters import Value, flags, name_of, text_of
 from .program import run
-from .results import Run
+from .results import Path, Run, Runs, folders_of
 
 if TYPE_CHECKING:
     from .keywords import Keywords
@@ -57,7 +57,6 @@ if TYPE_CHECKING:
 else:
     Options = ObjectiveOptions = dict[str, Any]
 
-Path = str | os.PathLike[str]
 #: A file, or an array that is written as one: height x width (x 3), row 0 is the first row of the file.
 Image = str | os.PathLike[str] | npt.NDArray[Any]
 #: Values of an axis: its text ("0:0.2:129", "first:last:count:log") or a list of values.
@@ -71,6 +70,22 @@ def compare(scene: Path, output: Path | None = None, **options: Unpack[Options])
     temporary one, which is removed with the Run. Raises Error with the program's line, TypeError for an unknown parameter.
     """
     return _measure("compare", [scene], output, [], options)
+
+
+def trace(scene: Path, output: Path | None = None, **options: Unpack[Options]) -> Run:
+    """Trace the reference alone: `umbrameter trace`. Needs no OpenGL; arguments and errors are those of compare.
+
+    `layers` has the reference, `truth_visibility_LIGHT` and `truth_ao`, height x width, 0 to 1. There are no statistics.
+    """
+    return _measure("trace", [scene], output, [], options)
+
+
+def raster(scene: Path, output: Path | None = None, **options: Unpack[Options]) -> Run:
+    """Draw the rasterised technique alone: `umbrameter raster`. It traces no rays; arguments and errors are those of compare.
+
+    `layers` has what was drawn, `raster_visibility_LIGHT` and `raster_ao`, height x width, 0 to 1. There are no statistics.
+    """
+    return _measure("raster", [scene], output, [], options)
 
 
 def sweep(scene: Path, output: Path | None = None, *, vary: Mapping[str, Axis], **options: Unpack[Options]) -> Run:
@@ -173,6 +188,34 @@ def diff(test: Image, reference: Image, *, metrics: Sequence[str] = (), layer: s
             words += [flag, value] if value else []
         summary = json.loads(run(words, progress))
     return Difference({name: each["score"] for name, each in summary["metrics"].items()}, summary)
+
+
+def report(runs: Runs, output: Path | None = None, *, latex: bool = False, force: bool = False, figures: bool = True,
+           arguments: Sequence[str] = (), progress: bool | None = None) -> Run:
+    """Make one page of finished runs, the first is what the others are compared with: `umbrameter report`.
+
+    `runs` is one or several, each a Run or its folder; of one, the page is its own again. The table has a row for each
+    statistic and run: value, half width of its interval, difference to the first run with its interval, and verdict.
+    `latex` writes the tables as .tex files, too. `arguments` are further words, such as ["--figure-style", "column"].
+    Raises Error with the program's line, for runs of different scenes for example.
+    """
+    words = [word for word, given in (("--latex", latex), ("--force", force), ("--no-figures", not figures)) if given]
+    with _output_folder(output) as folder:
+        answer = run(["report", *folders_of(runs), "-o", str(folder), *words, *arguments], progress)
+        return Run(folder, answer.strip(), output is None)
+
+
+def info(scene: Path | None = None, *, arguments: Sequence[str] = (), progress: bool | None = None) -> dict[str, Any]:
+    """Describe a scene, or without one the program and its OpenGL devices: `umbrameter info --json`.
+
+    Of a scene: triangles, bounds, cameras, lights, materials, memory and whether its unit is credible, with the keys of
+    docs/info.md; lengths in metres, angles in degrees, sizes in bytes. Without one: version, embree, gl_devices.
+    Raises Error with the program's line for a scene that cannot be read.
+    """
+    given = [] if scene is None else [os.fspath(scene)]
+    found = json.loads(run(["info", *given, "--json", *arguments], progress))
+    described: dict[str, Any] = found if scene is None else found["scene"]
+    return described
 
 
 _not_parameters = {"settings", "config", "force", "engine", "figures", "cache", "threads", "gl_device", "arguments", "progress"}

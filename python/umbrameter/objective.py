@@ -12,10 +12,10 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Self, Unpack
 
-from .measure import Path, command_words
+from .measure import command_words
 from .parameters import Value, name_of, parameters, text_of
 from .program import Error, Program
-from .results import Quantity
+from .results import Path, Quantity
 
 if TYPE_CHECKING:
     from .measure import ObjectiveOptions
@@ -94,7 +94,8 @@ class Objective:
         is_one = isinstance(point, int | float) or getattr(point, "ndim", 1) == 0
         numbers: list[Any] = [point] if is_one else list(point)  # type: ignore[arg-type]
         if len(numbers) != len(self.names):
-            raise TypeError(f"{len(numbers)} values for {len(self.names)} parameters: {', '.join(self.names) or 'none was named'}")
+            raise TypeError(f"{len(numbers)} values for {len(self.names)} parameters: "
+                            f"{', '.join(self.names) or 'none was named'}")
         return dict(zip(self.names, numbers, strict=True))
 
     def _json(self, name: str, value: Any) -> bool | int | float | str:

@@ -13,10 +13,11 @@ import subprocess
 import sys
 import threading
 import tty
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 
 from .parameters import program_version
 
+bundled = pathlib.Path(__file__).resolve().parent / "program" / "umbrameter"  # in a wheel that carries the program
 erase_line = "\r\x1b[K"  # what the program writes before each state of its progress bar
 
 
@@ -34,13 +35,13 @@ class Error(RuntimeError):
 
 
 def find_program() -> pathlib.Path:
-    """Path of the program: `UMBRAMETER`, else on PATH, else in the prefix of Python or of this package.
+    """Path of the program: `UMBRAMETER`, else the one of a wheel that carries it, on PATH, or in the prefix of Python.
 
     Raises Error if there is none, or if its major or minor version is not that of this package.
     """
     chosen = os.environ.get("UMBRAMETER")
     prefixes = [pathlib.Path(sys.prefix), *pathlib.Path(__file__).resolve().parents, pathlib.Path("/usr/local")]
-    places = [chosen] if chosen else ["umbrameter", *(str(prefix / "bin" / "umbrameter") for prefix in prefixes)]
+    places = [chosen] if chosen else [str(bundled), "umbrameter", *(str(prefix / "bin" / "umbrameter") for prefix in prefixes)]
     found = next((where for place in places if (where := shutil.which(place))), None)
     if found is None:
         sought = f"UMBRAMETER names {chosen}, which is no program" if chosen else "neither on PATH nor in a prefix"
@@ -53,6 +54,11 @@ def find_program() -> pathlib.Path:
     return path
 
 
+def run_bundled() -> None:
+    """Become the program that the wheel carries: its console script."""
+    os.execv(bundled, ["umbrameter", *sys.argv[1:]])
+
+
 @functools.lru_cache(maxsize=8)
 def _version_of(path: pathlib.Path, _changed: int) -> str:
     try:
@@ -63,12 +69,12 @@ def _version_of(path: pathlib.Path, _changed: int) -> str:
     return words[1] if len(words) == 2 and words[0] == "umbrameter" else ""
 
 
-def run(arguments: Sequence[str], progress: bool | None = None) -> str:
+def run(arguments: Sequence[str], progress: bool | None = None, exit_codes: Collection[int] = (0,)) -> str:
     """Run the program and return what it prints on stdout.
 
     `progress` shows its bar and notes on `sys.stderr`; None: in a terminal and in a notebook. Ctrl-C stops the program,
     waits until it has stored what it has, and raises KeyboardInterrupt; a second one ends it at once.
-    Raises Error with the program's line where its exit code is not 0.
+    Raises Error with the program's line for any other exit code than `exit_codes`.
     """
     pressed: list[int] = []
     program: Program | None = None
@@ -92,9 +98,10 @@ def run(arguments: Sequence[str], progress: bool | None = None) -> str:
         program.close()
     if pressed:
         raise KeyboardInterrupt
-    if exit_code != 0:
-        raise program.error()
-    return b"".join(printed).decode()
+    answer = b"".join(printed).decode()
+    if exit_code not in exit_codes:
+        raise program.error(answer if exit_code == 1 else "")
+    return answer
 
 
 class Program:
@@ -118,7 +125,8 @@ class Program:
         self.process = subprocess.Popen(self.command, stdin=stdin, stdout=subprocess.PIPE, stderr=theirs, env=environment,
                                         process_group=0)
         os.close(theirs)
-        self._follower = threading.Thread(target=_follow, args=(self._ours, self._lines, _show if progress else None), daemon=True)
+        self._follower = threading.Thread(target=_follow, args=(self._ours, self._lines, _show if progress else None),
+                                          daemon=True)
         self._follower.start()
 
     def close(self) -> None:
@@ -130,10 +138,10 @@ class Program:
                 with contextlib.suppress(OSError):  # what was not written yet
                     pipe.close()
 
-    def error(self) -> Error:
-        """Why it ended: its line."""
+    def error(self, answer: str = "") -> Error:
+        """Why it ended: its line. A check that fails says so in the last line of its answer."""
         exit_code = self.process.returncode
-        refusals = [line for line in self._lines if line.startswith("umbrameter: ")] or self._lines
+        refusals = [line for line in self._lines if line.startswith("umbrameter: ")] or answer.splitlines() or self._lines
         return Error(refusals[-1] if refusals else f"umbrameter ended with exit code {exit_code}", exit_code, self.command)
 
 

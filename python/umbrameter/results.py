@@ -5,11 +5,12 @@ import csv
 import functools
 import json
 import math
+import os
 import pathlib
 import shutil
 import sqlite3
 import weakref
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -25,8 +26,15 @@ if TYPE_CHECKING:
     import xarray
 
 Column = npt.NDArray[Any]
+Path = str | os.PathLike[str]
 
 _rows_at_once = 4096
+_meanings_of_comparison = {
+    "value": "value of the statistic, in the unit of its row", "half_width": "half width of its 95 % interval",
+    "interval_of": "what the interval covers", "difference": "difference to the first run",
+    "difference_lo": "lower end of its 95 % interval", "difference_hi": "upper end of its 95 % interval",
+    "blocks": "blocks of pixels that decide", "verdict": "whether the difference is significant",
+}
 _dtypes = {"real": np.float64, "integer": np.int64, "truth": np.bool_, "text": np.object_}
 
 
@@ -54,7 +62,7 @@ class Figure:
 class Run:
     """A run of the program, read from its folder when it is needed."""
 
-    def __init__(self, folder: str | pathlib.Path, answer: str = "", is_temporary: bool = False) -> None:
+    def __init__(self, folder: Path, answer: str = "", is_temporary: bool = False) -> None:
         self.folder = pathlib.Path(folder)
         self.answer = answer  #: the program's lines; empty for a folder that was loaded
         if is_temporary:  # it lives as long as its run
@@ -87,7 +95,8 @@ class Run:
         """Columns of the table as arrays of one length, without pandas.
 
         Of a sweep one element per cell: the axes, then the statistics; of an incomplete one the cells measured so far. Of
-        a tuning one per evaluated point. Of the others one per light and for ambient occlusion.
+        a tuning one per evaluated point. Of a report one per statistic and run. Of the others one per light and for ambient
+        occlusion.
         """
         return self._table[0]
 
@@ -129,7 +138,9 @@ class Run:
 
         axes = self.axes
         variables = {name: (list(axes), self.over_axes(name), attributes(name)) for name in self.columns if name not in axes}
-        return xarray.Dataset(variables, {name: (name, values, attributes(name)) for name, values in axes.items()})
+        coordinates = {name: (name, values, attributes(name)) for name, values in axes.items()}
+        about = {"title": f"{self.summary['scene']['name']}: sweep", "source": f"umbrameter {self.summary['program']['version']}"}
+        return xarray.Dataset(variables, coordinates, about)
 
     @functools.cached_property
     def layers(self) -> Layers:
@@ -151,6 +162,8 @@ class Run:
             return _sweep_table(self.folder / ("results.sqlite" if self.is_complete else "results.partial.sqlite"))
         if self.command == "tune":
             return _tuning_table(self.folder / "evaluations.csv", self.summary)
+        if self.command == "report":
+            return _comparison_table(self.folder / "comparison.csv")
         rows = _rows_of_measured(self.summary)
         names = list(dict.fromkeys(name for _, row in rows for name in row))
         columns = {name: _column([row.get(name) for _, row in rows]) for name in names}
@@ -163,12 +176,24 @@ class Run:
         return [name for name in self.columns if "." in name]
 
 
-def load(folder: str | pathlib.Path) -> Run:
-    """Open the folder of any run: of compare, sweep, tune, evaluate, trace or raster. Nothing but the list of its files is read.
+#: One or several runs, each as an object or by its folder.
+Runs = Path | Run | Sequence[Path | Run]
 
-    Raises FileNotFoundError where the folder holds no run.
+
+def load(folder: Path) -> Run:
+    """Open the folder of any run: of compare, sweep, tune, evaluate, trace, raster or report.
+
+    Nothing but the list of its files is read. Raises FileNotFoundError where the folder holds no run.
     """
     return Run(folder)
+
+
+def folders_of(runs: Runs) -> list[str]:
+    """Folders of one or several runs. Raises ValueError where there is none."""
+    listed = [runs] if isinstance(runs, str | os.PathLike | Run) else list(runs)
+    if not listed:
+        raise ValueError("no run is given")
+    return [str(run.folder) if isinstance(run, Run) else os.fspath(run) for run in listed]
 
 
 def _sweep_table(path: pathlib.Path) -> tuple[dict[str, Column], dict[str, Quantity]]:
@@ -217,14 +242,12 @@ def _kind_of(values: Mapping[str, Any]) -> str:
 
 
 def _tuning_table(path: pathlib.Path, summary: Mapping[str, Any]) -> tuple[dict[str, Column], dict[str, Quantity]]:
-    with path.open(encoding="utf-8", newline="") as file:
-        names, *rows = csv.reader(file)
-    columns = {name: _numbers(values) for name, values in zip(names, zip(*rows, strict=True), strict=True)}
+    columns = _csv_columns(path)
     tuning = summary["tuning"]
     known = {name: Quantity(**each) for kind in ("image", "ao", "soft_visibility", "edges", "visibility")
              for name, each in statistics[kind].items()}
     quantities = {}
-    for name in names:
+    for name in columns:
         statistic, _, case = name.rpartition("_")
         if name in tuning["axes"]:
             quantities[name] = Quantity(tuning["axes"][name]["unit"], parameters[name].meaning if name in parameters else "")
@@ -236,12 +259,28 @@ def _tuning_table(path: pathlib.Path, summary: Mapping[str, Any]) -> tuple[dict[
     return columns, quantities
 
 
+def _comparison_table(path: pathlib.Path) -> tuple[dict[str, Column], dict[str, Quantity]]:
+    if not path.is_file():
+        raise FileNotFoundError(f"{path} is missing: a report on a tuning has no table")
+    columns = _csv_columns(path)
+    return columns, {name: Quantity("", _meanings_of_comparison.get(name, name)) for name in columns}
+
+
+def _csv_columns(path: pathlib.Path) -> dict[str, Column]:
+    with path.open(encoding="utf-8", newline="") as file:
+        names, *rows = csv.reader(file)
+    return {name: _numbers(values) for name, values in zip(names, zip(*rows, strict=True), strict=True)}
+
+
 def _numbers(texts: Iterable[str]) -> Column:
+    """Numbers with NaN where one is missing; words as objects."""
     found = list(texts)
     try:
-        return np.array([float(text) for text in found])
+        if any(found):
+            return np.array([float(text) if text else math.nan for text in found])
     except ValueError:
-        return np.array(found, np.object_)
+        pass
+    return np.array(found, np.object_)
 
 
 def _column(values: Iterable[Any]) -> Column:

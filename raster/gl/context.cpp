@@ -1,5 +1,6 @@
 #include "raster/gl/context.h"
 
+#include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <unistd.h>
 
@@ -20,7 +21,8 @@ namespace umbrameter {
 namespace {
 
 constexpr const char* install_remedy =
-    "install a driver (Debian: libegl-mesa0 and libgl1-mesa-dri) or see 'umbrameter info' for the devices";
+    "install a driver (Debian: libegl1, libegl-mesa0, libgl1 and libgl1-mesa-dri) or see 'umbrameter info' for the "
+    "devices";
 constexpr const char* choose_remedy = "choose a device that 'umbrameter info' lists, or omit --gl-device";
 
 struct Candidate {
@@ -41,8 +43,22 @@ std::string device_name(EGLDeviceEXT device, int index) {
   return "device " + std::to_string(index);
 }
 
-std::vector<Candidate> list_candidates() {
+// The handle stays open: epoxy opens the library again.
+bool can_open(const char* library) { return dlopen(library, RTLD_LAZY | RTLD_LOCAL) != nullptr; }
+
+// What epoxy opens and, where it is missing, aborts without; empty if all of it is there.
+std::string missing_library() {
+  if (!can_open("libEGL.so.1")) return "libEGL.so.1";
+  return can_open("libOpenGL.so.0") || can_open("libGL.so.1") ? "" : "libGL.so.1";
+}
+
+std::vector<Candidate> list_candidates(std::string& why_not) {
   std::vector<Candidate> candidates;
+  if (const std::string missing = missing_library(); !missing.empty()) {
+    why_not = missing + " cannot be loaded";
+    return candidates;
+  }
+  why_not = "EGL offers no device";
   if (!has_client_extension("EGL_EXT_platform_base")) return candidates;
   const bool can_list =
       has_client_extension("EGL_EXT_device_base") ||
@@ -61,6 +77,7 @@ std::vector<Candidate> list_candidates() {
     // EGL_DEFAULT_DISPLAY is the null pointer that this platform asks for.
     candidates.push_back({eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr), "surfaceless"});
   }
+  if (!candidates.empty()) why_not.clear();
   return candidates;
 }
 
@@ -141,7 +158,7 @@ std::vector<GlDevice> list_gl_devices() {
   std::vector<GlDevice> devices;
   std::string why_not;
   int index = 0;
-  for (const Candidate& candidate : list_candidates()) {
+  for (const Candidate& candidate : list_candidates(why_not)) {
     if (const auto opened = open_context(candidate, index++, why_not)) {
       cache.reserve();
       devices.push_back(opened->device);
@@ -186,7 +203,8 @@ Context Context::make(const ContextOptions& options) {
   std::string why_not;
   std::optional<Opened> opened;
   int index = 0;
-  for (const Candidate& candidate : list_candidates()) {
+  const std::vector<Candidate> candidates = list_candidates(why_not);
+  for (const Candidate& candidate : candidates) {
     opened = open_context(candidate, index++, why_not);
     if (!opened) continue;
     if (is_wanted(opened->device, options.device)) break;
@@ -197,9 +215,8 @@ Context Context::make(const ContextOptions& options) {
   if (!opened) {
     const std::string wanted = options.device.empty() ? "" : " matching '" + options.device + "'";
     throw Error(ExitCode::no_backend, "OpenGL",
-                "no EGL device" + wanted + " gives an OpenGL 4.5 core context (" +
-                    (why_not.empty() ? "EGL offers no device" : why_not) + ")",
-                options.device.empty() || why_not.empty() ? install_remedy : choose_remedy);
+                "no EGL device" + wanted + " gives an OpenGL 4.5 core context (" + why_not + ")",
+                options.device.empty() || candidates.empty() ? install_remedy : choose_remedy);
   }
   auto state = std::make_unique<State>();
   state->opened = *opened;

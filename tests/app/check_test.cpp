@@ -45,6 +45,7 @@ TEST_F(Check, Passes_within_the_bounds_and_fails_beyond_them) {
   EXPECT_EQ(failed.exit_code, 1) << failed.err;
   const Json check = Json::parse(failed.out)["checks"][0];
   EXPECT_FALSE(check["kept"]);
+  EXPECT_EQ(check["run"], "bad");
   EXPECT_NEAR(check["excess"], 0.008, 1e-12);
 }
 
@@ -78,7 +79,7 @@ TEST_F(Check, Writes_junit_and_appends_to_the_step_summary) {
   EXPECT_NE(text_of(junit).find("<testsuite name=\"umbrameter\" tests=\"1\" failures=\"1\""), std::string::npos);
   EXPECT_NE(text_of(junit).find("<testcase classname=\"court, sun\" name=\"acne &lt; 1.200 %\""), std::string::npos)
       << text_of(junit);
-  EXPECT_EQ(text_of(page).rfind("before\n### ❌ Umbrameter: 1 of 1 bounds is broken\n", 0), 0u) << text_of(page);
+  EXPECT_EQ(text_of(page).rfind("before\n### ❌ Umbrameter: the bound is broken\n", 0), 0u) << text_of(page);
 }
 
 TEST_F(Check, Update_writes_bounds_that_the_run_keeps_with_head_room_and_that_a_worse_run_breaks) {

@@ -49,6 +49,25 @@ void expect_words(const std::string& text, const std::vector<std::string>& words
   for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << " in: " << text;
 }
 
+TEST(Info, A_missing_library_of_OpenGL_means_no_device_and_is_named_by_what_needs_one) {
+  const TemporaryFolder folder;
+  const ProgramOptions options{{"LD_LIBRARY_PATH=" + folder.path().string()}, {}, 0, 0.0};
+  const auto expect_missing = [&](const std::string& library) {
+    const ProgramResult result = run_program({"info"}, options);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("no usable device"), std::string::npos) << result.out;
+    const ProgramResult drawn = run_program({"raster", "corner", "-o", folder / "out", "--quiet"}, options);
+    EXPECT_EQ(drawn.exit_code, 3);
+    EXPECT_TRUE(is_one_line(drawn.err)) << drawn.err;
+    EXPECT_NE(drawn.err.find(library + " cannot be loaded"), std::string::npos) << drawn.err;
+  };
+  // A file that is no library hides that of the system.
+  for (const char* hidden : {"libOpenGL.so.0", "libGL.so.1"}) folder.write(hidden, "no library");
+  expect_missing("libGL.so.1");
+  folder.write("libEGL.so.1", "no library");
+  expect_missing("libEGL.so.1");
+}
+
 TEST(Info, A_driver_that_is_offered_in_several_ways_has_one_line) {
   std::istringstream lines(run_program({"info"}).out);
   std::vector<std::string> drivers;

@@ -6,7 +6,8 @@ TYPES = {"boolean": "bool", "integer": "int", "number": "float", "string": "str"
 
 def stub(parameters):
     lines = ['"""Parameters as keyword arguments. Written by scripts/docs --references; do not edit."""',
-             "from typing import Literal, TypedDict", "", "class Keywords(TypedDict, total=False):"]
+             "from typing import Literal, TypedDict", "", "", "class Keywords(TypedDict, total=False):",
+             '    """The program\'s parameters."""', ""]
     for each in parameters:
         keyword = each["name"].replace(".", "_").replace("-", "_")
         kind = TYPES.get(each["type"])

@@ -1,8 +1,8 @@
-"""compare, sweep, tune, evaluate and diff against the program."""
+"""compare, trace, raster, evaluate, diff, report and info against the program."""
 import unittest
 
 import numpy as np
-from support import compared, require_driver, small, work
+from support import compared, require_driver, small, swept, work
 
 import umbrameter as um
 
@@ -31,6 +31,24 @@ class Measure(unittest.TestCase):
         with self.assertRaisesRegex(um.Error, "--force"):
             um.compare("contact-box", work / "twice", **small, shadow_resolution=256)
         um.compare("contact-box", work / "twice", **small, shadow_resolution=256, force=True)
+
+
+    def test_a_condition_that_fails_is_an_error_with_the_answer(self):
+        with self.assertRaisesRegex(um.Error, "^the bound is broken$") as raised:
+            um.compare("contact-box", **small, arguments=["--fail-if", "lit<=100%"])
+        self.assertEqual(raised.exception.exit_code, 1)
+
+
+class OneSide(unittest.TestCase):
+    def test_each_has_its_layers_and_they_are_those_of_compare(self):
+        drawn = um.raster("contact-box", **small)
+        np.testing.assert_array_equal(drawn.layers["raster_visibility_sun"], compared().layers["raster_visibility_sun"])
+        self.assertNotIn("truth_visibility_sun", drawn.layers)
+        traced = um.trace("contact-box", **small)
+        self.assertNotIn("raster_visibility_sun", traced.layers)
+        # It finds the surfels by rays: only silhouettes may differ.
+        differ = traced.layers["truth_visibility_sun"] != compared().layers["truth_visibility_sun"]
+        self.assertLess(differ.mean(), 0.01)
 
 
 class Evaluate(unittest.TestCase):
@@ -74,6 +92,41 @@ class Diff(unittest.TestCase):
     def test_an_error_map_is_written(self):
         um.diff(np.zeros((16, 16)), np.ones((16, 16)), data=True, error_map=work / "map.png")
         self.assertEqual((work / "map.png").read_bytes()[1:4], b"PNG")
+
+
+class Report(unittest.TestCase):
+    def test_runs_side_by_side_have_their_differences_to_the_first(self):
+        run = um.report([compared(), swept().folder], work / "report", figures=False)
+        table = run.table
+        rows = table[(table["statistic"] == "mae") & (table["light"] == "sun")].set_index("run")
+        first, second = (each.summary["shadows"][0]["statistics"]["mae"] for each in (compared(), swept()))
+        self.assertEqual(rows["value"].to_dict(), {"compare": first, "sweep": second})
+        self.assertAlmostEqual(rows["difference"]["sweep"], second - first, 12)
+        self.assertEqual(rows["verdict"]["compare"], "base")
+        self.assertTrue((run.folder / "index.html").is_file())
+        self.assertEqual(um.load(run.folder).table["value"].dtype, float)
+        self.assertIn("sun, sweep: error", run.answer)
+
+    def test_the_page_of_one_run_is_its_own_again(self):
+        run = um.report(compared(), arguments=["--figure-style", "column"])
+        self.assertEqual(run.summary, compared().summary)
+        self.assertIn("error_visibility_sun", run.figures)
+
+    def test_a_refused_report_is_an_error_with_the_line_of_the_program(self):
+        with self.assertRaisesRegex(um.Error, "given twice"):
+            um.report([compared(), compared()])
+
+
+class Info(unittest.TestCase):
+    def test_a_scene_has_its_lights_and_the_program_its_devices(self):
+        scene = um.info("contact-box")
+        self.assertIn("sun", [light["name"] for light in scene["lights"]])
+        self.assertEqual(scene["triangles"], compared().summary["scene"]["triangles"])
+        self.assertEqual(um.info()["version"], um.program_version)
+        self.assertGreater(len(um.info()["gl_devices"]), 0)
+        with self.assertRaisesRegex(um.Error, "no file and no built-in scene") as raised:
+            um.info(work / "none.glb")
+        self.assertEqual(raised.exception.exit_code, 4)
 
 
 if __name__ == "__main__":

@@ -1,37 +1,39 @@
-"""The notebooks of python/examples: each runs from its first cell to its last, and holds no output."""
+"""The notebooks of python/examples: each runs from its first cell to its last, its page is up to date, and it holds no output."""
 import json
-import os
+import re
+import sys
 import unittest
 
 from support import require_driver, root, work
 
 try:
-    import matplotlib
+    import matplotlib  # noqa: F401
 except ImportError:
-    import sys
-
     print("skipped: matplotlib is missing; install python3-matplotlib")
     sys.exit(77)
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
+sys.path.insert(0, str(root / "tests" / "documentation"))
+from notebook_page import write_page  # noqa: E402
 
 expected = {"ambient_occlusion_methods": 1, "bias_of_my_scene": 4, "my_engine_against_the_reference": 2}  # figures
 
 
+def without_output(page):
+    """What cells print depends on the machine, by a digit."""
+    return re.sub(r"^```text\n.*?^```\n", "```text\n```\n", page, flags=re.MULTILINE | re.DOTALL)
+
+
 class Notebooks(unittest.TestCase):
-    def test_each_runs_in_order_and_draws_its_figures(self):
+    def test_each_runs_in_order_draws_its_figures_and_has_a_page_of_its_cells(self):
         paths = sorted((root / "python" / "examples").glob("*.ipynb"))
         self.assertEqual([path.stem for path in paths], list(expected))
-        os.chdir(work)
+        pages = root / "docs" / "notebooks"
         for path in paths:
-            plt.close("all")
-            variables = {}
-            for number, cell in enumerate(json.loads(path.read_text())["cells"]):
-                if cell["cell_type"] == "code":
-                    exec(compile("".join(cell["source"]), f"{path.name}, cell {number}", "exec"), variables)
-            self.assertEqual(len(plt.get_fignums()), expected[path.stem], path.name)
-            for figure in plt.get_fignums():
-                plt.figure(figure).savefig(work / f"{path.stem}-{figure}.png", dpi=150)
+            images = write_page(path, work)
+            self.assertEqual(len(images), expected[path.stem], path.name)
+            page = f"{path.stem}.md"
+            self.assertEqual(without_output((work / page).read_text()), without_output((pages / page).read_text()),
+                             f"{page} is out of date: scripts/docs --notebooks writes it")
+            self.assertEqual([image.name for image in images if not (pages / image.name).is_file()], [])
 
     def test_none_holds_output(self):
         for path in (root / "python" / "examples").glob("*.ipynb"):

@@ -91,7 +91,8 @@ class Calls(unittest.TestCase):
 
     def test_a_refused_value_is_an_error_and_the_next_call_is_measured(self):
         for point, words in (({"shadow_resolution": 0}, "shadow.resolution.*1 to 16384"),
-                             ({"shadow_filter_size": 3}, "does not read"), ({"ao_radius": 1.0}, "no effect on shadows"), ({"scene_unit": "cm"}, "fixed")):
+                             ({"shadow_filter_size": 3}, "does not read"), ({"ao_radius": 1.0}, "no effect on shadows"),
+                             ({"scene_unit": "cm"}, "fixed")):
             with self.assertRaisesRegex(um.Error, words) as raised:
                 self.error(point)
             self.assertIsNone(raised.exception.exit_code)

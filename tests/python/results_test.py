@@ -1,5 +1,6 @@
 """Opening runs: summary, table, cells, layers, figures."""
 import csv
+import importlib.util
 import json
 import math
 import shutil
@@ -37,11 +38,21 @@ class Sweep(unittest.TestCase):
             import xarray  # noqa: F401
         except ImportError:
             self.skipTest("python3-xarray is not installed")
-        cells = swept().cells
-        least = cells["mae"].sel({"shadow.resolution": 512, "shadow.filter": "nearest"}).min().item()
-        self.assertEqual(least, swept().over_axes("mae")[:, 1, 0].min())
-        self.assertEqual(cells["mean_texel"].attrs["units"], "m")
-        self.assertEqual(cells["shadow.constant-bias"].attrs["units"], "texels")
+        run = swept()
+        cells = run.cells
+        self.assertEqual(dict(cells.sizes), {"shadow.constant-bias": 5, "shadow.resolution": 2, "shadow.filter": 2})
+        self.assertEqual(list(cells.data_vars), [name for name in run.columns if name not in run.axes])
+        for name, values in run.axes.items():
+            np.testing.assert_array_equal(cells.coords[name], values, name)
+        for name in run.columns:
+            described = {"units": run.quantities[name].unit, "long_name": run.quantities[name].meaning}
+            self.assertEqual(cells[name].attrs, described, name)
+        self.assertEqual([cells[name].attrs["units"] for name in ("mean_texel", "shadow.constant-bias")], ["m", "texels"])
+        self.assertEqual(cells.attrs, {"title": "contact-box: sweep", "source": f"umbrameter {um.program_version}"})
+        # The row of sweep.csv that has the values of the axes.
+        row = run.table.iloc[3 * 4 + 1 * 2 + 0]
+        cell = cells.sel({name: row[name] for name in run.axes})
+        self.assertEqual({name: cell[name].item() for name in cells.data_vars}, {name: row[name] for name in cells.data_vars})
 
     def test_figures_are_found_in_three_formats(self):
         figures = swept().figures
@@ -63,9 +74,9 @@ class Sweep(unittest.TestCase):
         self.assertEqual(len(run.table), 13)
         self.assertTrue(math.isnan(run.columns["mae"][4]))
         with self.assertRaisesRegex(ValueError, "an incomplete sweep"):
-            run.axes
+            _ = run.axes
         with self.assertRaisesRegex(FileNotFoundError, "rerun its command"):
-            run.summary
+            _ = run.summary
 
 
 class Other(unittest.TestCase):
@@ -96,7 +107,7 @@ class Other(unittest.TestCase):
         summary = json.loads((folder / "summary.json").read_text())
         (folder / "summary.json").write_text(json.dumps({**summary, "schema_version": "99"}))
         with self.assertRaisesRegex(ValueError, "version 99"):
-            um.load(folder).summary
+            _ = um.load(folder).summary
 
 
 class Large(unittest.TestCase):
@@ -116,16 +127,19 @@ class Large(unittest.TestCase):
                     row[0], row[axes[0]], row[axes[1]] = cell, 0.1 + cell // 192, 64 + cell % 192
                     yield row
             database.executemany(f"INSERT INTO cells VALUES ({','.join('?' * len(names))})", cells())
-        script = ("import time, resource\nimport umbrameter as um\n"
-                  f"run = um.load({str(folder)!r}); table = run.table; over = run.over_axes('mae')\n"
-                  "assert over.shape == (512, 192, 1), over.shape\nassert len(table) == 98304\n"
-                  "print(time.process_time(), resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)")
-        with environment(PYTHONPATH=root / "python"):
-            result = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
-        seconds, megabytes = map(float, result.stdout.split())
-        print(f"98,304 cells, imports included: {seconds:.2f} s of CPU time, {megabytes:.0f} MB")
-        self.assertLess(megabytes, 300)
-        self.assertLess(seconds, 2)
+        shutil.copy(swept().folder / "summary.json", folder)
+        opened = {"table": "assert len(run.table) == 98304 and run.over_axes('mae').shape == (512, 192, 1)"}
+        if importlib.util.find_spec("xarray"):
+            opened["cells"] = "assert dict(run.cells.sizes) == dict(zip(run.axes, (512, 192, 1)))"
+        for what, line in opened.items():
+            script = (f"import time, resource\nimport umbrameter as um\nrun = um.load({str(folder)!r})\n{line}\n"
+                      "print(time.process_time(), resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)")
+            with environment(PYTHONPATH=root / "python"):
+                result = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+            seconds, megabytes = map(float, result.stdout.split())
+            print(f"98,304 cells as {what}, imports included: {seconds:.2f} s of CPU time, {megabytes:.0f} MB")
+            self.assertLess(megabytes, 300)
+            self.assertLess(seconds, 2)
 
 
 if __name__ == "__main__":
