@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t rest = stage_count;  // behind the stages
 constexpr std::size_t most_values = 5;     // of an axis of numbers
+constexpr std::size_t parts_of_samples = 8;
 
 // The times of stages and rest; negative where one did not run.
 using Times = std::vector<double>;
@@ -20,8 +21,8 @@ struct Samples {
   std::vector<Times> at_first{};                      // later, at the first value of each axis
   std::vector<std::map<std::size_t, Times>> along{};  // by outer axis and index of its value
   std::vector<Times> ran{};                           // by outer axis: not negative where it made a stage run
-  Times of_piece{};                                   // of a part of the first group; empty: not measured
-  double piece = 1.0;                                 // the size of that part, as a share of the group's cells
+  Times of_whole{};    // of the first group; all others are of parts; empty: not measured
+  double piece = 1.0;  // the size of those parts, as a share of the group's cells
 };
 
 bool is_number(const Value& value) {
@@ -140,22 +141,26 @@ double sum_of(const Times& times) {
 // Measures groups until its time is spent.
 class GroupSampler {
  public:
-  GroupSampler(const SweepPlan& plan, double budget, const MeasureGroup& measure)
-      : plan_(plan), budget_(budget), measure_(measure), first_(group_at(plan, 0)) {
-    std::size_t step = parts_of_group(plan);
-    steps_.resize(plan.outer.size());
-    for (std::size_t a = plan.outer.size(); a-- > 0;) {
+  GroupSampler(SweepPlan plan, double budget, const MeasureGroup& measure)
+      : whole_(group_at(plan, 0)), plan_(std::move(plan)), budget_(budget), measure_(measure) {
+    // Parts of groups take less time, and stages as long as for the whole.
+    cut_groups(plan_, parts_of_group(plan_) * parts_of_samples);
+    first_ = group_at(plan_, 0);
+    samples_.piece = static_cast<double>(first_.size()) / static_cast<double>(whole_.size());
+    std::size_t step = parts_of_group(plan_);
+    steps_.resize(plan_.outer.size());
+    for (std::size_t a = plan_.outer.size(); a-- > 0;) {
       steps_[a] = step;
       step *= axis(a).values.size();
     }
-    samples_.along.resize(plan.outer.size());
-    samples_.ran.assign(plan.outer.size(), Times(rest + 1, -1.0));
+    samples_.along.resize(plan_.outer.size());
+    samples_.ran.assign(plan_.outer.size(), Times(rest + 1, -1.0));
   }
 
   Samples take() {
     samples_.first = sample(first_);
     measure_first();
-    measure_piece();
+    if (has_time() && samples_.piece < 1.0) samples_.of_whole = sample(whole_);
     // The innermost axis first: its changes are the most frequent ones.
     for (std::size_t a = steps_.size(); a-- > 0;) measure_axis(a);
     for (std::size_t i = 0; i < most_values; ++i) {
@@ -183,15 +188,6 @@ class GroupSampler {
     if (has_time()) samples_.at_first.push_back(sample(first_));
   }
 
-  void measure_piece() {
-    SweepPlan cut = plan_;
-    cut_groups(cut, parts_of_group(plan_) * 8);
-    const CellGroup piece = group_at(cut, 0);
-    if (!has_time() || piece.size() == first_.size()) return;
-    samples_.piece = static_cast<double>(piece.size()) / static_cast<double>(first_.size());
-    samples_.of_piece = sample(piece);
-  }
-
   void measure_axis(std::size_t a) {
     if (axis(a).values.size() == 1) return;
     for (const std::size_t place : first_values(axis(a))) {
@@ -204,10 +200,11 @@ class GroupSampler {
     measure_first();  // all that depends on the axis runs again
   }
 
-  const SweepPlan& plan_;
+  CellGroup whole_;
+  SweepPlan plan_;
   double budget_;
   const MeasureGroup& measure_;
-  CellGroup first_;
+  CellGroup first_{};
   std::vector<std::size_t> steps_;  // for each outer axis: groups from one value to the next
   double spent_ = 0.0;
   Samples samples_;
@@ -226,9 +223,12 @@ SweepCosts measure_costs(const SweepPlan& plan, double budget, const MeasureGrou
     std::optional<SweepCosts::Part> made = part_of(plan, samples, part);
     if (!made) continue;
     if (samples.first[part] >= 0.0) costs.start_seconds -= made->seconds;
-    if (made->is_within && !samples.of_piece.empty()) {
+    if (made->is_within && samples.piece < 1.0) {
+      within_piece += made->seconds;
+      // Without a measurement as if each cell took as long.
+      made->seconds =
+          samples.of_whole.empty() ? made->seconds / samples.piece : std::max(samples.of_whole[part], made->seconds);
       within += made->seconds;
-      within_piece += std::max(samples.of_piece[part], 0.0);
     }
     costs.parts.push_back(std::move(*made));
   }
