@@ -15,14 +15,20 @@ constexpr std::size_t parts_of_samples = 8;
 // The times of stages and rest; negative where one did not run.
 using Times = std::vector<double>;
 
+using TimesAlong = std::vector<std::map<std::size_t, Times>>;  // by outer axis and index of its value
+
 struct Samples {
   std::size_t count = 0;
-  Times first{};                                      // of a process
-  std::vector<Times> at_first{};                      // later, at the first value of each axis
-  std::vector<std::map<std::size_t, Times>> along{};  // by outer axis and index of its value
-  std::vector<Times> ran{};                           // by outer axis: not negative where it made a stage run
-  Times of_whole{};    // of the first group; all others are of parts; empty: not measured
-  double piece = 1.0;  // the size of those parts, as a share of the group's cells
+  Times first{};                  // of a process
+  std::vector<Times> at_first{};  // later, at the first value of each axis
+  TimesAlong along{};             // the other axes at their first values
+  std::vector<Times> ran{};       // by outer axis: not negative where it made a stage run
+  Times of_whole{};               // of the first group; all others are of parts; empty: not measured
+  double piece = 1.0;             // the size of those parts, as a share of the group's cells
+  // What depends on several axes is predicted best where it takes most: at those values of them.
+  std::vector<std::size_t> corner{};  // index of a value of each outer axis
+  Times at_corner{};                  // empty: not measured
+  TimesAlong from_corner{};           // the other axes at the corner's values
 };
 
 bool is_number(const Value& value) {
@@ -93,36 +99,57 @@ bool runs_with(std::size_t part, const std::string& key) {
   return part == rest || depends_on(static_cast<Stage>(part), key);
 }
 
-// Nothing if it never ran.
-std::optional<SweepCosts::Part> part_of(const SweepPlan& plan, const Samples& samples, std::size_t part) {
+// What runs for the same group again depends on what varies within groups.
+bool is_within(const Samples& samples, std::size_t part) {
+  return part == rest || (!samples.at_first.empty() && samples.at_first.front()[part] >= 0.0);
+}
+
+// Where the first group of a process takes longer, that is its start. Negative if the part did not run.
+double at_first(const Samples& samples, std::size_t part) {
   std::vector<double> again;
   for (const Times& times : samples.at_first) {
     if (times[part] >= 0.0) again.push_back(times[part]);
   }
-  double seconds = again.empty() ? samples.first[part] : median(again);
+  return again.empty() ? samples.first[part] : median(again);
+}
+
+// The times of a part at values of an axis, as multiples of that at the corner's, or `seconds` where it took none
+// there.
+std::map<std::size_t, double> factors_along(const Samples& samples, std::size_t a, std::size_t part, double seconds,
+                                            bool is_cornered) {
+  std::map<std::size_t, double> known = {{0, std::max(at_first(samples, part), 0.0)}};
+  for (const auto& [place, times] : samples.along[a]) known[place] = std::max(times[part], 0.0);
+  const double unit = is_cornered ? known[samples.corner[a]] : seconds;
+  for (auto& [place, factor] : known) factor /= unit > 0.0 ? unit : seconds;
+  if (!is_cornered) return known;
+  known[samples.corner[a]] = 1.0;
+  for (const auto& [place, times] : samples.from_corner[a]) {
+    if (times[part] >= 0.0) known[place] = times[part] / seconds;
+  }
+  return known;
+}
+
+// Nothing if it never ran.
+std::optional<SweepCosts::Part> part_of(const SweepPlan& plan, const Samples& samples, std::size_t part) {
+  const bool is_cornered = !samples.at_corner.empty() && samples.at_corner[part] > 0.0;
+  double seconds = is_cornered ? samples.at_corner[part] : at_first(samples, part);
   // A stage may run only elsewhere, as that of another technique.
-  const bool runs_first = seconds >= 0.0;
   for (const auto& of_axis : samples.along) {
     for (const auto& [place, times] : of_axis) {
       if (seconds <= 0.0) seconds = times[part];
     }
   }
   if (seconds <= 0.0) return {};
-  // What runs for the same group again depends on what varies within groups.
-  const bool is_within = part == rest || (!samples.at_first.empty() && samples.at_first.front()[part] >= 0.0);
-  SweepCosts::Part made{seconds, is_within, {}};
+  SweepCosts::Part made{seconds, is_within(samples, part), {}};
   for (std::size_t a = 0; a < plan.outer.size(); ++a) {
     const SweepAxis& axis = plan.axes[plan.outer[a]];
     const bool is_measured = !samples.along[a].empty();
     const bool depends = is_measured ? samples.ran[a][part] >= 0.0 : runs_with(part, axis.key);
     if (axis.values.size() == 1 || !depends) {
       made.factors.emplace_back();
-      continue;
+    } else {
+      made.factors.push_back(factors_of(axis, factors_along(samples, a, part, seconds, is_cornered)));
     }
-    std::map<std::size_t, double> known;
-    for (const auto& [place, times] : samples.along[a]) known[place] = std::max(times[part], 0.0) / seconds;
-    known[0] = runs_first ? 1.0 : 0.0;
-    made.factors.push_back(factors_of(axis, known));
   }
   return made;
 }
@@ -154,6 +181,7 @@ class GroupSampler {
       step *= axis(a).values.size();
     }
     samples_.along.resize(plan_.outer.size());
+    samples_.from_corner.resize(plan_.outer.size());
     samples_.ran.assign(plan_.outer.size(), Times(rest + 1, -1.0));
   }
 
@@ -163,11 +191,10 @@ class GroupSampler {
     if (has_time() && samples_.piece < 1.0) samples_.of_whole = sample(whole_);
     // The innermost axis first: its changes are the most frequent ones.
     for (std::size_t a = steps_.size(); a-- > 0;) measure_axis(a);
+    choose_corner();
+    if (has_time()) samples_.at_corner = sample(group_at(plan_, corner_));
     for (std::size_t i = 0; i < most_values; ++i) {
-      for (std::size_t a = steps_.size(); a-- > 0;) {
-        const std::vector<std::size_t> further = further_values(axis(a));
-        if (i < further.size() && has_time()) samples_.along[a][further[i]] = sample_at(a, further[i]);
-      }
+      for (std::size_t a = steps_.size(); a-- > 0;) measure_from_corner(a, i);
     }
     return std::move(samples_);
   }
@@ -200,12 +227,47 @@ class GroupSampler {
     measure_first();  // all that depends on the axis runs again
   }
 
+  double seconds_within(const Times& times) const {
+    double sum = 0.0;
+    for (std::size_t part = 0; part <= rest; ++part)
+      sum += is_within(samples_, part) ? std::max(times[part], 0.0) : 0.0;
+    return sum;
+  }
+
+  void choose_corner() {
+    Times first(rest + 1);
+    for (std::size_t part = 0; part <= rest; ++part) first[part] = at_first(samples_, part);
+    for (std::size_t a = 0; a < steps_.size(); ++a) {
+      std::size_t corner = 0;
+      double longest = seconds_within(first);
+      for (const auto& [place, times] : samples_.along[a]) {
+        if (seconds_within(times) <= longest) continue;
+        longest = seconds_within(times);
+        corner = place;
+      }
+      samples_.corner.push_back(corner);
+      corner_ += corner * steps_[a];
+    }
+  }
+
+  // The i-th value besides the corner's, the end of an axis of numbers first.
+  void measure_from_corner(std::size_t a, std::size_t i) {
+    std::vector<std::size_t> places = first_values(axis(a));
+    places.push_back(0);
+    for (const std::size_t place : further_values(axis(a))) places.push_back(place);
+    std::erase(places, samples_.corner[a]);
+    if (axis(a).values.size() == 1 || i >= places.size() || !has_time() || samples_.at_corner.empty()) return;
+    const std::size_t group = corner_ - samples_.corner[a] * steps_[a] + places[i] * steps_[a];
+    samples_.from_corner[a][places[i]] = sample(group_at(plan_, group));
+  }
+
   CellGroup whole_;
   SweepPlan plan_;
   double budget_;
   const MeasureGroup& measure_;
   CellGroup first_{};
   std::vector<std::size_t> steps_;  // for each outer axis: groups from one value to the next
+  std::size_t corner_ = 0;          // index of its group
   double spent_ = 0.0;
   Samples samples_;
 };
@@ -216,23 +278,22 @@ SweepCosts measure_costs(const SweepPlan& plan, double budget, const MeasureGrou
   const Samples samples = GroupSampler(plan, budget, measure).take();
   SweepCosts costs;
   costs.measured = samples.count;
-  costs.start_seconds = sum_of(samples.first);
   double within = 0.0;
   double within_piece = 0.0;
   for (std::size_t part = 0; part <= rest; ++part) {
     std::optional<SweepCosts::Part> made = part_of(plan, samples, part);
     if (!made) continue;
-    if (samples.first[part] >= 0.0) costs.start_seconds -= made->seconds;
-    if (made->is_within && samples.piece < 1.0) {
-      within_piece += made->seconds;
+    const double first = std::max(at_first(samples, part), 0.0);
+    costs.start_seconds += std::max(samples.first[part] - first, 0.0);
+    if (made->is_within && samples.piece < 1.0 && first > 0.0) {
       // Without a measurement as if each cell took as long.
-      made->seconds =
-          samples.of_whole.empty() ? made->seconds / samples.piece : std::max(samples.of_whole[part], made->seconds);
-      within += made->seconds;
+      const double whole = samples.of_whole.empty() ? first / samples.piece : std::max(samples.of_whole[part], first);
+      made->seconds *= whole / first;
+      within_piece += first;
+      within += whole;
     }
     costs.parts.push_back(std::move(*made));
   }
-  costs.start_seconds = std::max(costs.start_seconds, 0.0);
   if (within > 0.0) {
     costs.piece = samples.piece;
     costs.share_of_piece = std::clamp(within_piece / within, costs.piece, 1.0);
