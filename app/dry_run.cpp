@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "core/standard_streams.h"
+#include "experiments/settings/shard_cuts.h"
 #include "reports/files/text_layout.h"
 #include "scenes/view.h"
 
@@ -52,11 +52,6 @@ ExitCode show(const Console& console, const std::vector<Row>& rows) {
 
 }  // namespace
 
-std::string time_text(double seconds) {
-  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
-  return seconds < 5400.0 ? fmt::format("{:.0f} min", seconds / 60.0) : fmt::format("{:.1f} h", seconds / 3600.0);
-}
-
 ExitCode show_image_plan(const CommandLine& line, const Console& console, Stages& stages,
                          const Experiment& experiment) {
   std::vector<Row> rows = {scene_row(stages, experiment), view_row(console, stages, experiment.view)};
@@ -90,10 +85,8 @@ ExitCode show_image_plan(const CommandLine& line, const Console& console, Stages
 
 SweepCosts measure_costs(Stages& stages, const PlannedSweep& sweep, double budget) {
   const EvaluateGroup evaluate = make_evaluator(stages, sweep.experiment, sweep.axes, sweep.statistics);
-  return measure_costs(sweep.plan, budget, [&](std::size_t index) {
-    const auto start = std::chrono::steady_clock::now();
-    evaluate(group_at(sweep.plan, index), [](std::size_t, std::span<const Value>) {});
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return measure_costs(sweep.plan, budget, [&](const CellGroup& group) {
+    return stages.time_stages([&] { evaluate(group, [](std::size_t, std::span<const Value>) {}); });
   });
 }
 
@@ -122,9 +115,8 @@ ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSw
                                     ? "one pass measures all cells of a group"
                                     : "each cell is measured separately"));
   const SweepCosts costs = measure_costs(stages, sweep, estimate_budget);
-  const double seconds = seconds_of(costs, 0, groups);
-  const std::string time =
-      seconds < 1.0 ? "less than 1 s" : (costs.is_upper_bound ? "at most about " : "about ") + time_text(seconds);
+  const double seconds = GroupCosts(costs, plan).seconds(0, groups);
+  const std::string time = seconds < 1.0 ? "less than 1 s" : "about " + time_text(seconds);
   rows.emplace_back("time", fmt::format("{} to measure, plus the report; estimated from {} of {} groups", time,
                                         costs.measured, grouped(groups)));
   return show(console, rows);

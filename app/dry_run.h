@@ -26,7 +26,4 @@ ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSw
 /// The costs of its groups, from measuring some; none is begun after `budget` seconds.
 SweepCosts measure_costs(Stages& stages, const PlannedSweep& sweep, double budget);
 
-/// "90 s", "12 min", "3.5 h".
-std::string time_text(double seconds);
-
 }  // namespace umbrameter

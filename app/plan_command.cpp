@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/dry_run.h"
 #include "app/planned_sweep.h"
 #include "core/standard_streams.h"
+#include "experiments/settings/shard_cuts.h"
 #include "present/run_output.h"
 #include "reports/files/output.h"
 #include "reports/files/text_layout.h"
@@ -18,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* scene_folder = "scene";
-constexpr double cost_budget = 10.0;  // seconds
+constexpr double cost_budget = 20.0;  // seconds
 
 void require_division(const PlanOptions& options) {
   if (options.shards > 0 || options.cells_per_shard > 0 || options.minutes_per_shard > 0.0) return;
@@ -67,22 +69,54 @@ fs::path copy_scene(const fs::path& scene, const fs::path& folder) {
 std::size_t count_shards(const PlanOptions& options, const SweepCosts& costs, const SweepPlan& plan) {
   if (options.shards > 0) return options.shards;
   if (options.cells_per_shard > 0) return (plan.cells + options.cells_per_shard - 1) / options.cells_per_shard;
-  // Each shard begins with a group that finds nothing to share.
-  const std::size_t groups = count_groups(plan);
-  const double all = seconds_of(costs, 0, groups) - costs.first_seconds;
-  const double each = 60.0 * options.minutes_per_shard - costs.first_seconds;
-  if (each <= all / static_cast<double>(groups)) return groups;
-  return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(all / each)));
+  return count_shards_within(costs, plan, 60.0 * options.minutes_per_shard);
 }
 
-std::vector<PlannedShard> planned_shards(const SweepCosts& costs, std::size_t groups, std::size_t count) {
+std::vector<PlannedShard> planned_shards(const ShardCuts& cuts, std::size_t groups) {
   std::vector<PlannedShard> shards;
-  const std::vector<std::size_t> first = cut_into_shards(costs, groups, count);
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    const std::size_t end = i + 1 < first.size() ? first[i + 1] : groups;
-    shards.push_back({first[i], end - first[i], seconds_of(costs, first[i], end)});
+  for (std::size_t i = 0; i < cuts.first.size(); ++i) {
+    const std::size_t end = i + 1 < cuts.first.size() ? cuts.first[i + 1] : groups;
+    shards.push_back({cuts.first[i], end - cuts.first[i], cuts.seconds[i]});
   }
   return shards;
+}
+
+// Loads the sweep as a shard does, and measures what that and its groups take. References are traced, as on a machine
+// that has not traced them yet.
+SweepCosts costs_of(SweepRun& sweep, StoreDescription& description, const Console& console) {
+  const auto start = std::chrono::steady_clock::now();
+  sweep.load(console);
+  description = sweep.description();
+  const double loading = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  SweepCosts costs =
+      measure_costs(*sweep.stages, {sweep.experiment, sweep.axes, sweep.plan, sweep.statistics}, cost_budget);
+  costs.start_seconds += loading;
+  return costs;
+}
+
+void show_plan(const Console& console, const fs::path& folder, const ShardPlan& plan, const ShardCuts& cuts,
+               double start) {
+  double all = 0.0;
+  double longest = 0.0;
+  for (const double seconds : cuts.seconds) {
+    all += seconds;
+    longest = std::max(longest, seconds);
+  }
+  const double starts = start * static_cast<double>(cuts.seconds.size() - 1);
+  const double repeated = std::max(0.0, all - cuts.undivided - starts);
+  if (console.json) {
+    const nlohmann::ordered_json json = {{"cells", plan.cells},     {"shards", plan.shards.size()},
+                                         {"seconds", all},          {"longest_seconds", longest},
+                                         {"start_seconds", starts}, {"repeated_seconds", repeated}};
+    write_to(stdout, json.dump(2) + "\n");
+  }
+  const auto time = [](double seconds) { return time_text(std::ceil(seconds)); };
+  print_line(console, fmt::format("{} cells in {} shards of at most about {}; all of them about {}",
+                                  grouped(plan.cells), grouped(plan.shards.size()), time(longest), time(all)));
+  add_line(console, fmt::format("undivided about {}; starting shards adds {}, what several of them repeat {}{}",
+                                time(cuts.undivided), time(starts), time(repeated),
+                                plan.parts > 1 ? ", for cells that share a map and a reference are in several" : ""));
+  add_line(console, fmt::format("next: {}, of 0 to {}", command_of(folder, "K"), plan.shards.size() - 1));
 }
 
 }  // namespace
@@ -91,23 +125,27 @@ ExitCode run_plan(const CommandLine& line, const Console& console) {
   const fs::path& folder = line.output;
   require_division(line.plan);
   require_free(folder, line.force);
-  SweepRun sweep(line, make_experiment(line));
-  sweep.load(console);
-  const StoreDescription description = sweep.description();
-  const SweepCosts costs =
-      measure_costs(*sweep.stages, {sweep.experiment, sweep.axes, sweep.plan, sweep.statistics}, cost_budget);
+  CommandLine of_sweep = line;
+  of_sweep.no_cache = true;
+  SweepRun sweep(of_sweep, make_experiment(of_sweep));
+  StoreDescription description;
+  const SweepCosts costs = costs_of(sweep, description, console);
 
-  const std::size_t groups = count_groups(sweep.plan);
   const std::size_t wanted = count_shards(line.plan, costs, sweep.plan);
-  if (wanted > groups) {
-    note(console, fmt::format("the sweep has {} groups of cells, which are not divided: {} shards instead of {}",
-                              grouped(groups), grouped(groups), grouped(wanted)));
+  const ShardCuts cuts = cut_into_shards(costs, sweep.plan, wanted);
+  if (wanted > cuts.first.size()) {
+    note(console, fmt::format("the sweep has {0} cells: {0} shards instead of {1}", grouped(cuts.first.size()),
+                              grouped(wanted)));
   }
+  SweepPlan cut = sweep.plan;
+  cut_groups(cut, cuts.parts);
   ShardPlan plan;
   plan.presets = line.presets;
   plan.identity = portable_identity(description);
   plan.cells = sweep.plan.cells;
-  plan.shards = planned_shards(costs, groups, wanted);
+  plan.parts = cuts.parts;
+  plan.kinds = measured_kinds(description, sweep.plan);
+  plan.shards = planned_shards(cuts, count_groups(cut));
 
   prepare_output_folder(folder);
   remove_plan(folder);
@@ -120,23 +158,13 @@ ExitCode run_plan(const CommandLine& line, const Console& console) {
   }
   write_plan(folder, plan, experiment_text(stored));
 
-  if (line.plan.commands) {
-    for (std::size_t i = 0; i < plan.shards.size(); ++i) {
-      write_to(stdout, command_of(folder, std::to_string(i)) + "\n");
-    }
+  if (!line.plan.commands) {
+    show_plan(console, folder, plan, cuts, costs.start_seconds);
     return ExitCode::ok;
   }
-  double longest = 0.0;
-  for (const PlannedShard& shard : plan.shards) longest = std::max(longest, shard.seconds);
-  if (console.json) {
-    const nlohmann::ordered_json json = {
-        {"cells", plan.cells}, {"shards", plan.shards.size()}, {"seconds", seconds_of(costs, 0, groups)}};
-    write_to(stdout, json.dump(2) + "\n");
+  for (std::size_t i = 0; i < plan.shards.size(); ++i) {
+    write_to(stdout, command_of(folder, std::to_string(i)) + "\n");
   }
-  print_line(console, fmt::format("{} cells in {} shards of at most about {}; all of them about {}",
-                                  grouped(plan.cells), grouped(plan.shards.size()), time_text(std::ceil(longest)),
-                                  time_text(std::ceil(seconds_of(costs, 0, groups)))));
-  add_line(console, fmt::format("next: {}, of 0 to {}", command_of(folder, "K"), plan.shards.size() - 1));
   return ExitCode::ok;
 }
 

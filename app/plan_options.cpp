@@ -69,6 +69,7 @@ void add_shard_commands(CLI::App& app, CommandLine& line) {
   add_measuring_options(merge, line);
 
   CLI::App& status = add_command_of_plan(app, line, status_command);
+  status.add_option("-o,--output", line.output, "also write a page that shows the progress")->type_name("PAGE.html");
   status.add_flag("--commands", line.plan.commands, "print the commands of the shards that are not done, one a line");
   add_output_flags(status, line);
 }

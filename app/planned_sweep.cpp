@@ -37,6 +37,14 @@ std::vector<std::pair<std::string, std::string>> portable_identity(const StoreDe
   return identity;
 }
 
+std::vector<ValueKind> measured_kinds(const StoreDescription& description, const SweepPlan& plan) {
+  std::vector<ValueKind> kinds;
+  for (std::size_t i = plan.axes.size(); i < description.columns.size(); ++i) {
+    kinds.push_back(description.columns[i].kind);
+  }
+  return kinds;
+}
+
 std::string shell_word(const fs::path& file) {
   const std::string path = file.string();
   const auto is_plain = [](char c) {

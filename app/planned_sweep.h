@@ -28,6 +28,9 @@ StoreDescription load_planned(const PlannedSweepFolder& planned, SweepRun& sweep
 /// The identity of a sweep without the path of its scene, which differs between machines.
 std::vector<std::pair<std::string, std::string>> portable_identity(const StoreDescription& description);
 
+/// The kinds of a sweep's measured columns.
+std::vector<ValueKind> measured_kinds(const StoreDescription& description, const SweepPlan& plan);
+
 /// A path as one word for a shell.
 std::string shell_word(const std::filesystem::path& path);
 

@@ -1,19 +1,18 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <chrono>
 #include <cstring>
-#include <ctime>
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/dry_run.h"
 #include "app/planned_sweep.h"
 #include "core/interrupt.h"
 #include "core/standard_streams.h"
 #include "experiments/sweep/identity.h"
 #include "reports/files/output.h"
+#include "reports/files/text_layout.h"
 #include "store/merge_shards.h"
 #include "store/shard_state.h"
 #include "store/stored_sweep.h"
@@ -40,11 +39,14 @@ struct ShardRunner {
   std::string maker{};
   std::size_t notes_of_loading = 0;
   EvaluateGroup evaluate{};
+  SweepPlan cut{};
 
   void load() {
     sweep.emplace(planned.line, planned.given);
     maker = load_planned(planned, *sweep, console).maker;
     notes_of_loading = sweep->stages->notes().size();
+    cut = sweep->plan;
+    cut_groups(cut, planned.plan.parts);
     evaluate = make_evaluator(*sweep->stages, sweep->experiment, sweep->axes, sweep->statistics);
   }
 
@@ -63,9 +65,10 @@ struct ShardRunner {
     stages.report_tracing([&](double) { show(); });
     std::string rows;
     std::size_t cells = 0;
-    for (std::size_t g = part.first_group; g < part.first_group + part.groups; ++g) {
+    const double all = static_cast<double>(planned.plan.cells) * static_cast<double>(part.groups) /
+                       static_cast<double>(count_groups(cut));
+    for_each_joined_group(cut, part.first_group, part.groups, [&](const CellGroup& group) {
       throw_if_interrupted("the shard starts over when it is run again");
-      const CellGroup group = group_at(sweep->plan, g);
       std::string of_group;
       evaluate_whole(group, evaluate, [&](std::size_t place, std::span<const Value> measured) {
         std::string row;
@@ -75,9 +78,9 @@ struct ShardRunner {
       });
       rows += of_group;
       cells += group.size();
-      share = static_cast<double>(g + 1 - part.first_group) / static_cast<double>(part.groups);
+      share = std::min(1.0, static_cast<double>(cells) / all);
       show();
-    }
+    });
     stages.report_tracing({});
     const std::vector<std::string>& notes = stages.notes();
     ShardManifest manifest{
@@ -89,17 +92,6 @@ struct ShardRunner {
     print_line(console, fmt::format("shard {}: {} cells in {}", shard, cells, time_text(std::ceil(manifest.seconds))));
   }
 };
-
-nlohmann::ordered_json json_of(const std::vector<ShardState>& states, double left) {
-  nlohmann::ordered_json json;
-  for (const char* name : {"done", "running", "waiting", "lost", "failed"}) json[name] = nlohmann::json::array();
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    constexpr std::array names = {"waiting", "running", "done", "failed", "lost"};
-    json[names[static_cast<std::size_t>(states[i].kind)]].push_back(i);
-  }
-  json["seconds_left"] = left < 0.0 ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(left);
-  return json;
-}
 
 }  // namespace
 
@@ -124,49 +116,6 @@ ExitCode run_shards(const CommandLine& line, const Console& console) {
     }
   }
   if (console.json) write_to(stdout, nlohmann::ordered_json{{"measured", measured}}.dump(2) + "\n");
-  return ExitCode::ok;
-}
-
-ExitCode run_status(const CommandLine& line, const Console& console) {
-  const fs::path& folder = line.plan.folder;
-  const ShardPlan plan = read_plan(folder);
-  const std::vector<ShardState> states = shard_states(folder, plan);
-  if (line.plan.commands) {
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      if (states[i].kind == ShardState::Kind::done) continue;
-      write_to(stdout, command_of(folder, std::to_string(i)) + "\n");
-    }
-    return ExitCode::ok;
-  }
-  const double left = seconds_left(plan, states);
-  if (console.json) {
-    write_to(stdout, json_of(states, left).dump(2) + "\n");
-    return ExitCode::ok;
-  }
-  std::array<std::size_t, 5> counts{};
-  for (const ShardState& state : states) ++counts[static_cast<std::size_t>(state.kind)];
-  std::string text = fmt::format("{} of {} shards done", counts[2], states.size());
-  constexpr std::array others = {std::pair(1, "running"), std::pair(3, "failed"), std::pair(4, "lost"),
-                                 std::pair(0, "waiting")};
-  for (const auto& [kind, name] : others) {
-    if (const std::size_t count = counts[static_cast<std::size_t>(kind)]; count > 0)
-      text += fmt::format(", {} {}", count, name);
-  }
-  if (left >= 0.0) {
-    const std::time_t end = std::time(nullptr) + static_cast<std::time_t>(left);
-    text += fmt::format("; about {} left, until {:%Y-%m-%d %H:%M}", time_text(std::ceil(left)), fmt::localtime(end));
-  }
-  print_line(console, text);
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    const ShardState& state = states[i];
-    if (state.kind == ShardState::Kind::running) {
-      add_line(console, fmt::format("running {}: {:.0f} % on {}", i, 100.0 * state.share, state.host));
-    } else if (state.kind == ShardState::Kind::lost) {
-      add_line(console, fmt::format("lost {}: no sign from {} for 5 minutes", i, state.host));
-    } else if (state.kind == ShardState::Kind::failed) {
-      add_line(console, fmt::format("failed {}: {}", i, state.problem));
-    }
-  }
   return ExitCode::ok;
 }
 

@@ -77,19 +77,6 @@ void present_rows(RunPage& page, const RunResults& results, const SweepResults& 
   page.viewer = sweep.images;
 }
 
-void leave_out_figures(RunPage& page) {
-  page.viewer = {};
-  for (Presentation& part : page.parts) {
-    part.images.clear();
-    part.plots.clear();
-    part.heat_maps.clear();
-    part.waterfalls.clear();
-    part.section.figures.clear();
-    part.section.figure_titles.clear();
-    part.section.captions.clear();
-  }
-}
-
 // "1280×720 pixels, camera overview, 95,204 triangles".
 std::string subtitle_of(const SceneFacts& scene, const View& view) {
   return fmt::format("{}×{} pixels, camera {}, {} triangles", view.width, view.height,
@@ -128,6 +115,19 @@ void set_captions(ReportSection& section, const std::vector<ImageFigure>& images
 }
 
 }  // namespace
+
+void leave_out_figures(RunPage& page) {
+  page.viewer = {};
+  for (Presentation& part : page.parts) {
+    part.images.clear();
+    part.plots.clear();
+    part.heat_maps.clear();
+    part.waterfalls.clear();
+    part.section.figures.clear();
+    part.section.figure_titles.clear();
+    part.section.captions.clear();
+  }
+}
 
 RunPage present_run(const RunResults& results, const SweepResults* rows, const PageOptions& options) {
   RunPage page;

@@ -30,6 +30,9 @@ struct RunPage {
 /// `rows` are those of a sweep, else null.
 RunPage present_run(const RunResults& results, const SweepResults* rows, const PageOptions& options);
 
+/// Removes all figures from the parts.
+void leave_out_figures(RunPage& page);
+
 /// "figures/error_ao.svg" and so on, of the figures that the sections show.
 std::vector<std::string> figure_files(const std::vector<ReportSection>& sections);
 std::vector<std::string> figure_files(const RunPage& page);

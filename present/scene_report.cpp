@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scenes/emitter.h"
+#include "scenes/light.h"
 
 namespace umbrameter {
 namespace {

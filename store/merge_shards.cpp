@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -49,9 +50,11 @@ void report_strangers(const fs::path& folder, const ShardPlan& plan, std::vector
 
 }  // namespace
 
-ScratchRows::ScratchRows(const fs::path& folder, const SweepPlan& plan, const std::vector<StoredColumn>& columns)
-    : plan_(&plan), path_(folder / fmt::format(".merge.{}.tmp", getpid())), is_there_(plan.cells) {
-  for (std::size_t i = plan.axes.size(); i < columns.size(); ++i) kinds_.push_back(columns[i].kind);
+ScratchRows::ScratchRows(const fs::path& folder, const SweepPlan& plan, std::vector<ValueKind> kinds)
+    : plan_(&plan),
+      path_(folder / fmt::format(".merge.{}.tmp", getpid())),
+      kinds_(std::move(kinds)),
+      is_there_(plan.cells) {
   file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
   if (file_ < 0) throw_write_error(path_, errno);
   unlink(path_.c_str());
@@ -64,10 +67,9 @@ ScratchRows::~ScratchRows() {
 bool ScratchRows::add(const PlannedShard& shard, std::string_view rows) {
   const std::size_t row_bytes = kinds_.size() * value_bytes;
   std::vector<std::pair<std::size_t, std::size_t>> cells;  // and the place of their rows
-  for (std::size_t g = shard.first_group; g < shard.first_group + shard.groups; ++g) {
-    const CellGroup group = group_at(*plan_, g);
+  for_each_joined_group(*plan_, shard.first_group, shard.groups, [&](const CellGroup& group) {
     for (std::size_t place = 0; place < group.size(); ++place) cells.emplace_back(group.cell(place), cells.size());
-  }
+  });
   if (rows.size() != cells.size() * row_bytes) return false;
   // The cells of a group may lie apart, those of neighbouring groups side by side: few writes then do.
   std::sort(cells.begin(), cells.end());
@@ -89,7 +91,7 @@ bool ScratchRows::add(const PlannedShard& shard, std::string_view rows) {
   return true;
 }
 
-void ScratchRows::read(const CellSink& sink) const {
+void ScratchRows::read(const CellSink& sink, bool missing) const {
   const std::size_t row_bytes = kinds_.size() * value_bytes;
   const std::vector<SweepAxis>& axes = plan_->axes;
   std::vector<Value> values(axes.size() + kinds_.size());
@@ -108,7 +110,7 @@ void ScratchRows::read(const CellSink& sink) const {
     }
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t cell = first + i;
-      if (!is_there_[cell]) continue;
+      if (!is_there_[cell] && !missing) continue;
       for (std::size_t a = 0; a < axes.size(); ++a) {
         const std::size_t now = cell / plan_->strides[a] % axes[a].values.size();
         if (now == index[a]) continue;
@@ -116,7 +118,9 @@ void ScratchRows::read(const CellSink& sink) const {
         values[a] = axes[a].values[now];
       }
       for (std::size_t c = 0; c < kinds_.size(); ++c) {
-        values[axes.size() + c] = value_at(block.data() + i * row_bytes + c * value_bytes, kinds_[c]);
+        Value& value = values[axes.size() + c];
+        value = value_at(block.data() + i * row_bytes + c * value_bytes, kinds_[c]);
+        if (!is_there_[cell] && kinds_[c] == ValueKind::real) value = std::numeric_limits<double>::quiet_NaN();
       }
       sink(cell, values);
     }

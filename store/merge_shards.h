@@ -18,8 +18,8 @@ namespace umbrameter {
 /// The measured columns of a sweep's cells, in a file without a name: it is gone when the process ends.
 class ScratchRows {
  public:
-  /// Creates the file in this folder. Throws Error (partial).
-  ScratchRows(const std::filesystem::path& folder, const SweepPlan& plan, const std::vector<StoredColumn>& columns);
+  /// Creates the file in this folder. `kinds` are those of the measured columns. Throws Error (partial).
+  ScratchRows(const std::filesystem::path& folder, const SweepPlan& plan, std::vector<ValueKind> kinds);
   ~ScratchRows();
   ScratchRows(const ScratchRows&) = delete;
   ScratchRows& operator=(const ScratchRows&) = delete;
@@ -28,8 +28,9 @@ class ScratchRows {
   bool add(const PlannedShard& shard, std::string_view rows);
   /// Number of cells that were added.
   std::size_t count() const { return count_; }
-  /// Passes the values of all columns of the cells that were added, in the order of cells.
-  void read(const CellSink& sink) const;
+  /// Passes the values of all columns of the cells that were added, in the order of cells. With `missing` also those of
+  /// the other cells, whose measured values are NaN and 0.
+  void read(const CellSink& sink, bool missing = false) const;
 
  private:
   const SweepPlan* plan_;

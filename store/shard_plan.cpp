@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int plan_format = 1;
+constexpr int plan_format = 2;
 constexpr const char* plan_key = "umbrameter_plan";
 constexpr const char* plan_name = "plan.json";
 constexpr const char* experiment_name = "experiment.toml";
@@ -32,7 +32,8 @@ Json to_json(const ShardPlan& plan) {
   for (const PlannedShard& shard : plan.shards) shards.push_back({shard.first_group, shard.groups, shard.seconds});
   return {{plan_key, plan_format},         {"program", plan.program}, {"command", "sweep"},
           {"scene_file", plan.scene_file}, {"presets", plan.presets}, {"experiment", plan.experiment},
-          {"identity", plan.identity},     {"cells", plan.cells},     {"shards", shards}};
+          {"identity", plan.identity},     {"cells", plan.cells},     {"parts", plan.parts},
+          {"kinds", plan.kinds},           {"shards", shards}};
 }
 
 // One shard a line.
@@ -98,6 +99,8 @@ ShardPlan read_plan(const fs::path& folder) {
     plan.experiment = json.at("experiment").get<std::string>();
     plan.identity = json.at("identity").get<std::vector<std::pair<std::string, std::string>>>();
     plan.cells = json.at("cells").get<std::size_t>();
+    plan.parts = json.at("parts").get<std::size_t>();
+    plan.kinds = json.at("kinds").get<std::vector<ValueKind>>();
     for (const Json& shard : json.at("shards")) {
       plan.shards.push_back(
           {shard.at(0).get<std::size_t>(), shard.at(1).get<std::size_t>(), shard.at(2).get<double>()});

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "store/results_store.h"
+
 namespace umbrameter {
 
 struct PlannedShard {
@@ -27,6 +29,8 @@ struct ShardPlan {
   /// Name and value of all that the rows depend on, the path of the scene left out.
   std::vector<std::pair<std::string, std::string>> identity{};
   std::size_t cells = 0;
+  std::size_t parts = 1;           ///< of each group: cut_groups() of the sweep's plan gives the groups of the shards
+  std::vector<ValueKind> kinds{};  ///< of the measured columns
   std::vector<PlannedShard> shards{};
 };
 

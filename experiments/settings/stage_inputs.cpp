@@ -8,8 +8,6 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::size_t stage_count = static_cast<std::size_t>(Stage::ao_reference) + 1;
-
 // The parameters of the view, except the scene (loaded before any stage) and the light (an argument of the stages).
 Parameters view_parameters(Experiment& experiment) {
   Parameters all = describe(experiment.view);

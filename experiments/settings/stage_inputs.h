@@ -2,6 +2,7 @@
 // sweep, and the parameters in the reference cache's key all derive from this declaration.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,7 @@ enum class Stage {
   finished_ao,       ///< the same with its intensity and power
   ao_reference,      ///< hemisphere rays
 };
+inline constexpr std::size_t stage_count = static_cast<std::size_t>(Stage::ao_reference) + 1;
 
 struct StageInputs {
   std::string_view name;

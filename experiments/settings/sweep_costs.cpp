@@ -1,112 +1,304 @@
 #include "experiments/settings/sweep_costs.h"
 
 #include <algorithm>
-#include <set>
-#include <utility>
+#include <cmath>
+#include <map>
+#include <optional>
 
 namespace umbrameter {
 namespace {
 
-// Of the groups from 1 up to `end`, each after the one before it.
-double seconds_before(const SweepCosts& costs, std::size_t end) {
-  double seconds = 0.0;
-  for (const SweepCosts::Level& level : costs.levels) {
-    const std::size_t multiples = end == 0 ? 0 : (end - 1) / level.step;
-    const std::size_t within = level.until.size();
-    seconds += static_cast<double>(multiples / within) * level.until.back() + level.until[multiples % within];
-  }
-  return seconds;
+constexpr std::size_t rest = stage_count;  // behind the stages
+constexpr std::size_t most_values = 5;     // of an axis of numbers
+constexpr std::size_t parts_of_samples = 8;
+
+// The times of stages and rest; negative where one did not run.
+using Times = std::vector<double>;
+
+using TimesAlong = std::vector<std::map<std::size_t, Times>>;  // by outer axis and index of its value
+
+struct Samples {
+  std::size_t count = 0;
+  Times first{};                  // of a process
+  std::vector<Times> at_first{};  // later, at the first value of each axis
+  TimesAlong along{};             // the other axes at their first values
+  std::vector<Times> ran{};       // by outer axis: not negative where it made a stage run
+  Times of_whole{};               // of the first group; all others are of parts; empty: not measured
+  double piece = 1.0;             // the size of those parts, as a share of the group's cells
+  // What depends on several axes is predicted best where it takes most: at those values of them.
+  std::vector<std::size_t> corner{};  // index of a value of each outer axis
+  Times at_corner{};                  // empty: not measured
+  TimesAlong from_corner{};           // the other axes at the corner's values
+};
+
+bool is_number(const Value& value) {
+  return std::holds_alternative<double>(value) || std::holds_alternative<std::int64_t>(value);
 }
 
-// Running sums of costs that are linear between samples of (place, seconds); places begin at 1.
-std::vector<double> sums_of(const std::vector<std::pair<std::size_t, double>>& samples, std::size_t count) {
-  std::vector<double> until = {0.0};
-  std::size_t next = 0;
-  for (std::size_t place = 1; place < count; ++place) {
-    while (next + 1 < samples.size() && samples[next].first < place) ++next;
-    const auto& [right, after] = samples[next];
-    double seconds = after;
-    if (place < right) {
-      const auto& [left, before] = samples[next - 1];
-      seconds = before + (after - before) * static_cast<double>(place - left) / static_cast<double>(right - left);
+// Of an axis of numbers the last value, of one of words all but the first.
+std::vector<std::size_t> first_values(const SweepAxis& axis) {
+  std::vector<std::size_t> places = {axis.values.size() - 1};
+  if (is_number(axis.values.front())) return places;
+  for (std::size_t i = 1; i + 1 < axis.values.size(); ++i) places.push_back(i);
+  return places;
+}
+
+// Of an axis of numbers, if there is time, the most telling ones first.
+std::vector<std::size_t> further_values(const SweepAxis& axis) {
+  const std::size_t count = axis.values.size();
+  std::vector<std::size_t> places;
+  if (!is_number(axis.values.front())) return places;
+  const auto add = [&](std::size_t place) {
+    const bool is_new = std::find(places.begin(), places.end(), place) == places.end();
+    if (place > 0 && place + 1 < count && is_new) places.push_back(place);
+  };
+  for (const std::size_t place : {count / 2, count / 4, count * 3 / 4}) add(place);
+  if (count <= most_values) {
+    for (std::size_t i = 1; i + 1 < count; ++i) add(i);
+  }
+  return places;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[(values.size() - 1) / 2];
+}
+
+// Between measured values a time follows a power of the parameter, as with the texels of a map, or else a line.
+double between(const SweepAxis& axis, const std::map<std::size_t, double>& known, std::size_t place) {
+  const auto after = known.lower_bound(place);
+  if (after == known.end()) return known.rbegin()->second;
+  if (after->first == place || after == known.begin()) return after->second;
+  const auto before = std::prev(after);
+  const auto number = [&](std::size_t i) { return to_number(axis.values[i]); };
+  const bool is_power = number(before->first) > 0.0 && number(after->first) > 0.0 &&
+                        number(before->first) != number(after->first) && before->second > 0.0 && after->second > 0.0;
+  if (is_power) {
+    const double share =
+        std::log(number(place) / number(before->first)) / std::log(number(after->first) / number(before->first));
+    return before->second * std::pow(after->second / before->second, share);
+  }
+  const double share = static_cast<double>(place - before->first) / static_cast<double>(after->first - before->first);
+  return before->second + (after->second - before->second) * share;
+}
+
+std::vector<double> factors_of(const SweepAxis& axis, const std::map<std::size_t, double>& known) {
+  std::vector<double> factors;
+  double sum = 0.0;
+  for (const auto& [place, factor] : known) sum += factor;
+  for (std::size_t i = 0; i < axis.values.size(); ++i) {
+    const auto found = known.find(i);
+    factors.push_back(found != known.end()             ? found->second
+                      : is_number(axis.values.front()) ? between(axis, known, i)
+                                                       : sum / static_cast<double>(known.size()));
+  }
+  return factors;
+}
+
+bool runs_with(std::size_t part, const std::string& key) {
+  return part == rest || depends_on(static_cast<Stage>(part), key);
+}
+
+// What runs for the same group again depends on what varies within groups.
+bool is_within(const Samples& samples, std::size_t part) {
+  return part == rest || (!samples.at_first.empty() && samples.at_first.front()[part] >= 0.0);
+}
+
+// Where the first group of a process takes longer, that is its start. Negative if the part did not run.
+double at_first(const Samples& samples, std::size_t part) {
+  std::vector<double> again;
+  for (const Times& times : samples.at_first) {
+    if (times[part] >= 0.0) again.push_back(times[part]);
+  }
+  return again.empty() ? samples.first[part] : median(again);
+}
+
+// The times of a part at values of an axis, as multiples of that at the corner's, or `seconds` where it took none
+// there.
+std::map<std::size_t, double> factors_along(const Samples& samples, std::size_t a, std::size_t part, double seconds,
+                                            bool is_cornered) {
+  std::map<std::size_t, double> known = {{0, std::max(at_first(samples, part), 0.0)}};
+  for (const auto& [place, times] : samples.along[a]) known[place] = std::max(times[part], 0.0);
+  const double unit = is_cornered ? known[samples.corner[a]] : seconds;
+  for (auto& [place, factor] : known) factor /= unit > 0.0 ? unit : seconds;
+  if (!is_cornered) return known;
+  known[samples.corner[a]] = 1.0;
+  for (const auto& [place, times] : samples.from_corner[a]) {
+    if (times[part] >= 0.0) known[place] = times[part] / seconds;
+  }
+  return known;
+}
+
+// Nothing if it never ran.
+std::optional<SweepCosts::Part> part_of(const SweepPlan& plan, const Samples& samples, std::size_t part) {
+  const bool is_cornered = !samples.at_corner.empty() && samples.at_corner[part] > 0.0;
+  double seconds = is_cornered ? samples.at_corner[part] : at_first(samples, part);
+  // A stage may run only elsewhere, as that of another technique.
+  for (const auto& of_axis : samples.along) {
+    for (const auto& [place, times] : of_axis) {
+      if (seconds <= 0.0) seconds = times[part];
     }
-    until.push_back(until.back() + seconds);
   }
-  return until;
+  if (seconds <= 0.0) return {};
+  SweepCosts::Part made{seconds, is_within(samples, part), {}};
+  for (std::size_t a = 0; a < plan.outer.size(); ++a) {
+    const SweepAxis& axis = plan.axes[plan.outer[a]];
+    const bool is_measured = !samples.along[a].empty();
+    const bool depends = is_measured ? samples.ran[a][part] >= 0.0 : runs_with(part, axis.key);
+    if (axis.values.size() == 1 || !depends) {
+      made.factors.emplace_back();
+    } else {
+      made.factors.push_back(factors_of(axis, factors_along(samples, a, part, seconds, is_cornered)));
+    }
+  }
+  return made;
 }
 
-// The multiple of the outermost step that is no further than `reach` from the group.
-std::size_t near_change(const SweepCosts& costs, std::size_t group, std::size_t reach) {
-  for (const SweepCosts::Level& level : costs.levels) {
-    const std::size_t nearest = (group + level.step / 2) / level.step * level.step;
-    if (std::max(nearest, group) - std::min(nearest, group) <= reach) return nearest;
-  }
-  return group;
+Times times_of(GroupTime time) {
+  time.of_stage.push_back(time.rest);
+  return std::move(time.of_stage);
 }
+
+double sum_of(const Times& times) {
+  double sum = 0.0;
+  for (const double seconds : times) sum += std::max(seconds, 0.0);
+  return sum;
+}
+
+// Measures groups until its time is spent.
+class GroupSampler {
+ public:
+  GroupSampler(SweepPlan plan, double budget, const MeasureGroup& measure)
+      : whole_(group_at(plan, 0)), plan_(std::move(plan)), budget_(budget), measure_(measure) {
+    // Parts of groups take less time, and stages as long as for the whole.
+    cut_groups(plan_, parts_of_group(plan_) * parts_of_samples);
+    first_ = group_at(plan_, 0);
+    samples_.piece = static_cast<double>(first_.size()) / static_cast<double>(whole_.size());
+    std::size_t step = parts_of_group(plan_);
+    steps_.resize(plan_.outer.size());
+    for (std::size_t a = plan_.outer.size(); a-- > 0;) {
+      steps_[a] = step;
+      step *= axis(a).values.size();
+    }
+    samples_.along.resize(plan_.outer.size());
+    samples_.from_corner.resize(plan_.outer.size());
+    samples_.ran.assign(plan_.outer.size(), Times(rest + 1, -1.0));
+  }
+
+  Samples take() {
+    samples_.first = sample(first_);
+    measure_first();
+    if (has_time() && samples_.piece < 1.0) samples_.of_whole = sample(whole_);
+    // The innermost axis first: its changes are the most frequent ones.
+    for (std::size_t a = steps_.size(); a-- > 0;) measure_axis(a);
+    choose_corner();
+    if (has_time()) samples_.at_corner = sample(group_at(plan_, corner_));
+    for (std::size_t i = 0; i < most_values; ++i) {
+      for (std::size_t a = steps_.size(); a-- > 0;) measure_from_corner(a, i);
+    }
+    return std::move(samples_);
+  }
+
+ private:
+  const SweepAxis& axis(std::size_t a) const { return plan_.axes[plan_.outer[a]]; }
+  bool has_time() const { return spent_ < budget_; }
+
+  Times sample(const CellGroup& group) {
+    Times times = times_of(measure_(group));
+    spent_ += sum_of(times);
+    ++samples_.count;
+    return times;
+  }
+  Times sample_at(std::size_t a, std::size_t place) { return sample(group_at(plan_, place * steps_[a])); }
+
+  void measure_first() {
+    if (has_time()) samples_.at_first.push_back(sample(first_));
+  }
+
+  void measure_axis(std::size_t a) {
+    if (axis(a).values.size() == 1) return;
+    for (const std::size_t place : first_values(axis(a))) {
+      if (!has_time()) break;
+      const Times times = sample_at(a, place);
+      Times& ran = samples_.ran[a];
+      for (std::size_t part = 0; part <= rest; ++part) ran[part] = std::max(ran[part], times[part]);
+      samples_.along[a][place] = times;
+    }
+    measure_first();  // all that depends on the axis runs again
+  }
+
+  double seconds_within(const Times& times) const {
+    double sum = 0.0;
+    for (std::size_t part = 0; part <= rest; ++part)
+      sum += is_within(samples_, part) ? std::max(times[part], 0.0) : 0.0;
+    return sum;
+  }
+
+  void choose_corner() {
+    Times first(rest + 1);
+    for (std::size_t part = 0; part <= rest; ++part) first[part] = at_first(samples_, part);
+    for (std::size_t a = 0; a < steps_.size(); ++a) {
+      std::size_t corner = 0;
+      double longest = seconds_within(first);
+      for (const auto& [place, times] : samples_.along[a]) {
+        if (seconds_within(times) <= longest) continue;
+        longest = seconds_within(times);
+        corner = place;
+      }
+      samples_.corner.push_back(corner);
+      corner_ += corner * steps_[a];
+    }
+  }
+
+  // The i-th value besides the corner's, the end of an axis of numbers first.
+  void measure_from_corner(std::size_t a, std::size_t i) {
+    std::vector<std::size_t> places = first_values(axis(a));
+    places.push_back(0);
+    for (const std::size_t place : further_values(axis(a))) places.push_back(place);
+    std::erase(places, samples_.corner[a]);
+    if (axis(a).values.size() == 1 || i >= places.size() || !has_time() || samples_.at_corner.empty()) return;
+    const std::size_t group = corner_ - samples_.corner[a] * steps_[a] + places[i] * steps_[a];
+    samples_.from_corner[a][places[i]] = sample(group_at(plan_, group));
+  }
+
+  CellGroup whole_;
+  SweepPlan plan_;
+  double budget_;
+  const MeasureGroup& measure_;
+  CellGroup first_{};
+  std::vector<std::size_t> steps_;  // for each outer axis: groups from one value to the next
+  std::size_t corner_ = 0;          // index of its group
+  double spent_ = 0.0;
+  Samples samples_;
+};
 
 }  // namespace
 
-SweepCosts measure_costs(const SweepPlan& plan, double budget, const std::function<double(std::size_t)>& measure) {
+SweepCosts measure_costs(const SweepPlan& plan, double budget, const MeasureGroup& measure) {
+  const Samples samples = GroupSampler(plan, budget, measure).take();
   SweepCosts costs;
-  double spent = 0.0;
-  const auto sample = [&](std::size_t group) {
-    const double seconds = measure(group);
-    spent += seconds;
-    ++costs.measured;
-    return seconds;
-  };
-  costs.first_seconds = sample(0);
-  const auto add_level = [&](std::size_t step, std::size_t within) {
-    costs.levels.push_back({step, sums_of({{1, costs.first_seconds}}, within)});
-  };
-  std::size_t step = count_groups(plan);
-  for (const std::size_t axis : plan.outer) {
-    const std::size_t outer_step = step;
-    step /= plan.axes[axis].values.size();
-    if (step < outer_step) add_level(step, outer_step / step);
+  costs.measured = samples.count;
+  double within = 0.0;
+  double within_piece = 0.0;
+  for (std::size_t part = 0; part <= rest; ++part) {
+    std::optional<SweepCosts::Part> made = part_of(plan, samples, part);
+    if (!made) continue;
+    const double first = std::max(at_first(samples, part), 0.0);
+    costs.start_seconds += std::max(samples.first[part] - first, 0.0);
+    if (made->is_within && samples.piece < 1.0 && first > 0.0) {
+      // Without a measurement as if each cell took as long.
+      const double whole = samples.of_whole.empty() ? first / samples.piece : std::max(samples.of_whole[part], first);
+      made->seconds *= whole / first;
+      within_piece += first;
+      within += whole;
+    }
+    costs.parts.push_back(std::move(*made));
   }
-  // A large grid of biases is split into several groups.
-  if (step > 1) add_level(1, step);
-  for (auto level = costs.levels.rbegin(); level != costs.levels.rend(); ++level) {
-    const std::size_t last = level->until.size() - 1;
-    std::vector<std::pair<std::size_t, double>> samples;
-    // The cost of a step may grow along the axis, as with the resolution.
-    for (const std::size_t place : std::set<std::size_t>{1, (last + 1) / 2, last}) {
-      if (spent < budget) samples.emplace_back(place, sample(place * level->step));
-    }
-    if (samples.empty()) {
-      costs.is_upper_bound = true;
-    } else {
-      level->until = sums_of(samples, last + 1);
-    }
+  if (within > 0.0) {
+    costs.piece = samples.piece;
+    costs.share_of_piece = std::clamp(within_piece / within, costs.piece, 1.0);
   }
   return costs;
-}
-
-double seconds_of(const SweepCosts& costs, std::size_t begin, std::size_t end) {
-  return costs.first_seconds + seconds_before(costs, end) - seconds_before(costs, begin + 1);
-}
-
-std::vector<std::size_t> cut_into_shards(const SweepCosts& costs, std::size_t groups, std::size_t shards) {
-  shards = std::min(shards, groups);
-  const double all = seconds_before(costs, groups);
-  std::vector<std::size_t> first = {0};
-  for (std::size_t k = 1; k < shards; ++k) {
-    const double wanted = all * static_cast<double>(k) / static_cast<double>(shards);
-    std::size_t low = 0;
-    std::size_t high = groups;
-    while (low < high) {
-      const std::size_t middle = low + (high - low) / 2;
-      if (seconds_before(costs, middle) < wanted) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
-    const std::size_t group = near_change(costs, low, groups / shards / 16);
-    first.push_back(std::clamp(group, first.back() + 1, groups - (shards - k)));
-  }
-  return first;
 }
 
 }  // namespace umbrameter

@@ -1,35 +1,41 @@
-// The time that the groups of a sweep take, estimated from a few of them, and a cut of the sweep into shards by it.
+// The time that the groups of a sweep take, by stage, estimated from a few of them. A stage runs again when an axis on
+// which it depends changes; its time is a product of factors, one for each of these axes.
 #pragma once
 
 #include <cstddef>
 #include <functional>
 #include <vector>
 
+#include "experiments/settings/stage_inputs.h"
 #include "experiments/settings/sweep_plan.h"
 
 namespace umbrameter {
 
-struct SweepCosts {
-  /// Groups at which the outermost axis that changes is the same one; everything inside it starts again.
-  struct Level {
-    std::size_t step = 1;         ///< the groups whose index is a multiple of it, but of no outer level's
-    std::vector<double> until{};  ///< [j]: seconds of the first j such groups, up to the next outer level's; [0] is 0
-  };
-  double first_seconds = 0.0;   ///< of the group that a process measures first
-  std::vector<Level> levels{};  ///< the outermost one first
-  std::size_t measured = 0;     ///< groups that were measured
-  bool is_upper_bound = false;  ///< a level was not measured, and was taken to cost as much as the first group
+/// What it took to measure a group, seconds.
+struct GroupTime {
+  std::vector<double> of_stage = std::vector<double>(stage_count, -1.0);  ///< by Stage; negative: it did not run
+  double rest = 0.0;                                                      ///< what no stage keeps: look-ups, statistics
 };
 
-/// Calls measure(group index), which returns its seconds, for the first group and for the first, the middle and the
-/// last group of each level, until `budget` seconds are spent. Between them the costs of a level are interpolated.
-SweepCosts measure_costs(const SweepPlan& plan, double budget, const std::function<double(std::size_t)>& measure);
+struct SweepCosts {
+  /// A stage, or the rest.
+  struct Part {
+    double seconds = 0.0;    ///< at the first value of each axis
+    bool is_within = false;  ///< runs in each group, and for a part of a group takes less; else where a factor changes
+    std::vector<std::vector<double>> factors{};  ///< for each outer axis one for each value; empty: no dependence
+  };
+  double start_seconds = 0.0;  ///< of a process: loading, and what its first group takes besides its parts
+  std::vector<Part> parts{};
+  double piece = 1.0;           ///< a part of the first group that was measured, as a share of its cells
+  double share_of_piece = 1.0;  ///< what is_within took for it, as a share of what it took for the whole group
+  std::size_t measured = 0;     ///< groups that were measured
+};
 
-/// Time of a process that measures the groups from `begin` up to `end`, seconds.
-double seconds_of(const SweepCosts& costs, std::size_t begin, std::size_t end);
+using MeasureGroup = std::function<GroupTime(const CellGroup&)>;
 
-/// Cuts the groups into runs of equal cost, moved a little to where an outer axis changes, so that a shard shares maps
-/// and references. Returns the first group of each shard; fewer shards than asked for if there are fewer groups.
-std::vector<std::size_t> cut_into_shards(const SweepCosts& costs, std::size_t groups, std::size_t shards);
+/// Measures the first group, other values of each axis with the first values of the others, and a part of the first
+/// group, until `budget` seconds are spent. Of an axis of numbers its ends and some values between them, of which the
+/// others are interpolated; of an axis of words as many as there is time for.
+SweepCosts measure_costs(const SweepPlan& plan, double budget, const MeasureGroup& measure);
 
 }  // namespace umbrameter

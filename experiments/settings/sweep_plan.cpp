@@ -44,27 +44,46 @@ LengthUnit unit_of_constants(const Parameters& parameters, const SweepPlan& plan
   return length != nullptr ? (*length)->unit : LengthUnit::metres;
 }
 
-// The number of values of each inner axis in one group. A group that is too large is split along its last axes: the
-// cost of a pass grows with the number of slope-scaled biases, hardly with that of constant ones.
-std::vector<std::size_t> group_sizes(const SweepPlan& plan) {
-  std::vector<std::size_t> sizes;
-  std::size_t room = max_group_cells;
-  for (const InnerAxis& axis : plan.inner) {
-    sizes.push_back(std::min(axis.values.size(), std::max<std::size_t>(room, 1)));
-    room /= sizes.back();
-  }
-  return sizes;
-}
-
 std::size_t divide_up(std::size_t number, std::size_t by) { return (number + by - 1) / by; }
 
-// Reduces an inner axis to its part-th run of `size` values. Returns the number of cells before that run.
-std::size_t take_part(InnerAxis& inner, std::size_t part, std::size_t size) {
-  const std::size_t begin = part * size;
-  const std::size_t end = std::min(begin + size, inner.values.size());
+// A group that is too large is split along its last axes: the cost of a pass grows with the number of slope-scaled
+// biases, hardly with that of constant ones.
+void split_large_groups(SweepPlan& plan) {
+  std::size_t room = max_group_cells;
+  for (InnerAxis& axis : plan.inner) {
+    axis.parts = divide_up(axis.values.size(), std::max<std::size_t>(room, 1));
+    room /= divide_up(axis.values.size(), axis.parts);
+  }
+}
+
+// Reduces an inner axis to one of its parts, whose sizes differ by at most one. Returns the number of cells before it.
+std::size_t take_part(InnerAxis& inner, std::size_t part) {
+  const std::size_t begin = divide_up(part * inner.values.size(), inner.parts);
+  const std::size_t end = divide_up((part + 1) * inner.values.size(), inner.parts);
   const auto at = [&](std::size_t i) { return inner.values.begin() + static_cast<std::ptrdiff_t>(i); };
   inner.values = std::vector<double>(at(begin), at(end));
+  inner.parts = 1;
   return begin * inner.stride;
+}
+
+bool differ_only_in(std::size_t axis, const CellGroup& group, const CellGroup& next) {
+  for (std::size_t i = 0; i < group.inner.size(); ++i) {
+    if (i != axis && group.inner[i].values != next.inner[i].values) return false;
+  }
+  return true;
+}
+
+// Adds the cells of the next group if both together are a grid: they differ in neighbouring parts of one inner axis.
+bool join(CellGroup& group, const CellGroup& next) {
+  if (group.size() + next.size() > max_group_cells) return false;
+  for (std::size_t i = 0; i < group.inner.size(); ++i) {
+    InnerAxis& axis = group.inner[i];
+    if (next.first_cell != group.first_cell + axis.values.size() * axis.stride) continue;
+    if (!differ_only_in(i, group, next)) continue;
+    axis.values.insert(axis.values.end(), next.inner[i].values.begin(), next.inner[i].values.end());
+    return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -92,6 +111,7 @@ SweepPlan plan_sweep(const Parameters& parameters, std::vector<SweepAxis> axes, 
   plan.constant_bias = make_inner(parameters, plan, constant_bias_key);
   plan.slope_bias = make_inner(parameters, plan, slope_bias_key);
   plan.constant_unit = unit_of_constants(parameters, plan);
+  split_large_groups(plan);
   return plan;
 }
 
@@ -125,22 +145,31 @@ std::size_t CellGroup::cell(std::size_t place) const {
   return cell;
 }
 
-std::size_t count_groups(const SweepPlan& plan) {
-  const std::vector<std::size_t> sizes = group_sizes(plan);
-  std::size_t groups = plan.cells;
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    groups = groups / plan.inner[i].values.size() * divide_up(plan.inner[i].values.size(), sizes[i]);
+std::size_t parts_of_group(const SweepPlan& plan) {
+  std::size_t parts = 1;
+  for (const InnerAxis& axis : plan.inner) parts *= axis.parts;
+  return parts;
+}
+
+void cut_groups(SweepPlan& plan, std::size_t parts) {
+  for (auto axis = plan.inner.rbegin(); axis != plan.inner.rend(); ++axis) {
+    axis->parts = std::max(axis->parts, std::min(axis->values.size(), parts));
+    parts = divide_up(parts, axis->parts);
   }
+}
+
+std::size_t count_groups(const SweepPlan& plan) {
+  std::size_t groups = plan.cells;
+  for (const InnerAxis& axis : plan.inner) groups = groups / axis.values.size() * axis.parts;
   return groups;
 }
 
 CellGroup group_at(const SweepPlan& plan, std::size_t index) {
   assert(index < count_groups(plan));
   CellGroup group{0, {}, plan.inner};
-  const std::vector<std::size_t> sizes = group_sizes(plan);
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    const std::size_t parts = divide_up(plan.inner[i].values.size(), sizes[i]);
-    group.first_cell += take_part(group.inner[i], index % parts, sizes[i]);
+  for (InnerAxis& axis : group.inner) {
+    const std::size_t parts = axis.parts;
+    group.first_cell += take_part(axis, index % parts);
     index /= parts;
   }
   for (auto a = plan.outer.rbegin(); a != plan.outer.rend(); ++a) {
@@ -150,6 +179,22 @@ CellGroup group_at(const SweepPlan& plan, std::size_t index) {
   }
   group.values = values_at(plan, group.first_cell);
   return group;
+}
+
+void for_each_joined_group(const SweepPlan& plan, std::size_t first, std::size_t count,
+                           const std::function<void(const CellGroup&)>& take) {
+  const std::size_t parts = parts_of_group(plan);
+  std::vector<CellGroup> open;  // of the same outer values; each may still grow
+  const auto flush = [&] {
+    for (const CellGroup& group : open) take(group);
+    open.clear();
+  };
+  for (std::size_t index = first; index < first + count; ++index) {
+    if (index % parts == 0) flush();
+    open.push_back(group_at(plan, index));
+    while (open.size() > 1 && join(open[open.size() - 2], open.back())) open.pop_back();
+  }
+  flush();
 }
 
 std::vector<Value> values_at(const CellGroup& group, std::size_t place) {

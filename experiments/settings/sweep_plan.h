@@ -17,7 +17,7 @@ inline constexpr std::string_view constant_bias_key = "shadow.constant-bias";
 inline constexpr std::string_view slope_bias_key = "shadow.slope-bias";
 
 /// Maximum number of cells in a group, which is stored in one transaction. A larger inner grid is split, first along
-/// its last axis.
+/// its last axis, into equal parts.
 inline constexpr std::size_t max_group_cells = 65'536;
 
 /// Values of an inner axis: in a plan all values, in a group the values of that group.
@@ -25,6 +25,7 @@ struct InnerAxis {
   std::optional<std::size_t> axis{};  ///< index into SweepPlan::axes; empty if the bias is not varied
   std::vector<double> values{};       ///< never empty: the experiment's value if the bias is not varied
   std::size_t stride = 0;             ///< cells from one value to the next
+  std::size_t parts = 1;              ///< in a plan: each group has one of so many parts of the values
 };
 
 struct SweepPlan {
@@ -67,10 +68,21 @@ struct CellGroup {
   std::size_t cell(std::size_t place) const;
 };
 
+/// Cuts each combination of outer values into at least so many groups, or into its cells if there are fewer.
+void cut_groups(SweepPlan& plan, std::size_t parts);
+
+/// The number of groups with the same outer values, one after the other.
+std::size_t parts_of_group(const SweepPlan& plan);
+
 std::size_t count_groups(const SweepPlan& plan);
 
 /// The group with this index in the order of evaluation; index < count_groups().
 CellGroup group_at(const SweepPlan& plan, std::size_t index);
+
+/// Passes the cells of `count` groups from `first` on, in as few groups of at most max_group_cells as the order of
+/// evaluation gives: groups that were cut from one are joined again.
+void for_each_joined_group(const SweepPlan& plan, std::size_t first, std::size_t count,
+                           const std::function<void(const CellGroup&)>& take);
 
 /// The values of all axes at the cell at a place of the group.
 std::vector<Value> values_at(const CellGroup& group, std::size_t place);

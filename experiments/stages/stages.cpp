@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "raster/gl/timer.h"
 #include "raster/shadow/polygon_offset.h"
 #include "raytrace/pixel_shadow.h"
 #include "scenes/ground.h"
@@ -74,6 +75,14 @@ void Stages::keep_cases(std::size_t cases, bool with_maps) {
   const auto keep = [&](auto&... memos) { (memos.keep(cases), ...); };
   keep(surfels_, gpu_surfels_, layout_, counted_, hard_truth_, sampled_truth_, gpu_truth_, ao_truth_);
   if (with_maps) keep(map_, stored_depths_, filtered_map_);
+}
+
+GroupTime Stages::time_stages(const std::function<void()>& work) {
+  clock_->begin([this] {
+    if (context_) gl::wait_for_device();
+  });
+  work();
+  return clock_->end();
 }
 
 ProgressBar Stages::bar(const char* stage) const {
@@ -333,6 +342,7 @@ RasterVisibility Stages::draw(const Experiment& experiment, std::uint32_t light,
 
 std::vector<Image<float>> Stages::draw_lookups(std::span<const Experiment> experiments, std::uint32_t light) {
   if (has_engine()) return engine_visibility(experiments, light);
+  const StageClock::Running running(*clock_, Stage::visibility);
   const HeldLookup held = shadow_lookup(experiments.front(), light, false);
   std::vector<PrefilteredLookup> lookups;
   for (const Experiment& each : experiments) {

@@ -26,6 +26,7 @@
 #include "experiments/settings/stage_inputs.h"
 #include "experiments/stages/costs.h"
 #include "experiments/stages/reference_cache.h"
+#include "experiments/stages/stage_clock.h"
 #include "raster/rasterizer.h"
 #include "raster/shading/shading_pass.h"
 #include "raytrace/tracer.h"
@@ -43,6 +44,10 @@ namespace umbrameter {
 template <class T>
 class Memo {
  public:
+  Memo() = default;
+  /// Charges what making a value takes to a stage.
+  Memo(StageClock& clock, Stage stage) : clock_(&clock), stage_(stage) {}
+
   void keep(std::size_t values) { most_ = values; }
 
   std::shared_ptr<const T> get(const std::string& key, const std::function<T()>& make) {
@@ -59,6 +64,8 @@ class Memo {
       kept_.splice(kept_.begin(), kept_, found);
       return kept_.front().value;
     }
+    std::optional<StageClock::Running> running;
+    if (clock_ != nullptr) running.emplace(*clock_, stage_);
     std::optional<T> oldest;
     while (kept_.size() >= most_) {
       oldest.reset();
@@ -74,6 +81,8 @@ class Memo {
     std::string key;
     std::shared_ptr<T> value;
   };
+  StageClock* clock_ = nullptr;
+  Stage stage_{};
   std::list<Kept> kept_;  // the newest first
   std::size_t most_ = 1;
 };
@@ -232,6 +241,8 @@ class Stages {
   /// `to` is empty, each stage shows its bar again.
   void report_tracing(Progress to) { tracing_ = std::move(to); }
 
+  /// What the stages take while `work` runs, which is `rest` otherwise.
+  GroupTime time_stages(const std::function<void()>& work);
   /// Costs of tracing so far.
   const Costs& costs() const { return costs_; }
   /// Every assumption made so far, each once.
@@ -273,21 +284,22 @@ class Stages {
   // Before all members that hold GPU objects, so that these are destroyed before their context.
   std::shared_ptr<gl::Context> context_;
   std::unique_ptr<UploadedScene> uploaded_;
-  Memo<Surfels> surfels_;
-  Memo<GpuGBuffer> gpu_surfels_;
-  Memo<StoredSurfels> stored_surfels_;
-  Memo<MapLayout> layout_;
-  Memo<CountedPixels> counted_;
-  Memo<ShadowMap> map_;
+  std::unique_ptr<StageClock> clock_ = std::make_unique<StageClock>();  // Memos point to it when Stages moves
+  Memo<Surfels> surfels_{*clock_, Stage::surfels};
+  Memo<GpuGBuffer> gpu_surfels_{*clock_, Stage::surfels};
+  Memo<StoredSurfels> stored_surfels_{*clock_, Stage::stored_gbuffer};
+  Memo<MapLayout> layout_{*clock_, Stage::layout};
+  Memo<CountedPixels> counted_{*clock_, Stage::counted};
+  Memo<ShadowMap> map_{*clock_, Stage::map};
   Memo<StoredDepths> stored_depths_;
-  Memo<TechniqueMap> filtered_map_;
-  Memo<Image<float>> ao_;
-  Memo<Image<float>> engine_visibility_;
+  Memo<TechniqueMap> filtered_map_{*clock_, Stage::filtered_map};
+  Memo<Image<float>> ao_{*clock_, Stage::ao};
+  Memo<Image<float>> engine_visibility_{*clock_, Stage::visibility};
   Memo<EngineCauses> engine_causes_;
-  Memo<TracedVisibility> hard_truth_;
-  Memo<TracedVisibility> sampled_truth_;
-  Memo<gl::Texture> gpu_truth_;
-  Memo<TracedAo> ao_truth_;
+  Memo<TracedVisibility> hard_truth_{*clock_, Stage::binary_reference};
+  Memo<TracedVisibility> sampled_truth_{*clock_, Stage::area_reference};
+  Memo<gl::Texture> gpu_truth_{*clock_, Stage::counted};
+  Memo<TracedAo> ao_truth_{*clock_, Stage::ao_reference};
   Memo<std::string> tracer_identity_;
   Memo<std::string> scene_content_;
   Memo<std::string> surfel_content_;

@@ -34,6 +34,8 @@ TapFlips Stages::tap_flips(const Experiment& experiment, std::uint32_t light, co
 void Stages::test_unresolved_taps(const Experiment& experiment, std::uint32_t light, const BiasAxes& axes, bool of_lit,
                                   const TestedTaps& take) {
   const HeldLookup held = shadow_lookup(experiment, light, true);
+  // Its time follows the unresolved taps, that of the look-up all taps.
+  const StageClock::Running running(*clock_, Stage::visibility);
   const MapLayout& layout = held.lookup.map.layout;
   const auto seen = surfels(experiment);
   const Tracer& rays = tracer();

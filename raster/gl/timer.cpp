@@ -6,6 +6,8 @@
 
 namespace umbrameter::gl {
 
+void wait_for_device() { glFinish(); }
+
 void run_timed(PassTime* time, const std::function<void()>& work) {
   if (time == nullptr) return work();
   glFinish();

@@ -11,6 +11,9 @@ struct PassTime {
   double processor = 0;  ///< seconds, all threads of the process: what a software rasteriser works
 };
 
+/// Returns when the device has done all that was queued.
+void wait_for_device();
+
 /// Runs the work. If `time` is given, adds the time from an idle device until all of it is done.
 void run_timed(PassTime* time, const std::function<void()>& work);
 

@@ -30,6 +30,11 @@ std::string bytes_text(std::uint64_t bytes) {
   return fmt::format("{:.3g} {}", value, units[unit]);
 }
 
+std::string time_text(double seconds) {
+  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
+  return seconds < 5400.0 ? fmt::format("{:.0f} min", seconds / 60.0) : fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
 std::string vector_text(double x, double y, double z) {
   // A rounded rotation leaves -0 and 1e-17 behind, which say nothing.
   const double least = 1e-9 * std::max({std::abs(x), std::abs(y), std::abs(z)});

@@ -14,6 +14,9 @@ std::string grouped(std::uint64_t number);
 /// "512 B", "4.19 MB": three significant digits, decimal units.
 std::string bytes_text(std::uint64_t bytes);
 
+/// "90 s", "12 min", "3.5 h".
+std::string time_text(double seconds);
+
 /// "[0.5, 2, -1]": six significant digits.
 std::string vector_text(double x, double y, double z);
 

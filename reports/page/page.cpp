@@ -172,10 +172,10 @@ void ready_settings(Json& settings) {
 }
 
 constexpr std::pair<const char*, const char*> file_meanings[] = {
-    {"images.exr", "all images as float layers"},    {"sweep.csv", "all cells of the sweep"},
-    {"tuned.toml", "settings with the best values"}, {"evaluations.csv", "all evaluated points"},
-    {"experiment.toml", "settings of this run"},     {"comparison.csv", "all values and differences"},
-    {"summary.json", "all numbers, for programs"}};
+    {"images.exr", "all images as float layers"},      {"sweep.csv", "all cells of the sweep"},
+    {"sweep.partial.csv", "all cells that are there"}, {"tuned.toml", "settings with the best values"},
+    {"evaluations.csv", "all evaluated points"},       {"experiment.toml", "settings of this run"},
+    {"comparison.csv", "all values and differences"},  {"summary.json", "all numbers, for programs"}};
 
 Json files_data(const fs::path& folder) {
   const std::vector<std::string> linked = linked_files(folder);
@@ -204,6 +204,19 @@ Json headlines_data(const std::vector<Headline>& headlines) {
   Json list = Json::array();
   for (const Headline& headline : headlines) {
     list.push_back({{"label", headline.label}, {"value", headline.value}, {"note", headline.note}});
+  }
+  return list;
+}
+
+// Places and widths in per cent of the bar.
+Json bar_data(const std::vector<BarShare>& bar) {
+  Json list = Json::array();
+  double begin = 0.0;
+  for (const BarShare& part : bar) {
+    const double end = std::min(100.0, begin + 100.0 * part.share);
+    list.push_back(
+        {{"kind", part.kind}, {"x", fmt::format("{:.2f}", begin)}, {"width", fmt::format("{:.2f}", end - begin)}});
+    begin = end;
   }
   return list;
 }
@@ -257,6 +270,7 @@ Json section_data(const fs::path& folder, const ReportSection& section, const st
   }
   return {{"anchor", fmt::format("section-{}", ++numbers.sections)},
           {"title", section.title},
+          {"bar", bar_data(section.bar)},
           {"headlines", headlines_data(section.headlines)},
           {"paragraphs", paragraphs_data(section.text)},
           {"in_threes", are_of_three_runs(section.figures)},
@@ -274,11 +288,18 @@ Json page_data(const fs::path& folder, const Report& report, const std::set<std:
     contents.push_back({{"anchor", sections.back()["anchor"]}, {"title", section.title}});
   }
   if (!report.settings.columns.empty()) contents.push_back({{"anchor", "settings"}, {"title", "Settings"}});
-  return {{"title", report.title},       {"subtitle", report.subtitle},
-          {"command", report.command},   {"command_title", report.command_title},
-          {"files", files_data(folder)}, {"contents", contents},
-          {"answers", report.answers},   {"notes", report.notes},
-          {"sections", sections},        {"settings", table_data(report.settings, "Every parameter of this run")}};
+  return {{"title", report.title},
+          {"subtitle", report.subtitle},
+          {"command", report.command},
+          {"command_title", report.command_title},
+          {"files", files_data(folder)},
+          {"contents", contents},
+          {"warning_title", report.warning_title},
+          {"warnings", report.warnings},
+          {"answers", report.answers},
+          {"notes", report.notes},
+          {"sections", sections},
+          {"settings", table_data(report.settings, "Every parameter of this run")}};
 }
 
 // Moves figures of what the viewer shows, in full, to a part that can be folded away.
@@ -297,7 +318,7 @@ void fold_figures(Json& section, const std::set<std::string>& layers) {
   section["viewer_figure_count"] = folded.size();
   section["viewer_figures"] = std::move(folded);
   const auto is_empty = [&](const char* part) { return section[part].empty(); };
-  static constexpr const char* parts[] = {"figures", "tables", "headlines", "paragraphs"};
+  static constexpr const char* parts[] = {"figures", "tables", "headlines", "paragraphs", "bar"};
   section["is_folded"] = !is_empty("viewer_figures") && std::all_of(std::begin(parts), std::end(parts), is_empty);
 }
 
@@ -313,6 +334,11 @@ std::vector<std::string> linked_files(const fs::path& folder) {
 }
 
 void write_page(const fs::path& folder, const Report& report, const ViewerPack* viewer) {
+  write_page_to(folder / "index.html", report, viewer);
+}
+
+void write_page_to(const fs::path& file, const Report& report, const ViewerPack* viewer) {
+  const fs::path folder = file.parent_path();
   const std::set<std::string> layers = viewer != nullptr ? viewer->layers : std::set<std::string>();
   Json page = page_data(folder, report, layers);
   page["data"] = script_text(page);
@@ -340,7 +366,7 @@ void write_page(const fs::path& folder, const Report& report, const ViewerPack* 
     if (report.sections[s].tables_first) section["leading_tables"] = std::exchange(section["tables"], Json::array());
   }
   if (page["settings"].is_object()) ready_settings(page["settings"]);
-  write_text(folder / "index.html", fill_template("page.html", page));
+  write_text(file, fill_template("page.html", page));
 }
 
 }  // namespace umbrameter

@@ -53,6 +53,43 @@ TEST_F(Shards, A_merged_sweep_has_all_files_of_the_undivided_one_to_the_byte) {
   expect_same_files(merged_, undivided);
 }
 
+// Each has one group of cells, which share a map and a reference.
+TEST_F(Shards, Cells_that_share_a_map_are_cut_and_merge_to_the_files_of_the_undivided_sweep) {
+  const std::vector<std::string> corner = {"corner", "--size", "64x36"};
+  const std::vector<std::vector<std::string>> sweeps = {
+      {"--light", "0", "--vary", "shadow.constant-bias=0:0.1:7", "--vary", "shadow.slope-bias=0,1,2"},
+      {"--light", "0", "--light.angle", "2", "--truth.spp", "4", "--vary", "shadow.constant-bias=0:0.1:7"},
+      {"--vary", "ao.samples=4,8,16", "--vary", "ao.power=1,2,3", "--truth.spp", "4"}};
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    const fs::path undivided = folder_ / ("undivided" + std::to_string(i));
+    plan_ = folder_ / ("plan" + std::to_string(i));
+    merged_ = folder_ / ("merged" + std::to_string(i));
+    const std::vector<std::string> sweep = words(corner, sweeps[i]);
+    ASSERT_EQ(run_program(words(words({"sweep"}, sweep), {"-o", undivided.string()})).exit_code, 0);
+    const ProgramResult planned =
+        run_program(words(words({"plan", "sweep"}, sweep), {"-o", plan_.string(), "--shards", "5"}));
+    ASSERT_EQ(planned.exit_code, 0) << planned.err;
+    EXPECT_NE(planned.out.find("in 5 shards"), std::string::npos) << planned.out;
+    EXPECT_NE(planned.out.find("what several of them repeat"), std::string::npos) << planned.out;
+    ASSERT_EQ(run("0-4").exit_code, 0);
+    ASSERT_EQ(merge().exit_code, 0);
+    expect_same_files(merged_, undivided);
+  }
+}
+
+TEST_F(Shards, A_page_shows_the_progress_and_what_failed_with_the_command_to_run_it_again) {
+  ASSERT_EQ(plan("corner", {"--shards", "4"}).exit_code, 0);
+  ASSERT_EQ(run("0").exit_code, 0);
+  write_text(plan_ / "shards/2.failed", "no memory <left>\n");
+  write_text(plan_ / "shards/3.running", R"({"host": "node3", "process": 1, "share": 0.5})");
+  const fs::path page = folder_ / "status.html";
+  ASSERT_EQ(run_program({"status", plan_.string(), "-o", page.string()}).exit_code, 0);
+  const std::string html = text_of(page);
+  for (const char* text : {"1 of 4 shards done", "no memory &lt;left&gt;", "node3", "--shard 2</code>"}) {
+    EXPECT_NE(html.find(text), std::string::npos) << text;
+  }
+}
+
 TEST_F(Shards, A_plan_holds_its_scene_file_and_no_absolute_path) {
   const fs::path scene = folder_ / "my scene.glb";
   ASSERT_EQ(run_program({"scene", "corner", "-o", scene.string()}).exit_code, 0);
@@ -111,12 +148,39 @@ TEST_F(Shards, A_merge_without_all_shards_says_what_to_run_again_and_writes_the_
   const std::string rows = text_of(merged_ / "sweep.partial.csv");
   EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 1 + 8) << "a line of names and two shards of four cells";
   EXPECT_FALSE(fs::exists(merged_ / "sweep.csv"));
+  const std::string page = text_of(merged_ / "index.html");
+  EXPECT_NE(page.find("Partial result: 8 of 24 cells"), std::string::npos);
+  EXPECT_NE(page.find("shard 3, 4 cells: from shadow."), std::string::npos);
+  for (const auto& entry : fs::recursive_directory_iterator(merged_)) {
+    EXPECT_NE(entry.path().extension(), ".sqlite") << "no store that looks whole";
+  }
 
   const std::string commands = run_program({"status", plan_.string(), "--commands"}).out;
   EXPECT_NE(commands.find("umbrameter run " + plan_.string() + " --shard 2\n"), std::string::npos) << commands;
   ASSERT_EQ(run("2-5").exit_code, 0) << "a broken result is measured again";
   EXPECT_EQ(merge({"--no-figures"}).exit_code, 0) << "the partial result gives way";
   EXPECT_FALSE(fs::exists(merged_ / "sweep.partial.csv"));
+  EXPECT_EQ(text_of(merged_ / "index.html").find("Partial result"), std::string::npos);
+}
+
+TEST_F(Shards, What_is_missing_shows_without_a_device_and_beyond_the_default_array_of_Slurm_without_its_option) {
+  ASSERT_EQ(plan("corner", {"--shards", "2"}).exit_code, 0);
+  ProgramOptions without;
+  without.environment = {"EGL_PLATFORM=nothing", "__EGL_VENDOR_LIBRARY_FILENAMES=/nowhere"};
+  const ProgramResult missing = run_program({"merge", plan_.string(), "-o", merged_.string()}, without);
+  EXPECT_EQ(missing.exit_code, 5) << missing.err;
+  EXPECT_NE(missing.out.find("--array=0-1"), std::string::npos) << missing.out;
+  EXPECT_EQ(run_program({"run", plan_.string(), "--shard", "0"}, without).exit_code, 3) << "there is none";
+
+  const std::vector<std::string> many = {"plan",     "sweep",       "corner",
+                                         "--size",   "16x9",        "--light",
+                                         "0",        "--vary",      "shadow.constant-bias=0:0.1:1100",
+                                         "--shards", "1100",        "--force",
+                                         "-o",       plan_.string()};
+  ASSERT_EQ(run_program(many).exit_code, 0);
+  const ProgramResult beyond = merge();
+  EXPECT_EQ(beyond.out.find("--array"), std::string::npos) << beyond.out;
+  EXPECT_NE(beyond.out.find("task 1099 is beyond the default MaxArraySize of 1001"), std::string::npos) << beyond.out;
 }
 
 TEST_F(Shards, A_plan_needs_a_number_of_shards_and_replaces_another_one_only_by_force) {

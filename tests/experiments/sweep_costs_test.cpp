@@ -1,65 +1,97 @@
-// The estimated time of a sweep's groups, and shards of equal time.
+// The estimated time of a sweep's groups by stage, and shards of equal time.
 #include "experiments/settings/sweep_costs.h"
 
 #include <gtest/gtest.h>
 
 #include "experiments/settings/experiment.h"
-#include "experiments/settings/stage_inputs.h"
+#include "experiments/settings/shard_cuts.h"
 
 namespace umbrameter {
 namespace {
 
-// Two angles of the light, three resolutions, eight filter sizes: the light changes least often.
-SweepPlan plan() {
+SweepPlan sweep_of(const std::vector<const char*>& texts, const InnerKeys& inner = {}) {
   Experiment experiment;
   const Parameters parameters = describe(experiment);
   std::vector<SweepAxis> axes;
-  for (const char* axis : {"shadow.filter-size=3:17:8", "shadow.resolution=256,512,1024", "light.angle=1,2"}) {
-    axes.push_back(parse_axis(parameters, axis));
+  for (const char* text : texts) axes.push_back(parse_axis(parameters, text));
+  return plan_sweep(parameters, axes, cost_of_change, inner);
+}
+
+// Two angles of the light, three resolutions, eight filter sizes: the light changes least often.
+SweepPlan whole_sweep() {
+  return sweep_of({"shadow.filter-size=3:17:8", "shadow.resolution=256,512,1024", "light.angle=1,2"});
+}
+
+// What a process does that keeps the last result of each stage: a reference of 100 s for each degree, a map of 1 s for
+// 256² texels, a look-up of 0.1 s for each texel of the filter and each cell of a group, and 5 s for its first group.
+struct Machine {
+  double angle = 0.0;
+  std::int64_t resolution = 0;
+
+  GroupTime operator()(const CellGroup& group) {
+    GroupTime time;
+    const double next_angle = number(group, 2);
+    const auto next_resolution = static_cast<std::int64_t>(number(group, 1));
+    if (angle == 0.0) time.rest += 5.0;
+    if (next_angle != angle) time.of_stage[static_cast<std::size_t>(Stage::area_reference)] = 100.0 * next_angle;
+    if (next_resolution != resolution) {
+      time.of_stage[static_cast<std::size_t>(Stage::map)] =
+          static_cast<double>(next_resolution * next_resolution) / (256.0 * 256.0);
+    }
+    angle = next_angle;
+    resolution = next_resolution;
+    time.rest += 0.1 * number(group, 0) * static_cast<double>(group.size());
+    return time;
   }
-  return plan_sweep(parameters, axes, cost_of_change, {});
+  static double number(const CellGroup& group, std::size_t axis) { return to_number(group.values[axis]); }
+};
+
+double seconds_of(const SweepPlan& plan, std::size_t begin, std::size_t end) {
+  Machine machine;
+  double seconds = 0.0;
+  for_each_joined_group(plan, begin, end - begin, [&](const CellGroup& group) {
+    const GroupTime time = machine(group);
+    seconds += time.rest;
+    for (const double of_stage : time.of_stage) seconds += std::max(of_stage, 0.0);
+  });
+  return seconds;
 }
 
-// A reference takes 100 s, a map 10 s, a cell 1 s.
-double seconds_of_group(std::size_t group) {
-  return 1.0 + (group % 8 == 0 ? 10.0 : 0.0) + (group % 24 == 0 ? 100.0 : 0.0);
-}
-
-TEST(SweepCosts, A_few_groups_of_each_level_give_the_time_of_any_run_of_groups) {
-  const SweepCosts costs = measure_costs(plan(), 1e6, seconds_of_group);
-  EXPECT_EQ(costs.measured, 7u) << "the first group, the only change of the reference, two of the map, three of eight";
-  EXPECT_FALSE(costs.is_upper_bound);
-  for (const std::size_t begin : {0u, 24u, 5u}) {
+TEST(SweepCosts, A_few_groups_give_the_time_of_any_run_of_groups) {
+  const SweepPlan all = whole_sweep();
+  const SweepCosts costs = measure_costs(all, 1e6, Machine());
+  EXPECT_LT(costs.measured, 20u) << "of 48";
+  EXPECT_NEAR(costs.start_seconds, 5.0, 1e-9);
+  const GroupCosts groups(costs, all);
+  for (const std::size_t begin : {0u, 24u, 5u, 40u}) {
     for (std::size_t end = begin + 1; end <= 48; ++end) {
-      double expected = 111.0;  // a process begins with all of it
-      for (std::size_t group = begin + 1; group < end; ++group) expected += seconds_of_group(group);
-      EXPECT_DOUBLE_EQ(seconds_of(costs, begin, end), expected) << begin << " to " << end;
+      EXPECT_NEAR(groups.seconds(begin, end), seconds_of(all, begin, end), 1e-6) << begin << " to " << end;
     }
   }
 }
 
-TEST(SweepCosts, A_cost_that_grows_along_an_axis_is_interpolated_between_its_ends_and_the_middle) {
-  // Filter sizes 3 to 17: the places 1, 4 and 7 of each run of eight are measured.
-  const SweepCosts costs =
-      measure_costs(plan(), 1e6, [](std::size_t group) { return static_cast<double>(group % 8 * (group % 8)); });
-  // 1, then to 16 at place 4, then to 49 at place 7.
-  const double expected[] = {0, 1, 6, 11, 16, 27, 38, 49};
-  for (std::size_t group = 1; group < 8; ++group) {
-    EXPECT_NEAR(seconds_of(costs, group - 1, group + 1) - seconds_of(costs, group - 1, group), expected[group], 1e-9);
+TEST(SweepCosts, A_time_between_measured_values_follows_a_power_of_the_parameter) {
+  // Ten resolutions, of which at most five are measured; a map takes their square.
+  const SweepPlan all = sweep_of({"shadow.filter-size=3,5", "shadow.resolution=128:1280:10", "light.angle=1"});
+  const GroupCosts groups(measure_costs(all, 1e6, Machine()), all);
+  for (std::size_t begin = 0; begin < 20; ++begin) {
+    EXPECT_NEAR(groups.seconds(begin, begin + 1), seconds_of(all, begin, begin + 1), 1e-6) << begin;
   }
 }
 
-TEST(SweepCosts, A_level_that_there_was_no_time_to_measure_costs_as_much_as_the_first_group) {
-  const SweepCosts costs = measure_costs(plan(), 0.0, seconds_of_group);
-  EXPECT_TRUE(costs.is_upper_bound);
+TEST(SweepCosts, Without_time_to_measure_the_stages_that_read_an_axis_run_again_with_it) {
+  const SweepPlan all = whole_sweep();
+  const SweepCosts costs = measure_costs(all, 0.0, Machine());
   EXPECT_EQ(costs.measured, 1u);
-  EXPECT_DOUBLE_EQ(seconds_of(costs, 0, 48), 48 * 111.0);
+  // 100 s + 1 s + 5.3 s at first, then 5.3 s for each of eight filters, 1 s for each of three maps.
+  EXPECT_NEAR(GroupCosts(costs, all).seconds(0, 24), 100.0 + 3 * 1.0 + 24 * 5.3, 1e-6);
 }
 
 TEST(SweepCosts, Shards_cover_all_groups_once_and_no_more_than_there_are) {
-  const SweepCosts costs = measure_costs(plan(), 1e6, seconds_of_group);
+  const SweepPlan all = whole_sweep();
+  const GroupCosts groups(measure_costs(all, 1e6, Machine()), all);
   for (const std::size_t shards : {1u, 2u, 5u, 7u, 48u, 100u}) {
-    const std::vector<std::size_t> first = cut_into_shards(costs, 48, shards);
+    const std::vector<std::size_t> first = groups.cut(shards);
     EXPECT_EQ(first.size(), std::min<std::size_t>(shards, 48));
     EXPECT_EQ(first.front(), 0u);
     EXPECT_LT(first.back(), 48u);
@@ -67,33 +99,59 @@ TEST(SweepCosts, Shards_cover_all_groups_once_and_no_more_than_there_are) {
   }
 }
 
-TEST(SweepCosts, A_cut_is_moved_to_where_an_expensive_axis_changes) {
-  const SweepCosts costs = measure_costs(plan(), 1e6, seconds_of_group);
-  EXPECT_EQ(cut_into_shards(costs, 48, 2), (std::vector<std::size_t>{0, 24})) << "each has one reference";
+TEST(SweepCosts, A_cut_lies_where_an_expensive_axis_changes) {
+  const SweepPlan all = sweep_of({"shadow.filter-size=3:17:8", "shadow.resolution=256,512,1024", "light.angle=1,1.01"});
+  const GroupCosts groups(measure_costs(all, 1e6, Machine()), all);
+  EXPECT_EQ(groups.cut(2), (std::vector<std::size_t>{0, 24})) << "each has one reference";
 }
 
-std::vector<double> running_sums(std::size_t count, double seconds) {
-  std::vector<double> sums;
-  for (std::size_t i = 0; i < count; ++i) sums.push_back(static_cast<double>(i) * seconds);
-  return sums;
+TEST(SweepCosts, A_group_is_cut_where_there_are_more_shards_and_where_cells_are_measured_one_by_one) {
+  const InnerKeys inner = {constant_bias_key, slope_bias_key};
+  const SweepPlan one = sweep_of({"shadow.filter-size=3", "shadow.constant-bias=0:1:200", "light.angle=1"}, inner);
+  // As whole_sweep() has them, the axes of the machine's values come first.
+  const auto machine = [machine = Machine()](const CellGroup& group) mutable {
+    CellGroup in_order = group;
+    in_order.values = {group.values[0], std::int64_t{256}, 0.1};
+    return machine(in_order);
+  };
+  const SweepCosts costs = measure_costs(one, 1e6, machine);
+  EXPECT_NEAR(costs.share_of_piece, costs.piece, 0.01) << "a cell takes as long in any group";
+  const ShardCuts cuts = cut_into_shards(costs, one, 8);
+  ASSERT_EQ(cuts.first.size(), 8u);
+  // 10 s for the reference and 1 s for the map in each; 5 s to start; 200 cells of 0.3 s.
+  for (const double seconds : cuts.seconds) EXPECT_NEAR(seconds, 5.0 + 10.0 + 1.0 + 60.0 / 8, 1.5);
+  EXPECT_NEAR(cuts.undivided, 5.0 + 10.0 + 1.0 + 60.0, 0.5);
+  EXPECT_EQ(cut_into_shards(costs, one, 1000).first.size(), 200u) << "as many as there are cells";
+  EXPECT_GE(count_shards_within(costs, one, 20.0), 15u) << "4 s of 60 s in each";
+  EXPECT_LE(count_shards_within(costs, one, 20.0), 17u);
+}
+
+TEST(SweepCosts, A_pass_that_takes_all_biases_at_once_is_cut_only_for_more_shards) {
+  const InnerKeys inner = {constant_bias_key, slope_bias_key};
+  const SweepPlan passes = sweep_of({"shadow.filter-size=3,5,7,9,11", "shadow.constant-bias=0:1:100"}, inner);
+  const auto measure = [](const CellGroup&) {
+    GroupTime time;
+    time.rest = 2.0;
+    return time;
+  };
+  const SweepCosts costs = measure_costs(passes, 1e6, measure);
+  EXPECT_EQ(costs.share_of_piece, 1.0);
+  EXPECT_EQ(cut_into_shards(costs, passes, 3).parts, 1u);
+  const ShardCuts cuts = cut_into_shards(costs, passes, 10);
+  EXPECT_EQ(cuts.first.size(), 10u);
+  for (const double seconds : cuts.seconds) EXPECT_NEAR(seconds, 2.0, 1e-6) << "each repeats the pass";
+  EXPECT_EQ(count_shards_within(costs, passes, 0.5), 5u) << "more shards would not be shorter";
 }
 
 TEST(SweepCosts, A_million_groups_are_cut_into_shards_of_equal_cost) {
-  // Cells of 1 s; every thousandth has a map of 10 s, too.
-  SweepCosts costs;
-  costs.first_seconds = 11.0;
-  costs.levels = {{1000, running_sums(1000, 11.0)}, {1, running_sums(1000, 1.0)}};
-  const std::vector<std::size_t> first = cut_into_shards(costs, 1'000'000, 64);
-  ASSERT_EQ(first.size(), 64u);
-  double least = 1e9;
-  double most = 0.0;
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    const double seconds = seconds_of(costs, first[i], i + 1 < first.size() ? first[i + 1] : 1'000'000);
-    least = std::min(least, seconds);
-    most = std::max(most, seconds);
-  }
-  // A cut moves by at most a sixteenth of a shard at either end.
-  EXPECT_LT(most / least, 1.25);
+  const SweepPlan many = sweep_of({"shadow.slope-bias=0:1:1000", "shadow.constant-bias=0:1:1000"});
+  SweepCosts costs;  // cells of 1 s; every thousandth has a map of 10 s, too
+  costs.parts = {{10.0, false, {std::vector<double>(1000, 1.0), {}}},
+                 {1.0, true, {std::vector<double>(1000, 1.0), std::vector<double>(1000, 1.0)}}};
+  const ShardCuts cuts = cut_into_shards(costs, many, 64);
+  ASSERT_EQ(cuts.first.size(), 64u);
+  const auto [least, most] = std::minmax_element(cuts.seconds.begin(), cuts.seconds.end());
+  EXPECT_LT(*most / *least, 1.1);
 }
 
 }  // namespace

@@ -136,10 +136,10 @@ TEST(SweepPlan, A_huge_inner_grid_is_split_into_groups_that_keep_constant_biases
   expect_covered(long_axis);
   const SweepPlan wide =
       plan_of({"shadow.slope-bias=0:1:300", "shadow.resolution=1,2", "shadow.constant-bias=0:1:1000"});
-  // 65 slope-scaled biases with 1,000 constant ones fit into 65,536 cells: five groups for 300 of them.
+  // 65 slope-scaled biases with 1,000 constant ones fit into 65,536 cells: five equal groups for 300 of them.
   EXPECT_EQ(count_groups(wide), 2u * 5);
   EXPECT_EQ(group_at(wide, 0).inner[0].values.size(), 1000u);
-  EXPECT_EQ(group_at(wide, 0).inner[1].values.size(), 65u);
+  EXPECT_EQ(group_at(wide, 0).inner[1].values.size(), 60u);
   expect_covered(wide);
   const SweepPlan both = plan_of({"shadow.slope-bias=0:1:3", "shadow.constant-bias=0:1:100000"});
   EXPECT_EQ(count_groups(both), 3u * 2);
@@ -175,6 +175,44 @@ TEST(SweepPlan, Any_parameters_form_groups_and_none_leave_each_cell_alone) {
   EXPECT_EQ(count_groups(large), 3u);
   EXPECT_EQ(group_at(large, 0).inner[2].values.size(), 7u);
   expect_covered(large);
+}
+
+TEST(SweepPlan, A_group_is_cut_into_as_many_equal_parts_as_wanted_and_no_more_than_it_has_cells) {
+  for (const std::size_t parts : {1u, 2u, 3u, 4u, 5u, 7u, 12u, 100u}) {
+    SweepPlan plan = plan_of({"shadow.resolution=1,2", "shadow.constant-bias=0:1:5", "shadow.slope-bias=0:1:3"});
+    cut_groups(plan, parts);
+    EXPECT_EQ(count_groups(plan), 2 * parts_of_group(plan));
+    EXPECT_GE(parts_of_group(plan), std::min<std::size_t>(parts, 15));
+    expect_covered(plan);
+  }
+  SweepPlan slopes_first = plan_of({"shadow.constant-bias=0:1:5", "shadow.slope-bias=0:1:3"});
+  cut_groups(slopes_first, 3);
+  EXPECT_EQ(group_at(slopes_first, 0).inner[0].values.size(), 5u) << "one pass takes all constant biases";
+}
+
+TEST(SweepPlan, Neighbouring_parts_of_a_group_are_measured_in_one_pass) {
+  SweepPlan plan = plan_of({"shadow.resolution=1,2", "shadow.constant-bias=0:1:5", "shadow.slope-bias=0:1:3"});
+  const std::size_t whole = count_groups(plan);
+  cut_groups(plan, 15);
+  std::vector<std::size_t> sizes;
+  const auto joined = [&](std::size_t first, std::size_t count) {
+    sizes.clear();
+    std::set<std::size_t> cells;
+    std::set<std::size_t> expected;
+    for_each_joined_group(plan, first, count, [&](const CellGroup& group) {
+      sizes.push_back(group.size());
+      for (std::size_t place = 0; place < group.size(); ++place) {
+        EXPECT_EQ(values_at(group, place), grid_values(plan, group.cell(place)));
+        EXPECT_TRUE(cells.insert(group.cell(place)).second);
+      }
+    });
+    for (std::size_t g = first; g < first + count; ++g) expected.insert(group_at(plan, g).cell(0));
+    EXPECT_EQ(cells, expected);
+  };
+  joined(0, 30);
+  EXPECT_EQ(sizes, std::vector<std::size_t>(whole, 15));
+  joined(3, 20);  // two constant biases of the first slope, two whole slopes; then the next resolution's first slope
+  EXPECT_EQ(sizes, (std::vector<std::size_t>{2, 10, 5, 3}));
 }
 
 TEST(SweepPlan, Empty_and_repeated_axes_are_refused) {

@@ -73,6 +73,14 @@ class Shards(unittest.TestCase):
         self.assertTrue(merge.startswith("|yes|"))
         self.assertIn("--dependency=afterany:1:2 --time=60", merge)
 
+    def test_slurm_without_arrays_is_refused_in_one_line(self):
+        self.plan()
+        self.put_command("scontrol", "echo 'MaxArraySize            = 0'\n")
+        result = self.run_command(root / "slurm/umbrameter-slurm", "plan", "out")
+        self.assertEqual(result.returncode, 2)
+        self.assertEqual(result.stderr.count("\n"), 1)
+        self.assertIn("MaxArraySize is 0", result.stderr)
+
     def test_kubernetes_gives_each_index_its_shard(self):
         self.plan()
         job = yaml.safe_load((root / "kubernetes/job.yaml").read_text())
@@ -91,11 +99,26 @@ class Shards(unittest.TestCase):
         array, merge = (self.folder / "log").read_text().splitlines()
         self.assertIn("--array-properties size=2", array)
         overrides = json.loads(array.split("--container-overrides ")[1])
-        self.assertEqual(overrides["environment"], [{"name": "UMBRAMETER_SHARDS", "value": "1,2"}])
+        self.assertEqual(overrides["environment"], [{"name": "UMBRAMETER_SHARDS", "value": "1-2"}])
         self.assertIn("--depends-on jobId=job-1", merge)
         variables = {each["name"]: each["value"] for each in overrides["environment"]}
         self.run_command(*overrides["command"], AWS_BATCH_JOB_ARRAY_INDEX="1", **variables)
         self.assertEqual(self.status()["done"], [0, 2])
+
+    def submit_missing(self, shards):
+        self.put_command("umbrameter", f"for k in {shards}; do echo umbrameter run plan --shard $k; done\n")
+        self.put_command("aws", 'printf "%s\n" "$*" >> log; echo job-1\n')
+        return self.run_command(root / "aws-batch/submit", "plan", "out", "queue", "definition")
+
+    def test_aws_batch_takes_at_most_ten_thousand_shards_and_a_list_that_fits(self):
+        for shards, why in (("{0..10000}", "10001 shards are to run"), ("{0..8000..2}", "longer than AWS Batch takes")):
+            result = self.submit_missing(shards)
+            self.assertEqual(result.returncode, 2)
+            self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+            self.assertIn(why, result.stderr)
+        self.assertFalse((self.folder / "log").exists(), "nothing is submitted")
+        self.assertEqual(self.submit_missing("{0..9998} 10001").returncode, 0)
+        self.assertIn('"value":"0-9998,10001"', (self.folder / "log").read_text())
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "experiments/settings/sweep_costs.h"
+#include "experiments/settings/shard_cuts.h"
 #include "results/swept.h"
 #include "store/merge_shards.h"
 #include "tests/store/planned_shards.h"
@@ -36,13 +36,18 @@ int run(std::size_t shards, std::size_t cells, const fs::path& folder) {
   for (const Column& column : columns) sweep.description.columns.push_back({column, ValueKind::real});
 
   Clock::time_point start = Clock::now();
-  const SweepCosts costs = measure_costs(sweep.plan, 1.0, [](std::size_t) { return 0.01; });
+  const SweepCosts costs = measure_costs(sweep.plan, 1.0, [](const CellGroup&) {
+    GroupTime time;
+    time.of_stage[static_cast<std::size_t>(Stage::map)] = 0.01;
+    time.rest = 0.01;
+    return time;
+  });
   ShardPlan plan = plan_of(sweep, 0);
   const std::size_t groups = count_groups(sweep.plan);
-  const std::vector<std::size_t> first = cut_into_shards(costs, groups, shards);
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    const std::size_t end = i + 1 < first.size() ? first[i + 1] : groups;
-    plan.shards.push_back({first[i], end - first[i], seconds_of(costs, first[i], end)});
+  const ShardCuts cuts = cut_into_shards(costs, sweep.plan, shards);
+  for (std::size_t i = 0; i < cuts.first.size(); ++i) {
+    const std::size_t end = i + 1 < cuts.first.size() ? cuts.first[i + 1] : groups;
+    plan.shards.push_back({cuts.first[i], end - cuts.first[i], cuts.seconds[i]});
   }
   write_plan(folder, plan, "");
   std::printf("%zu cells in %zu shards, %zu measured columns\n", sweep.plan.cells, plan.shards.size(), columns.size());
@@ -63,7 +68,7 @@ int run(std::size_t shards, std::size_t cells, const fs::path& folder) {
 
   start = Clock::now();
   const Clock::time_point begin = start;
-  ScratchRows rows(folder, sweep.plan, sweep.description.columns);
+  ScratchRows rows(folder, sweep.plan, kinds_of(sweep));
   const CollectedShards collected = collect_shards(folder, plan, rows);
   std::printf("reading shards  %.2f s, %zu missing\n", seconds_since(start), collected.missing.size());
   start = Clock::now();

@@ -28,7 +28,7 @@ struct MergeShards : testing::Test {
   fs::path file(std::size_t shard) const { return shard_file(folder.path(), shard); }
 
   CollectedShards collect() const {
-    ScratchRows rows(folder.path(), sweep.plan, sweep.description.columns);
+    ScratchRows rows(folder.path(), sweep.plan, kinds_of(sweep));
     return collect_shards(folder.path(), plan, rows);
   }
   // One line that names the file, and the shard is to be run again.
@@ -53,7 +53,7 @@ TEST_F(MergeShards, The_merged_store_has_the_bytes_of_the_undivided_sweep) {
   fs::create_directory(undivided);
   fs::create_directory(merged);
   sweep.run(undivided);
-  ScratchRows rows(merged, sweep.plan, sweep.description.columns);
+  ScratchRows rows(merged, sweep.plan, kinds_of(sweep));
   const CollectedShards collected = collect_shards(folder.path(), plan, rows);
   EXPECT_TRUE(collected.missing.empty());
   EXPECT_TRUE(collected.problems.empty());
@@ -66,7 +66,7 @@ TEST_F(MergeShards, The_merged_store_has_the_bytes_of_the_undivided_sweep) {
 TEST_F(MergeShards, A_missing_shard_is_listed_and_the_rows_of_the_others_are_there) {
   fs::remove(file(2));
   fs::remove(file(6));
-  ScratchRows rows(folder.path(), sweep.plan, sweep.description.columns);
+  ScratchRows rows(folder.path(), sweep.plan, kinds_of(sweep));
   const CollectedShards collected = collect_shards(folder.path(), plan, rows);
   EXPECT_EQ(collected.missing, (std::vector<std::size_t>{2, 6}));
   EXPECT_TRUE(collected.problems.empty());
