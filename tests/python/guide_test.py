@@ -25,8 +25,7 @@ class Guide(unittest.TestCase):
         # The Python of the test comes first, and the program is found on PATH. pip may ask no index.
         paths = [str(pathlib.Path(sys.executable).parent), str(program.parent), os.environ["PATH"]]
         environment = {**os.environ, "PATH": ":".join(paths), "PIP_NO_INDEX": "1", "PIP_FIND_LINKS": ""}
-        for variable in ("UMBRAMETER", "PYTHONPATH"):
-            environment.pop(variable, None)
+        environment.pop("UMBRAMETER", None)
         for block in re.findall(r"^```sh\n(.*?)^```", guide, re.MULTILINE | re.DOTALL):
             self.run_in(folder, environment, "bash", "-euc", block)
         before = sorted((folder / "python").rglob("*"))
