@@ -289,11 +289,14 @@ std::vector<BiasEngine> other_engines() {
                     "options.normalBias = {}f;",
                     {OffsetProfile::sine},
                     0.0,
-                    3.0}},
-       .note = "in addition every caster is drawn with polygon offset factor 2 and units 0.5; a VSM map ignores both "
-               "numbers; the texels of a map that is not `stable` are warped; 1.53.4 gives every sun the default "
-               "normalBias "
-               "of 1, whatever is set",
+                    3.0},
+                   {"polygonOffsetSlope", "texels × slope", 2.0, BiasTerm::slope,
+                    [](const Place& p, const Settings&) { return of_sun(p, 1.0); }, "1",
+                    "options.polygonOffsetSlope = {}f;"}},
+       .note =
+           "in addition every caster is drawn with polygon offset units 0.5; a VSM map ignores the first two numbers; "
+           "the texels of a map that is not `stable` are warped; 1.53.4 gives every sun the default normalBias of 1, "
+           "whatever is set",
        .unverified = "a spot light's normalBias has no formula here: 1 acts as 1.2 to 1.3 texels in 1.53.4; the newest "
                      "sources scale it differently along the two axes of the map"},
       {.name = "stride",

@@ -139,6 +139,7 @@ recommendations = [
     Recommendation(cases[2], f"{constant}=0.001:0.5:log",
                    lambda scene: f"babylon:filter=none,minZ=0.001,maxZ={2 * scene.radius:.8g}", "bias"),
     Recommendation(cases[5], f"{factor}=0.1:9", lambda scene: "playcanvas", "shadowBias"),
+    Recommendation(cases[7], f"{constant}=0.001:0.5:log", lambda scene: "filament", "constantBias"),
 ]
 
 

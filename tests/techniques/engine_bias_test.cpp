@@ -103,6 +103,7 @@ TEST(EngineBias, Normal_offsets_and_slopes_are_those_of_the_engines_sources) {
   }
   EXPECT_NEAR(terms("playcanvas:0.05", courtyard()).slope, 0.5, 1e-12);           // −0.01 · −1000 · v
   EXPECT_NEAR(terms("unity-hdrp:slopeBias=0.5", courtyard()).slope, 2.5, 1e-12);  // baseBias 5 · 0.5
+  EXPECT_NEAR(terms("filament", courtyard()).slope, 2.0, 1e-12);                  // ShadowOptions' default
 }
 
 TEST(EngineBias, Spot_and_point_lights_have_the_depth_of_a_perspective) {
