@@ -113,9 +113,10 @@ void show_plan(const Console& console, const fs::path& folder, const ShardPlan& 
   const auto time = [](double seconds) { return time_text(std::ceil(seconds)); };
   print_line(console, fmt::format("{} cells in {} shards of at most about {}; all of them about {}",
                                   grouped(plan.cells), grouped(plan.shards.size()), time(longest), time(all)));
-  add_line(console, fmt::format("undivided about {}; starting shards adds {}, what several of them repeat {}{}",
-                                time(cuts.undivided), time(starts), time(repeated),
-                                plan.parts > 1 ? ", for cells that share a map and a reference are in several" : ""));
+  add_line(console,
+           fmt::format("undivided about {}; starting shards adds {}, what they repeat adds {}{}", time(cuts.undivided),
+                       time(starts), time(repeated),
+                       plan.parts > 1 ? ": several shards draw the same map or look up the same reference" : ""));
   add_line(console, fmt::format("next: {}, of 0 to {}", command_of(folder, "K"), plan.shards.size() - 1));
 }
 
