@@ -112,7 +112,7 @@ std::vector<std::size_t> GroupCosts::pack(double seconds) const {
 std::vector<std::size_t> GroupCosts::cut(std::size_t shards) const {
   shards = std::min(shards, groups_);
   double low = 0.0;
-  double high = seconds(0, groups_);
+  double high = 1.001 * seconds(0, groups_);  // rounded sums of all groups are not above it
   while (high - low > 1e-3 * high) {
     const double middle = 0.5 * (low + high);
     (count_within(middle) <= shards ? high : low) = middle;

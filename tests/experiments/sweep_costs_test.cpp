@@ -99,6 +99,16 @@ TEST(SweepCosts, Shards_cover_all_groups_once_and_no_more_than_there_are) {
   }
 }
 
+TEST(SweepCosts, One_shard_holds_all_groups_however_their_sum_is_rounded) {
+  const SweepPlan all = sweep_of({"shadow.resolution=64,128,256", "shadow.filter=nearest,box"});
+  for (int i = 1; i < 200; ++i) {
+    SweepCosts costs;
+    costs.start_seconds = 0.01 * i / 7.0;
+    costs.parts = {{i / 300.0, true, {{1.0, 1.1, 1.3}, {1.0, 1.7}}}};
+    EXPECT_EQ(GroupCosts(costs, all).cut(1).size(), 1u) << i;
+  }
+}
+
 TEST(SweepCosts, A_cut_lies_where_an_expensive_axis_changes) {
   const SweepPlan all = sweep_of({"shadow.filter-size=3:17:8", "shadow.resolution=256,512,1024", "light.angle=1,1.01"});
   const GroupCosts groups(measure_costs(all, 1e6, Machine()), all);
