@@ -52,7 +52,8 @@ AoStageImages ao_stage_images(const TracedAo& truth, TracedIntegral traced, AoDr
 
 AoStages measure_ao_stages(Stages& stages, const Experiment& experiment, const TracedAo& truth,
                            const Image<float>& drawn, const Console& console) {
-  require_metres(experiment);
+  require_metres(experiment.ao);
+  require_metres(experiment.truth);
   std::optional<AoIntegral> integral = integral_of(make_technique(experiment.ao));
   if (!integral) {
     throw Error(ExitCode::usage, "run.ao-stages",

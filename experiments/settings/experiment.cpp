@@ -17,6 +17,15 @@ constexpr double largest_number = 1e12;
 
 constexpr std::array<std::string_view, 4> sweep_measure_names{"auto", "visibility", "ao", "image"};
 
+void require_metres(const Parameters& parameters) {
+  for (const Parameter& parameter : parameters) {
+    const auto* const* length = std::get_if<Length*>(&parameter.field);
+    if (length == nullptr || (*length)->unit == LengthUnit::metres) continue;
+    throw Error(ExitCode::usage, parameter.key, to_string(**length) + " is not in metres",
+                "pass the experiment through Stages::in_metres() first");
+  }
+}
+
 }  // namespace
 
 Parameters describe(RunParams& params) {
@@ -73,14 +82,9 @@ Experiment in_metres(Experiment experiment, double scene_size) {
   return experiment;
 }
 
-void require_metres(Experiment experiment) {
-  for (const Parameter& parameter : concatenate({describe(experiment.ao), describe(experiment.truth)})) {
-    const auto* const* length = std::get_if<Length*>(&parameter.field);
-    if (length == nullptr || (*length)->unit == LengthUnit::metres) continue;
-    throw Error(ExitCode::usage, parameter.key, to_string(**length) + " is not in metres",
-                "pass the experiment through Stages::in_metres() first");
-  }
-}
+void require_metres(AoParams params) { require_metres(describe(params)); }
+
+void require_metres(TruthParams params) { require_metres(describe(params)); }
 
 std::string scene_title(const Experiment& experiment) {
   const std::string name = std::filesystem::path(experiment.scene).filename().string();

@@ -80,7 +80,8 @@ std::string renderer_title(const Experiment& experiment);
 Experiment in_metres(Experiment experiment, double scene_size);
 
 /// Throws Error (usage) if a length of ambient occlusion is not in metres.
-void require_metres(Experiment experiment);
+void require_metres(AoParams params);
+void require_metres(TruthParams params);
 
 /// All parameters, bound to the members of this experiment.
 Parameters describe(Experiment& experiment);

@@ -8,14 +8,16 @@
 namespace umbrameter {
 namespace {
 
-// The parameters of the view, except the scene (loaded before any stage) and the light (an argument of the stages).
-Parameters view_parameters(Experiment& experiment) {
-  Parameters all = describe(experiment.view);
-  std::erase_if(all, [](const Parameter& parameter) {
-    const auto* text = std::get_if<std::string*>(&parameter.field);
-    return text != nullptr && parameter.key != "view.camera";
+constexpr std::string_view scene_key = "view.scene";
+constexpr std::string_view light_key = "view.light";
+
+// All of the view but the scene, which is loaded before any stage, and the light, which only engines need to show one.
+Parameters surfel_parameters(Experiment& experiment) {
+  Parameters view = describe(experiment.view);
+  std::erase_if(view, [&](const Parameter& each) {
+    return each.key == scene_key || (each.key == light_key && renderer_title(experiment).empty());
   });
-  return all;
+  return concatenate({view, describe(experiment.frame), {require(describe(experiment.engine), engine_key)}});
 }
 
 // The adapter, and the parameters of an engine's shadows or of its ambient occlusion.
@@ -71,13 +73,8 @@ Parameters sampling_parameters(Experiment& experiment) {
 
 const std::array<StageInputs, stage_count>& stages() {
   static const std::array<StageInputs, stage_count> all = {{
-      {"surfels",
-       [](Experiment& e) {
-         return concatenate({view_parameters(e), describe(e.frame), {require(describe(e.engine), engine_key)}});
-       },
-       {},
-       10.0},
-      {"light", [](Experiment& e) { return Parameters{require(describe(e.view), "view.light")}; }, {}, 0.0},
+      {"surfels", surfel_parameters, {}, 10.0},
+      {"light", [](Experiment& e) { return Parameters{require(describe(e.view), light_key)}; }, {}, 0.0},
       {"emitter", emitter_parameters, {Stage::light}, 0.0},
       {"layout",
        [](Experiment& e) {
@@ -110,6 +107,13 @@ const std::array<StageInputs, stage_count>& stages() {
   return all;
 }
 
+// Those of the stage and of all before it.
+Parameters read_until(Stage stage, Experiment& experiment) {
+  Parameters all = inputs_of(stage).reads(experiment);
+  for (const Stage before : inputs_of(stage).after) all = concatenate({std::move(all), read_until(before, experiment)});
+  return all;
+}
+
 bool reads(Stage stage, std::string_view parameter) {
   Experiment experiment;
   return find(inputs_of(stage).reads(experiment), parameter) != nullptr;
@@ -125,6 +129,18 @@ std::string key_of(Stage stage, Experiment experiment) {
   std::string key;
   for (const Stage before : inputs_of(stage).after) key += key_of(before, experiment);
   return key + std::string(inputs_of(stage).name) + "\n" + own_key_of(stage, std::move(experiment));
+}
+
+Experiment declared(Stage stage, Experiment experiment) {
+  Experiment defaults;
+  defaults.engine = defaults_of(experiment.engine);
+  const Parameters of_defaults = describe(defaults);
+  const Parameters read = read_until(stage, experiment);
+  for (const Parameter& each : describe(experiment)) {
+    const bool stays = each.key == scene_key || each.key.starts_with("scene.") || find(read, each.key) != nullptr;
+    if (!stays) each.set(require(of_defaults, each.key).value());
+  }
+  return experiment;
 }
 
 bool depends_on(Stage stage, std::string_view parameter) {

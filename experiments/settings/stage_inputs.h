@@ -43,6 +43,11 @@ const StageInputs& inputs_of(Stage stage);
 /// keys give equal results.
 std::string key_of(Stage stage, Experiment experiment);
 
+/// The experiment as the stage sees it: parameters that neither it nor a stage before it reads have their defaults, so
+/// that its result depends on nothing that its key leaves out. Those of the scene, which is loaded before any stage,
+/// stay.
+Experiment declared(Stage stage, Experiment experiment);
+
 /// The values of the parameters that the stage itself reads.
 std::string own_key_of(Stage stage, Experiment experiment);
 

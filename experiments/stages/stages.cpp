@@ -121,8 +121,8 @@ const UploadedScene& Stages::uploaded() {
 }
 
 std::shared_ptr<const Surfels> Stages::surfels(const Experiment& experiment) {
-  return surfels_.get(key_of(Stage::surfels, experiment), [&] {
-    const ViewParams& params = experiment.view;
+  return get(surfels_, Stage::surfels, experiment, [&](const Experiment& read) {
+    const ViewParams& params = read.view;
     const double aspect = static_cast<double>(params.size.width) / params.size.height;
     std::vector<std::string> assumed;
     View view{params.size.width, params.size.height, select_camera(scene_, params.camera, aspect, assumed)};
@@ -134,7 +134,7 @@ std::shared_ptr<const Surfels> Stages::surfels(const Experiment& experiment) {
     } else {
       gbuffer = read_back(context(), draw_gbuffer(context(), uploaded(), view));
     }
-    if (has_engine()) gbuffer = aligned_surfels(experiment, view, std::move(gbuffer));
+    if (has_engine()) gbuffer = aligned_surfels(read, view, std::move(gbuffer));
     return Surfels{std::move(view), std::move(gbuffer)};
   });
 }
@@ -149,21 +149,21 @@ std::string Stages::key(Stage stage, const Experiment& experiment, std::uint32_t
 }
 
 std::shared_ptr<const MapLayout> Stages::layout(const Experiment& experiment, std::uint32_t light) {
-  return layout_.get(key(Stage::layout, experiment, light), [&] {
-    const auto seen = surfels(experiment);
-    ShadowMapParams map = experiment.shadow.map;
-    map.resolution = map_size_of(experiment.engine).value_or(map.resolution);
+  return get(layout_, Stage::layout, experiment, light, [&](const Experiment& read) {
+    const auto seen = surfels(read);
+    ShadowMapParams map = read.shadow.map;
+    map.resolution = map_size_of(read.engine).value_or(map.resolution);
     return with_point_map(
-        fit_map(scene_.lights[light], bounds_, map, {seen->gbuffer, seen->view}, experiment.shadow.fit),
-        experiment.shadow.map_depth.point_map);
+        fit_map(scene_.lights[light], bounds_, map, {seen->gbuffer, seen->view}, read.shadow.fit),
+        read.shadow.map_depth.point_map);
   });
 }
 
 std::shared_ptr<const CountedPixels> Stages::counted(const Experiment& experiment, std::uint32_t light) {
-  return counted_.get(key(Stage::counted, experiment, light), [&] {
-    const auto seen = surfels(experiment);
+  return get(counted_, Stage::counted, experiment, light, [&](const Experiment& read) {
+    const auto seen = surfels(read);
     const auto count = [&](const Image<std::uint8_t>& unlit) {
-      return count_pixels(seen->gbuffer, this->light(experiment, light), *layout(experiment, light), unlit);
+      return count_pixels(seen->gbuffer, this->light(read, light), *layout(read, light), unlit);
     };
     return has_engine() ? count_lit(framed(seen->view, light), count) : count({});
   });
@@ -195,12 +195,14 @@ Stage Stages::reference_stage(const Experiment& experiment, std::uint32_t light)
 std::shared_ptr<const TracedVisibility> Stages::truth(const Experiment& experiment, std::uint32_t light) {
   const Stage stage = reference_stage(experiment, light);
   if (stage == Stage::binary_reference) return hard_truth(experiment, light);
-  return sampled_truth_.get(key(stage, experiment, light), [&] { return trace(experiment, stage, light); });
+  return get(sampled_truth_, stage, experiment, light,
+             [&](const Experiment& read) { return trace(read, stage, light); });
 }
 
 std::shared_ptr<const TracedVisibility> Stages::hard_truth(const Experiment& experiment, std::uint32_t light) {
   constexpr Stage stage = Stage::binary_reference;
-  return hard_truth_.get(key(stage, experiment, light), [&] { return trace(experiment, stage, light); });
+  return get(hard_truth_, stage, experiment, light,
+             [&](const Experiment& read) { return trace(read, stage, light); });
 }
 
 TracedVisibility Stages::trace(const Experiment& experiment, Stage reference, std::uint32_t light) {
@@ -237,15 +239,16 @@ AoInBackground::~AoInBackground() {
 
 void Stages::begin_ao_truth(const Experiment& experiment) {
   struct Cancelled {};
-  require_metres(experiment);
+  require_metres(experiment.truth);
+  const Experiment read = declared(Stage::ao_reference, experiment);
   ao_in_background_ = std::make_unique<AoInBackground>();
   AoInBackground& work = *ao_in_background_;
   // All that the thread reads is computed here, because it must not run stages.
   work.traced =
-      std::async(std::launch::async, [&work, &rays = tracer(), surfels = surfels(experiment), params = experiment.truth,
-                                      seed = static_cast<std::uint32_t>(experiment.run.seed),
-                                      key = reference_key(experiment, Stage::ao_reference, "ao"),
-                                      title = scene_title(experiment), folder = options_.cache, console = console_] {
+      std::async(std::launch::async, [&work, &rays = tracer(), surfels = surfels(read), params = read.truth,
+                                      seed = static_cast<std::uint32_t>(read.run.seed),
+                                      key = reference_key(read, Stage::ao_reference, "ao"),
+                                      title = scene_title(read), folder = options_.cache, console = console_] {
         ReferenceCache cache(folder, console);
         const std::function<TracedAo()> trace = [&] {
           return trace_ao(rays, surfels->gbuffer, params, seed, [&work](double share) {
@@ -259,7 +262,7 @@ void Stages::begin_ao_truth(const Experiment& experiment) {
 }
 
 std::shared_ptr<const TracedAo> Stages::ao_truth(const Experiment& experiment) {
-  require_metres(experiment);
+  require_metres(experiment.truth);
   const std::string key = key_of(Stage::ao_reference, experiment);
   const auto counted = [&](TracedAo traced) {
     add(costs_.hemisphere, traced.statistics);
@@ -267,6 +270,7 @@ std::shared_ptr<const TracedAo> Stages::ao_truth(const Experiment& experiment) {
     return traced;
   };
   return ao_truth_.get(key, [&] {
+    const Experiment read = declared(Stage::ao_reference, experiment);
     if (ao_in_background_ && ao_in_background_->key == key) {
       const std::unique_ptr<AoInBackground> work = std::move(ao_in_background_);
       const Tracer& rays = tracer();
@@ -279,29 +283,30 @@ std::shared_ptr<const TracedAo> Stages::ao_truth(const Experiment& experiment) {
     const std::function<TracedAo()> trace = [&] {
       const Tracer& rays = tracer();
       ProgressBar progress = tracing_bar("hemisphere rays", [&] { return rays.rays_traced(); });
-      return trace_ao(rays, surfels(experiment)->gbuffer, experiment.truth,
-                      static_cast<std::uint32_t>(experiment.run.seed), progress.callback());
+      return trace_ao(rays, surfels(read)->gbuffer, read.truth, static_cast<std::uint32_t>(read.run.seed),
+                      progress.callback());
     };
-    return counted(cache_.get(reference_key(experiment, Stage::ao_reference, "ao"),
-                              {scene_title(experiment), "ambient occlusion"}, trace));
+    return counted(cache_.get(reference_key(read, Stage::ao_reference, "ao"), {scene_title(read), "ambient occlusion"},
+                              trace));
   });
 }
 
 std::shared_ptr<const ShadowMap> Stages::map(const Experiment& experiment, std::uint32_t light) {
   return map_.remake(key(Stage::map, experiment, light), [&](std::optional<ShadowMap> last) {
-    const auto layout = this->layout(experiment, light);
+    const Experiment read = declared(Stage::map, experiment);
+    const auto layout = this->layout(read, light);
     // Software drivers clear every page of a new texture, which takes longer than drawing a small scene.
     ShadowMap drawn = last && has_textures_for(*last, *layout) ? std::move(*last) : make_shadow_map(context(), *layout);
     drawn.layout = *layout;
-    redraw_shadow_map(context(), uploaded(), scene_.lights[light], drawn, experiment.shadow.map_depth);
+    redraw_shadow_map(context(), uploaded(), scene_.lights[light], drawn, read.shadow.map_depth);
     return drawn;
   });
 }
 
 std::shared_ptr<const StoredDepths> Stages::stored_depths(const Experiment& experiment, std::uint32_t light) {
-  return stored_depths_.get(key(Stage::map, experiment, light), [&] {
-    const MapDepthParams& params = experiment.shadow.map_depth;
-    const auto map = this->map(experiment, light);
+  return get(stored_depths_, Stage::map, experiment, light, [&](const Experiment& read) {
+    const MapDepthParams& params = read.shadow.map_depth;
+    const auto map = this->map(read, light);
     StoredDepths depths;
     depths.polygon_offset_unit = measure_offset_unit(context(), params.format);
     depths.range = depth_range_of(context(), *map);
@@ -327,8 +332,9 @@ HeldLookup Stages::shadow_lookup(const Experiment& experiment, std::uint32_t lig
   }
   const ShadowTechnique technique =
       make_technique(experiment.shadow, half_size(with_extent(scene_.lights[light], experiment.light).emitter));
-  const auto filtered = filtered_map_.get(key(Stage::filtered_map, experiment, light), [&] {
-    return filter_map({context(), uploaded(), scene_.lights[light], *map, experiment.shadow.map_depth}, technique);
+  const auto filtered = get(filtered_map_, Stage::filtered_map, experiment, light, [&](const Experiment& read) {
+    return filter_map({context(), uploaded(), scene_.lights[light], *map, read.shadow.map_depth},
+                      make_technique(read.shadow));
   });
   return {{uploaded(), *gpu, *map, scene_.lights[light], experiment.shadow.bias, technique, gpu_truth.get(),
            filtered.get(), &seen->view},
@@ -353,9 +359,9 @@ std::vector<Image<float>> Stages::draw_lookups(std::span<const Experiment> exper
 
 std::shared_ptr<const StoredSurfels> Stages::stored_surfels(const Experiment& experiment) {
   const auto exact = gpu_surfels(experiment);
-  return stored_surfels_.get(key_of(Stage::stored_gbuffer, experiment), [&] {
-    const auto seen = surfels(experiment);
-    StoredGBuffer stored = store_gbuffer(context(), *exact, seen->view, experiment.shading);
+  return get(stored_surfels_, Stage::stored_gbuffer, experiment, [&](const Experiment& read) {
+    const auto seen = surfels(read);
+    StoredGBuffer stored = store_gbuffer(context(), *exact, seen->view, read.shading);
     GpuGBuffer gpu = decode_surfels(context(), stored, *exact, seen->view);
     GBuffer gbuffer = read_back(context(), gpu);
     return StoredSurfels{std::move(stored), std::move(gpu), std::move(gbuffer)};

@@ -268,6 +268,16 @@ class Stages {
   ProgressBar tracing_bar(const char* stage, std::function<std::uint64_t()> count_rays) const;
   ReferenceKey reference_key(const Experiment& experiment, Stage stage, const std::string& kind);
   std::string key(Stage stage, const Experiment& experiment, std::uint32_t light) const;
+  /// The stage's result from a memo, or made of what the stage declares, which is all that `make` should read.
+  template <class T, class Make>
+  std::shared_ptr<const T> get(Memo<T>& memo, Stage stage, const Experiment& experiment, const Make& make) {
+    return memo.get(key_of(stage, experiment), [&]() -> T { return make(declared(stage, experiment)); });
+  }
+  template <class T, class Make>
+  std::shared_ptr<const T> get(Memo<T>& memo, Stage stage, const Experiment& experiment, std::uint32_t light,
+                               const Make& make) {
+    return memo.get(key(stage, experiment, light), [&]() -> T { return make(declared(stage, experiment)); });
+  }
   Stage reference_stage(const Experiment& experiment, std::uint32_t light) const;
   TracedVisibility trace(const Experiment& experiment, Stage reference, std::uint32_t light);
 

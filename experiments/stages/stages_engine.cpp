@@ -158,11 +158,10 @@ std::shared_ptr<const Stages::EngineCauses> Stages::engine_causes(const Experime
 }
 
 RasterVisibility Stages::draw_engine(const Experiment& experiment, std::uint32_t light, bool with_truth) {
-  RasterVisibility drawn{*engine_visibility_.get(key(Stage::visibility, experiment, light),
-                                                 [&] {
-                                                   return engine_frames({&experiment, 1}, light, false).front().image;
-                                                 }),
-                         {}};
+  const auto visibility = get(engine_visibility_, Stage::visibility, experiment, light, [&](const Experiment& read) {
+    return engine_frames({&read, 1}, light, false).front().image;
+  });
+  RasterVisibility drawn{*visibility, {}};
   const auto seen = surfels(experiment);
   drawn.wrong.weights = Image<uvec4>(seen->gbuffer.width, seen->gbuffer.height, uvec4(0));
   if (!with_truth) return drawn;
