@@ -7,7 +7,6 @@
 #include "scenes/shading.h"
 
 namespace umbrameter {
-
 namespace {
 
 std::vector<MetricScore> score_of(const Experiment& experiment, bool is_shadow,
@@ -16,17 +15,10 @@ std::vector<MetricScore> score_of(const Experiment& experiment, bool is_shadow,
   return columns.empty() ? std::vector<MetricScore>{} : score(columns, images());
 }
 
-void measure_causes(Stages& stages, ShadowMeasurement& measurement) {
-  const Experiment& experiment = measurement.experiment;
-  WrongTaps& wrong = measurement.raster->wrong;
-  if (experiment.run.classes == ClassRule::exact && !stages.has_engine()) {
-    measurement.agreement = stages.reclassify(experiment, measurement.light, wrong);
-  }
-  if (stages.has_engine()) measurement.cause_source = stages.engine_causes(experiment, measurement.light)->source;
-  measurement.statistics = analyze_visibility(wrong, measurement.truth->visibility, measurement.counted);
-  const auto surfels = stages.surfels(experiment);
+void measure_parts(Stages& stages, ShadowMeasurement& measurement) {
+  const auto surfels = stages.surfels(measurement.experiment);
   const auto by_part = [&](PartKind kind) {
-    return errors_by_part(stages.scene(), kind, surfels->gbuffer, wrong, measurement.counted);
+    return errors_by_part(stages.scene(), kind, surfels->gbuffer, measurement.raster->wrong, measurement.counted);
   };
   measurement.objects = by_part(PartKind::object);
   measurement.materials = by_part(PartKind::material);
@@ -34,15 +26,30 @@ void measure_causes(Stages& stages, ShadowMeasurement& measurement) {
 
 }  // namespace
 
-EdgeStatistics measure_edges(Stages& stages, const Experiment& experiment, std::uint32_t light,
-                             const Image<float>& drawn) {
+ShadowKind kind_of(const Stages& stages, const Experiment& experiment, std::uint32_t light) {
+  if (stages.is_sampled(experiment, light)) return ShadowKind::sampled;
+  return stages.capabilities(experiment).sums_comparisons ? ShadowKind::by_cause : ShadowKind::by_edges;
+}
+
+ShadowStatistics analyze_shadow(Stages& stages, const Experiment& experiment, std::uint32_t light, ShadowKind kind,
+                                const RasterVisibility& drawn, const CountedPixels& counted) {
+  const auto truth = stages.truth(experiment, light);
+  if (kind == ShadowKind::by_cause) return analyze_visibility(drawn.wrong, truth->visibility, counted);
+  if (kind == ShadowKind::sampled) return analyze_soft_visibility(drawn.visibility, sampled(*truth), counted);
   const Light lamp = stages.light(experiment, light);
   const auto surfels = stages.surfels(experiment);
-  const auto truth = stages.truth(experiment, light);
-  const auto counted = stages.counted(experiment, light);
   const auto layout = stages.layout(experiment, light);
-  const ShapeInput input{surfels->gbuffer, truth->visibility, *counted, lamp, *layout};
-  return analyze_edges(input, drawn, analyze_error_shape(input, drawn));
+  const ShapeInput input{surfels->gbuffer, truth->visibility, counted, lamp, *layout};
+  return analyze_edges(input, drawn.visibility, analyze_error_shape(input, drawn.visibility));
+}
+
+RasterVisibility draw_causes(Stages& stages, const Experiment& experiment, std::uint32_t light,
+                             std::optional<ClassAgreement>& agreement) {
+  RasterVisibility drawn = stages.draw(experiment, light, true);
+  if (experiment.run.classes == ClassRule::exact && !stages.has_engine()) {
+    agreement = stages.reclassify(experiment, light, drawn.wrong);
+  }
+  return drawn;
 }
 
 Image<vec3> picture_of(const Stages& stages, const Measurement& measurement) {
@@ -62,33 +69,31 @@ Image<vec3> picture_of(const Stages& stages, const Measurement& measurement) {
 }
 
 ShadowMeasurement measure_shadow(Stages& stages, const Experiment& experiment, std::uint32_t light, Sides sides) {
-  const Light lamp = stages.light(experiment, light);
-  const bool is_sampled = stages.is_sampled(experiment, light);
-  const bool has_causes = !is_sampled && stages.capabilities(experiment).sums_comparisons;
+  const ShadowKind kind = kind_of(stages, experiment, light);
   ShadowMeasurement measurement;
   measurement.experiment = experiment;
   measurement.light = light;
   measurement.layout = *stages.layout(experiment, light);
   measurement.depth_unit = mean_depth_unit(stages, experiment, light);
   measurement.counted = *stages.counted(experiment, light);
-  measurement.emitter = lamp.emitter;
-  measurement.is_sampled = is_sampled;
+  measurement.emitter = stages.light(experiment, light).emitter;
+  measurement.is_sampled = kind == ShadowKind::sampled;
   if (sides.truth) measurement.truth = *stages.truth(experiment, light);
   if (sides.raster) {
-    measurement.raster = stages.draw(experiment, light, sides.truth && has_causes);
+    measurement.raster = sides.truth && kind == ShadowKind::by_cause
+                             ? draw_causes(stages, experiment, light, measurement.agreement)
+                             : stages.draw(experiment, light, false);
     if (!stages.has_engine()) measurement.stored_depths = *stages.stored_depths(experiment, light);
   }
   if (!sides.raster || !sides.truth) return measurement;
-  const Image<float>& drawn = measurement.raster->visibility;
-  if (has_causes) {
-    measure_causes(stages, measurement);
-  } else if (is_sampled) {
-    measurement.statistics = analyze_soft_visibility(drawn, sampled(*measurement.truth), measurement.counted);
-  } else {
-    measurement.statistics = measure_edges(stages, experiment, light, drawn);
+  const RasterVisibility& drawn = *measurement.raster;
+  measurement.statistics = analyze_shadow(stages, experiment, light, kind, drawn, measurement.counted);
+  if (kind == ShadowKind::by_cause) {
+    if (stages.has_engine()) measurement.cause_source = stages.engine_causes(experiment, light)->source;
+    measure_parts(stages, measurement);
   }
   measurement.metrics =
-      score_of(experiment, true, [&] { return compared_visibility(stages, experiment, light, drawn); });
+      score_of(experiment, true, [&] { return compared_visibility(stages, experiment, light, drawn.visibility); });
   return measurement;
 }
 

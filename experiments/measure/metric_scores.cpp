@@ -10,14 +10,15 @@
 namespace umbrameter {
 namespace {
 
-MetricResult measure(const Metric& metric, const ComparedImages& compared) {
+MetricResult measure(const Metric& metric, const ComparedImages& compared, const LeftOut& is_left_out) {
+  const auto is_counted = [&](std::size_t i) { return compared.is_counted(i) && !(is_left_out && is_left_out(i)); };
   if (const auto* scalar = std::get_if<ScalarImages>(&compared.images)) {
-    return measure_scalar(metric, {scalar->test, scalar->reference, compared.is_counted, compared.edge_scale});
+    return measure_scalar(metric, {scalar->test, scalar->reference, is_counted, compared.edge_scale});
   }
   const auto& color = std::get<ColorImages>(compared.images);
   ColorMetricParams params;
   params.exposure = std::log2(color.exposure);
-  return measure_color(metric, {color.test, color.reference, compared.is_counted, ImageContent::scene, params});
+  return measure_color(metric, {color.test, color.reference, is_counted, ImageContent::scene, params});
 }
 
 }  // namespace
@@ -43,12 +44,13 @@ ComparedImages compared_image(Stages& stages, const Experiment& experiment, Colo
           [surfels = stages.surfels(experiment)](std::size_t i) { return surfels->gbuffer.is_surface(i); }};
 }
 
-std::vector<MetricScore> score(std::span<const MetricColumn> columns, const ComparedImages& images) {
+std::vector<MetricScore> score(std::span<const MetricColumn> columns, const ComparedImages& images,
+                               const LeftOut& is_left_out) {
   std::vector<MetricScore> scores;
   const Metric* measured = nullptr;
   MetricResult result;
   for (const MetricColumn& column : columns) {
-    if (column.metric != measured) result = measure(*(measured = column.metric), images);
+    if (column.metric != measured) result = measure(*(measured = column.metric), images, is_left_out);
     const std::size_t unit = column.other_unit;
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double in_unit = unit <= result.in_other_units.size() && unit > 0 ? result.in_other_units[unit - 1] : nan;

@@ -36,7 +36,11 @@ ComparedImages compared_visibility(Stages& stages, const Experiment& experiment,
 ComparedImages compared_ao(Stages& stages, const Experiment& experiment, Image<float> drawn);
 ComparedImages compared_image(Stages& stages, const Experiment& experiment, ColorImages images);
 
+/// Whether a pixel is left out; empty: none is.
+using LeftOut = std::function<bool(std::size_t)>;
+
 /// Measures each metric once.
-std::vector<MetricScore> score(std::span<const MetricColumn> columns, const ComparedImages& images);
+std::vector<MetricScore> score(std::span<const MetricColumn> columns, const ComparedImages& images,
+                               const LeftOut& is_left_out = {});
 
 }  // namespace umbrameter

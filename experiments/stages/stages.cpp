@@ -153,9 +153,8 @@ std::shared_ptr<const MapLayout> Stages::layout(const Experiment& experiment, st
     const auto seen = surfels(read);
     ShadowMapParams map = read.shadow.map;
     map.resolution = map_size_of(read.engine).value_or(map.resolution);
-    return with_point_map(
-        fit_map(scene_.lights[light], bounds_, map, {seen->gbuffer, seen->view}, read.shadow.fit),
-        read.shadow.map_depth.point_map);
+    return with_point_map(fit_map(scene_.lights[light], bounds_, map, {seen->gbuffer, seen->view}, read.shadow.fit),
+                          read.shadow.map_depth.point_map);
   });
 }
 
@@ -201,8 +200,7 @@ std::shared_ptr<const TracedVisibility> Stages::truth(const Experiment& experime
 
 std::shared_ptr<const TracedVisibility> Stages::hard_truth(const Experiment& experiment, std::uint32_t light) {
   constexpr Stage stage = Stage::binary_reference;
-  return get(hard_truth_, stage, experiment, light,
-             [&](const Experiment& read) { return trace(read, stage, light); });
+  return get(hard_truth_, stage, experiment, light, [&](const Experiment& read) { return trace(read, stage, light); });
 }
 
 TracedVisibility Stages::trace(const Experiment& experiment, Stage reference, std::uint32_t light) {
@@ -247,8 +245,8 @@ void Stages::begin_ao_truth(const Experiment& experiment) {
   work.traced =
       std::async(std::launch::async, [&work, &rays = tracer(), surfels = surfels(read), params = read.truth,
                                       seed = static_cast<std::uint32_t>(read.run.seed),
-                                      key = reference_key(read, Stage::ao_reference, "ao"),
-                                      title = scene_title(read), folder = options_.cache, console = console_] {
+                                      key = reference_key(read, Stage::ao_reference, "ao"), title = scene_title(read),
+                                      folder = options_.cache, console = console_] {
         ReferenceCache cache(folder, console);
         const std::function<TracedAo()> trace = [&] {
           return trace_ao(rays, surfels->gbuffer, params, seed, [&work](double share) {
@@ -286,8 +284,8 @@ std::shared_ptr<const TracedAo> Stages::ao_truth(const Experiment& experiment) {
       return trace_ao(rays, surfels(read)->gbuffer, read.truth, static_cast<std::uint32_t>(read.run.seed),
                       progress.callback());
     };
-    return counted(cache_.get(reference_key(read, Stage::ao_reference, "ao"), {scene_title(read), "ambient occlusion"},
-                              trace));
+    return counted(
+        cache_.get(reference_key(read, Stage::ao_reference, "ao"), {scene_title(read), "ambient occlusion"}, trace));
   });
 }
 

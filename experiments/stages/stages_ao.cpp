@@ -5,8 +5,8 @@ namespace umbrameter {
 
 Image<float> Stages::draw_ao(const Experiment& experiment) {
   if (has_engine()) return engine_frames({&experiment, 1}, lights(experiment.view.light).front(), true).front().image;
-  Image<float> ao = *get(ao_, Stage::ao, experiment,
-                         [&](const Experiment& read) { return draw_ao_of(*gpu_surfels(read), read); });
+  Image<float> ao =
+      *get(ao_, Stage::ao, experiment, [&](const Experiment& read) { return draw_ao_of(*gpu_surfels(read), read); });
   const auto seen = surfels(experiment);
   for (std::size_t i = 0; i < ao.size(); ++i) {
     ao[i] = with_tone(ao[i], at_surface(experiment.ao.tone, seen->gbuffer, i));

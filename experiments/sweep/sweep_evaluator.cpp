@@ -1,65 +1,18 @@
 #include "experiments/sweep/sweep_evaluator.h"
 
 #include <algorithm>
+#include <cassert>
 #include <functional>
 #include <memory>
 
+#include "compare/ao_response.h"
 #include "core/interrupt.h"
-#include "experiments/measure/measure.h"
-#include "experiments/measure/measure_ao_axes.h"
+#include "experiments/measure/compared_case.h"
 #include "experiments/measure/measure_biases.h"
-#include "experiments/measure/measure_image.h"
-#include "experiments/measure/metric_scores.h"
 #include "experiments/sweep/look_ahead.h"
 
 namespace umbrameter {
 namespace {
-
-// The statistics of a cell, and where its images come from.
-struct MeasuredCell {
-  CellStatistics statistics;
-  std::function<ComparedImages()> images;
-};
-
-// Measures one cell. The overload selects the kind of statistics; its argument is not read.
-struct MeasureCell {
-  Stages& stages;
-  const Experiment& experiment;
-  const std::function<Image<float>()>& draw_visibility;
-
-  std::uint32_t light() const { return stages.lights(experiment.view.light).front(); }
-
-  MeasuredCell operator()(const VisibilityStatistics&) const {
-    if (stages.has_engine()) draw_visibility();  // with other cells in one request; measure_shadow() then finds it
-    ShadowMeasurement measured = measure_shadow(stages, experiment, light(), {});
-    return {std::get<VisibilityStatistics>(*measured.statistics), of_visibility(measured.raster->visibility)};
-  }
-  MeasuredCell operator()(const EdgeStatistics&) const {
-    const Image<float> drawn = draw_visibility();
-    return {measure_edges(stages, experiment, light(), drawn), of_visibility(drawn)};
-  }
-  MeasuredCell operator()(const SoftVisibilityStatistics&) const {
-    const Image<float> drawn = draw_visibility();
-    const auto truth = stages.truth(experiment, light());
-    const auto counted = stages.counted(experiment, light());
-    return {analyze_soft_visibility(drawn, sampled(*truth), *counted), of_visibility(drawn)};
-  }
-  MeasuredCell operator()(const AoStatistics&) const {
-    AoMeasurement measured = measure_ao(stages, experiment, {});
-    return {*measured.statistics, [this, drawn = *measured.raster] { return compared_ao(stages, experiment, drawn); }};
-  }
-  MeasuredCell operator()(const ImageStatistics&) const {
-    ImageMeasurement measured = measure_image(stages, experiment, stages.lights(experiment.view.light), {});
-    return {*measured.statistics, [this, images = ColorImages{measured.raster->radiance, *measured.truth}] {
-              return compared_image(stages, experiment, images);
-            }};
-  }
-
- private:
-  std::function<ComparedImages()> of_visibility(Image<float> drawn) const {
-    return [this, drawn = std::move(drawn)] { return compared_visibility(stages, experiment, light(), drawn); };
-  }
-};
 
 void append_scores(std::vector<Value>& row, const std::vector<MetricColumn>& columns, const ComparedImages& images) {
   for (const MetricScore& scored : score(columns, images)) row.emplace_back(scored.score);
@@ -89,9 +42,9 @@ struct CellByCell {
       const std::function<Image<float>()> draw = [&] {
         return look_ahead.visibility(stages, experiment, axes, values);
       };
-      const MeasureCell measure{stages, cell, draw};
-      const MeasuredCell measured = std::visit(measure, statistics);
-      std::vector<Value> row = row_of(measured.statistics);
+      const ComparedCase measured = compare_case(stages, cell, statistics, draw);
+      CellStatistics of_cell = measured.statistics({});
+      std::vector<Value> row = row_of(of_cell);
       if (!metrics.empty()) append_scores(row, metrics, measured.images());
       keep(place, row);
     }
@@ -142,19 +95,51 @@ auto along(const Stages& stages, const Experiment& experiment, const std::vector
   return all;
 }
 
+template <class T>
+std::vector<T> ascending(std::vector<T> values) {
+  std::ranges::sort(values);
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+template <class T>
+std::size_t index_in(const std::vector<T>& ascending, T value) {
+  return static_cast<std::size_t>(std::ranges::lower_bound(ascending, value) - ascending.begin());
+}
+
+// The cells' numbers of samples beyond one need a technique whose samples are a prefix.
 void measure_ao_group(Stages& stages, const Experiment& experiment, const std::vector<SweepAxis>& axes,
                       const CellGroup& group, const RowSink& keep) {
   const auto values_of = [&](std::string_view key, const auto& read) {
     return along(stages, experiment, axes, group, key, read);
   };
-  const AoCells cells{
-      values_of(ao_bias_key, [](const AoParams& ao) { return static_cast<float>(ao.bias.depth.number); }),
-      values_of(ao_samples_key, [](const AoParams& ao) { return ao.sampling.samples; }),
-      values_of(ao_intensity_key, [](const AoParams& ao) { return ao.tone.intensity; }),
-      values_of(ao_power_key, [](const AoParams& ao) { return ao.tone.power; })};
-  RowsInOrder<AoStatistics> rows(keep);
+  const auto biases =
+      values_of(ao_bias_key, [](const AoParams& ao) { return static_cast<float>(ao.bias.depth.number); });
+  const auto samples = values_of(ao_samples_key, [](const AoParams& ao) { return ao.sampling.samples; });
+  const auto powers = values_of(ao_power_key, [](const AoParams& ao) { return ao.tone.power; });
   const Experiment of_group = cell_in_metres(stages, experiment, axes, group.values);
-  for (const AoStatistics& statistics : measure_ao_axes(stages, of_group, cells)) rows(statistics);
+  AoAxes once{ascending(biases), ascending(samples), {}};
+  for (const double intensity : values_of(ao_intensity_key, [](const AoParams& ao) { return ao.tone.intensity; })) {
+    for (const double power : powers) {
+      AoToneParams& tone = once.tones.emplace_back(of_group.ao.tone);
+      tone.intensity = intensity;
+      tone.power = power;
+    }
+  }
+  assert(is_ao_one_pass(of_group.ao));
+  assert(once.samples.size() == 1 || capabilities_of(make_technique(of_group.ao)).samples_are_prefix);
+  const auto truth = stages.ao_truth(of_group);
+  const auto surfels = stages.surfels(of_group);
+  AoResponse response({truth->ao, truth->variance, truth->samples, truth->degrees_of_freedom}, surfels->gbuffer, once);
+  stages.draw_ao_response(of_group, once, [&](std::span<const AoResponseRow> drawn) { response.add(drawn); });
+  const std::vector<AoStatistics> measured = response.statistics();
+  RowsInOrder<AoStatistics> rows(keep);
+  for (const float bias : biases) {
+    for (const int count : samples) {
+      const std::size_t line = index_in(once.biases, bias) * once.samples.size() + index_in(once.samples, count);
+      for (std::size_t tone = 0; tone < once.tones.size(); ++tone) rows(measured[line * once.tones.size() + tone]);
+    }
+  }
 }
 
 // Adds the metrics to the rows that one pass has measured, from the image of each cell.

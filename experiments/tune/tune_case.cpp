@@ -4,15 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <memory>
+#include <utility>
 
 #include "core/error.h"
-#include "experiments/measure/measure.h"
+#include "experiments/measure/compared_case.h"
 #include "experiments/measure/measure_biases.h"
-#include "experiments/measure/measure_image.h"
-#include "experiments/measure/metric_scores.h"
 #include "raster/gl/timer.h"
 
 namespace umbrameter {
@@ -60,74 +57,17 @@ class GoalReader {
   std::vector<const Statistic*> columns_;
 };
 
-// What is measured: technique and reference, drawn once, and their statistics over the pixels that are not left out.
+// What is drawn once.
 struct Drawn {
-  std::function<CellStatistics(const std::function<bool(std::size_t)>& is_left_out)> analyze;
+  ComparedCase compared;
   ComparedImages images;
 };
 
-CountedPixels without(CountedPixels counted, const std::function<bool(std::size_t)>& is_left_out) {
-  for (std::size_t i = 0; i < counted.exclusion.size(); ++i) {
-    if (is_left_out(i)) counted.exclusion[i] = PixelExclusion::background;
-  }
-  return counted;
-}
-
-Drawn draw_shadow(const TuneCase& tuned, const Experiment& experiment) {
-  Stages& stages = *tuned.stages;
-  auto measured = std::make_shared<ShadowMeasurement>(measure_shadow(stages, experiment, tuned.light, {}));
-  Drawn drawn;
-  drawn.images = compared_visibility(stages, experiment, tuned.light, measured->raster->visibility);
-  drawn.analyze = [measured, &stages, experiment, light = tuned.light](const auto& is_left_out) -> CellStatistics {
-    const auto as_cell = [](const auto& statistics) -> CellStatistics { return statistics; };
-    if (!is_left_out) return std::visit(as_cell, *measured->statistics);
-    const CountedPixels counted = without(measured->counted, is_left_out);
-    const Image<float>& technique = measured->raster->visibility;
-    if (by_cause(*measured) != nullptr) {
-      return analyze_visibility(measured->raster->wrong, measured->truth->visibility, counted);
-    }
-    if (measured->is_sampled) return analyze_soft_visibility(technique, sampled(*measured->truth), counted);
-    const Light lamp = stages.light(experiment, light);
-    const auto surfels = stages.surfels(experiment);
-    const ShapeInput input{surfels->gbuffer, measured->truth->visibility, counted, lamp, measured->layout};
-    return analyze_edges(input, technique, analyze_error_shape(input, technique));
-  };
-  return drawn;
-}
-
-Drawn draw_occlusion(const TuneCase& tuned, const Experiment& experiment) {
-  Stages& stages = *tuned.stages;
-  auto measured = std::make_shared<AoMeasurement>(measure_ao(stages, experiment, {}));
-  auto gbuffer = std::make_shared<GBuffer>(stages.surfels(experiment)->gbuffer);
-  Drawn drawn;
-  drawn.images = compared_ao(stages, experiment, *measured->raster);
-  drawn.analyze = [measured, gbuffer](const auto& is_left_out) -> CellStatistics {
-    if (!is_left_out) return *measured->statistics;
-    const Image<std::uint32_t> before = gbuffer->instance;
-    for (std::size_t i = 0; i < before.size(); ++i) {
-      if (is_left_out(i)) gbuffer->instance[i] = no_id;
-    }
-    const TracedAo& truth = *measured->truth;
-    AoStatistics statistics =
-        analyze_ao(*measured->raster, {truth.ao, truth.variance, truth.samples, truth.degrees_of_freedom}, *gbuffer);
-    gbuffer->instance = before;
-    return statistics;
-  };
-  return drawn;
-}
-
-Drawn draw_image(const TuneCase& tuned, const Experiment& experiment) {
-  Stages& stages = *tuned.stages;
-  const ImageMeasurement measured = measure_image(stages, experiment, stages.lights(experiment.view.light), {});
-  Drawn drawn;
-  drawn.images = compared_image(stages, experiment, {measured.raster->radiance, *measured.truth});
-  drawn.analyze = [statistics = *measured.statistics](const auto&) -> CellStatistics { return statistics; };
-  return drawn;
-}
-
 Drawn draw(const TuneCase& tuned, const Experiment& experiment) {
-  if (tuned.quantity == SweptQuantity::ao) return draw_occlusion(tuned, experiment);
-  return tuned.quantity == SweptQuantity::image ? draw_image(tuned, experiment) : draw_shadow(tuned, experiment);
+  Stages& stages = *tuned.stages;
+  ComparedCase compared = compare_case(stages, experiment, choose_statistics(stages, experiment, {}, tuned.quantity));
+  ComparedImages images = compared.images();
+  return {std::move(compared), std::move(images)};
 }
 
 // The least of some runs: everything else on the machine can only add to it.
@@ -184,9 +124,8 @@ void require_columns(const GoalReader& reader, const TuneCase& tuned, const Tune
   }
 }
 
-CaseValues values_of(Drawn& drawn, const TuneCase& tuned, const TuneGoal& goal,
-                     const std::function<bool(std::size_t)>& is_left_out) {
-  CellStatistics statistics = drawn.analyze(is_left_out);
+CaseValues values_of(const Drawn& drawn, const TuneCase& tuned, const TuneGoal& goal, const LeftOut& is_left_out) {
+  CellStatistics statistics = drawn.compared.statistics(is_left_out);
   const GoalReader reader(describe(statistics), goal);
   require_columns(reader, tuned, goal);
   CaseValues values = reader.read();
@@ -198,12 +137,7 @@ CaseValues values_of(Drawn& drawn, const TuneCase& tuned, const TuneGoal& goal,
     metrics.push_back(*find_metric(goal.columns[c].name, tuned.quantity));
   }
   if (metrics.empty()) return values;
-  const auto is_counted = drawn.images.is_counted;
-  if (is_left_out) {
-    drawn.images.is_counted = [&](std::size_t i) { return is_counted(i) && !is_left_out(i); };
-  }
-  const std::vector<MetricScore> scores = score(metrics, drawn.images);
-  drawn.images.is_counted = is_counted;
+  const std::vector<MetricScore> scores = score(metrics, drawn.images, is_left_out);
   for (std::size_t i = 0; i < places.size(); ++i) values[places[i]] = scores[i].score;
   return values;
 }
@@ -240,7 +174,7 @@ Experiment at_point(const TuneCase& tuned, const std::vector<TuneAxis>& axes, co
 }
 
 CaseValues measure_case(const TuneCase& tuned, const Experiment& experiment, const TuneGoal& goal) {
-  Drawn drawn = draw(tuned, experiment);
+  const Drawn drawn = draw(tuned, experiment);
   CaseValues values = values_of(drawn, tuned, goal, {});
   if (goal.measures_time) set_time(values, goal, pass_time(tuned, experiment));
   return values;
@@ -282,7 +216,7 @@ BlocksOfCase measure_without_blocks(const TuneCase& tuned, const Experiment& exp
       if (reader.has(c)) return blocks;
     }
   }
-  Drawn drawn = draw(tuned, experiment);
+  const Drawn drawn = draw(tuned, experiment);
   const double time = goal.measures_time ? pass_time(tuned, experiment) : 0.0;
   const int width = tuned.experiment.view.size.width, height = tuned.experiment.view.size.height;
   const auto block_of = [&](std::size_t i) {

@@ -37,6 +37,11 @@ struct Row {
   std::vector<std::string> settings;  // "shadow.filter=box"; SCENE is the diagonal of the scene's bounds
 };
 
+EdgeStatistics edges_of(Stages& stages, const Experiment& experiment, const RasterVisibility& drawn) {
+  return std::get<EdgeStatistics>(
+      analyze_shadow(stages, experiment, 0, ShadowKind::by_edges, drawn, *stages.counted(experiment, 0)));
+}
+
 const std::vector<Row>& rows() {
   static const std::vector<Row> all = {
       {"nearest", {}},
@@ -133,7 +138,7 @@ Experiment with_best_bias(Stages& stages, Experiment experiment, double& bias) {
   Length best;
   for (const double texels : biases) {
     experiment.shadow.bias.constant = {texels, LengthUnit::texels};
-    const EdgeStatistics edges = measure_edges(stages, experiment, 0, stages.draw(experiment, 0, false).visibility);
+    const EdgeStatistics edges = edges_of(stages, experiment, stages.draw(experiment, 0, false));
     if (edges.mae >= least) continue;
     least = edges.mae;
     best = experiment.shadow.bias.constant;
@@ -166,7 +171,7 @@ void print_scene(const std::string& scene, const std::filesystem::path& pictures
       experiment = with_best_bias(stages, experiment, cell.bias);
     }
     const ShadowMeasurement shadow = measure_shadow(stages, experiment, 0, {});
-    cell.edges = measure_edges(stages, experiment, 0, shadow.raster->visibility);
+    cell.edges = edges_of(stages, experiment, *shadow.raster);
     if (const auto* causes = std::get_if<VisibilityStatistics>(&*shadow.statistics)) cell.causes = *causes;
     std::vector<double> ratios;
     for (int turn = 0; turn < turns; ++turn) {
