@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "raster/gl/timer.h"
-#include "raster/shadow/polygon_offset.h"
+#include "raster/shadow/map_layer.h"
 #include "raytrace/pixel_shadow.h"
 #include "scenes/ground.h"
 

@@ -4,10 +4,7 @@
 #include <cassert>
 #include <optional>
 
-#include "raster/ao/blur_pass.h"
-#include "raster/ao/method_pass.h"
-#include "raster/ao/normals_pass.h"
-#include "raster/ao/upsample_pass.h"
+#include "raster/ao/ao_passes.h"
 #include "raster/gl/pass.h"
 #include "raster/texture_image.h"
 

@@ -1,5 +1,4 @@
-#include "raster/ao/blur_pass.h"
-
+#include "raster/ao/ao_passes.h"
 #include "raster/gl/pass.h"
 
 namespace umbrameter {

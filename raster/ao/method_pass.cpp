@@ -1,8 +1,7 @@
-#include "raster/ao/method_pass.h"
-
 #include <span>
 #include <string>
 
+#include "raster/ao/ao_passes.h"
 #include "raster/ao/ssao_pass.h"
 #include "raster/gbuffer/view_block.h"
 #include "raster/gl/pass.h"

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "raster/ao/ao_inputs.h"
+#include "raster/ao/ao_passes.h"
 #include "raster/gl/context.h"
 #include "techniques/ao/bias_response.h"
 #include "techniques/ao/ssao.h"

@@ -16,62 +16,54 @@ struct FormatNames {
   std::size_t bytes;  // of a texel as external and type give it
 };
 
-FormatNames names_of(Format format) {
-  switch (format) {
-    case Format::r32f:
-      return {GL_R32F, GL_RED, GL_FLOAT, 4};
-    case Format::rg16:
-      return {GL_RG16, GL_RG, GL_UNSIGNED_SHORT, 4};
-    case Format::rg16f:
-      return {GL_RG16F, GL_RG, GL_HALF_FLOAT, 4};
-    case Format::rg32f:
-      return {GL_RG32F, GL_RG, GL_FLOAT, 8};
-    case Format::rgba16:
-      return {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT, 8};
-    case Format::rgba16f:
-      return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8};
-    case Format::rgb32f:
-      return {GL_RGB32F, GL_RGB, GL_FLOAT, 12};
-    case Format::rgba32f:
-      return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
-    case Format::rg32ui:
-      return {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 8};
-    case Format::rgb32ui:
-      return {GL_RGB32UI, GL_RGB_INTEGER, GL_UNSIGNED_INT, 12};
-    case Format::rgba32ui:
-      return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16};
-    case Format::rgba8:
-      return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
-    case Format::depth16:
-      return {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_FLOAT, 4};
-    case Format::depth24:
-      return {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_FLOAT, 4};
-    case Format::depth32f:
-      break;
-  }
-  return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 4};
+// In the order of Format.
+constexpr FormatNames format_names[] = {
+    {GL_R32F, GL_RED, GL_FLOAT, 4},
+    {GL_RG16, GL_RG, GL_UNSIGNED_SHORT, 4},
+    {GL_RG16F, GL_RG, GL_HALF_FLOAT, 4},
+    {GL_RG32F, GL_RG, GL_FLOAT, 8},
+    {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT, 8},
+    {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8},
+    {GL_RGB32F, GL_RGB, GL_FLOAT, 12},
+    {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16},
+    {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 8},
+    {GL_RGB32UI, GL_RGB_INTEGER, GL_UNSIGNED_INT, 12},
+    {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16},
+    {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4},
+    {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_FLOAT, 4},
+    {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_FLOAT, 4},
+    {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 4},
+};
+
+const FormatNames& names_of(Format format) { return format_names[static_cast<std::size_t>(format)]; }
+
+// create(1, &name) makes the name of an object of this kind.
+template <class Owner, class Create>
+Owner make_labelled(GLenum kind, const std::string& label, const Create& create) {
+  unsigned name = 0;
+  create(1, &name);
+  glObjectLabel(kind, name, -1, label.c_str());
+  return Owner(name);
 }
 
-void label_object(GLenum kind, unsigned name, const std::string& label) {
-  glObjectLabel(kind, name, -1, label.c_str());
+Texture make_labelled_texture(GLenum target, const std::string& label) {
+  return make_labelled<Texture>(GL_TEXTURE, label,
+                                [&](GLsizei count, unsigned* names) { glCreateTextures(target, count, names); });
 }
 
 }  // namespace
 
-void BufferTraits::destroy(unsigned name) { glDeleteBuffers(1, &name); }
-void TextureTraits::destroy(unsigned name) { glDeleteTextures(1, &name); }
-void FramebufferTraits::destroy(unsigned name) { glDeleteFramebuffers(1, &name); }
-void VertexArrayTraits::destroy(unsigned name) { glDeleteVertexArrays(1, &name); }
-void ShaderTraits::destroy(unsigned name) { glDeleteShader(name); }
-void ProgramTraits::destroy(unsigned name) { glDeleteProgram(name); }
+void delete_buffer(unsigned name) { glDeleteBuffers(1, &name); }
+void delete_texture(unsigned name) { glDeleteTextures(1, &name); }
+void delete_framebuffer(unsigned name) { glDeleteFramebuffers(1, &name); }
+void delete_vertex_array(unsigned name) { glDeleteVertexArrays(1, &name); }
+void delete_shader(unsigned name) { glDeleteShader(name); }
+void delete_program(unsigned name) { glDeleteProgram(name); }
 
 Buffer make_empty_buffer(const std::string& label, std::size_t bytes) {
   constexpr std::size_t least = 16;
-  unsigned name = 0;
-  glCreateBuffers(1, &name);
-  Buffer buffer(name);
-  label_object(GL_BUFFER, name, label);
-  glNamedBufferStorage(name, static_cast<GLsizeiptr>(std::max(bytes, least)), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  Buffer buffer = make_labelled<Buffer>(GL_BUFFER, label, glCreateBuffers);
+  glNamedBufferStorage(buffer.name(), static_cast<GLsizeiptr>(std::max(bytes, least)), nullptr, GL_DYNAMIC_STORAGE_BIT);
   return buffer;
 }
 
@@ -93,11 +85,8 @@ Buffer make_buffer(const std::string& label, std::span<const std::byte> bytes) {
 }
 
 Texture make_buffer_texture(const std::string& label, Format format, const Buffer& buffer) {
-  unsigned name = 0;
-  glCreateTextures(GL_TEXTURE_BUFFER, 1, &name);
-  Texture texture(name);
-  label_object(GL_TEXTURE, name, label);
-  glTextureBuffer(name, names_of(format).internal, buffer.name());
+  Texture texture = make_labelled_texture(GL_TEXTURE_BUFFER, label);
+  glTextureBuffer(texture.name(), names_of(format).internal, buffer.name());
   return texture;
 }
 
@@ -107,10 +96,8 @@ unsigned internal_format(Format format) { return static_cast<unsigned>(names_of(
 
 Texture make_texture(const std::string& label, Format format, int width, int height, int layers, int levels) {
   const FormatNames names = names_of(format);
-  unsigned name = 0;
-  glCreateTextures(layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &name);
-  Texture texture(name);
-  label_object(GL_TEXTURE, name, label);
+  Texture texture = make_labelled_texture(layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, label);
+  const unsigned name = texture.name();
   if (layers > 0) {
     glTextureStorage3D(name, levels, names.internal, width, height, layers);
   } else {
@@ -179,19 +166,11 @@ int depth_bits_of(const Texture& texture) {
 }
 
 Framebuffer make_framebuffer(const std::string& label) {
-  unsigned name = 0;
-  glCreateFramebuffers(1, &name);
-  Framebuffer framebuffer(name);
-  label_object(GL_FRAMEBUFFER, name, label);
-  return framebuffer;
+  return make_labelled<Framebuffer>(GL_FRAMEBUFFER, label, glCreateFramebuffers);
 }
 
 VertexArray make_vertex_array(const std::string& label) {
-  unsigned name = 0;
-  glCreateVertexArrays(1, &name);
-  VertexArray array(name);
-  label_object(GL_VERTEX_ARRAY, name, label);
-  return array;
+  return make_labelled<VertexArray>(GL_VERTEX_ARRAY, label, glCreateVertexArrays);
 }
 
 }  // namespace umbrameter::gl

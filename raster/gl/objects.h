@@ -9,7 +9,7 @@
 namespace umbrameter::gl {
 
 /// Owns one OpenGL name; 0 is empty and needs no context. What it owns is deleted in the current context.
-template <class Traits>
+template <void (*destroy)(unsigned)>
 class Object {
  public:
   Object() = default;
@@ -27,38 +27,26 @@ class Object {
   unsigned name() const { return name_; }
   bool empty() const { return name_ == 0; }
   void reset() {
-    if (name_ != 0) Traits::destroy(std::exchange(name_, 0u));
+    if (name_ != 0) destroy(std::exchange(name_, 0u));
   }
 
  private:
   unsigned name_ = 0;
 };
 
-struct BufferTraits {
-  static void destroy(unsigned name);
-};
-struct TextureTraits {
-  static void destroy(unsigned name);
-};
-struct FramebufferTraits {
-  static void destroy(unsigned name);
-};
-struct VertexArrayTraits {
-  static void destroy(unsigned name);
-};
-struct ShaderTraits {
-  static void destroy(unsigned name);
-};
-struct ProgramTraits {
-  static void destroy(unsigned name);
-};
+void delete_buffer(unsigned name);
+void delete_texture(unsigned name);
+void delete_framebuffer(unsigned name);
+void delete_vertex_array(unsigned name);
+void delete_shader(unsigned name);
+void delete_program(unsigned name);
 
-using Buffer = Object<BufferTraits>;
-using Texture = Object<TextureTraits>;
-using Framebuffer = Object<FramebufferTraits>;
-using VertexArray = Object<VertexArrayTraits>;
-using Shader = Object<ShaderTraits>;
-using Program = Object<ProgramTraits>;
+using Buffer = Object<&delete_buffer>;
+using Texture = Object<&delete_texture>;
+using Framebuffer = Object<&delete_framebuffer>;
+using VertexArray = Object<&delete_vertex_array>;
+using Shader = Object<&delete_shader>;
+using Program = Object<&delete_program>;
 
 /// Immutable contents; zero bytes give a buffer of the least size, never an error.
 Buffer make_buffer(const std::string& label, std::span<const std::byte> bytes);

@@ -32,40 +32,19 @@ Pass& Pass::image(const char* name, const Texture& texture, Format format, bool 
   return bind(name, {Bound::Kind::image, texture.name(), format, layered, level});
 }
 
-Pass& Pass::value(const char* name, float number) {
-  glProgramUniform1f(program_.program.name(), location(name), number);
+template <class SetUniform, class... Number>
+Pass& Pass::set(const char* name, SetUniform set_uniform, Number... numbers) {
+  set_uniform(program_.program.name(), location(name), numbers...);
   return *this;
 }
 
-Pass& Pass::value(const char* name, int number) {
-  glProgramUniform1i(program_.program.name(), location(name), number);
-  return *this;
-}
-
-Pass& Pass::value(const char* name, unsigned number) {
-  glProgramUniform1ui(program_.program.name(), location(name), number);
-  return *this;
-}
-
-Pass& Pass::value(const char* name, int x, int y) {
-  glProgramUniform2i(program_.program.name(), location(name), x, y);
-  return *this;
-}
-
-Pass& Pass::value(const char* name, const vec2& numbers) {
-  glProgramUniform2f(program_.program.name(), location(name), numbers.x, numbers.y);
-  return *this;
-}
-
-Pass& Pass::value(const char* name, const vec3& numbers) {
-  glProgramUniform3f(program_.program.name(), location(name), numbers.x, numbers.y, numbers.z);
-  return *this;
-}
-
-Pass& Pass::value(const char* name, const vec4& numbers) {
-  glProgramUniform4f(program_.program.name(), location(name), numbers.x, numbers.y, numbers.z, numbers.w);
-  return *this;
-}
+Pass& Pass::value(const char* name, float x) { return set(name, glProgramUniform1f, x); }
+Pass& Pass::value(const char* name, int x) { return set(name, glProgramUniform1i, x); }
+Pass& Pass::value(const char* name, unsigned x) { return set(name, glProgramUniform1ui, x); }
+Pass& Pass::value(const char* name, int x, int y) { return set(name, glProgramUniform2i, x, y); }
+Pass& Pass::value(const char* name, const vec2& v) { return set(name, glProgramUniform2f, v.x, v.y); }
+Pass& Pass::value(const char* name, const vec3& v) { return set(name, glProgramUniform3f, v.x, v.y, v.z); }
+Pass& Pass::value(const char* name, const vec4& v) { return set(name, glProgramUniform4f, v.x, v.y, v.z, v.w); }
 
 void Pass::use() const {
   const unsigned program = program_.program.name();

@@ -31,13 +31,13 @@ class Pass {
   Pass& block(const char* name, const Block& values) {
     return bind(name, {Bound::Kind::block, keep(make_block(name, values)).name()});
   }
-  Pass& value(const char* name, float number);
-  Pass& value(const char* name, int number);
-  Pass& value(const char* name, unsigned number);
+  Pass& value(const char* name, float x);
+  Pass& value(const char* name, int x);
+  Pass& value(const char* name, unsigned x);
   Pass& value(const char* name, int x, int y);
-  Pass& value(const char* name, const vec2& numbers);
-  Pass& value(const char* name, const vec3& numbers);
-  Pass& value(const char* name, const vec4& numbers);
+  Pass& value(const char* name, const vec2& v);
+  Pass& value(const char* name, const vec3& v);
+  Pass& value(const char* name, const vec4& v);
 
   /// Makes the program and everything bound to it current, for draws.
   void use() const;
@@ -58,6 +58,8 @@ class Pass {
   Pass& bind(const char* name, const Bound& bound);
   // The location of a uniform, or -1 if the program does not read it. Marks it as bound.
   int location(const char* name);
+  template <class SetUniform, class... Number>
+  Pass& set(const char* name, SetUniform set_uniform, Number... numbers);
   const Buffer& keep(Buffer buffer);
 
   const Context& context_;

@@ -1,4 +1,4 @@
-// The axes of a bias response. raster/shadow/response_axes.cpp fills the buffers.
+// The axes of a bias response. raster/shadow/response_passes.cpp fills the buffers.
 layout(std140) uniform ResponseBlock {
   float min_bias;
   float max_bias;

@@ -1,10 +1,13 @@
 #include "raster/shadow/map_layer.h"
 
+#include <array>
+#include <span>
+
 #include "raster/gl/api.h"
 #include "raster/gl/pass.h"
+#include "raster/gl/target.h"
 #include "raster/shader_interface.h"
 #include "raster/shadow/light_block.h"
-#include "raster/shadow/polygon_offset.h"
 
 namespace umbrameter {
 namespace {
@@ -76,6 +79,25 @@ void draw_views(const MapSource& source, const MapLayer& layer, const MakePass& 
   }
 }
 
+// Draws one depth per texel of each view.
+void draw_depths(const MapSource& source, gl::Pass& pass, const gl::Texture& depth) {
+  pass.block("LightBlock", make_light_block(source.light, source.layout))
+      .value("near_depth", static_cast<float>(source.params.near_depth));
+  const gl::Target target("shadow depth", {}, &depth);
+  target.begin({.depth = gl::DepthTest::replace});
+  for (int view = 0; view < static_cast<int>(source.layout.views.size()); ++view) {
+    target.set_layer(depth, view);
+    pass.value("map_view", view).use();
+    gl::draw_triangles(3);
+  }
+  gl::make_writes_visible();
+  source.context.check("shadow depth");
+}
+
+std::string defines_of(const MapSource& source, int mapping) {
+  return map_defines(source.layout) + define("DEPTH_MAPPING", static_cast<unsigned>(mapping));
+}
+
 }  // namespace
 
 gl::Format texture_format(MapDepthFormat format) {
@@ -136,6 +158,45 @@ void draw_map_layer(const MapSource& source, const MapLayer& layer) {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   source.context.check("shadow map");
+}
+
+void combine_layers(const MapSource& source, const MapLayers& layers, const gl::Texture& stored, int mapping) {
+  const auto surface = static_cast<unsigned>(source.params.surface);
+  gl::Pass pass(source.context, {{"fullscreen.vert", "shadow_resolve.frag"},
+                                 defines_of(source, mapping) + define("COMBINES", 1) + define("SURFACE", surface)});
+  pass.texture("nearest_layer", layers.nearest)
+      .texture("second_layer", layers.second)
+      .value("dual_offset", static_cast<float>(source.params.dual_offset));
+  draw_depths(source, pass, stored);
+}
+
+void decode_depth_map(const MapSource& source, const gl::Texture& stored, const gl::Texture& linear) {
+  const int mapping = depth_mapping(source.params, source.layout.kind);
+  gl::Pass pass(source.context,
+                {{"fullscreen.vert", "shadow_resolve.frag"}, defines_of(source, mapping) + define("COMBINES", 0)});
+  pass.texture("stored_depth", stored);
+  draw_depths(source, pass, linear);
+}
+
+double measure_offset_unit(const gl::Context& context, MapDepthFormat format) {
+  // So many that the format's rounding hides no part of a unit, and few enough that a float's exponent stays.
+  constexpr float units = 1024.0f;
+  const gl::Format of_texture = texture_format(format);
+  std::array<float, 2> depths{};
+  for (const bool has_offset : {false, true}) {
+    const gl::Texture depth = gl::make_texture("polygon offset", of_texture, 1, 1);
+    const gl::Target target("polygon offset", {}, &depth);
+    target.begin({.depth = gl::DepthTest::replace});
+    const gl::Pass pass(context, {{"fullscreen.vert", "depth_only.frag"}, {}});
+    pass.use();
+    if (has_offset) glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(0.0f, units);
+    gl::draw_triangles(3);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    gl::read_texels(depth, of_texture, std::as_writable_bytes(std::span(&depths[has_offset ? 1 : 0], 1)));
+  }
+  context.check("polygon offset");
+  return (static_cast<double>(depths[1]) - static_cast<double>(depths[0])) / static_cast<double>(units);
 }
 
 }  // namespace umbrameter

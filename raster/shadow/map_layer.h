@@ -1,4 +1,4 @@
-// Draws one layer of surfaces into the textures of a shadow map. Internal to raster.
+// Draws one layer of surfaces into the textures of a shadow map, and passes over its texels.
 #pragma once
 
 #include "raster/gbuffer/uploaded_scene.h"
@@ -29,5 +29,22 @@ gl::Format texture_format(MapDepthFormat format);
 
 /// Clears the textures and draws the casters that params.faces selects, with the polygon offset of the parameters.
 void draw_map_layer(const MapSource& source, const MapLayer& layer);
+
+/// The two nearest layers of a map, linear depths in 32-bit floats.
+struct MapLayers {
+  const gl::Texture& nearest;
+  const gl::Texture& second;
+};
+
+/// Computes the depth of params.surface from the layers, and stores it with a mapping of map_depth.h.
+void combine_layers(const MapSource& source, const MapLayers& layers, const gl::Texture& stored, int mapping);
+
+/// Computes the linear depth of each texel of a map with the parameters' format and encoding.
+void decode_depth_map(const MapSource& source, const gl::Texture& stored, const gl::Texture& linear);
+
+/// The shift of the stored depth by a polygon offset of one unit at a stored depth of ½, found by drawing a triangle
+/// with and without an offset. OpenGL leaves it to the driver. In a float format the unit of a triangle is that of its
+/// largest depth: twice as large from ½ on, half as large below ¼, and so on.
+double measure_offset_unit(const gl::Context& context, MapDepthFormat format);
 
 }  // namespace umbrameter

@@ -1,5 +1,8 @@
 #include "raster/shadow/shadow_lookup.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -9,7 +12,6 @@
 
 #include "core/error.h"
 #include "raster/shader_interface.h"
-#include "raster/shadow/filter_defines.h"
 #include "raster/shadow/light_block.h"
 #include "raster/texture_image.h"
 
@@ -25,6 +27,35 @@ constexpr std::size_t min_at_once = 4096;
 
 // OpenGL promises no more than 65535 work groups (GL_MAX_COMPUTE_WORK_GROUP_COUNT).
 constexpr std::size_t max_at_once = std::size_t{65535} * constant("LIST_GROUP_SIZE");
+
+std::string list_of(const std::vector<vec2>& values) {
+  std::string text;
+  for (const vec2& v : values) text += fmt::format("{}vec2({:.9e}, {:.9e})", text.empty() ? "" : ", ", v.x, v.y);
+  return text;
+}
+
+// What shaders/shadow_filter.glsl needs of a kernel. The radius is a uniform and not included.
+std::string filter_defines(const FilterKernel& filter) {
+  std::string text = define("FILTER_IS_GRID", filter.is_grid() ? 1 : 0) +
+                     fmt::format("#define FILTER_WEIGHT_SUM {}u\n", filter.weight_sum()) +
+                     define("FILTER_TAPS", static_cast<unsigned>(filter.tap_count()));
+  if (filter.is_grid()) {
+    text += define("FILTER_KERNEL_SIZE", static_cast<unsigned>(filter.kernel.size())) +
+            define("FILTER_LINEAR", filter.linear_taps ? 1 : 0) +
+            define("FILTER_AREA_SUM", filter.is_area_tent ? FilterKernel::area_sum : 0) +
+            define("FILTER_PARTS", FilterKernel::texel_parts) +
+            fmt::format("#define FILTER_DIVISOR {}u\n#define FILTER_KERNEL_SUMS {}u\n", filter.divisor,
+                        fmt::join(running_sums(filter.kernel), "u, "));
+    return text;
+  }
+  text += define("FILTER_ROTATION", static_cast<unsigned>(filter.rotation)) +
+          define("FILTER_SEARCH", filter.search ? static_cast<unsigned>(filter.search->points.size()) : 0);
+  text += define("FILTER_HARDENS", filter.hardening ? 1 : 0);
+  if (filter.search) text += "#define FILTER_SEARCH_LIST " + list_of(filter.search->points) + "\n";
+  return text + define("FILTER_ROTATIONS", static_cast<unsigned>(filter.rotations.size())) +
+         "#define FILTER_POINT_LIST " + list_of(filter.points) + "\n#define FILTER_ROTATION_LIST " +
+         list_of(filter.rotations) + "\n";
+}
 
 }  // namespace
 

@@ -9,7 +9,6 @@
 #include "core/error.h"
 #include "raster/gl/pass.h"
 #include "raster/shadow/map_layer.h"
-#include "raster/shadow/map_resolve.h"
 #include "raster/texture_image.h"
 
 namespace umbrameter {

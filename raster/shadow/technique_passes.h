@@ -6,7 +6,6 @@
 
 #include "raster/shadow/shadow_lookup.h"
 #include "raster/shadow/shadow_map.h"
-#include "raster/shadow/visibility_pass.h"
 
 namespace umbrameter {
 
@@ -39,5 +38,8 @@ RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, co
 RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const ScreenSpace& technique);
 /// The smaller of both visibilities. Since that of the march is 0 or 1, it is their product too.
 RasterVisibility draw(const gl::Context& context, const ShadowLookup& lookup, const ContactShadows& technique);
+
+/// Looks up the shadow map at every surfel, and classifies each wrong tap by cause.
+RasterVisibility draw_visibility(const gl::Context& context, const ShadowLookup& lookup);
 
 }  // namespace umbrameter

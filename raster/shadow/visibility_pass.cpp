@@ -1,5 +1,3 @@
-#include "raster/shadow/visibility_pass.h"
-
 #include "raster/shader_interface.h"
 #include "raster/shadow/technique_passes.h"
 #include "raster/texture_image.h"

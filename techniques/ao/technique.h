@@ -5,7 +5,7 @@
 // name, its title and the denoiser that it was published with. Its members are groups of AoParams that it reads. Its
 // header, with describe() and settings_of(), is included here; the source and the text (.glsl) of the same name are
 // built with it. The text gives accessibility() and, if the struct has_bent_normal, bent_normal();
-// raster/ao/method_pass.h runs it. Parameters of a new technique become a member of AoParams.
+// raster/ao/ao_passes.h runs it. Parameters of a new technique become a member of AoParams.
 #pragma once
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "ao_fixture.h"
-#include "raster/ao/normals_pass.h"
+#include "raster/ao/ao_passes.h"
 #include "raster/texture_image.h"
 
 namespace umbrameter {

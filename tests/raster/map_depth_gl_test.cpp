@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 #include "map_depth_cases.h"
-#include "raster/shadow/polygon_offset.h"
+#include "raster/shadow/map_layer.h"
 #include "tests/support/shadow_depths.h"
 
 namespace umbrameter {

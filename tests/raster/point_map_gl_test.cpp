@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "map_depth_cases.h"
-#include "raster/shadow/polygon_offset.h"
+#include "raster/shadow/map_layer.h"
 #include "techniques/shadow/reference/lookup.h"
 #include "tests/support/shadow_depths.h"
 
