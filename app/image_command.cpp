@@ -17,7 +17,6 @@
 #include "experiments/measure/measure_ao_stages.h"
 #include "experiments/measure/measure_image.h"
 #include "experiments/measure/shadow_shape.h"
-#include "experiments/measure/shimmer.h"
 #include "experiments/settings/sweep.h"
 #include "experiments/stages/reference_cache.h"
 #include "present/costs_text.h"

@@ -1,11 +1,118 @@
 #include "experiments/measure/shadow_shape.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
-#include "experiments/measure/map_views.h"
+#include "compare/shimmer.h"
+#include "experiments/measure/measure.h"
 #include "raytrace/casters.h"
+#include "scenes/emitter.h"
 
 namespace umbrameter {
+namespace {
+
+// The surfels that a moved view sees, as the experiment makes them.
+GBuffer surfels_of(Stages& stages, const Experiment& experiment, const View& view) {
+  if (experiment.view.surfels == SurfelSource::traced) return trace_gbuffer(stages.tracer(), view);
+  return read_back(stages.context(), draw_gbuffer(stages.context(), stages.uploaded(), view));
+}
+
+// The visibility of the measured technique from a map that is drawn with this layout, at these surfels, which `view`
+// sees.
+Image<float> draw_visibility_with(Stages& stages, const ShadowMeasurement& shadow, const MapLayout& layout,
+                                  const GpuGBuffer& surfels, const View& view) {
+  const Experiment& experiment = shadow.experiment;
+  const gl::Context& context = stages.context();
+  const UploadedScene& scene = stages.uploaded();
+  const Light light = stages.light(experiment, shadow.light);
+  const ShadowTechnique technique = make_technique(experiment.shadow, half_size(light.emitter));
+  const ShadowMap map = draw_shadow_map(context, scene, light, layout, experiment.shadow.map_depth);
+  const TechniqueMap filtered = filter_map({context, scene, light, map, experiment.shadow.map_depth}, technique);
+  return draw_visibility(context,
+                         {scene, surfels, map, light, experiment.shadow.bias, technique, nullptr, &filtered, &view})
+      .visibility;
+}
+
+// The camera's steps for FitShimmer: right, up and forward, in texels of the finest view. No whole number, so that a
+// fit which does not move in whole texels changes.
+constexpr double step_texels = 2.3;
+const std::array<dvec3, 3> steps = {dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, -1)};
+
+bool follows_camera(const ShadowMeasurement& shadow) {
+  return shadow.layout.kind == MapKind::orthographic &&
+         (shadow.layout.views.size() > 1 || shadow.experiment.shadow.fit.fit == MapFit::view);
+}
+
+SeamStatistics measure_seams(Stages& stages, const ShadowMeasurement& shadow) {
+  const Experiment& experiment = shadow.experiment;
+  const auto surfels = stages.surfels(experiment);
+  const auto gpu_surfels = stages.gpu_surfels(experiment);
+  MapLayout layout = shadow.layout;
+  layout.blend = 0.0;
+  const Image<std::uint8_t> seams = find_seams(surfels->gbuffer, layout, shadow.counted);
+  const Image<float> own = draw_visibility_with(stages, shadow, layout, *gpu_surfels, surfels->view);
+  layout.uses_neighbour = true;
+  const Image<float> neighbour = draw_visibility_with(stages, shadow, layout, *gpu_surfels, surfels->view);
+  return analyze_seams(seams, own, neighbour, shadow.counted);
+}
+
+FitShimmer measure_fit_shimmer(Stages& stages, const ShadowMeasurement& shadow) {
+  const Experiment& experiment = shadow.experiment;
+  const auto surfels = stages.surfels(experiment);
+  const auto gpu_surfels = stages.gpu_surfels(experiment);
+  const Light light = stages.light(experiment, shadow.light);
+  double finest = shadow.layout.views.front().half_extent;
+  for (const MapView& view : shadow.layout.views) finest = std::min(finest, view.half_extent);
+  FitShimmer shimmer;
+  shimmer.step = step_texels * 2.0 * finest / shadow.layout.resolution;
+  for (const dvec3& step : steps) {
+    View view = surfels->view;
+    view.camera.world_from_camera[3] = view.camera.world_from_camera * dvec4(shimmer.step * step, 1.0);
+    const GBuffer seen = surfels_of(stages, experiment, view);
+    const MapLayout layout =
+        fit_map(light, stages.mapped_bounds(), experiment.shadow.map, {seen, view}, experiment.shadow.fit);
+    CountedPixels both = count_pixels(surfels->gbuffer, light, layout);
+    for (std::size_t i = 0; i < both.exclusion.size(); ++i) {
+      if (shadow.counted.exclusion[i] != PixelExclusion::none) both.exclusion[i] = shadow.counted.exclusion[i];
+    }
+    const Image<float> after = draw_visibility_with(stages, shadow, layout, *gpu_surfels, surfels->view);
+    const Flips flips = count_flips(shadow.raster->visibility, after, both);
+    shimmer.pixels += flips.pixels;
+    shimmer.mean_change += flips.share / static_cast<double>(steps.size());
+    shimmer.largest_change = std::max(shimmer.largest_change, flips.share);
+  }
+  return shimmer;
+}
+
+// The error of each cascade or cube face, seams, and shimmer of the fit.
+MapViews measure_map_views(Stages& stages, const ShadowMeasurement& shadow) {
+  MapViews measured;
+  const Experiment& experiment = shadow.experiment;
+  if (shadow.layout.views.size() > 1) {
+    const Light light = stages.light(experiment, shadow.light);
+    const auto surfels = stages.surfels(experiment);
+    const ShapeInput input{surfels->gbuffer, shadow.truth->visibility, shadow.counted, light, shadow.layout};
+    measured.views =
+        analyze_views(input, shadow.raster->visibility, by_cause(shadow) != nullptr ? &shadow.raster->wrong : nullptr);
+    measured.seams = measure_seams(stages, shadow);
+  }
+  if (experiment.run.shimmer && follows_camera(shadow)) measured.shimmer = measure_fit_shimmer(stages, shadow);
+  return measured;
+}
+
+// Quarters and halves of a texel or pixel, along one axis and along both.
+const std::array<dvec2, 4> moves = {dvec2(0.25, 0.25), dvec2(0.5, 0.0), dvec2(0.0, 0.5), dvec2(0.5, 0.5)};
+
+void add(Flips& sum, const Flips& flips) {
+  sum.pixels += flips.pixels;
+  sum.share += flips.share;
+}
+
+Flips mean_of(Flips sum) { return {sum.pixels / moves.size(), sum.share / static_cast<double>(moves.size())}; }
+
+}  // namespace
+
 ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow) {
   const Experiment& experiment = shadow.experiment;
   const auto surfels = stages.surfels(experiment);
@@ -35,6 +142,39 @@ ShadowShape measure_shape(Stages& stages, const ShadowMeasurement& shadow) {
   }
   return {analyze_error_shape(input, raster.wrong), std::move(casters.casters), casters.search, std::nullopt,
           stages.has_engine() ? MapViews{} : measure_map_views(stages, shadow)};
+}
+
+Shimmer measure_shimmer(Stages& stages, const ShadowMeasurement& shadow) {
+  const Experiment& experiment = shadow.experiment;
+  const auto surfels = stages.surfels(experiment);
+  const auto gpu_surfels = stages.gpu_surfels(experiment);
+  const Light light = stages.light(experiment, shadow.light);
+  const Image<float>& before = shadow.raster->visibility;
+
+  Shimmer shimmer;
+  for (const dvec2& move : moves) {
+    const MapLayout shifted = shift_grid(shadow.layout, move, stages.mapped_bounds().all());
+    const Image<float> after = draw_visibility_with(stages, shadow, shifted, *gpu_surfels, surfels->view);
+    const double share = count_flips(before, after, shadow.counted).share;
+    shimmer.grid_mean += share / static_cast<double>(moves.size());
+    shimmer.grid_largest = std::max(shimmer.grid_largest, share);
+  }
+
+  Flips drawn;
+  Flips traced;
+  for (const dvec2& move : moves) {
+    const View view = shift_view(surfels->view, move);
+    const GBuffer moved = surfels_of(stages, experiment, view);
+    const Image<float> after =
+        draw_visibility_with(stages, shadow, shadow.layout, upload(stages.context(), moved), view);
+    add(drawn, count_flips(before, after, shadow.counted, surfels->gbuffer, moved));
+    if (shadow.is_sampled) continue;
+    const Image<float> truth = trace_visibility(stages.tracer(), moved, light).visibility;
+    add(traced, count_flips(shadow.truth->visibility, truth, shadow.counted, surfels->gbuffer, moved));
+  }
+  shimmer.camera = mean_of(drawn);
+  if (!shadow.is_sampled) shimmer.camera_truth = mean_of(traced);
+  return shimmer;
 }
 
 }  // namespace umbrameter
