@@ -23,6 +23,7 @@
 #include "present/run_output.h"
 #include "reports/files/data.h"
 #include "reports/files/markup.h"
+#include "reports/files/text_layout.h"
 #include "results/known_statistics.h"
 #include "results/layers.h"
 #include "results/metric_columns.h"
