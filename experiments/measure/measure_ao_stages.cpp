@@ -54,7 +54,7 @@ AoStages measure_ao_stages(Stages& stages, const Experiment& experiment, const T
                            const Image<float>& drawn, const Console& console) {
   require_metres(experiment.ao);
   require_metres(experiment.truth);
-  std::optional<AoIntegral> integral = integral_of(make_technique(experiment.ao));
+  std::optional<AoIntegral> integral = find_integral(make_technique(experiment.ao));
   if (!integral) {
     throw Error(ExitCode::usage, "run.ao-stages",
                 "the stages need the integral that the technique approximates, which is not known for a bitmask with "

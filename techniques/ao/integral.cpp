@@ -137,7 +137,7 @@ std::optional<AoIntegral> integral_of(const Bitmask& technique) {
                     thickness};
 }
 
-std::optional<AoIntegral> integral_of(const AoTechnique& technique) {
+std::optional<AoIntegral> find_integral(const AoTechnique& technique) {
   return std::visit([](const auto& each) -> std::optional<AoIntegral> { return integral_of(each); }, technique);
 }
 

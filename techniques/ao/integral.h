@@ -50,7 +50,7 @@ AoIntegral integral_of(const Marched& technique);
 std::optional<AoIntegral> integral_of(const Bitmask& technique);
 
 /// Nothing for a technique whose integral is not known. Lengths are in metres: in_metres().
-std::optional<AoIntegral> integral_of(const AoTechnique& technique);
+std::optional<AoIntegral> find_integral(const AoTechnique& technique);
 
 /// The technique with as many samples as it takes, at full resolution and without a blur: what it converges to.
 AoParams with_many_samples(AoParams params);

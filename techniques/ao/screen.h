@@ -7,15 +7,19 @@
 
 namespace umbrameter::shared {
 
+using glm::abs;
 using glm::acos;
 using glm::atan;
 using glm::ceil;
+using glm::clamp;
 using glm::cos;
 using glm::cross;
 using glm::dot;
+using glm::exp;
 using glm::floor;
 using glm::fract;
 using glm::length;
+using glm::log;
 using glm::max;
 using glm::min;
 using glm::normalize;

@@ -23,10 +23,15 @@ struct ShadowParams;
 
 namespace shared {
 
+using glm::abs;
+using glm::clamp;
 using glm::cos;
 using glm::exp;
+using glm::floor;
+using glm::log;
 using glm::max;
 using glm::min;
+using glm::pow;
 using glm::sin;
 using glm::sqrt;
 

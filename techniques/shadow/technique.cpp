@@ -50,7 +50,7 @@ const Prefiltered* prefiltered_of(const ShadowTechnique& technique) {
 Parameters filtered_map_parameters(ShadowParams& params) {
   Parameters any;
   ShadowTechniques::for_each([&]<class T>(std::type_identity<T>) {
-    if constexpr (FiltersMap<T>) any = concatenate({any, T::map_parameters(params)});
+    if constexpr (requires { T::map_parameters(params); }) any = concatenate({any, T::map_parameters(params)});
   });
   Parameters all = describe(params);
   std::erase_if(all, [&](const Parameter& each) { return each.key != "shadow.technique" && !find(any, each.key); });

@@ -1,13 +1,15 @@
 // The shadow techniques. This list is the only one: choice, names, dispatch and build follow from it. Other code
 // depends on a technique's capabilities, never on its name.
 //
-// A technique is a struct with its name and the functions make() and reads(), in a header of this folder that
-// is included here; the source, the shared text (.glsl), the pass (raster/shadow/*_pass.cpp) and the shader
-// (raster/shaders/*.comp) of the same name are built with it. Its own parameters become a member of ShadowParams.
+// A technique is a struct with its name, its capabilities and the functions make() and reads(), in a header of this
+// folder that is included here; the source, the shared text (.glsl), the pass (raster/shadow/*_pass.cpp) and the shader
+// (raster/shaders/*.comp) of the same name are built with it. Its own parameters become a member of ShadowParams,
+// also in groups().
 // make() returns what the passes need:
 //   Prefiltered   for a technique that filters values of the depth before the look-up: prefiltered.h says what its text
 //                 holds. Instead of reads() it lists map_parameters() and lookup_parameters(). No pass.
-//   itself        for a technique of a new kind, whose passes raster/shadow/technique_passes.h declares.
+//   itself        for a technique of a new kind, whose passes raster/shadow/technique_passes.h declares. With filter()
+//                 it lists map_parameters(), too.
 #pragma once
 
 #include <tuple>

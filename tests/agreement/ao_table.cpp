@@ -154,7 +154,7 @@ void print_scene(const std::string& scene, std::vector<Ranking>& rankings) {
     const std::string totals = fmt::format("{} | {:.4f} | {:.4f}", signed_text(error.mean_error.value),
                                            0.5 * (error.mean_error.upper - error.mean_error.lower), error.rmse.value);
     fmt::print("| {} |", row.name);
-    if (integral_of(make_technique(experiment.ao))) {
+    if (find_integral(make_technique(experiment.ao))) {
       const AoStageStatistics s = measure_ao_stages(stages, experiment, *ao.truth, *ao.raster, Console{}).statistics;
       for (const AoStageError& stage : s.stages) fmt::print(" {} |", signed_text(stage.mean.value));
       fmt::print(" {} | {:.5f} | {:.2f} |", totals, s.srgb_mse, s.srgb_psnr);

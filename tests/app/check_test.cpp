@@ -135,6 +135,9 @@ TEST_F(Check, Hostile_budgets_are_refused_in_one_line_with_their_place) {
   };
   expect("not = toml = at all", 2, "budget.toml:1:");
   expect("", 2, "it holds no [[budget]]");
+  std::string deep = "[a";
+  for (int i = 0; i < 40'000; ++i) deep += ".a";
+  expect(deep + "]\n", 2, "levels deep");
   expect("budget = 3", 2, "budget.toml:1: 'budget' must be a list of tables");
   expect("budget = [3]", 2, "'budget' must be a list of tables");
   expect("[budgets]\na = 1", 2, "unknown key 'budgets'");

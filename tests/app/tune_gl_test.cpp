@@ -73,6 +73,8 @@ TEST_F(Tune, Says_in_words_what_was_minimised_and_how_much_better_the_best_point
   EXPECT_NE(result.out.find(" cm: mean absolute error "), std::string::npos) << result.out;
   const std::string default_line = result.out.substr(result.out.find("default: "));
   EXPECT_NE(default_line.substr(0, default_line.find('\n')).find("; the best point "), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("is the smallest of them with acne of at most 0.1 % in every case"), std::string::npos)
+      << result.out;
 }
 
 TEST_F(Tune, Over_several_lights_and_parameters_beats_the_default_and_repeats_to_the_bit) {
@@ -173,6 +175,8 @@ TEST_F(Tune, Refuses_in_one_line_what_it_cannot_tune) {
   expect(words(bias, {"--light", "sun", "--camera", "0", "--held-out", "view.camera=overview"}),
          "the search uses this case, too: ");
   expect(words(bias, {"--vary", "ao.radius=0.1:1"}), "both shadows and ambient occlusion");
+  expect({"--light", "sun", "--vary", "shadow.esm-exponent=1:80"}, "shadow.technique pcf does not read it");
+  expect({"--vary", "ao.gtao-falloff=0.1:0.9"}, "ao.technique ssao does not read it");
   expect(words(bias, {"--shadow.technique", "vsm", "--light", "sun", "--minimize", "acne"}), "report no 'acne'");
 }
 

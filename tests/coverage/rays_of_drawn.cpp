@@ -43,7 +43,7 @@ void measure_stages(const Options& options) {
   const Experiment experiment = stages.in_metres(small(64));
   const auto held = stages.surfels(experiment);
   const Surfels& surfels = *held;
-  const AoIntegral integral = *integral_of(make_technique(experiment.ao));
+  const AoIntegral integral = *find_integral(make_technique(experiment.ao));
   Experiment unblurred = experiment;
   unblurred.ao.blur.kind = AoBlur::none;
   Experiment many = experiment;

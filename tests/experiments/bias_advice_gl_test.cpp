@@ -147,6 +147,16 @@ TEST_F(BiasAdviceGl, A_plane_without_shadows_has_none) {
   EXPECT_NE(advice_text(advice).find("no counted pixel is in shadow"), std::string::npos) << advice_text(advice);
 }
 
+TEST_F(BiasAdviceGl, A_view_without_light_has_none) {
+  // Between a floor and a wider slab above it, under a steep sun.
+  Scene scene = animal(true);
+  scene.meshes[0] = to_mesh("slab", builtin::box({-6.0, 1.0, -6.0}, {6.0, 1.1, 6.0}), 0);
+  scene.cameras[0].world_from_camera[3] = dvec4(0.0, 0.5, 1.0, 1.0);
+  const BiasAdvice advice = advise(std::move(scene), "");
+  EXPECT_EQ(advice.withheld, NoBias::nothing_lit);
+  EXPECT_NE(advice_text(advice).find("no counted pixel is lit"), std::string::npos) << advice_text(advice);
+}
+
 TEST_F(BiasAdviceGl, Few_pixels_are_counted_aloud) {
   experiment_.view.size = {9, 5};
   const BiasAdvice advice = advise(load_scene("contact-box"), "sun");

@@ -66,6 +66,30 @@ TEST(BiasFormulas, Axes_that_change_a_fact_are_in_the_formula_and_others_separat
       << formula_text(*curves.formulas.front().formula);
 }
 
+TEST(BiasFormulas, An_axis_that_changes_nothing_is_said_and_its_points_count_once) {
+  BiasCurves curves = make_curves();
+  const std::vector<BiasCurve> once = curves.curves;
+  // The step of the stored depth is a fact, but far below the biases.
+  curves.others.push_back({"shadow.depth-format", "", ""});
+  curves.curves.clear();
+  for (const char* format : {"32f", "24"}) {
+    for (BiasCurve curve : once) {
+      curve.others.emplace_back(std::string(format));
+      curve.facts.depth_step = format == std::string("24") ? 1.1e-6 : 1e-6;
+      curves.curves.push_back(curve);
+    }
+  }
+  curves.combinations = curves.curves.size();
+  add_formulas(curves);
+  ASSERT_FALSE(curves.formulas.empty());
+  for (const CurveFormula& of : curves.formulas) {
+    ASSERT_TRUE(of.formula);
+    ASSERT_FALSE(of.warnings.empty()) << of.points.size();
+    EXPECT_NE(of.warnings.front().find("only 9 of 18 points are independent"), std::string::npos)
+        << of.warnings.front();
+  }
+}
+
 TEST(BiasFormulas, Numbers_have_the_digits_that_their_standard_error_justifies) {
   const auto expect_rounded = [](const Fitted& fitted, double value, double error) {
     EXPECT_EQ(rounded(fitted).value, value) << fitted.value;
