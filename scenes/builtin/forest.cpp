@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/builtin/parts.h"
 #include "scenes/builtin/scenes.h"
 
 namespace umbrameter::builtin {
@@ -227,6 +226,29 @@ bool is_taken(const std::vector<Stand>& stands, const Site& site) {
   });
 }
 
+Shape lantern_frame() {
+  const dvec2 crown[] = {{0.0, 0.34}, {0.17, 0.34}, {0.17, 0.36}, {0.1, 0.42}, {0.04, 0.48}, {0.0, 0.49}};
+  const dvec2 foot[] = {{0.0, -0.03}, {0.05, -0.02}, {0.13, 0.0}, {0.13, 0.025}, {0.0, 0.025}};
+  Shape shape = lathe(crown, 12);
+  append(shape, lathe(foot, 12));
+  for (int i = 0; i < 6; ++i) {
+    const double angle = 2.0 * pi * i / 6.0;
+    const dvec3 side{std::cos(angle), 0.0, std::sin(angle)};
+    const dvec3 path[] = {0.11 * side + dvec3(0, 0.01, 0), 0.145 * side + dvec3(0, 0.35, 0)};
+    const double radii[] = {0.009, 0.009};
+    append(shape, tube(path, radii, 6));
+  }
+  const dvec3 chain[] = {{0, 0.47, 0}, {0, 1.6, 0}};
+  const double radii[] = {0.008, 0.008};
+  append(shape, tube(chain, radii, 6));
+  return shape;
+}
+
+Shape lantern_light() {
+  const dvec2 profile[] = {{0.0, 0.02}, {0.035, 0.02}, {0.035, 0.12}, {0.012, 0.15}, {0.0, 0.19}};
+  return lathe(profile, 12);
+}
+
 void add_lantern(Scene& scene, const Ground& ground) {
   const dvec3 foot{1.0, ground.height(1.0, -4.6), -4.6};
   const std::uint32_t wood = add_material(scene, "post", {0.12f, 0.075f, 0.045f});
@@ -236,13 +258,8 @@ void add_lantern(Scene& scene, const Ground& ground) {
   const dvec3 hook = foot + dvec3(0.66, 1.18, 0.0);
   place_once(scene, to_mesh("lantern", lantern_frame(), iron), moved(hook));
   place_once(scene, to_mesh("candle", lantern_light(), candle), moved(hook));
-  Light lantern;
-  lantern.name = "lantern";
-  lantern.world_from_light = looking(hook + dvec3(0, 0.27, 0), hook + dvec3(0, 0.27, 1));
-  lantern.color = {1.0f, 0.72f, 0.40f};
-  lantern.intensity = 7.0;
-  lantern.shape = PointLight{14.0};
-  scene.lights.push_back(lantern);
+  scene.lights.push_back({"lantern", looking(hook + dvec3(0, 0.27, 0), hook + dvec3(0, 0.27, 1)),
+                          vec3(1.0f, 0.72f, 0.40f), 7.0, PointLight{14.0}});
 }
 
 }  // namespace
@@ -250,7 +267,9 @@ void add_lantern(Scene& scene, const Ground& ground) {
 Scene make_forest(std::uint64_t triangles) {
   Scene scene;
   scene.name = "forest";
-  const std::uint32_t floor = add_textured_material(scene, "forest ground", forest_ground(), false);
+  const std::uint32_t floor = add_material(scene, "forest ground", vec3(1.0f));
+  scene.materials[floor].base_color_texture = 0;
+  scene.textures.push_back(forest_ground());
   const std::uint32_t soil = add_material(scene, "soil", {0.13f, 0.085f, 0.055f});
   const std::vector<Species> species = all_species(scene);
 
