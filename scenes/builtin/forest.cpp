@@ -32,6 +32,8 @@ enum Kind : std::uint32_t {
   kinds
 };
 
+constexpr double smooth = 180.0;  // crease of leaves: none
+
 // What stands in many places: one mesh per material.
 struct Species {
   std::vector<Mesh> parts;
@@ -51,7 +53,7 @@ void add_part(Species& species, Mesh mesh) {
 Species species_of(const std::string& name, const Plant& plant, std::uint32_t bark, std::uint32_t leaf) {
   Species species;
   add_part(species, to_mesh(name + " wood", plant.wood, bark, 60.0));
-  add_part(species, to_mesh(name + " leaves", plant.leaves, leaf));
+  add_part(species, to_mesh(name + " leaves", plant.leaves, leaf, smooth));
   return species;
 }
 
@@ -112,12 +114,12 @@ std::vector<Species> all_species(Scene& scene) {
   species[young_spruce] = species_of("young spruce", spruce(71, 3.2, 1.05, 10, 7), brown_bark, needle);
   species[hazel] = species_of("hazel", bush(83, 1.15, 11, 22), brown_bark, hazel_leaf);
   species[holly] = species_of("holly", bush(89, 0.75, 8, 18), brown_bark, holly_leaf);
-  species[fern] = species_of(to_mesh("fern", fern_fronds(97, 11, 0.85), frond));
-  species[small_fern] = species_of(to_mesh("small fern", fern_fronds(101, 7, 0.5), frond));
-  species[grass] = species_of(to_mesh("grass", grass_tuft(103, 26, 0.24), blade));
-  species[tall_grass] = species_of(to_mesh("tall grass", grass_tuft(107, 30, 0.5), blade));
-  species[daisies] = species_of(to_mesh("daisies", blossoms(109, 14, 0.2), white));
-  species[foxgloves] = species_of(to_mesh("foxgloves", blossoms(113, 10, 0.4), purple));
+  species[fern] = species_of(to_mesh("fern", fern_fronds(97, 11, 0.85), frond, smooth));
+  species[small_fern] = species_of(to_mesh("small fern", fern_fronds(101, 7, 0.5), frond, smooth));
+  species[grass] = species_of(to_mesh("grass", grass_tuft(103, 26, 0.24), blade, smooth));
+  species[tall_grass] = species_of(to_mesh("tall grass", grass_tuft(107, 30, 0.5), blade, smooth));
+  species[daisies] = species_of(to_mesh("daisies", blossoms(109, 14, 0.2), white, smooth));
+  species[foxgloves] = species_of(to_mesh("foxgloves", blossoms(113, 10, 0.4), purple, smooth));
   species[grey_rock] = species_of(to_mesh("rock", rock(127, {0.62, 0.42, 0.5}, 14), stone, 40.0));
   species[mossy_rock] = species_of(to_mesh("mossy rock", rock(131, {0.95, 0.55, 0.7}, 16), moss, 40.0));
   species[fallen_trunk] = species_of(to_mesh("fallen log", fallen_log(5.2, 0.34), brown_bark, 60.0));

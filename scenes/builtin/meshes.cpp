@@ -56,20 +56,4 @@ Mesh to_mesh(const std::string& name, const Shape& shape, std::uint32_t material
   return mesh;
 }
 
-Mesh to_mesh(const std::string& name, const Sheet& sheet, std::uint32_t material) {
-  Mesh mesh;
-  mesh.name = name;
-  mesh.material = material;
-  mesh.triangles = sheet.faces;
-  std::vector<dvec3> sums(sheet.points.size(), dvec3(0.0));
-  for (const uvec3& face : sheet.faces) {
-    for (int corner = 0; corner < 3; ++corner) sums[face[corner]] += face_vector(sheet.points, face);
-  }
-  for (std::size_t i = 0; i < sheet.points.size(); ++i) {
-    mesh.positions.emplace_back(sheet.points[i]);
-    mesh.normals.push_back(glm::normalize(vec3(glm::normalize(sums[i]))));
-  }
-  return mesh;
-}
-
 }  // namespace umbrameter::builtin

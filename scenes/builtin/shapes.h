@@ -1,4 +1,4 @@
-// A small kit of closed solids and sheets, from which the built-in scenes are made.
+// A small kit of closed solids, from which the built-in scenes are made.
 // Internal to scenes/builtin*. Metres; every solid is closed and turned outwards, with its edges shared by index.
 #pragma once
 
@@ -48,12 +48,5 @@ Shape tube(std::span<const dvec3> path, std::span<const double> radii, int sides
 /// `texcoord` gives the texture coordinate of a point; empty: none are stored.
 Mesh to_mesh(const std::string& name, const Shape& shape, std::uint32_t material, double crease = 35.0,
              const std::function<vec2(const dvec3&)>& texcoord = {});
-
-/// Flat pieces without thickness, seen from both sides: for leaves.
-struct Sheet {
-  std::vector<dvec3> points;
-  std::vector<uvec3> faces;
-};
-Mesh to_mesh(const std::string& name, const Sheet& sheet, std::uint32_t material);
 
 }  // namespace umbrameter::builtin
