@@ -10,7 +10,7 @@ asm(R"(
   .global umbrameter_\name, umbrameter_\name\()_end
   .balign 16
 umbrameter_\name:
-  .incbin ")" UMBRAMETER_ASSETS R"(/\name\().glb"
+  .incbin ")" UMBRAMETER_BUILTIN_ASSETS R"(/\name\().glb"
 umbrameter_\name\()_end:
 .endm
 .pushsection .rodata
