@@ -10,7 +10,7 @@ foreach(module IN LISTS UMBRAMETER_MODULES)
   install(TARGETS umbrameter_${module} EXPORT umbrameter ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${module} OPTIONAL DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/umbrameter
           COMPONENT dev FILES_MATCHING PATTERN "*.h" PATTERN "techniques/shading/*.glsl" PATTERN "techniques/shadow/*.glsl" PATTERN "techniques/ao/*.glsl" PATTERN "shaders" EXCLUDE
-          PATTERN "templates" EXCLUDE PATTERN "gl/api.h" EXCLUDE PATTERN "embree*" EXCLUDE
+          PATTERN "templates" EXCLUDE PATTERN "assets" EXCLUDE PATTERN "gl/api.h" EXCLUDE PATTERN "embree*" EXCLUDE
           PATTERN "gltf_*" EXCLUDE PATTERN "results_schema.h" EXCLUDE)
 endforeach()
 install(TARGETS umbrameter RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)

@@ -10,21 +10,6 @@
 namespace umbrameter {
 namespace {
 
-using Corners = std::array<dvec3, 3>;
-
-Corners corners_of(const Mesh& mesh, const uvec3& triangle, const dmat4& placed) {
-  Corners corners;
-  for (int c = 0; c < 3; ++c) {
-    corners[static_cast<std::size_t>(c)] = dvec3(placed * dvec4(dvec3(mesh.positions[triangle[c]]), 1.0));
-  }
-  return corners;
-}
-
-double longest_of(const Corners& corners) {
-  return std::max({glm::length(corners[1] - corners[0]), glm::length(corners[2] - corners[1]),
-                   glm::length(corners[0] - corners[2])});
-}
-
 // Six times the volume of the tetrahedron spanned by an edge and the direction. Its sign is the side on which the line
 // passes the edge. For the reversed edge the result is negated exactly.
 double side_of(const dvec3& from, const dvec3& to, const dvec3& direction) {
@@ -60,7 +45,7 @@ std::optional<HugeHit> intersect_line(const HugeTriangle& triangle, const dvec3&
 double longest_edge(const Mesh& mesh, const dmat4& placed, double max_edge) {
   double longest = 0.0;
   for (const uvec3& triangle : mesh.triangles) {
-    const double edge = longest_of(corners_of(mesh, triangle, placed));
+    const double edge = longest_edge(world_corners(mesh, triangle, placed));
     if (edge <= max_edge) longest = std::max(longest, edge);
   }
   return longest;
@@ -72,7 +57,7 @@ double huge_edge(const std::vector<StoredMesh>& meshes) {
   for (const StoredMesh& stored : meshes) {
     if (stored.longest_edge * stored.stretch <= min_huge_edge) continue;
     for (const uvec3& triangle : stored.mesh->triangles) {
-      const double edge = longest_of(corners_of(*stored.mesh, triangle, stored.placed)) * stored.stretch;
+      const double edge = longest_edge(world_corners(*stored.mesh, triangle, stored.placed)) * stored.stretch;
       if (!(edge > min_huge_edge) || !std::isfinite(edge)) continue;
       const int power = std::ilogb(edge / min_huge_edge);
       ++counts[static_cast<std::size_t>(std::clamp(power, 0, static_cast<int>(counts.size()) - 1))];
@@ -94,8 +79,8 @@ std::vector<HugeTriangle> huge_triangles(const StoredMesh& stored, double huge_e
   if (stored.longest_edge * stored.stretch <= huge_edge) return found;
   const double longest = huge_edge / stored.stretch;
   for (std::size_t t = 0; t < stored.mesh->triangles.size(); ++t) {
-    const Corners corners = corners_of(*stored.mesh, stored.mesh->triangles[t], stored.placed);
-    if (!(longest_of(corners) > longest)) continue;
+    const auto corners = world_corners(*stored.mesh, stored.mesh->triangles[t], stored.placed);
+    if (!(longest_edge(corners) > longest)) continue;
     HugeTriangle huge;
     huge.id = static_cast<std::uint32_t>(t);
     for (std::size_t i = 0; i < 3; ++i) {

@@ -1,4 +1,4 @@
-// Scenes made by code, for trying the tool and for tests.
+// The built-in scenes, for trying the tool and for tests: made by code, or files that the program contains.
 #pragma once
 
 #include <cstdint>

@@ -87,9 +87,7 @@ bool has_floor(const Scene& scene) {
   const Bounds bounds = bounds_of(scene);
   if (bounds.empty()) return false;
   std::vector<Bounds> meshes(scene.meshes.size());
-  for (std::size_t m = 0; m < meshes.size(); ++m) {
-    for (const vec3& position : scene.meshes[m].positions) meshes[m].include(dvec3(position));
-  }
+  for (std::size_t m = 0; m < meshes.size(); ++m) meshes[m] = bounds_of(scene.meshes[m]);
   // The widest first: a floor ends the search.
   struct Part {
     const Instance* instance;
@@ -106,15 +104,11 @@ bool has_floor(const Scene& scene) {
   for (const Part& part : parts) {
     const Instance& instance = *part.instance;
     const Mesh& mesh = scene.meshes[instance.mesh];
-    const bool is_mirrored = glm::determinant(glm::dmat3(instance.world_from_mesh)) < 0.0;
+    const bool mirrors = is_mirrored(instance.world_from_mesh);
     for (const uvec3& triangle : mesh.triangles) {
-      std::array<dvec3, 3> corners{};
-      for (int c = 0; c < 3; ++c) {
-        corners[static_cast<std::size_t>(c)] =
-            dvec3(instance.world_from_mesh * dvec4(dvec3(mesh.positions[triangle[c]]), 1.0));
-      }
+      const std::array<dvec3, 3> corners = world_corners(mesh, triangle, instance.world_from_mesh);
       const double up = glm::cross(corners[1] - corners[0], corners[2] - corners[0]).y;
-      if (up != 0.0 && (up > 0.0) != is_mirrored) plan.add(corners);
+      if (up != 0.0 && (up > 0.0) != mirrors) plan.add(corners);
     }
     if (plan.is_half_covered()) return true;
   }

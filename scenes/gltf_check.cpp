@@ -151,9 +151,10 @@ struct Checker {
   }
 
   static const Member* find(const Shape& shape, std::string_view name) {
-    const auto found = std::find_if(shape.members.begin(), shape.members.end(),
-                                    [&](const Member& member) { return member.name == name; });
-    return found == shape.members.end() ? nullptr : &*found;
+    const auto end = shape.members.begin() + shape.count;
+    const auto found =
+        std::find_if(shape.members.begin(), end, [&](const Member& member) { return member.name == name; });
+    return found == end ? nullptr : &*found;
   }
 
   // Erases what the shape does not list, and what is null, which readers take for absent.

@@ -38,37 +38,15 @@ void move(dmat4& place, const dvec3& way) {
   for (int row = 0; row < 3; ++row) place[3][row] += way[row];
 }
 
-struct MeshUse {
-  Bounds box;
-  double stretch = 0.0;  ///< the largest of its instances
-};
-
-std::vector<MeshUse> uses_of(const Scene& scene) {
-  std::vector<MeshUse> uses(scene.meshes.size());
-  for (const Instance& instance : scene.instances) {
-    double& stretch = uses[instance.mesh].stretch;
-    // Never less than the largest singular value, and cheap where there are a million instances.
-    double frobenius = 0.0;
-    for (int column = 0; column < 3; ++column) {
-      const dvec3 axis(instance.world_from_mesh[column]);
-      frobenius += glm::dot(axis, axis);
-    }
-    stretch = std::max(stretch, std::sqrt(frobenius));
-  }
-  for (std::size_t m = 0; m < uses.size(); ++m) {
-    if (uses[m].stretch == 0.0 || scene.meshes[m].triangles.empty()) continue;
-    for (const vec3& position : scene.meshes[m].positions) uses[m].box.include(dvec3(position));
-  }
-  return uses;
-}
-
 // The steps in which the coordinates of those meshes were stored, in the world; 0 where none was moved.
 double move_meshes(Scene& scene, double radius) {
-  const std::vector<MeshUse> uses = uses_of(scene);
-  std::vector<dvec3> ways(uses.size(), dvec3(0.0));
+  const std::vector<double> stretches = stretches_of_meshes(scene);
+  std::vector<dvec3> ways(scene.meshes.size(), dvec3(0.0));
   double coarsest = 0.0;
-  for (std::size_t m = 0; m < uses.size(); ++m) {
-    const auto& [box, stretch] = uses[m];
+  for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+    const double stretch = stretches[m];
+    if (stretch == 0.0 || scene.meshes[m].triangles.empty()) continue;
+    const Bounds box = bounds_of(scene.meshes[m]);
     if (box.empty() || stretch * largest(box.center()) <= max_radii_from_origin * radius) continue;
     // Along an axis where the centre is that far away, all vertices are within a factor of two of it: subtracting a
     // single-precision number from another is exact there (Sterbenz, Floating-Point Computation, 1974).

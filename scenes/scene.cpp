@@ -45,8 +45,7 @@ SceneCounts count(const Scene& scene) {
 Bounds bounds_of(const Scene& scene) {
   std::vector<Bounds> boxes(scene.meshes.size());
   parallel_for(scene.meshes.size(), [&](std::size_t m) {
-    if (scene.meshes[m].triangles.empty()) return;
-    for (const vec3& position : scene.meshes[m].positions) boxes[m].include(dvec3(position));
+    if (!scene.meshes[m].triangles.empty()) boxes[m] = bounds_of(scene.meshes[m]);
   });
   Bounds bounds;
   for (const Instance& instance : scene.instances) {
@@ -60,14 +59,29 @@ Bounds bounds_of(const Scene& scene) {
   return bounds;
 }
 
+Bounds bounds_of(const Mesh& mesh) {
+  Bounds bounds;
+  for (const vec3& position : mesh.positions) bounds.include(dvec3(position));
+  return bounds;
+}
+
 Triangle world_triangle(const Scene& scene, std::uint32_t instance, std::uint32_t triangle) {
   const Instance& placed = scene.instances[instance];
   const Mesh& mesh = scene.meshes[placed.mesh];
-  const uvec3 corners = mesh.triangles[triangle];
+  const auto [a, b, c] = world_corners(mesh, mesh.triangles[triangle], placed.world_from_mesh);
+  return {a, b, c};
+}
+
+std::array<dvec3, 3> world_corners(const Mesh& mesh, const uvec3& triangle, const dmat4& world_from_mesh) {
   const auto world = [&](std::uint32_t corner) {
-    return dvec3(placed.world_from_mesh * dvec4(dvec3(mesh.positions[corner]), 1.0));
+    return dvec3(world_from_mesh * dvec4(dvec3(mesh.positions[corner]), 1.0));
   };
-  return {world(corners.x), world(corners.y), world(corners.z)};
+  return {world(triangle.x), world(triangle.y), world(triangle.z)};
+}
+
+double longest_edge(const std::array<dvec3, 3>& corners) {
+  return std::max({glm::distance(corners[0], corners[1]), glm::distance(corners[1], corners[2]),
+                   glm::distance(corners[2], corners[0])});
 }
 
 void scale(Scene& scene, double factor) {
@@ -128,6 +142,19 @@ double largest_stretch(const dmat4& transform) {
     power = power * power;
   }
   return scale * bound * (1.0 + 1e-14);
+}
+
+std::vector<double> stretches_of_meshes(const Scene& scene) {
+  std::vector<double> stretches(scene.meshes.size(), 0.0);
+  for (const Instance& instance : scene.instances) {
+    double frobenius = 0.0;
+    for (int column = 0; column < 3; ++column) {
+      const dvec3 axis(instance.world_from_mesh[column]);
+      frobenius += glm::dot(axis, axis);
+    }
+    stretches[instance.mesh] = std::max(stretches[instance.mesh], std::sqrt(frobenius));
+  }
+  return stretches;
 }
 
 }  // namespace umbrameter

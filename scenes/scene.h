@@ -2,6 +2,7 @@
 // Right-handed, Y up, metres (glTF 2.0, section 3.4).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -157,12 +158,17 @@ SceneCounts count(const Scene& scene);
 /// World bounds of all instances but the ground, from every vertex: the size of the scene. Empty for a scene without
 /// triangles.
 Bounds bounds_of(const Scene& scene);
+/// In its own space.
+Bounds bounds_of(const Mesh& mesh);
 
 /// The three world-space corners of a triangle, transformed in double precision.
 struct Triangle {
   dvec3 a, b, c;
 };
 Triangle world_triangle(const Scene& scene, std::uint32_t instance, std::uint32_t triangle);
+/// The same, where the mesh has that place.
+std::array<dvec3, 3> world_corners(const Mesh& mesh, const uvec3& triangle, const dmat4& world_from_mesh);
+double longest_edge(const std::array<dvec3, 3>& corners);
 
 /// Multiplies every length in the scene: places, clipping planes and image sizes of cameras, ranges and extents of
 /// lights. Intensities stay as they are.
@@ -174,5 +180,9 @@ bool is_mirrored(const dmat4& transform);
 /// Upper bound on the factor by which the transform lengthens any difference of two points, at most 1e-6 above the
 /// least: its largest singular value.
 double largest_stretch(const dmat4& transform);
+
+/// For each mesh a bound on the largest_stretch() of its instances, up to √3 times as large but cheap where there are a
+/// million instances; 0 for a mesh without.
+std::vector<double> stretches_of_meshes(const Scene& scene);
 
 }  // namespace umbrameter

@@ -15,11 +15,6 @@ constexpr double large_edge = 0.1;
 // Planes nearer to each other than this count as one, radii.
 constexpr double plane_step = 1.0 / 32.0;
 
-double longest_edge(const std::array<dvec3, 3>& corners) {
-  return std::max({glm::distance(corners[0], corners[1]), glm::distance(corners[1], corners[2]),
-                   glm::distance(corners[2], corners[0])});
-}
-
 // SplitMix64 (Steele et al., Fast Splittable Pseudorandom Number Generators, 2014).
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
   std::uint64_t z = hash + 0x9e3779b97f4a7c15u * (value + 1);
@@ -57,12 +52,8 @@ class Sampler {
   }
 
   std::array<dvec3, 3> corners(std::size_t triangle) const {
-    std::array<dvec3, 3> result;
-    for (int i = 0; i < 3; ++i) {
-      const vec3& position = mesh_->positions[mesh_->triangles[triangle][i]];
-      result[static_cast<std::size_t>(i)] =
-          (dvec3(place_ * dvec4(dvec3(position), 1.0)) - sample_.center()) / sample_.radius();
-    }
+    std::array<dvec3, 3> result = world_corners(*mesh_, mesh_->triangles[triangle], place_);
+    for (dvec3& corner : result) corner = (corner - sample_.center()) / sample_.radius();
     return result;
   }
 
@@ -102,15 +93,7 @@ class Sampler {
 
 // For each mesh the triangles that may be large in one of its instances.
 std::vector<std::vector<std::uint32_t>> large_triangles(const Scene& scene, double radius) {
-  std::vector<double> stretch(scene.meshes.size(), 0.0);
-  for (const Instance& instance : scene.instances) {
-    double frobenius = 0.0;
-    for (int column = 0; column < 3; ++column) {
-      const dvec3 axis(instance.world_from_mesh[column]);
-      frobenius += glm::dot(axis, axis);
-    }
-    stretch[instance.mesh] = std::max(stretch[instance.mesh], std::sqrt(frobenius));
-  }
+  const std::vector<double> stretch = stretches_of_meshes(scene);
   std::vector<std::vector<std::uint32_t>> large(scene.meshes.size());
   parallel_for(scene.meshes.size(), [&](std::size_t m) {
     const Mesh& mesh = scene.meshes[m];

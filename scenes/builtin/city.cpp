@@ -145,14 +145,9 @@ int detail_at(double distance, double triangles) {
 }
 
 void add_lamp_light(Scene& scene) {
-  Light lamp;
-  lamp.name = "street lamp";
   const dvec3 head{0.5 * avenue * -1.0 + 0.8, 5.7, -0.5 * street - 3.0};
-  lamp.world_from_light = looking(head, head - dvec3(0, 1, 0), dvec3(0, 0, 1));
-  lamp.color = {1.0f, 0.80f, 0.52f};
-  lamp.intensity = 40.0;
-  lamp.shape = SpotLight{24.0, degrees(48.0), degrees(68.0)};
-  scene.lights.push_back(lamp);
+  scene.lights.push_back({"street lamp", looking(head, head - dvec3(0, 1, 0), dvec3(0, 0, 1)), vec3(1.0f, 0.80f, 0.52f),
+                          40.0, SpotLight{24.0, degrees(48.0), degrees(68.0)}});
 }
 
 }  // namespace

@@ -64,10 +64,7 @@ void add_tree(Block& block, const dvec3& foot, std::uint32_t seed, int detail) {
   style.leaf = 0.32, style.clump = 0.6;
   const Plant plant = broadleaf(style);
   add_shape(block.meshes[timber], plant.wood, foot);
-  Shape leaves;
-  leaves.points = plant.leaves.points;
-  leaves.faces = plant.leaves.faces;
-  add_shape(block.meshes[foliage], leaves, foot);
+  add_shape(block.meshes[foliage], plant.leaves, foot);
 }
 
 }  // namespace

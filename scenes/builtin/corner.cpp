@@ -33,20 +33,10 @@ Scene make_corner() {
   add_camera(scene, "overview", looking(dvec3(6.4, 3.6, 6.6), dvec3(1.6, 1.05, 1.5)), 36.0);
   add_camera(scene, "close", looking(dvec3(3.3, 1.3, 3.6), dvec3(0.9, 0.5, 0.9)), 40.0);
   add_sun(scene, "sun", dvec3(2, 1.5, 2), dvec3(1.0, 0.85, 0.25), 8.0, 3.0);
-  Light lamp;
-  lamp.name = "lamp";
-  lamp.world_from_light = looking(dvec3(2.0, 2.3, 2.2), dvec3(0.0));
-  lamp.color = vec3(1.0f, 0.88f, 0.7f);
-  lamp.intensity = 10.0;
-  lamp.shape = PointLight{};
-  scene.lights.push_back(lamp);
-  Light spot;
-  spot.name = "spot";
-  spot.world_from_light = looking(dvec3(3.6, 3.4, 3.2), dvec3(1.1, 0.4, 1.0));
-  spot.color = vec3(1.0f, 0.95f, 0.85f);
-  spot.intensity = 45.0;
-  spot.shape = SpotLight{0.0, degrees(18), degrees(26)};
-  scene.lights.push_back(spot);
+  scene.lights.push_back(
+      {"lamp", looking(dvec3(2.0, 2.3, 2.2), dvec3(0.0)), vec3(1.0f, 0.88f, 0.7f), 10.0, PointLight{}});
+  scene.lights.push_back({"spot", looking(dvec3(3.6, 3.4, 3.2), dvec3(1.1, 0.4, 1.0)), vec3(1.0f, 0.95f, 0.85f), 45.0,
+                          SpotLight{0.0, degrees(18), degrees(26)}});
   // From behind the wall at x = 0: its shadow falls on the floor and on the other wall, and starts in the edges.
   add_sun(scene, "sun-behind", dvec3(2, 1.5, 2), dvec3(-0.55, 0.95, 0.65), 8.0, 3.0);
   return scene;

@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/builtin/courtyard.h"
+#include "scenes/builtin/placing.h"
+#include "scenes/builtin/scenes.h"
 
 namespace umbrameter::builtin {
 namespace {
@@ -46,7 +47,8 @@ vec3 tint(std::uint32_t seed) {
 
 }  // namespace
 
-void add_small_lights(Scene& scene, std::uint64_t number) {
+std::vector<Light> small_lights(std::uint64_t number) {
+  std::vector<Light> lights;
   for (std::uint32_t i = 0; i < number; ++i) {
     const std::uint32_t seed = hash(71, i);
     const bool is_spot = i % 2 == 1;
@@ -65,18 +67,12 @@ void add_small_lights(Scene& scene, std::uint64_t number) {
       outer = 40.0;
       range = 4.0;
     }
-    Light light;
-    light.name = (is_spot ? "spot " : "point ") + std::to_string(i);
-    light.world_from_light = looking(eye, eye + axis);
-    light.color = tint(seed);
-    light.intensity = 0.5 * range * range;
-    if (is_spot) {
-      light.shape = SpotLight{range, degrees(0.6 * outer), degrees(outer)};
-    } else {
-      light.shape = PointLight{range};
-    }
-    scene.lights.push_back(light);
+    Light light{(is_spot ? "spot " : "point ") + std::to_string(i), looking(eye, eye + axis), tint(seed),
+                0.5 * range * range, PointLight{range}};
+    if (is_spot) light.shape = SpotLight{range, degrees(0.6 * outer), degrees(outer)};
+    lights.push_back(light);
   }
+  return lights;
 }
 
 }  // namespace umbrameter::builtin

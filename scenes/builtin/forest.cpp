@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/builtin/parts.h"
 #include "scenes/builtin/scenes.h"
 
 namespace umbrameter::builtin {
@@ -33,6 +32,8 @@ enum Kind : std::uint32_t {
   kinds
 };
 
+constexpr double smooth = 180.0;  // crease of leaves: none
+
 // What stands in many places: one mesh per material.
 struct Species {
   std::vector<Mesh> parts;
@@ -52,7 +53,7 @@ void add_part(Species& species, Mesh mesh) {
 Species species_of(const std::string& name, const Plant& plant, std::uint32_t bark, std::uint32_t leaf) {
   Species species;
   add_part(species, to_mesh(name + " wood", plant.wood, bark, 60.0));
-  add_part(species, to_mesh(name + " leaves", plant.leaves, leaf));
+  add_part(species, to_mesh(name + " leaves", plant.leaves, leaf, smooth));
   return species;
 }
 
@@ -113,12 +114,12 @@ std::vector<Species> all_species(Scene& scene) {
   species[young_spruce] = species_of("young spruce", spruce(71, 3.2, 1.05, 10, 7), brown_bark, needle);
   species[hazel] = species_of("hazel", bush(83, 1.15, 11, 22), brown_bark, hazel_leaf);
   species[holly] = species_of("holly", bush(89, 0.75, 8, 18), brown_bark, holly_leaf);
-  species[fern] = species_of(to_mesh("fern", fern_fronds(97, 11, 0.85), frond));
-  species[small_fern] = species_of(to_mesh("small fern", fern_fronds(101, 7, 0.5), frond));
-  species[grass] = species_of(to_mesh("grass", grass_tuft(103, 26, 0.24), blade));
-  species[tall_grass] = species_of(to_mesh("tall grass", grass_tuft(107, 30, 0.5), blade));
-  species[daisies] = species_of(to_mesh("daisies", blossoms(109, 14, 0.2), white));
-  species[foxgloves] = species_of(to_mesh("foxgloves", blossoms(113, 10, 0.4), purple));
+  species[fern] = species_of(to_mesh("fern", fern_fronds(97, 11, 0.85), frond, smooth));
+  species[small_fern] = species_of(to_mesh("small fern", fern_fronds(101, 7, 0.5), frond, smooth));
+  species[grass] = species_of(to_mesh("grass", grass_tuft(103, 26, 0.24), blade, smooth));
+  species[tall_grass] = species_of(to_mesh("tall grass", grass_tuft(107, 30, 0.5), blade, smooth));
+  species[daisies] = species_of(to_mesh("daisies", blossoms(109, 14, 0.2), white, smooth));
+  species[foxgloves] = species_of(to_mesh("foxgloves", blossoms(113, 10, 0.4), purple, smooth));
   species[grey_rock] = species_of(to_mesh("rock", rock(127, {0.62, 0.42, 0.5}, 14), stone, 40.0));
   species[mossy_rock] = species_of(to_mesh("mossy rock", rock(131, {0.95, 0.55, 0.7}, 16), moss, 40.0));
   species[fallen_trunk] = species_of(to_mesh("fallen log", fallen_log(5.2, 0.34), brown_bark, 60.0));
@@ -227,6 +228,29 @@ bool is_taken(const std::vector<Stand>& stands, const Site& site) {
   });
 }
 
+Shape lantern_frame() {
+  const dvec2 crown[] = {{0.0, 0.34}, {0.17, 0.34}, {0.17, 0.36}, {0.1, 0.42}, {0.04, 0.48}, {0.0, 0.49}};
+  const dvec2 foot[] = {{0.0, -0.03}, {0.05, -0.02}, {0.13, 0.0}, {0.13, 0.025}, {0.0, 0.025}};
+  Shape shape = lathe(crown, 12);
+  append(shape, lathe(foot, 12));
+  for (int i = 0; i < 6; ++i) {
+    const double angle = 2.0 * pi * i / 6.0;
+    const dvec3 side{std::cos(angle), 0.0, std::sin(angle)};
+    const dvec3 path[] = {0.11 * side + dvec3(0, 0.01, 0), 0.145 * side + dvec3(0, 0.35, 0)};
+    const double radii[] = {0.009, 0.009};
+    append(shape, tube(path, radii, 6));
+  }
+  const dvec3 chain[] = {{0, 0.47, 0}, {0, 1.6, 0}};
+  const double radii[] = {0.008, 0.008};
+  append(shape, tube(chain, radii, 6));
+  return shape;
+}
+
+Shape lantern_light() {
+  const dvec2 profile[] = {{0.0, 0.02}, {0.035, 0.02}, {0.035, 0.12}, {0.012, 0.15}, {0.0, 0.19}};
+  return lathe(profile, 12);
+}
+
 void add_lantern(Scene& scene, const Ground& ground) {
   const dvec3 foot{1.0, ground.height(1.0, -4.6), -4.6};
   const std::uint32_t wood = add_material(scene, "post", {0.12f, 0.075f, 0.045f});
@@ -236,13 +260,8 @@ void add_lantern(Scene& scene, const Ground& ground) {
   const dvec3 hook = foot + dvec3(0.66, 1.18, 0.0);
   place_once(scene, to_mesh("lantern", lantern_frame(), iron), moved(hook));
   place_once(scene, to_mesh("candle", lantern_light(), candle), moved(hook));
-  Light lantern;
-  lantern.name = "lantern";
-  lantern.world_from_light = looking(hook + dvec3(0, 0.27, 0), hook + dvec3(0, 0.27, 1));
-  lantern.color = {1.0f, 0.72f, 0.40f};
-  lantern.intensity = 7.0;
-  lantern.shape = PointLight{14.0};
-  scene.lights.push_back(lantern);
+  scene.lights.push_back({"lantern", looking(hook + dvec3(0, 0.27, 0), hook + dvec3(0, 0.27, 1)),
+                          vec3(1.0f, 0.72f, 0.40f), 7.0, PointLight{14.0}});
 }
 
 }  // namespace
@@ -250,7 +269,9 @@ void add_lantern(Scene& scene, const Ground& ground) {
 Scene make_forest(std::uint64_t triangles) {
   Scene scene;
   scene.name = "forest";
-  const std::uint32_t floor = add_textured_material(scene, "forest ground", forest_ground(), false);
+  const std::uint32_t floor = add_material(scene, "forest ground", vec3(1.0f));
+  scene.materials[floor].base_color_texture = 0;
+  scene.textures.push_back(forest_ground());
   const std::uint32_t soil = add_material(scene, "soil", {0.13f, 0.085f, 0.055f});
   const std::vector<Species> species = all_species(scene);
 

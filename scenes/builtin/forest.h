@@ -10,7 +10,7 @@ namespace umbrameter::builtin {
 /// Wood is solid; leaves and needles are triangles of their own, without thickness.
 struct Plant {
   Shape wood;
-  Sheet leaves;
+  Shape leaves;
 };
 
 /// A broad-leaved tree. Lengths in metres, for a tree that is used unscaled.
@@ -34,12 +34,13 @@ Plant broadleaf(const BroadleafStyle& style);
 Plant spruce(std::uint32_t seed, double height, double reach, int whorls, int branches);
 Plant bush(std::uint32_t seed, double radius, int stems, int leaves);
 
-// forest_floor.cpp
+// forest_plants.cpp
+void add_quad(Shape& shape, const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d);
 /// Arched fronds with leaflets on both sides.
-Sheet fern_fronds(std::uint32_t seed, int fronds, double length);
-Sheet grass_tuft(std::uint32_t seed, int blades, double height);
+Shape fern_fronds(std::uint32_t seed, int fronds, double length);
+Shape grass_tuft(std::uint32_t seed, int blades, double height);
 /// A few stalks with a star of petals each.
-Sheet blossoms(std::uint32_t seed, int flowers, double height);
+Shape blossoms(std::uint32_t seed, int flowers, double height);
 Shape rock(std::uint32_t seed, const dvec3& radii, int segments);
 Shape fallen_log(double length, double radius);
 Shape lantern_post();

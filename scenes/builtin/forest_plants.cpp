@@ -7,23 +7,23 @@
 namespace umbrameter::builtin {
 namespace {
 
-void add_triangle(Sheet& sheet, const dvec3& a, const dvec3& b, const dvec3& c) {
-  const auto first = static_cast<std::uint32_t>(sheet.points.size());
-  sheet.points.insert(sheet.points.end(), {a, b, c});
-  sheet.faces.push_back({first, first + 1, first + 2});
-}
-
-void add_quad(Sheet& sheet, const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d) {
-  const auto first = static_cast<std::uint32_t>(sheet.points.size());
-  sheet.points.insert(sheet.points.end(), {a, b, c, d});
-  sheet.faces.push_back({first, first + 1, first + 2});
-  sheet.faces.push_back({first, first + 2, first + 3});
+void add_triangle(Shape& shape, const dvec3& a, const dvec3& b, const dvec3& c) {
+  const auto first = static_cast<std::uint32_t>(shape.points.size());
+  shape.points.insert(shape.points.end(), {a, b, c});
+  shape.faces.push_back({first, first + 1, first + 2});
 }
 
 }  // namespace
 
-Sheet fern_fronds(std::uint32_t seed, int fronds, double length) {
-  Sheet sheet;
+void add_quad(Shape& shape, const dvec3& a, const dvec3& b, const dvec3& c, const dvec3& d) {
+  const auto first = static_cast<std::uint32_t>(shape.points.size());
+  shape.points.insert(shape.points.end(), {a, b, c, d});
+  shape.faces.push_back({first, first + 1, first + 2});
+  shape.faces.push_back({first, first + 2, first + 3});
+}
+
+Shape fern_fronds(std::uint32_t seed, int fronds, double length) {
+  Shape shape;
   for (int i = 0; i < fronds; ++i) {
     const std::uint32_t index = hash(seed, i);
     const double azimuth = 2.0 * pi * (i + chance(index, 0, -0.3, 0.3)) / fronds;
@@ -32,7 +32,7 @@ Sheet fern_fronds(std::uint32_t seed, int fronds, double length) {
     const double own = length * chance(index, 1, 0.75, 1.1);
     const double steep = chance(index, 2, 0.9, 1.4);
     const auto at = [&](double t) { return own * (t * out + dvec3(0, steep * t - 0.85 * steep * t * t, 0)); };
-    add_triangle(sheet, at(0.0) - 0.012 * across, at(0.0) + 0.012 * across, at(0.55));
+    add_triangle(shape, at(0.0) - 0.012 * across, at(0.0) + 0.012 * across, at(0.55));
     constexpr int pairs = 9;
     for (int k = 0; k < pairs; ++k) {
       const double t = 0.22 + 0.76 * k / pairs;
@@ -41,19 +41,19 @@ Sheet fern_fronds(std::uint32_t seed, int fronds, double length) {
       for (const double hand : {-1.0, 1.0}) {
         const dvec3 tip = at(t + 1.1 * step) + wide * hand * across - dvec3(0, 0.2 * wide, 0);
         if (hand > 0.0) {
-          add_triangle(sheet, at(t - step), tip, at(t + step));
+          add_triangle(shape, at(t - step), tip, at(t + step));
         } else {
-          add_triangle(sheet, at(t - step), at(t + step), tip);
+          add_triangle(shape, at(t - step), at(t + step), tip);
         }
       }
     }
-    add_triangle(sheet, at(0.9) - 0.02 * across, at(0.9) + 0.02 * across, at(1.02));
+    add_triangle(shape, at(0.9) - 0.02 * across, at(0.9) + 0.02 * across, at(1.02));
   }
-  return sheet;
+  return shape;
 }
 
-Sheet grass_tuft(std::uint32_t seed, int blades, double height) {
-  Sheet sheet;
+Shape grass_tuft(std::uint32_t seed, int blades, double height) {
+  Shape shape;
   for (int i = 0; i < blades; ++i) {
     const std::uint32_t index = hash(seed, i);
     const double azimuth = chance(index, 0, 0.0, 2.0 * pi);
@@ -64,14 +64,14 @@ Sheet grass_tuft(std::uint32_t seed, int blades, double height) {
     const double lean = tall * chance(index, 3, 0.1, 0.6);
     const double half = 0.02 * height + 0.003;
     const dvec3 bend = root + 0.35 * lean * out + dvec3(0, 0.62 * tall, 0);
-    add_quad(sheet, root - half * across, root + half * across, bend + 0.8 * half * across, bend - 0.8 * half * across);
-    add_triangle(sheet, bend - 0.8 * half * across, bend + 0.8 * half * across, root + lean * out + dvec3(0, tall, 0));
+    add_quad(shape, root - half * across, root + half * across, bend + 0.8 * half * across, bend - 0.8 * half * across);
+    add_triangle(shape, bend - 0.8 * half * across, bend + 0.8 * half * across, root + lean * out + dvec3(0, tall, 0));
   }
-  return sheet;
+  return shape;
 }
 
-Sheet blossoms(std::uint32_t seed, int flowers, double height) {
-  Sheet sheet;
+Shape blossoms(std::uint32_t seed, int flowers, double height) {
+  Shape shape;
   for (int i = 0; i < flowers; ++i) {
     const std::uint32_t index = hash(seed, i);
     const double azimuth = chance(index, 0, 0.0, 2.0 * pi), reach = 0.9 * std::sqrt(chance(index, 1));
@@ -79,11 +79,11 @@ Sheet blossoms(std::uint32_t seed, int flowers, double height) {
     const dvec3 top = foot + dvec3(chance(index, 2, -0.05, 0.05), height * chance(index, 3, 0.6, 1.1), 0.0);
     for (int k = 0; k < 6; ++k) {
       const double a = 2.0 * pi * k / 6.0, b = a + 0.75;
-      add_triangle(sheet, top, top + 0.045 * dvec3(std::cos(b), 0.35, std::sin(b)),
+      add_triangle(shape, top, top + 0.045 * dvec3(std::cos(b), 0.35, std::sin(b)),
                    top + 0.045 * dvec3(std::cos(a), 0.35, std::sin(a)));
     }
   }
-  return sheet;
+  return shape;
 }
 
 Shape rock(std::uint32_t seed, const dvec3& radii, int segments) {

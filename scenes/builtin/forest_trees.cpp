@@ -14,18 +14,12 @@ dvec3 heading(double azimuth, double slope) {
 }
 
 // Two triangles about the midrib, a little folded. `face` is about where the upper side looks.
-void add_blade(Sheet& sheet, const dvec3& root, const dvec3& direction, const dvec3& face, double length,
+void add_blade(Shape& shape, const dvec3& root, const dvec3& direction, const dvec3& face, double length,
                double width) {
   const dvec3 side = glm::normalize(glm::cross(direction, face));
   const dvec3 up = glm::cross(side, direction);
-  const auto first = static_cast<std::uint32_t>(sheet.points.size());
   const dvec3 middle = root + 0.45 * length * direction + 0.12 * width * up;
-  for (const dvec3& point :
-       {root, middle + 0.5 * width * side, root + length * direction, middle - 0.5 * width * side}) {
-    sheet.points.push_back(point);
-  }
-  sheet.faces.push_back({first, first + 1, first + 2});
-  sheet.faces.push_back({first, first + 2, first + 3});
+  add_quad(shape, root, middle + 0.5 * width * side, root + length * direction, middle - 0.5 * width * side);
 }
 
 dvec3 anywhere(std::uint32_t index) {
@@ -33,7 +27,7 @@ dvec3 anywhere(std::uint32_t index) {
 }
 
 // Leaves lie more flat than steep, and point outwards and down.
-void add_clump(Sheet& sheet, std::uint32_t seed, const dvec3& center, const dvec3& outwards, int leaves, double radius,
+void add_clump(Shape& shape, std::uint32_t seed, const dvec3& center, const dvec3& outwards, int leaves, double radius,
                double leaf) {
   for (int i = 0; i < leaves; ++i) {
     const std::uint32_t index = hash(seed, i);
@@ -42,7 +36,7 @@ void add_clump(Sheet& sheet, std::uint32_t seed, const dvec3& center, const dvec
         glm::normalize(0.7 * outwards + 0.9 * offset + anywhere(hash(index, 1)) * 0.5 + dvec3(0, -0.35, 0));
     const dvec3 face = glm::normalize(dvec3(0, 1, 0) + 0.8 * anywhere(hash(index, 2)) + 0.25 * outwards);
     const double length = leaf * chance(index, 3, 0.75, 1.25);
-    add_blade(sheet, center + radius * offset, direction, face, length, 0.55 * length);
+    add_blade(shape, center + radius * offset, direction, face, length, 0.55 * length);
   }
 }
 

@@ -56,33 +56,4 @@ Mesh to_mesh(const std::string& name, const Shape& shape, std::uint32_t material
   return mesh;
 }
 
-void add_card(Sheet& sheet, const dvec3& center, const dvec3& right, const dvec3& up, vec2 repeat) {
-  const auto first = static_cast<std::uint32_t>(sheet.points.size());
-  for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
-    sheet.points.push_back(center + x * right + y * up);
-    // v grows downwards in a picture whose row 0 is v = 0.
-    sheet.texcoords.emplace_back(repeat.x * static_cast<float>(x + 1.0) / 2.0f,
-                                 repeat.y * static_cast<float>(1.0 - y) / 2.0f);
-  }
-  sheet.faces.push_back({first, first + 1, first + 2});
-  sheet.faces.push_back({first, first + 2, first + 3});
-}
-
-Mesh to_mesh(const std::string& name, const Sheet& sheet, std::uint32_t material) {
-  Mesh mesh;
-  mesh.name = name;
-  mesh.material = material;
-  mesh.triangles = sheet.faces;
-  mesh.texcoords = sheet.texcoords;
-  std::vector<dvec3> sums(sheet.points.size(), dvec3(0.0));
-  for (const uvec3& face : sheet.faces) {
-    for (int corner = 0; corner < 3; ++corner) sums[face[corner]] += face_vector(sheet.points, face);
-  }
-  for (std::size_t i = 0; i < sheet.points.size(); ++i) {
-    mesh.positions.emplace_back(sheet.points[i]);
-    mesh.normals.push_back(glm::normalize(vec3(glm::normalize(sums[i]))));
-  }
-  return mesh;
-}
-
 }  // namespace umbrameter::builtin

@@ -3,6 +3,11 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace umbrameter::builtin {
+namespace {
+
+constexpr vec3 warm_white{1.0f, 0.86f, 0.66f};
+
+}  // namespace
 
 double chance(std::uint32_t seed, std::uint32_t index, double low, double high) {
   return low + (high - low) * static_cast<double>(to_unit_float(hash(seed, index)));
@@ -32,18 +37,6 @@ std::uint32_t add_sheet_material(Scene& scene, const std::string& name, const ve
   return index;
 }
 
-std::uint32_t add_textured_material(Scene& scene, const std::string& name, Texture texture, bool masked) {
-  const std::uint32_t index = add_material(scene, name, vec3(1.0f));
-  Material& material = scene.materials[index];
-  material.base_color_texture = static_cast<std::uint32_t>(scene.textures.size());
-  scene.textures.push_back(std::move(texture));
-  if (masked) {
-    material.alpha_mode = AlphaMode::mask;
-    material.double_sided = true;
-  }
-  return index;
-}
-
 std::uint32_t add_mesh(Scene& scene, Mesh mesh) {
   scene.meshes.push_back(std::move(mesh));
   return static_cast<std::uint32_t>(scene.meshes.size() - 1);
@@ -60,43 +53,22 @@ void place_once(Scene& scene, Mesh mesh, const dmat4& world_from_mesh) {
 }
 
 void add_camera(Scene& scene, const std::string& name, const dmat4& world_from_camera, double vertical_fov_degrees) {
-  Camera camera;
-  camera.name = name;
-  camera.world_from_camera = world_from_camera;
-  PerspectiveProjection lens;
-  lens.vertical_fov = degrees(vertical_fov_degrees);
-  lens.near_plane = 0.05;
-  camera.projection = lens;
-  scene.cameras.push_back(camera);
+  scene.cameras.push_back({name, world_from_camera, PerspectiveProjection{degrees(vertical_fov_degrees), 0.05}});
 }
 
 void add_sun(Scene& scene, const std::string& name, const dvec3& center, const dvec3& to_light, double distance,
              double lux, const dvec3& up) {
-  Light sun;
-  sun.name = name;
-  sun.world_from_light = looking(center + distance * glm::normalize(to_light), center, up);
-  sun.color = vec3(1.0f, 0.93f, 0.82f);
-  sun.intensity = lux;
-  sun.shape = DirectionalLight{};
-  scene.lights.push_back(sun);
+  scene.lights.push_back({name, looking(center + distance * glm::normalize(to_light), center, up),
+                          vec3(1.0f, 0.93f, 0.82f), lux, DirectionalLight{}});
 }
-
-namespace {
-
-void add_warm_light(Scene& scene, Light light) {
-  light.color = vec3(1.0f, 0.86f, 0.66f);
-  scene.lights.push_back(std::move(light));
-}
-
-}  // namespace
 
 void add_lamp(Scene& scene, const std::string& name, const dvec3& at, double candela) {
-  add_warm_light(scene, {name, moved(at), vec3(1.0f), candela, PointLight{}});
+  scene.lights.push_back({name, moved(at), warm_white, candela, PointLight{}});
 }
 
 void add_spot(Scene& scene, const std::string& name, const dmat4& world_from_light, double inner, double outer,
               double candela) {
-  add_warm_light(scene, {name, world_from_light, vec3(1.0f), candela, SpotLight{0.0, degrees(inner), degrees(outer)}});
+  scene.lights.push_back({name, world_from_light, warm_white, candela, SpotLight{0.0, degrees(inner), degrees(outer)}});
 }
 
 }  // namespace umbrameter::builtin

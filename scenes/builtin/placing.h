@@ -25,8 +25,6 @@ dmat4 looking(const dvec3& eye, const dvec3& target, const dvec3& up = dvec3(0, 
 std::uint32_t add_material(Scene& scene, const std::string& name, const vec3& linear_color);
 /// Seen from both sides.
 std::uint32_t add_sheet_material(Scene& scene, const std::string& name, const vec3& linear_color);
-/// Textured; alpha-masked at one half and seen from both sides when `masked`.
-std::uint32_t add_textured_material(Scene& scene, const std::string& name, Texture texture, bool masked);
 
 std::uint32_t add_mesh(Scene& scene, Mesh mesh);
 /// One more object that shows the mesh.

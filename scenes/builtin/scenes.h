@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "scenes/scene.h"
 
@@ -16,12 +17,15 @@ Scene make_spheres();
 Scene make_ramp();
 Scene make_long_posts();
 Scene make_two_occluders();
+// Files of assets/.
 Scene make_room();
 Scene make_fence();
 Scene make_foliage();
-
 /// With its own lights, or with that many small ones in their place where the number is not 0.
 Scene make_courtyard(std::uint64_t lights);
+/// Point lights and spot lights in turn, of ranges from 1.5 to 4 m. The first contains the courtyard's camera
+/// "overview", the second its camera "arcade".
+std::vector<Light> small_lights(std::uint64_t number);
 
 /// About `triangles` triangles, over all instances.
 Scene make_city(std::uint64_t triangles);

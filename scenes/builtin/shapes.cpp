@@ -19,7 +19,11 @@ void add_quad(Shape& shape, std::uint32_t a, std::uint32_t b, std::uint32_t c, s
 }
 
 Shape turned_outwards(Shape shape) {
-  if (volume(shape) < 0.0) {
+  double volume = 0.0;  // six times
+  for (const uvec3& face : shape.faces) {
+    volume += glm::dot(shape.points[face.x], glm::cross(shape.points[face.y], shape.points[face.z]));
+  }
+  if (volume < 0.0) {
     for (uvec3& face : shape.faces) std::swap(face.y, face.z);
   }
   return shape;
@@ -35,14 +39,6 @@ void append(Shape& shape, const Shape& other, const dmat4& transform) {
     if (mirrored) std::swap(face.y, face.z);
     shape.faces.push_back(face + first);
   }
-}
-
-double volume(const Shape& shape) {
-  double sum = 0.0;
-  for (const uvec3& face : shape.faces) {
-    sum += glm::dot(shape.points[face.x], glm::cross(shape.points[face.y], shape.points[face.z]));
-  }
-  return sum / 6.0;
 }
 
 Shape box(const dvec3& low, const dvec3& high) {
@@ -285,54 +281,6 @@ Shape tube(std::span<const dvec3> path, std::span<const double> radii, int sides
     shape.faces.push_back({last, (rings - 1) * n + i, (rings - 1) * n + next});
   }
   return turned_outwards(std::move(shape));
-}
-
-Shape thick_sheet(int columns, int rows, double thickness, const std::function<dvec3(double, double)>& surface) {
-  Shape shape;
-  const auto at = [&](int i, int j) {
-    return surface(static_cast<double>(std::clamp(i, 0, columns)) / columns,
-                   static_cast<double>(std::clamp(j, 0, rows)) / rows);
-  };
-  for (const double side : {0.5, -0.5}) {
-    for (int j = 0; j <= rows; ++j) {
-      for (int i = 0; i <= columns; ++i) {
-        const dvec3 normal = glm::normalize(glm::cross(at(i + 1, j) - at(i - 1, j), at(i, j + 1) - at(i, j - 1)));
-        add_point(shape, at(i, j) + side * thickness * normal);
-      }
-    }
-  }
-  const auto width = static_cast<std::uint32_t>(columns + 1);
-  const std::uint32_t under = width * static_cast<std::uint32_t>(rows + 1);
-  const auto id = [&](std::uint32_t i, std::uint32_t j) { return j * width + i; };
-  const auto nu = static_cast<std::uint32_t>(columns);
-  const auto nv = static_cast<std::uint32_t>(rows);
-  for (std::uint32_t j = 0; j < nv; ++j) {
-    for (std::uint32_t i = 0; i < nu; ++i) {
-      const std::uint32_t a = id(i, j), b = id(i + 1, j), c = id(i + 1, j + 1), d = id(i, j + 1);
-      add_quad(shape, a, b, c, d);
-      add_quad(shape, under + a, under + d, under + c, under + b);
-    }
-  }
-  const auto close = [&](std::uint32_t a, std::uint32_t b) { add_quad(shape, b, a, under + a, under + b); };
-  for (std::uint32_t i = 0; i < nu; ++i) {
-    close(id(i, 0), id(i + 1, 0));
-    close(id(i + 1, nv), id(i, nv));
-  }
-  for (std::uint32_t j = 0; j < nv; ++j) {
-    close(id(0, j + 1), id(0, j));
-    close(id(nu, j), id(nu, j + 1));
-  }
-  return turned_outwards(std::move(shape));
-}
-
-std::vector<dvec2> bezier(const dvec2& a, const dvec2& b, const dvec2& c, const dvec2& d, int pieces) {
-  std::vector<dvec2> points;
-  for (int i = 0; i <= pieces; ++i) {
-    const double t = static_cast<double>(i) / pieces;
-    const double s = 1.0 - t;
-    points.push_back(s * s * s * a + 3.0 * s * s * t * b + 3.0 * s * t * t * c + t * t * t * d);
-  }
-  return points;
 }
 
 }  // namespace umbrameter::builtin

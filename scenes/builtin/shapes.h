@@ -1,4 +1,4 @@
-// A small kit of closed solids and sheets, from which the built-in scenes are made.
+// A small kit of closed solids, from which the built-in scenes are made.
 // Internal to scenes/builtin*. Metres; every solid is closed and turned outwards, with its edges shared by index.
 #pragma once
 
@@ -23,9 +23,6 @@ struct Shape {
 /// `other`, moved by `transform`, beside what is there. The two stay separate solids.
 void append(Shape& shape, const Shape& other, const dmat4& transform = dmat4(1.0));
 
-/// Volume that a closed shape holds, cubic metres.
-double volume(const Shape& shape);
-
 Shape box(const dvec3& low, const dvec3& high);
 
 /// A box-like solid of eight corners (bit 0 of the index is x, bit 1 y, bit 2 z) with every edge cut off.
@@ -47,25 +44,9 @@ Shape band(std::span<const dvec2> lower, std::span<const dvec2> upper, double de
 /// A round rod along a path, with flat ends.
 Shape tube(std::span<const dvec3> path, std::span<const double> radii, int sides);
 
-/// A surface over (u, v) in the unit square, `thickness` thick about its middle.
-Shape thick_sheet(int columns, int rows, double thickness, const std::function<dvec3(double, double)>& surface);
-
-/// Points along a cubic Bézier curve, ends included.
-std::vector<dvec2> bezier(const dvec2& a, const dvec2& b, const dvec2& c, const dvec2& d, int pieces);
-
 /// Normals smooth across edges that bend less than `crease` degrees, sharp across the others.
 /// `texcoord` gives the texture coordinate of a point; empty: none are stored.
 Mesh to_mesh(const std::string& name, const Shape& shape, std::uint32_t material, double crease = 35.0,
              const std::function<vec2(const dvec3&)>& texcoord = {});
-
-/// Flat cards without thickness, seen from both sides: for what an alpha mask cuts out, and for leaves.
-struct Sheet {
-  std::vector<dvec3> points;
-  std::vector<vec2> texcoords;
-  std::vector<uvec3> faces;
-};
-/// A parallelogram about `center` with half sides `right` and `up`; the texture covers it once.
-void add_card(Sheet& sheet, const dvec3& center, const dvec3& right, const dvec3& up, vec2 repeat = vec2(1.0f));
-Mesh to_mesh(const std::string& name, const Sheet& sheet, std::uint32_t material);
 
 }  // namespace umbrameter::builtin

@@ -41,12 +41,7 @@ Scene make_thin_leaf() {
   // 40° high, square to the standing sheets.
   add_sun(scene, "sun", dvec3(0.0), dvec3(0.0, std::sin(degrees(40)), std::cos(degrees(40))), 8.0, 3.0);
   add_sun(scene, "sun-slanting", dvec3(0.0), dvec3(-0.7, 0.9, 0.55), 8.0, 3.0);
-  Light lamp;
-  lamp.name = "lamp";
-  lamp.world_from_light = looking(dvec3(-0.3, 1.9, 1.0), dvec3(-0.3, 0, 0.9));
-  lamp.intensity = 8.0;
-  lamp.shape = PointLight{};
-  scene.lights.push_back(lamp);
+  scene.lights.push_back({"lamp", looking(dvec3(-0.3, 1.9, 1.0), dvec3(-0.3, 0, 0.9)), vec3(1.0f), 8.0, PointLight{}});
   return scene;
 }
 
