@@ -66,6 +66,37 @@ void fix_reference(Experiment& experiment, const std::vector<TuneAxis>& axes) {
 
 }  // namespace
 
+std::vector<std::pair<std::string, std::string>> pairs_of(const TuneOptions& options) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  const auto add = [&](const char* name, const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) pairs.emplace_back(name, text);
+  };
+  add("scene", options.scenes);
+  add("minimize", {options.minimize});
+  add("constraint", options.constraints);
+  add("over", options.over);
+  add("held-out", options.held_out);
+  if (options.worst_case) add("worst-case", {"true"});
+  if (options.relative) add("relative", {"true"});
+  add("evaluations", {std::to_string(options.evaluations)});
+  return pairs;
+}
+
+TuneOptions tune_options(const std::vector<std::pair<std::string, std::string>>& pairs) {
+  TuneOptions options;
+  for (const auto& [name, text] : pairs) {
+    if (name == "scene") options.scenes.push_back(text);
+    if (name == "minimize") options.minimize = text;
+    if (name == "constraint") options.constraints.push_back(text);
+    if (name == "over") options.over.push_back(text);
+    if (name == "held-out") options.held_out.push_back(text);
+    if (name == "worst-case") options.worst_case = true;
+    if (name == "relative") options.relative = true;
+    if (name == "evaluations") options.evaluations = std::stoull(text);
+  }
+  return options;
+}
+
 std::vector<Experiment> tuned_experiments(const CommandLine& line) {
   std::vector<Experiment> experiments;
   for (const std::string& scene : line.tune.scenes.empty() ? std::vector<std::string>{""} : line.tune.scenes) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/commands.h"
@@ -21,6 +23,13 @@ struct TuneJob {
   SweptQuantity quantity = SweptQuantity::visibility;
   CaseAxes over, held_out;
 };
+
+/// How an option --held-out begins that names a scene.
+inline constexpr std::string_view held_out_scene = "scene=";
+
+/// The options by name, in order, and back.
+std::vector<std::pair<std::string, std::string>> pairs_of(const TuneOptions& options);
+TuneOptions tune_options(const std::vector<std::pair<std::string, std::string>>& pairs);
 
 /// The experiment of each SCENE.
 std::vector<Experiment> tuned_experiments(const CommandLine& line);

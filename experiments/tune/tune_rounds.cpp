@@ -112,6 +112,7 @@ struct Repetition {
   std::vector<TuneQuery> unknown{};  // in the order in which the search asks for them
   std::size_t used = 0;
   std::size_t searched = 0;
+  std::size_t limit = 0;
 };
 
 Repetition repeat(const SearchInput& input, const KnownPoints& known, Guesser guesser, std::uint32_t scenario) {
@@ -139,7 +140,8 @@ Repetition repeat(const SearchInput& input, const KnownPoints& known, Guesser gu
     return guessed;
   };
   try {
-    const TuneResult result = search_points(input, ask);
+    const TuneResult result =
+        search_points(input, ask, [&](std::size_t, std::size_t all, const TuneScore&) { repetition.limit = all; });
     // Around a best point that is only guessed nothing needs to be known.
     if (!result.best.cases.empty()) scan_axes(input, result, ask);
   } catch (const FarEnough&) {
@@ -168,6 +170,7 @@ NextRound next_round(const SearchInput& input, const KnownPoints& known, std::si
     const Repetition repetition = repeat(input, known, guesser, scenario);
     round.used = repetition.used;
     round.searched = repetition.searched;
+    round.limit = repetition.limit;
     if (repetition.unknown.empty()) return round;
     for (std::size_t i = 0; i < repetition.unknown.size(); ++i) {
       const TuneQuery& query = repetition.unknown[i];
@@ -187,6 +190,9 @@ NextRound next_round(const SearchInput& input, const KnownPoints& known, std::si
     if (!is_certain && (!is_probable || round.points.size() >= wanted)) break;
     round.points.push_back(std::move(each.query));
   }
+  // Which constant bias is the best for a relative cost depends on the default's costs.
+  const bool waits = input.exact && goal.is_relative && goal.of_default.empty();
+  if (waits) round.points = {{TuneQuery::Kind::before, input.given}};
   return round;
 }
 

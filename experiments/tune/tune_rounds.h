@@ -20,6 +20,7 @@ struct NextRound {
   std::vector<TuneQuery> points{};  ///< to measure; empty: the search has ended
   std::size_t used = 0;             ///< known points that the search asks for
   std::size_t searched = 0;         ///< those of them that count as evaluations
+  std::size_t limit = 0;            ///< most evaluations
 };
 
 /// At least the next point, all those that the search asks for in any case, and as many probable ones as make
