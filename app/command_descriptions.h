@@ -27,16 +27,16 @@ inline constexpr CommandDescription sweep_command = {
     "             --vary shadow.constant-bias=0:0.2:65 --vary shadow.resolution=512,1024,2048\n"
     "An axis is first:last:count[:log] or a list a,b,c. Open out/index.html; out/sweep.csv has all cells."};
 inline constexpr CommandDescription plan_command = {
-    "plan", "Cut a sweep into shards that run anywhere: a folder for run, merge and status",
+    "plan", "Cut a sweep or a tuning into shards that run anywhere: a folder for run, merge and status",
     "Example: umbrameter plan sweep courtyard -o plan --shards 64 --vary shadow.resolution=256,512,1024\n"
     "Then: umbrameter run plan --shard K for each K from 0, and umbrameter merge plan -o out; docs/many-machines.md."};
 inline constexpr CommandDescription run_command = {"run", "Measure shards of a plan",
                                                    "Example: umbrameter run plan --shard 7\n"
                                                    "As a task of an array: umbrameter run plan --shard env"};
 inline constexpr CommandDescription merge_command = {
-    "merge", "Put the shards of a plan together: the files of the undivided sweep",
+    "merge", "Put the shards of a plan together: the files of the undivided sweep or tuning",
     "Example: umbrameter merge plan -o out\n"
-    "Exit code 5 and the list of shards to run again if some are missing or broken."};
+    "Exit code 5 and the list of shards to run if some are missing or broken, or a tuning has another round."};
 inline constexpr CommandDescription status_command = {
     "status", "Show which shards of a plan are done, running or failed, and when all will be done",
     "Example: umbrameter status plan"};

@@ -92,10 +92,11 @@ std::vector<OptionHelp> options_help(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_group().empty()) options.push_back(option_help(*option, parameters));
   }
-  // Beside parameters, --help lists no options of figures and no further files.
+  // Beside parameters, --help lists no options of figures, no further files, and none that plan has of tune.
   const bool has_parameters = std::ranges::any_of(options, &OptionHelp::is_parameter);
   for (OptionHelp& option : options) {
-    const bool is_advanced = option.group == figure_group || option.group == files_group;
+    const bool is_advanced =
+        option.group == figure_group || option.group == files_group || option.group == tuning_group;
     if (has_parameters && is_advanced) option.is_basic = false;
   }
   // Arguments first, then the command's own options, then parameters.

@@ -30,7 +30,7 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   const bool is_sweep = &description == &sweep_command;
   if (is_plan) add_planned_command(command, line.plan);
   const char* scene_meaning = "a .gltf or .glb file, or a built-in scene ('umbrameter scenes')";
-  if (is_tune) {
+  if (is_tune || is_plan) {
     command.add_option("SCENE", line.tune.scenes, scene_meaning);
   } else {
     command.add_option("SCENE", line.scene, scene_meaning);
@@ -41,17 +41,26 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
       ->type_name("DIR")
       ->required();
   add_settings_options(command, line);
-  if (is_sweep || is_plan) {
-    command.add_option("--vary", line.vary, "axis: first:last:count[:log] or a list a,b,c; repeatable")
+  if (is_sweep || is_tune || is_plan) {
+    command
+        .add_option("--vary", line.vary,
+                    is_tune ? "parameter to tune: first:last[:log], or an axis of sweep; repeatable"
+                            : "axis: first:last:count[:log] or a list a,b,c; repeatable")
         ->type_name("PARAM=AXIS")
         ->take_all();
   }
-  if (is_plan) add_plan_options(command, line.plan);
+  if (is_tune) add_tune_options(command, line);
+  if (is_plan) {
+    add_plan_options(command, line.plan);
+    const std::string group = command.option_defaults()->get_group();
+    command.option_defaults()->group(tuning_group);
+    add_tune_options(command, line);
+    command.option_defaults()->group(group);
+  }
   if (is_sweep) {
     command.add_option("--page-cells", line.page_cells, "max number of cells whose images the page has (6)")
         ->type_name("N");
   }
-  if (is_tune) add_tune_options(command, line);
   command.add_flag("--force", line.force,
                    is_sweep  ? "replace an earlier run's results and measure every cell again"
                    : is_plan ? "replace an earlier plan and its results"

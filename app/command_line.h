@@ -67,14 +67,15 @@ struct ConvertOptions {
 
 /// Of `plan`, `run`, `merge` and `status`.
 struct PlanOptions {
-  std::string planned;           ///< command that is cut: "sweep"
+  std::string planned;           ///< command that is cut: "sweep" or "tune"
   std::filesystem::path folder;  ///< of the plan
   std::size_t shards = 0;        ///< number of shards; 0: by one of the two below
   std::size_t cells_per_shard = 0;
   double minutes_per_shard = 0.0;
-  bool by_reference = false;  ///< the scene stays where it is
-  bool commands = false;      ///< print commands, one a line
-  std::string shard;          ///< "3,7-9" or "env"
+  std::size_t points_per_round = 0;  ///< of a tuning; 0: as many as the shards measure at once
+  bool by_reference = false;         ///< the scene stays where it is
+  bool commands = false;             ///< print commands, one a line
+  std::string shard;                 ///< "3,7-9" or "env"
   bool partial = false;
 };
 

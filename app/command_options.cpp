@@ -258,9 +258,6 @@ void add_figure_options(CLI::App& command, FigureOptions& figures) {
 
 void add_tune_options(CLI::App& command, CommandLine& line) {
   TuneOptions& tune = line.tune;
-  command.add_option("--vary", line.vary, "parameter to tune: first:last[:log], or an axis of sweep; repeatable")
-      ->type_name("PARAM=AXIS")
-      ->take_all();
   command.add_option("--minimize", tune.minimize, "cost: a statistic, or a sum like 'acne + 0.5*rmse' (mae)")
       ->type_name("COST");
   command.add_option("--constraint", tune.constraints, "condition that every case must keep: 'acne<0.1%'; repeatable")

@@ -17,6 +17,7 @@ namespace umbrameter {
 /// add_figure_options(), and those that write further files.
 inline constexpr const char* figure_group = "Figures";
 inline constexpr const char* files_group = "Files";
+inline constexpr const char* tuning_group = "Tuning";
 
 /// Refuses text that is no number from `min` to `max`, both included, in the words that parameters use.
 CLI::Validator number_between(int min, int max);

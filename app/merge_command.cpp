@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/planned_sweep.h"
-#include "core/standard_streams.h"
 #include "present/partial_sweep.h"
 #include "present/run_output.h"
 #include "reports/files/data.h"
@@ -19,30 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* partial_file = "sweep.partial.csv";
-constexpr std::size_t default_array_size = 1001;  // of Slurm: the indices of an array are less
-
-// What to run again, in the forms that engines take.
-void show_missing(const Console& console, const PlannedSweepFolder& planned, const CollectedShards& collected) {
-  for (const std::string& problem : collected.problems) write_to(stderr, "umbrameter: " + problem + "\n");
-  if (console.json) {
-    const nlohmann::ordered_json json = {{"missing", collected.missing}, {"problems", collected.problems}};
-    write_to(stdout, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-    return;
-  }
-  const std::string list = shards_text(collected.missing);
-  std::string numbers;
-  for (const std::size_t shard : collected.missing) numbers += " " + std::to_string(shard);
-  if (collected.missing.back() < default_array_size) {
-    print_line(console, "Slurm:    --array=" + list);
-  } else {
-    print_line(console, fmt::format("Slurm:    integrations/slurm/umbrameter-slurm; task {} is beyond the default "
-                                    "MaxArraySize of {}",
-                                    collected.missing.back(), default_array_size));
-  }
-  print_line(console, "numbers: " + numbers);
-  print_line(console, "command:  " + command_of(planned.folder, list));
-  print_line(console, "commands: umbrameter status " + shell_word(planned.folder) + " --commands");
-}
 
 // "shard 3, 8 cells: from shadow.resolution 256, shadow.filter box to …", by the order of evaluation.
 std::vector<std::string> missing_cells(const ShardPlan& plan, const SweepPlan& cut,
@@ -88,7 +62,7 @@ struct StoreOfPage {
 };
 
 // With the experiment, the folder is an unfinished run, which the whole merge may repeat.
-void write_partial(const PlannedSweepFolder& planned, SweepRun& sweep, const SweepPlan& cut, const ScratchRows& rows,
+void write_partial(const PlannedFolder& planned, SweepRun& sweep, const SweepPlan& cut, const ScratchRows& rows,
                    const std::vector<std::size_t>& missing, RunFolder& folder, const Console& console) {
   const StoreDescription description = load_planned(planned, sweep, console);
   std::vector<Column> columns;
@@ -115,7 +89,8 @@ void write_partial(const PlannedSweepFolder& planned, SweepRun& sweep, const Swe
 
 // What is missing shows before a scene is loaded or a device opened.
 ExitCode run_merge(const CommandLine& line, const Console& console) {
-  const PlannedSweepFolder planned = open_plan(line);
+  const PlannedFolder planned = open_plan(line);
+  if (planned.plan.tuning) return merge_tune(planned, line, console);
   SweepRun sweep(planned.line, planned.given);
   SweepPlan cut = sweep.plan;
   cut_groups(cut, planned.plan.parts);
@@ -129,12 +104,10 @@ ExitCode run_merge(const CommandLine& line, const Console& console) {
       collected = collect_shards(planned.folder, planned.plan, rows, bar.callback());
     }
     if (!collected.missing.empty()) {
-      show_missing(console, planned, collected);
+      show_shards(console, planned, collected.missing, collected.problems);
       if (line.plan.partial) write_partial(planned, sweep, cut, rows, collected.missing, folder, console);
-      throw Error(
-          ExitCode::partial, planned.folder.string(),
-          fmt::format("{} of {} shards are missing or broken", collected.missing.size(), planned.plan.shards.size()),
-          line.plan.partial ? "run them again and merge" : "run them again, or add --partial");
+      throw missing_shards(planned, collected,
+                           line.plan.partial ? "run them again and merge" : "run them again, or add --partial");
     }
     for (const std::string& problem : collected.problems) note(console, problem);
     const StoreDescription description = load_planned(planned, sweep, console);

@@ -6,20 +6,21 @@
 #include <nlohmann/json.hpp>
 
 #include "app/dry_run.h"
+#include "app/plan_folder.h"
+#include "app/plan_tune.h"
 #include "app/planned_sweep.h"
+#include "app/tune_job.h"
 #include "core/standard_streams.h"
 #include "experiments/settings/shard_cuts.h"
 #include "present/run_output.h"
 #include "reports/files/output.h"
 #include "reports/files/text_layout.h"
-#include "scenes/gltf.h"
 
 namespace umbrameter {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* scene_folder = "scene";
 constexpr double cost_budget = 20.0;  // seconds
 
 void require_division(const PlanOptions& options) {
@@ -28,57 +29,26 @@ void require_division(const PlanOptions& options) {
               "add --shards N, --cells-per-shard N or --minutes-per-shard X");
 }
 
-// Also what is left of a plan when an engine has removed plan.json to have it made again.
-bool holds_plan(const fs::path& folder) {
-  return is_there(folder / "plan.json") || (is_there(folder / "experiment.toml") && is_there(folder / "shards"));
-}
-
-void require_free(const fs::path& folder, bool force) {
-  std::error_code error;
-  if (!fs::exists(folder, error) || fs::is_empty(folder, error)) return;
-  const bool is_plan = holds_plan(folder);
-  if (is_plan && force) return;
-  throw Error(ExitCode::usage, folder.string(), is_plan ? "it holds a plan" : "the folder is not empty",
-              is_plan ? "choose another one with -o, or replace the plan and its results with --force"
-                      : "choose another one with -o");
-}
-
-void remove_plan(const fs::path& folder) {
-  if (!holds_plan(folder)) return;
-  for (const char* name : {"plan.json", "experiment.toml", scene_folder, "shards"}) {
-    std::error_code error;
-    fs::remove_all(folder / name, error);
-    if (error) throw_write_error(folder / name, error.value());
+// The options of `plan tune` mean nothing to a sweep.
+void require_options_of_sweep(const CommandLine& line) {
+  TuneOptions none;
+  none.scenes = line.tune.scenes;
+  const auto of_sweep = pairs_of(none);
+  for (const auto& [name, text] : pairs_of(line.tune)) {
+    if (std::find(of_sweep.begin(), of_sweep.end(), std::pair(name, text)) != of_sweep.end()) continue;
+    throw Error(ExitCode::usage, "--" + name, "only a tuning has this option", "plan tune, or leave it out");
   }
-}
-
-// Copies the file and what it refers to; returns its path relative to the plan.
-fs::path copy_scene(const fs::path& scene, const fs::path& folder) {
-  std::vector<fs::path> files = files_of_gltf(scene);
-  files.push_back(scene.filename());
-  for (const fs::path& file : files) {
-    const fs::path to = folder / scene_folder / file;
-    std::error_code error;
-    fs::create_directories(to.parent_path(), error);
-    if (error) throw_write_error(to.parent_path(), error.value());
-    copy_whole(scene.parent_path() / file, to);
+  if (line.tune.minutes > 0.0) throw Error(ExitCode::usage, "--minutes", "a sweep has no time limit");
+  if (line.plan.points_per_round > 0) throw Error(ExitCode::usage, "--points-per-round", "a sweep has no rounds");
+  if (line.tune.scenes.size() > 1) {
+    throw Error(ExitCode::usage, "plan sweep", "a sweep has one scene", "plan one sweep for each scene");
   }
-  return fs::path(scene_folder) / scene.filename();
 }
 
 std::size_t count_shards(const PlanOptions& options, const SweepCosts& costs, const SweepPlan& plan) {
   if (options.shards > 0) return options.shards;
   if (options.cells_per_shard > 0) return (plan.cells + options.cells_per_shard - 1) / options.cells_per_shard;
   return count_shards_within(costs, plan, 60.0 * options.minutes_per_shard);
-}
-
-std::vector<PlannedShard> planned_shards(const ShardCuts& cuts, std::size_t groups) {
-  std::vector<PlannedShard> shards;
-  for (std::size_t i = 0; i < cuts.first.size(); ++i) {
-    const std::size_t end = i + 1 < cuts.first.size() ? cuts.first[i + 1] : groups;
-    shards.push_back({cuts.first[i], end - cuts.first[i], cuts.seconds[i]});
-  }
-  return shards;
 }
 
 // Loads the sweep as a shard does, and measures what that and its groups take. References are traced, as on a machine
@@ -124,9 +94,12 @@ void show_plan(const Console& console, const fs::path& folder, const ShardPlan& 
 
 ExitCode run_plan(const CommandLine& line, const Console& console) {
   const fs::path& folder = line.output;
-  require_division(line.plan);
   require_free(folder, line.force);
+  if (line.plan.planned == "tune") return plan_tune(line, console);
+  require_options_of_sweep(line);
+  require_division(line.plan);
   CommandLine of_sweep = line;
+  if (!line.tune.scenes.empty()) of_sweep.scene = line.tune.scenes.front();
   of_sweep.no_cache = true;
   SweepRun sweep(of_sweep, make_experiment(of_sweep));
   StoreDescription description;
@@ -146,17 +119,11 @@ ExitCode run_plan(const CommandLine& line, const Console& console) {
   plan.cells = sweep.plan.cells;
   plan.parts = cuts.parts;
   plan.kinds = measured_kinds(description, sweep.plan);
-  plan.shards = planned_shards(cuts, count_groups(cut));
+  plan.shards = planned_shards(cuts, 0, count_groups(cut));
 
-  prepare_output_folder(folder);
-  remove_plan(folder);
+  prepare_plan_folder(folder);
   Experiment stored = sweep.given;
-  if (fs::is_regular_file(stored.scene)) {
-    plan.scene_file = line.plan.by_reference
-                          ? fs::path(stored.scene).lexically_relative(fs::absolute(folder).lexically_normal()).string()
-                          : copy_scene(stored.scene, folder).string();
-    stored.scene = plan.scene_file;
-  }
+  stored.scene = store_scene(folder, plan, stored.scene, "scene", line.plan.by_reference);
   write_plan(folder, plan, experiment_text(stored));
 
   if (!line.plan.commands) {

@@ -27,11 +27,13 @@ void add_measuring_options(CLI::App& command, CommandLine& line) {
 }  // namespace
 
 void add_planned_command(CLI::App& command, PlanOptions& plan) {
-  command.add_option("COMMAND", plan.planned, "command to divide: sweep")->required()->check(CLI::IsMember({"sweep"}));
+  command.add_option("COMMAND", plan.planned, "command to divide: sweep or tune")
+      ->required()
+      ->check(CLI::IsMember({"sweep", "tune"}));
 }
 
 void add_plan_options(CLI::App& command, PlanOptions& plan) {
-  CLI::Option* shards = command.add_option("--shards", plan.shards, "number of shards")
+  CLI::Option* shards = command.add_option("--shards", plan.shards, "number of shards; of a tuning, of each round")
                             ->check(number_between(1, 1000000))
                             ->type_name("N");
   CLI::Option* cells = command.add_option("--cells-per-shard", plan.cells_per_shard, "mean number of cells of a shard")
@@ -43,6 +45,12 @@ void add_plan_options(CLI::App& command, PlanOptions& plan) {
       ->type_name("X")
       ->excludes(shards)
       ->excludes(cells);
+  command
+      .add_option("--points-per-round", plan.points_per_round,
+                  "points that a round has if they are probable; by default so many that each shard has one case")
+      ->check(number_between(1, 100000))
+      ->type_name("N")
+      ->group(tuning_group);
   command.add_flag("--by-reference", plan.by_reference,
                    "leave the scene where it is, at its path relative to the plan");
   command.add_flag("--commands", plan.commands, "print the command of each shard, one a line, and nothing else");

@@ -1,38 +1,24 @@
 #include "app/planned_sweep.h"
 
 #include <algorithm>
+#include <cstring>
+#include <memory>
 
-#include "store/experiment_file.h"
+#include "core/interrupt.h"
+#include "store/shard_file.h"
+#include "store/stored_sweep.h"
 
 namespace umbrameter {
 
-namespace fs = std::filesystem;
-
-PlannedSweepFolder open_plan(const CommandLine& line) {
-  PlannedSweepFolder planned{line.plan.folder, read_plan(line.plan.folder), line, {}};
-  planned.line.command = "sweep";
-  planned.line.presets = planned.plan.presets;
-  const fs::path file = planned.folder / "experiment.toml";
-  if (const std::string engine = engine_in(file); !engine.empty()) {
-    planned.line.engine = std::make_shared<Engine>(engine);
-    use_engine(planned.line.engine->parameters());
-  }
-  planned.given = load_experiment(file, Experiment{});
-  if (!planned.plan.scene_file.empty()) {
-    planned.given.scene = fs::absolute(planned.folder / planned.plan.scene_file).lexically_normal().string();
-  }
-  return planned;
-}
-
-StoreDescription load_planned(const PlannedSweepFolder& planned, SweepRun& sweep, const Console& console) {
+StoreDescription load_planned(const PlannedFolder& planned, SweepRun& sweep, const Console& console) {
   sweep.load(console);
   StoreDescription description = sweep.description();
   require_planned(planned.folder, planned.plan, portable_identity(description));
   return description;
 }
 
-std::vector<std::pair<std::string, std::string>> portable_identity(const StoreDescription& description) {
-  std::vector<std::pair<std::string, std::string>> identity = description.settings;
+Identity portable_identity(const StoreDescription& description) {
+  Identity identity = description.settings;
   std::erase_if(identity, [](const auto& entry) { return entry.first == "scene"; });
   return identity;
 }
@@ -45,20 +31,38 @@ std::vector<ValueKind> measured_kinds(const StoreDescription& description, const
   return kinds;
 }
 
-std::string shell_word(const fs::path& file) {
-  const std::string path = file.string();
-  const auto is_plain = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-           std::string_view("_-./+:,@%").find(c) != std::string_view::npos;
+ShardMeasurer load_sweep_measurer(const PlannedFolder& planned, const Console& console) {
+  const auto sweep = std::make_shared<SweepRun>(planned.line, planned.given);
+  ShardMeasurer measurer;
+  measurer.maker = load_planned(planned, *sweep, console).maker;
+  Stages& stages = *sweep->stages;
+  measurer.measured_by = measuring_identity(stages);
+  measurer.notes = [sweep, loaded = static_cast<std::ptrdiff_t>(stages.notes().size())] {
+    return std::vector<std::string>(sweep->stages->notes().begin() + loaded, sweep->stages->notes().end());
   };
-  if (!path.empty() && std::all_of(path.begin(), path.end(), is_plain)) return path;
-  std::string quoted = "'";
-  for (const char c : path) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
-std::string command_of(const fs::path& folder, const std::string& shards) {
-  return "umbrameter run " + shell_word(folder) + " --shard " + shards;
+  measurer.report_tracing = [sweep](const Progress& to) { sweep->stages->report_tracing(to); };
+  SweepPlan cut = sweep->plan;
+  cut_groups(cut, planned.plan.parts);
+  const EvaluateGroup evaluate = make_evaluator(stages, sweep->experiment, sweep->axes, sweep->statistics);
+  measurer.measure = [sweep, cut, evaluate](const PlannedShard& part, std::string& rows, const auto& report) {
+    std::size_t cells = 0;
+    const double all =
+        static_cast<double>(cut.cells) * static_cast<double>(part.groups) / static_cast<double>(count_groups(cut));
+    for_each_joined_group(cut, part.first_group, part.groups, [&](const CellGroup& group) {
+      throw_if_interrupted("the shard starts over when it is run again");
+      std::string of_group;
+      evaluate_whole(group, evaluate, [&](std::size_t place, std::span<const Value> measured) {
+        std::string row;
+        append_values(row, measured);
+        if (of_group.empty()) of_group.resize(group.size() * row.size());
+        std::memcpy(of_group.data() + place * row.size(), row.data(), row.size());
+      });
+      rows += of_group;
+      cells += group.size();
+      report(cells, std::min(1.0, static_cast<double>(cells) / all));
+    });
+  };
+  return measurer;
 }
 
 }  // namespace umbrameter

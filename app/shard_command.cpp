@@ -3,19 +3,16 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/planned_sweep.h"
-#include "core/interrupt.h"
+#include "app/planned_folder.h"
 #include "core/standard_streams.h"
-#include "experiments/sweep/identity.h"
 #include "reports/files/output.h"
 #include "reports/files/text_layout.h"
 #include "store/merge_shards.h"
 #include "store/shard_state.h"
-#include "store/stored_sweep.h"
 
 namespace umbrameter {
 namespace {
@@ -31,63 +28,44 @@ bool is_done(const fs::path& folder, const ShardPlan& plan, std::size_t shard) {
   }
 }
 
-// A sweep that is loaded for the first shard and serves the others.
+// A sweep or a tuning that is loaded for the first shard and serves the others.
 struct ShardRunner {
-  const PlannedSweepFolder& planned;
+  const PlannedFolder& planned;
   const Console& console;
-  std::optional<SweepRun> sweep{};
-  std::string maker{};
-  std::size_t notes_of_loading = 0;
-  EvaluateGroup evaluate{};
-  SweepPlan cut{};
-
-  void load() {
-    sweep.emplace(planned.line, planned.given);
-    maker = load_planned(planned, *sweep, console).maker;
-    notes_of_loading = sweep->stages->notes().size();
-    cut = sweep->plan;
-    cut_groups(cut, planned.plan.parts);
-    evaluate = make_evaluator(*sweep->stages, sweep->experiment, sweep->axes, sweep->statistics);
-  }
+  std::optional<ShardMeasurer> measurer{};
 
   void measure(std::size_t shard, RunningMark& mark) {
     const auto started = std::chrono::system_clock::now();
     const auto begin = std::chrono::steady_clock::now();
-    if (!sweep) load();
-    Stages& stages = *sweep->stages;
-    const PlannedShard& part = planned.plan.shards[shard];
+    if (!measurer) {
+      measurer = planned.plan.tuning ? load_tune_measurer(planned, console) : load_sweep_measurer(planned, console);
+    }
     ProgressBar bar(console, fmt::format("shard {}", shard));
     double share = 0.0;
     const auto show = [&] {
       bar.show(share);
       mark.show(std::max(share, 1e-6));
     };
-    stages.report_tracing([&](double) { show(); });
+    measurer->report_tracing([&](double) { show(); });
     std::string rows;
     std::size_t cells = 0;
-    const double all = static_cast<double>(planned.plan.cells) * static_cast<double>(part.groups) /
-                       static_cast<double>(count_groups(cut));
-    for_each_joined_group(cut, part.first_group, part.groups, [&](const CellGroup& group) {
-      throw_if_interrupted("the shard starts over when it is run again");
-      std::string of_group;
-      evaluate_whole(group, evaluate, [&](std::size_t place, std::span<const Value> measured) {
-        std::string row;
-        append_values(row, measured);
-        if (of_group.empty()) of_group.resize(group.size() * row.size());
-        std::memcpy(of_group.data() + place * row.size(), row.data(), row.size());
-      });
-      rows += of_group;
-      cells += group.size();
-      share = std::min(1.0, static_cast<double>(cells) / all);
+    measurer->measure(planned.plan.shards[shard], rows, [&](std::size_t cells_so_far, double share_so_far) {
+      cells = cells_so_far;
+      share = share_so_far;
       show();
     });
-    stages.report_tracing({});
-    const std::vector<std::string>& notes = stages.notes();
+    measurer->report_tracing({});
     ShardManifest manifest{
-        planned.plan.id, shard, program_version(), measuring_identity(stages), maker, host_name(), {}, 0.0, cells, {}};
-    manifest.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(started)));
-    manifest.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    manifest.notes.assign(notes.begin() + static_cast<std::ptrdiff_t>(notes_of_loading), notes.end());
+        id_of(planned.plan, shard),
+        shard,
+        program_version(),
+        measurer->measured_by,
+        measurer->maker,
+        host_name(),
+        fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(started))),
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
+        cells,
+        measurer->notes()};
     write_shard(shard_file(planned.folder, shard), manifest, rows);
     print_line(console, fmt::format("shard {}: {} cells in {}", shard, cells, time_text(std::ceil(manifest.seconds))));
   }
@@ -96,7 +74,7 @@ struct ShardRunner {
 }  // namespace
 
 ExitCode run_shards(const CommandLine& line, const Console& console) {
-  const PlannedSweepFolder planned = open_plan(line);
+  const PlannedFolder planned = open_plan(line);
   const std::string text = line.plan.shard == "env" ? shard_of_environment() : line.plan.shard;
   remove_abandoned(planned.folder / "shards");
   ShardRunner runner{planned, console};

@@ -6,7 +6,7 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
-#include "app/planned_sweep.h"
+#include "app/planned_folder.h"
 #include "core/standard_streams.h"
 #include "present/shard_page.h"
 #include "reports/files/output.h"
@@ -46,15 +46,17 @@ void write_status_page(const fs::path& file, const fs::path& folder, const Shard
   write_page_to(file, shard_report(plan, states, progress));
 }
 
-void print_status(const Console& console, const std::vector<ShardState>& states, double left) {
+void print_status(const Console& console, const ShardPlan& plan, const std::vector<ShardState>& states, double left) {
   std::array<std::size_t, 5> counts{};
   for (const ShardState& state : states) ++counts[static_cast<std::size_t>(state.kind)];
   const auto count = [&](Kind kind) { return counts[static_cast<std::size_t>(kind)]; };
-  std::string text = fmt::format("{} of {} shards done", count(Kind::done), states.size());
+  const std::string round = plan.tuning ? fmt::format("round {}; ", plan.tuning->rounds.size()) : "";
+  std::string text = fmt::format("{}{} of {} shards done", round, count(Kind::done), states.size());
   for (const Kind kind : {Kind::running, Kind::failed, Kind::lost, Kind::waiting}) {
     if (count(kind) > 0) text += fmt::format(", {} {}", count(kind), name_of(kind));
   }
   if (left >= 0.0) text += fmt::format("; about {} left, until {}", time_text(std::ceil(left)), end_text(left));
+  if (plan.tuning && count(Kind::done) == states.size()) text += "; merge ends the tuning or plans the next round";
   print_line(console, text);
   for (std::size_t i = 0; i < states.size(); ++i) {
     const ShardState& state = states[i];
@@ -79,9 +81,11 @@ ExitCode run_status(const CommandLine& line, const Console& console) {
       if (states[i].kind != Kind::done) write_to(stdout, command_of(folder, std::to_string(i)) + "\n");
     }
   } else if (console.json) {
-    write_to(stdout, json_of(states, left).dump(2) + "\n");
+    nlohmann::ordered_json json = json_of(states, left);
+    if (plan.tuning) json["round"] = plan.tuning->rounds.size();
+    write_to(stdout, json.dump(2) + "\n");
   } else {
-    print_status(console, states, left);
+    print_status(console, plan, states, left);
   }
   return ExitCode::ok;
 }

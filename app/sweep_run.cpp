@@ -133,11 +133,7 @@ ExitCode write_sweep(SweepRun& sweep, const ResultsStore& store, RunFolder& fold
   const Experiment& given = sweep.given;
   const Experiment& experiment = sweep.experiment;
   const std::vector<SweepAxis>& axes = sweep.axes;
-  if (const std::vector<std::string> makers = store.makers(); makers.size() > 1) {
-    std::string names;
-    for (const std::string& maker : makers) names += (names.empty() ? "" : "; ") + maker;
-    stages.add_notes({"cells were measured by different programs or machines, whose last digits may differ: " + names});
-  }
+  if (const std::string text = makers_text("cells", store.makers()); !text.empty()) stages.add_notes({text});
   // The view does not move the map's range, and hardly its mean depth: with the view at hand nothing has to be drawn.
   const auto depth_unit = [&](const std::vector<Value>& values) {
     Experiment cell = cell_in_metres(stages, experiment, axes, values);

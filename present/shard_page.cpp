@@ -150,7 +150,8 @@ Report shard_report(const ShardPlan& plan, const std::vector<ShardState>& states
   Report report;
   report.title =
       fmt::format("{}: {} of {} shards done", progress.name, grouped(sums.count(Kind::done)), grouped(states.size()));
-  report.subtitle = fmt::format("{} cells; seen at {}", grouped(plan.cells), progress.time);
+  const std::string round = plan.tuning ? fmt::format("round {}; ", plan.tuning->rounds.size()) : "";
+  report.subtitle = fmt::format("{}{} cells; seen at {}", round, grouped(plan.cells), progress.time);
   report.command = progress.retry;
   report.command_title = "Run failed and lost shards again";
   const std::size_t problems = sums.count(Kind::failed) + sums.count(Kind::lost);

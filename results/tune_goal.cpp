@@ -136,6 +136,11 @@ double to_number(const TuneScore& score) {
   return 0.5 + std::atan(score.cost) / std::numbers::pi;
 }
 
+TuneScore score_from(double number) {
+  if (number >= 1.0) return {(number - 1.0) / (2.0 - number), 0.0};
+  return {0.0, std::tan((number - 0.5) * std::numbers::pi)};
+}
+
 std::vector<std::size_t> objectives_of(const TuneGoal& goal) {
   std::set<std::size_t> columns;
   for (const TuneTerm& term : goal.terms) columns.insert(term.column);

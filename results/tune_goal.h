@@ -69,6 +69,8 @@ struct TuneScore {
 bool is_better(const TuneScore& a, const TuneScore& b);
 /// A number that orders scores as is_better() does, for optimisers.
 double to_number(const TuneScore& score);
+/// A score of which to_number() is this, above 0 and below 1, or from 1 to below 2.
+TuneScore score_from(double number);
 
 /// The columns of the cost and of the constraints on statistics, each once, in order.
 std::vector<std::size_t> objectives_of(const TuneGoal& goal);

@@ -135,7 +135,9 @@ std::string objection_to(const ShardManifest& manifest, const ShardPlan& plan, s
     const std::string planned = value_of(plan.identity, name);
     if (value != planned) return fmt::format("its {} is '{}', that of the plan is '{}'", name, value, planned);
   }
-  if (manifest.plan != plan.id) return "it belongs to another plan";
+  if (manifest.shard >= plan.shards.size() || manifest.plan != id_of(plan, manifest.shard)) {
+    return "it belongs to another plan";
+  }
   if (manifest.shard != shard) return fmt::format("it is a duplicate of shard {}", manifest.shard);
   return {};
 }

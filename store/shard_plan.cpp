@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "reports/files/output.h"
 #include "reports/files/text_layout.h"
+#include "reports/files/value_json.h"
 #include "store/run_record.h"
 
 namespace umbrameter {
@@ -20,20 +21,77 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int plan_format = 2;
+constexpr int plan_format = 3;
 constexpr const char* plan_key = "umbrameter_plan";
 constexpr const char* plan_name = "plan.json";
 constexpr const char* experiment_name = "experiment.toml";
 
 std::string hash_of(std::string_view text) { return ContentHash().add(text).hex(); }
 
+Json to_json(const PlannedTuning& tuning) {
+  Json costs = Json::array();
+  for (const PlannedTuning::Cost& cost : tuning.costs) costs.push_back({cost.reference, cost.evaluation});
+  Json rounds = Json::array();
+  for (const PlannedRound& round : tuning.rounds) {
+    Json points = Json::array();
+    for (const PlannedPoint& point : round.points) {
+      Json values = Json::array();
+      for (const Value& value : point.values) values.push_back(umbrameter::to_json(value));
+      points.push_back({point.kind, values});
+    }
+    rounds.push_back({{"id", round.id}, {"first_shard", round.first_shard}, {"points", points}});
+  }
+  return {{"options", tuning.options},
+          {"cases", tuning.cases},
+          {"is_exact", tuning.is_exact},
+          {"shards", tuning.shards},
+          {"points", tuning.points},
+          {"start_seconds", tuning.start_seconds},
+          {"costs", costs},
+          {"before", tuning.before},
+          {"rounds", rounds}};
+}
+
+PlannedTuning tuning_of(const Json& json) {
+  PlannedTuning tuning;
+  tuning.options = json.at("options").get<decltype(tuning.options)>();
+  tuning.cases = json.at("cases").get<std::size_t>();
+  tuning.is_exact = json.at("is_exact").get<bool>();
+  tuning.shards = json.at("shards").get<std::size_t>();
+  tuning.points = json.at("points").get<std::size_t>();
+  tuning.start_seconds = json.at("start_seconds").get<double>();
+  for (const Json& cost : json.at("costs")) {
+    tuning.costs.push_back({cost.at(0).get<double>(), cost.at(1).get<double>()});
+  }
+  tuning.before = json.at("before").get<std::vector<double>>();
+  for (const Json& of_round : json.at("rounds")) {
+    PlannedRound& round = tuning.rounds.emplace_back();
+    round.id = of_round.at("id").get<std::string>();
+    round.first_shard = of_round.at("first_shard").get<std::size_t>();
+    for (const Json& of_point : of_round.at("points")) {
+      PlannedPoint& point = round.points.emplace_back(PlannedPoint{of_point.at(0).get<std::string>()});
+      for (const Json& value : of_point.at(1)) point.values.push_back(to_value(value));
+    }
+  }
+  return tuning;
+}
+
 Json to_json(const ShardPlan& plan) {
   Json shards = Json::array();
   for (const PlannedShard& shard : plan.shards) shards.push_back({shard.first_group, shard.groups, shard.seconds});
-  return {{plan_key, plan_format},         {"program", plan.program}, {"command", "sweep"},
-          {"scene_file", plan.scene_file}, {"presets", plan.presets}, {"experiment", plan.experiment},
-          {"identity", plan.identity},     {"cells", plan.cells},     {"parts", plan.parts},
-          {"kinds", plan.kinds},           {"shards", shards}};
+  Json json = {{plan_key, plan_format},
+               {"program", plan.program},
+               {"command", plan.tuning ? "tune" : "sweep"},
+               {"scene_files", plan.scene_files},
+               {"presets", plan.presets},
+               {"experiment", plan.experiment},
+               {"identity", plan.identity},
+               {"cells", plan.cells},
+               {"parts", plan.parts},
+               {"kinds", plan.kinds},
+               {"shards", shards}};
+  if (plan.tuning) json["tuning"] = to_json(*plan.tuning);
+  return json;
 }
 
 // One shard a line.
@@ -68,6 +126,9 @@ std::string program_version() { return UMBRAMETER_VERSION; }
 void write_plan(const fs::path& folder, ShardPlan& plan, const std::string& experiment) {
   plan.program = program_version();
   plan.experiment = hash_of(experiment);
+  if (plan.tuning && plan.tuning->rounds.back().id.empty()) {
+    plan.tuning->rounds.back().id = hash_of(to_json(plan).dump());
+  }
   plan.id = hash_of(to_json(plan).dump());
   write_text(folder / experiment_name, experiment);
   std::error_code error;
@@ -94,7 +155,7 @@ ShardPlan read_plan(const fs::path& folder) {
                   "use the version that planned, or plan again");
     }
     plan.id = json.at("id").get<std::string>();
-    plan.scene_file = json.at("scene_file").get<std::string>();
+    plan.scene_files = json.at("scene_files").get<std::vector<std::string>>();
     plan.presets = json.at("presets").get<std::vector<std::string>>();
     plan.experiment = json.at("experiment").get<std::string>();
     plan.identity = json.at("identity").get<std::vector<std::pair<std::string, std::string>>>();
@@ -105,6 +166,7 @@ ShardPlan read_plan(const fs::path& folder) {
       plan.shards.push_back(
           {shard.at(0).get<std::size_t>(), shard.at(1).get<std::size_t>(), shard.at(2).get<double>()});
     }
+    if (json.contains("tuning")) plan.tuning = tuning_of(json["tuning"]);
   } catch (const Json::exception&) {
     fail("it is damaged");
   }
@@ -113,6 +175,14 @@ ShardPlan read_plan(const fs::path& folder) {
     fail("experiment.toml beside it was changed after planning");
   }
   return plan;
+}
+
+const std::string& id_of(const ShardPlan& plan, std::size_t shard) {
+  if (!plan.tuning) return plan.id;
+  const std::vector<PlannedRound>& rounds = plan.tuning->rounds;
+  return std::find_if(rounds.rbegin(), rounds.rend(),
+                      [&](const PlannedRound& round) { return round.first_shard <= shard; })
+      ->id;
 }
 
 void require_planned(const fs::path& folder, const ShardPlan& plan,

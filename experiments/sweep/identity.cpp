@@ -55,4 +55,10 @@ std::string maker_of(Stages& stages) {
   return fmt::format("{}, {} {}", tracer_identity(), stages.has_engine() ? "engine" : "OpenGL", stages.renderer());
 }
 
+std::string makers_text(const std::string& what, const std::vector<std::string>& makers) {
+  if (makers.size() < 2) return {};
+  return fmt::format("{} were measured by different programs or machines, whose last digits may differ: {}", what,
+                     fmt::join(makers, "; "));
+}
+
 }  // namespace umbrameter

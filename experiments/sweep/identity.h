@@ -22,4 +22,7 @@ Identity identity_of_sweep(Stages& stages, Experiment experiment, SweptQuantity 
 /// digits.
 std::string maker_of(Stages& stages);
 
+/// The note that several makers measured "cells"; empty if it was one.
+std::string makers_text(const std::string& what, const std::vector<std::string>& makers);
+
 }  // namespace umbrameter

@@ -1,7 +1,6 @@
 #include "experiments/tune/tune_journal.h"
 
 #include <cerrno>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -14,14 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Value to_value(const Json& json) {
-  if (json.is_boolean()) return json.get<bool>();
-  if (json.is_string()) return json.get<std::string>();
-  if (json.is_number_integer()) return json.get<std::int64_t>();
-  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
-}
-
-// JSON has no NaN: null stands for it.
 std::string line_of(const std::string& key, const TuneRecord& record) {
   Json line = {{"key", key}, {"point", Json::array()}, {"cases", record.cases}};
   for (const Value& value : record.point) line["point"].push_back(to_json(value));
@@ -55,6 +46,10 @@ void require_same(const std::filesystem::path& path, const Json& stored,
 }
 
 }  // namespace
+
+TunePoint scored(const TuneRecord& record, const TuneGoal& goal) {
+  return {record.point, record.cases, score_of(goal, record.point, record.cases)};
+}
 
 TuneJournal::TuneJournal(const std::filesystem::path& path,
                          const std::vector<std::pair<std::string, std::string>>& settings)

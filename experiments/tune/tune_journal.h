@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/table.h"
-#include "results/tune_goal.h"
+#include "results/tune_results.h"
 
 namespace umbrameter {
 
@@ -22,6 +22,9 @@ struct TuneRecord {
   std::vector<Value> point;       ///< a value for each axis
   std::vector<CaseValues> cases;  ///< for each case the goal's columns
 };
+
+/// The point with its score.
+TunePoint scored(const TuneRecord& record, const TuneGoal& goal);
 
 class TuneJournal {
  public:

@@ -3,6 +3,7 @@
 
 #include "reports/files/output.h"
 #include "tests/app/gl_run.h"
+#include "tests/app/same_files.h"
 
 namespace umbrameter {
 namespace {
@@ -26,16 +27,6 @@ struct Shards : GlRun {
   }
   ProgramResult merge(const std::vector<std::string>& more = {}) const {
     return run_program(words({"merge", plan_.string(), "-o", merged_.string()}, more));
-  }
-  static void expect_same_files(const fs::path& folder, const fs::path& expected) {
-    std::size_t files = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(expected)) {
-      if (!entry.is_regular_file()) continue;
-      ++files;
-      const fs::path name = entry.path().lexically_relative(expected);
-      EXPECT_TRUE(text_of(folder / name) == text_of(entry.path())) << name;
-    }
-    EXPECT_GT(files, 8u);
   }
   fs::path plan_ = folder_ / "plan";
   fs::path merged_ = folder_ / "merged";

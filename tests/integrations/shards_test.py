@@ -20,6 +20,8 @@ except ImportError:
 root = pathlib.Path(__file__).resolve().parents[2] / "integrations"
 program = pathlib.Path(sys.argv.pop(1)).resolve()
 sweep = ["corner", "--light", "0", "--size", "32x18", "--vary", "shadow.resolution=16,32,64"]
+tuning = ["corner", "--size", "32x18", "--truth.spp", "4", "--minimize", "rmse", "--evaluations", "6",
+          "--vary", "ao.radius=1%:8%", "--vary", "ao.power=0.5:4"]
 
 
 class Shards(unittest.TestCase):
@@ -51,6 +53,28 @@ class Shards(unittest.TestCase):
         result = self.run_command(root / "parallel/umbrameter-parallel", "plan", "out", "-j2")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertTrue((self.folder / "out/sweep.csv").exists())
+
+    @unittest.skipUnless(shutil.which("parallel"), "GNU parallel is not installed")
+    def test_parallel_runs_the_rounds_of_a_tuning_until_it_has_ended(self):
+        planned = self.run_command("umbrameter", "plan", "tune", *tuning, "--shards", "3", "-o", "plan")
+        self.assertEqual(planned.returncode, 0, planned.stderr)
+        result = self.run_command(root / "parallel/umbrameter-parallel", "plan", "out", "-j2")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("round 3 of about", result.stdout)
+        alone = self.run_command("umbrameter", "tune", *tuning, "-o", "alone")
+        self.assertEqual(alone.returncode, 0, alone.stderr)
+        for name in ("summary.json", "evaluations.csv", "index.html"):
+            self.assertEqual((self.folder / "out" / name).read_bytes(), (self.folder / "alone" / name).read_bytes(), name)
+
+    def test_slurm_submits_the_next_round_of_a_tuning_although_no_try_is_left(self):
+        self.run_command("umbrameter", "plan", "tune", *tuning, "--shards", "3", "-o", "plan")
+        self.run_command("umbrameter", "run", "plan", "--shard", "0-2")
+        self.put_command("scontrol", "echo 'MaxArraySize            = 1001'\n")
+        self.put_command("sbatch", 'echo "$UMBRAMETER_SHARDS" >> log; wc -l < log\n')
+        script = root / "slurm/umbrameter-slurm"
+        merged = self.run_command(script, "plan", "out", "1", UMBRAMETER_SLURM_MERGE="yes", UMBRAMETER_SLURM_TRIES="3")
+        self.assertEqual(merged.returncode, 0, merged.stderr)
+        self.assertTrue((self.folder / "log").read_text().startswith("3,4"), "the shards of round 2")
 
     @unittest.skipUnless(shutil.which("snakemake"), "Snakemake is not installed")
     def test_snakemake_plans_runs_and_merges(self):

@@ -34,12 +34,12 @@ void expect_error(ExitCode code, const std::string& text, const Action& action) 
 TEST(ShardPlan, A_plan_is_read_as_it_was_written) {
   const TemporaryFolder folder;
   ShardPlan plan = plan_of(FakeSweep(axes), 2);
-  plan.scene_file = "scene/a.glb";
+  plan.scene_files = {"scene/a.glb"};
   plan.presets = {"godot"};
   write_plan(folder.path(), plan, "seed = 1\n");
   const ShardPlan read = read_plan(folder.path());
   EXPECT_EQ(read.id, plan.id);
-  EXPECT_EQ(read.scene_file, "scene/a.glb");
+  EXPECT_EQ(read.scene_files, plan.scene_files);
   EXPECT_EQ(read.presets, plan.presets);
   EXPECT_EQ(read.identity, plan.identity);
   ASSERT_EQ(read.shards.size(), 2u);

@@ -1,0 +1,165 @@
+#include "app/plan_tune.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "app/plan_folder.h"
+#include "app/planned_tune.h"
+#include "core/standard_streams.h"
+#include "present/run_output.h"
+#include "reports/files/text_layout.h"
+
+namespace umbrameter {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double cost_budget = 20.0;  // seconds
+
+void require_options_of_tune(const CommandLine& line) {
+  if (line.plan.shards == 0) {
+    throw Error(ExitCode::usage, "plan tune", "nothing says how many shards a round has",
+                line.plan.cells_per_shard > 0 || line.plan.minutes_per_shard > 0.0
+                    ? "add --shards N; the other two are for sweeps"
+                    : "add --shards N");
+  }
+  if (line.tune.minutes > 0.0) {
+    throw Error(ExitCode::usage, "--minutes", "the time of a divided tuning is not limited", "limit its --evaluations");
+  }
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// What the parts of a point take, at the first value of each axis. Those that there is no time for take as long as the
+// others on average. The first evaluation of a process takes longer; that is part of its start.
+void measure_costs(PlannedTuning& tuning, TuneRun& run, const PointMeasurer& points) {
+  const PointLayout& layout = points.layout();
+  const TuneGoal goal = not_relative(run.job.goal);
+  TuneQuery query;
+  for (const TuneAxis& axis : run.job.axes) query.values.push_back(axis.axis.values.front());
+  const auto begin = std::chrono::steady_clock::now();
+  PlannedTuning::Cost sum;
+  for (std::size_t part = 0; part < layout.parts(); ++part) {
+    if (part > 0 && seconds_since(begin) > cost_budget) {
+      const auto measured = static_cast<double>(part);
+      tuning.costs.resize(layout.parts(), {sum.reference / measured, sum.evaluation / measured});
+      return;
+    }
+    PlannedTuning::Cost cost;
+    auto start = std::chrono::steady_clock::now();
+    if (layout.exact) {
+      for (const TuneCase& each : run.cases) prepare(each);
+    } else {
+      prepare(run.cases[part]);
+    }
+    cost.reference = seconds_since(start);
+    start = std::chrono::steady_clock::now();
+    points.measure_part(query, part, goal);
+    cost.evaluation = seconds_since(start);
+    if (part == 0) {
+      start = std::chrono::steady_clock::now();
+      points.measure_part(query, part, goal);
+      const double again = seconds_since(start);
+      tuning.start_seconds += std::max(0.0, cost.evaluation - again);
+      cost.evaluation = again;
+    }
+    tuning.costs.push_back(cost);
+    sum.reference += cost.reference;
+    sum.evaluation += cost.evaluation;
+  }
+}
+
+// The options with the scenes as the plan calls them; each file is stored once.
+TuneOptions store_scenes(const CommandLine& line, const TuneJob& job, ShardPlan& plan) {
+  std::map<std::string, std::string> stored;
+  const auto store = [&](const std::string& scene) {
+    const std::string source = fs::is_regular_file(scene) ? fs::absolute(scene).lexically_normal().string() : scene;
+    const auto found = stored.find(source);
+    if (found != stored.end()) return found->second;
+    const fs::path subfolder = fs::path("scene") / std::to_string(plan.scene_files.size() + 1);
+    return stored[source] = store_scene(line.output, plan, source, subfolder, line.plan.by_reference);
+  };
+  TuneOptions options = line.tune;
+  options.scenes.clear();
+  for (const Experiment& experiment : job.experiments) options.scenes.push_back(store(experiment.scene));
+  for (std::string& assignment : options.held_out) {
+    if (!assignment.starts_with(held_out_scene)) continue;
+    assignment = std::string(held_out_scene) + store(assignment.substr(held_out_scene.size()));
+  }
+  return options;
+}
+
+void show_plan(const Console& console, const fs::path& folder, const ShardPlan& plan, const ShardCuts& cuts) {
+  const PlannedTuning& tuning = *plan.tuning;
+  const std::size_t points = tuning.rounds.back().points.size();
+  double longest = 0.0;
+  for (const double seconds : cuts.seconds) longest = std::max(longest, seconds);
+  if (console.json) {
+    const nlohmann::ordered_json json = {{"round", 1},
+                                         {"points", points},
+                                         {"cases", tuning.cases},
+                                         {"shards", plan.shards.size()},
+                                         {"longest_seconds", longest}};
+    write_to(stdout, json.dump(2) + "\n");
+  }
+  print_line(console,
+             fmt::format("round 1: {} points of {} case{} in {} shards of at most about {}", points, tuning.cases,
+                         tuning.cases == 1 ? "" : "s", plan.shards.size(), time_text(std::ceil(longest))));
+  add_line(console, fmt::format("next: {}, of 0 to {}", command_of(folder, "K"), plan.shards.size() - 1));
+  add_line(console, "then: umbrameter merge " + shell_word(folder) +
+                        " -o DIR, which plans the next round until the search has ended");
+}
+
+}  // namespace
+
+ExitCode plan_tune(const CommandLine& line, const Console& console) {
+  require_options_of_tune(line);
+  const std::vector<Experiment> given = tuned_experiments(line);
+  TuneRun run(line, given);
+  const auto start = std::chrono::steady_clock::now();
+  run.load(console);
+  ShardPlan plan;
+  plan.presets = line.presets;
+  plan.identity = portable_identity(run);
+  PlannedTuning& tuning = plan.tuning.emplace();
+  tuning.start_seconds = seconds_since(start);
+  for (const TuneCase& each : run.cases) each.stages->report_tracing([](double) {});
+  const PointMeasurer points(run.job.axes, run.cases, run.job.goal);
+  measure_costs(tuning, run, points);
+
+  const PointLayout& layout = points.layout();
+  tuning.cases = layout.cases;
+  tuning.is_exact = layout.exact.has_value();
+  tuning.shards = line.plan.shards;
+  const std::size_t by_shards = std::max<std::size_t>(1, line.plan.shards / layout.parts());
+  tuning.points = line.plan.points_per_round > 0 ? line.plan.points_per_round : by_shards;
+  plan.kinds.assign(layout.numbers(), ValueKind::real);
+  const ShardCuts cuts = add_round(plan, layout, next_round(run.search_input(layout.exact), {}, tuning.points).points);
+
+  prepare_plan_folder(line.output);
+  tuning.options = pairs_of(store_scenes(line, run.job, plan));
+  Experiment stored = given.front();
+  stored.scene = tune_options(tuning.options).scenes.front();
+  for (const auto& [key, text] : std::exchange(stored.axes, {})) {
+    tuning.options.emplace_back(axis_option, key + "=" + text);
+  }
+  write_plan(line.output, plan, experiment_text(stored));
+  if (!line.plan.commands) {
+    show_plan(console, line.output, plan, cuts);
+    return ExitCode::ok;
+  }
+  for (std::size_t i = 0; i < plan.shards.size(); ++i) {
+    write_to(stdout, command_of(line.output, std::to_string(i)) + "\n");
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace umbrameter

@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/tune_run.h"
+#include "core/interrupt.h"
+#include "experiments/measure/engine_advice.h"
+#include "experiments/tune/tune_judgement.h"
+#include "present/run_output.h"
+#include "present/tune_report.h"
+#include "present/tune_text.h"
+#include "reports/files/data.h"
+#include "reports/files/output.h"
+#include "results/layers.h"
+#include "store/run_value.h"
+
+namespace umbrameter {
+namespace {
+
+// What compare runs: the given experiment with the best values, over all lights and the first camera.
+std::string tuned_text(const TuneJob& job, const TuneSummary& summary) {
+  Experiment tuned = job.experiments.front();
+  if (are_all_equal(summary.result)) {
+    return "# `umbrameter tune` found no difference between the points: these are the given values.\n" +
+           experiment_text(tuned);
+  }
+  for (std::size_t a = 0; a < job.axes.size(); ++a) {
+    set_value(describe(tuned), job.axes[a].axis, summary.result.best.values[a]);
+  }
+  const std::size_t cases = summary.cases.size();
+  const std::string over =
+      cases > 1 ? fmt::format(", {} of {} cases", summary.goal.is_worst_case ? "the worst" : "the mean", cases) : "";
+  return fmt::format("# The best point of `umbrameter tune`: {} = {}{}.\n", cost_name(summary.goal),
+                     cost_text(summary.goal, summary.result.best.score.cost), over) +
+         experiment_text(tuned);
+}
+
+TuneResult search(TuneRun& run, TuneJournal& journal, const std::filesystem::path& folder, const Console& console) {
+  const TuneJob& job = run.job;
+  const TuneInput input{job.axes, run.cases, job.goal, {run.line.tune.evaluations, run.line.tune.minutes}, job.given};
+  for (const TuneCase& each : run.cases) each.stages->report_tracing([](double) {});
+  try {
+    ProgressBar bar(console, "evaluations");
+    bar.show(0.0);
+    TuneResult result = tune(input, journal, [&](std::size_t done, std::size_t all, const TuneScore& best) {
+      bar.show(static_cast<double>(done) / static_cast<double>(all),
+               fmt::format("{} of at most {}, {} {}", done, all, job.goal.text, cost_text(job.goal, best.cost)));
+    });
+    return result;
+  } catch (const Error& error) {
+    if (error.code() != ExitCode::interrupted && error.code() != ExitCode::terminated) throw;
+    throw_if_interrupted(fmt::format("{} evaluations are stored in {}; rerun the command to resume", journal.count(),
+                                     (folder / tune_journal_name).string()));
+    throw;
+  }
+}
+
+std::vector<TunePointImages> measure_points(const TuneCase& first, const TuneSummary& summary) {
+  Stages& stages = *first.stages;
+  const auto images = [&](const char* name, const Experiment& experiment, const TunePoint& point) {
+    TunePointImages measured{name, point_text(summary.axes, point.values),
+                             measure_swept(stages, experiment, first.quantity)};
+    move_to_layers(stages.facts(), measured.measurement);
+    return measured;
+  };
+  const TuneResult& result = summary.result;
+  return {images("best", at_point(first, summary.axes, result.best.values), result.best),
+          images("default", first.experiment, result.before)};
+}
+
+// Texels and depth ranges differ from case to case, and with them an engine's numbers.
+std::vector<CaseEngines> engines_of(const TuneJob& job, const std::vector<TuneCase>& cases,
+                                    const TuneSummary& summary) {
+  std::vector<CaseEngines> all;
+  if (job.for_engines.empty()) return all;
+  for (const TuneCase& each : cases) {
+    Experiment best = at_point(each, summary.axes, summary.result.best.values);
+    best.run.for_engines = job.for_engines;
+    Stages& stages = *each.stages;
+    if (stages.is_sampled(best, each.light) || !stages.capabilities(best).taps_independent_of_bias) {
+      stages.add_notes({no_engines_text(each.title)});
+      continue;
+    }
+    all.push_back({each.title, advise_engines(stages, best, each.light)});
+  }
+  return all;
+}
+
+std::vector<std::string> tune_files() {
+  return {"experiment.toml", tuned_file,   "evaluations.csv", run_value_file,
+          "summary.json",    "index.html", tune_journal_name};
+}
+
+}  // namespace
+
+RunPlan plan_of(const TuneRun& run) { return {"tune", experiment_of(run.job, run.line.tune), tune_files()}; }
+
+ExitCode write_tune(TuneRun& run, RunFolder& folder, const MeasuredPoints& measured, const Console& console) {
+  const CommandLine& line = run.line;
+  const TuneJob& job = run.job;
+  for (const TuneCase& each : run.cases) prepare(each);
+  const std::filesystem::path journal_path = folder.path() / tune_journal_name;
+  if (line.force) std::filesystem::remove(journal_path);
+  folder.announce({tune_journal_name});
+  TuneJournal journal(journal_path, run.identity());
+  folder.begin();
+  write_text(folder.path() / "experiment.toml", experiment_of(job, line.tune));
+  if (journal.count() > 0) note(console, fmt::format("{} evaluations are done; resuming", journal.count()));
+  for (const auto& [key, record] : measured.points) {
+    if (journal.find(key) == nullptr) journal.add(key, record);
+  }
+  const TuneResult result = search(run, journal, folder.path(), console);
+
+  const TuneJudgement judgement = [&] {
+    ProgressBar bar(console, "significance");
+    return judge({job.axes, run.cases, run.unseen, result.goal, job.shown, result},
+                 [&](double share) { bar.show(share); });
+  }();
+  Stages& first = *run.cases.front().stages;
+  RunResults results{"tune", job.experiments.front(), first.facts(), embree_version()};
+  set_renderer(results, first);
+  for (const TuneAxis& axis : job.axes) results.experiment.axes.emplace_back(axis.key(), axis.axis.text);
+  results.tune =
+      TuneFindings{{job.axes, titles_of(run.cases), result.goal, job.shown, result, judgement}, run.by_scene.size()};
+  const TuneSummary& summary = results.tune->summary;
+  results.tune->engines = engines_of(job, run.cases, summary);
+  if (!line.no_figures) results.tune->points = measure_points(run.cases.front(), summary);
+  results.notes = run.notes();
+  for (const std::string& text : measured.notes) {
+    if (std::find(results.notes.begin(), results.notes.end(), text) == results.notes.end()) {
+      results.notes.push_back(text);
+    }
+  }
+  RunOutput output;
+  output.experiment_toml = experiment_of(job, line.tune);
+  output.texts = {{tuned_file, tuned_text(job, summary)}, {"evaluations.csv", to_csv(evaluation_table(summary))}};
+  output.closing = {
+      fmt::format("tuned: {0}; run it with 'umbrameter compare -c {0} -o DIR'", (folder.path() / tuned_file).string())};
+  output.journal = journal_path;
+  output.page = {make_figure_style(line.figures), !line.no_figures};
+  return write_run(folder, console, std::move(results), std::move(output));
+}
+
+}  // namespace umbrameter
