@@ -20,7 +20,6 @@
 #include "experiments/measure/shimmer.h"
 #include "experiments/settings/sweep.h"
 #include "experiments/stages/reference_cache.h"
-#include "present/costs_text.h"
 #include "present/run_output.h"
 #include "reports/files/data.h"
 #include "reports/files/markup.h"

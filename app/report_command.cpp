@@ -9,11 +9,9 @@
 #include "app/commands.h"
 #include "core/parallel.h"
 #include "core/standard_streams.h"
-#include "present/error_backdrop.h"
+#include "present/presentation_parts.h"
 #include "present/run_page.h"
 #include "present/runs_report.h"
-#include "present/stored_figures.h"
-#include "present/stored_sweep_figures.h"
 #include "reports/files/data.h"
 #include "reports/files/latex.h"
 #include "reports/files/markup.h"
@@ -37,12 +35,6 @@ std::vector<StoredRun> read_runs(const CommandLine& line) {
     if (uses[runs[i].name] > 1) runs[i].name = line.report.folders[i].string();
   }
   return runs;
-}
-
-// Those of a sweep that kept its cells.
-bool has_stored_cells(const StoredRun& run, const fs::path& folder) {
-  std::error_code error;
-  return run.command == "sweep" && fs::is_regular_file(folder / "results.sqlite", error);
 }
 
 // Adds the figures of one of several runs; number 0 is that of a run alone.
@@ -95,12 +87,7 @@ void sort_by_light(std::vector<ImageFigure>& images, const StoredRun& run) {
 Figures figures_of(const std::vector<StoredRun>& runs, const std::vector<fs::path>& folders, ErrorImages& errors) {
   Figures all;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    Figures figures = stored_figures(runs[i]);
-    if (has_stored_cells(runs[i], folders[i])) {
-      Figures of_sweep = stored_sweep_figures(folders[i]);
-      figures.plots = std::move(of_sweep.plots);
-      figures.heat_maps = std::move(of_sweep.heat_maps);
-    }
+    Figures figures = stored_figures(folders[i], runs[i]);
     const std::size_t number = runs.size() > 1 ? i + 1 : 0;
     for (auto& [stem, error] : error_images_of(figures.images, runs[i].images)) {
       errors.emplace(number > 0 ? fmt::format("{}_{}", stem, number) : stem, std::move(error));
@@ -341,7 +328,7 @@ ExitCode show_side_by_side(const CommandLine& line, const Console& console) {
   report.answers = answers;
   report.notes = limits;
   for (std::size_t i = 0; i < runs.size() && !line.no_figures; ++i) {
-    if (runs[i].command != "sweep" || has_stored_cells(runs[i], line.report.folders[i])) continue;
+    if (runs[i].command != "sweep" || has_stored_cells(line.report.folders[i], runs[i])) continue;
     report.notes.push_back(fmt::format("{} has no plots: its results.sqlite is missing.", runs[i].name));
   }
   write_tables(line, console, folder, comparison);

@@ -1,5 +1,3 @@
-#include "present/bias_figures.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <set>
 
 #include "present/plot_axes.h"
+#include "present/presentation_parts.h"
 
 namespace umbrameter {
 namespace {

@@ -1,5 +1,3 @@
-#include "present/error_backdrop.h"
-
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -8,6 +6,7 @@
 #include "compare/image_error.h"
 #include "compare/metrics/color_space.h"
 #include "compare/visibility.h"
+#include "present/presentation_parts.h"
 #include "results/layers.h"
 
 namespace umbrameter {

@@ -6,7 +6,6 @@
 #include <cctype>
 #include <cmath>
 
-#include "present/error_backdrop.h"
 #include "present/presentation_parts.h"
 #include "reports/files/text_layout.h"
 #include "results/known_statistics.h"

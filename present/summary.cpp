@@ -6,9 +6,8 @@
 
 #include "present/bias_advice_report.h"
 #include "present/bias_report.h"
-#include "present/engine_advice_report.h"
+#include "present/presentation_parts.h"
 #include "present/scene_report.h"
-#include "present/shadow_shape_report.h"
 #include "present/tune_report.h"
 #include "reports/files/value_json.h"
 #include "results/layers.h"
