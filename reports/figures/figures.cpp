@@ -142,7 +142,7 @@ PlotDrawings draw_plots(const Figures& figures, const FigureStyle& style) {
         fmt::format("{}: {} is missing; set UMBRAMETER_DATA to its folder", not_drawn, script.string()));
     return result;
   }
-  const FilterResult drawn = run_filters({{{"node", script.string()}, {}, specifications + "]"}}, 1).front();
+  const FilterResult drawn = run_filter({"node", script.string()}, specifications + "]");
   if (!drawn.problem.empty()) {
     const bool is_missing = drawn.problem.starts_with("cannot run node:");
     result.problems.push_back(fmt::format("{}: {}{}", not_drawn, drawn.problem, is_missing ? "; install nodejs" : ""));

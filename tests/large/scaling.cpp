@@ -32,9 +32,9 @@ void print(const Measurements& measurements) {
 }
 
 Measurements run_self(const std::vector<std::string>& arguments) {
-  Filter filter{{fs::read_symlink("/proc/self/exe").string()}, {}, {}};
-  filter.arguments.insert(filter.arguments.end(), arguments.begin(), arguments.end());
-  const FilterResult result = run_filters({filter}, 1).front();
+  std::vector<std::string> command = {fs::read_symlink("/proc/self/exe").string()};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  const FilterResult result = run_filter(command, {});
   if (!result.problem.empty()) throw Error(ExitCode::partial, arguments.back(), result.problem);
   Measurements measurements;
   std::istringstream lines(result.output);
