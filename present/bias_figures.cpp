@@ -323,8 +323,8 @@ void add_bias_figures(Presentation& presentation, const SweepResults& sweep, con
   const std::vector<double>& slopes = plan.slope_bias.values;
   const auto flattest_slope =
       std::min_element(slopes.begin(), slopes.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-  const std::size_t before = presentation.section.figures.size();
-  const auto is_room = [&] { return presentation.section.figures.size() < before + most; };
+  const std::size_t before = presentation.figures.size();
+  const auto is_room = [&] { return presentation.figures.size() < before + most; };
   for (std::size_t i = 0; i < parts && is_room(); ++i) {
     const Part part = make_part(plan, line_axis, i);
     Drawing drawing{sweep, curves, part};

@@ -74,9 +74,9 @@ nlohmann::ordered_json to_json(const std::vector<EngineAdvice>& engines);
 /// The image with overlays, and a figure for each of the measurement's debug views.
 Presentation present_debug_views(const Measurement& measurement);
 
-/// Figures are recognised by their stems, which are names of layers. The backdrop is the shaded picture of the layers
+/// Images are recognised by their stems, which are names of layers. The backdrop is the shaded picture of the layers
 /// (R, G, B and A); without them, or where the sizes differ, there is none.
-ErrorImages error_images_of(const std::vector<ImageFigure>& figures, const LayeredImage& layers);
+ErrorImages error_images_of(const std::vector<Figure>& figures, const LayeredImage& layers);
 
 /// Sets the values of `layer` to 0 where they enter no statistic, if it is the error of a light's shadow
 /// ("error_visibility_LIGHT"): outside the map, the cone and the range of a light its shadow has no error.

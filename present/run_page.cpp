@@ -151,27 +151,13 @@ ReportCells report_cells(const SweepResults& sweep, const Experiment& experiment
   return cells;
 }
 
-// Captions of images as completed by complete_error_images().
-void set_captions(ReportSection& section, const std::vector<ImageFigure>& images) {
-  for (std::size_t i = 0; i < section.figures.size(); ++i) {
-    for (const ImageFigure& image : images) {
-      if (image.stem == section.figures[i]) section.captions[i] = image.caption;
-    }
-  }
-}
-
 }  // namespace
 
 void leave_out_figures(RunPage& page) {
   page.viewer = {};
   for (Presentation& part : page.parts) {
-    part.images.clear();
-    part.plots.clear();
-    part.heat_maps.clear();
-    part.waterfalls.clear();
+    part.figures.clear();
     part.section.figures.clear();
-    part.section.figure_titles.clear();
-    part.section.captions.clear();
   }
 }
 
@@ -193,8 +179,8 @@ RunPage present_run(const RunResults& results, const SweepResults* rows, const P
 std::vector<std::string> figure_files(const std::vector<ReportSection>& sections) {
   std::vector<std::string> files;
   for (const ReportSection& section : sections) {
-    for (const std::string& stem : section.figures) {
-      for (const char* format : {".svg", ".pdf", ".png"}) files.push_back("figures/" + stem + format);
+    for (const FigureHead& head : section.figures) {
+      for (const char* format : {".svg", ".pdf", ".png"}) files.push_back("figures/" + head.stem + format);
     }
   }
   return files;
@@ -209,29 +195,28 @@ std::vector<std::string> figure_files(const RunPage& page) {
 std::vector<std::string> draw_figures(const std::filesystem::path& folder, const Console& console,
                                       const RunResults& results, RunPage& page, const PageOptions& options) {
   if (!options.with_figures) return {};
-  Figures figures;
-  for (Presentation& part : page.parts) {
-    std::move(part.images.begin(), part.images.end(), std::back_inserter(figures.images));
-    std::move(part.plots.begin(), part.plots.end(), std::back_inserter(figures.plots));
-    std::move(part.heat_maps.begin(), part.heat_maps.end(), std::back_inserter(figures.heat_maps));
-    std::move(part.waterfalls.begin(), part.waterfalls.end(), std::back_inserter(figures.waterfalls));
-  }
+  std::vector<Figure> figures;
+  for (Presentation& part : page.parts) std::ranges::move(part.figures, std::back_inserter(figures));
   FigureStyle style = options.style;
   ErrorImages errors;
   if (results.measurement) {
     const View& view = results.measurement->surfels.view;
     style.view = {view.width, view.height};
-    errors = error_images_of(figures.images, results.measurement->layers);
-    complete_error_images(figures.images, errors, style);
+    errors = error_images_of(figures, results.measurement->layers);
+    complete_error_images(figures, errors, style);
   }
-  for (Presentation& part : page.parts) set_captions(part.section, figures.images);
+  auto figure = figures.cbegin();
+  for (Presentation& part : page.parts) {
+    for (FigureHead& head : part.section.figures) {
+      // complete_error_images() adds to captions of images; those of plots have their conditions already.
+      if (std::holds_alternative<ImageFigure>(*figure)) head.caption = head_of(*figure).caption;
+      ++figure;
+    }
+  }
   ProgressBar bar(console, "figures");
-  return write_figures(folder / "figures", figures, errors, style,
-                       [&](std::size_t done, std::size_t all) {
-                         bar.show(static_cast<double>(done) / static_cast<double>(all),
-                                  fmt::format("{} of {}", done, all));
-                       })
-      .problems;
+  return write_figures(folder / "figures", figures, style, errors, [&](std::size_t done, std::size_t all) {
+    bar.show(static_cast<double>(done) / static_cast<double>(all), fmt::format("{} of {}", done, all));
+  });
 }
 
 void write_run_page(const std::filesystem::path& folder, const RunResults& results, const SweepResults* rows,

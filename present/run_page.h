@@ -46,7 +46,7 @@ bool has_stored_cells(const std::filesystem::path& folder, const StoredRun& run)
 /// stages, the error of the shaded image. Of summary.json: the stages as a sum. Of a sweep that kept its cells: its
 /// plots and heat maps; of another version's sweep without the fits that need facts of the scene. Throws Error as
 /// FinishedSweep and read_run_value() do.
-Figures stored_figures(const std::filesystem::path& folder, const StoredRun& run);
+std::vector<Figure> stored_figures(const std::filesystem::path& folder, const StoredRun& run);
 
 /// Draws the figures into DIR/figures, in parallel, and completes their captions. Returns a line for each that could
 /// not be made.

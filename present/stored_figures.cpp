@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -16,7 +18,7 @@ bool has_stored_cells(const std::filesystem::path& folder, const StoredRun& run)
   return run.command == "sweep" && std::filesystem::is_regular_file(folder / "results.sqlite", error);
 }
 
-Figures stored_figures(const std::filesystem::path& folder, const StoredRun& run) {
+std::vector<Figure> stored_figures(const std::filesystem::path& folder, const StoredRun& run) {
   Presentation all;
   const auto add = [&](Layer layer, const std::string& light, std::string title, std::string caption) {
     add_layer_figure(all, run.images, layer, light, std::move(title), std::move(caption));
@@ -39,11 +41,9 @@ Figures stored_figures(const std::filesystem::path& folder, const StoredRun& run
     const SweepResults rows = sweep.rows();
     const std::optional<RunResults> results = read_run_value(folder, false);
     const std::optional<BiasCurves> curves = results ? results->sweep->curves : read_bias_curves(rows);
-    Presentation plots = present_sweep(rows, best_rows(rows), curves, {});
-    all.plots = std::move(plots.plots);
-    all.heat_maps = std::move(plots.heat_maps);
+    std::ranges::move(present_sweep(rows, best_rows(rows), curves, {}).figures, std::back_inserter(all.figures));
   }
-  return {std::move(all.images), std::move(all.plots), std::move(all.heat_maps), std::move(all.waterfalls)};
+  return std::move(all.figures);
 }
 
 }  // namespace umbrameter

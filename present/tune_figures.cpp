@@ -21,11 +21,11 @@ std::string cost_label(const TuneGoal& goal) {
                      unit.empty() ? "" : " [" + unit + "]");
 }
 
-std::vector<ImageFigure> figures_of(const SceneFacts& scene, const Measurement& measurement) {
+std::vector<Figure> figures_of(const SceneFacts& scene, const Measurement& measurement) {
   const LayeredImage& layers = measurement.layers;
-  if (measurement.ao) return present_ao(layers, *measurement.ao).images;
-  if (measurement.image) return present_image(scene, layers, *measurement.image).images;
-  return present_shadow(scene, layers, measurement.shadows.front()).images;
+  if (measurement.ao) return present_ao(layers, *measurement.ao).figures;
+  if (measurement.image) return present_image(scene, layers, *measurement.image).figures;
+  return present_shadow(scene, layers, measurement.shadows.front()).figures;
 }
 
 }  // namespace
@@ -128,13 +128,14 @@ ViewerPack add_tune_images(Presentation& part, const SceneFacts& scene, const Tu
     ViewerData data = viewer_data(scene, point.measurement, false);
     data.title = fmt::format("{}: {}; {}", point.name, point.values, title);
     add_set(pack, data);
-    for (ImageFigure& figure : figures_of(scene, point.measurement)) {
+    for (Figure& image : figures_of(scene, point.measurement)) {
+      FigureHead& figure = head_of(image);
       // All points have the same reference.
       if (figure.stem.starts_with("truth_") && &point != &tune.points.front()) continue;
       figure.stem = point.name + "_" + figure.stem;
       figure.caption += fmt::format(" The {} point in {}.", point.name, title);
       pack.layers.insert(figure.stem);
-      add_figure(part, std::move(figure));
+      add_figure(part, std::move(image));
     }
   }
   return pack;

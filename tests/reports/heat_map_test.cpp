@@ -69,8 +69,8 @@ TEST(HeatMap, Is_drawn_with_and_without_panels_and_beside_plots) {
   single.panel.reset();
   single.x.logarithmic = true;
   std::erase_if(single.data.rows, [](const std::vector<Value>& row) { return to_string(row[2]) != "512"; });
-  const FigureOutcome outcome = write_figures(folder / "figures", {{}, {causes_plot()}, {bias_map(), single}});
-  EXPECT_TRUE(outcome.problems.empty()) << outcome.problems.front();
+  const std::vector<std::string> problems = write_figures(folder / "figures", {causes_plot(), bias_map(), single});
+  EXPECT_TRUE(problems.empty()) << problems.front();
   EXPECT_EQ(count_files(folder / "figures"), 9u);
 }
 
@@ -83,7 +83,7 @@ std::string svg_with_panels(const std::vector<Value>& panels) {
     const auto found = std::find(resolutions.begin(), resolutions.end(), to_string(row[2]));
     row[2] = panels[static_cast<std::size_t>(found - resolutions.begin())];
   }
-  EXPECT_TRUE(write_figures(folder / "figures", {{}, {}, {figure}}).problems.empty());
+  EXPECT_TRUE(write_figures(folder / "figures", {figure}).empty());
   return text_of(folder / "figures/heat.svg");
 }
 
@@ -220,8 +220,8 @@ TEST(HeatMap, One_value_and_none_are_drawn_too) {
   HeatMapFigure none = bias_map();
   none.stem = "none";
   none.data.rows.clear();
-  const FigureOutcome outcome = write_figures(folder / "figures", {{}, {}, {one, none}});
-  EXPECT_TRUE(outcome.problems.empty()) << outcome.problems.front();
+  const std::vector<std::string> problems = write_figures(folder / "figures", {one, none});
+  EXPECT_TRUE(problems.empty()) << problems.front();
   EXPECT_EQ(count_files(folder / "figures"), 6u);
 }
 
