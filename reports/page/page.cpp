@@ -343,7 +343,7 @@ void write_page_to(const fs::path& file, const Report& report, const ViewerPack*
   }
   if (viewer != nullptr && !viewer->sets.empty()) {
     page["viewer"] = viewer_text(*viewer);
-    if (viewer->section < page["sections"].size()) page["sections"][viewer->section]["has_viewer"] = true;
+    if (!report.sections.empty()) page["sections"][0]["has_viewer"] = true;
   }
   if (const std::string_view script = page_script(); !script.empty()) {
     page["script"] = script;
