@@ -199,7 +199,6 @@ HeatMapFigure heat_map(const Drawing& drawing, HeatRows kind) {
   figure.x = {"bias", label_of(constant), is_logarithmic(constant)};
   figure.y = {"row", label_of(plan.axes[by_slope ? *plan.slope_bias.axis : *drawing.part.line_axis])};
   figure.value = {"mae", error_label};
-  figure.steps.clear();  // at quantiles
   figure.mark = "least";
   figure.data.columns = plain_columns({"bias", "row", "mae", "least", "panel"});
   if (by_slope && drawing.part.line_axis) {

@@ -77,15 +77,14 @@ struct PlotFigure : FigureHead {
   Table data;
 };
 
-/// A number over two parameters, x within a panel as a scale, y as rows, the largest on top. Its colours go in steps:
-/// as given, or without any at quantiles of the cells, closer near the least.
+/// A number over two parameters, x within a panel as a scale, y as rows, the largest on top. Its colours go in steps
+/// at quantiles of the cells, closer near the least.
 struct HeatMapFigure : FigureHead {
   Axis x;
   Axis y;
   std::optional<std::string> panel;  ///< column that tells the panels apart
   std::string panel_label;
   Axis value;
-  std::vector<double> steps = {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0};  ///< where the next colour begins
   std::optional<std::string> mark;  ///< column of truths: these cells get a ring
   Table data;
 };

@@ -339,7 +339,7 @@ void write_page_to(const fs::path& file, const Report& report, const ViewerPack*
   page["data"] = script_text(page);
   if (report.cells) {
     page["cells"] = script_text(cells_json(*report.cells));
-    if (report.cells_section < page["sections"].size()) page["sections"][report.cells_section]["has_cells"] = true;
+    if (!report.sections.empty()) page["sections"][0]["has_cells"] = true;
   }
   if (viewer != nullptr && !viewer->sets.empty()) {
     page["viewer"] = viewer_text(*viewer);

@@ -55,8 +55,7 @@ struct Report {
   std::vector<std::string> notes;       ///< what was assumed
   std::vector<ReportSection> sections;
   Table settings;  ///< every parameter: name, value, default, ...; those whose value is not the default first
-  std::optional<ReportCells> cells{};
-  std::size_t cells_section = 0;  ///< the table of all cells stands before this section
+  std::optional<ReportCells> cells{};  ///< their table stands before the first section
 };
 
 /// The files beside a page that it links to, each where the folder has it.
