@@ -31,6 +31,25 @@ struct StoredAs<GBuffer> {
   }
 };
 
+// Without the images, which are layers: Boost.PFR cannot count the fields of a struct with them.
+template <>
+struct StoredAs<AoStages> {
+  struct Stored {
+    std::string integral;
+    AoStageStatistics statistics;
+    std::vector<AoStageBin> bins;
+    int many_draws;
+    TraceStatistics integrals;
+  };
+  static Stored to_stored(const AoStages& stages) {
+    return {stages.integral, stages.statistics, stages.bins, stages.many_draws, stages.integrals};
+  }
+  static AoStages from_stored(Stored stored) {
+    return {
+        std::move(stored.integral), {}, stored.statistics, std::move(stored.bins), stored.many_draws, stored.integrals};
+  }
+};
+
 template <>
 struct StoredAs<BiasSpec> {
   struct Stored {
