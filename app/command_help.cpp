@@ -137,4 +137,22 @@ ProgramHelp program_help(const CLI::App& app) {
   return help;
 }
 
+std::string meaning_of(const OptionHelp& option) {
+  std::string text = option.meaning;
+  for (std::size_t i = 0; i < option.choices.size(); ++i) text += (i == 0 ? ": " : ", ") + option.choices[i];
+  return option.aliases.empty() ? text : text + "; " + option.aliases;
+}
+
+const CommandHelp* command_with_most_parameters(const ProgramHelp& program) {
+  const CommandHelp* most = nullptr;
+  std::size_t best = 0;
+  for (const CommandHelp& command : program.commands) {
+    std::size_t count = 0;
+    for (const OptionHelp& option : command.options) count += option.is_parameter ? 1 : 0;
+    if (count > best) most = &command;
+    best = std::max(best, count);
+  }
+  return most;
+}
+
 }  // namespace umbrameter

@@ -45,8 +45,14 @@ ProgramHelp program_help(const CLI::App& app);
 CommandHelp command_help(const CLI::App& command);
 std::vector<OptionHelp> options_help(const CLI::App& command);
 
+/// Its meaning, the words that are allowed, and other names of these.
+std::string meaning_of(const OptionHelp& option);
+
+/// Null if no command has parameters.
+const CommandHelp* command_with_most_parameters(const ProgramHelp& program);
+
 /// Most characters of a line of help.
-inline constexpr int help_width = 100;
+inline constexpr std::size_t help_width = 100;
 
 /// `umbrameter --help`.
 std::string help_text(const ProgramHelp& program);

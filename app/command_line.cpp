@@ -1,6 +1,5 @@
 #include "app/command_line.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string_view>
 
@@ -35,18 +34,14 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   } else {
     command.add_option("SCENE", line.scene, scene_meaning);
   }
-  command
-      .add_option("-o,--output", line.output,
-                  is_plan ? "folder for the plan" : "folder for the results, created if missing")
-      ->type_name("DIR")
+  add_value(command, "-o,--output", line.output, "DIR",
+            is_plan ? "folder for the plan" : "folder for the results, created if missing")
       ->required();
   add_settings_options(command, line);
   if (is_sweep || is_tune || is_plan) {
-    command
-        .add_option("--vary", line.vary,
-                    is_tune ? "parameter to tune: first:last[:log], or an axis of sweep; repeatable"
-                            : "axis: first:last:count[:log] or a list a,b,c; repeatable")
-        ->type_name("PARAM=AXIS")
+    add_value(command, "--vary", line.vary, "PARAM=AXIS",
+              is_tune ? "parameter to tune: first:last[:log], or an axis of sweep; repeatable"
+                      : "axis: first:last:count[:log] or a list a,b,c; repeatable")
         ->take_all();
   }
   if (is_tune) add_tune_options(command, line);
@@ -57,10 +52,7 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
     add_tune_options(command, line);
     command.option_defaults()->group(group);
   }
-  if (is_sweep) {
-    command.add_option("--page-cells", line.page_cells, "max number of cells whose images the page has (6)")
-        ->type_name("N");
-  }
+  if (is_sweep) add_page_cells(command, line);
   command.add_flag("--force", line.force,
                    is_sweep  ? "replace an earlier run's results and measure every cell again"
                    : is_plan ? "replace an earlier plan and its results"
@@ -71,8 +63,7 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
     for (const char* name : {"shimmer", "ao-stages"}) add_switch(command, line, name);
   }
   if (&description == &compare_command || is_evaluate) {
-    command.add_option("--fail-if", line.fail_if, "exit with 1 if this holds: 'acne>0.1%'; repeatable")
-        ->type_name("CONDITION")
+    add_value(command, "--fail-if", line.fail_if, "CONDITION", "exit with 1 if this holds: 'acne>0.1%'; repeatable")
         ->take_all();
   }
   const bool writes_files = &description == &compare_command || &description == &raster_command;
@@ -84,12 +75,9 @@ void add_image_command(CLI::App& app, CommandLine& line, const CommandDescriptio
   }
   if (&description != &trace_command && !is_evaluate) {
     add_engine_choice(command, line);
-    command.add_option("--gl-device", line.gl_device, "OpenGL device: index, part of its name, or 'software'")
-        ->type_name("NAME");
+    add_gl_device(command, line);
   }
-  if (&description != &raster_command) {
-    command.add_flag("--no-cache", line.no_cache, "trace the reference again and do not cache it");
-  }
+  if (&description != &raster_command) add_no_cache(command, line);
   if (&description == &compare_command || is_evaluate || is_sweep) add_figure_options(command, line.figures);
   if (!is_plan) add_page_options(command, line);
   add_threads(command, line);
@@ -184,8 +172,8 @@ void add_report_command(CLI::App& app, CommandLine& line) {
 void add_other_commands(CLI::App& app, CommandLine& line) {
   CLI::App& scenes = add_command(app, scenes_command);
   scenes.add_option("NAME", line.names, "list only these scenes");
-  scenes.add_option("--sheet", line.sheet, "draw the scenes on one sheet: .png, .svg or .pdf")->type_name("FILE");
-  scenes.add_option("--size", line.tile_size, "size of each picture on the sheet [px] (480x300)")->type_name("WxH");
+  add_value(scenes, "--sheet", line.sheet, "FILE", "draw the scenes on one sheet: .png, .svg or .pdf");
+  add_value(scenes, "--size", line.tile_size, "WxH", "size of each picture on the sheet [px] (480x300)");
   scenes.add_flag("--markdown", line.markdown, "print a Markdown page");
   add_threads(scenes, line);
   add_output_flags(scenes, line);
@@ -195,7 +183,7 @@ void add_other_commands(CLI::App& app, CommandLine& line) {
       .add_option("NAME", line.scene,
                   "built-in scene; forest:20M for about 20 million triangles, courtyard:64 for 64 lights")
       ->required();
-  scene.add_option("-o,--output", line.output, "file to write, .glb")->type_name("FILE")->required();
+  add_value(scene, "-o,--output", line.output, "FILE", "file to write, .glb")->required();
   for (const char* name : {"scene.", "view.scene"}) add_parameters(scene, line, name);
   add_memory(scene, line);
   add_output_flags(scene, line);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
@@ -56,15 +55,25 @@ void add_output_flags(CLI::App& command, CommandLine& line) {
 }
 
 void add_threads(CLI::App& command, CommandLine& line) {
-  command.add_option("--threads", line.threads, "threads; 0 for all cores; results do not depend on it")
-      ->check(number_between(0, 4096))
-      ->type_name("N");
+  add_value(command, "--threads", line.threads, "N", "threads; 0 for all cores; results do not depend on it")
+      ->check(number_between(0, 4096));
 }
 
 void add_memory(CLI::App& command, CommandLine& line) {
-  command.add_option("--memory", line.memory, "max memory for a glTF file: 512M, 8G (1 GiB + 64 × its size)")
-      ->type_name("SIZE")
+  add_value(command, "--memory", line.memory, "SIZE", "max memory for a glTF file: 512M, 8G (1 GiB + 64 × its size)")
       ->group(files_group);
+}
+
+void add_gl_device(CLI::App& command, CommandLine& line) {
+  add_value(command, "--gl-device", line.gl_device, "NAME", "OpenGL device: index, part of its name, or 'software'");
+}
+
+void add_page_cells(CLI::App& command, CommandLine& line) {
+  add_value(command, "--page-cells", line.page_cells, "N", "max number of cells whose images the page has (6)");
+}
+
+void add_no_cache(CLI::App& command, CommandLine& line) {
+  command.add_flag("--no-cache", line.no_cache, "trace the reference again and do not cache it");
 }
 
 void add_page_options(CLI::App& command, CommandLine& line) {
@@ -78,21 +87,22 @@ void add_diff_options(CLI::App& command, CommandLine& line) {
   DiffOptions& diff = line.diff;
   command.add_option("TEST", diff.test, "image to judge: EXR, PNG, Radiance HDR or PFM")->required();
   command.add_option("REFERENCE", diff.reference, "image to compare with, of the same size")->required();
-  const auto text = [&](const char* names, auto& value, const char* placeholder, const char* meaning) {
-    return command.add_option(names, value, meaning)->type_name(placeholder);
-  };
-  text("-o,--output", line.output, "FILE", "write an error map, .png, with a fixed colour scale");
-  text("--metrics", diff.metrics, "LIST", "metrics to measure, comma-separated; all by default");
-  text("--map", diff.map, "NAME", "metric of the error map (hdr-flip for linear files, else ldr-flip)");
-  text("--layer", diff.layer, "NAME", "layer of EXR files: truth_ao, truth_ao.Y");
-  text("--reference-layer", diff.reference_layer, "NAME", "layer of the reference, if it has another name");
-  text("--mask", diff.mask, "FILE", "count only the pixels where this image is not black");
-  text("--crop", diff.crop, "X,Y,W,H", "compare only this rectangle [px]");
-  text("--pixels-per-degree", diff.pixels_per_degree, "X", "resolution seen by the viewer, for FLIP (67.02)")
+  add_value(command, "-o,--output", line.output, "FILE", "write an error map, .png, with a fixed colour scale");
+  add_value(command, "--metrics", diff.metrics, "LIST", "metrics to measure, comma-separated; all by default");
+  add_value(command, "--map", diff.map, "NAME", "metric of the error map (hdr-flip for linear files, else ldr-flip)");
+  add_value(command, "--layer", diff.layer, "NAME", "layer of EXR files: truth_ao, truth_ao.Y");
+  add_value(command, "--reference-layer", diff.reference_layer, "NAME",
+            "layer of the reference, if it has another name");
+  add_value(command, "--mask", diff.mask, "FILE", "count only the pixels where this image is not black");
+  add_value(command, "--crop", diff.crop, "X,Y,W,H", "compare only this rectangle [px]");
+  add_value(command, "--pixels-per-degree", diff.pixels_per_degree, "X",
+            "resolution seen by the viewer, for FLIP (67.02)")
       ->check(number_between(1.0, 1000.0));
-  text("--exposure", diff.exposure, "EV", "exposure of linear files for metrics of displayed images [EV] (0)")
+  add_value(command, "--exposure", diff.exposure, "EV",
+            "exposure of linear files for metrics of displayed images [EV] (0)")
       ->check(number_between(-100.0, 100.0));
-  text("--exposures", diff.exposures, "RANGE", "exposures of HDR-FLIP [EV], START:STOP[:COUNT]; automatic by default");
+  add_value(command, "--exposures", diff.exposures, "RANGE",
+            "exposures of HDR-FLIP [EV], START:STOP[:COUNT]; automatic by default");
   command.add_flag("--data", diff.data, "the values are data from 0 to 1 (visibility, AO), compared as they are");
   command.add_flag("--exit-code", diff.exit_code, "exit with 1 if a counted pixel differs");
 }
@@ -144,10 +154,9 @@ std::string named_engine(int argc, const char* const* argv) {
 }
 
 void add_settings_options(CLI::App& command, CommandLine& line) {
-  command.add_option("-c,--config", line.experiment_file, "experiment file (TOML); flags override it")
-      ->type_name("FILE");
-  command.add_option("--preset", line.presets, "an engine's settings ('umbrameter presets'); flags override them")
-      ->type_name("NAME")
+  add_value(command, "-c,--config", line.experiment_file, "FILE", "experiment file (TOML); flags override it");
+  add_value(command, "--preset", line.presets, "NAME",
+            "an engine's settings ('umbrameter presets'); flags override them")
       ->take_all();
 }
 
@@ -178,11 +187,10 @@ void add_parameters(CLI::App& command, CommandLine& line, std::string_view prefi
 }
 
 void add_convert_options(CLI::App& command, CommandLine& line) {
-  command.add_option("--from", line.convert.from, "engine or unit, and its numbers: godot:bias=0.1,normal_bias=2")
-      ->type_name("SPEC");
-  command
-      .add_option("--to", line.convert.to, "engines and units: three:near=1,far=80,metres; all by default; repeatable")
-      ->type_name("LIST")
+  add_value(command, "--from", line.convert.from, "SPEC",
+            "engine or unit, and its numbers: godot:bias=0.1,normal_bias=2");
+  add_value(command, "--to", line.convert.to, "LIST",
+            "engines and units: three:near=1,far=80,metres; all by default; repeatable")
       ->take_all();
   add_settings_options(command, line);
   command.add_flag("--markdown", line.markdown, "print the engines, their formulas and sources as a Markdown page");
@@ -195,11 +203,10 @@ void add_convert_options(CLI::App& command, CommandLine& line) {
 
 void add_check_options(CLI::App& command, CheckOptions& check) {
   command.add_option("DIR", check.folders, "folder of a finished compare or sweep; repeatable")->required();
-  command.add_option("--budget", check.budget, "budget file (TOML)")->type_name("FILE")->required();
+  add_value(command, "--budget", check.budget, "FILE", "budget file (TOML)")->required();
   command.add_flag("--update", check.update, "set the bounds to the present values with head room");
-  command.add_option("--junit", check.junit, "write the result as JUnit XML")->type_name("FILE");
-  command.add_option("--summary", check.summary, "append the result as Markdown: \"$GITHUB_STEP_SUMMARY\"")
-      ->type_name("FILE");
+  add_value(command, "--junit", check.junit, "FILE", "write the result as JUnit XML");
+  add_value(command, "--summary", check.summary, "FILE", "append the result as Markdown: \"$GITHUB_STEP_SUMMARY\"");
 }
 
 void add_report_options(CLI::App& command, CommandLine& line) {
@@ -207,9 +214,7 @@ void add_report_options(CLI::App& command, CommandLine& line) {
       .add_option("DIR", line.report.folders,
                   "folder of a finished compare or sweep; the first is the base of all differences")
       ->required();
-  command.add_option("-o,--output", line.output, "folder for the report, created if missing")
-      ->type_name("DIR")
-      ->required();
+  add_value(command, "-o,--output", line.output, "DIR", "folder for the report, created if missing")->required();
   command.add_flag("--latex", line.report.latex, "write the tables as LaTeX (booktabs) to figures/*.tex, too");
   command.add_flag("--force", line.force, "replace an earlier report in the folder");
   command.add_flag("--no-figures", line.no_figures, "draw no figures");
@@ -228,9 +233,8 @@ void add_serve_options(CLI::App& command, CommandLine& line) {
   command.add_option("SCENE", line.scene, "a .gltf or .glb file, or a built-in scene ('umbrameter scenes')");
   add_settings_options(command, line);
   add_engine_choice(command, line);
-  command.add_option("--gl-device", line.gl_device, "OpenGL device: index, part of its name, or 'software'")
-      ->type_name("NAME");
-  command.add_flag("--no-cache", line.no_cache, "trace the reference again and do not cache it");
+  add_gl_device(command, line);
+  add_no_cache(command, line);
   command.add_flag("--quiet", line.quiet, "no notes and no progress on stderr");
   add_parameters(command, line, [](std::string_view key) { return !key.starts_with("frame."); });
 }
@@ -239,12 +243,12 @@ void add_engine_options(CLI::App& command, CommandLine& line) {
   command.add_option("ACTION", line.action, "list, check or serve (our own rasteriser as an adapter)")
       ->check(CLI::IsMember({"list", "check", "serve"}));
   command.add_option("COMMAND", line.names, "adapter to check: a name or a command")->expected(0, 1);
-  command.add_option("--gl-device", line.gl_device, "OpenGL device of serve")->type_name("NAME")->group("");
+  add_value(command, "--gl-device", line.gl_device, "NAME", "OpenGL device of serve")->group("");
 }
 
 void add_figure_options(CLI::App& command, FigureOptions& figures) {
   const auto add = [&](const char* name, auto& value, const char* placeholder, const char* meaning) {
-    return command.add_option(name, value, meaning)->type_name(placeholder)->group(figure_group);
+    return add_value(command, name, value, placeholder, meaning)->group(figure_group);
   };
   add("--figure-style", figures.style, "STYLE", "figures for print: column (84 mm), page (176 mm) or slide (300 mm)");
   add("--figure-size", figures.size, "W[xH]", "width of figures in print, and height of plots [mm]");
@@ -258,25 +262,22 @@ void add_figure_options(CLI::App& command, FigureOptions& figures) {
 
 void add_tune_options(CLI::App& command, CommandLine& line) {
   TuneOptions& tune = line.tune;
-  command.add_option("--minimize", tune.minimize, "cost: a statistic, or a sum like 'acne + 0.5*rmse' (mae)")
-      ->type_name("COST");
-  command.add_option("--constraint", tune.constraints, "condition that every case must keep: 'acne<0.1%'; repeatable")
-      ->type_name("CONDITION")
+  add_value(command, "--minimize", tune.minimize, "COST", "cost: a statistic, or a sum like 'acne + 0.5*rmse' (mae)");
+  add_value(command, "--constraint", tune.constraints, "CONDITION",
+            "condition that every case must keep: 'acne<0.1%'; repeatable")
       ->take_all();
-  command.add_option("--over", tune.over, "measure all these values: view.camera=all, light.angle=0,0.5; repeatable")
-      ->type_name("PARAM=LIST")
+  add_value(command, "--over", tune.over, "PARAM=LIST",
+            "measure all these values: view.camera=all, light.angle=0,0.5; repeatable")
       ->take_all();
   command.add_flag("--worst-case", tune.worst_case, "minimize the largest cost of all cases, not their mean");
   command.add_flag("--relative", tune.relative, "minimize each case's cost in multiples of its cost at the default");
-  command.add_option("--held-out", tune.held_out, "check the result on view.camera=LIST or scene=NAME; repeatable")
-      ->type_name("PARAM=LIST")
+  add_value(command, "--held-out", tune.held_out, "PARAM=LIST",
+            "check the result on view.camera=LIST or scene=NAME; repeatable")
       ->take_all();
-  command.add_option("--evaluations", tune.evaluations, "max evaluations of all cases (30 for each searched axis)")
-      ->check(number_between(1, 1000000))
-      ->type_name("N");
-  command.add_option("--minutes", tune.minutes, "end the search after this time")
-      ->check(number_between(0.001, 1e6))
-      ->type_name("X");
+  add_value(command, "--evaluations", tune.evaluations, "N", "max evaluations of all cases (30 for each searched axis)")
+      ->check(number_between(1, 1000000));
+  add_value(command, "--minutes", tune.minutes, "X", "end the search after this time")
+      ->check(number_between(0.001, 1e6));
 }
 
 }  // namespace umbrameter

@@ -1,15 +1,11 @@
 // Groups of options of single commands, for app/command_line.cpp.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <functional>
 #include <string_view>
 
 #include "app/command_line.h"
-
-namespace CLI {
-class App;
-class Validator;
-}  // namespace CLI
 
 namespace umbrameter {
 
@@ -23,6 +19,13 @@ inline constexpr const char* tuning_group = "Tuning";
 CLI::Validator number_between(int min, int max);
 CLI::Validator number_between(double min, double max);
 
+/// An option that takes a value, which help calls `placeholder`.
+template <class Value>
+CLI::Option* add_value(CLI::App& command, const char* names, Value& target, const char* placeholder,
+                       const char* meaning) {
+  return command.add_option(names, target, meaning)->type_name(placeholder);
+}
+
 /// The parameters with a wanted name, or those whose names begin so.
 void add_parameters(CLI::App& command, CommandLine& line, const std::function<bool(std::string_view)>& is_wanted);
 void add_parameters(CLI::App& command, CommandLine& line, std::string_view prefix);
@@ -31,6 +34,9 @@ void add_parameters(CLI::App& command, CommandLine& line, std::string_view prefi
 void add_output_flags(CLI::App& command, CommandLine& line);
 void add_threads(CLI::App& command, CommandLine& line);
 void add_memory(CLI::App& command, CommandLine& line);
+void add_gl_device(CLI::App& command, CommandLine& line);
+void add_page_cells(CLI::App& command, CommandLine& line);
+void add_no_cache(CLI::App& command, CommandLine& line);
 /// --no-figures and --full-images.
 void add_page_options(CLI::App& command, CommandLine& line);
 

@@ -3,6 +3,7 @@
 
 #include "app/command_help.h"
 #include "reports/files/markup.h"
+#include "reports/files/text_layout.h"
 
 namespace umbrameter {
 namespace {
@@ -13,26 +14,11 @@ constexpr std::size_t meaning_column = 34;
 
 std::string spaces(std::size_t count) { return std::string(count, ' '); }
 
-// Breaks at blanks; the first line continues at column `at`, further ones begin at column `margin`.
-std::string wrapped(std::string_view text, std::size_t at, std::size_t margin) {
+// Lines from a column on; all but the first are indented by `hanging`, too.
+std::string wrapped(std::string_view text, std::size_t column, std::size_t hanging = 0) {
   std::string result;
-  std::size_t column = at;
-  bool is_first = true;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    const std::string_view word = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    const std::size_t width = count_characters(word);
-    if (!is_first && column + 1 + width > static_cast<std::size_t>(help_width)) {
-      result.append("\n").append(margin, ' ');
-      column = margin;
-    } else if (!is_first) {
-      result += ' ';
-      ++column;
-    }
-    result += word;
-    column += width;
-    is_first = false;
+  for (const std::string& line : wrap_lines(text, help_width - column, hanging)) {
+    result += (result.empty() ? "" : "\n" + spaces(column)) + line;
   }
   return result + "\n";
 }
@@ -44,7 +30,7 @@ std::string row(const std::string& left, const std::string& right, std::size_t c
   // A name that is too long takes a whole line.
   const std::size_t gap = used + 2 > column ? 0 : column - used;
   if (gap == 0) text += "\n";
-  return text + spaces(gap == 0 ? column : gap) + wrapped(right, column, column);
+  return text + spaces(gap == 0 ? column : gap) + wrapped(right, column);
 }
 
 std::string left_of(const OptionHelp& option) {
@@ -54,16 +40,8 @@ std::string left_of(const OptionHelp& option) {
   return option.value.empty() ? text : text + " " + option.value;
 }
 
-std::string list(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 std::string right_of(const OptionHelp& option, bool with_range) {
-  std::string text = option.meaning;
-  if (!option.choices.empty()) text += ": " + list(option.choices);
-  if (!option.aliases.empty()) text += "; " + option.aliases;
+  std::string text = meaning_of(option);
   const std::string range = with_range ? option.range : "";
   if (!option.unit.empty() || !range.empty()) {
     text += " [" + option.unit + (option.unit.empty() || range.empty() ? "" : ", ") + range + "]";
@@ -107,7 +85,7 @@ std::string exit_text() {
 }  // namespace
 
 std::string help_text(const ProgramHelp& program) {
-  std::string text = wrapped(program.about, 0, 0) + "\nUsage: umbrameter COMMAND [OPTIONS]\n" + command_rows(program);
+  std::string text = wrapped(program.about, 0) + "\nUsage: umbrameter COMMAND [OPTIONS]\n" + command_rows(program);
   text += options_text(program.options, false, [](const OptionHelp&) { return true; });
   text += "\nExamples:\n";
   for (const char* example : first_examples) text += spaces(indent) + example + "\n";
@@ -116,7 +94,6 @@ std::string help_text(const ProgramHelp& program) {
 
 std::string full_help_text(const ProgramHelp& program) {
   std::string text = help_text(program);
-  const std::vector<OptionHelp>* parameters = nullptr;
   for (const CommandHelp& command : program.commands) {
     if (command.options.empty()) continue;
     text += "\n";
@@ -124,19 +101,16 @@ std::string full_help_text(const ProgramHelp& program) {
     const std::string own =
         options_text(command.options, true, [](const OptionHelp& option) { return !option.is_parameter; });
     text += own.substr(std::min<std::size_t>(1, own.size()));
-    const auto count = [](const std::vector<OptionHelp>& options) {
-      return std::count_if(options.begin(), options.end(), [](const OptionHelp& o) { return o.is_parameter; });
-    };
-    if (parameters == nullptr || count(command.options) > count(*parameters)) parameters = &command.options;
   }
-  if (parameters == nullptr) return text;
+  const CommandHelp* measuring = command_with_most_parameters(program);
+  if (measuring == nullptr) return text;
   text += "\nParameters of compare, sweep, trace and raster\n";
-  return text + options_text(*parameters, true, [](const OptionHelp& option) { return option.is_parameter; });
+  return text + options_text(measuring->options, true, [](const OptionHelp& option) { return option.is_parameter; });
 }
 
 std::string help_text(const CommandHelp& command, bool all) {
   std::string text =
-      wrapped(command.summary, 0, 0) + "\n" + wrapped("Usage: umbrameter " + command.name + " " + command.usage, 0, 4);
+      wrapped(command.summary, 0) + "\n" + wrapped("Usage: umbrameter " + command.name + " " + command.usage, 0, 4);
   text += options_text(command.options, all, [&](const OptionHelp& option) { return all || option.is_basic; });
   const auto hidden = std::count_if(command.options.begin(), command.options.end(),
                                     [](const OptionHelp& option) { return !option.is_basic; });

@@ -19,7 +19,6 @@
 #include "experiments/measure/shadow_shape.h"
 #include "experiments/settings/sweep.h"
 #include "experiments/stages/reference_cache.h"
-#include "present/costs_text.h"
 #include "present/run_output.h"
 #include "reports/files/data.h"
 #include "reports/files/markup.h"

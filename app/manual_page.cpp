@@ -53,25 +53,11 @@ std::string item(const OptionHelp& option) {
     }
     if (!option.value.empty()) left += " \\fI" + roff(option.value) + "\\fR";
   }
-  std::string text = option.meaning;
-  for (std::size_t i = 0; i < option.choices.size(); ++i) text += (i == 0 ? ": " : ", ") + option.choices[i];
-  if (!option.aliases.empty()) text += "; " + option.aliases;
+  std::string text = meaning_of(option);
   if (!option.unit.empty()) text += " [" + option.unit + "]";
   if (!option.range.empty()) text += ", " + option.range;
   if (!option.default_value.empty()) text += " (default " + option.default_value + ")";
   return ".TP\n" + left + "\n" + roff(text) + "\n";
-}
-
-const CommandHelp* command_with_most_parameters(const ProgramHelp& program) {
-  const CommandHelp* most = nullptr;
-  std::size_t best = 0;
-  for (const CommandHelp& command : program.commands) {
-    std::size_t count = 0;
-    for (const OptionHelp& option : command.options) count += option.is_parameter ? 1 : 0;
-    if (count > best) most = &command;
-    best = std::max(best, count);
-  }
-  return most;
 }
 
 }  // namespace

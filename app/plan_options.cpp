@@ -1,7 +1,5 @@
 #include "app/plan_options.h"
 
-#include <CLI/CLI.hpp>
-
 #include "app/command_descriptions.h"
 #include "app/command_options.h"
 
@@ -16,9 +14,8 @@ CLI::App& add_command_of_plan(CLI::App& app, CommandLine& line, const CommandDes
 
 // Of what measures.
 void add_measuring_options(CLI::App& command, CommandLine& line) {
-  command.add_option("--gl-device", line.gl_device, "OpenGL device: index, part of its name, or 'software'")
-      ->type_name("NAME");
-  command.add_flag("--no-cache", line.no_cache, "trace the reference again and do not cache it");
+  add_gl_device(command, line);
+  add_no_cache(command, line);
   add_threads(command, line);
   add_memory(command, line);
   add_output_flags(command, line);
@@ -33,23 +30,19 @@ void add_planned_command(CLI::App& command, PlanOptions& plan) {
 }
 
 void add_plan_options(CLI::App& command, PlanOptions& plan) {
-  CLI::Option* shards = command.add_option("--shards", plan.shards, "number of shards; of a tuning, of each round")
-                            ->check(number_between(1, 1000000))
-                            ->type_name("N");
-  CLI::Option* cells = command.add_option("--cells-per-shard", plan.cells_per_shard, "mean number of cells of a shard")
-                           ->check(number_between(1, 1000000000))
-                           ->type_name("N")
-                           ->excludes(shards);
-  command.add_option("--minutes-per-shard", plan.minutes_per_shard, "estimated time of a shard on this machine")
+  CLI::Option* shards = add_value(command, "--shards", plan.shards, "N", "number of shards; of a tuning, of each round")
+                            ->check(number_between(1, 1000000));
+  CLI::Option* cells =
+      add_value(command, "--cells-per-shard", plan.cells_per_shard, "N", "mean number of cells of a shard")
+          ->check(number_between(1, 1000000000))
+          ->excludes(shards);
+  add_value(command, "--minutes-per-shard", plan.minutes_per_shard, "X", "estimated time of a shard on this machine")
       ->check(number_between(0.01, 1e5))
-      ->type_name("X")
       ->excludes(shards)
       ->excludes(cells);
-  command
-      .add_option("--points-per-round", plan.points_per_round,
-                  "points that a round has if they are probable; by default so many that each shard has one case")
+  add_value(command, "--points-per-round", plan.points_per_round, "N",
+            "points that a round has if they are probable; by default so many that each shard has one case")
       ->check(number_between(1, 100000))
-      ->type_name("N")
       ->group(tuning_group);
   command.add_flag("--by-reference", plan.by_reference,
                    "leave the scene where it is, at its path relative to the plan");
@@ -58,26 +51,23 @@ void add_plan_options(CLI::App& command, PlanOptions& plan) {
 
 void add_shard_commands(CLI::App& app, CommandLine& line) {
   CLI::App& run = add_command_of_plan(app, line, run_command);
-  run.add_option("--shard", line.plan.shard, "shards to measure, counted from 0: 7 or 3,7-9; env for this task's")
-      ->required()
-      ->type_name("LIST");
+  add_value(run, "--shard", line.plan.shard, "LIST",
+            "shards to measure, counted from 0: 7 or 3,7-9; env for this task's")
+      ->required();
   run.add_flag("--force", line.force, "measure again what is done");
   add_measuring_options(run, line);
 
   CLI::App& merge = add_command_of_plan(app, line, merge_command);
-  merge.add_option("-o,--output", line.output, "folder for the results, created if missing")
-      ->type_name("DIR")
-      ->required();
+  add_value(merge, "-o,--output", line.output, "DIR", "folder for the results, created if missing")->required();
   merge.add_flag("--partial", line.plan.partial, "write the rows that are there to sweep.partial.csv");
   merge.add_flag("--force", line.force, "replace an earlier run's results in the folder");
-  merge.add_option("--page-cells", line.page_cells, "max number of cells whose images the page has (6)")
-      ->type_name("N");
+  add_page_cells(merge, line);
   add_figure_options(merge, line.figures);
   add_page_options(merge, line);
   add_measuring_options(merge, line);
 
   CLI::App& status = add_command_of_plan(app, line, status_command);
-  status.add_option("-o,--output", line.output, "also write a page that shows the progress")->type_name("PAGE.html");
+  add_value(status, "-o,--output", line.output, "PAGE.html", "also write a page that shows the progress");
   status.add_flag("--commands", line.plan.commands, "print the commands of the shards that are not done, one a line");
   add_output_flags(status, line);
 }

@@ -9,11 +9,9 @@
 #include "app/commands.h"
 #include "core/parallel.h"
 #include "core/standard_streams.h"
-#include "present/error_backdrop.h"
+#include "present/presentation_parts.h"
 #include "present/run_page.h"
 #include "present/runs_report.h"
-#include "present/stored_figures.h"
-#include "present/stored_sweep_figures.h"
 #include "reports/files/data.h"
 #include "reports/files/latex.h"
 #include "reports/files/markup.h"
@@ -39,28 +37,12 @@ std::vector<StoredRun> read_runs(const CommandLine& line) {
   return runs;
 }
 
-// Those of a sweep that kept its cells.
-bool has_stored_cells(const StoredRun& run, const fs::path& folder) {
-  std::error_code error;
-  return run.command == "sweep" && fs::is_regular_file(folder / "results.sqlite", error);
-}
-
-// Adds the figures of one of several runs; number 0 is that of a run alone.
-template <class Figure>
-void add_figures(std::vector<Figure>& all, std::vector<Figure> of_run, const std::string& run, std::size_t number) {
-  for (Figure& figure : of_run) {
-    if (number > 0) {
-      figure.stem += fmt::format("_{}", number);
-      figure.title += ", " + run;
-    }
-    all.push_back(std::move(figure));
-  }
-}
-
 // Figures that show the same of several runs stand side by side, in the order in which the first of them comes.
-template <class Figure>
 void sort_by_content(std::vector<Figure>& figures) {
-  const auto content_of = [](const Figure& figure) { return figure.stem.substr(0, figure.stem.rfind('_')); };
+  const auto content_of = [](const Figure& figure) {
+    const std::string& stem = head_of(figure).stem;
+    return std::pair(figure.index(), stem.substr(0, stem.rfind('_')));
+  };
   std::vector<Figure> sorted;
   for (const Figure& first : figures) {
     const auto is_same = [&](const Figure& figure) { return content_of(figure) == content_of(first); };
@@ -71,7 +53,7 @@ void sort_by_content(std::vector<Figure>& figures) {
 }
 
 // Images of the lights in the order of the sections about them, then all others.
-void sort_by_light(std::vector<ImageFigure>& images, const StoredRun& run) {
+void sort_by_light(std::vector<Figure>& figures, const StoredRun& run) {
   std::vector<std::string> lights;
   for (const MeasuredStatistic& each : run.statistics) {
     const auto layer = run.layers.find(each.light);
@@ -80,8 +62,10 @@ void sort_by_light(std::vector<ImageFigure>& images, const StoredRun& run) {
     }
   }
   // A layer's name can end as a shorter one does: "lamp_1" and "1".
-  const auto place = [&](const ImageFigure& image) {
-    const std::string content = image.stem.substr(0, image.stem.rfind('_'));
+  const auto place = [&](const Figure& figure) {
+    if (!std::holds_alternative<ImageFigure>(figure)) return lights.size();
+    const std::string& stem = head_of(figure).stem;
+    const std::string content = stem.substr(0, stem.rfind('_'));
     std::size_t best = lights.size();
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const bool is_longer = best == lights.size() || lights[i].size() > lights[best].size();
@@ -89,54 +73,40 @@ void sort_by_light(std::vector<ImageFigure>& images, const StoredRun& run) {
     }
     return best;
   };
-  std::ranges::stable_sort(images, {}, place);
+  std::ranges::stable_sort(figures, {}, place);
 }
 
-Figures figures_of(const std::vector<StoredRun>& runs, const std::vector<fs::path>& folders, ErrorImages& errors) {
-  Figures all;
+// By kind: images, plots, heat maps, waterfalls.
+std::vector<Figure> figures_of(const std::vector<StoredRun>& runs, const std::vector<fs::path>& folders,
+                               ErrorImages& errors) {
+  std::vector<Figure> all;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    Figures figures = stored_figures(runs[i]);
-    if (has_stored_cells(runs[i], folders[i])) {
-      Figures of_sweep = stored_sweep_figures(folders[i]);
-      figures.plots = std::move(of_sweep.plots);
-      figures.heat_maps = std::move(of_sweep.heat_maps);
+    std::vector<Figure> figures = stored_figures(folders[i], runs[i]);
+    const std::string suffix = runs.size() > 1 ? fmt::format("_{}", i + 1) : "";
+    for (auto& [stem, error] : error_images_of(figures, runs[i].images)) {
+      errors.emplace(stem + suffix, std::move(error));
     }
-    const std::size_t number = runs.size() > 1 ? i + 1 : 0;
-    for (auto& [stem, error] : error_images_of(figures.images, runs[i].images)) {
-      errors.emplace(number > 0 ? fmt::format("{}_{}", stem, number) : stem, std::move(error));
+    for (Figure& figure : figures) {
+      head_of(figure).stem += suffix;
+      if (runs.size() > 1) head_of(figure).title += ", " + runs[i].name;
+      all.push_back(std::move(figure));
     }
-    add_figures(all.images, std::move(figures.images), runs[i].name, number);
-    add_figures(all.plots, std::move(figures.plots), runs[i].name, number);
-    add_figures(all.heat_maps, std::move(figures.heat_maps), runs[i].name, number);
-    add_figures(all.waterfalls, std::move(figures.waterfalls), runs[i].name, number);
   }
-  if (runs.size() < 2) return all;
-  sort_by_content(all.images);
-  sort_by_light(all.images, runs.front());
-  sort_by_content(all.plots);
-  sort_by_content(all.heat_maps);
-  sort_by_content(all.waterfalls);
+  if (runs.size() > 1) {
+    sort_by_content(all);
+    sort_by_light(all, runs.front());
+  }
+  std::ranges::stable_sort(all, {}, [](const Figure& figure) { return figure.index(); });
   return all;
 }
 
-template <class Figure>
-void add_to(ReportSection& section, const std::vector<Figure>& figures) {
-  for (const Figure& figure : figures) {
-    section.figures.push_back(figure.stem);
-    section.figure_titles.push_back(figure.title);
-    section.captions.push_back(figure.caption);
-  }
-}
-
-std::vector<ReportSection> figure_sections(const Figures& figures) {
-  ReportSection plots;
+std::vector<ReportSection> figure_sections(const std::vector<Figure>& figures) {
+  ReportSection plots, images;
   plots.title = "Plots";
-  add_to(plots, figures.plots);
-  add_to(plots, figures.heat_maps);
-  add_to(plots, figures.waterfalls);
-  ReportSection images;
   images.title = "Images";
-  add_to(images, figures.images);
+  for (const Figure& figure : figures) {
+    (std::holds_alternative<ImageFigure>(figure) ? images : plots).figures.push_back(head_of(figure));
+  }
   std::vector<ReportSection> sections = {std::move(plots), std::move(images)};
   std::erase_if(sections, [](const ReportSection& section) { return section.figures.empty(); });
   return sections;
@@ -237,9 +207,11 @@ Report make_report(const std::vector<StoredRun>& runs, const std::vector<PartTab
   return report;
 }
 
-void check_insets_of(FigureStyle& style, const std::vector<ImageFigure>& figures) {
-  if (figures.empty()) return;
-  style.view = image_size(figures.front());
+void check_insets_of(FigureStyle& style, const std::vector<Figure>& figures) {
+  const auto holds_image = [](const Figure& figure) { return std::holds_alternative<ImageFigure>(figure); };
+  const auto image = std::ranges::find_if(figures, holds_image);
+  if (image == figures.end()) return;
+  style.view = image_size(std::get<ImageFigure>(*image));
   check_insets(style, style.view.x, style.view.y);
 }
 
@@ -299,7 +271,7 @@ ExitCode show_again(const CommandLine& line, const Console& console, const RunRe
   }
   const SweepResults* const rows_or_none = rows ? &*rows : nullptr;
   RunPage page = present_run(results, rows_or_none, options);
-  for (const Presentation& part : page.parts) check_insets_of(options.style, part.images);
+  for (const Presentation& part : page.parts) check_insets_of(options.style, part.figures);
   const bool has_statistics = !results.tune;
   const Comparison comparison = has_statistics ? compare(line) : Comparison{};
   const fs::path& from = line.report.folders.front();
@@ -325,9 +297,10 @@ ExitCode show_side_by_side(const CommandLine& line, const Console& console) {
   const std::vector<StoredRun>& runs = comparison.runs;
   const std::vector<std::string> limits = limits_of_comparison(runs);
   ErrorImages errors;
-  Figures figures = line.no_figures ? Figures{} : figures_of(runs, line.report.folders, errors);
-  check_insets_of(style, figures.images);
-  complete_error_images(figures.images, errors, style);
+  std::vector<Figure> figures;
+  if (!line.no_figures) figures = figures_of(runs, line.report.folders, errors);
+  check_insets_of(style, figures);
+  complete_error_images(figures, errors, style);
   const std::vector<ReportSection> sections = figure_sections(figures);
   const std::vector<std::string> answers = comparison_answers(runs, comparison.statistics);
 
@@ -336,12 +309,12 @@ ExitCode show_side_by_side(const CommandLine& line, const Console& console) {
   for (const std::string& text : answers) print_line(console, text);
   for (const std::string& text : limits) note(console, text);
   std::fflush(stdout);
-  const std::vector<std::string> problems = write_figures(folder.path() / "figures", figures, errors, style).problems;
+  const std::vector<std::string> problems = write_figures(folder.path() / "figures", figures, style, errors);
   Report report = make_report(runs, comparison.parts, sections);
   report.answers = answers;
   report.notes = limits;
   for (std::size_t i = 0; i < runs.size() && !line.no_figures; ++i) {
-    if (runs[i].command != "sweep" || has_stored_cells(runs[i], line.report.folders[i])) continue;
+    if (runs[i].command != "sweep" || has_stored_cells(line.report.folders[i], runs[i])) continue;
     report.notes.push_back(fmt::format("{} has no plots: its results.sqlite is missing.", runs[i].name));
   }
   write_tables(line, console, folder, comparison);

@@ -1,10 +1,7 @@
-#include "present/ao_stages_report.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "present/presentation.h"
 #include "present/presentation_parts.h"
 
 namespace umbrameter {

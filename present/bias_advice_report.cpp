@@ -5,9 +5,9 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "present/engine_advice_report.h"
 #include "present/plateau_text.h"
 #include "present/presentation.h"
+#include "present/presentation_parts.h"
 #include "present/summary.h"
 
 namespace umbrameter {

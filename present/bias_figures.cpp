@@ -1,5 +1,3 @@
-#include "present/bias_figures.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <set>
 
 #include "present/plot_axes.h"
+#include "present/presentation_parts.h"
 
 namespace umbrameter {
 namespace {
@@ -200,7 +199,6 @@ HeatMapFigure heat_map(const Drawing& drawing, HeatRows kind) {
   figure.x = {"bias", label_of(constant), is_logarithmic(constant)};
   figure.y = {"row", label_of(plan.axes[by_slope ? *plan.slope_bias.axis : *drawing.part.line_axis])};
   figure.value = {"mae", error_label};
-  figure.steps.clear();  // at quantiles
   figure.mark = "least";
   figure.data.columns = plain_columns({"bias", "row", "mae", "least", "panel"});
   if (by_slope && drawing.part.line_axis) {
@@ -324,8 +322,8 @@ void add_bias_figures(Presentation& presentation, const SweepResults& sweep, con
   const std::vector<double>& slopes = plan.slope_bias.values;
   const auto flattest_slope =
       std::min_element(slopes.begin(), slopes.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-  const std::size_t before = presentation.section.figures.size();
-  const auto is_room = [&] { return presentation.section.figures.size() < before + most; };
+  const std::size_t before = presentation.figures.size();
+  const auto is_room = [&] { return presentation.figures.size() < before + most; };
   for (std::size_t i = 0; i < parts && is_room(); ++i) {
     const Part part = make_part(plan, line_axis, i);
     Drawing drawing{sweep, curves, part};

@@ -1,9 +1,8 @@
-#include "present/debug_views_report.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "present/presentation_parts.h"
 #include "results/layers.h"
 
 namespace umbrameter {

@@ -1,11 +1,10 @@
-#include "present/engine_advice_report.h"
-
 #include <fmt/format.h>
 
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "present/bias_conversion.h"
+#include "present/presentation_parts.h"
 
 namespace umbrameter {
 namespace {

@@ -1,5 +1,3 @@
-#include "present/error_backdrop.h"
-
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -8,6 +6,7 @@
 #include "compare/image_error.h"
 #include "compare/metrics/color_space.h"
 #include "compare/visibility.h"
+#include "present/presentation_parts.h"
 #include "results/layers.h"
 
 namespace umbrameter {
@@ -36,11 +35,12 @@ std::string part_of(const NamedLayer& layer) {
 
 }  // namespace
 
-ErrorImages error_images_of(const std::vector<ImageFigure>& figures, const LayeredImage& layers) {
+ErrorImages error_images_of(const std::vector<Figure>& figures, const LayeredImage& layers) {
   const Image<std::uint8_t> backdrop = backdrop_of(layers);
   ErrorImages errors;
-  for (const ImageFigure& figure : figures) {
-    const std::optional<NamedLayer> layer = find_layer(figure.stem);
+  for (const Figure& each : figures) {
+    const auto* const figure = std::get_if<ImageFigure>(&each);
+    const std::optional<NamedLayer> layer = figure != nullptr ? find_layer(figure->stem) : std::nullopt;
     ErrorImage error;
     if (layer) error.part = part_of(*layer);
     if (error.part.empty()) continue;
@@ -54,8 +54,8 @@ ErrorImages error_images_of(const std::vector<ImageFigure>& figures, const Layer
       error.wrong_category.assign(image_cause_count, true);
     }
     error.shows_errors = described.role == ViewerRole::error || !error.wrong_category.empty();
-    if (error.shows_errors && image_size(figure) == ivec2(backdrop.width, backdrop.height)) error.backdrop = backdrop;
-    errors.emplace(figure.stem, std::move(error));
+    if (error.shows_errors && image_size(*figure) == ivec2(backdrop.width, backdrop.height)) error.backdrop = backdrop;
+    errors.emplace(figure->stem, std::move(error));
   }
   return errors;
 }

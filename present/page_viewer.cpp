@@ -1,5 +1,3 @@
-#include "present/page_viewer.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,8 +6,6 @@
 #include <optional>
 
 #include "core/quantiles.h"
-#include "present/error_backdrop.h"
-#include "present/presentation.h"
 #include "present/presentation_parts.h"
 #include "results/layer_description.h"
 

@@ -6,7 +6,6 @@
 #include <cctype>
 #include <cmath>
 
-#include "present/error_backdrop.h"
 #include "present/presentation_parts.h"
 #include "reports/files/text_layout.h"
 #include "results/known_statistics.h"
@@ -66,18 +65,6 @@ Value measured_value(const std::vector<Column>& columns, const std::vector<Value
 }
 
 constexpr const char* picture_stem = "picture";
-
-template <class Figure>
-void add_to(ReportSection& section, std::vector<Figure>& figures, Figure figure) {
-  section.figures.push_back(figure.stem);
-  section.figure_titles.push_back(figure.title);
-  section.captions.push_back(figure.caption);
-  if constexpr (requires { figure.conditions; }) {
-    std::string& caption = section.captions.back();
-    if (!figure.conditions.empty()) caption += (caption.empty() ? "" : " ") + figure.conditions + ".";
-  }
-  figures.push_back(std::move(figure));
-}
 
 }  // namespace
 
@@ -230,20 +217,11 @@ const std::vector<CategoryColor>& class_colors() {
   return colors;
 }
 
-void add_figure(Presentation& presentation, ImageFigure figure) {
-  add_to(presentation.section, presentation.images, std::move(figure));
-}
-
-void add_figure(Presentation& presentation, PlotFigure figure) {
-  add_to(presentation.section, presentation.plots, std::move(figure));
-}
-
-void add_figure(Presentation& presentation, HeatMapFigure figure) {
-  add_to(presentation.section, presentation.heat_maps, std::move(figure));
-}
-
-void add_figure(Presentation& presentation, WaterfallFigure figure) {
-  add_to(presentation.section, presentation.waterfalls, std::move(figure));
+void add_figure(Presentation& presentation, Figure figure) {
+  FigureHead head = head_of(figure);
+  if (!head.conditions.empty()) head.caption += (head.caption.empty() ? "" : " ") + head.conditions + ".";
+  presentation.section.figures.push_back(std::move(head));
+  presentation.figures.push_back(std::move(figure));
 }
 
 Presentation present_picture(const LayeredImage& layers) {

@@ -36,10 +36,7 @@ std::vector<CategoryColor> categories_of(Layer layer);
 /// Section, figures and text lines of one part of a run.
 struct Presentation {
   ReportSection section;
-  std::vector<ImageFigure> images;
-  std::vector<PlotFigure> plots;
-  std::vector<HeatMapFigure> heat_maps;
-  std::vector<WaterfallFigure> waterfalls{};
+  std::vector<Figure> figures{};
   std::vector<std::string> answers{};  ///< for the console, printed first: the main results
   std::vector<std::string> lines{};    ///< for the console: further results
   std::vector<std::string> details{};  ///< diagnostics: for the page's last section and --verbose
@@ -69,10 +66,7 @@ std::string nothing_counted_text(const CountedPixels& counted);
 
 /// The constant bias in metres, in texels of the mean size, and as normalised depth.
 
-/// Adds a figure to the presentation's section and to its list of this kind of figure.
-void add_figure(Presentation& presentation, ImageFigure figure);
-void add_figure(Presentation& presentation, PlotFigure figure);
-void add_figure(Presentation& presentation, HeatMapFigure figure);
-void add_figure(Presentation& presentation, WaterfallFigure figure);
+/// Adds a figure to the presentation and to its section.
+void add_figure(Presentation& presentation, Figure figure);
 
 }  // namespace umbrameter

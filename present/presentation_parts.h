@@ -1,12 +1,22 @@
-// What the sections of shadows, ambient occlusion and the shaded image share. Internal to presentation/.
+// The parts of which present/ composes pages, figures and summary.json. Programs use run_page.h and run_output.h.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "present/bias_report.h"
 #include "present/presentation.h"
+#include "present/tune_report.h"
+#include "reports/figures/error_image.h"
+#include "reports/files/exr.h"
+#include "reports/page/viewer_data.h"
+#include "results/engine_advice.h"
 #include "results/layer_description.h"
+#include "results/run_results.h"
+#include "results/shadow_shape.h"
+#include "store/sweep_results.h"
 
 namespace umbrameter {
 
@@ -39,5 +49,62 @@ std::string offset_text(const TraceStatistics& statistics);
 /// The precision of a sampled reference; precision_text() is empty if nothing was sampled.
 std::string precision_text(const SamplingPrecision& precision, const TruthParams& truth);
 std::string precision_line(const SamplingPrecision& precision);
+
+/// The measurement must have stages.
+Presentation present_ao_stages(const LayeredImage& layers, const AoMeasurement& ao);
+
+/// What each stage changes in each pixel.
+void add_ao_stage_figures(Presentation& presentation, const LayeredImage& layers);
+
+/// The stages' signed means as a sum.
+WaterfallFigure ao_stages_waterfall(const AoStageStatistics& statistics);
+
+/// The value of "shape".
+nlohmann::ordered_json to_json(const SceneFacts& scene, const ShadowShape& shape);
+
+/// Adds the tables and the figure to a light's section.
+void present_shape(Presentation& presentation, const SceneFacts& scene, const ShadowMeasurement& shadow);
+
+/// Adds lines for the console, a table and a paragraph of notes. `what` is that of which the bias is: "sun".
+void add_engines(Presentation& presentation, const std::vector<EngineAdvice>& engines, const std::string& what);
+
+/// "engines" of summary.json.
+nlohmann::ordered_json to_json(const std::vector<EngineAdvice>& engines);
+
+/// The image with overlays, and a figure for each of the measurement's debug views.
+Presentation present_debug_views(const Measurement& measurement);
+
+/// Images are recognised by their stems, which are names of layers. The backdrop is the shaded picture of the layers
+/// (R, G, B and A); without them, or where the sizes differ, there is none.
+ErrorImages error_images_of(const std::vector<Figure>& figures, const LayeredImage& layers);
+
+/// Sets the values of `layer` to 0 where they enter no statistic, if it is the error of a light's shadow
+/// ("error_visibility_LIGHT"): outside the map, the cone and the range of a light its shadow has no error.
+void hide_uncounted(Image<float>& values, std::string_view layer, const LayeredImage& layers);
+
+/// Every layer of the measurement but those for programs; the bias curves of its lights; the objects and materials in
+/// view. `is_full`: see ViewerData::full.
+ViewerData viewer_data(const SceneFacts& scene, const Measurement& measurement, bool is_full);
+
+/// Adds a cell of a sweep to the pack. All but the first have rounded numbers and no picture.
+void add_cell_images(ViewerPack& pack, const SceneFacts& scene, const Measurement& measurement, const ViewerCell& cell,
+                     bool is_full);
+
+/// Adds at most `most` figures, those of the first combinations of the axes that no figure shows.
+void add_bias_figures(Presentation& presentation, const SweepResults& sweep, const BiasCurves& curves,
+                      std::size_t most);
+
+/// The cost along an axis of numbers, the other parameters at their best values.
+PlotFigure scan_figure(const TuneSummary& summary, const AxisScan& scan);
+
+/// The least cost so far after each evaluation; with an axis of words, one line for each value of the first.
+PlotFigure search_figure(const TuneSummary& summary);
+
+/// The second objective of the points of a Pareto front against the first.
+PlotFigure front_figure(const TuneSummary& summary, const std::vector<TunePoint>& front);
+
+/// Adds the figures of the points' images to `part` and returns the images for the page's viewer, those of the first
+/// point first.
+ViewerPack add_tune_images(Presentation& part, const SceneFacts& scene, const TuneFindings& tune);
 
 }  // namespace umbrameter

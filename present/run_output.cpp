@@ -12,7 +12,9 @@
 #include "reports/files/data.h"
 #include "reports/files/markup.h"
 #include "reports/files/output.h"
+#include "reports/files/text_layout.h"
 #include "results/layers.h"
+#include "results/number_text.h"
 #include "store/run_value.h"
 
 namespace umbrameter {
@@ -46,7 +48,22 @@ void write_rows(const std::filesystem::path& path, const ResultsStore& results) 
   write_csv(path, columns, [&](const StoredRowSink& sink) { results.read({}, sink); });
 }
 
+std::string rays_text(const char* kind, const RayCosts& costs) {
+  if (costs.rays == 0) return {};
+  return fmt::format("; {} {} rays in {:.2g} s, {:.2g} Mray/s", grouped(costs.rays), kind, costs.seconds,
+                     1e-6 * static_cast<double>(costs.rays) / costs.seconds);
+}
+
 }  // namespace
+
+std::string costs_text(const Costs& costs, std::uint64_t peak_resident_bytes) {
+  if (costs.build.triangles == 0) return {};
+  std::string text = fmt::format("traced {} triangles; built in {:.2g} s, {}", grouped(costs.build.triangles),
+                                 costs.build.seconds, bytes_text(costs.build.bytes));
+  text += rays_text("shadow", costs.shadow) + rays_text("hemisphere", costs.hemisphere);
+  if (costs.largest_offset > 0.0) text += "; offset at most " + metres_text(costs.largest_offset);
+  return text + "; peak memory " + bytes_text(peak_resident_bytes);
+}
 
 std::string experiment_text(Experiment experiment) {
   return to_toml(experiment.scene, describe(experiment), experiment.axes);

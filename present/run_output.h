@@ -2,6 +2,7 @@
 // index.html.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "present/run_page.h"
 #include "reports/files/console.h"
 #include "reports/files/exr.h"
+#include "results/costs.h"
 #include "results/run_results.h"
 #include "store/run_folder.h"
 
@@ -31,6 +33,9 @@ struct RunOutput {
 
 /// The complete experiment file.
 std::string experiment_text(Experiment experiment);
+
+/// The costs of a run in one line: triangles, build time, rays, ray rates and memory. Empty if nothing was traced.
+std::string costs_text(const Costs& costs, std::uint64_t peak_resident_bytes);
 
 /// What write_run() writes besides figures; `with_rows` for a sweep.
 std::vector<std::string> run_files(bool with_rows);

@@ -2,24 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
-#include "present/ao_stages_report.h"
-#include "present/debug_views_report.h"
-#include "present/engine_advice_report.h"
-#include "present/error_backdrop.h"
-#include "present/page_viewer.h"
-#include "present/shadow_shape_report.h"
-#include "present/sweep_cells.h"
+#include "present/plot_axes.h"
+#include "present/presentation_parts.h"
 #include "present/sweep_report.h"
-#include "present/tune_images.h"
 #include "present/tune_report.h"
 #include "reports/figures/error_image.h"
 #include "reports/files/text_layout.h"
+#include "results/known_statistics.h"
 
 namespace umbrameter {
 namespace {
+
+constexpr std::size_t max_table_cells = 20'000;
 
 std::vector<Presentation> measured_parts(const SceneFacts& scene, const Measurement& measurement) {
   std::vector<Presentation> parts;
@@ -105,13 +103,52 @@ void add_head(Report& report, const RunResults& results) {
   report.command = fmt::format("umbrameter {} -c experiment.toml -o OUT", results.command);
 }
 
-// Captions of images as completed by complete_error_images().
-void set_captions(ReportSection& section, const std::vector<ImageFigure>& images) {
-  for (std::size_t i = 0; i < section.figures.size(); ++i) {
-    for (const ImageFigure& image : images) {
-      if (image.stem == section.figures[i]) section.captions[i] = image.caption;
-    }
+std::string head_of(const std::string& name, std::string_view kind) {
+  for (const auto& [end, words] : {std::pair{lower_name(""), ", lower end"}, {upper_name(""), ", upper end"}}) {
+    if (name.ends_with(end)) return head_words(name.substr(0, name.size() - end.size()), kind) + words;
   }
+  return head_words(name, kind);
+}
+
+// The rows of the sweep, at most max_table_cells at even steps and those of `shown`, and what repeats a cell with
+// `compare`.
+ReportCells report_cells(const SweepResults& sweep, const Experiment& experiment, const std::vector<PageCell>& shown) {
+  ReportCells cells;
+  cells.axes = sweep.plan.axes.size();
+  cells.count = sweep.plan.cells;
+  std::vector<std::size_t> numbers = thin(cells.count, max_table_cells).indices;
+  if (numbers.size() < cells.count) {
+    for (const PageCell& cell : shown) numbers.push_back(cell.cell.number);
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    cells.numbers = numbers;
+  }
+  std::vector<std::string> names;
+  for (const StoredColumn& stored : sweep.store.description().columns) {
+    cells.table.columns.push_back(stored.column);
+    const bool is_axis = names.size() < cells.axes;
+    cells.heads.push_back(is_axis ? stored.column.name : head_of(stored.column.name, kind_of(sweep.quantity())));
+    names.push_back(stored.column.name);
+  }
+  cells.table.rows = sweep.store.rows(numbers, names).rows;
+  cells.command = "umbrameter compare -c experiment.toml";
+  cells.command_end = "-o CELL";
+  if (sweep.quantity() == SweptQuantity::image && experiment.run.measure != SweepMeasure::image) {
+    cells.command += " --run.measure image";
+  }
+  // A sweep keeps the reference's distance limit when the technique's radius varies; compare would follow the radius.
+  const bool is_limit_fixed = !varies_group(sweep.plan.axes, "truth.ao-distance");
+  if (varies_group(sweep.plan.axes, "ao.radius") && is_limit_fixed) {
+    Experiment fixed = shown.front().experiment;
+    const Parameters parameters = describe(fixed);
+    cells.command += " --truth.ao-distance " + to_string(require(parameters, "truth.ao-distance").value());
+  }
+  for (const SweepAxis& axis : sweep.plan.axes) {
+    const Parameter& parameter = require(sweep.parameters, axis.key);
+    cells.units.push_back(std::holds_alternative<Length*>(parameter.field) ? std::string(unit_name(axis.length_unit))
+                                                                           : "");
+  }
+  return cells;
 }
 
 }  // namespace
@@ -119,13 +156,8 @@ void set_captions(ReportSection& section, const std::vector<ImageFigure>& images
 void leave_out_figures(RunPage& page) {
   page.viewer = {};
   for (Presentation& part : page.parts) {
-    part.images.clear();
-    part.plots.clear();
-    part.heat_maps.clear();
-    part.waterfalls.clear();
+    part.figures.clear();
     part.section.figures.clear();
-    part.section.figure_titles.clear();
-    part.section.captions.clear();
   }
 }
 
@@ -147,8 +179,8 @@ RunPage present_run(const RunResults& results, const SweepResults* rows, const P
 std::vector<std::string> figure_files(const std::vector<ReportSection>& sections) {
   std::vector<std::string> files;
   for (const ReportSection& section : sections) {
-    for (const std::string& stem : section.figures) {
-      for (const char* format : {".svg", ".pdf", ".png"}) files.push_back("figures/" + stem + format);
+    for (const FigureHead& head : section.figures) {
+      for (const char* format : {".svg", ".pdf", ".png"}) files.push_back("figures/" + head.stem + format);
     }
   }
   return files;
@@ -163,29 +195,28 @@ std::vector<std::string> figure_files(const RunPage& page) {
 std::vector<std::string> draw_figures(const std::filesystem::path& folder, const Console& console,
                                       const RunResults& results, RunPage& page, const PageOptions& options) {
   if (!options.with_figures) return {};
-  Figures figures;
-  for (Presentation& part : page.parts) {
-    std::move(part.images.begin(), part.images.end(), std::back_inserter(figures.images));
-    std::move(part.plots.begin(), part.plots.end(), std::back_inserter(figures.plots));
-    std::move(part.heat_maps.begin(), part.heat_maps.end(), std::back_inserter(figures.heat_maps));
-    std::move(part.waterfalls.begin(), part.waterfalls.end(), std::back_inserter(figures.waterfalls));
-  }
+  std::vector<Figure> figures;
+  for (Presentation& part : page.parts) std::ranges::move(part.figures, std::back_inserter(figures));
   FigureStyle style = options.style;
   ErrorImages errors;
   if (results.measurement) {
     const View& view = results.measurement->surfels.view;
     style.view = {view.width, view.height};
-    errors = error_images_of(figures.images, results.measurement->layers);
-    complete_error_images(figures.images, errors, style);
+    errors = error_images_of(figures, results.measurement->layers);
+    complete_error_images(figures, errors, style);
   }
-  for (Presentation& part : page.parts) set_captions(part.section, figures.images);
+  auto figure = figures.cbegin();
+  for (Presentation& part : page.parts) {
+    for (FigureHead& head : part.section.figures) {
+      // complete_error_images() adds to captions of images; those of plots have their conditions already.
+      if (std::holds_alternative<ImageFigure>(*figure)) head.caption = head_of(*figure).caption;
+      ++figure;
+    }
+  }
   ProgressBar bar(console, "figures");
-  return write_figures(folder / "figures", figures, errors, style,
-                       [&](std::size_t done, std::size_t all) {
-                         bar.show(static_cast<double>(done) / static_cast<double>(all),
-                                  fmt::format("{} of {}", done, all));
-                       })
-      .problems;
+  return write_figures(folder / "figures", figures, style, errors, [&](std::size_t done, std::size_t all) {
+    bar.show(static_cast<double>(done) / static_cast<double>(all), fmt::format("{} of {}", done, all));
+  });
 }
 
 void write_run_page(const std::filesystem::path& folder, const RunResults& results, const SweepResults* rows,

@@ -11,6 +11,7 @@
 #include "reports/files/console.h"
 #include "reports/page/viewer_data.h"
 #include "results/run_results.h"
+#include "store/stored_run.h"
 #include "store/sweep_results.h"
 
 namespace umbrameter {
@@ -36,6 +37,16 @@ void leave_out_figures(RunPage& page);
 /// "figures/error_ao.svg" and so on, of the figures that the sections show.
 std::vector<std::string> figure_files(const std::vector<ReportSection>& sections);
 std::vector<std::string> figure_files(const RunPage& page);
+
+/// Whether it is a sweep that kept its cells.
+bool has_stored_cells(const std::filesystem::path& folder, const StoredRun& run);
+
+/// The figures of a finished run, drawn again from what it stored; no cell is measured and no scene is read. Of
+/// images.exr, as compare draws them: reference, technique, error and causes of each light, ambient occlusion and its
+/// stages, the error of the shaded image. Of summary.json: the stages as a sum. Of a sweep that kept its cells: its
+/// plots and heat maps; of another version's sweep without the fits that need facts of the scene. Throws Error as
+/// FinishedSweep and read_run_value() do.
+std::vector<Figure> stored_figures(const std::filesystem::path& folder, const StoredRun& run);
 
 /// Draws the figures into DIR/figures, in parallel, and completes their captions. Returns a line for each that could
 /// not be made.

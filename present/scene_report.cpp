@@ -13,7 +13,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double degrees = 180.0 / pi;
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json vector(const dvec3& v) { return {v.x, v.y, v.z}; }
 Json range(double metres) { return metres > 0.0 ? Json(metres) : Json(nullptr); }
 
@@ -26,7 +25,7 @@ Json camera_json(const Camera& camera) {
   if (const auto* lens = std::get_if<PerspectiveProjection>(&camera.projection)) {
     json["vertical_fov_deg"] = lens->vertical_fov * degrees;
     json["near_m"] = lens->near_plane;
-    json["far_m"] = number(lens->far_plane);
+    json["far_m"] = lens->far_plane;  // null where it is infinite
   } else {
     const auto& parallel = std::get<OrthographicProjection>(camera.projection);
     json["half_width_m"] = parallel.half_width;

@@ -5,7 +5,6 @@
 
 #include "compare/bias_units.h"
 #include "present/bias_advice_report.h"
-#include "present/engine_advice_report.h"
 #include "present/plateau_text.h"
 #include "present/presentation.h"
 #include "present/presentation_parts.h"

@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "present/map_views_report.h"
-#include "present/shadow_shape_report.h"
+#include "present/presentation_parts.h"
+#include "reports/files/value_json.h"
 
 namespace umbrameter {
 namespace {
@@ -66,6 +66,13 @@ Json shimmer_json(const Shimmer& shimmer) {
   Json camera = {{"pixels", shimmer.camera.pixels}, {"raster", shimmer.camera.share}};
   if (shimmer.camera_truth) camera["truth"] = shimmer.camera_truth->share;
   return {{"grid", {{"mean", shimmer.grid_mean}, {"largest", shimmer.grid_largest}}}, {"camera", camera}};
+}
+
+// "views", "seams" and "fit_shimmer" where they apply.
+void add_map_views(Json& object, const MapViews& views) {
+  for (const ViewStatistics& view : views.views) object["views"].push_back(statistics_json(view));
+  if (views.seams) object["seams"] = statistics_json(*views.seams);
+  if (views.shimmer) object["fit_shimmer"] = statistics_json(*views.shimmer);
 }
 
 }  // namespace

@@ -1,12 +1,9 @@
-#include "present/shadow_shape_report.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-#include "present/map_views_report.h"
-#include "present/presentation.h"
+#include "present/presentation_parts.h"
 #include "reports/files/text_layout.h"
 
 namespace umbrameter {
@@ -153,6 +150,20 @@ PlotFigure distance_figure(const std::string& layer, const std::string& title, c
   return figure;
 }
 
+Table view_table(const std::vector<ViewStatistics>& views) {
+  Table table{columns_of(ViewStatistics{}), {}};
+  for (const ViewStatistics& view : views) {
+    if (view.pixels > 0) table.rows.push_back(row_of(view));
+  }
+  return in_percent(table);
+}
+
+void add_view_tables(ReportSection& section, const MapViews& views) {
+  if (!views.views.empty()) section.tables.push_back({"Error by view of the map", view_table(views.views)});
+  if (views.seams) section.tables.push_back(statistics_table("Seams between the views", *views.seams));
+  if (views.shimmer) section.tables.push_back(statistics_table("Shimmer of the fit", *views.shimmer));
+}
+
 }  // namespace
 
 void present_shape(Presentation& presentation, const SceneFacts& scene, const ShadowMeasurement& shadow) {
@@ -169,7 +180,7 @@ void present_shape(Presentation& presentation, const SceneFacts& scene, const Sh
     section.tables.push_back({"Contact gap and shadow inset by caster", caster_table(scene, shape.casters)});
   }
   if (shape.shimmer) section.tables.push_back({"Shimmer", shimmer_table(*shape.shimmer)});
-  present_map_views(section, shape.views);
+  add_view_tables(section, shape.views);
   if (shape.error.all.texels) {
     add_figure(presentation, distance_figure(scene.layer(shadow.light), scene.title(shadow.light), shape.error));
   }

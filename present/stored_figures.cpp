@@ -1,13 +1,24 @@
-#include "present/stored_figures.h"
-
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <system_error>
 #include <utility>
 
-#include "present/ao_stages_report.h"
 #include "present/presentation_parts.h"
+#include "present/run_page.h"
+#include "present/sweep_report.h"
+#include "store/finished_sweep.h"
+#include "store/read_bias_curves.h"
+#include "store/run_value.h"
 
 namespace umbrameter {
 
-Figures stored_figures(const StoredRun& run) {
+bool has_stored_cells(const std::filesystem::path& folder, const StoredRun& run) {
+  std::error_code error;
+  return run.command == "sweep" && std::filesystem::is_regular_file(folder / "results.sqlite", error);
+}
+
+std::vector<Figure> stored_figures(const std::filesystem::path& folder, const StoredRun& run) {
   Presentation all;
   const auto add = [&](Layer layer, const std::string& light, std::string title, std::string caption) {
     add_layer_figure(all, run.images, layer, light, std::move(title), std::move(caption));
@@ -25,7 +36,14 @@ Figures stored_figures(const StoredRun& run) {
   add(Layer::cause_image, "", "Cause of the image's error", image_cause_caption);
   add_ao_stage_figures(all, run.images);
   if (run.ao_stages && run.ao_stages->total.pixels > 0) add_figure(all, ao_stages_waterfall(*run.ao_stages));
-  return {std::move(all.images), {}, {}, std::move(all.waterfalls)};
+  if (has_stored_cells(folder, run)) {
+    const FinishedSweep sweep(folder);
+    const SweepResults rows = sweep.rows();
+    const std::optional<RunResults> results = read_run_value(folder, false);
+    const std::optional<BiasCurves> curves = results ? results->sweep->curves : read_bias_curves(rows);
+    std::ranges::move(present_sweep(rows, best_rows(rows), curves, {}).figures, std::back_inserter(all.figures));
+  }
+  return std::move(all.figures);
 }
 
 }  // namespace umbrameter

@@ -6,9 +6,8 @@
 
 #include "present/bias_advice_report.h"
 #include "present/bias_report.h"
-#include "present/engine_advice_report.h"
+#include "present/presentation_parts.h"
 #include "present/scene_report.h"
-#include "present/shadow_shape_report.h"
 #include "present/tune_report.h"
 #include "reports/files/value_json.h"
 #include "results/layers.h"
@@ -171,8 +170,7 @@ Json image_json(const SceneFacts& scene, const ImageMeasurement& image) {
 }  // namespace
 
 Json to_json(const BiasInUnits& bias) {
-  const auto known = [](double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); };
-  return {{"m", known(bias.metres)}, {"texels", known(bias.texels)}, {"normalised_depth", known(bias.depth)}};
+  return {{"m", bias.metres}, {"texels", bias.texels}, {"normalised_depth", bias.depth}};  // null if not finite
 }
 
 nlohmann::ordered_json to_json(const std::vector<NamedLayer>& layers) {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <span>
 
-#include "present/bias_figures.h"
 #include "present/plot_axes.h"
+#include "present/presentation_parts.h"
 #include "results/known_statistics.h"
 
 namespace umbrameter {

@@ -1,13 +1,13 @@
-#include "present/tune_figures.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <ranges>
+#include <utility>
 
 #include "present/plot_axes.h"
+#include "present/presentation_parts.h"
 #include "present/tune_text.h"
 
 namespace umbrameter {
@@ -19,6 +19,13 @@ std::string cost_label(const TuneGoal& goal) {
   const std::string unit = cost_unit(goal) == "1" ? "%" : cost_unit(goal);
   return fmt::format("{}{}{}", cost_words(goal), goal.is_worst_case ? ", worst case" : "",
                      unit.empty() ? "" : " [" + unit + "]");
+}
+
+std::vector<Figure> figures_of(const SceneFacts& scene, const Measurement& measurement) {
+  const LayeredImage& layers = measurement.layers;
+  if (measurement.ao) return present_ao(layers, *measurement.ao).figures;
+  if (measurement.image) return present_image(scene, layers, *measurement.image).figures;
+  return present_shadow(scene, layers, measurement.shadows.front()).figures;
 }
 
 }  // namespace
@@ -111,6 +118,27 @@ PlotFigure front_figure(const TuneSummary& summary, const std::vector<TunePoint>
   for (const TunePoint& point : front) add(point, false);
   add(summary.result.best, true);
   return plot;
+}
+
+ViewerPack add_tune_images(Presentation& part, const SceneFacts& scene, const TuneFindings& tune) {
+  ViewerPack pack;
+  pack.title = "Best and default point";
+  const std::string& title = tune.summary.cases.front();
+  for (const TunePointImages& point : tune.points) {
+    ViewerData data = viewer_data(scene, point.measurement, false);
+    data.title = fmt::format("{}: {}; {}", point.name, point.values, title);
+    add_set(pack, data);
+    for (Figure& image : figures_of(scene, point.measurement)) {
+      FigureHead& figure = head_of(image);
+      // All points have the same reference.
+      if (figure.stem.starts_with("truth_") && &point != &tune.points.front()) continue;
+      figure.stem = point.name + "_" + figure.stem;
+      figure.caption += fmt::format(" The {} point in {}.", point.name, title);
+      pack.layers.insert(figure.stem);
+      add_figure(part, std::move(image));
+    }
+  }
+  return pack;
 }
 
 }  // namespace umbrameter

@@ -9,8 +9,8 @@
 #include "present/axis_ends.h"
 #include "present/plateau_text.h"
 #include "present/plot_axes.h"
+#include "present/presentation_parts.h"
 #include "present/tune_comparison.h"
-#include "present/tune_figures.h"
 #include "present/tune_text.h"
 #include "reports/files/text_layout.h"
 

@@ -118,6 +118,12 @@ Image<vec3> surface_positions(const GBuffer& gbuffer) {
   return positions;
 }
 
+// So that equal runs store equal bytes.
+void drop_time(TraceStatistics& statistics) {
+  statistics.seconds = 0.0;
+  statistics.from_cache = false;
+}
+
 void drop_images(ShadowMeasurement& shadow) {
   shadow.counted.exclusion = {};
   if (shadow.raster) {
@@ -125,6 +131,7 @@ void drop_images(ShadowMeasurement& shadow) {
     shadow.raster->wrong.weights = {};
   }
   if (!shadow.truth) return;
+  drop_time(shadow.truth->statistics);
   for (Image<float> TracedVisibility::*image : {&TracedVisibility::visibility, &TracedVisibility::standard_error,
                                                 &TracedVisibility::variance, &TracedVisibility::samples}) {
     (*shadow.truth).*image = {};
@@ -133,8 +140,12 @@ void drop_images(ShadowMeasurement& shadow) {
 
 void drop_images(AoMeasurement& ao) {
   if (ao.raster) *ao.raster = {};
-  if (ao.stages) ao.stages->images = {};
+  if (ao.stages) {
+    ao.stages->images = {};
+    drop_time(ao.stages->integrals);
+  }
   if (!ao.truth) return;
+  drop_time(ao.truth->statistics);
   for (Image<float> TracedAo::*image :
        {&TracedAo::ao, &TracedAo::standard_error, &TracedAo::variance, &TracedAo::samples, &TracedAo::hit_distance}) {
     (*ao.truth).*image = {};

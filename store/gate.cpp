@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "reports/files/output.h"
 #include "results/known_statistics.h"
-#include "store/run_record.h"
 #include "store/summary_version.h"
 
 namespace umbrameter {

@@ -1,9 +1,7 @@
 #include "store/run_record.h"
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string_view>
 #include <system_error>
 
@@ -70,16 +68,6 @@ std::optional<RunRecord> record_of_store(const fs::path& folder) {
 }
 
 }  // namespace
-
-std::optional<std::string> text_of_file(const fs::path& path) {
-  std::error_code error;
-  if (!fs::is_regular_file(path, error)) return {};
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return {};
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 bool is_recordable(const std::string& file) {
   constexpr std::string_view figures = "figures/";

@@ -18,9 +18,6 @@ struct RunRecord {
   std::vector<std::string> files;  ///< relative to the folder: "summary.json", "figures/truth_ao.svg"
 };
 
-/// The bytes of a file; empty if it is not a regular file or cannot be read.
-std::optional<std::string> text_of_file(const std::filesystem::path& path);
-
 /// Whether a record may list this file: it is in the folder or its subfolder "figures", and is not the record.
 bool is_recordable(const std::string& file);
 

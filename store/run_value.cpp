@@ -1,7 +1,6 @@
 #include "store/run_value.h"
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -32,23 +31,7 @@ struct StoredAs<GBuffer> {
   }
 };
 
-// Without the time, so that equal runs give equal bytes.
-template <>
-struct StoredAs<TraceStatistics> {
-  struct Stored {
-    std::uint64_t rays;
-    double largest_offset;
-  };
-  static Stored to_stored(const TraceStatistics& statistics) { return {statistics.rays, statistics.largest_offset}; }
-  static TraceStatistics from_stored(Stored stored) {
-    TraceStatistics statistics;
-    statistics.rays = stored.rays;
-    statistics.largest_offset = stored.largest_offset;
-    return statistics;
-  }
-};
-
-// Without the images, which are layers.
+// Without the images, which are layers: Boost.PFR cannot count the fields of a struct with them.
 template <>
 struct StoredAs<AoStages> {
   struct Stored {
@@ -98,29 +81,6 @@ struct StoredAs<MetricColumn> {
   static MetricColumn from_stored(Stored stored) {
     const Metric* metric = select_metrics(stored.metric, color_metrics()).at(0);
     return {metric, std::move(stored.name), std::move(stored.unit), stored.other_unit};
-  }
-};
-
-template <>
-struct StoredAs<ViewerPack> {
-  struct Stored {
-    std::string title;
-    std::uint64_t section;
-    std::vector<std::string> sets;
-    std::set<std::string> layers;
-    std::vector<std::string> items;
-  };
-  static Stored to_stored(const ViewerPack& pack) {
-    return {pack.title, pack.section, pack.sets, pack.layers, pack.items};
-  }
-  static ViewerPack from_stored(Stored stored) {
-    ViewerPack pack;
-    pack.title = std::move(stored.title);
-    pack.section = stored.section;
-    pack.sets = std::move(stored.sets);
-    pack.layers = std::move(stored.layers);
-    pack.items = std::move(stored.items);
-    return pack;
   }
 };
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "reports/files/output.h"
 #include "store/run_record.h"
 
 namespace umbrameter {

@@ -126,9 +126,14 @@ std::uint8_t backdrop_grey(double luminance) {
   return static_cast<std::uint8_t>(std::lround(glm::mix(darkest_grey, lightest_grey, shown)));
 }
 
-void add_worst_insets(const std::vector<ImageFigure>& figures, ErrorImages& errors) {
+void add_worst_insets(const std::vector<Figure>& figures, ErrorImages& errors) {
   std::map<std::string, Image<double>> sums;
-  for (const ImageFigure& figure : figures) {
+  std::vector<const ImageFigure*> images;
+  for (const Figure& figure : figures) {
+    if (const auto* image = std::get_if<ImageFigure>(&figure)) images.push_back(image);
+  }
+  for (const ImageFigure* image : images) {
+    const ImageFigure& figure = *image;
     const ErrorImage* error = find(errors, figure);
     if (!measures_errors(error, figure)) continue;
     Image<double>& sum = sums[error->part];
@@ -139,22 +144,24 @@ void add_worst_insets(const std::vector<ImageFigure>& figures, ErrorImages& erro
   for (const auto& [part, sum] : sums) {
     const std::optional<Inset> region = region_of_most(sum);
     if (!region) continue;
-    for (const ImageFigure& figure : figures) {
-      const auto error = errors.find(figure.stem);
+    for (const ImageFigure* image : images) {
+      const auto error = errors.find(image->stem);
       if (error == errors.end() || error->second.part != part) continue;
-      if (image_size(figure) == ivec2(sum.width, sum.height)) error->second.insets.push_back(*region);
+      if (image_size(*image) == ivec2(sum.width, sum.height)) error->second.insets.push_back(*region);
     }
   }
 }
 
-void complete_error_images(std::vector<ImageFigure>& figures, ErrorImages& errors, const FigureStyle& style) {
+void complete_error_images(std::vector<Figure>& figures, ErrorImages& errors, const FigureStyle& style) {
   const auto is_worst = [](const Inset& inset) { return inset.width == 0; };
   const std::vector<Inset>& asked = style.insets;
   if (std::any_of(asked.begin(), asked.end(), is_worst)) add_worst_insets(figures, errors);
   const bool has_regions = !std::all_of(asked.begin(), asked.end(), is_worst);
-  for (ImageFigure& figure : figures) {
-    const ErrorImage* error = find(errors, figure);
+  for (Figure& each : figures) {
+    auto* const image = std::get_if<ImageFigure>(&each);
+    const ErrorImage* error = image != nullptr ? find(errors, *image) : nullptr;
     if (error == nullptr) continue;
+    ImageFigure& figure = *image;
     const auto add = [&](const std::string& text) { figure.caption += (figure.caption.empty() ? "" : " ") + text; };
     if (error->shows_errors && !error->backdrop.empty()) add("Behind it, in light grey, the shaded scene.");
     if (const int dot = error_dot(figure, *error, style); dot > 1) {

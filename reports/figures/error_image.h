@@ -2,7 +2,6 @@
 // region of most error as an inset. It changes pictures, not values: images.exr and statistics keep theirs.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -12,17 +11,6 @@ namespace umbrameter {
 
 /// A pixel counts as wrong from this share of its scale's reach on: half of it.
 inline constexpr double wrong_share = 0.5;
-
-/// What an image of a comparison is drawn with, besides its own pixels.
-struct ErrorImage {
-  bool shows_errors = false;           ///< an error map or causes
-  Image<std::uint8_t> backdrop{};      ///< light grey picture of the scene behind errors; may be empty
-  std::vector<bool> wrong_category{};  ///< of each category of causes
-  int right_category = -1;             ///< the backdrop takes its place; −1: none
-  std::string part{};                  ///< "sun": images of one part share the inset of most error; empty: none
-  std::vector<Inset> insets{};         ///< besides those of the style
-};
-using ErrorImages = std::map<std::string, ErrorImage>;  ///< by the figure's stem
 
 /// [px]
 ivec2 image_size(const ImageFigure& figure);
@@ -47,13 +35,9 @@ std::uint8_t backdrop_grey(double luminance);
 
 /// Adds an inset to the images of each part: the region, an eighth of the image wide and high, whose absolute errors
 /// have the largest sum over all error maps of the part. A part without errors gets none.
-void add_worst_insets(const std::vector<ImageFigure>& figures, ErrorImages& errors);
+void add_worst_insets(const std::vector<Figure>& figures, ErrorImages& errors);
 
 /// Completes captions with what the drawing does to the images, and adds the insets that the style asks for.
-void complete_error_images(std::vector<ImageFigure>& figures, ErrorImages& errors, const FigureStyle& style);
-
-/// write_figures() with images drawn so.
-FigureOutcome write_figures(const std::filesystem::path& folder, const Figures& figures, const ErrorImages& errors,
-                            const FigureStyle& style, const FigureProgress& progress = {});
+void complete_error_images(std::vector<Figure>& figures, ErrorImages& errors, const FigureStyle& style);
 
 }  // namespace umbrameter

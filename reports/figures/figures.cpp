@@ -8,6 +8,7 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "core/error.h"
@@ -116,23 +117,25 @@ struct PlotDrawings {
 };
 
 // All plots in one run of Node: its start takes longer than a plot.
-PlotDrawings draw_plots(const Figures& figures, const FigureStyle& style) {
+PlotDrawings draw_plots(const std::vector<Figure>& figures, const FigureStyle& style) {
   PlotDrawings result;
   std::string specifications;
   std::vector<std::string> stems;
   const auto add = [&](const auto& plot) {
-    try {
+    if constexpr (!std::is_same_v<decltype(plot), const ImageFigure&>) {
       const std::string specification = to_plot_specification(plot, style);
       specifications += stems.empty() ? '[' : ',';
       specifications += specification;
       stems.push_back(plot.stem);
+    }
+  };
+  for (const Figure& figure : figures) {
+    try {
+      std::visit(add, figure);
     } catch (const Error& error) {
       result.problems.emplace_back(error.what());
     }
-  };
-  for (const PlotFigure& plot : figures.plots) add(plot);
-  for (const HeatMapFigure& heat_map : figures.heat_maps) add(heat_map);
-  for (const WaterfallFigure& waterfall : figures.waterfalls) add(waterfall);
+  }
   if (stems.empty()) return result;
   const std::string not_drawn = fmt::format("{} plot{} not drawn", stems.size(), stems.size() == 1 ? "" : "s");
   const fs::path script = data_folder() / "figures.cjs";
@@ -142,7 +145,7 @@ PlotDrawings draw_plots(const Figures& figures, const FigureStyle& style) {
         fmt::format("{}: {} is missing; set UMBRAMETER_DATA to its folder", not_drawn, script.string()));
     return result;
   }
-  const FilterResult drawn = run_filters({{{"node", script.string()}, {}, specifications + "]"}}, 1).front();
+  const FilterResult drawn = run_filter({"node", script.string()}, specifications + "]");
   if (!drawn.problem.empty()) {
     const bool is_missing = drawn.problem.starts_with("cannot run node:");
     result.problems.push_back(fmt::format("{}: {}{}", not_drawn, drawn.problem, is_missing ? "; install nodejs" : ""));
@@ -182,29 +185,27 @@ std::vector<std::string> collect_problems(const std::vector<Written>& written, s
 
 }  // namespace
 
-FigureOutcome write_figures(const fs::path& folder, const Figures& figures, const FigureStyle& style,
-                            const FigureProgress& progress) {
-  return write_figures(folder, figures, ErrorImages{}, style, progress);
-}
-
-FigureOutcome write_figures(const fs::path& folder, const Figures& figures, const ErrorImages& errors,
-                            const FigureStyle& style, const FigureProgress& progress) {
-  const std::vector<ImageFigure>& images = figures.images;
+std::vector<std::string> write_figures(const fs::path& folder, const std::vector<Figure>& figures,
+                                       const FigureStyle& style, const ErrorImages& errors,
+                                       const FigureProgress& progress) {
+  std::vector<const ImageFigure*> images;
+  for (const Figure& figure : figures) {
+    if (const auto* image = std::get_if<ImageFigure>(&figure)) images.push_back(image);
+  }
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw Error(ExitCode::partial, "cannot make " + folder.string(), error.message());
-  const std::size_t all = images.size() + figures.plots.size() + figures.heat_maps.size() + figures.waterfalls.size();
   std::mutex mutex;
   std::size_t done = 0;
   const auto count_one = [&] {
     const std::lock_guard lock(mutex);
-    if (progress) progress(++done, all);
+    if (progress) progress(++done, figures.size());
   };
   // Node takes as long to start as several images take to be written.
   std::future<PlotDrawings> drawn = std::async(std::launch::async, [&] { return draw_plots(figures, style); });
   std::vector<Written> written(images.size());
   parallel_for(images.size(), [&](std::size_t i) {
-    written[i] = write_image(folder, images[i], errors, style);
+    written[i] = write_image(folder, *images[i], errors, style);
     count_one();
   });
   PlotDrawings of_plots = drawn.get();
@@ -215,7 +216,7 @@ FigureOutcome write_figures(const fs::path& folder, const Figures& figures, cons
     write_plot(folder, plot, zoom, written[images.size() + i]);
     count_one();
   });
-  return {collect_problems(written, images.size(), std::move(of_plots.problems))};
+  return collect_problems(written, images.size(), std::move(of_plots.problems));
 }
 
 }  // namespace umbrameter

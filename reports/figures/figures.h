@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/image.h"
@@ -36,11 +38,15 @@ struct CategoryColor {
   Hatch hatch = Hatch::none;  ///< of areas in print
 };
 
+struct FigureHead {
+  std::string stem{};
+  std::string title{};
+  std::string conditions{};  ///< what holds for all of a plot, drawn below a title: "shadow.filter = nearest"
+  std::string caption{};     ///< what it shows; stands beside it on the page
+};
+
 /// An image with frame and colour bar or category legend.
-struct ImageFigure {
-  std::string stem;
-  std::string title;
-  std::string caption;
+struct ImageFigure : FigureHead {
   /// One of: scalar values with a scale; category index per pixel (into categories); display colours (sRGB).
   Image<float> values;
   ColorScale scale;
@@ -57,11 +63,7 @@ struct Axis {
 };
 
 /// Lines of y against x, one for each value of the series column, with a band where both bounds are given.
-struct PlotFigure {
-  std::string stem;
-  std::string title;
-  std::string conditions;  ///< what holds for all of it, drawn below a title: "shadow.filter = nearest"
-  std::string caption;     ///< what it shows; stands beside it on the page
+struct PlotFigure : FigureHead {
   Axis x;
   Axis y;
   std::optional<std::string> series;           ///< column that tells the lines apart
@@ -75,19 +77,14 @@ struct PlotFigure {
   Table data;
 };
 
-/// A number over two parameters, x within a panel as a scale, y as rows, the largest on top. Its colours go in steps:
-/// as given, or without any at quantiles of the cells, closer near the least.
-struct HeatMapFigure {
-  std::string stem;
-  std::string title;
-  std::string conditions;  ///< as PlotFigure has them
-  std::string caption;
+/// A number over two parameters, x within a panel as a scale, y as rows, the largest on top. Its colours go in steps
+/// at quantiles of the cells, closer near the least.
+struct HeatMapFigure : FigureHead {
   Axis x;
   Axis y;
   std::optional<std::string> panel;  ///< column that tells the panels apart
   std::string panel_label;
   Axis value;
-  std::vector<double> steps = {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0};  ///< where the next colour begins
   std::optional<std::string> mark;  ///< column of truths: these cells get a ring
   Table data;
 };
@@ -102,11 +99,7 @@ struct WaterfallStep {
 };
 
 /// A sum, step by step: each bar starts where the one before ends. The total starts at 0.
-struct WaterfallFigure {
-  std::string stem;
-  std::string title;
-  std::string conditions;  ///< as PlotFigure has them
-  std::string caption;
+struct WaterfallFigure : FigureHead {
   std::string label;  ///< quantity and unit of the value axis
   std::string below;  ///< what a step below 0 means: "darkens"
   std::string above;
@@ -114,13 +107,25 @@ struct WaterfallFigure {
   WaterfallStep total;
 };
 
-/// All figures of a run.
-struct Figures {
-  std::vector<ImageFigure> images{};
-  std::vector<PlotFigure> plots{};
-  std::vector<HeatMapFigure> heat_maps{};
-  std::vector<WaterfallFigure> waterfalls{};
+using Figure = std::variant<ImageFigure, PlotFigure, HeatMapFigure, WaterfallFigure>;
+
+inline const FigureHead& head_of(const Figure& figure) {
+  return std::visit([](const FigureHead& head) -> const FigureHead& { return head; }, figure);
+}
+inline FigureHead& head_of(Figure& figure) {
+  return std::visit([](FigureHead& head) -> FigureHead& { return head; }, figure);
+}
+
+/// What an image of a comparison is drawn with, besides its own pixels.
+struct ErrorImage {
+  bool shows_errors = false;           ///< an error map or causes
+  Image<std::uint8_t> backdrop{};      ///< light grey picture of the scene behind errors; may be empty
+  std::vector<bool> wrong_category{};  ///< of each category of causes
+  int right_category = -1;             ///< the backdrop takes its place; −1: none
+  std::string part{};                  ///< "sun": images of one part share the inset of most error; empty: none
+  std::vector<Inset> insets{};         ///< besides those of the style
 };
+using ErrorImages = std::map<std::string, ErrorImage>;  ///< by the figure's stem
 
 /// sRGB bytes of a scalar image. NaN is magenta; values outside the scale take its end colours.
 Image<glm::u8vec3> colorize(const Image<float>& values, const ColorScale& scale);
@@ -133,12 +138,10 @@ void write_png(const std::filesystem::path& path, const Image<glm::u8vec3>& imag
 /// How many figures are written, of all. Called from any thread, one call at a time.
 using FigureProgress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// What write_figures() left out and why, one line each; empty when all were written.
-struct FigureOutcome {
-  std::vector<std::string> problems;
-};
-/// Draws on all threads at once; the files and the order of the problems do not depend on their number.
-FigureOutcome write_figures(const std::filesystem::path& folder, const Figures& figures, const FigureStyle& style = {},
-                            const FigureProgress& progress = {});
+/// Draws on all threads at once; the files and the order of the problems do not depend on their number. Returns what
+/// was left out and why, one line each; empty when all were written.
+std::vector<std::string> write_figures(const std::filesystem::path& folder, const std::vector<Figure>& figures,
+                                       const FigureStyle& style = {}, const ErrorImages& errors = {},
+                                       const FigureProgress& progress = {});
 
 }  // namespace umbrameter

@@ -39,8 +39,6 @@ bool is_hatched(Hatch hatch, int x, int y, int period) {
       return (x + period - y % period) % period < width;
     case Hatch::horizontal:
       return y % period < width;
-    case Hatch::vertical:
-      return x % period < width;
     case Hatch::dots: {
       const int shift = y / period % 2 * (period / 2);  // rows of dots stand in the gaps of their neighbours
       const int size = width + std::max(1, width / 2);
@@ -68,9 +66,6 @@ std::string hatch_pattern(const std::string& id, Hatch hatch, const glm::u8vec3&
       break;
     case Hatch::horizontal:
       path = fmt::format("M0,{0:g}H{1:g}", 0.5 * p, p);
-      break;
-    case Hatch::vertical:
-      path = fmt::format("M{0:g},0V{1:g}", 0.5 * p, p);
       break;
     case Hatch::dots:
       path = fmt::format("M{0:g},{1:g}h{2:g}", 0.5 * (p - width), 0.5 * p, width);

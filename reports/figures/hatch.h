@@ -8,7 +8,7 @@
 
 namespace umbrameter {
 
-enum class Hatch : int { none, rising, falling, horizontal, vertical, dots };
+enum class Hatch : int { none, rising, falling, horizontal, dots };
 
 /// Of the lines on a ground of this colour: white on dark grounds, near black on light ones.
 glm::u8vec3 hatch_ink(const glm::u8vec3& ground);

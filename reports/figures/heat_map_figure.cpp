@@ -73,10 +73,9 @@ std::vector<double> steps_at(const std::vector<double>& values, std::span<const 
   return steps;
 }
 
-// Where the next colour begins: as given, else at these shares of the cells.
+// Where the next colour begins: at these shares of the cells.
 std::vector<double> steps_of(const HeatMapFigure& figure) {
   constexpr std::array<double, 9> shares = {0.02, 0.05, 0.1, 0.2, 0.3, 0.45, 0.6, 0.75, 0.9};
-  if (!figure.steps.empty()) return figure.steps;
   std::vector<double> values;
   const std::size_t column = column_of(figure.data, figure.stem, figure.value.column);
   for (const std::vector<Value>& row : figure.data.rows) {

@@ -19,6 +19,7 @@ std::string escape_markup(std::string_view text);
 
 /// RFC 4648, section 4.
 std::string to_base64(std::string_view bytes);
+std::string from_base64(const std::string& text);
 
 /// "data:image/png;base64,…" of bytes of that media type.
 std::string data_uri(std::string_view media_type, std::string_view bytes);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -31,6 +32,9 @@ void write_pieces(const std::filesystem::path& path,
 
 /// write_whole() of a copy of a file.
 void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// The bytes of a file; empty if it is not a regular file or cannot be read.
+std::optional<std::string> text_of_file(const std::filesystem::path& path);
 
 /// Name of this machine. It is part of the names of temporary files: hosts may share a folder, and their processes have
 /// the same numbers.

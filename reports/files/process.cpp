@@ -7,16 +7,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <memory>
-#include <optional>
-#include <string_view>
 #include <system_error>
 #include <thread>
-#include <utility>
 
 #include "core/interrupt.h"
 
@@ -65,115 +60,66 @@ class MemoryFile {
   int descriptor_;
 };
 
-// "NAME=value" of the caller, those of `own` in place of the caller's.
-std::vector<std::string> environment_with(const std::vector<std::string>& own) {
-  std::vector<std::string> all = own;
-  for (char** entry = environ; entry != nullptr && *entry != nullptr; ++entry) {
-    const std::string_view text = *entry;
-    const std::string_view name = text.substr(0, text.find('=') + 1);
-    const bool is_replaced =
-        std::any_of(own.begin(), own.end(), [&](const std::string& mine) { return mine.rfind(name, 0) == 0; });
-    if (!is_replaced) all.emplace_back(text);
-  }
-  return all;
-}
-
-std::vector<char*> pointers(std::vector<std::string>& texts) {
-  std::vector<char*> result;
-  for (std::string& text : texts) result.push_back(text.data());
-  result.push_back(nullptr);
-  return result;
-}
-
 std::string first_line(const std::string& text) {
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   if (begin == std::string::npos) return {};
   return text.substr(begin, text.find_first_of("\r\n", begin) - begin);
 }
 
-// One running program; ended by force when it is destroyed before it has ended by itself.
-class Child {
- public:
-  Child(const Filter& filter, std::size_t index)
-      : index_(index), program_(filter.arguments.front()), input_(filter.input), deadline_(Clock::now() + patience) {
-    std::vector<std::string> arguments = filter.arguments;
-    std::vector<std::string> environment = environment_with(filter.environment);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, input_.descriptor(), STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, output_.descriptor(), STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, messages_.descriptor(), STDERR_FILENO);
-    const int error = posix_spawnp(&pid_, program_.c_str(), &actions, nullptr, pointers(arguments).data(),
-                                   pointers(environment).data());
-    posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) {
-      pid_ = 0;
-      problem_ = fmt::format("cannot run {}: {}", program_, std::generic_category().message(error));
-    }
+// Ends a program by force that has not ended by itself.
+struct KillGuard {
+  pid_t pid = 0;  // 0: it has ended
+  ~KillGuard() {
+    if (pid == 0) return;
+    kill(pid, SIGKILL);
+    waitpid(pid, nullptr, 0);
   }
-  ~Child() {
-    if (pid_ == 0) return;
-    kill(pid_, SIGKILL);
-    waitpid(pid_, nullptr, 0);
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-
-  std::size_t index() const { return index_; }
-
-  // The result, once the program has ended.
-  std::optional<FilterResult> poll() {
-    if (pid_ == 0) return FilterResult{{}, problem_};
-    int status = 0;
-    const pid_t ended = waitpid(pid_, &status, WNOHANG);
-    if (ended == 0 && Clock::now() > deadline_) {
-      return FilterResult{{}, fmt::format("{} did not finish within {} s", program_, patience.count())};
-    }
-    if (ended == 0 || (ended < 0 && errno == EINTR)) return std::nullopt;
-    pid_ = 0;
-    if (ended > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0) return FilterResult{output_.content(), {}};
-    if (ended > 0 && WIFSIGNALED(status)) {
-      return FilterResult{{}, fmt::format("{} was ended by signal {}", program_, WTERMSIG(status))};
-    }
-    const std::string message = first_line(messages_.content());
-    return FilterResult{{}, fmt::format("{} failed: {}", program_, message.empty() ? "no message" : message)};
-  }
-
- private:
-  std::size_t index_;
-  std::string program_;
-  MemoryFile input_;
-  MemoryFile output_;
-  MemoryFile messages_;
-  Clock::time_point deadline_;
-  pid_t pid_ = 0;
-  std::string problem_;
 };
+
+FilterResult run_program(const std::vector<std::string>& arguments, std::string_view input_text) {
+  const std::string& program = arguments.front();
+  const MemoryFile input(input_text), output, messages;
+  std::vector<char*> pointers;
+  for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, input.descriptor(), STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, output.descriptor(), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, messages.descriptor(), STDERR_FILENO);
+  pid_t pid = 0;
+  const int error = posix_spawnp(&pid, program.c_str(), &actions, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error != 0) return {{}, fmt::format("cannot run {}: {}", program, std::generic_category().message(error))};
+  KillGuard child{pid};
+  const Clock::time_point deadline = Clock::now() + patience;
+  int status = 0;
+  pid_t ended = 0;
+  while ((ended = waitpid(pid, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
+    throw_if_interrupted();
+    if (Clock::now() > deadline) {
+      return {{}, fmt::format("{} did not finish within {} s", program, patience.count())};
+    }
+    std::this_thread::sleep_for(pause);
+  }
+  child.pid = 0;
+  if (ended > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0) return {output.content(), {}};
+  if (ended > 0 && WIFSIGNALED(status)) {
+    return {{}, fmt::format("{} was ended by signal {}", program, WTERMSIG(status))};
+  }
+  const std::string message = first_line(messages.content());
+  return {{}, fmt::format("{} failed: {}", program, message.empty() ? "no message" : message)};
+}
 
 }  // namespace
 
-std::vector<FilterResult> run_filters(const std::vector<Filter>& filters, std::size_t at_once) {
-  std::vector<FilterResult> results(filters.size());
-  std::vector<std::unique_ptr<Child>> running;
-  std::size_t next = 0;
-  while (next < filters.size() || !running.empty()) {
-    throw_if_interrupted();
-    while (next < filters.size() && running.size() < at_once) {
-      try {
-        running.push_back(std::make_unique<Child>(filters[next], next));
-      } catch (const std::system_error& error) {
-        results[next].problem = error.what();
-      }
-      ++next;
-    }
-    std::erase_if(running, [&](const std::unique_ptr<Child>& child) {
-      std::optional<FilterResult> result = child->poll();
-      if (result) results[child->index()] = std::move(*result);
-      return result.has_value();
-    });
-    if (!running.empty()) std::this_thread::sleep_for(pause);
+FilterResult run_filter(const std::vector<std::string>& arguments, std::string_view input) {
+  throw_if_interrupted();
+  try {
+    return run_program(arguments, input);
+  } catch (const std::system_error& error) {
+    return {{}, error.what()};
   }
-  return results;
 }
 
 }  // namespace umbrameter

@@ -55,15 +55,17 @@ std::string shortened(std::string_view text, std::size_t characters) {
   return plain.substr(0, kept) + "…";
 }
 
-std::vector<std::string> wrap_lines(std::string_view text, std::size_t characters) {
+std::vector<std::string> wrap_lines(std::string_view text, std::size_t characters, std::size_t hanging) {
   std::vector<std::string> lines;
   while (!text.empty()) {
     const std::size_t blank = text.find_first_of(" \n");
     const std::string_view word = text.substr(0, blank);
     text.remove_prefix(blank == std::string_view::npos ? text.size() : blank + 1);
     if (word.empty()) continue;
-    if (lines.empty() || count_characters(lines.back()) + 1 + count_characters(word) > characters) {
+    if (lines.empty()) {
       lines.emplace_back(word);
+    } else if (count_characters(lines.back()) + 1 + count_characters(word) > characters) {
+      lines.emplace_back(hanging, ' ').append(word);
     } else {
       lines.back().append(" ").append(word);
     }

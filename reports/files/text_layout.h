@@ -24,8 +24,9 @@ std::string vector_text(double x, double y, double z);
 /// characters are replaced, so that a name from a file cannot steer a terminal.
 std::string shortened(std::string_view text, std::size_t characters);
 
-/// Lines of at most `characters`, broken at blanks and line ends; a longer word is a line by itself.
-std::vector<std::string> wrap_lines(std::string_view text, std::size_t characters);
+/// Lines of at most `characters`, broken at blanks and line ends; a longer word is a line by itself. All but the first
+/// begin with as many blanks as `hanging`.
+std::vector<std::string> wrap_lines(std::string_view text, std::size_t characters, std::size_t hanging = 0);
 
 /// Rows of cells as lines with aligned columns, two blanks between them.
 std::vector<std::string> aligned(const std::vector<std::vector<std::string>>& rows);

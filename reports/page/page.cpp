@@ -229,29 +229,24 @@ struct Numbers {
 };
 
 // `report` numbers the figures of several runs: "error_ao_1", "error_ao_2", …
-bool are_of_three_runs(const std::vector<std::string>& stems) {
-  for (std::size_t i = 0; i < stems.size(); ++i) {
-    if (!stems[i].ends_with(fmt::format("_{}", i % 3 + 1))) return false;
+bool are_of_three_runs(const std::vector<FigureHead>& figures) {
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    if (!figures[i].stem.ends_with(fmt::format("_{}", i % 3 + 1))) return false;
   }
-  return stems.size() % 3 == 0;
+  return figures.size() % 3 == 0;
 }
 
 // In the order of the page: what the viewer shows, in `layers`, is folded after the rest.
 Json figures_data(const fs::path& folder, const ReportSection& section, const std::set<std::string>& layers,
                   Numbers& numbers) {
-  const auto text_at = [](const std::vector<std::string>& texts, std::size_t i) {
-    return i < texts.size() ? texts[i] : std::string();
-  };
   Json figures = Json::array();
-  std::vector<std::size_t> order(section.figures.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_partition(order, [&](std::size_t f) { return !layers.contains(section.figures[f]); });
-  for (const std::size_t f : order) {
-    const std::string& stem = section.figures[f];
+  std::vector<FigureHead> heads = section.figures;
+  std::ranges::stable_partition(heads, [&](const FigureHead& head) { return !layers.contains(head.stem); });
+  for (const auto& [stem, title, conditions, caption] : heads) {
     figures.push_back({{"number", ++numbers.figures},
                        {"stem", stem},
-                       {"title", text_at(section.figure_titles, f)},
-                       {"caption", text_at(section.captions, f)},
+                       {"title", title},
+                       {"caption", caption},
                        {"files", figure_files(folder, stem)}});
     for (const ChartCells& cells : section.charts) {
       if (cells.stem == stem)
@@ -344,11 +339,11 @@ void write_page_to(const fs::path& file, const Report& report, const ViewerPack*
   page["data"] = script_text(page);
   if (report.cells) {
     page["cells"] = script_text(cells_json(*report.cells));
-    if (report.cells_section < page["sections"].size()) page["sections"][report.cells_section]["has_cells"] = true;
+    if (!report.sections.empty()) page["sections"][0]["has_cells"] = true;
   }
   if (viewer != nullptr && !viewer->sets.empty()) {
     page["viewer"] = viewer_text(*viewer);
-    if (viewer->section < page["sections"].size()) page["sections"][viewer->section]["has_viewer"] = true;
+    if (!report.sections.empty()) page["sections"][0]["has_viewer"] = true;
   }
   if (const std::string_view script = page_script(); !script.empty()) {
     page["script"] = script;

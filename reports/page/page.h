@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/table.h"
+#include "reports/figures/figures.h"
 #include "reports/page/cells.h"
 
 namespace umbrameter {
@@ -36,10 +37,8 @@ struct ReportSection {
   std::string title;
   std::string text;  ///< plain paragraphs, separated by blank lines
   std::vector<Headline> headlines;
-  std::vector<BarShare> bar{};        ///< above the headlines; the rest of it is empty
-  std::vector<std::string> figures;   ///< stems in DIR/figures, shown in this order
-  std::vector<std::string> captions;  ///< one for each figure
-  std::vector<std::string> figure_titles;
+  std::vector<BarShare> bar{};      ///< above the headlines; the rest of it is empty
+  std::vector<FigureHead> figures;  ///< in DIR/figures, shown in this order; a caption includes the conditions
   std::vector<ReportTable> tables;
   std::vector<ChartCells> charts{};  ///< of those figures whose points are cells of a sweep
   bool tables_first = false;         ///< tables stand before figures
@@ -56,8 +55,7 @@ struct Report {
   std::vector<std::string> notes;       ///< what was assumed
   std::vector<ReportSection> sections;
   Table settings;  ///< every parameter: name, value, default, ...; those whose value is not the default first
-  std::optional<ReportCells> cells{};
-  std::size_t cells_section = 0;  ///< the table of all cells stands before this section
+  std::optional<ReportCells> cells{};  ///< their table stands before the first section
 };
 
 /// The files beside a page that it links to, each where the folder has it.

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "reports/files/markup.h"
+#include "reports/files/output.h"
 #include "reports/files/png.h"
 
 namespace umbrameter {
@@ -20,7 +19,6 @@ using Json = nlohmann::ordered_json;
 // Beyond this a browser is quicker with the pixels than with the drawing.
 constexpr std::size_t largest_inline_svg = 12u << 20;
 
-constexpr std::string_view base64_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr int least_columns = 640;  // of a reduced image
 
 bool is_file_stem(std::string_view stem) {
@@ -28,29 +26,6 @@ bool is_file_stem(std::string_view stem) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
   };
   return !stem.empty() && stem.front() != '.' && std::all_of(stem.begin(), stem.end(), fits);
-}
-
-// Empty when there is no such file.
-std::string read_file(const fs::path& path) {
-  std::ostringstream bytes;
-  bytes << std::ifstream(path, std::ios::binary).rdbuf();
-  return bytes.str();
-}
-
-std::string from_base64(std::string_view text) {
-  std::string bytes;
-  std::uint32_t group = 0;
-  int bits = 0;
-  for (const char c : text) {
-    const std::size_t digit = base64_digits.find(c);
-    if (digit == std::string_view::npos) break;  // the padding
-    group = group << 6u | static_cast<std::uint32_t>(digit);
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    bytes += static_cast<char>(group >> static_cast<unsigned>(bits) & 0xffu);
-  }
-  return bytes;
 }
 
 Image<glm::u8vec3> reduced(const Image<glm::u16vec4>& image, int n) {
@@ -74,7 +49,7 @@ std::string with_reduced_images(std::string_view drawing) {
     const std::size_t begin = drawing.find(start);
     if (begin == std::string_view::npos) return result + std::string(drawing);
     const std::size_t end = std::min(drawing.size(), drawing.find('"', begin));
-    const std::string png = from_base64(drawing.substr(begin + start.size(), end - begin - start.size()));
+    const std::string png = from_base64(std::string(drawing.substr(begin + start.size(), end - begin - start.size())));
     const PngHeader header = png_header(png);
     const int n = std::min(header.width / least_columns, header.height);
     result += drawing.substr(0, begin);
@@ -127,8 +102,9 @@ void add_picture(Json& figure, const fs::path& folder) {
   if (const std::string stem = figure["stem"]; is_file_stem(stem)) {
     const fs::path base = folder / "figures" / stem;
     const std::string id_prefix = fmt::format("f{}-", figure["number"].dump());
-    drawing = inline_svg(read_file(fs::path(base).concat(".svg")), id_prefix);
-    if (drawing.empty() || drawing.size() > largest_inline_svg) png = read_file(fs::path(base).concat(".png"));
+    drawing = inline_svg(text_of_file(fs::path(base).concat(".svg")).value_or(""), id_prefix);
+    if (drawing.empty() || drawing.size() > largest_inline_svg)
+      png = text_of_file(fs::path(base).concat(".png")).value_or("");
   }
   if (!png.empty()) {
     figure["pixels"] = data_uri("image/png", png);

@@ -8,7 +8,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "core/image.h"
@@ -87,11 +86,9 @@ struct ViewerData {
 /// Sets of images as the page holds them: JSON. What several sets share is held once.
 struct ViewerPack {
   std::string title = "Images";
-  std::size_t section = 0;                                     ///< the viewer stands before this section of the page
-  std::vector<std::string> sets{};                             ///< the first is shown when the page opens
-  std::set<std::string> layers{};                              ///< their names
-  std::vector<std::string> items{};                            ///< planes and names, to which the sets refer by index
-  std::unordered_multimap<std::size_t, std::size_t> places{};  ///< of the items, by their hash
+  std::vector<std::string> sets{};   ///< the first is shown when the page opens
+  std::set<std::string> layers{};    ///< their names
+  std::vector<std::string> items{};  ///< planes and names, to which the sets refer by index
 };
 
 /// Packs a set, so that its images need not stay in memory. Planes are deflated and in base64.

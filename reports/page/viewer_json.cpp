@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -55,14 +54,10 @@ double six_digits(double value) {
 // The index of an item; equal ones have the same.
 std::size_t place_of(ViewerPack& pack, const Json& item) {
   std::string text = script_text(item);
-  const std::size_t hash = std::hash<std::string>()(text);
-  const auto [first, last] = pack.places.equal_range(hash);
-  for (auto known = first; known != last; ++known) {
-    if (pack.items[known->second] == text) return known->second;
-  }
-  pack.items.push_back(std::move(text));
-  pack.places.emplace(hash, pack.items.size() - 1);
-  return pack.items.size() - 1;
+  const auto known = std::find(pack.items.begin(), pack.items.end(), text);
+  const std::ptrdiff_t place = known - pack.items.begin();
+  if (known == pack.items.end()) pack.items.push_back(std::move(text));
+  return static_cast<std::size_t>(place);
 }
 
 // The share of this role in the layer's group, if the layer is an error.

@@ -254,10 +254,10 @@ int write_figure(const fs::path& folder, const Table& table, const Setup& setup)
   figure.upper = "relative_most";
   figure.data = table;
   write_text(folder / "shading-time.csv", to_csv(table));
-  const FigureOutcome outcome = write_figures(folder, {{}, {figure}});
-  for (const std::string& problem : outcome.problems) fmt::print(stderr, "{}\n", problem);
+  const std::vector<std::string> problems = write_figures(folder, {figure});
+  for (const std::string& problem : problems) fmt::print(stderr, "{}\n", problem);
   for (const char* unused : {"shading-time.pdf", "shading-time.png"}) fs::remove(folder / unused);
-  return static_cast<int>(outcome.problems.empty() ? ExitCode::ok : ExitCode::partial);
+  return static_cast<int>(problems.empty() ? ExitCode::ok : ExitCode::partial);
 }
 
 int run(const Setup& setup) {

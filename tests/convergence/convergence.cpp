@@ -159,9 +159,9 @@ int run(const std::vector<std::string>& arguments) {
   const double ratio = 1024.0 / rays_for(lines[0].points, random_1024);
   fmt::print("at the error of 1024 random rays, owen needs 1/{:.2f} of them\n", ratio);
   write_text(folder / "convergence.csv", to_csv(table_of(lines)));
-  const FigureOutcome outcome = write_figures(folder, {{}, {figure_of(lines, cases.size(), ratio)}});
-  for (const std::string& problem : outcome.problems) fmt::print(stderr, "{}\n", problem);
-  return outcome.problems.empty() ? 0 : 5;
+  const std::vector<std::string> problems = write_figures(folder, {figure_of(lines, cases.size(), ratio)});
+  for (const std::string& problem : problems) fmt::print(stderr, "{}\n", problem);
+  return problems.empty() ? 0 : 5;
 }
 
 }  // namespace

@@ -32,9 +32,9 @@ void print(const Measurements& measurements) {
 }
 
 Measurements run_self(const std::vector<std::string>& arguments) {
-  Filter filter{{fs::read_symlink("/proc/self/exe").string()}, {}, {}};
-  filter.arguments.insert(filter.arguments.end(), arguments.begin(), arguments.end());
-  const FilterResult result = run_filters({filter}, 1).front();
+  std::vector<std::string> command = {fs::read_symlink("/proc/self/exe").string()};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  const FilterResult result = run_filter(command, {});
   if (!result.problem.empty()) throw Error(ExitCode::partial, arguments.back(), result.problem);
   Measurements measurements;
   std::istringstream lines(result.output);
@@ -189,11 +189,11 @@ int run(const std::vector<std::string>& arguments) {
   write_text(folder / "large-scenes.csv", to_csv(to_table(rows)));
   const std::vector<PlotFigure> figures = {times_figure(rows, "forest", "instances"),
                                            times_figure(rows, "city", "nothing shared"), memory_figure(rows)};
-  const FigureOutcome outcome = write_figures(folder, {{}, figures});
+  const std::vector<std::string> problems = write_figures(folder, {figures.begin(), figures.end()});
   for (const PlotFigure& figure : figures) fs::remove(folder / (figure.stem + ".pdf"));
   print_markdown(rows);
-  for (const std::string& problem : outcome.problems) fmt::print(stderr, "{}\n", problem);
-  return outcome.problems.empty() ? 0 : 5;
+  for (const std::string& problem : problems) fmt::print(stderr, "{}\n", problem);
+  return problems.empty() ? 0 : 5;
 }
 
 }  // namespace

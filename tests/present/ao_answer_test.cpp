@@ -1,8 +1,8 @@
 // What the console says of ambient occlusion.
 #include <gtest/gtest.h>
 
-#include "present/ao_stages_report.h"
 #include "present/presentation.h"
+#include "present/presentation_parts.h"
 
 namespace umbrameter {
 namespace {

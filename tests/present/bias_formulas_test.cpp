@@ -149,9 +149,9 @@ TEST(BiasFormulas, The_figure_has_a_point_for_each_combination_and_what_the_form
   const auto figure_of = [](const BiasCurves& of) {
     Presentation presentation;
     present_formulas(presentation, of);
-    EXPECT_EQ(presentation.plots.size(), 2u) << "one for each normal offset";
+    EXPECT_EQ(presentation.figures.size(), 2u) << "one for each normal offset";
     EXPECT_EQ(presentation.section.tables.back().table.rows.size(), 6u);
-    return presentation.plots.at(0);
+    return std::get<PlotFigure>(presentation.figures.at(0));
   };
   const PlotFigure exact = figure_of(curves);
   EXPECT_EQ(exact.data.rows.size(), 3u * 9u);
@@ -191,7 +191,7 @@ TEST(BiasFormulas, Over_the_resolution_alone_a_figure_shows_the_bias_against_the
   EXPECT_EQ(curves.formulas[2].left_out, 1u) << "a bias below the axis may have no acne, too";
   Presentation presentation;
   present_formulas(presentation, curves);
-  const PlotFigure& figure = presentation.plots.front();
+  const PlotFigure& figure = std::get<PlotFigure>(presentation.figures.front());
   EXPECT_EQ(figure.stem, "bias_fit_0");
   // Two of three formulas have three points each; of each point the formula's bias and a ring at its own.
   ASSERT_EQ(figure.data.rows.size(), 12u);

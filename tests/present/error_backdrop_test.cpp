@@ -1,8 +1,7 @@
-#include "present/error_backdrop.h"
-
 #include <gtest/gtest.h>
 
 #include "compare/visibility.h"
+#include "present/presentation_parts.h"
 
 namespace umbrameter {
 namespace {

@@ -131,7 +131,7 @@ TEST(ErrorImage, The_worst_inset_is_the_region_of_most_error_of_its_part) {
   fill(figures[0].values, 20, 30, 0.5f);
   fill(figures[0].values, 200, 100, -0.75f);
   fill(figures[2].values, 300, 5, 1.0f);
-  add_worst_insets(figures, errors);
+  add_worst_insets({figures.begin(), figures.end()}, errors);
   const auto holds = [&](const ImageFigure& figure, int x, int y) {
     const Inset& region = errors.at(figure.stem).insets.at(0);
     return region.width == 40 && region.height == 22 && region.x <= x && region.y <= y && region.x + 40 >= x + 5 &&
@@ -142,29 +142,30 @@ TEST(ErrorImage, The_worst_inset_is_the_region_of_most_error_of_its_part) {
   EXPECT_TRUE(holds(figures[2], 300, 5));
   std::vector<ImageFigure> right = {errors_of(320, 180)};
   ErrorImages none = {{right[0].stem, error_of("sun")}};
-  add_worst_insets(right, none);
+  add_worst_insets({right[0]}, none);
   EXPECT_TRUE(none.at(right[0].stem).insets.empty()) << "nothing is wrong";
 }
 
 TEST(ErrorImage, The_caption_says_what_the_drawing_does) {
   FigureStyle style = column();
   style.insets = {Inset{}};
-  std::vector<ImageFigure> figures = {errors_of(960, 540)};
-  figures[0].caption = "Technique − reference.";
-  figures[0].values.at(400, 300) = 1.0f;
-  ErrorImages errors = {{figures[0].stem, error_of("sun")}};
-  ErrorImage& error = errors.at(figures[0].stem);
+  std::vector<Figure> figures = {errors_of(960, 540)};
+  ImageFigure& figure = std::get<ImageFigure>(figures[0]);
+  figure.caption = "Technique − reference.";
+  figure.values.at(400, 300) = 1.0f;
+  ErrorImages errors = {{figure.stem, error_of("sun")}};
+  ErrorImage& error = errors.at(figure.stem);
   error.backdrop = Image<std::uint8_t>(960, 540, 222);
   complete_error_images(figures, errors, style);
-  const std::string& caption = figures[0].caption;
+  const std::string& caption = figure.caption;
   EXPECT_EQ(caption.find("Technique − reference. Behind it, in light grey"), 0u) << caption;
   EXPECT_NE(caption.find("Inset: the region of most error, 120×67 pixels at ("), std::string::npos) << caption;
-  const int dot = error_dot(figures[0], error, style);
+  const int dot = error_dot(figure, error, style);
   ASSERT_GT(dot, 1);
   EXPECT_NE(caption.find(std::to_string(dot) + " × " + std::to_string(dot) + " pixels outside of the insets"),
             std::string::npos)
       << caption;
-  EXPECT_EQ(draw(figures[0], style, error).images.size(), 2u);
+  EXPECT_EQ(draw(figure, style, error).images.size(), 2u);
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ double second_box_number(const std::string& svg, int index) {
   return std::stod(svg.substr(at));
 }
 
-Figures one_of_each() { return {{checker(320, 180)}, {lines(3)}, {map_of_panels()}, {sum_of_steps()}}; }
+std::vector<Figure> one_of_each() { return {checker(320, 180), lines(3), map_of_panels(), sum_of_steps()}; }
 
 // Columns of journals are 84 to 90 mm wide, their pages 176 mm or more; the slide is 339 mm.
 // Labels have 8 pt in a column and on a page, 20 pt on a slide: the drawing's unit is its width over the viewBox's.
@@ -108,8 +108,8 @@ TEST(FigureStyle, Every_kind_of_figure_has_the_width_of_its_place_in_svg_and_pdf
   const TemporaryFolder folder;
   for (const auto& [name, width, points] : {Place{"column", 84.0, 8.0}, {"page", 176.0, 8.0}, {"slide", 300.0, 20.0}}) {
     const std::filesystem::path figures = folder / name;
-    const FigureOutcome outcome = write_figures(figures, one_of_each(), style_of(name));
-    ASSERT_TRUE(outcome.problems.empty()) << outcome.problems.front();
+    const std::vector<std::string> problems = write_figures(figures, one_of_each(), style_of(name));
+    ASSERT_TRUE(problems.empty()) << problems.front();
     for (const std::string stem : {"checker", "lines", "map", "sum"}) {
       const std::string svg = text_of(figures / (stem + ".svg"));
       EXPECT_NEAR(width_in_mm(svg), width, 0.01) << name << " " << stem;
@@ -353,7 +353,7 @@ TEST(Grey, Bars_differ_in_hatching) {
   }
   EXPECT_GE(std::abs(lightness({0, 114, 178}) - lightness({230, 159, 0})), 20.0);
   const TemporaryFolder folder;
-  write_figures(folder / "figures", {{}, {}, {}, {sum_of_steps()}});
+  write_figures(folder / "figures", {sum_of_steps()});
   const std::string svg = text_of(folder / "figures/sum.svg");
   EXPECT_NE(svg.find("fill=\"url(#above)\""), std::string::npos);
   EXPECT_NE(svg.find("<defs><pattern"), std::string::npos);

@@ -73,8 +73,8 @@ class Variable {
 
 TEST(Figures, Each_is_written_as_svg_pdf_and_png) {
   const TemporaryFolder folder;
-  const FigureOutcome outcome = write_figures(folder / "figures", {{ramp_figure()}, {curve_figure()}});
-  EXPECT_TRUE(outcome.problems.empty()) << outcome.problems.front();
+  const std::vector<std::string> problems = write_figures(folder / "figures", {ramp_figure(), curve_figure()});
+  EXPECT_TRUE(problems.empty()) << problems.front();
   EXPECT_EQ(count_files(folder / "figures"), 6u);
   for (const std::string stem : {"ramp", "curve"}) {
     EXPECT_TRUE(contains(text_of(folder / ("figures/" + stem + ".svg")), "</svg>")) << stem;
@@ -86,7 +86,7 @@ TEST(Figures, Each_is_written_as_svg_pdf_and_png) {
 TEST(Figures, Png_of_an_image_holds_its_pixels_where_the_svg_shows_them) {
   const TemporaryFolder folder;
   const ImageFigure figure = ramp_figure(640, 40);
-  write_figures(folder / "figures", {{figure}, {}});
+  write_figures(folder / "figures", {figure});
   const Image<glm::u16vec4> png = from_png(text_of(folder / "figures/ramp.png"));
   const std::string svg = to_svg(draw(figure));
   const Image<glm::u8vec3> rendered = SvgDrawing(svg).pixels(1.0);
@@ -108,7 +108,7 @@ TEST(Figures, Png_of_an_image_holds_its_pixels_where_the_svg_shows_them) {
 
 TEST(Figures, Two_runs_write_the_same_bytes) {
   const TemporaryFolder folder;
-  for (const char* run : {"first", "second"}) write_figures(folder / run, {{ramp_figure()}, {curve_figure()}});
+  for (const char* run : {"first", "second"}) write_figures(folder / run, {ramp_figure(), curve_figure()});
   for (const std::string name : {"ramp.svg", "ramp.pdf", "ramp.png", "curve.svg", "curve.pdf", "curve.png"}) {
     EXPECT_TRUE(text_of(folder / ("first/" + name)) == text_of(folder / ("second/" + name))) << name;
   }
@@ -119,11 +119,13 @@ TEST(Figures, Do_not_depend_on_the_number_of_threads) {
   std::vector<ImageFigure> images(5, ramp_figure(320, 180));
   for (std::size_t i = 0; i < images.size(); ++i) images[i].stem = "ramp" + std::to_string(i);
   images[3].values = {};  // nothing to draw: a problem
+  std::vector<Figure> figures(images.begin(), images.end());
+  figures.emplace_back(curve_figure());
   for (const int threads : {1, 4}) {
     const ThreadLimit limit(threads);
-    const FigureOutcome outcome = write_figures(folder / std::to_string(threads), {images, {curve_figure()}});
-    ASSERT_EQ(outcome.problems.size(), 1u);
-    EXPECT_TRUE(contains(outcome.problems[0], "ramp3")) << outcome.problems[0];
+    const std::vector<std::string> problems = write_figures(folder / std::to_string(threads), figures);
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_TRUE(contains(problems[0], "ramp3")) << problems[0];
   }
   EXPECT_EQ(count_files(folder / "1"), 15u);
   for (const auto& entry : fs::directory_iterator(folder / "1")) {
@@ -136,7 +138,7 @@ TEST(Figures, Are_counted_as_they_are_written) {
   ImageFigure second = ramp_figure();
   second.stem = "second";
   std::vector<std::size_t> counted;
-  write_figures(folder / "figures", {{ramp_figure(), second}, {curve_figure()}}, {},
+  write_figures(folder / "figures", {ramp_figure(), second, curve_figure()}, {}, {},
                 [&](std::size_t done, std::size_t all) {
                   EXPECT_EQ(all, 3u);
                   counted.push_back(done);
@@ -147,9 +149,9 @@ TEST(Figures, Are_counted_as_they_are_written) {
 TEST(Figures, A_machine_without_node_gets_the_images_and_is_told_what_to_install) {
   const TemporaryFolder folder;
   const Variable path("PATH", folder.path().string());
-  const FigureOutcome outcome = write_figures(folder / "figures", {{ramp_figure()}, {curve_figure()}});
-  ASSERT_EQ(outcome.problems.size(), 1u);
-  EXPECT_TRUE(contains(outcome.problems[0], "install nodejs")) << outcome.problems[0];
+  const std::vector<std::string> problems = write_figures(folder / "figures", {ramp_figure(), curve_figure()});
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_TRUE(contains(problems[0], "install nodejs")) << problems[0];
   for (const char* name : {"ramp.svg", "ramp.pdf", "ramp.png"}) EXPECT_TRUE(fs::exists(folder / "figures" / name));
   EXPECT_EQ(count_files(folder / "figures"), 3u);
 }
@@ -158,20 +160,20 @@ TEST(Figures, A_drawing_that_cannot_be_read_is_one_problem_and_the_rest_is_drawn
   const TemporaryFolder folder;
   const Variable data("UMBRAMETER_DATA", folder.path().string());
   put_text(folder / "figures.cjs", R"(console.log('[{"svg": "<svg><text>no end"}]'))");
-  const FigureOutcome outcome = write_figures(folder / "figures", {{ramp_figure()}, {curve_figure()}});
-  ASSERT_EQ(outcome.problems.size(), 1u);
-  EXPECT_TRUE(contains(outcome.problems[0], "curve.svg")) << outcome.problems[0];
-  EXPECT_FALSE(contains(outcome.problems[0], "\n")) << outcome.problems[0];
+  const std::vector<std::string> problems = write_figures(folder / "figures", {ramp_figure(), curve_figure()});
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_TRUE(contains(problems[0], "curve.svg")) << problems[0];
+  EXPECT_FALSE(contains(problems[0], "\n")) << problems[0];
   EXPECT_EQ(count_files(folder / "figures"), 4u) << "three of the ramp, and the curve's SVG";
 }
 
 // cairo's images have at most 32767 pixels along a side.
 TEST(Figures, An_image_too_large_for_a_png_is_a_problem_and_has_its_svg_and_pdf) {
   const TemporaryFolder folder;
-  const FigureOutcome outcome = write_figures(folder / "figures", {{ramp_figure(40000, 1)}, {}});
-  ASSERT_EQ(outcome.problems.size(), 1u);
-  EXPECT_TRUE(contains(outcome.problems[0], "ramp.png not made")) << outcome.problems[0];
-  EXPECT_TRUE(contains(outcome.problems[0], "32767")) << outcome.problems[0];
+  const std::vector<std::string> problems = write_figures(folder / "figures", {ramp_figure(40000, 1)});
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_TRUE(contains(problems[0], "ramp.png not made")) << problems[0];
+  EXPECT_TRUE(contains(problems[0], "32767")) << problems[0];
   EXPECT_EQ(text_of(folder / "figures/ramp.pdf").substr(0, 5), "%PDF-");
   EXPECT_EQ(count_files(folder / "figures"), 2u);
 }
@@ -179,9 +181,9 @@ TEST(Figures, An_image_too_large_for_a_png_is_a_problem_and_has_its_svg_and_pdf)
 TEST(Figures, A_missing_plot_drawer_is_named) {
   const TemporaryFolder folder;
   const Variable data("UMBRAMETER_DATA", (folder / "nowhere").string());
-  const FigureOutcome outcome = write_figures(folder / "figures", {{}, {curve_figure()}});
-  ASSERT_EQ(outcome.problems.size(), 1u);
-  EXPECT_TRUE(contains(outcome.problems[0], (folder / "nowhere/figures.cjs").string())) << outcome.problems[0];
+  const std::vector<std::string> problems = write_figures(folder / "figures", {curve_figure()});
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_TRUE(contains(problems[0], (folder / "nowhere/figures.cjs").string())) << problems[0];
 }
 
 TEST(Figures, A_broken_plot_drawer_is_a_problem_and_no_crash) {
@@ -189,9 +191,9 @@ TEST(Figures, A_broken_plot_drawer_is_a_problem_and_no_crash) {
   const Variable data("UMBRAMETER_DATA", folder.path().string());
   for (const std::string script : {"process.exit(3)", "console.log('[]')", "console.log('nonsense')", "throw 1"}) {
     put_text(folder / "figures.cjs", script);
-    const FigureOutcome outcome = write_figures(folder / "figures", {{}, {curve_figure()}});
-    ASSERT_EQ(outcome.problems.size(), 1u) << script;
-    EXPECT_TRUE(contains(outcome.problems[0], "1 plot not drawn")) << outcome.problems[0];
+    const std::vector<std::string> problems = write_figures(folder / "figures", {curve_figure()});
+    ASSERT_EQ(problems.size(), 1u) << script;
+    EXPECT_TRUE(contains(problems[0], "1 plot not drawn")) << problems[0];
   }
 }
 
@@ -206,8 +208,8 @@ TEST(Figures, Hostile_texts_stay_texts) {
   PlotFigure plot = curve_figure();
   plot.title = plot.caption = plot.x.label = plot.y.label = plot.series_label = hostile;
   for (std::vector<Value>& row : plot.data.rows) row[2] = hostile;
-  const FigureOutcome outcome = write_figures(folder / "figures", {{image}, {plot}}, style);
-  EXPECT_TRUE(outcome.problems.empty()) << outcome.problems.front();
+  const std::vector<std::string> problems = write_figures(folder / "figures", {image, plot}, style);
+  EXPECT_TRUE(problems.empty()) << problems.front();
   EXPECT_EQ(count_files(folder / "figures"), 6u);
   for (const char* name : {"ramp.svg", "curve.svg"}) {
     const std::string svg = text_of(folder / "figures" / name);
@@ -227,12 +229,12 @@ TEST(Figures, What_cannot_be_drawn_is_a_problem_and_the_rest_is_drawn) {
   PlotFigure no_column = curve_figure();
   no_column.stem = "no_column";
   no_column.y.column = "missing";
-  const FigureOutcome outcome =
-      write_figures(folder / "figures", {{empty, unknown_category, ramp_figure()}, {no_column, curve_figure()}});
-  ASSERT_EQ(outcome.problems.size(), 3u);
-  EXPECT_TRUE(contains(outcome.problems[0], "empty")) << outcome.problems[0];
-  EXPECT_TRUE(contains(outcome.problems[1], "category 9")) << outcome.problems[1];
-  EXPECT_TRUE(contains(outcome.problems[2], "'missing'")) << outcome.problems[2];
+  const std::vector<std::string> problems =
+      write_figures(folder / "figures", {empty, unknown_category, ramp_figure(), no_column, curve_figure()});
+  ASSERT_EQ(problems.size(), 3u);
+  EXPECT_TRUE(contains(problems[0], "empty")) << problems[0];
+  EXPECT_TRUE(contains(problems[1], "category 9")) << problems[1];
+  EXPECT_TRUE(contains(problems[2], "'missing'")) << problems[2];
   EXPECT_EQ(count_files(folder / "figures"), 6u);
 }
 
@@ -241,7 +243,7 @@ TEST(Figures, A_stem_cannot_leave_the_folder) {
   for (const char* stem : {"../outside", "/outside", "", ".hidden", "a/b"}) {
     ImageFigure figure = ramp_figure(4, 4);
     figure.stem = stem;
-    EXPECT_EQ(write_figures(folder / "figures", {{figure}, {}}).problems.size(), 1u) << stem;
+    EXPECT_EQ(write_figures(folder / "figures", {figure}).size(), 1u) << stem;
   }
   EXPECT_EQ(count_files(folder.path()), 1u);
   EXPECT_EQ(count_files(folder / "figures"), 0u);
@@ -251,7 +253,7 @@ TEST(Figures, A_folder_that_cannot_be_made_is_an_error_that_names_it) {
   const TemporaryFolder folder;
   put_text(folder / "file", "x");
   try {
-    write_figures(folder / "file/figures", {{ramp_figure()}, {}});
+    write_figures(folder / "file/figures", {ramp_figure()});
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::partial);
@@ -266,7 +268,7 @@ TEST(Figures, Images_of_extreme_shape_are_drawn) {
     figures.push_back(ramp_figure(width, height));
     figures.back().stem = "shape" + std::to_string(width) + "x" + std::to_string(height);
   }
-  EXPECT_TRUE(write_figures(folder / "figures", {figures, {}}).problems.empty());
+  EXPECT_TRUE(write_figures(folder / "figures", {figures.begin(), figures.end()}).empty());
   EXPECT_EQ(count_files(folder / "figures"), 9u);
 }
 
@@ -358,8 +360,8 @@ TEST(PlotFigure, No_rows_one_row_and_a_choice_as_abscissa_are_drawn) {
   choice.stem = "choice";
   choice.series.reset();
   for (std::vector<Value>& row : choice.data.rows) row[0] = std::string("box");
-  const FigureOutcome outcome = write_figures(folder / "figures", {{}, {none, empty_logarithmic, one, choice}});
-  EXPECT_TRUE(outcome.problems.empty()) << outcome.problems.front();
+  const std::vector<std::string> problems = write_figures(folder / "figures", {none, empty_logarithmic, one, choice});
+  EXPECT_TRUE(problems.empty()) << problems.front();
   EXPECT_TRUE(contains(text_of(folder / "figures/none.svg"), "No data"));
   EXPECT_TRUE(contains(text_of(folder / "figures/choice.svg"), ">box<"));
 }

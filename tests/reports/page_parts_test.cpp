@@ -68,7 +68,7 @@ TEST(PageParts, Figures_of_what_the_viewer_shows_are_folded_and_others_are_not) 
   const TemporaryFolder folder;
   Report report;
   report.sections.emplace_back();
-  report.sections[0].figures = {"layer", "absent"};
+  report.sections[0].figures = {{"layer"}, {"absent"}};
   ViewerPack pack;
   pack.sets = {"{}"};
   pack.layers = {"layer"};
@@ -100,7 +100,7 @@ TEST(PageParts, Embedded_images_are_reduced_to_what_a_page_can_show) {
 TEST(PageParts, Tables_stand_before_figures_where_the_section_wants_it) {
   const TemporaryFolder folder;
   Report report = of_table({{{"a", "", ""}}, {{std::string("x")}}});
-  report.sections[0].figures = {"absent"};
+  report.sections[0].figures = {{"absent"}};
   const auto is_table_first = [&] {
     const std::string page = page_of(folder, report);
     return page.find("<div class=\"table\"") < page.find("<figure ");

@@ -67,9 +67,7 @@ std::string data_text(const std::string& page) {
 Report with_figure(const std::string& stem, const std::string& title, const std::string& caption) {
   Report report;
   ReportSection section;
-  section.figures = {stem};
-  section.figure_titles = {title};
-  section.captions = {caption};
+  section.figures = {{stem, title, "", caption}};
   report.sections = {section};
   return report;
 }
@@ -93,9 +91,7 @@ Report sample(const std::string& text) {
   section.title = text;
   section.text = text + "\n\n" + text;
   section.headlines = {{text, text, text}, {text, "4.1 ± 0.1 %", ""}};
-  section.figures = {"drawn", "absent", "../secret", text};
-  section.captions = {text, text};
-  section.figure_titles = {text};
+  section.figures = {{"drawn", text, "", text}, {"absent", "", "", text}, {"../secret"}, {text}};
   section.tables = {{text, {{{text, text, text}, {"mae", "1", ""}}, {{text, 0.125}}}}};
   report.sections = {section, section};
   return report;
@@ -243,7 +239,7 @@ TEST(Page, The_viewer_has_its_data_as_json_whatever_the_names_are) {
     add_set(pack, viewer_sample(text));
     Report report = sample(text);
     report.cells = ReportCells{{{{text, text, text}}, {{text}}}, 1, {text}, {}, 1, text, {text}, text};
-    report.sections[0].charts = {{report.sections[0].figures.at(0), {{text, text}}, {{text, text}}}};
+    report.sections[0].charts = {{report.sections[0].figures.at(0).stem, {{text, text}}, {{text, text}}}};
     const std::string page = written_page(folder, report, &pack);
     EXPECT_EQ(unbalanced(page), "");
     EXPECT_EQ(count(page, "<script"), 3u) << "three blocks of data";

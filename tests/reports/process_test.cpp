@@ -14,8 +14,8 @@
 namespace umbrameter {
 namespace {
 
-FilterResult run(std::vector<std::string> arguments, std::string input = {}) {
-  return run_filters({{std::move(arguments), {}, std::move(input)}}, 1).front();
+FilterResult run(const std::vector<std::string>& arguments, const std::string& input = {}) {
+  return run_filter(arguments, input);
 }
 
 TEST(Process, Bytes_come_back_as_they_went_in) {
@@ -30,17 +30,6 @@ TEST(Process, A_program_that_reads_nothing_does_no_harm) {
   const FilterResult result = run({"true"}, std::string(1'000'000, 'x'));
   EXPECT_EQ(result.problem, "");
   EXPECT_EQ(result.output, "");
-}
-
-TEST(Process, Results_are_in_the_order_of_the_filters_whoever_ends_first) {
-  const std::vector<FilterResult> results = run_filters({{{"sh", "-c", "sleep 0.2; echo first"}, {}, {}},
-                                                         {{"sh", "-c", "echo second"}, {}, {}},
-                                                         {{"sh", "-c", "echo third"}, {}, {}}},
-                                                        2);
-  ASSERT_EQ(results.size(), 3u);
-  EXPECT_EQ(results[0].output, "first\n");
-  EXPECT_EQ(results[1].output, "second\n");
-  EXPECT_EQ(results[2].output, "third\n");
 }
 
 TEST(Process, A_missing_program_is_a_problem_that_names_it) {
@@ -59,22 +48,9 @@ TEST(Process, A_killed_program_is_a_problem_with_its_signal) {
 
 TEST(Process, Output_of_a_failed_program_is_not_used) { EXPECT_EQ(run({"sh", "-c", "echo half; exit 1"}).output, ""); }
 
-TEST(Process, Given_variables_replace_the_callers) {
-  setenv("UMBRAMETER_TEST", "outer", 1);
-  const std::vector<FilterResult> results =
-      run_filters({{{"sh", "-c", "echo $UMBRAMETER_TEST"}, {"UMBRAMETER_TEST=inner"}, {}},
-                   {{"sh", "-c", "echo $UMBRAMETER_TEST"}, {}, {}}},
-                  2);
-  unsetenv("UMBRAMETER_TEST");
-  EXPECT_EQ(results[0].output, "inner\n");
-  EXPECT_EQ(results[1].output, "outer\n");
-}
-
 TEST(Process, Arguments_meet_no_shell) {
   EXPECT_EQ(run({"printf", "%s", "$(id); `id` 'x' \"y\""}).output, "$(id); `id` 'x' \"y\"");
 }
-
-TEST(Process, Nothing_to_run_gives_nothing) { EXPECT_TRUE(run_filters({}, 2).empty()); }
 
 // In a process of its own: the flag that a signal sets stays set.
 [[noreturn]] void run_until_interrupted(const std::filesystem::path& pid_file) {
@@ -85,7 +61,7 @@ TEST(Process, Nothing_to_run_gives_nothing) { EXPECT_TRUE(run_filters({}, 2).emp
   });
   int code = 0;
   try {
-    run_filters({{{"sh", "-c", "echo $$ > '" + pid_file.string() + "'; exec sleep 60"}, {}, {}}}, 1);
+    run({"sh", "-c", "echo $$ > '" + pid_file.string() + "'; exec sleep 60"});
   } catch (const Error& error) {
     code = static_cast<int>(error.code());
   }
