@@ -11,7 +11,7 @@ using Place = MapPlace;
 using Settings = BiasSettings;
 using Result = std::optional<double>;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_limit = std::numeric_limits<double>::infinity();
 constexpr double sqrt_2 = 1.41421356237309505;
 
 bool is_sun(const Place& place) { return place.light == LightKind::directional; }
@@ -96,8 +96,8 @@ BiasEngine godot() {
                    "R/100 · blur · quality with R = t · resolution + pancake; of a point light 1 m",
                    "light.shadow_bias = {}",
                    {},
-                   -infinity,
-                   infinity,
+                   -no_limit,
+                   no_limit,
                    0.001},
                   {"shadow_normal_bias",
                    "texels",
@@ -107,8 +107,8 @@ BiasEngine godot() {
                    "t",
                    "light.shadow_normal_bias = {}",
                    {OffsetProfile::constant, OffsetSide::receiver, OffsetDirection::across},
-                   -infinity,
-                   infinity,
+                   -no_limit,
+                   no_limit,
                    0.001}},
       .settings = {{"blur", 1.0, "1", "shadow_blur of the light"},
                    {"quality",
