@@ -26,6 +26,7 @@ ExitCode run_presets(const Console& console) {
                     {"meaning", preset.meaning},
                     {"confirmed", preset.confirmed},
                     {"source", preset.source},
+                    {"numbers", preset.numbers},
                     {"differs", preset.differs},
                     {"file", preset.file.string()},
                     {"values", values}});

@@ -21,8 +21,9 @@ Preset read_preset(const fs::path& path) {
   preset.name = path.stem().string();
   preset.file = path;
   const std::pair<std::string_view, std::string*> texts[] = {
-      {"preset.engine", &preset.engine}, {"preset.meaning", &preset.meaning},     {"preset.kind", &preset.kind},
-      {"preset.source", &preset.source}, {"preset.confirmed", &preset.confirmed}, {"preset.differs", &preset.differs}};
+      {"preset.engine", &preset.engine},  {"preset.meaning", &preset.meaning},     {"preset.kind", &preset.kind},
+      {"preset.source", &preset.source},  {"preset.confirmed", &preset.confirmed}, {"preset.numbers", &preset.numbers},
+      {"preset.differs", &preset.differs}};
   for (auto& [key, value] : read_experiment(path).values) {
     const auto* text = std::ranges::find(texts, key, &std::pair<std::string_view, std::string*>::first);
     if (text != std::end(texts)) {

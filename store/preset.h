@@ -19,7 +19,8 @@ struct Preset {
   std::string kind;       ///< "directional", "spot", "point" or "ao"
   std::string source;     ///< files of that version that have its formulas
   std::string confirmed;  ///< "run": held against the engine itself; "source": read there; "second-hand"
-  std::string differs;    ///< what our technique cannot do as the engine does; empty: nothing known
+  std::string numbers;  ///< the engine's own, as convert takes them with --from; empty: convert has no formula for them
+  std::string differs;  ///< what our technique cannot do as the engine does; empty: nothing known
   std::filesystem::path file;
   std::vector<std::pair<std::string, Value>> values;  ///< full parameter name, value
 };

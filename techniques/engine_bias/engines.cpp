@@ -11,13 +11,17 @@ using Place = MapPlace;
 using Settings = BiasSettings;
 using Result = std::optional<double>;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_limit = std::numeric_limits<double>::infinity();
 constexpr double sqrt_2 = 1.41421356237309505;
 
 bool is_sun(const Place& place) { return place.light == LightKind::directional; }
 
 // A light other than a directional one has no formula here.
 Result of_sun(const Place& place, double metres) { return is_sun(place) ? Result(metres) : std::nullopt; }
+
+Result unless_point(const Place& place, double metres) {
+  return place.light == LightKind::point ? std::nullopt : Result(metres);
+}
 
 // One unit of the depth, 0 to 1, of a camera with these planes: orthographic, or perspective at the depth d; 0 where d
 // is outside, or the planes are in the wrong order.
@@ -68,7 +72,7 @@ std::vector<BiasEngine> neutral_units() {
                     .offset = {OffsetProfile::sine},
                     .takes_any_offset = true},
                    {"polygon-offset-factor", "texels × slope", 0.0, BiasTerm::slope,
-                    [](const Place& p, const Settings&) { return of_sun(p, 1.0); }, "1",
+                    [](const Place&, const Settings&) -> Result { return 1.0; }, "1",
                     "--shadow.polygon-offset-factor {}"}},
        .is_unit = true},
   };
@@ -92,8 +96,8 @@ BiasEngine godot() {
                    "R/100 · blur · quality with R = t · resolution + pancake; of a point light 1 m",
                    "light.shadow_bias = {}",
                    {},
-                   -infinity,
-                   infinity,
+                   -no_limit,
+                   no_limit,
                    0.001},
                   {"shadow_normal_bias",
                    "texels",
@@ -103,8 +107,8 @@ BiasEngine godot() {
                    "t",
                    "light.shadow_normal_bias = {}",
                    {OffsetProfile::constant, OffsetSide::receiver, OffsetDirection::across},
-                   -infinity,
-                   infinity,
+                   -no_limit,
+                   no_limit,
                    0.001}},
       .settings = {{"blur", 1.0, "1", "shadow_blur of the light"},
                    {"quality",
@@ -179,8 +183,8 @@ BiasEngine playcanvas() {
                    "1",
                    0.05,
                    BiasTerm::slope,
-                   [](const Place& p, const Settings&) { return of_sun(p, 10.0); },
-                   "10 texels × slope",
+                   [](const Place& p, const Settings&) { return unless_point(p, 10.0); },
+                   "10 texels × slope; of a point light none",
                    "light.shadowBias = {};",
                    {},
                    0.0,
@@ -189,9 +193,7 @@ BiasEngine playcanvas() {
                    "m",
                    0.0,
                    BiasTerm::normal,
-                   [](const Place& p, const Settings&) {
-                     return p.light == LightKind::point ? std::nullopt : Result(1.0);
-                   },
+                   [](const Place& p, const Settings&) { return unless_point(p, 1.0); },
                    "1 m",
                    "light.normalOffsetBias = {};",
                    {OffsetProfile::constant},
@@ -203,27 +205,33 @@ BiasEngine playcanvas() {
           "distance of a spot light"};
 }
 
+// A texel of half a spot light's map at its range, at every depth. Cube faces are widened by a table of resolutions.
+Result urp_texel(const Place& place, const Settings& settings) {
+  const double share = is_sun(place) ? 1.0 : settings["lightRange"] / (2.0 * place.depth);
+  return unless_point(place, settings["soft"] * share * place.texel);
+}
+constexpr std::string_view urp_formula = "t · soft; of spot lights t · soft · lightRange / 2d";
+
 std::vector<BiasEngine> unity() {
   return {
       {.name = "unity-urp",
        .title = "Unity URP",
        .source = "ShadowUtils.cs @0070610 (GetShadowBias, RenderShadowSlice)",
-       .numbers = {{"shadowBias", "texels", 1.0, BiasTerm::constant,
-                    [](const Place& p, const Settings& s) { return of_sun(p, p.texel * s["soft"]); }, "t · soft",
-                    "light.shadowBias = {}f;"},
+       .numbers = {{"shadowBias", "texels", 1.0, BiasTerm::constant, urp_texel, urp_formula, "light.shadowBias = {}f;"},
                    {"shadowNormalBias",
                     "texels × (1 − cos θ)",
                     1.0,
                     BiasTerm::normal,
-                    [](const Place& p, const Settings& s) { return of_sun(p, p.texel * s["soft"]); },
-                    "t · soft",
+                    urp_texel,
+                    urp_formula,
                     "light.shadowNormalBias = {}f;",
                     {OffsetProfile::one_minus_cosine, OffsetSide::caster}}},
        .settings = {{"soft",
                      1.0,
                      "1",
                      "quality of soft shadows; off for hard ones",
-                     {{"off", 1.0}, {"low", 1.5}, {"medium", 2.5}, {"high", 3.5}}}},
+                     {{"off", 1.0}, {"low", 1.5}, {"medium", 2.5}, {"high", 3.5}}},
+                    {"lightRange", 10.0, "m", "range of a spot light"}},
        .note =
            "in addition every caster is drawn with polygon offset factor 2.5, units 1. The light's numbers are read "
            "only if its bias is set to Custom, else those of the pipeline asset",
@@ -236,7 +244,7 @@ std::vector<BiasEngine> unity() {
                     [](const Place& p, const Settings&) -> Result { return sqrt_2 * p.texel; }, "√2 t",
                     "hdLight.normalBias = {}f;"},
                    {"slopeBias", "texels × slope", 0.5, BiasTerm::slope,
-                    [](const Place& p, const Settings&) { return of_sun(p, 5.0); }, "5 texels × slope",
+                    [](const Place&, const Settings&) -> Result { return 5.0; }, "5 texels × slope",
                     "hdLight.slopeBias = {}f;"}},
        .note =
            "in addition every caster is drawn with polygon offset units 1, and receivers are compared with a bias of "

@@ -1,15 +1,10 @@
 #include "techniques/shadow/cascades.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <charconv>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
-#include <span>
-#include <string_view>
 
 #include "core/error.h"
 #include "techniques/shadow/fit_warp.h"
@@ -17,23 +12,16 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::array<std::string_view, 2> split_range_names{"seen", "camera"};
-constexpr std::array<std::string_view, 3> map_fit_names{"scene", "view", "bounds"};
-constexpr std::array<std::string_view, 2> cascade_fit_names{"tight", "stable"};
-
-constexpr std::array<std::string_view, 2> cascade_selection_names{"map", "depth"};
-constexpr std::array<std::string_view, 2> warp_names{"none", "lispsm"};
-
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A range of view depths, metres.
-struct DepthRange {
+struct ViewDepths {
   double nearest = infinity;
   double farthest = 0.0;
 };
 
-DepthRange depths_of(const GBuffer& surfels) {
-  DepthRange range;
+ViewDepths depths_of(const GBuffer& surfels) {
+  ViewDepths range;
   for (std::size_t i = 0; i < surfels.depth.size(); ++i) {
     const auto depth = static_cast<double>(surfels.depth[i]);
     if (!surfels.is_surface(i) || !(depth > 0.0) || !std::isfinite(depth)) continue;
@@ -44,15 +32,15 @@ DepthRange depths_of(const GBuffer& surfels) {
 }
 
 // Logarithmic splits need a near plane in front of the camera; an orthographic camera may have none.
-DepthRange depths_of(const View& view, double max_distance) {
+ViewDepths depths_of(const View& view, double max_distance) {
   constexpr double least_share = 1e-3;
-  const DepthRange planes = std::visit(
+  const ViewDepths planes = std::visit(
       [](const auto& projection) {
-        return DepthRange{projection.near_plane, projection.far_plane};
+        return ViewDepths{projection.near_plane, projection.far_plane};
       },
       view.camera.projection);
   const double farthest = std::min(planes.farthest, max_distance);
-  const DepthRange range{planes.nearest > 0.0 ? planes.nearest : least_share * farthest, farthest};
+  const ViewDepths range{planes.nearest > 0.0 ? planes.nearest : least_share * farthest, farthest};
   if (!(range.nearest < range.farthest)) {
     throw Error(ExitCode::usage, "shadow.max-distance", "the camera's near plane is no nearer",
                 "give more than " + to_string(Value(range.nearest)) + " m");
@@ -68,7 +56,7 @@ struct Sphere {
 
 // Its centre is on the camera's axis. Of a perspective frustum whose corners are k times their depth off the axis, the
 // near and the far corners are equally distant from the depth (n + f)(1 + k²)/2; beyond f, the far corners decide.
-Sphere bounding_sphere(const View& view, const DepthRange& range) {
+Sphere bounding_sphere(const View& view, const ViewDepths& range) {
   assert(view.width > 0 && view.height > 0);
   const double diagonal = std::hypot(static_cast<double>(view.width) / view.height, 1.0);
   double depth = 0.5 * (range.nearest + range.farthest);
@@ -137,13 +125,13 @@ class Fitter {
   Fitter(const MapLayout& layout, const SeenPart& seen, CascadeFit fit) : layout_(layout), seen_(seen), fit_(fit) {}
 
   /// The view of what is seen in a range of depths; none if that is empty.
-  std::optional<MapView> fit(const DepthRange& range) const {
+  std::optional<MapView> fit(const ViewDepths& range) const {
     if (fit_ == CascadeFit::tight) return around_surfels(range);
     return around_frustum(range);
   }
 
  private:
-  std::optional<MapView> around_surfels(const DepthRange& range) const {
+  std::optional<MapView> around_surfels(const ViewDepths& range) const {
     // Cascades that are selected by depth hold their own range alone: with room for the rounding of a surfel's depth.
     const bool is_by_depth = layout_.selection == CascadeSelection::depth;
     const double room = is_by_depth ? 1e-6 : 0.0;
@@ -166,7 +154,7 @@ class Fitter {
 
   // The area's centre is a whole number of texels from the origin of light space, which does not move with the camera.
   // (M. Valient, Stable Rendering of Cascaded Shadow Maps, ShaderX6, 2008.)
-  std::optional<MapView> around_frustum(const DepthRange& range) const {
+  std::optional<MapView> around_frustum(const ViewDepths& range) const {
     const Sphere sphere = bounding_sphere(seen_.view, range);
     // One texel more than the margin, because the centre moves by up to half a texel.
     const double half_extent = sphere.radius / share_within(2 * map_view_margin + 1);
@@ -223,7 +211,7 @@ MapLayout fit_area(MapLayout layout, const ShadowMapParams& params, const SeenPa
     whole = {dvec2(layout.light_from_world * center), 0.5 * fit.fit_size};
   }
   const bool is_by_camera = fit.split_range == SplitRange::camera;
-  const DepthRange range = is_by_camera ? depths_of(seen.view, fit.max_distance) : depths_of(seen.surfels);
+  const ViewDepths range = is_by_camera ? depths_of(seen.view, fit.max_distance) : depths_of(seen.surfels);
   if (fit.selection == CascadeSelection::depth) {
     layout.selection = CascadeSelection::depth;
     layout.view_depth_plane = view_depth_plane(layout, seen.view);
@@ -248,96 +236,7 @@ MapLayout fit_area(MapLayout layout, const ShadowMapParams& params, const SeenPa
   return layout;
 }
 
-// "0.1,0.2,0.5"; nothing if that is no list of numbers.
-std::optional<std::vector<double>> numbers_of(const std::string& text) {
-  std::vector<double> numbers;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  while (at != end) {
-    const auto [next, error] = std::from_chars(at, end, numbers.emplace_back());
-    const bool goes_on = error == std::errc{} && next != end && *next == ',' && next + 1 != end;
-    if (error != std::errc{} || !std::isfinite(numbers.back()) || (next != end && !goes_on)) return {};
-    at = goes_on ? next + 1 : end;
-  }
-  return numbers;
-}
-
 }  // namespace
-
-Parameters describe(MapFitParams& params) {
-  return Description("shadow")
-      .field("split-lambda", params.split_lambda,
-             {.unit = "1", .meaning = "splits of the cascades: 1 logarithmic, 0 uniform", .min = 0, .max = 1})
-      .field(
-          "splits", params.splits,
-          {.unit = {}, .meaning = "ends of the first cascades as shares of the range, '0.1,0.2,0.5'; empty: by lambda"})
-      .field(
-          "cascade-bias", params.cascade_bias,
-          {.unit = {},
-           .meaning = "factors of the constant bias in the cascades, '1,2,4', or own-range: the depth of a bias is a "
-                      "share of each one's own range"})
-      .choice(
-          "split-range", params.split_range, split_range_names,
-          {.unit = {}, .meaning = "depths that the cascades divide: those seen, or near plane to shadow.max-distance"})
-      .field("max-distance", params.max_distance,
-             {.unit = "m", .meaning = "farthest depth of the range camera", .min = 1e-6, .max = 1e12})
-      .choice("fit", params.fit, map_fit_names,
-              {.unit = {}, .meaning = "area of a directional light's only map or last cascade"})
-      .field("fit-x", params.fit_x, {.unit = "m", .meaning = "centre of the area bounds, in the world"})
-      .field("fit-y", params.fit_y, {.unit = "m", .meaning = "centre of the area bounds, in the world"})
-      .field("fit-z", params.fit_z, {.unit = "m", .meaning = "centre of the area bounds, in the world"})
-      .field("fit-size", params.fit_size,
-             {.unit = "m", .meaning = "side of the area bounds, perpendicular to the light", .min = 1e-6, .max = 1e12})
-      .choice("cascade-fit", params.cascade_fit, cascade_fit_names,
-              {.unit = {}, .meaning = "area of a cascade: around what is seen, or around the frustum in whole texels"})
-      .choice("cascade-selection", params.selection, cascade_selection_names,
-              {.unit = {}, .meaning = "cascade of a receiver: the first that contains it, or by its view depth"})
-      .field("cascade-blend", params.blend,
-             {.unit = "1",
-              .meaning = "share of a cascade's extent over which it is blended into the next, by dithering",
-              .min = 0,
-              .max = 1})
-      .field("fade", params.fade,
-             {.unit = "1", .meaning = "last share of shadow.max-distance over which shadows fade", .min = 0, .max = 1})
-      .choice("warp", params.warp, warp_names,
-              {.unit = {}, .meaning = "warp of a single map fitted to the view: none, or light-space perspective"})
-      .field("warp-near", params.warp_near,
-             {.unit = "m", .meaning = "nearest depth that the warp serves best", .min = 0})
-      .field("warp-far", params.warp_far,
-             {.unit = "m", .meaning = "farthest depth that the warp serves best", .min = 1e-6})
-      .field(
-          "pancaking", params.pancaking,
-          {.unit = "", .meaning = "start a directional light's depth range at the receivers, clamp casters before it"})
-      .field("near-offset", params.near_offset,
-             {.unit = "m", .meaning = "pancaking: from the start of the depth range to the nearest receiver", .min = 0})
-      .take();
-}
-
-bool can_warp(int cascades, const MapFitParams& fit) {
-  return cascades == 1 && fit.fit == MapFit::view && fit.cascade_fit == CascadeFit::tight;
-}
-
-void require_sense(const ShadowMapParams& map, const MapFitParams& fit, std::span<const Light> lights) {
-  const bool any_directional = std::any_of(lights.begin(), lights.end(), [](const Light& light) {
-    return std::holds_alternative<DirectionalLight>(light.shape);
-  });
-  if (any_directional && fit.warp != Warp::none && !can_warp(map.cascades, fit)) {
-    throw Error(ExitCode::usage, "shadow.warp", "only a single map that is fitted to the view is warped",
-                "use --shadow.cascades 1 --shadow.fit view --shadow.cascade-fit tight");
-  }
-  if (any_directional) return;
-  const auto refuse = [](const std::string& key) {
-    throw Error(ExitCode::usage, key, "no measured light is directional, and only directional lights have cascades",
-                "leave it out, or select a directional light with --view.light");
-  };
-  if (map.cascades != 1) refuse("shadow.cascades");
-  MapFitParams given = fit;
-  MapFitParams usual;
-  const Parameters defaults = describe(usual);
-  for (const Parameter& parameter : describe(given)) {
-    if (parameter.value() != require(defaults, parameter.key).value()) refuse(parameter.key);
-  }
-}
 
 std::vector<double> split_depths(double nearest, double farthest, int count, double lambda) {
   std::vector<double> splits;
@@ -348,32 +247,6 @@ std::vector<double> split_depths(double nearest, double farthest, int count, dou
     splits.push_back(lambda * logarithmic + (1.0 - lambda) * uniform);
   }
   return splits;
-}
-
-std::vector<double> parse_splits(const std::string& text, int count) {
-  const std::optional<std::vector<double>> shares = numbers_of(text);
-  const auto is_rising = [](const std::vector<double>& each) {
-    return std::ranges::adjacent_find(each, std::greater_equal<>()) == each.end() &&
-           (each.empty() || (each.front() > 0.0 && each.back() < 1.0));
-  };
-  if (shares && is_rising(*shares) && static_cast<int>(shares->size()) == count - 1) return *shares;
-  throw Error(ExitCode::usage, "shadow.splits",
-              "'" + text + "' does not divide a range among " + std::to_string(count) + " cascades",
-              "expected " + std::to_string(count - 1) + " rising numbers between 0 and 1, such as 0.1,0.2,0.5 for 4");
-}
-
-std::vector<double> parse_cascade_bias(const std::string& text, int count) {
-  if (text.empty() || text == own_range) return std::vector<double>(static_cast<std::size_t>(count), 1.0);
-  const std::optional<std::vector<double>> factors = numbers_of(text);
-  const auto is_positive = [](double factor) { return factor > 0.0; };
-  if (factors && std::ranges::all_of(*factors, is_positive) && static_cast<int>(factors->size()) == count) {
-    return *factors;
-  }
-  throw Error(ExitCode::usage, "shadow.cascade-bias",
-              "'" + text + "' is not a factor above 0 for each of " + std::to_string(count) +
-                  (count == 1 ? " cascade" : " cascades"),
-              "expected " + std::to_string(count) + (count == 1 ? " number" : " numbers, such as 1,2,4 for 3") +
-                  ", or own-range");
 }
 
 MapLayout fit_map(const Light& light, const MappedBounds& bounds, const ShadowMapParams& params, const SeenPart& seen,

@@ -8,12 +8,11 @@
 namespace umbrameter {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double least_sine = 0.02;  // of the angle between view and light; Filament's
 
 struct Range {
-  double low = infinity;
-  double high = -infinity;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
   void include(double value) {
     low = std::min(low, value);
     high = std::max(high, value);

@@ -18,11 +18,11 @@
 
 #include "core/type_list.h"
 #include "techniques/shadow/capabilities.h"
-#include "techniques/shadow/cascades.h"
 #include "techniques/shadow/csm.h"
 #include "techniques/shadow/esm.h"
 #include "techniques/shadow/evsm.h"
 #include "techniques/shadow/map_depth.h"
+#include "techniques/shadow/map_fit.h"
 #include "techniques/shadow/msm.h"
 #include "techniques/shadow/parameters.h"
 #include "techniques/shadow/pcf.h"

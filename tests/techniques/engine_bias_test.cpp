@@ -115,6 +115,12 @@ TEST(EngineBias, Spot_and_point_lights_have_the_depth_of_a_perspective) {
   EXPECT_NEAR(terms("godot:bias=0.1,normal_bias=0", lamp(LightKind::point)).constant, 0.1, 1e-12);
   EXPECT_NEAR(terms("bevy", lamp(LightKind::spot)).normal, 1.8 * std::sqrt(2.0) * 0.01, 1e-12);
   EXPECT_NEAR(terms("playcanvas:0,normalOffsetBias=0.1", lamp(LightKind::spot)).normal, 0.1, 1e-12);
+  // Half of its map at the light's range of 10 m, in texels: tan · 10 m / resolution, with t = 2 tan · 4 m /
+  // resolution.
+  EXPECT_NEAR(terms("unity-urp:shadowNormalBias=0", lamp(LightKind::spot)).constant, 0.01 * 10 / 8, 1e-12);
+  EXPECT_NEAR(terms("unity-urp:bias=2,soft=low,lightRange=6", lamp(LightKind::spot)).normal, 1.5 * 0.01 * 6 / 8, 1e-12);
+  EXPECT_NEAR(terms("unity-hdrp:slopeBias=0.5", lamp(LightKind::point)).slope, 2.5, 1e-12);
+  EXPECT_NEAR(terms("playcanvas:0.05", lamp(LightKind::spot)).slope, 0.5, 1e-12);
   expect_words(converted("metres:0.1", "three:near=5", lamp(LightKind::spot)).numbers[0].reason, {"outside"});
   expect_words(error_of([] { terms("godot:bias=0.1", lamp(LightKind::spot)); }), {"godot shadow_bias", "spot light"});
   expect_words(converted("metres:0.1", "unity-urp", lamp(LightKind::point)).numbers[0].reason, {"point light"});
