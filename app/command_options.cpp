@@ -9,6 +9,7 @@
 #include "app/command_descriptions.h"
 #include "experiments/settings/experiment.h"
 #include "experiments/settings/stage_inputs.h"
+#include "reports/files/image_file.h"
 #include "reports/files/text_layout.h"
 #include "store/experiment_file.h"
 
@@ -85,7 +86,7 @@ void add_page_options(CLI::App& command, CommandLine& line) {
 
 void add_diff_options(CLI::App& command, CommandLine& line) {
   DiffOptions& diff = line.diff;
-  command.add_option("TEST", diff.test, "image to judge: EXR, PNG, Radiance HDR or PFM")->required();
+  command.add_option("TEST", diff.test, "image to judge: " + image_format_names())->required();
   command.add_option("REFERENCE", diff.reference, "image to compare with, of the same size")->required();
   add_value(command, "-o,--output", line.output, "FILE", "write an error map, .png, with a fixed colour scale");
   add_value(command, "--metrics", diff.metrics, "LIST", "metrics to measure, comma-separated; all by default");

@@ -120,29 +120,61 @@ auto naming(const std::filesystem::path& path, const Action& action) {
   }
 }
 
+ColorImage read_pfm_color(std::string_view bytes) {
+  ColorImage result;
+  result.linear = from_pfm(bytes);
+  result.is_scalar = bytes.starts_with("Pf");
+  return result;
+}
+
+ivec2 size_of_png(std::string_view bytes) {
+  const PngHeader header = png_header(bytes);
+  return {header.width, header.height};
+}
+
 }  // namespace
+
+struct ImageFormat {
+  std::string_view name;
+  std::vector<std::string_view> first_bytes;  // one of these
+  ivec2 (*size_of)(std::string_view bytes) = nullptr;
+  ColorImage (*decode)(std::string_view bytes) = nullptr;  // null: EXR, which has layers
+};
+
+namespace {
+
+const std::vector<ImageFormat>& image_formats() {
+  static const std::vector<ImageFormat> all = {
+      {"EXR", {"\x76\x2f\x31\x01"}, size_of_exr},
+      {"PNG", {"\x89PNG"}, size_of_png, read_png_color},
+      {"Radiance HDR",
+       {"#?"},
+       size_of_radiance,
+       [](std::string_view bytes) { return ColorImage{from_radiance(bytes)}; }},
+      {"PFM", {"PF", "Pf"}, size_of_pfm, read_pfm_color},
+  };
+  return all;
+}
+
+}  // namespace
+
+std::string image_format_names(std::string_view word) {
+  std::string names;
+  for (const ImageFormat& each : image_formats()) {
+    const bool is_last = &each == &image_formats().back();
+    names += (names.empty() ? "" : is_last ? fmt::format(" {} ", word) : ", ") + std::string(each.name);
+  }
+  return names;
+}
 
 ImageFile::ImageFile(std::filesystem::path path) : path_(std::move(path)), bytes_(read_input(path_)) {
   const std::string_view view = bytes_;
-  ivec2 size(0);
-  naming(path_, [&] {
-    if (view.starts_with("\x76\x2f\x31\x01")) {
-      format_ = Format::exr;
-      size = size_of_exr(view);
-    } else if (view.starts_with("\x89PNG")) {
-      format_ = Format::png;
-      const PngHeader header = png_header(view);
-      size = {header.width, header.height};
-    } else if (view.starts_with("#?")) {
-      format_ = Format::radiance;
-      size = size_of_radiance(view);
-    } else if (view.starts_with("PF") || view.starts_with("Pf")) {
-      format_ = Format::pfm;
-      size = size_of_pfm(view);
-    } else {
-      refuse(path_, "it is neither EXR, PNG, Radiance HDR nor PFM");
-    }
+  const auto found = std::ranges::find_if(image_formats(), [&](const ImageFormat& each) {
+    return std::ranges::any_of(each.first_bytes, [&](std::string_view first) { return view.starts_with(first); });
   });
+  if (found == image_formats().end()) refuse(path_, "it is neither " + image_format_names("nor"));
+  format_ = &*found;
+  const ivec2 size = naming(path_, [&] { return format_->size_of(view); });
   constexpr std::int64_t most_pixels = std::int64_t{16384} * 16384;  // of the largest --size
   if (std::int64_t{size.x} * size.y > most_pixels) {
     refuse(path_, fmt::format("its size is {}x{}, more than 16384x16384 pixels", size.x, size.y));
@@ -152,17 +184,11 @@ ImageFile::ImageFile(std::filesystem::path path) : path_(std::move(path)), bytes
 }
 
 ColorImage ImageFile::decode(const std::string& layer) const {
-  if (format_ == Format::exr) return naming(path_, [&] { return read_exr_color(bytes_, path_, layer); });
+  if (format_->decode == nullptr) return naming(path_, [&] { return read_exr_color(bytes_, path_, layer); });
   if (!layer.empty()) {
     throw Error(ExitCode::usage, path_.string(), "only EXR files have layers", "leave out the layer '" + layer + "'");
   }
-  return naming(path_, [&] {
-    if (format_ == Format::png) return read_png_color(bytes_);
-    ColorImage result;
-    result.linear = format_ == Format::radiance ? from_radiance(bytes_) : from_pfm(bytes_);
-    result.is_scalar = bytes_.starts_with("Pf");
-    return result;
-  });
+  return naming(path_, [&] { return format_->decode(bytes_); });
 }
 
 }  // namespace umbrameter

@@ -1,8 +1,9 @@
-// Images of any supported format as linear colour: EXR, PNG, Radiance HDR, PFM.
+// Images of any supported format as linear colour. The formats are one table in image_file.cpp.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "core/image.h"
 #include "core/math.h"
@@ -18,6 +19,11 @@ struct ColorImage {
   /// What the file's values mean: "linear", "sRGB", "sRGB, assumed" where it does not say, "gamma 2.2".
   std::string encoding = "linear";
 };
+
+/// "EXR, PNG, Radiance HDR or PFM", with that word before the last.
+std::string image_format_names(std::string_view word = "or");
+
+struct ImageFormat;
 
 /// A file whose size in pixels is known, and whose pixels are not decoded yet, so that images that do not fit together
 /// take no memory.
@@ -37,10 +43,9 @@ class ImageFile {
   ColorImage decode(const std::string& layer = {}) const;
 
  private:
-  enum class Format { exr, png, radiance, pfm };
   std::filesystem::path path_;
   std::string bytes_;
-  Format format_ = Format::exr;
+  const ImageFormat* format_ = nullptr;
   int width_ = 0;
   int height_ = 0;
 };
