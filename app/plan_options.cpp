@@ -47,7 +47,7 @@ void add_plan_options(CLI::App& command, PlanOptions& plan) {
       ->excludes(cells);
   command
       .add_option("--points-per-round", plan.points_per_round,
-                  "points that a round has if they are probable; by default so many that each shard has one case")
+                  "max points of a round that are only probable (shards / cases)")
       ->check(number_between(1, 100000))
       ->type_name("N")
       ->group(tuning_group);
