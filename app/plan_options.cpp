@@ -41,7 +41,7 @@ void add_plan_options(CLI::App& command, PlanOptions& plan) {
       ->excludes(shards)
       ->excludes(cells);
   add_value(command, "--points-per-round", plan.points_per_round, "N",
-            "points that a round has if they are probable; by default so many that each shard has one case")
+            "max points of a round that are only probable (shards / cases)")
       ->check(number_between(1, 100000))
       ->group(tuning_group);
   command.add_flag("--by-reference", plan.by_reference,

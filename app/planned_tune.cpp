@@ -112,7 +112,9 @@ ShardCuts add_round(ShardPlan& plan, const PointLayout& layout, const std::vecto
 Identity portable_identity(TuneRun& run) {
   Identity identity = run.identity();
   for (auto& [name, value] : identity) {
-    if (name.starts_with("scene")) value = ContentHash().add(value).hex();
+    if (!name.starts_with("scene")) continue;
+    name.insert(0, "content of ");
+    value = ContentHash().add(value).hex();
   }
   return identity;
 }

@@ -77,6 +77,35 @@ TEST(ShardPlan, A_plan_of_another_version_is_refused) {
   expect_error(ExitCode::usage, "umbrameter 9.9.9 planned it", [&] { read_plan(folder.path()); });
 }
 
+TEST(ShardPlan, A_round_that_a_tuning_adds_leaves_the_results_of_earlier_rounds_valid) {
+  const TemporaryFolder folder;
+  ShardPlan plan = plan_of(FakeSweep(axes), 2);
+  PlannedTuning& tuning = plan.tuning.emplace();
+  tuning.options = {{"scene", "corner"}, {"minimize", "mae"}};
+  tuning.costs = {{1.0 / 3.0, 0.1}};
+  tuning.rounds.push_back({"", {{"point", {0.1, std::int64_t{3}, std::string("box"), true}}}, 0});
+  write_plan(folder.path(), plan, "seed = 1\n");
+  const ShardPlan first = read_plan(folder.path());
+  EXPECT_EQ(first.tuning->rounds[0].points[0].values, tuning.rounds[0].points[0].values);
+  EXPECT_EQ(first.tuning->costs[0].reference, 1.0 / 3.0);
+  EXPECT_EQ(first.tuning->options, tuning.options);
+
+  plan = first;
+  plan.tuning->rounds.push_back({"", {{"scan", {0.2}}}, plan.shards.size()});
+  plan.shards.push_back({4, 1, 1.0});
+  write_plan(folder.path(), plan, "seed = 1\n");
+  const ShardPlan second = read_plan(folder.path());
+  EXPECT_NE(second.id, first.id);
+  EXPECT_EQ(id_of(second, 1), id_of(first, 1));
+  EXPECT_NE(id_of(second, 2), id_of(second, 1));
+  ShardManifest manifest = manifest_of(second, 1);
+  manifest.plan = id_of(first, 1);
+  EXPECT_EQ(objection_to(manifest, second, 1), "");
+  EXPECT_EQ(objection_to(manifest, second, 2), "it is a duplicate of shard 1");
+  manifest.shard = 2;
+  EXPECT_EQ(objection_to(manifest, second, 2), "it belongs to another plan");
+}
+
 TEST(ShardPlan, Another_device_is_refused_with_both_names) {
   const ShardPlan plan = plan_of(FakeSweep(axes), 2);
   EXPECT_NO_THROW(require_planned("plan", plan, plan.identity));
