@@ -64,8 +64,6 @@ inline constexpr const char* filter_warning =
 /// Why statistics count no pixel: "nothing to measure: all 230400 pixels are background". Empty if they count some.
 std::string nothing_counted_text(const CountedPixels& counted);
 
-/// The constant bias in metres, in texels of the mean size, and as normalised depth.
-
 /// Adds a figure to the presentation and to its section.
 void add_figure(Presentation& presentation, Figure figure);
 
