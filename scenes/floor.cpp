@@ -74,32 +74,22 @@ class Plan {
   int covered_ = 0;
 };
 
-// Bounds of the mesh's corners, placed in the world.
-Bounds bounds_of_instance(const Bounds& mesh, const Instance& instance) {
-  Bounds bounds;
-  for (int c = 0; c < 8; ++c) bounds.include(dvec3(instance.world_from_mesh * dvec4(mesh.corner(c), 1.0)));
-  return bounds;
-}
-
 }  // namespace
 
 bool has_floor(const Scene& scene) {
   const Bounds bounds = bounds_of(scene);
   if (bounds.empty()) return false;
-  std::vector<Bounds> meshes(scene.meshes.size());
-  for (std::size_t m = 0; m < meshes.size(); ++m) {
-    for (const vec3& position : scene.meshes[m].positions) meshes[m].include(dvec3(position));
-  }
+  const std::vector<Bounds> boxes = boxes_of(scene);
   // The widest first: a floor ends the search.
   struct Part {
     const Instance* instance;
     double area;
   };
   std::vector<Part> parts;
-  for (const Instance& instance : scene.instances) {
-    if (meshes[instance.mesh].empty()) continue;
-    const dvec3 extent = bounds_of_instance(meshes[instance.mesh], instance).extent();
-    parts.push_back({&instance, extent.x * extent.z});
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (boxes[i].empty()) continue;
+    const dvec3 extent = boxes[i].extent();
+    parts.push_back({&scene.instances[i], extent.x * extent.z});
   }
   std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.area > b.area; });
   Plan plan(bounds);

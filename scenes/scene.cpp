@@ -30,6 +30,16 @@ bool is_inside(const Bounds& bounds, const Bounds& box, const dmat4& world_from_
   return true;
 }
 
+// Of each mesh, in its own space; empty without triangles.
+std::vector<Bounds> mesh_boxes(const Scene& scene) {
+  std::vector<Bounds> boxes(scene.meshes.size());
+  parallel_for(scene.meshes.size(), [&](std::size_t m) {
+    if (scene.meshes[m].triangles.empty()) return;
+    for (const vec3& position : scene.meshes[m].positions) boxes[m].include(dvec3(position));
+  });
+  return boxes;
+}
+
 }  // namespace
 
 SceneCounts count(const Scene& scene) {
@@ -43,11 +53,7 @@ SceneCounts count(const Scene& scene) {
 }
 
 Bounds bounds_of(const Scene& scene) {
-  std::vector<Bounds> boxes(scene.meshes.size());
-  parallel_for(scene.meshes.size(), [&](std::size_t m) {
-    if (scene.meshes[m].triangles.empty()) return;
-    for (const vec3& position : scene.meshes[m].positions) boxes[m].include(dvec3(position));
-  });
+  const std::vector<Bounds> boxes = mesh_boxes(scene);
   Bounds bounds;
   for (const Instance& instance : scene.instances) {
     const Bounds& box = boxes[instance.mesh];
@@ -58,6 +64,18 @@ Bounds bounds_of(const Scene& scene) {
     }
   }
   return bounds;
+}
+
+std::vector<Bounds> boxes_of(const Scene& scene) {
+  const std::vector<Bounds> meshes = mesh_boxes(scene);
+  std::vector<Bounds> boxes(scene.instances.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    const Bounds& mesh = meshes[instance.mesh];
+    if (mesh.empty()) continue;
+    for (int c = 0; c < 8; ++c) boxes[i].include(dvec3(instance.world_from_mesh * dvec4(mesh.corner(c), 1.0)));
+  }
+  return boxes;
 }
 
 Triangle world_triangle(const Scene& scene, std::uint32_t instance, std::uint32_t triangle) {

@@ -158,6 +158,9 @@ SceneCounts count(const Scene& scene);
 /// triangles.
 Bounds bounds_of(const Scene& scene);
 
+/// World box around the mesh's own box of each instance, as engines cull by; empty where the mesh has no triangles.
+std::vector<Bounds> boxes_of(const Scene& scene);
+
 /// The three world-space corners of a triangle, transformed in double precision.
 struct Triangle {
   dvec3 a, b, c;

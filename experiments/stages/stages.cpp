@@ -38,7 +38,7 @@ Stages::Stages(Scene scene, StageOptions options, const Console& console)
     : scene_(std::move(scene)),
       options_(std::move(options)),
       console_(console),
-      bounds_(bounds_of(scene_), ground_of(scene_)),
+      bounds_(bounds_of(scene_), ground_of(scene_), boxes_of(scene_)),
       cache_(options_.cache, console) {
   add_notes(scene_.notes);
   if (bounds().empty()) {

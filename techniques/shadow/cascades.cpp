@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "techniques/shadow/fit_warp.h"
+#include "techniques/shadow/receiver_volume.h"
 
 namespace umbrameter {
 namespace {
@@ -119,19 +120,25 @@ void include_ground(MapLayout& layout, const Bounds& ground, bool keeps_start) {
   layout.far_depth += shift;
 }
 
+dvec3 to_light(const MapLayout& layout) { return glm::transpose(dmat3(layout.light_from_world))[2]; }
+
 // Fits the views of one map.
 class Fitter {
  public:
-  Fitter(const MapLayout& layout, const SeenPart& seen, CascadeFit fit) : layout_(layout), seen_(seen), fit_(fit) {}
+  Fitter(const MapLayout& layout, const MappedBounds& bounds, const SeenPart& seen, CascadeFit fit, int margin)
+      : layout_(layout), bounds_(bounds), seen_(seen), fit_(fit), margin_(margin) {}
 
   /// The view of what is seen in a range of depths; none if that is empty.
   std::optional<MapView> fit(const ViewDepths& range) const {
-    if (fit_ == CascadeFit::tight) return around_surfels(range);
-    return around_frustum(range);
+    if (fit_ == CascadeFit::stable) return around_frustum(range);
+    if (fit_ == CascadeFit::tight) return around_surfels(seen_.surfels, range);
+    const double nearest = layout_.selection == CascadeSelection::depth ? range.nearest : 0.0;
+    return around_surfels(receiver_volume(seen_.view, to_light(layout_), bounds_.boxes, nearest, range.farthest),
+                          range);
   }
 
  private:
-  std::optional<MapView> around_surfels(const ViewDepths& range) const {
+  std::optional<MapView> around_surfels(const GBuffer& surfels, const ViewDepths& range) const {
     // Cascades that are selected by depth hold their own range alone: with room for the rounding of a surfel's depth.
     const bool is_by_depth = layout_.selection == CascadeSelection::depth;
     const double room = is_by_depth ? 1e-6 : 0.0;
@@ -139,17 +146,17 @@ class Fitter {
     const double farthest = range.farthest * (1.0 + room);
     dvec2 low(infinity);
     dvec2 high(-infinity);
-    for (std::size_t i = 0; i < seen_.surfels.depth.size(); ++i) {
-      const auto depth = static_cast<double>(seen_.surfels.depth[i]);
-      if (!seen_.surfels.is_surface(i) || depth < nearest || depth > farthest) continue;
-      const dvec2 place(in_light(dvec3(seen_.surfels.position[i])));
+    for (std::size_t i = 0; i < surfels.depth.size(); ++i) {
+      const auto depth = static_cast<double>(surfels.depth[i]);
+      if (!surfels.is_surface(i) || depth < nearest || depth > farthest) continue;
+      const dvec2 place(in_light(dvec3(surfels.position[i])));
       low = glm::min(low, place);
       high = glm::max(high, place);
     }
     const dvec2 extent = high - low;
     const double side = std::max(extent.x, extent.y);
     if (!(side > 0.0)) return std::nullopt;
-    return MapView{0.5 * (low + high), 0.5 * side / share_within(2 * map_view_margin)};
+    return MapView{0.5 * (low + high), 0.5 * side / share_within(2 * margin_)};
   }
 
   // The area's centre is a whole number of texels from the origin of light space, which does not move with the camera.
@@ -157,7 +164,7 @@ class Fitter {
   std::optional<MapView> around_frustum(const ViewDepths& range) const {
     const Sphere sphere = bounding_sphere(seen_.view, range);
     // One texel more than the margin, because the centre moves by up to half a texel.
-    const double half_extent = sphere.radius / share_within(2 * map_view_margin + 1);
+    const double half_extent = sphere.radius / share_within(2 * margin_ + 1);
     const double texel = 2.0 * half_extent / layout_.resolution;
     return MapView{glm::floor(dvec2(in_light(sphere.center)) / texel + 0.5) * texel, half_extent};
   }
@@ -170,8 +177,10 @@ class Fitter {
   dvec3 in_light(const dvec3& position) const { return dvec3(layout_.light_from_world * dvec4(position, 1.0)); }
 
   const MapLayout& layout_;
+  const MappedBounds& bounds_;
   const SeenPart& seen_;
   CascadeFit fit_;
+  int margin_;
 };
 
 // The last view is the layout's present one, unless it is to be that of what is seen. `bias_factors`: of each split.
@@ -204,7 +213,8 @@ void fit_views(MapLayout& layout, const Fitter& fitter, const std::vector<double
 }
 
 // The area of a single map that is not the scene's, or the areas of cascades.
-MapLayout fit_area(MapLayout layout, const ShadowMapParams& params, const SeenPart& seen, const MapFitParams& fit) {
+MapLayout fit_area(MapLayout layout, const MappedBounds& bounds, const ShadowMapParams& params, const SeenPart& seen,
+                   const MapFitParams& fit) {
   MapView whole = layout.views.back();
   if (fit.fit == MapFit::bounds) {
     const dvec4 center(fit.fit_x, fit.fit_y, fit.fit_z, 1.0);
@@ -227,7 +237,7 @@ MapLayout fit_area(MapLayout layout, const ShadowMapParams& params, const SeenPa
     std::ranges::transform(shares, splits.begin(),
                            [&](double share) { return range.nearest + share * (range.farthest - range.nearest); });
   }
-  fit_views(layout, Fitter(layout, seen, fit.cascade_fit), splits, fit.fit,
+  fit_views(layout, Fitter(layout, bounds, seen, fit.cascade_fit, fit_margin(params.cascades, fit)), splits, fit.fit,
             parse_cascade_bias(fit.cascade_bias, params.cascades));
   if (fit.fit == MapFit::view && is_by_camera) {
     layout.views.back().farthest = range.farthest;
@@ -255,10 +265,15 @@ MapLayout fit_map(const Light& light, const MappedBounds& bounds, const ShadowMa
   MapLayout layout = fit_light(light, is_directional ? bounds.scene : bounds.all(), params.resolution);
   if (!is_directional) return layout;
   if (fit.pancaking) shorten_depth(layout, seen.surfels, fit.near_offset);
+  const bool has_boxes = fit.cascade_fit == CascadeFit::boxes;
+  const double farthest = fit.split_range == SplitRange::camera ? fit.max_distance : infinity;
+  const GBuffer volume =
+      has_boxes ? receiver_volume(seen.view, to_light(layout), bounds.boxes, 0.0, farthest) : GBuffer();
+  const SeenPart part{has_boxes ? volume : seen.surfels, seen.view};
   if (params.cascades > 1 || fit.fit != MapFit::scene || !fit.cascade_bias.empty()) {
-    layout = fit_area(layout, params, seen, fit);
+    layout = fit_area(layout, bounds, params, part, fit);
   }
-  if (fit.warp == Warp::lispsm && can_warp(params.cascades, fit)) warp_map(layout, seen, fit);
+  if (fit.warp == Warp::lispsm && can_warp(params.cascades, fit)) warp_map(layout, part, fit);
   include_ground(layout, bounds.ground, fit.pancaking);
   if (fit.cascade_bias == own_range) {
     for (MapView& view : layout.views) {

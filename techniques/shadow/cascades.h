@@ -1,6 +1,7 @@
 // Fits the views of a light's map: the area of each, and the split into cascades.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "core/gbuffer.h"
@@ -15,12 +16,16 @@ namespace umbrameter {
 std::vector<double> split_depths(double nearest, double farthest, int count, double lambda = 0.5);
 
 /// What a map is fitted to: its area to the scene. The ground, a flat box or an empty one, only extends the range of
-/// depths: light that passes the scene casts no shadow on it.
+/// depths: light that passes the scene casts no shadow on it. CascadeFit::boxes takes the boxes, the ground's included;
+/// without them, the scene and the ground are its boxes.
 struct MappedBounds {
   Bounds scene;
   Bounds ground;
-  MappedBounds(const Bounds& scene_bounds, const Bounds& ground_bounds = {})
-      : scene(scene_bounds), ground(ground_bounds) {}
+  std::vector<Bounds> boxes;
+  MappedBounds(const Bounds& scene_bounds, const Bounds& ground_bounds = {}, std::vector<Bounds> object_boxes = {})
+      : scene(scene_bounds), ground(ground_bounds), boxes(std::move(object_boxes)) {
+    if (boxes.empty()) boxes = {scene, ground};
+  }
   Bounds all() const {
     Bounds both = scene;
     both.include(ground);

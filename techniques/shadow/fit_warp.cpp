@@ -76,8 +76,7 @@ void warp_map(MapLayout& layout, const SeenPart& seen, const MapFitParams& fit) 
   for_each_surfel(turned, seen,
                   [&](const dvec3& p, double) { u.include((p.x - warp.center.x) / (p.y - warp.center.y)); });
   if (!(u.length() > 0.0)) return;
-  // A margin for the taps of a kernel, as cascades have it.
-  const int margin = 2 * map_view_margin;
+  const int margin = 2 * fit_margin(1, fit);
   const double inner = layout.resolution > margin ? 1.0 - static_cast<double>(margin) / layout.resolution : 1.0;
   warp.scale = inner * dvec2(2.0 / u.length(), -2.0 * *near * far / along.length());
   warp.shift = inner * dvec2(-(u.high + u.low) / u.length(), (far + *near) / along.length());

@@ -14,8 +14,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> split_range_names{"seen", "camera"};
 constexpr std::array<std::string_view, 3> map_fit_names{"scene", "view", "bounds"};
-constexpr std::array<std::string_view, 2> cascade_fit_names{"tight", "stable"};
-
+constexpr std::array<std::string_view, 3> cascade_fit_names{"tight", "stable", "boxes"};
 constexpr std::array<std::string_view, 2> cascade_selection_names{"map", "depth"};
 constexpr std::array<std::string_view, 2> warp_names{"none", "lispsm"};
 
@@ -60,7 +59,9 @@ Parameters describe(MapFitParams& params) {
       .field("fit-size", params.fit_size,
              {.unit = "m", .meaning = "side of the area bounds, perpendicular to the light", .min = 1e-6, .max = 1e12})
       .choice("cascade-fit", params.cascade_fit, cascade_fit_names,
-              {.unit = {}, .meaning = "area of a cascade: around what is seen, or around the frustum in whole texels"})
+              {.unit = {},
+               .meaning = "area of a cascade: around what is seen, the frustum in whole texels, or the frustum within "
+                          "the boxes of objects"})
       .choice("cascade-selection", params.selection, cascade_selection_names,
               {.unit = {}, .meaning = "cascade of a receiver: the first that contains it, or by its view depth"})
       .field("cascade-blend", params.blend,
@@ -84,8 +85,12 @@ Parameters describe(MapFitParams& params) {
       .take();
 }
 
+int fit_margin(int cascades, const MapFitParams& fit) {
+  return cascades == 1 && fit.cascade_fit == CascadeFit::boxes ? 1 : map_view_margin;
+}
+
 bool can_warp(int cascades, const MapFitParams& fit) {
-  return cascades == 1 && fit.fit == MapFit::view && fit.cascade_fit == CascadeFit::tight;
+  return cascades == 1 && fit.fit == MapFit::view && fit.cascade_fit != CascadeFit::stable;
 }
 
 void require_sense(const ShadowMapParams& map, const MapFitParams& fit, std::span<const Light> lights) {
@@ -94,7 +99,7 @@ void require_sense(const ShadowMapParams& map, const MapFitParams& fit, std::spa
   });
   if (any_directional && fit.warp != Warp::none && !can_warp(map.cascades, fit)) {
     throw Error(ExitCode::usage, "shadow.warp", "only a single map that is fitted to the view is warped",
-                "use --shadow.cascades 1 --shadow.fit view --shadow.cascade-fit tight");
+                "use --shadow.cascades 1 --shadow.fit view --shadow.cascade-fit tight or boxes");
   }
   if (any_directional) return;
   const auto refuse = [](const std::string& key) {

@@ -23,8 +23,9 @@ enum class MapFit : int { scene, view, bounds };
 
 /// The area of the other cascades, and of MapFit::view. tight: the smallest square around the surfels. stable: around
 /// the bounding sphere of that part of the camera's frustum, moved in whole texels. If the range of the splits is
-/// SplitRange::camera, a stable area has the same size wherever the camera is and looks.
-enum class CascadeFit : int { tight, stable };
+/// SplitRange::camera, a stable area has the same size wherever the camera is and looks. boxes: around the part of the
+/// frustum within the boxes of objects, receiver_volume(), which is also what SplitRange::seen is then.
+enum class CascadeFit : int { tight, stable, boxes };
 
 /// lispsm: a single map that is fitted to the view is warped by warp_map().
 enum class Warp : int { none, lispsm };
@@ -52,7 +53,10 @@ struct MapFitParams {
   double near_offset = 1.0;
 };
 Parameters describe(MapFitParams& params);
-/// Whether the warp applies: to a single map that is fitted tightly to the view.
+/// Texels between the border of the map and what it is fitted to.
+int fit_margin(int cascades, const MapFitParams& fit);
+
+/// Whether the warp applies: to a single map that is fitted to the view, and not stable.
 bool can_warp(int cascades, const MapFitParams& fit);
 
 /// Throws Error (usage) for cascades or a fit that differs from the default if none of the lights is directional, and

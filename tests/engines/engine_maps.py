@@ -83,6 +83,11 @@ def filament(scene):
     return flags, area(scene.camera["position_m"], 2 * distance, resolution - 2), "{:.6g}".format
 
 
+def filament_by_default(scene):
+    """A warped map, which the preset fits."""
+    return [], [], "{:.6g}".format
+
+
 def axes_in_playcanvas(forward, _):
     """Right and up of a light that its adapter turns by the shortest rotation from -Y to the direction."""
     # Rodrigues' formula for the x axis: v + k × v + k × (k × v) / (1 + c), k = (-y) × forward, c = (-y) · forward.

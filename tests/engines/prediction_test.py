@@ -13,7 +13,7 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from engine_maps import Scene, babylon, filament, map_axes, playcanvas, threejs, turned
+from engine_maps import Scene, babylon, filament, filament_by_default, map_axes, playcanvas, threejs, turned
 
 bound = 0.3          # percentage points
 recommended = 0.2    # percentage points, or a tenth of the error
@@ -95,6 +95,7 @@ cases = [
     Case("PlayCanvas, pcf1-32f", "playcanvas", "playcanvas-pcf1", "shadow-bias", factor, sloped, playcanvas("pcf1-32f")),
     Case("PlayCanvas, pcf3-32f", "playcanvas", "playcanvas-pcf3", "shadow-bias", factor, sloped, playcanvas("pcf3-32f")),
     Case("Filament, PCF, stable", "filament", "filament-stable", "constant-bias", constant, metres, filament),
+    Case("Filament, PCF, warped", "filament", "filament", "constant-bias", constant, metres, filament_by_default),
     Case("three.js, type basic, normalBias", "threejs", "threejs-basic", "normal-bias", receiver, normal,
          at_bias(threejs("basic"), "bias", -0.00005, constant)),
     Case("Babylon.js, filter pcf, high quality, normalBias", "babylon", "babylon-pcf", "normal-bias", caster, normal,
