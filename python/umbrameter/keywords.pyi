@@ -55,8 +55,8 @@ class Keywords(TypedDict, total=False):
     """centre of the area bounds, in the world [m]; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_fit_size: float
     """side of the area bounds, perpendicular to the light [m]; a number from 1e-06 to 1e+12. Default: 10.0."""
-    shadow_cascade_fit: Literal['tight', 'stable']
-    """area of a cascade: around what is seen, or around the frustum in whole texels; tight or stable. Default: tight."""
+    shadow_cascade_fit: Literal['tight', 'stable', 'boxes']
+    """area of a cascade: around what is seen, the frustum in whole texels, or the frustum within the boxes of objects; tight, stable or boxes. Default: tight."""
     shadow_cascade_selection: Literal['map', 'depth']
     """cascade of a receiver: the first that contains it, or by its view depth; map or depth. Default: map."""
     shadow_cascade_blend: float
