@@ -220,6 +220,12 @@ TEST_F(Answers, Quiet_prints_the_answer_only_and_verbose_adds_diagnostics) {
                                              "--size", "96x54", "--truth.spp", "16", "--verbose"});
   EXPECT_NE(verbose.err.find("ray tests reclassified"), std::string::npos) << verbose.err;
   EXPECT_EQ(verbose.out.find("ray tests reclassified"), std::string::npos);
+  // What did not occur is not said, here wrong taps on the receiver's own layer.
+  const ProgramResult detached =
+      run_program({"compare", "contact-box", "--light", "sun", "-o", folder_ / "detached", "--size", "96x54",
+                   "--shadow.constant-bias", "0.3", "--measure", "visibility", "--verbose"});
+  EXPECT_EQ(detached.out.find("peter-panning 0 %"), std::string::npos) << detached.out;
+  EXPECT_EQ(detached.err.find("the receiver's own"), std::string::npos) << detached.err;
 }
 
 }  // namespace

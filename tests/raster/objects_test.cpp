@@ -13,10 +13,8 @@ std::vector<unsigned>& destroyed() {
   return names;
 }
 
-struct RecordingTraits {
-  static void destroy(unsigned name) { destroyed().push_back(name); }
-};
-using Recorded = gl::Object<RecordingTraits>;
+void record(unsigned name) { destroyed().push_back(name); }
+using Recorded = gl::Object<&record>;
 
 class Objects : public testing::Test {
  protected:
