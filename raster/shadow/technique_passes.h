@@ -6,6 +6,7 @@
 
 #include "raster/shadow/shadow_lookup.h"
 #include "raster/shadow/shadow_map.h"
+#include "techniques/shadow/causes.h"
 
 namespace umbrameter {
 

@@ -5,6 +5,7 @@
 #include "compare/map_views.h"
 #include "compare/shimmer.h"
 #include "compare/visibility.h"
+#include "techniques/shadow/cascades.h"
 #include "techniques/shadow/reference/lookup.h"
 #include "test_scenes.h"
 
