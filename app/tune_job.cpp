@@ -5,6 +5,7 @@
 
 #include "experiments/measure/engine_advice.h"
 #include "experiments/sweep/axis_effects.h"
+#include "present/run_output.h"
 
 namespace umbrameter {
 namespace {

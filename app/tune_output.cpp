@@ -5,6 +5,7 @@
 #include "app/tune_run.h"
 #include "core/interrupt.h"
 #include "experiments/measure/engine_advice.h"
+#include "experiments/sweep/page_cells.h"
 #include "experiments/tune/tune_judgement.h"
 #include "present/run_output.h"
 #include "present/tune_report.h"
