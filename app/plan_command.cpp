@@ -21,8 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double cost_budget = 20.0;  // seconds
-
 void require_division(const PlanOptions& options) {
   if (options.shards > 0 || options.cells_per_shard > 0 || options.minutes_per_shard > 0.0) return;
   throw Error(ExitCode::usage, "plan", "nothing says how many shards",

@@ -10,6 +10,9 @@
 
 namespace umbrameter {
 
+/// Planning measures what shards take for so long, seconds.
+inline constexpr double cost_budget = 20.0;
+
 /// Throws Error (usage) unless the folder is missing or empty, or holds a plan and `force` is given.
 void require_free(const std::filesystem::path& folder, bool force);
 

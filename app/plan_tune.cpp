@@ -20,8 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double cost_budget = 20.0;  // seconds
-
 void require_options_of_tune(const CommandLine& line) {
   if (line.plan.shards == 0) {
     throw Error(ExitCode::usage, "plan tune", "nothing says how many shards a round has",

@@ -17,8 +17,8 @@ namespace umbrameter {
 std::vector<BiasTerms> terms_of(const Experiment& experiment, const MapLayout& layout,
                                 const std::vector<MapPlace>& places);
 
-/// The experiment with these terms instead of its own. Nothing where no parameter can say one of them; `reason` then
-/// names it.
+/// The experiment with these terms instead of its own. Empty if no parameter can express one of them; `reason` then
+/// says which.
 std::optional<Experiment> with_terms(Experiment experiment, const MapLayout& layout,
                                      const std::vector<MapPlace>& places, const std::vector<BiasTerms>& terms,
                                      std::string& reason);

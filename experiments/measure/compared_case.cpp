@@ -28,12 +28,17 @@ ComparedCase compare_visibility(Stages& stages, const Experiment& experiment, Sh
   const auto kept = std::make_shared<const RasterVisibility>(std::move(drawn));
   return {
       [&stages, experiment, light, kind, kept](const LeftOut& is_left_out) {
-        CountedPixels counted = *stages.counted(experiment, light);
-        for (std::size_t i = 0; is_left_out && i < counted.exclusion.size(); ++i) {
-          if (is_left_out(i)) counted.exclusion[i] = PixelExclusion::background;
+        const auto analyze = [&](const CountedPixels& counted) {
+          return std::visit([](const auto& each) -> CellStatistics { return each; },
+                            analyze_shadow(stages, experiment, light, kind, *kept, counted));
+        };
+        const auto all = stages.counted(experiment, light);
+        if (!is_left_out) return analyze(*all);
+        CountedPixels rest = *all;
+        for (std::size_t i = 0; i < rest.exclusion.size(); ++i) {
+          if (is_left_out(i)) rest.exclusion[i] = PixelExclusion::background;
         }
-        return std::visit([](const auto& each) -> CellStatistics { return each; },
-                          analyze_shadow(stages, experiment, light, kind, *kept, counted));
+        return analyze(rest);
       },
       [&stages, experiment, light, kept] { return compared_visibility(stages, experiment, light, kept->visibility); }};
 }

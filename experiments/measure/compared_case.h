@@ -16,8 +16,9 @@ struct ComparedCase {
 };
 
 /// Draws and traces the light's visibility, ambient occlusion or the image of all lights that view.light selects.
-/// `kind` selects the statistics; its values are not read. draw_visibility() stands in for the technique, if given;
-/// with causes it only runs before. Refers to `stages`. The experiment is in metres.
+/// `kind` selects the statistics; its values are not read. draw_visibility(), if given, draws the visibility. By
+/// cause it is called first and its image is not used: an engine then has this frame from a request for several.
+/// Refers to `stages`. The experiment is in metres.
 ComparedCase compare_case(Stages& stages, const Experiment& experiment, const CellStatistics& kind,
                           const std::function<Image<float>()>& draw_visibility = {});
 

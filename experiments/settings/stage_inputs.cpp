@@ -11,7 +11,8 @@ namespace {
 constexpr std::string_view scene_key = "view.scene";
 constexpr std::string_view light_key = "view.light";
 
-// All of the view but the scene, which is loaded before any stage, and the light, which only engines need to show one.
+// All of the view except the scene, which is loaded before any stage. The light only matters to another renderer, whose
+// frames always have one.
 Parameters surfel_parameters(Experiment& experiment) {
   Parameters view = describe(experiment.view);
   std::erase_if(view, [&](const Parameter& each) {

@@ -42,7 +42,7 @@ struct FigureHead {
   std::string stem{};
   std::string title{};
   std::string conditions{};  ///< what holds for all of a plot, drawn below a title: "shadow.filter = nearest"
-  std::string caption{};     ///< what it shows; stands beside it on the page
+  std::string caption{};     ///< what the figure shows; the page prints it beside the figure
 };
 
 /// An image with frame and colour bar or category legend.

@@ -18,7 +18,7 @@ inline nlohmann::ordered_json to_json(const Value& value) {
   return std::visit([](const auto& v) { return nlohmann::ordered_json(v); }, value);
 }
 
-/// What to_json() wrote. JSON has no NaN: null stands for it.
+/// Reads back what to_json() wrote. JSON has no NaN, so NaN is written as null.
 inline Value to_value(const nlohmann::ordered_json& json) {
   if (json.is_boolean()) return json.get<bool>();
   if (json.is_string()) return json.get<std::string>();
