@@ -1,5 +1,8 @@
 // Sums and products in a fixed order, so that the CPU implementation in techniques/shadow/reference gives bit-identical
 // results. GLSL does not define the order for its built-in dot(), cross() and length().
+//
+// Nothing writes to a component of a double vector or a column of a double matrix by an index: NVIDIA's compiler
+// (driver 580) refuses that for vectors and gives zeros for matrices.
 double dot_of(dvec3 a, dvec3 b) {
   precise double sum = a.x * b.x + a.y * b.y + a.z * b.z;
   return sum;

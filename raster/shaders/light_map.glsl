@@ -59,9 +59,10 @@ int neighbour_face_of(dvec3 direction) {
 #if MAP_KIND == MAP_PARABOLOID
   return 1 - face_of(direction);
 #endif
-  dvec3 other = direction;
-  other[face_of(direction) / 2] = 0.0lf;
-  return face_of(other);
+  // Not by an index: see arithmetic.glsl.
+  int largest = face_of(direction) / 2;
+  return face_of(dvec3(largest == 0 ? 0.0lf : direction.x, largest == 1 ? 0.0lf : direction.y,
+                       largest == 2 ? 0.0lf : direction.z));
 }
 #elif MAP_KIND == MAP_ORTHOGRAPHIC
 double view_depth(dvec3 p) {

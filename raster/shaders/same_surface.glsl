@@ -32,11 +32,10 @@ Facet fetch_facet(uvec2 id) {
   dvec4 z = instances[id.x].rows[2];
   // Edges are computed in mesh space, where the difference of two floats is exact in double precision and the
   // translation cancels.
-  dmat4 light_from_mesh = dmat4(0.0lf);
-  for (int column = 0; column < 3; ++column) {
-    light_from_mesh[column].xyz = transform_vector(light_from_world, dvec3(x[column], y[column], z[column]));
-  }
-  light_from_mesh[3].xyz = transform_point(light_from_world, dvec3(x.w, y.w, z.w));
+  dmat4 light_from_mesh = dmat4(dvec4(transform_vector(light_from_world, dvec3(x.x, y.x, z.x)), 0.0lf),
+                                dvec4(transform_vector(light_from_world, dvec3(x.y, y.y, z.y)), 0.0lf),
+                                dvec4(transform_vector(light_from_world, dvec3(x.z, y.z, z.z)), 0.0lf),
+                                dvec4(transform_point(light_from_world, dvec3(x.w, y.w, z.w)), 1.0lf));
   Facet f;
   f.a = transform_point(light_from_mesh, dvec3(a));
   f.ab = transform_vector(light_from_mesh, dvec3(b) - dvec3(a));

@@ -96,10 +96,15 @@ SHARED float spot_factor(float cosine, LightSource light, LightModel model) {
 
 /// Whether the position lies in the volume of a light with a range: in its sphere and, for a spot light, in its cone.
 SHARED bool is_in_volume(vec3 position, LightSource light) {
-  vec3 offset = position - vec3(light.position_range);
-  float distance = length(offset);
+  // In one order of operations, so that all shaders that ask give one answer.
+  PRECISE vec3 offset = position - vec3(light.position_range);
+  PRECISE float square = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
+  float distance = sqrt(square);
   if (distance >= light.position_range.w) return false;
-  return light.axis_kind.w < 1.5f || dot(offset, vec3(light.axis_kind)) > light.cone.y * distance;
+  PRECISE float along =
+      offset.x * light.axis_kind.x + offset.y * light.axis_kind.y + offset.z * light.axis_kind.z;
+  PRECISE float edge = light.cone.y * distance;
+  return light.axis_kind.w < 1.5f || along > edge;
 }
 
 /// The factor with which a lobe of this exponent reflects all light at normal incidence, and less elsewhere. Phong:

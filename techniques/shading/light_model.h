@@ -26,8 +26,10 @@ using glm::normalize;
 using glm::sqrt;
 
 #define SHARED inline
+#define PRECISE
 #include "techniques/shading/gbuffer_encoding.glsl"
 #include "techniques/shading/light_model.glsl"
+#undef PRECISE
 #undef SHARED
 
 }  // namespace shared

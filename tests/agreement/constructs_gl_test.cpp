@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "raster/rasterizer.h"
 #include "raytrace/tracer.h"
@@ -126,12 +127,16 @@ TEST_F(ConstructsGl, A_shadow_map_and_rays_along_the_light_meet_the_same_surface
       EXPECT_GT(mean(coverage), 0.01);
     }
     int elsewhere = 0;
+    std::ostringstream where;
     for (std::size_t i = 0; i < coverage.size(); ++i) {
       const bool is_common =
           traced.is_surface(i) && map.triangle[0][i] == traced.triangle[i] && map.instance[0][i] == traced.instance[i];
-      if (is_common && std::abs(depths[0][i] - traced.depth[i]) > 1e-4 * frame.far_depth) ++elsewhere;
+      if (!is_common || std::abs(depths[0][i] - traced.depth[i]) <= 1e-4 * frame.far_depth) continue;
+      ++elsewhere;
+      where << " " << (depths[0][i] - traced.depth[i]) / frame.far_depth << " at n.l "
+            << -glm::dot(dvec3(traced.geometric_normal[i]), light.axis());
     }
-    EXPECT_EQ(elsewhere, 0);
+    EXPECT_EQ(elsewhere, 0) << where.str();
   });
 }
 
