@@ -66,7 +66,8 @@ consteval unsigned constant(std::string_view name) {
 
 /// All of them as #define lines, NO_ID, and the words that one of GLSL and C++ lacks.
 inline std::string interface_defines() {
-  std::string text = "#define SHARED\n#define UNUSED\n#define PRECISE precise\n#define NO_ID " + std::to_string(no_id) + "u\n";
+  std::string text =
+      "#define SHARED\n#define UNUSED\n#define PRECISE precise\n#define NO_ID " + std::to_string(no_id) + "u\n";
   for (const ShaderConstant& entry : shader_constants) {
     text += "#define " + std::string(entry.name) + " " + std::to_string(entry.value) + "\n";
   }

@@ -42,8 +42,8 @@ TEST_F(MapDepthGl, Every_format_and_encoding_rounds_to_its_step) {
             // A shader's depth, and the one that is read back, are 32-bit floats, whose steps are those of 24 bits.
             const double bound = format == MapDepthFormat::fixed24 ? 1.5 : 0.505;
             EXPECT_NEAR(found, expected, bound * step + rounding)
-                << "format " << static_cast<int>(format) << ", encoding " << static_cast<int>(encoding) << ", view " << view
-                << ", texel " << i << ", off by " << std::abs(found - expected) / step << " steps";
+                << "format " << static_cast<int>(format) << ", encoding " << static_cast<int>(encoding) << ", view "
+                << view << ", texel " << i << ", off by " << std::abs(found - expected) / step << " steps";
             largest = std::max(largest, std::abs(found - expected) / step);
           }
         }
