@@ -15,6 +15,27 @@ dvec3 mesh_normal(uint instance, uint vertex) {
   return dvec3(texelFetch(normals, int(instances[instance].first_normal + vertex)).xyz);
 }
 
+// Along the edge from `from` to `from` + `edge`, 0 to 1: the point nearest to the ray through 0; its squared distance,
+// times the direction's squared length.
+dvec2 nearest_along(dvec3 from, dvec3 edge, dvec3 direction) {
+  dvec3 at = cross(from, direction);
+  dvec3 step = cross(edge, direction);
+  double squared = dot(step, step);
+  double along = squared > 0.0lf ? clamp(-dot(at, step) / squared, 0.0lf, 1.0lf) : 0.0lf;
+  dvec3 rest = at + along * step;
+  return dvec2(along, dot(rest, rest));
+}
+
+// Weights of ab and ac at the point of the triangle's edges that is nearest to the ray. Weights that are clamped one by
+// one would lie pixels away where the triangle is seen edge-on.
+dvec2 nearest_on_edges(dvec3 a, dvec3 ab, dvec3 ac, dvec3 direction) {
+  dvec2 on_ab = nearest_along(a, ab, direction);
+  dvec2 on_ac = nearest_along(a, ac, direction);
+  dvec2 on_bc = nearest_along(a + ab, ac - ab, direction);
+  if (on_ab.y <= on_ac.y && on_ab.y <= on_bc.y) return dvec2(on_ab.x, 0.0lf);
+  return on_ac.y <= on_bc.y ? dvec2(0.0lf, on_ac.x) : dvec2(1.0lf - on_bc.x, on_bc.x);
+}
+
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, size))) return;
@@ -44,8 +65,9 @@ void main() {
     dvec2 weight = abs(determinant) > 0.0lf ? dvec2(dot(origin - a, p), dot(direction, q)) / determinant
                                             : dvec2(1.0lf / 3.0lf);
     // Rasterisers snap vertices to a fraction of a pixel, so the centre may lie slightly outside the exact triangle.
-    weight = max(weight, 0.0lf);
-    weight /= max(1.0lf, weight.x + weight.y);
+    if (weight.x < 0.0lf || weight.y < 0.0lf || weight.x + weight.y > 1.0lf) {
+      weight = nearest_on_edges(a - origin, ab, ac, direction);
+    }
 
     dvec3 relative = a + weight.x * ab + weight.y * ac;
     surfel = vec4(vec3(relative + eye.xyz), float(dot(relative, axis.xyz)));

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "raster/rasterizer.h"
 #include "raytrace/tracer.h"
@@ -127,16 +126,17 @@ TEST_F(ConstructsGl, A_shadow_map_and_rays_along_the_light_meet_the_same_surface
       EXPECT_GT(mean(coverage), 0.01);
     }
     int elsewhere = 0;
-    std::ostringstream where;
     for (std::size_t i = 0; i < coverage.size(); ++i) {
       const bool is_common =
           traced.is_surface(i) && map.triangle[0][i] == traced.triangle[i] && map.instance[0][i] == traced.instance[i];
-      if (!is_common || std::abs(depths[0][i] - traced.depth[i]) <= 1e-4 * frame.far_depth) continue;
-      ++elsewhere;
-      where << " " << (depths[0][i] - traced.depth[i]) / frame.far_depth << " at n.l "
-            << -glm::dot(dvec3(traced.geometric_normal[i]), light.axis());
+      if (!is_common) continue;
+      // Rasterisers snap vertices to 1/256 texel: a slope's depth moves by up to 1/512 texel along both axes.
+      const double cosine = std::abs(glm::dot(dvec3(traced.geometric_normal[i]), light.axis()));
+      const double slope = std::sqrt(1.0 - std::min(cosine * cosine, 1.0)) / std::max(cosine, 1e-9);
+      const double snapped = std::sqrt(2.0) / 512.0 * slope * 2.0 * frame.views.front().half_extent / side;
+      if (std::abs(depths[0][i] - traced.depth[i]) > 1e-4 * frame.far_depth + snapped) ++elsewhere;
     }
-    EXPECT_EQ(elsewhere, 0) << where.str();
+    EXPECT_EQ(elsewhere, 0);
   });
 }
 

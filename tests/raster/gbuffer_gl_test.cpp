@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "core/error.h"
 #include "core/random.h"
@@ -96,6 +97,52 @@ TEST_F(GbufferGl, Positions_far_from_the_origin_are_as_good_as_a_float_allows) {
       ASSERT_EQ(gbuffer.position[i], vec3(expected)) << x << " " << y;
     }
   }
+}
+
+// Rasterisers snap vertices to 1/256 pixel, so that slivers cover pixels whose rays pass beside them.
+TEST_F(GbufferGl, Surfels_of_slivers_lie_where_their_pixels_see_them) {
+  constexpr int width = 160;
+  constexpr int height = 90;
+  const View view = perspective_view(width, height, {0, 0, 0}, {0, 0, -1});
+  const auto at = [&](double x, double y, double depth) {
+    const Ray corner = pixel_ray(view, 0, 0);
+    const Ray right = pixel_ray(view, 1, 0);
+    const Ray down = pixel_ray(view, 0, 1);
+    const auto on_screen = [](const Ray& ray) { return ray.direction / -ray.direction.z; };
+    const dvec3 direction = on_screen(corner) + (x - 0.5) * (on_screen(right) - on_screen(corner)) +
+                            (y - 0.5) * (on_screen(down) - on_screen(corner));
+    return direction * depth;
+  };
+  Mesh slivers;
+  std::mt19937 random(7);
+  const auto any = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  for (std::uint32_t i = 0; i < 3000; ++i) {
+    const dvec2 a(any(0, width), any(0, height));
+    const dvec2 b(any(0, width), any(0, height));
+    const dvec2 across = glm::normalize(dvec2(a.y - b.y, b.x - a.x));
+    const dvec2 c = glm::mix(a, b, any(0, 1)) + any(-0.01, 0.01) * across;
+    for (const dvec2& corner : {a, b, c}) slivers.positions.emplace_back(at(corner.x, corner.y, any(2, 20)));
+    slivers.triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+  }
+  Scene scene;
+  add_mesh(scene, std::move(slivers));
+  scene.materials.front().double_sided = true;
+  const GBuffer gbuffer = draw(scene, view);
+  const dmat4 clip_from_world = clip_from_view(view) * view_from_world(view);
+  int seen = 0;
+  double farthest = 0.0;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const std::size_t i = gbuffer.position.index(x, y);
+      if (!gbuffer.is_surface(i)) continue;
+      ++seen;
+      const dvec4 clip = clip_from_world * dvec4(dvec3(gbuffer.position[i]), 1.0);
+      const dvec2 place(0.5 * width * (1.0 + clip.x / clip.w), 0.5 * height * (1.0 - clip.y / clip.w));
+      farthest = std::max(farthest, glm::distance(place, dvec2(x + 0.5, y + 0.5)));
+    }
+  }
+  EXPECT_GT(seen, 300);
+  EXPECT_LT(farthest, 1.0 / 128.0) << "pixels";
 }
 
 TEST_F(GbufferGl, A_box_shows_its_faces_with_normals_to_the_viewer) {

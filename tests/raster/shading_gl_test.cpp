@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstring>
 #include <random>
+#include <sstream>
 
 #include "raster/gl/api.h"
 #include "raster/shader_interface.h"
@@ -218,15 +219,23 @@ TEST_F(ShadingGl, Both_paths_and_both_ways_to_cull_give_the_same_image) {
       std::size_t missed = 0;
       for (const LightCounters& counters : deferred.counters) missed += counters.missed;
       std::size_t different = 0;
+      std::ostringstream where;
       std::size_t bright = 0;
       for (std::size_t i = 0; i < on_processor.size(); ++i) {
-        if (steps_of_8_bits(deferred.radiance[i], forward.radiance[i]) > 1) ++different;
+        if (steps_of_8_bits(deferred.radiance[i], forward.radiance[i]) > 1) {
+          ++different;
+          where << " " << i % 240 << "," << i / 240 << " depth " << gbuffer.depth[i] << " at " << gbuffer.position[i].x
+                << " " << gbuffer.position[i].y << " " << gbuffer.position[i].z << " triangle " << gbuffer.triangle[i]
+                << " of " << gbuffer.instance[i];
+        }
         if (forward.radiance[i].y > 0.05f) ++bright;
         EXPECT_LE(steps_of_8_bits(on_processor[i], forward.radiance[i]), 1) << name << " " << i;
       }
       EXPECT_LE(different, missed) << name << ", " << (faces == VolumeFaces::front ? "front" : "back");
       for (std::size_t l = 0; l < deferred.counters.size() && faces == VolumeFaces::back; ++l) {
-        EXPECT_EQ(deferred.counters[l].missed, 0u) << name << ", light " << l << ", " << different << " different";
+        EXPECT_EQ(deferred.counters[l].missed, 0u)
+            << name << ", light " << l << " at " << lit->scene.lights[l].position().x << " "
+            << lit->scene.lights[l].position().y << " " << lit->scene.lights[l].position().z << ":" << where.str();
       }
       EXPECT_GT(bright, 10'000u) << name;
     }
