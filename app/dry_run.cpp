@@ -109,16 +109,17 @@ ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSw
   rows.emplace_back("axes", axes);
   rows.emplace_back("cells", grouped(plan.cells));
   const std::size_t groups = count_groups(plan);
-  rows.emplace_back("groups",
-                    fmt::format("{} of up to {} cells; {}", grouped(groups), grouped(group_at(plan, 0).size()),
-                                is_one_pass(stages, sweep.experiment, sweep.axes, sweep.statistics)
-                                    ? "one pass measures all cells of a group"
-                                    : "each cell is measured separately"));
+  rows.emplace_back("groups", fmt::format("{} of at most {} cell{}; {}", grouped(groups),
+                                          grouped(group_at(plan, 0).size()), group_at(plan, 0).size() == 1 ? "" : "s",
+                                          is_one_pass(stages, sweep.experiment, sweep.axes, sweep.statistics)
+                                              ? "one pass measures all cells of a group"
+                                              : "each cell is measured separately"));
   const SweepCosts costs = measure_costs(stages, sweep, estimate_budget);
   const double seconds = GroupCosts(costs, plan).seconds(0, groups);
   const std::string time = seconds < 1.0 ? "less than 1 s" : "about " + time_text(seconds);
-  rows.emplace_back("time", fmt::format("{} to measure, plus the report; estimated from {} of {} groups", time,
-                                        costs.measured, grouped(groups)));
+  rows.emplace_back(
+      "time", fmt::format("{} to measure, plus the report; estimated from {} measured groups or parts of groups", time,
+                          costs.measured));
   return show(console, rows);
 }
 

@@ -150,7 +150,8 @@ void add_setting_notes(Stages& stages, const CommandLine& line, const Experiment
       others += (others.empty() ? "" : ", ") + stages.title(light);
     }
     if (!others.empty()) {
-      text += fmt::format("; it is for {} lights, but {} has the same parameters", preset.kind, others);
+      text += fmt::format("; it is meant for {} lights and is used for {}, too: leave others out by --light",
+                          preset.kind, others);
     }
     stages.add_notes({text});
   }

@@ -106,8 +106,7 @@ ExitCode run_merge(const CommandLine& line, const Console& console) {
     if (!collected.missing.empty()) {
       show_shards(console, planned, collected.missing, collected.problems);
       if (line.plan.partial) write_partial(planned, sweep, cut, rows, collected.missing, folder, console);
-      throw missing_shards(planned, collected,
-                           line.plan.partial ? "run them again and merge" : "run them again, or add --partial");
+      throw missing_shards(planned, collected, line.plan.partial ? "run them and merge" : "run them, or add --partial");
     }
     for (const std::string& problem : collected.problems) note(console, problem);
     const StoreDescription description = load_planned(planned, sweep, console);

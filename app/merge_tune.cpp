@@ -49,7 +49,7 @@ std::string counted(std::size_t count, const char* what) {
       is_last ? 0 : (next.limit - std::min(next.limit, next.searched) + next.points.size() - 1) / next.points.size();
   print_line(console,
              fmt::format("round {} of about {}: {} in {}; {} of at most {} evaluations are "
-                         "done, {} of {} measured points were needed",
+                         "done, which needed {} of the {} measured points",
                          rounds + 1, rounds + more + 1, counted(next.points.size(), "point"),
                          counted(shards.size(), "shard"), next.searched, next.limit, next.used, points.size()));
   show_shards(console, planned, shards, {});
@@ -75,7 +75,7 @@ ExitCode merge_tune(const PlannedFolder& planned, const CommandLine& line, const
     collected = collect_shards(planned.folder, planned.plan, rows);
     if (!collected.missing.empty()) {
       show_shards(console, planned, collected.missing, collected.problems);
-      throw missing_shards(planned, collected, "run them again and merge");
+      throw missing_shards(planned, collected, "run them and merge");
     }
     measured.points = points_of(rows, planned_cells(tuning, layout), layout);
   }

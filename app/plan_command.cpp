@@ -85,7 +85,7 @@ void show_plan(const Console& console, const fs::path& folder, const ShardPlan& 
            fmt::format("undivided about {}; starting shards adds {}, what they repeat adds {}{}", time(cuts.undivided),
                        time(starts), time(repeated),
                        plan.parts > 1 ? ": several shards draw the same map or look up the same reference" : ""));
-  add_line(console, fmt::format("next: {}, of 0 to {}", command_of(folder, "K"), plan.shards.size() - 1));
+  add_line(console, fmt::format("next: {} with K from 0 to {}", command_of(folder, "K"), plan.shards.size() - 1));
 }
 
 }  // namespace

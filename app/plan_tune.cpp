@@ -111,7 +111,7 @@ void show_plan(const Console& console, const fs::path& folder, const ShardPlan& 
   print_line(console,
              fmt::format("round 1: {} points of {} case{} in {} shards of at most about {}", points, tuning.cases,
                          tuning.cases == 1 ? "" : "s", plan.shards.size(), time_text(std::ceil(longest))));
-  add_line(console, fmt::format("next: {}, of 0 to {}", command_of(folder, "K"), plan.shards.size() - 1));
+  add_line(console, fmt::format("next: {} with K from 0 to {}", command_of(folder, "K"), plan.shards.size() - 1));
   add_line(console, "then: umbrameter merge " + shell_word(folder) +
                         " -o DIR, which plans the next round until the search has ended");
 }

@@ -33,12 +33,13 @@ ExitCode run_presets(const Console& console) {
   }
   for (const std::string& text : aligned(rows)) print_line(console, text);
   add_line(console,
-           "confirmed by: run, the engine itself has the same errors; source, its source says so; second-hand, a copy "
-           "or a description of it does.");
+           "confirmed by: run, compared with the running engine (differences: docs/engine-presets.md); source, its "
+           "source says so; "
+           "second-hand, a copy or a description of it does.");
   add_line(
       console,
       "Measure one: umbrameter compare courtyard --light sun --preset NAME -o out, with --light spot or lantern for "
-      "those of spot and point lights; flags override it.");
+      "those of spot and point lights, and --measure ao for those of ambient occlusion. Flags override a preset.");
   if (console.json) write_to(stdout, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   return ExitCode::ok;
 }

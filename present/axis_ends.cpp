@@ -98,7 +98,7 @@ std::vector<std::string> to_lines(const std::vector<OpenEnd>& ends) {
     const bool has_setting = !first.setting.empty();
     const std::string where = !has_setting ? ""
                               : count == 1 ? " for " + first.setting
-                                           : fmt::format(" for {} and {} more", first.setting, count - 1);
+                                           : fmt::format(" for {} combinations, one of them {}", count, first.setting);
     lines.push_back(fmt::format("{}: the error still falls at the {} end of the axis ({:.6g}{}{}){}; extend it",
                                 first.axis, first.end == AxisEnd::upper ? "upper" : "lower", first.value,
                                 first.unit.empty() || first.unit == "1" ? "" : " ", first.unit == "1" ? "" : first.unit,

@@ -41,7 +41,7 @@ std::string settings_text(const BiasSpec& spec) {
     if (std::isnan(value)) continue;
     std::string shown = fmt::format("{:.6g}{}", value, setting.unit == "m" ? " m" : "");
     const auto choice = std::ranges::find(setting.choices, value, &std::pair<std::string_view, double>::second);
-    if (choice != setting.choices.end()) shown = fmt::format("{} ({:g})", choice->first, value);
+    if (choice != setting.choices.end()) shown = fmt::format("{} (counts as {:g})", choice->first, value);
     text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", setting.name, shown);
   }
   return text;
@@ -156,7 +156,9 @@ void add_number_notes(const ConvertedTarget& target, std::vector<std::string>& n
     const double value = std::clamp(chosen->value, number.min, number.max);
     const bool is_one_for_all = target.conversions.size() > 1 && !number.code.empty() && !sets_each_place(target);
     if (is_one_for_all && chosen->excess > 1.005) {
-      add(fmt::format("{} {}: {} decides, as it needs most; elsewhere this is up to {} times the source's bias",
+      add(
+          fmt::format("{} {}: chosen for the {}, which needs the largest number; elsewhere it acts as up to {} times "
+                      "the bias asked for",
                       engine.name, number.name, target.places[chosen->place].name, digits_text(chosen->excess, 2)));
     }
     if (std::abs(value - chosen->value) > 1e-9 * std::abs(chosen->value)) {
@@ -210,8 +212,11 @@ std::vector<std::string> code_lines(const ConvertedTarget& target) {
     const std::string& own = target.conversions.front().numbers[n].code;
     const std::string code = own.empty() ? std::string(engine.numbers[n].code) : own;
     const bool is_each = sets_each_place(target);
+    const bool has_equivalent = std::ranges::all_of(
+        target.conversions, [&](const BiasConversion& each) { return each.numbers[n].value.has_value(); });
+    const std::string remark = has_equivalent ? "" : code.ends_with(';') ? "  // no equivalent" : "  # no equivalent";
     for (std::size_t i = 0; i < (is_each ? values->size() : 1); ++i) {
-      lines.push_back(code_line(code, (*values)[i], i, is_each));
+      lines.push_back(code_line(code, (*values)[i], i, is_each) + remark);
     }
   }
   return lines;

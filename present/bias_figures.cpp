@@ -331,8 +331,8 @@ void add_bias_figures(Presentation& presentation, const SweepResults& sweep, con
     drawing.slope = static_cast<std::size_t>(flattest_slope - slopes.begin());
     drawing.conditions = part.conditions;
     if (curves.varies_slope) {
-      drawing.conditions += fmt::format("{}{} = {:g} texels", part.conditions.empty() ? "" : ", ", drawing.slope_key,
-                                        slopes[drawing.slope]);
+      drawing.conditions += fmt::format("{}{} = {}", part.conditions.empty() ? "" : ", ", drawing.slope_key,
+                                        with_unit(fmt::format("{:g}", slopes[drawing.slope]), "texels"));
     }
     const auto chart = [&](const char* stem, std::vector<std::pair<std::string, std::string>> columns,
                            const char* line_column) {

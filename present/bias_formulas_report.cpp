@@ -270,7 +270,9 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
   ReportSection& section = presentation.section;
   if (std::ranges::none_of(curves.formulas, [](const CurveFormula& of) { return of.formula.has_value(); })) {
     const std::string text = fmt::format(
-        "no formula of the bias over {}: it needs at least three points whose best bias lies inside its axis",
+        "no formula for the bias over {}: that takes at least three combinations of these whose best bias is not at an "
+        "end of the "
+        "bias axis",
         names_of(curves.formula_axes));
     section.text += fmt::format("\n\nThere is {}; vary more values, or extend the axis of the bias.", text);
     presentation.lines.push_back(text);

@@ -1,34 +1,54 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "present/bias_conversion.h"
 #include "present/presentation_parts.h"
+#include "results/number_text.h"
 
 namespace umbrameter {
 namespace {
 
+const std::string no_number = "has no number for this bias";
+const std::string note_mark = "    note: ";
+
 std::string engine_error_text(const EngineAdvice& advice) {
   const std::string usual =
-      advice.by_default ? fmt::format("; with its default numbers {}", percent(advice.by_default->mae)) : "";
-  if (!is_complete(advice.target)) return "it cannot say this bias" + usual;
-  if (!advice.measured) return "error not measured, as " + advice.why_not_measured + usual;
+      advice.by_default ? fmt::format("; error with its default numbers {}", percent(advice.by_default->mae)) : "";
+  if (!is_complete(advice.target)) return no_number + usual;
+  if (!advice.measured) return "error not measured: " + advice.why_not_measured + usual;
   const std::string acne = advice.measured->acne > little_acne_share ? ", acne " + percent(advice.measured->acne) : "";
-  return fmt::format("error {}{}{}", percent(advice.measured->mae), acne, usual);
+  const std::string slope =
+      advice.left_out_slope != 0.0
+          ? fmt::format(" without shadow.slope-bias {:g}, for which it has no number", advice.left_out_slope)
+          : "";
+  return fmt::format("error {}{}{}{}", percent(advice.measured->mae), acne, slope, usual);
 }
 
-// None where a part of the bias is left out: zeros would look like a recommendation.
-std::vector<std::string> shown_code(const EngineAdvice& advice) {
-  return is_complete(advice.target) ? code_lines(advice.target) : std::vector<std::string>();
+// Lines of the engine's code, or the number in a unit. None where a part of the bias is left out: zeros would look like
+// a recommendation.
+std::vector<std::string> shown_numbers(const EngineAdvice& advice) {
+  if (!is_complete(advice.target)) return {};
+  std::vector<std::string> lines = code_lines(advice.target);
+  const std::vector<BiasNumber>& numbers = advice.target.spec.engine->numbers;
+  for (std::size_t n = 0; n < numbers.size(); ++n) {
+    const auto values = set_values(advice.target, n);
+    if (numbers[n].code.empty() && values) {
+      lines.push_back(
+          fmt::format("{} = {}", numbers[n].name, with_unit(digits_text(values->front()), numbers[n].unit)));
+    }
+  }
+  return lines;
 }
 
 std::vector<std::string> engine_lines(const std::vector<EngineAdvice>& engines, const std::string& what) {
   std::vector<std::string> lines;
   for (const EngineAdvice& each : engines) {
     lines.push_back(fmt::format("  {} in {}: {}", what, title_of(each.target.spec), engine_error_text(each)));
-    for (const std::string& code : shown_code(each)) lines.push_back("    " + code);
-    for (const std::string& note : notes_of(each.target)) lines.push_back("    note: " + note);
+    for (const std::string& code : shown_numbers(each)) lines.push_back("    " + code);
+    for (const std::string& note : notes_of(each.target)) lines.push_back(note_mark + note);
   }
   return lines;
 }
@@ -45,11 +65,11 @@ ReportTable engine_table(const std::vector<EngineAdvice>& engines, const std::st
   };
   for (const EngineAdvice& each : engines) {
     std::string set;
-    for (const std::string& code : shown_code(each)) {
+    for (const std::string& code : shown_numbers(each)) {
       if (!set.empty()) set += set.ends_with(';') || set.ends_with(',') ? " " : "; ";
       set += code;
     }
-    table.rows.push_back({title_of(each.target.spec), set.empty() ? "it cannot say this bias" : set,
+    table.rows.push_back({title_of(each.target.spec), set.empty() ? no_number : set,
                           share(each.measured, &BiasCell::mae), share(each.measured, &BiasCell::acne),
                           share(each.by_default, &BiasCell::mae)});
   }
@@ -71,7 +91,12 @@ std::string engine_notes(const std::vector<EngineAdvice>& engines) {
 
 void add_engines(Presentation& presentation, const std::vector<EngineAdvice>& engines, const std::string& what) {
   if (engines.empty()) return;
-  for (std::string& line : engine_lines(engines, what)) presentation.lines.push_back(std::move(line));
+  for (std::string& line : engine_lines(engines, what)) {
+    // The notes of an engine are the same for each light.
+    const bool is_said =
+        line.starts_with(note_mark) && std::ranges::find(presentation.lines, line) != presentation.lines.end();
+    if (!is_said) presentation.lines.push_back(std::move(line));
+  }
   presentation.section.tables.push_back(engine_table(engines, what));
   if (const std::string notes = engine_notes(engines); !notes.empty()) presentation.section.text += "\n\n" + notes;
 }

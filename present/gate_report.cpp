@@ -100,7 +100,8 @@ std::string markdown_cell(std::string text) {
   return escape_markup(text);
 }
 
-const std::vector<std::string> header = {"", "where", "statistic", "value", "bound", "excess", "excess ÷ half width"};
+const std::vector<std::string> header = {
+    "", "where", "statistic", "value", "bound", "excess", "excess ÷ half of the 95 % interval"};
 
 }  // namespace
 
@@ -147,7 +148,7 @@ std::string gate_markdown(const std::vector<GateCheck>& checks) {
   const std::size_t failed = count_failed(checks);
   std::string text = fmt::format("### {} Umbrameter: {}\n\n", failed == 0 ? "✅" : "❌", gate_answer(checks));
   text +=
-      "| | where | statistic | value | bound | excess | excess ÷ half width |\n"
+      "| | where | statistic | value | bound | excess | excess ÷ half of the 95 % interval |\n"
       "| --- | --- | --- | ---: | ---: | ---: | ---: |\n";
   std::vector<GateCheck> sorted = checks;
   std::stable_partition(sorted.begin(), sorted.end(), [](const GateCheck& check) { return !check.is_kept; });

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "present/sweep_report.h"
@@ -15,7 +16,10 @@ constexpr std::size_t most_missing = 20;
 
 // What present_sweep() says of all cells holds for those that are there.
 Presentation present_rows_there(const PartialSweep& partial, const std::string& cells) {
-  Presentation part = present_sweep(partial.rows, best_rows(partial.rows), std::nullopt, {});
+  Table best = best_rows(partial.rows);
+  const std::size_t error = column_index(best, error_statistic);
+  std::erase_if(best.rows, [&](const std::vector<Value>& row) { return std::isnan(to_number(row[error])); });
+  Presentation part = present_sweep(partial.rows, best, std::nullopt, {});
   part.section.title += " that are there";
   for (Headline& headline : part.section.headlines) {
     if (headline.label == "cells") headline = {"cells", cells, "one row each in sweep.partial.csv"};

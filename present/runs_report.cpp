@@ -38,7 +38,8 @@ std::string difference_text(const ComparedValue& value) {
 }
 
 std::string verdict_text(const ComparedValue& value) {
-  const std::string test = value.blocks > 0 ? fmt::format("paired over {} blocks", value.blocks) : "from the intervals";
+  const std::string test =
+      value.blocks > 0 ? fmt::format("paired over {} blocks of the image", value.blocks) : "from the intervals";
   switch (value.verdict) {
     case Verdict::base:
       return "—";
@@ -79,7 +80,7 @@ std::string title_text(const ComparedStatistic& compared) {
   return title;
 }
 
-std::string with_unit(const std::string& text, const std::string& unit) {
+std::string head_with_unit(const std::string& text, const std::string& unit) {
   return unit.empty() ? text : fmt::format("{} [{}]", text, unit);
 }
 
@@ -100,11 +101,11 @@ Table rows_of_errors(const std::vector<StoredRun>& runs, const std::vector<const
   for (const ComparedStatistic* each : errors) {
     if (shown_unit(each->unit) != unit) unit.clear();
   }
-  Table table{{{with_unit("Error", unit), "", ""}}, {}};
+  Table table{{{head_with_unit("Error", unit), "", ""}}, {}};
   for (std::size_t run = first_run; run < runs.size(); ++run) table.columns.push_back({runs[run].name, "", ""});
   for (const ComparedStatistic* each : errors) {
     std::vector<Value> row(table.columns.size(), std::string("—"));
-    row.front() = unit.empty() ? with_unit(title_text(*each), shown_unit(each->unit)) : title_text(*each);
+    row.front() = unit.empty() ? head_with_unit(title_text(*each), shown_unit(each->unit)) : title_text(*each);
     for (const ComparedValue& value : each->values) {
       if (value.run >= first_run) row[value.run - first_run + 1] = text(value);
     }
@@ -205,9 +206,10 @@ std::vector<std::string> comparison_answers(const std::vector<StoredRun>& runs,
     if (each.name != error_statistic) continue;
     const std::string what = each.light.empty() ? (each.kind == "ao" ? "AO" : each.kind) : each.light;
     for (const ComparedValue& value : each.values) {
-      std::string line = fmt::format("{}, {}: error {} %", what, runs[value.run].name, compared_text(value));
+      std::string line = fmt::format("{}, {}: error {} %{}", what, runs[value.run].name, compared_text(value),
+                                     value.interval == IntervalOf::pixels ? " (95 %, over pixels and rays)" : "");
       if (value.verdict != Verdict::base) {
-        line += fmt::format("; difference {} % ({})",
+        line += fmt::format("; difference to {} {} percentage points ({})", runs.front().name,
                             with_half_width(100.0 * value.difference.value, 100.0 * half_width_of(value.difference)),
                             verdict_text(value));
       }

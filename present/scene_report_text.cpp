@@ -74,7 +74,7 @@ std::string degrees_of(double radians) { return fmt::format("{:.4g}°", radians 
 std::vector<std::string> camera_row(const Camera& camera) {
   const std::string place = "at " + vector_of(dvec3(camera.world_from_camera[3])) + " m";
   if (const auto* lens = std::get_if<PerspectiveProjection>(&camera.projection)) {
-    return {degrees_of(lens->vertical_fov) + " high", place,
+    return {"vertical field of view " + degrees_of(lens->vertical_fov), place,
             "sees " + metres(lens->near_plane) + " to " + metres(lens->far_plane)};
   }
   const auto& parallel = std::get<OrthographicProjection>(camera.projection);
@@ -92,7 +92,8 @@ std::vector<std::string> light_row(const Light& light) {
   }
   std::string where = "at " + vector_of(light.position()) + " m";
   if (const auto* spot = std::get_if<SpotLight>(&light.shape)) {
-    where += fmt::format(", cone {} to {}", degrees_of(spot->inner_cone_angle), degrees_of(spot->outer_cone_angle));
+    where += fmt::format(", cone {} to {} from its axis", degrees_of(spot->inner_cone_angle),
+                         degrees_of(spot->outer_cone_angle));
     where += range_text(spot->range);
   } else {
     where += range_text(std::get<PointLight>(light.shape).range);

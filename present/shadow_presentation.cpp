@@ -92,10 +92,11 @@ void present_edge_error(Presentation& presentation, const SceneFacts& scene, con
   section.tables = {statistics_table("Visibility error: " + title, s)};
   add_bias_table(section, shadow);
   section.text += "\n\n" + std::string(filter_caution);
-  presentation.answers.push_back(
-      fmt::format("{}: error {}{}; away from edges too dark {}, too bright {}; at edges too dark {}, too bright {}",
-                  title, percent(s.mae), few_pixels_text(s.pixels), percent(s.too_dark_away),
-                  percent(s.too_bright_away), percent(s.too_dark_at_edge), percent(s.too_bright_at_edge)));
+  presentation.answers.push_back(fmt::format(
+      "{}: error {}{}; away from edges too dark {}, too bright {}; at edges too dark {}, too bright {}; no bias "
+      "recommended: this technique does not sum depth comparisons",
+      title, percent(s.mae), few_pixels_text(s.pixels), percent(s.too_dark_away), percent(s.too_bright_away),
+      percent(s.too_dark_at_edge), percent(s.too_bright_at_edge)));
 }
 
 void present_soft_error(Presentation& presentation, const SceneFacts& scene, const LayeredImage& layers,
@@ -118,13 +119,14 @@ void present_soft_error(Presentation& presentation, const SceneFacts& scene, con
       {"too dark", percent(s.error.too_dark), "part where the technique is darker than the reference"},
       {"too bright", percent(s.error.too_bright), "part where the technique is brighter than the reference"},
       {"RMS error", percent(s.error.rmse), "corrected for the reference's variance"},
-      {"penumbra", percent(s.penumbra), "of the counted pixels"},
+      {"penumbra", percent(s.penumbra), "mean of 4V(1 − V) over the counted pixels, V the reference"},
   };
   section.tables = {statistics_table("Visibility error: " + title, s)};
   add_bias_table(section, shadow);
   presentation.answers.push_back(fmt::format(
-      "{}: error {}{} against {}; too dark {}, too bright {}; penumbra {} of the counted pixels", title,
-      percent(s.error.mae), few_pixels_text(s.error.pixels),
+      "{}: error {}{} against {}; too dark {}, too bright {}; penumbra {} (mean of 4V(1 − V)); no bias recommended: a "
+      "tap is neither right nor wrong under a soft reference",
+      title, percent(s.error.mae), few_pixels_text(s.error.pixels),
       is_over_pixel ? "the mean over each pixel" : fmt::format("its soft shadow ({})", extent_text(shadow.emitter)),
       percent(s.error.too_dark), percent(s.error.too_bright), percent(s.penumbra)));
 }
@@ -207,11 +209,12 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
   }
   if (shadow.raster) {
     const bool is_ours = renderer_title(experiment).empty();
-    add_layer_figure(
-        presentation, layers, Layer::raster_visibility, layer, is_ours ? "Shadow map: " + title : "Shadow: " + title,
-        is_ours ? fmt::format("{}, constant bias {}, slope-scaled bias {:g} texels.", technique_text(shadow),
-                              length_text(experiment.shadow.bias.constant), experiment.shadow.bias.slope)
-                : technique_text(shadow) + ".");
+    add_layer_figure(presentation, layers, Layer::raster_visibility, layer,
+                     is_ours ? "Shadow map: " + title : "Shadow: " + title,
+                     is_ours ? fmt::format("{}, constant bias {}, slope-scaled bias {}.", technique_text(shadow),
+                                           length_text(experiment.shadow.bias.constant),
+                                           with_unit(fmt::format("{:g}", experiment.shadow.bias.slope), "texels"))
+                             : technique_text(shadow) + ".");
   }
   if (shadow.stored_depths && shadow.stored_depths->range) {
     presentation.details.push_back(title + ": " + stored_depths_text(shadow));

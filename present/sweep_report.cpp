@@ -204,7 +204,7 @@ std::string row_text(const std::vector<SweepAxis>& axes, const std::vector<Value
     } else {
       text += number != nullptr && std::abs(*number) < 1e4 ? with_minus(fmt::format("{:.{}g}", *number, digits))
                                                            : short_text(row[a]);
-      text += axis.unit.empty() || axis.unit == "1" ? "" : " " + axis.unit;
+      text = with_unit(std::move(text), axis.unit);
     }
   }
   return text;

@@ -49,10 +49,10 @@ std::string value_text(const TuneAxis& axis, const Value& value) {
   // The tuned file has all digits; values that differ in the fourth cost the same.
   std::string text = number != nullptr ? with_minus(fmt::format("{:.{}g}", *number, std::abs(*number) < 100.0 ? 3 : 5))
                                        : to_string(value);
-  if (number != nullptr && std::isnan(*number)) return "in another unit";
+  if (number != nullptr && std::isnan(*number)) return "its default, in another unit";
   const std::string& unit = axis.axis.unit;
   if (number != nullptr && std::isfinite(*number) && unit == "m") return metres_text(*number);
-  return unit.empty() || unit == "1" || axis.is_word() ? text : text + " " + unit;
+  return axis.is_word() ? text : with_unit(text, unit);
 }
 
 std::string point_text(const std::vector<TuneAxis>& axes, const std::vector<Value>& values) {

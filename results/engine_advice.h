@@ -15,6 +15,7 @@ struct EngineAdvice {
   std::optional<BiasCell> measured{};    ///< with set_values(); `constant` and `slope` are not set
   std::optional<BiasCell> by_default{};  ///< with the engine's defaults, likewise
   std::string why_not_measured{};        ///< which part of set_values() our parameters cannot say
+  double left_out_slope = 0.0;           ///< the run's shadow.slope-bias, which `measured` and `by_default` are without
 };
 
 }  // namespace umbrameter

@@ -72,10 +72,16 @@ std::string estimate_text(const Estimate& estimate, std::string_view unit) {
   return rounded(estimate.value, decimals) + " ± " + rounded(half, decimals) + of_unit;
 }
 
+std::string with_unit(std::string number, std::string_view unit) {
+  if (unit.empty() || unit == "1") return number;
+  if (number == "1" && unit.ends_with('s')) unit.remove_suffix(1);
+  return number + " " + std::string(unit);
+}
+
 std::string length_text(const Length& any) {
   if (any.unit == LengthUnit::metres) return metres_text(any.number);
   const int digits = std::abs(any.number) < 1000.0 ? 3 : 4;
-  return with_minus(fmt::format("{:.{}g} {}", any.number, digits, unit_name(any.unit)));
+  return with_unit(with_minus(fmt::format("{:.{}g}", any.number, digits)), unit_name(any.unit));
 }
 
 std::string metres_text(double metres, int digits) {

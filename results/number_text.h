@@ -32,6 +32,8 @@ std::string estimate_text(const Estimate& estimate, std::string_view unit);
 /// A length with a suitable unit and this number of significant digits: "12.5 mm", "1.2 m". Less than a nanometre is
 /// rounding: "0 m".
 std::string metres_text(double metres, int digits = 3);
+/// "1.5 texels", "1 texel", "0.2": a number with its unit, which is left out if it is "" or "1".
+std::string with_unit(std::string number, std::string_view unit);
 /// metres_text() for a length in metres; "1.5 texels" for one in texels.
 std::string length_text(const Length& any);
 

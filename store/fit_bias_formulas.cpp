@@ -141,8 +141,9 @@ void add_warnings(const BiasCurves& curves, CurveFormula& of, const std::vector<
     if (is_outside(*of.formula, left.point) && outside++ == 0) first = left.values;
   }
   if (outside > 0) {
-    of.warnings.push_back(fmt::format("the formula is extrapolated for {}{}", setting_text(curves.formula_axes, first),
-                                      outside > 1 ? fmt::format(" and {} more", outside - 1) : ""));
+    const std::string one = setting_text(curves.formula_axes, first);
+    of.warnings.push_back("the formula is extrapolated for " +
+                          (outside == 1 ? one : fmt::format("{} combinations, one of them {}", outside, one)));
   }
   add_fit_warnings(of, *of.formula);
 }

@@ -73,7 +73,8 @@ ChildProcess::ChildProcess(std::vector<std::string> arguments) : program_(argume
   if (error == 0) return;
   pid_ = 0;
   for (int* end : {&to_child_, &from_child_, &messages_}) close_if_open(*end);
-  throw Error(ExitCode::partial, program_, "cannot start: " + std::generic_category().message(error),
+  throw Error(error == ENOENT || error == EACCES ? ExitCode::usage : ExitCode::partial, program_,
+              "cannot start: " + std::generic_category().message(error),
               "check the command; 'umbrameter engine list' shows the adapters that are installed");
 }
 

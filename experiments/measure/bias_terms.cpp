@@ -89,7 +89,7 @@ std::optional<Experiment> with_terms(Experiment experiment, const MapLayout& lay
                                      const std::vector<MapPlace>& places, const std::vector<BiasTerms>& terms,
                                      std::string& reason) {
   if (!set_constant(experiment, layout, AtPlaces(places, terms, &BiasTerms::constant))) {
-    reason = "its bias grows with the depth otherwise than metres, texels and the map's depth here";
+    reason = "its bias grows with the depth as no unit of shadow.constant-bias does";
     return {};
   }
   const AtPlaces normal(places, terms, &BiasTerms::normal);

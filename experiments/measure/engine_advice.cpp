@@ -20,6 +20,7 @@ class EnginesOfLight {
 
   EngineAdvice advise(const BiasSpec& target) {
     EngineAdvice advice;
+    advice.left_out_slope = experiment_.shadow.bias.slope;
     advice.target = convert_terms(terms_, target, places_);
     if (is_complete(advice.target)) {
       advice.measured = measure(advice.target.spec, set_at_places(advice.target), advice.why_not_measured);
@@ -53,10 +54,7 @@ class EnginesOfLight {
     const std::optional<Experiment> experiment = with_terms(experiment_, layout_, places_, terms, reason);
     if (!experiment) return {};
     const VisibilityStatistics s =
-        measure_biases(stages_, *experiment, light_, {experiment->shadow.bias.constant.number},
-                       {experiment->shadow.bias.slope})
-            .front()
-            .front();
+        measure_biases(stages_, *experiment, light_, {experiment->shadow.bias.constant.number}, {0.0}).front().front();
     return BiasCell{0.0, 0.0, s.mae, s.acne, s.false_occlusion, s.peter_panning, s.leak};
   }
 

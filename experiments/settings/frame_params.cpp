@@ -16,11 +16,13 @@ constexpr std::array<std::string_view, 2> row_names = {"top", "bottom"};
 Parameters describe(FrameParams& params) {
   return Description("frame")
       .field("visibility", params.visibility, {"", "file of the engine's visibility: the share of light that arrives"})
-      .field("lit", params.lit, {"", "file of a frame with shadows, instead of a visibility; with one without them"})
+      .field("lit", params.lit,
+             {"", "file of a frame with shadows; needs frame.unshadowed, takes the place of frame.visibility"})
       .field("unshadowed", params.unshadowed, {"", "file of the same frame without shadows"})
       .field("ao", params.ao, {"", "file of the engine's ambient occlusion, 1 where open"})
-      .field("occluded", params.occluded, {"", "file of a frame with ambient occlusion; needs frame.open"})
-      .field("open", params.open, {"", "file of the same frame without it"})
+      .field("occluded", params.occluded,
+             {"", "file of a frame with ambient occlusion; needs frame.open, takes the place of frame.ao"})
+      .field("open", params.open, {"", "file of the same frame without ambient occlusion"})
       .field("position", params.position, {"", "file of world positions at the pixels' centres"})
       .field("depth", params.depth, {"", "file of depths at the pixels' centres, instead of positions"})
       .choice("depth-kind", params.depth_kind, depth_conventions,

@@ -125,7 +125,8 @@ PageCells choose_page_cells(Stages& stages, const SweepResults& sweep, const Exp
   const std::vector<SweepAxis>& axes = sweep.plan.axes;
   const std::vector<std::size_t> least = choice.indices_of(least_row(sweep)).value();
   choice.add(least, "least error");
-  if (const auto indices = choice.indices_without_axes()) choice.add(*indices, "current settings");
+  if (const auto indices = choice.indices_without_axes())
+    choice.add(*indices, "nearest to the settings without the axes");
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const std::size_t last = axes[a].values.size() - 1;
     const bool has_words = is_word(axes[a].values.front());
@@ -136,7 +137,7 @@ PageCells choose_page_cells(Stages& stages, const SweepResults& sweep, const Exp
     }
   }
   for (const std::vector<Value>& row : best.rows) {
-    if (const auto indices = choice.indices_of(row)) choice.add(*indices, "least error of a line");
+    if (const auto indices = choice.indices_of(row)) choice.add(*indices, "least error of one line of the figure");
   }
   // Cells at even steps may share their images with earlier ones; finer steps find others, if there are any.
   constexpr std::size_t finest = 16;

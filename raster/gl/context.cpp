@@ -208,7 +208,7 @@ Context Context::make(const ContextOptions& options) {
     opened = open_context(candidate, index++, why_not);
     if (!opened) continue;
     if (is_wanted(opened->device, options.device)) break;
-    why_not += (why_not.empty() ? "" : ", ") + candidate.name + ": is " + opened->device.renderer;
+    why_not += (why_not.empty() ? "" : ", ") + candidate.name + " is " + opened->device.renderer;
     close_context(*opened);
     opened.reset();
   }

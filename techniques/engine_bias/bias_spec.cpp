@@ -133,7 +133,7 @@ const BiasEngine& require_bias_engine(std::string_view name) {
   std::vector<std::string> names;
   std::string all;
   for (const BiasEngine& engine : bias_engines()) {
-    if (engine.name == name) return engine;
+    if (engine.name == name || (!engine.adapter.empty() && engine.adapter == name)) return engine;
     names.emplace_back(engine.name);
     if (engine.no_numbers.empty()) all += (all.empty() ? "" : ", ") + names.back();
   }

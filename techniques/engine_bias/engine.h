@@ -93,6 +93,7 @@ struct BiasEngine {
   std::string_view no_numbers{};  ///< why it has no numbers
   bool is_unit = false;           ///< a neutral unit
   bool sets_each_cascade = false;
+  std::string_view adapter{};  ///< another name of the engine: that of its adapter and presets
 };
 
 /// All of them, neutral units first.

@@ -86,14 +86,14 @@ BiasEngine godot() {
           "light_storage.cpp @006f039 (update_light_buffers), renderer_scene_cull.cpp (bias_scale, "
           "shadow_texel_size, pancake_size), scene_forward_clustered.glsl (BIAS_FUNC), light_3d.cpp (steps)",
       .numbers = {{"shadow_bias",
-                   "R/100 (point: m)",
+                   "D/100 (point: m)",
                    0.1,
                    BiasTerm::constant,
                    [](const Place& p, const Settings& s) -> Result {
                      if (p.light == LightKind::point) return 1.0;
                      return of_sun(p, godot_range(p, s) / 100.0 * s["blur"] * s["quality"]);
                    },
-                   "R/100 · blur · quality with R = t · resolution + pancake; of a point light 1 m",
+                   "D/100 · blur · quality with D = t · resolution + pancake; point light: 1 m",
                    "light.shadow_bias = {}",
                    {},
                    -no_limit,
@@ -137,7 +137,8 @@ BiasEngine three() {
       .settings = {{"near", 0.5, "m", "shadow.camera.near"},
                    {"far", 500.0, "m", "shadow.camera.far; of a spot light its distance, if that is set"}},
       .note = "front-sided meshes cast their back faces, unless shadowSide is set",
-      .sets_each_cascade = true};
+      .sets_each_cascade = true,
+      .adapter = "threejs"};
 }
 
 BiasEngine babylon() {

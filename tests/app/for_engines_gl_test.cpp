@@ -50,7 +50,7 @@ TEST_F(ForEngines, One_number_for_all_cascades_is_measured_in_each) {
   const double bias = godot.at("numbers").at(0).at("set").at(0);
   EXPECT_EQ(godot.at("numbers").at(1).at("set"), (Json{1.0, 1.0, 1.0}));
   ASSERT_EQ(godot.at("places").size(), 3u);
-  // R/100 · blur · quality with R = t · resolution + pancake, and steps of 0.001.
+  // D/100 · blur · quality with D = t · resolution + pancake, and steps of 0.001.
   EXPECT_NEAR(bias, std::round(1000 * bias) / 1000, 1e-12);
   std::vector<double> metres;
   for (const Json& place : godot.at("places")) {
@@ -109,8 +109,18 @@ TEST_F(ForEngines, A_bias_that_an_engine_cannot_say_has_no_numbers) {
       run_program({"compare", "contact-box", "-o", folder_ / "out", "--light", "sun", "--size", "160x90", "--measure",
                    "visibility", "--no-figures", "--for", "unity-hdrp"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.out.find("in Unity HDRP: it cannot say this bias"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("in Unity HDRP: has no number for this bias"), std::string::npos) << result.out;
   EXPECT_EQ(result.out.find("hdLight"), std::string::npos) << "zeros would look like a recommendation";
+}
+
+TEST_F(ForEngines, A_slope_bias_that_no_engine_has_is_left_out_of_its_error) {
+  const std::vector<std::string> none = {"--shadow.constant-bias", "0", "--for", "three"};
+  const Json with_slope = compare(words({"--shadow.slope-bias", "1.5"}, none));
+  const Json& three = with_slope.at("recommended_bias").at("engines").at(0);
+  const double set = three.at("numbers").at(0).at("set").at(0);
+  ASSERT_NEAR(set, 0.0, 1e-9);
+  EXPECT_NEAR(three.at("mae").get<double>(), error_of(compare({"--shadow.constant-bias", "0"})), 1e-12);
+  EXPECT_GT(three.at("mae").get<double>(), 2.0 * error_of(with_slope));
 }
 
 TEST_F(ForEngines, A_sweep_and_a_tuning_state_their_best_bias) {
