@@ -318,15 +318,15 @@ class Keywords(TypedDict, total=False):
     frame_visibility: str
     """file of the engine's visibility: the share of light that arrives; text."""
     frame_lit: str
-    """file of a frame with shadows, instead of a visibility; with one without them; text."""
+    """file of a frame with shadows; needs frame.unshadowed, takes the place of frame.visibility; text."""
     frame_unshadowed: str
     """file of the same frame without shadows; text."""
     frame_ao: str
     """file of the engine's ambient occlusion, 1 where open; text."""
     frame_occluded: str
-    """file of a frame with ambient occlusion; needs frame.open; text."""
+    """file of a frame with ambient occlusion; needs frame.open, takes the place of frame.ao; text."""
     frame_open: str
-    """file of the same frame without it; text."""
+    """file of the same frame without ambient occlusion; text."""
     frame_position: str
     """file of world positions at the pixels' centres; text."""
     frame_depth: str
