@@ -1,5 +1,5 @@
 // Computes the depth of each texel of a view. With COMBINES: from the linear depths of the two nearest layers, stored
-// by DEPTH_MAPPING. Otherwise the linear depth of a number stored by DEPTH_MAPPING.
+// by DEPTH_MAPPING. Otherwise the linear depth of a number stored by DEPTH_MAPPING, with IS_HALF rounded to 16-bit float.
 #include "light_map.glsl"
 #include "map_depth.glsl"
 uniform int map_view;
@@ -59,6 +59,9 @@ void main() {
 #endif
 #else
   float stored = texelFetch(stored_depth, texel, 0).r;
+#if IS_HALF
+  stored = nearest_half(stored);
+#endif
   double metres = decode_depth(DEPTH_MAPPING, double(stored), double(near_depth), far_depth);
   gl_FragDepth = stored == empty_stored ? empty_depth : float(metres * depth_per_axis_depth(texel) / far_depth);
 #endif

@@ -92,6 +92,13 @@ void shorten_depth(MapLayout& layout, const GBuffer& surfels, double offset) {
   layout.far_depth -= shift;
 }
 
+// Moves the near face of an orthographic map towards the light.
+void start_earlier(MapLayout& layout, double shift) {
+  layout.light_from_world[3].z -= shift;
+  layout.view_depth_plane.w += layout.view_depth_plane.z * shift;
+  layout.far_depth += shift;
+}
+
 // Extends an orthographic map's depths by the ground, a horizontal rectangle, as far as the views reach.
 void include_ground(MapLayout& layout, const Bounds& ground, bool keeps_start) {
   if (ground.empty()) return;
@@ -115,9 +122,14 @@ void include_ground(MapLayout& layout, const Bounds& ground, bool keeps_start) {
   const double shift = std::min(highest, rectangle.max.z) + room;
   layout.far_depth = std::max(layout.far_depth, room - std::max(lowest, rectangle.min.z));
   if (keeps_start || shift <= 0.0) return;
-  layout.light_from_world[3].z -= shift;
-  layout.view_depth_plane.w += layout.view_depth_plane.z * shift;
-  layout.far_depth += shift;
+  start_earlier(layout, shift);
+}
+
+// The depths of MapFit::bounds: half of `length` on either side of a point, and farther where the layout reaches farther.
+void lengthen_depth(MapLayout& layout, const dvec3& center, double length) {
+  const double shift = 0.5 * length - depth_of(layout, center);
+  if (shift > 0.0) start_earlier(layout, shift);
+  layout.far_depth = std::max(layout.far_depth, depth_of(layout, center) + 0.5 * length);
 }
 
 dvec3 to_light(const MapLayout& layout) { return glm::transpose(dmat3(layout.light_from_world))[2]; }
@@ -275,6 +287,9 @@ MapLayout fit_map(const Light& light, const MappedBounds& bounds, const ShadowMa
   }
   if (fit.warp == Warp::lispsm && can_warp(params.cascades, fit)) warp_map(layout, part, fit);
   include_ground(layout, bounds.ground, fit.pancaking);
+  if (fit.fit == MapFit::bounds && fit.fit_depth > 0.0) {
+    lengthen_depth(layout, {fit.fit_x, fit.fit_y, fit.fit_z}, fit.fit_depth);
+  }
   if (fit.cascade_bias == own_range) {
     for (MapView& view : layout.views) {
       view.range_share = (2.0 * view.half_extent + fit.near_offset) / layout.far_depth;

@@ -10,7 +10,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::array<std::string_view, 3> depth_format_names{"32f", "24", "16"};
+constexpr std::array<std::string_view, 4> depth_format_names{"32f", "16f", "24", "16"};
 constexpr std::array<std::string_view, 3> encoding_names{"linear", "perspective", "reversed"};
 constexpr std::array<std::string_view, 3> face_names{"all", "front", "back"};
 constexpr std::array<std::string_view, 2> point_map_names{"cube", "paraboloid"};
@@ -20,6 +20,10 @@ bool is_perspective(int mapping) {
   return mapping == shared::DEPTH_PERSPECTIVE || mapping == shared::DEPTH_REVERSED_PERSPECTIVE;
 }
 
+double step_of_float(double stored, int digits, int min_exponent) {
+  return std::ldexp(1.0, std::max(std::ilogb(stored) + 1, min_exponent) - digits);
+}
+
 // The difference between neighbouring numbers of the format.
 double step_of_stored(MapDepthFormat format, double stored) {
   switch (format) {
@@ -27,11 +31,12 @@ double step_of_stored(MapDepthFormat format, double stored) {
       return 1.0 / 65535.0;
     case MapDepthFormat::fixed24:
       return 1.0 / 16777215.0;
+    case MapDepthFormat::f16:
+      return step_of_float(stored, 11, -13);
     case MapDepthFormat::f32:
       break;
   }
-  constexpr int digits = std::numeric_limits<float>::digits;
-  return std::ldexp(1.0, std::max(std::ilogb(stored) + 1, std::numeric_limits<float>::min_exponent) - digits);
+  return step_of_float(stored, std::numeric_limits<float>::digits, std::numeric_limits<float>::min_exponent);
 }
 
 }  // namespace
@@ -39,7 +44,7 @@ double step_of_stored(MapDepthFormat format, double stored) {
 Parameters describe(MapDepthParams& params) {
   return Description("shadow")
       .choice("depth-format", params.format, depth_format_names,
-              {.unit = {}, .meaning = "format of the shadow map: 32-bit float, 24- or 16-bit fixed point"})
+              {.unit = {}, .meaning = "format of the shadow map: 32- or 16-bit float, 24- or 16-bit fixed point"})
       .choice("depth-encoding", params.encoding, encoding_names,
               {.unit = {}, .meaning = "depth that the map stores: linear, of a projection matrix, or that reversed"})
       .field("depth-near", params.near_depth,

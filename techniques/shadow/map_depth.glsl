@@ -11,6 +11,14 @@ SHARED double encode_depth(int mapping, double depth, double near_depth, double 
   return near_depth * (far_depth - z) / (z * (far_depth - near_depth));
 }
 
+/// The nearest 16-bit float, ties to even, of a number from 0 to 1: 11 significant binary digits, and none below 2^-24.
+SHARED float nearest_half(float stored) {
+  int exponent;
+  frexp(stored, exponent);
+  int last_digit = max(exponent, -13) - 11;
+  return ldexp(roundEven(ldexp(stored, -last_digit)), last_digit);
+}
+
 /// The depth of a stored number.
 SHARED double decode_depth(int mapping, double stored, double near_depth, double far_depth) {
   if (mapping == DEPTH_LINEAR) return stored * far_depth;

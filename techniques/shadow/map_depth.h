@@ -10,7 +10,10 @@
 namespace umbrameter {
 namespace shared {
 
+using glm::frexp;
+using glm::ldexp;
 using glm::max;
+using glm::roundEven;
 
 // Which number stands for a depth. The first two are linear.
 inline constexpr int DEPTH_LINEAR = 0;
@@ -24,7 +27,8 @@ inline constexpr int DEPTH_REVERSED_PERSPECTIVE = 3;
 
 }  // namespace shared
 
-enum class MapDepthFormat : int { f32, fixed24, fixed16 };
+/// OpenGL has no depth texture of 16-bit floats: f16 is drawn as f32 and rounded by nearest_half() when it is read.
+enum class MapDepthFormat : int { f32, f16, fixed24, fixed16 };
 /// perspective and reversed are those of a projection matrix: of an orthographic one, perspective is linear, too.
 enum class DepthEncoding : int { linear, perspective, reversed };
 /// The faces that cast, seen from the light. Both faces of double-sided materials always cast.

@@ -17,7 +17,9 @@ Parameters read_by_fit(MapFitParams& params, int cascades) {
     read = concatenate({std::move(read), select(all, keys)});
   };
   if (params.pancaking || params.cascade_bias == own_range) add({"shadow.near-offset"});
-  if (params.fit == MapFit::bounds) add({"shadow.fit-x", "shadow.fit-y", "shadow.fit-z", "shadow.fit-size"});
+  if (params.fit == MapFit::bounds) {
+    add({"shadow.fit-x", "shadow.fit-y", "shadow.fit-z", "shadow.fit-size", "shadow.fit-depth"});
+  }
   if (can_warp(cascades, params)) {
     add({"shadow.warp"});
     if (params.warp != Warp::none) add({"shadow.warp-near", "shadow.warp-far"});
