@@ -13,7 +13,8 @@ namespace umbrameter {
 namespace {
 
 bool is_reversed(int mapping) {
-  return mapping == shared::DEPTH_REVERSED_LINEAR || mapping == shared::DEPTH_REVERSED_PERSPECTIVE;
+  return mapping == shared::DEPTH_REVERSED_LINEAR || mapping == shared::DEPTH_REVERSED_PERSPECTIVE ||
+         mapping == shared::DEPTH_REVERSED_OVER_W;
 }
 
 // Whether shadow.frag computes the depth at a texel's centre; the rasteriser would interpolate it.
@@ -172,10 +173,10 @@ void combine_layers(const MapSource& source, const MapLayers& layers, const gl::
 }
 
 void decode_depth_map(const MapSource& source, const gl::Texture& stored, const gl::Texture& linear) {
-  const int mapping = depth_mapping(source.params, source.layout.kind);
-  gl::Pass pass(source.context,
-                {{"fullscreen.vert", "shadow_resolve.frag"}, defines_of(source, mapping) + define("COMBINES", 0) +
-                     define("IS_HALF", source.params.format == MapDepthFormat::f16 ? 1 : 0)});
+  const int mapping = depth_mapping(source.params, source.layout);
+  gl::Pass pass(source.context, {{"fullscreen.vert", "shadow_resolve.frag"},
+                                 defines_of(source, mapping) + define("COMBINES", 0) +
+                                     define("IS_HALF", source.params.format == MapDepthFormat::f16 ? 1 : 0)});
   pass.texture("stored_depth", stored);
   draw_depths(source, pass, linear);
 }

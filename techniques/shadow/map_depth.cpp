@@ -88,21 +88,25 @@ MapLayout with_point_map(MapLayout layout, PointMap point_map) {
   return layout;
 }
 
-int depth_mapping(const MapDepthParams& params, MapKind kind) {
+int depth_mapping(const MapDepthParams& params, const MapLayout& layout) {
   const bool is_reversed = params.encoding == DepthEncoding::reversed;
-  if (params.encoding == DepthEncoding::linear || !is_projective(kind)) {
+  if (params.encoding != DepthEncoding::linear && layout.warp) {
+    return is_reversed ? shared::DEPTH_REVERSED_OVER_W : shared::DEPTH_OVER_W;
+  }
+  if (params.encoding == DepthEncoding::linear || !is_projective(layout.kind)) {
     return is_reversed ? shared::DEPTH_REVERSED_LINEAR : shared::DEPTH_LINEAR;
   }
   return is_reversed ? shared::DEPTH_REVERSED_PERSPECTIVE : shared::DEPTH_PERSPECTIVE;
 }
 
 MapLayout with_depth_encoding(MapLayout layout, const MapDepthParams& params) {
-  layout.encoded_near = is_perspective(depth_mapping(params, layout.kind)) ? params.near_depth : 0.0;
+  layout.encoded_near = is_perspective(depth_mapping(params, layout)) ? params.near_depth : 0.0;
+  if (layout.warp) layout.warp->stores_over_w = params.encoding != DepthEncoding::linear;
   return layout;
 }
 
-bool stores_linear_floats(const MapDepthParams& params, MapKind kind) {
-  return params.format == MapDepthFormat::f32 && depth_mapping(params, kind) == shared::DEPTH_LINEAR;
+bool stores_linear_floats(const MapDepthParams& params, const MapLayout& layout) {
+  return params.format == MapDepthFormat::f32 && depth_mapping(params, layout) == shared::DEPTH_LINEAR;
 }
 
 bool has_polygon_offset(const MapDepthParams& params) {
@@ -110,14 +114,20 @@ bool has_polygon_offset(const MapDepthParams& params) {
 }
 
 double depth_step(const MapDepthParams& params, const MapLayout& layout, double depth) {
-  const double stored =
-      shared::encode_depth(depth_mapping(params, layout.kind), depth, params.near_depth, layout.far_depth);
+  const int mapping = depth_mapping(params, layout);
   const MapLayout encoded = with_depth_encoding(layout, params);
+  if (encoded.warp && encoded.warp->stores_over_w) {
+    const MapWarp& warp = *encoded.warp;
+    const double w = warp_w(warp, 0.0);
+    const double over_w = shared::encode_over_w(mapping, depth, w, {warp.middle_depth, warp.depth_scale});
+    return step_of_stored(params.format, over_w) * w / warp.depth_scale;
+  }
+  const double stored = shared::encode_depth(mapping, depth, params.near_depth, layout.far_depth);
   return step_of_stored(params.format, stored) * metres_per_map_depth(encoded, std::max(depth, encoded.encoded_near));
 }
 
 void require_sense(const MapDepthParams& params, const MapLayout& layout) {
-  if (is_perspective(depth_mapping(params, layout.kind)) && !(params.near_depth < layout.far_depth)) {
+  if (is_perspective(depth_mapping(params, layout)) && !(params.near_depth < layout.far_depth)) {
     throw Error(ExitCode::usage, "shadow.depth-near",
                 to_string(Value(params.near_depth)) + " m is beyond the farthest surface, at " +
                     to_string(Value(layout.far_depth)) + " m",
