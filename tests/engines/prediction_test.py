@@ -68,6 +68,13 @@ def omni(scene):
     return [*lamp_of_playcanvas, "pcf1-32f"], [], lambda bias: f"{0.01 * bias * reach:.6g}"
 
 
+def clustered_omni(scene):
+    """Faces are a third of the atlas, which has to be whole: the engine draws to whole texels and looks up at thirds."""
+    _, ours, convert = omni(scene)
+    flags = ["--engine.clustered-lighting", "true", "--engine.shadow-atlas-resolution", "2046", "--engine.shadow-type", "pcf1-32f"]
+    return flags, [*ours, "--shadow.resolution", "682"], convert
+
+
 def spot_of_playcanvas(kind):
     """The near plane is a thousandth of the range, 16 m."""
     return lamp([*lamp_of_playcanvas, kind], ["--shadow.depth-near", "0.016"], lambda bias: f"{10 * bias:.6g}")
@@ -87,11 +94,10 @@ cases = [
     Case("three.js, type basic", "threejs", "threejs-basic", "bias", constant, sun_of_three, threejs("basic")),
     Case("three.js, type pcf", "threejs", "threejs-pcf", "bias", constant, sun_of_three, threejs("pcf")),
     Case("Babylon.js, filter none, 32-bit map", "babylon", "babylon-none", "bias", constant, unfiltered,
-         babylon(1.0, "--engine.use-float32-texture-type", "true")),
-    # By default the map has 16-bit floats, which our formats are not: biases as small as their steps are off by more.
+         babylon(1.0, "--engine.use-float32-texture-type", "true", depth_format="32f")),
     Case("Babylon.js, filter none, 16-bit map", "babylon", "babylon-none", "bias", constant, unfiltered, babylon(1.0)),
     Case("Babylon.js, filter pcf, high quality", "babylon", "babylon-pcf", "bias", constant, filtered,
-         babylon(0.5, "--engine.filter", "pcf")),
+         babylon(0.5, "--engine.filter", "pcf", depth_format="32f")),
     Case("PlayCanvas, pcf1-32f", "playcanvas", "playcanvas-pcf1", "shadow-bias", factor, sloped, playcanvas("pcf1-32f")),
     Case("PlayCanvas, pcf3-32f", "playcanvas", "playcanvas-pcf3", "shadow-bias", factor, sloped, playcanvas("pcf3-32f")),
     Case("Filament, PCF, stable", "filament", "filament-stable", "constant-bias", constant, metres, filament),
@@ -99,7 +105,7 @@ cases = [
     Case("three.js, type basic, normalBias", "threejs", "threejs-basic", "normal-bias", receiver, normal,
          at_bias(threejs("basic"), "bias", -0.00005, constant)),
     Case("Babylon.js, filter pcf, high quality, normalBias", "babylon", "babylon-pcf", "normal-bias", caster, normal,
-         at_bias(babylon(0.5, "--engine.filter", "pcf"), "bias", 0.002, constant)),
+         at_bias(babylon(0.5, "--engine.filter", "pcf", depth_format="32f"), "bias", 0.002, constant)),
     Case("PlayCanvas, pcf1-32f, normalOffsetBias", "playcanvas", "playcanvas-pcf1", "normal-offset-bias", receiver, normal,
          at_bias(playcanvas("pcf1-32f"), "shadow-bias", 0.05, factor, units)),
     *(Case(f"three.js, type {kind}, spot light", "threejs", f"threejs-{kind}-spot", "bias", constant, spot_of_three,
@@ -123,6 +129,8 @@ cases = [
          "spot"),
     Case("PlayCanvas, pcf1-32f, point light", "playcanvas", "playcanvas-pcf1-point", "shadow-bias", constant,
          dict.fromkeys(["courtyard", "room"], [0.05, 0.2, 0.1, 0.15, 0.4]), omni, "point"),
+    Case("PlayCanvas, pcf1-32f, point light, clustered, atlas of 2046²", "playcanvas", "playcanvas-pcf1-point", "shadow-bias",
+         constant, dict.fromkeys(["courtyard", "room"], [0.05, 0.2, 0.1, 0.15, 0.4]), clustered_omni, "point"),
 ]
 
 
