@@ -46,6 +46,8 @@ inline constexpr ShaderConstant shader_constants[] = {
     {"DEPTH_REVERSED_LINEAR", shared::DEPTH_REVERSED_LINEAR},
     {"DEPTH_PERSPECTIVE", shared::DEPTH_PERSPECTIVE},
     {"DEPTH_REVERSED_PERSPECTIVE", shared::DEPTH_REVERSED_PERSPECTIVE},
+    {"DEPTH_OVER_W", shared::DEPTH_OVER_W},
+    {"DEPTH_REVERSED_OVER_W", shared::DEPTH_REVERSED_OVER_W},
     {"BIAS_IN_TEXELS", static_cast<unsigned>(LengthUnit::texels)},
     {"BIAS_IN_MAP_DEPTH", static_cast<unsigned>(LengthUnit::map_depth)},
     {"OFFSET_SINE", static_cast<unsigned>(OffsetProfile::sine)},

@@ -55,6 +55,8 @@ class Keywords(TypedDict, total=False):
     """centre of the area bounds, in the world [m]; a number from -1e+12 to 1e+12. Default: 0.0."""
     shadow_fit_size: float
     """side of the area bounds, perpendicular to the light [m]; a number from 1e-06 to 1e+12. Default: 10.0."""
+    shadow_fit_depth: float
+    """depth range of the area bounds about its centre; 0: the scene's [m]; a number from 0 to 1e+12. Default: 0.0."""
     shadow_cascade_fit: Literal['tight', 'stable', 'boxes']
     """area of a cascade: around what is seen, the frustum in whole texels, or the frustum within the boxes of objects; tight, stable or boxes. Default: tight."""
     shadow_cascade_selection: Literal['map', 'depth']
@@ -73,8 +75,8 @@ class Keywords(TypedDict, total=False):
     """start a directional light's depth range at the receivers, clamp casters before it; true or false. Default: False."""
     shadow_near_offset: float
     """pancaking: from the start of the depth range to the nearest receiver [m]; a number from 0 to 1e+12. Default: 1.0."""
-    shadow_depth_format: Literal['32f', '24', '16']
-    """format of the shadow map: 32-bit float, 24- or 16-bit fixed point; 32f, 24 or 16. Default: 32f."""
+    shadow_depth_format: Literal['32f', '16f', '24', '16']
+    """format of the shadow map: 32- or 16-bit float, 24- or 16-bit fixed point; 32f, 16f, 24 or 16. Default: 32f."""
     shadow_depth_encoding: Literal['linear', 'perspective', 'reversed']
     """depth that the map stores: linear, of a projection matrix, or that reversed; linear, perspective or reversed. Default: linear."""
     shadow_depth_near: float
@@ -111,6 +113,8 @@ class Keywords(TypedDict, total=False):
     """factor of the normal offset: sin θ, 1, 1 − cos θ or sin θ + 0.168; sine, constant, one-minus-cosine or eevee. Default: sine."""
     shadow_normal_offset_direction: Literal['normal', 'across']
     """normal offset along the normal, or only its part across the light; normal or across. Default: normal."""
+    shadow_normal_offset_texel: Literal['receiver', 'middle']
+    """texel of the normal offset: at the receiver, or in the middle of a warped map; receiver or middle. Default: receiver."""
     shadow_receiver_plane: bool
     """compare each tap with the depth of the receiver's plane at the tap; true or false. Default: False."""
     shadow_cone_bias: float

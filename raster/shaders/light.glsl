@@ -11,7 +11,7 @@ layout(std140) uniform LightBlock {
   dvec2 warp_scale;
   dvec2 warp_shift;
   double fade_start;  // metres of view depth
-  double unused_double;
+  double warp_middle_depth;  // metres
   double far_depth;
   double nearest_view_depth;  // metres
   double cascade_blend;       // share of a cascade's extent
@@ -36,4 +36,6 @@ layout(std140) uniform LightBlock {
   int is_stable;         // 1: vertices are drawn at whole 1/256 texels
   int offset_profile;    // one of OFFSET_…
   int offset_is_across;  // 1: only the part of the normal offset across the light
+  int unused;
+  double warp_depth_scale;
 };

@@ -288,6 +288,11 @@ Tap fetch_tap(Receiver receiver, ivec2 offset) {
   tap.has_blocker = stored < empty_depth;
   double compared = compared_depth(receiver, tap.texel);
   precise double blocker = double(stored) * far_depth;
+#if STORES_OVER_W && !RECEIVER_PLANE
+  // The depth that has this texel's number at the receiver's w.
+  precise double ratio = (receiver.in_light.y - warp_center.y) / warp_w(double(tap.texel.y) + 0.5lf);
+  blocker = warp_middle_depth + (blocker - warp_middle_depth) * ratio;
+#endif
   precise double above = compared - blocker;
 #if COMPARES_ENCODED
   // The difference of the reciprocal depths, times the square of the receiver's.

@@ -6,6 +6,13 @@ dvec2 on_warped(dvec2 p) {
   return place;
 }
 
+// w at a height on the map, in texels.
+double warp_w(double height) {
+  precise double place = height / double(resolution) * 2.0lf - 1.0lf;
+  precise double w = warp_scale.y / (place - warp_shift.y);
+  return w;
+}
+
 dvec2 from_warped(dvec2 place) {
   precise double w = warp_scale.y / (place.y - warp_shift.y);
   precise dvec2 p = dvec2((place.x - warp_shift.x) * w / warp_scale.x + warp_center.x, w + warp_center.y);

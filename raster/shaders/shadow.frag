@@ -52,6 +52,9 @@ float plane_depth() {
 float stored_of(float depth) {
 #if DEPTH_MAPPING == DEPTH_LINEAR
   return depth / float(far_depth);
+#elif STORES_OVER_W
+  double w = warp_w(double(gl_FragCoord.y));
+  return float(encode_over_w(DEPTH_MAPPING, double(depth), w, dvec2(warp_middle_depth, warp_depth_scale)));
 #else
   return float(encode_depth(DEPTH_MAPPING, double(depth), double(near_depth), far_depth));
 #endif
@@ -89,6 +92,10 @@ void main() {
   float stored = stored_of(clamp(plane_depth(), depth_range.x, depth_range.y));
 #if HAS_OFFSET
   stored += offset;
+#endif
+#if STORES_OVER_W
+  // Beyond the warped volume the number can leave the range.
+  stored = clamp(stored, 0.0, 1.0);
 #endif
   gl_FragDepth = stored;
 #endif

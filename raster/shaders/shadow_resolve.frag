@@ -1,5 +1,5 @@
 // Computes the depth of each texel of a view. With COMBINES: from the linear depths of the two nearest layers, stored
-// by DEPTH_MAPPING. Otherwise the linear depth of a number stored by DEPTH_MAPPING.
+// by DEPTH_MAPPING. Otherwise the linear depth of a number stored by DEPTH_MAPPING, with IS_HALF rounded to 16-bit float.
 #include "light_map.glsl"
 #include "map_depth.glsl"
 uniform int map_view;
@@ -13,7 +13,8 @@ uniform sampler2DArray stored_depth;
 #endif
 
 // The number that stands for no surface.
-const bool is_reversed = DEPTH_MAPPING == DEPTH_REVERSED_LINEAR || DEPTH_MAPPING == DEPTH_REVERSED_PERSPECTIVE;
+const bool is_reversed = DEPTH_MAPPING == DEPTH_REVERSED_LINEAR || DEPTH_MAPPING == DEPTH_REVERSED_PERSPECTIVE ||
+                         DEPTH_MAPPING == DEPTH_REVERSED_OVER_W;
 const float empty_stored = is_reversed ? 0.0 : 1.0;
 
 // Depth of the light's rays per depth along the axis of the face, which the perspective mappings store.
@@ -25,6 +26,22 @@ double depth_per_axis_depth(ivec3 texel) {
   return length_of(direction);
 #else
   return 1.0;
+#endif
+}
+
+double stored_of(double depth) {
+#if STORES_OVER_W
+  return encode_over_w(DEPTH_MAPPING, depth, warp_w(gl_FragCoord.y), dvec2(warp_middle_depth, warp_depth_scale));
+#else
+  return encode_depth(DEPTH_MAPPING, depth, double(near_depth), far_depth);
+#endif
+}
+
+double depth_of(double stored) {
+#if STORES_OVER_W
+  return decode_over_w(DEPTH_MAPPING, stored, warp_w(gl_FragCoord.y), dvec2(warp_middle_depth, warp_depth_scale));
+#else
+  return decode_depth(DEPTH_MAPPING, stored, double(near_depth), far_depth);
 #endif
 }
 
@@ -55,11 +72,14 @@ void main() {
 #if DEPTH_MAPPING == DEPTH_LINEAR
   gl_FragDepth = is_empty ? empty_stored : depth;
 #else
-  gl_FragDepth = is_empty ? empty_stored : float(encode_depth(DEPTH_MAPPING, metres, double(near_depth), far_depth));
+  gl_FragDepth = is_empty ? empty_stored : float(stored_of(metres));
 #endif
 #else
   float stored = texelFetch(stored_depth, texel, 0).r;
-  double metres = decode_depth(DEPTH_MAPPING, double(stored), double(near_depth), far_depth);
+#if IS_HALF
+  stored = nearest_half(stored);
+#endif
+  double metres = depth_of(double(stored));
   gl_FragDepth = stored == empty_stored ? empty_depth : float(metres * depth_per_axis_depth(texel) / far_depth);
 #endif
 }

@@ -23,6 +23,8 @@ LightBlock make_light_block(const Light& light, const MapLayout& layout) {
     block.warp_center = layout.warp->center;
     block.warp_scale = layout.warp->scale;
     block.warp_shift = layout.warp->shift;
+    block.warp_middle_depth = layout.warp->middle_depth;
+    block.warp_depth_scale = layout.warp->depth_scale;
   }
   block.fade_start = layout.fade_start;
   block.nearest_view_depth = layout.nearest_view_depth;
@@ -37,7 +39,8 @@ LightBlock make_light_block(const Light& light, const MapLayout& layout) {
 }
 
 std::string map_defines(const MapLayout& layout) {
-  return define("MAP_KIND", static_cast<unsigned>(layout.kind)) + define("MAP_WARPED", layout.warp ? 1 : 0);
+  return define("MAP_KIND", static_cast<unsigned>(layout.kind)) + define("MAP_WARPED", layout.warp ? 1 : 0) +
+         define("STORES_OVER_W", layout.warp && layout.warp->stores_over_w ? 1 : 0);
 }
 
 }  // namespace umbrameter

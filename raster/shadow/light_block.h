@@ -20,7 +20,7 @@ struct LightBlock {
   dvec2 warp_scale{1.0};
   dvec2 warp_shift{0.0};
   double fade_start = 0.0;
-  double unused_double = 0.0;
+  double warp_middle_depth = 0.0;
   double far_depth = 1.0;
   double nearest_view_depth = 0.0;
   double cascade_blend = 0.0;
@@ -45,14 +45,15 @@ struct LightBlock {
   int is_stable = 0;
   int offset_profile = 0;
   int offset_is_across = 0;
-  int unused[3] = {};
+  int unused = 0;
+  double warp_depth_scale = 1.0;
 };
 static_assert(sizeof(LightBlock) == 1248);
 
 /// The block for drawing the map. Bias and filter are 0; lookup_pass() in shadow_lookup.h sets them for a look-up.
 LightBlock make_light_block(const Light& light, const MapLayout& layout);
 
-/// "#define MAP_KIND 0", and MAP_WARPED
+/// "#define MAP_KIND 0", MAP_WARPED, and STORES_OVER_W of a warped map
 std::string map_defines(const MapLayout& layout);
 
 }  // namespace umbrameter

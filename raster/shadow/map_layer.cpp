@@ -13,7 +13,8 @@ namespace umbrameter {
 namespace {
 
 bool is_reversed(int mapping) {
-  return mapping == shared::DEPTH_REVERSED_LINEAR || mapping == shared::DEPTH_REVERSED_PERSPECTIVE;
+  return mapping == shared::DEPTH_REVERSED_LINEAR || mapping == shared::DEPTH_REVERSED_PERSPECTIVE ||
+         mapping == shared::DEPTH_REVERSED_OVER_W;
 }
 
 // Whether shadow.frag computes the depth at a texel's centre; the rasteriser would interpolate it.
@@ -43,7 +44,7 @@ MakePass pass_maker(const MapSource& source, const MapLayer& layer) {
           define("HAS_PLANE", has_plane ? 1 : 0) + define("MOVES_CASTERS", moves_casters ? 1 : 0) +
           define("CUBE_PASSES", has_passes ? 1 : 0) + define("PEELS", layer.in_front != nullptr ? 1 : 0) +
           define("HAS_OFFSET", has_plane && has_polygon_offset(source.params) ? 1 : 0) +
-          define("IS_FLOAT", layer.format == MapDepthFormat::f32 ? 1 : 0)};
+          define("IS_FLOAT", texture_format(layer.format) == gl::Format::depth32f ? 1 : 0)};
   if (has_plane || moves_casters) {
     program.files.insert(program.files.begin() + 1, has_plane ? "shadow.geom" : "moved_shadow.geom");
   }
@@ -106,6 +107,7 @@ gl::Format texture_format(MapDepthFormat format) {
       return gl::Format::depth24;
     case MapDepthFormat::fixed16:
       return gl::Format::depth16;
+    case MapDepthFormat::f16:
     case MapDepthFormat::f32:
       break;
   }
@@ -171,9 +173,10 @@ void combine_layers(const MapSource& source, const MapLayers& layers, const gl::
 }
 
 void decode_depth_map(const MapSource& source, const gl::Texture& stored, const gl::Texture& linear) {
-  const int mapping = depth_mapping(source.params, source.layout.kind);
-  gl::Pass pass(source.context,
-                {{"fullscreen.vert", "shadow_resolve.frag"}, defines_of(source, mapping) + define("COMBINES", 0)});
+  const int mapping = depth_mapping(source.params, source.layout);
+  gl::Pass pass(source.context, {{"fullscreen.vert", "shadow_resolve.frag"},
+                                 defines_of(source, mapping) + define("COMBINES", 0) +
+                                     define("IS_HALF", source.params.format == MapDepthFormat::f16 ? 1 : 0)});
   pass.texture("stored_depth", stored);
   draw_depths(source, pass, linear);
 }

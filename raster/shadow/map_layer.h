@@ -25,6 +25,7 @@ struct MapLayer {
   const gl::Texture* in_front = nullptr;  ///< linear depths of the layer in front, which is left out; or nullptr
 };
 
+/// Of the texture that is drawn: depth32f for f16, too.
 gl::Format texture_format(MapDepthFormat format);
 
 /// Clears the textures and draws the casters that params.faces selects, with the polygon offset of the parameters.
@@ -39,7 +40,7 @@ struct MapLayers {
 /// Computes the depth of params.surface from the layers, and stores it with a mapping of map_depth.h.
 void combine_layers(const MapSource& source, const MapLayers& layers, const gl::Texture& stored, int mapping);
 
-/// Computes the linear depth of each texel of a map with the parameters' format and encoding.
+/// Computes the linear depth of each texel of a map with the parameters' format and encoding, and rounds f16 before.
 void decode_depth_map(const MapSource& source, const gl::Texture& stored, const gl::Texture& linear);
 
 /// The shift of the stored depth by a polygon offset of one unit at a stored depth of ½, found by drawing a triangle

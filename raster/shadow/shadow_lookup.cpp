@@ -86,9 +86,10 @@ gl::Pass lookup_pass(const gl::Context& context, const ShadowLookup& lookup, Len
   LightBlock block = make_light_block(lookup.light, lookup.map.layout);
   block.constant_bias = static_cast<float>(lookup.bias.constant.number);
   block.slope_bias = static_cast<float>(lookup.bias.slope);
-  block.normal_offset = static_cast<float>(lookup.bias.normal_offset.texels);
-  block.offset_metres = lookup.bias.normal_offset.metres;
-  block.offset_profile = static_cast<int>(lookup.bias.normal_offset.profile);
+  const NormalOffset offset = placed_offset(lookup.map.layout, lookup.bias.normal_offset, lookup.bias.offset_texel);
+  block.normal_offset = static_cast<float>(offset.texels);
+  block.offset_metres = offset.metres;
+  block.offset_profile = static_cast<int>(offset.profile);
   block.offset_is_across = lookup.bias.offset_direction == OffsetDirection::across ? 1 : 0;
   block.cone_bias = static_cast<float>(lookup.bias.cone);
   block.bias_unit = static_cast<int>(bias_unit);

@@ -20,7 +20,7 @@ int layer_count(const MapLayout& layout) { return static_cast<int>(layout.views.
 std::size_t texel_bytes(const MapLayout& layout, const MapDepthParams& params) {
   const std::size_t depth = gl::texel_bytes(gl::Format::depth32f);
   const std::size_t ids = gl::texel_bytes(gl::Format::rg32ui);
-  return depth + ids + (stores_linear_floats(params, layout.kind) ? 0 : depth) +
+  return depth + ids + (stores_linear_floats(params, layout) ? 0 : depth) +
          (params.surface == StoredSurface::nearest ? 0 : 2 * depth + ids);
 }
 
@@ -97,8 +97,8 @@ void redraw_shadow_map(const gl::Context& context, const UploadedScene& scene, c
   map.layout = with_depth_encoding(std::move(map.layout), params);
   require_room(context, map.layout, params);
   const MapSource source{context, scene, light, map.layout, params};
-  const bool is_direct = stores_linear_floats(params, map.layout.kind);
-  const int mapping = depth_mapping(params, map.layout.kind);
+  const bool is_direct = stores_linear_floats(params, map.layout);
+  const int mapping = depth_mapping(params, map.layout);
   gl::Texture encoded;
   if (!is_direct) encoded = make_stored(context, map.layout, params.format);
   const gl::Texture& stored = is_direct ? map.depth : encoded;

@@ -44,7 +44,7 @@ std::optional<double> optimal_near(const PerspectiveProjection& camera, const Ma
 
 }  // namespace
 
-void warp_map(MapLayout& layout, const SeenPart& seen, const MapFitParams& fit) {
+void warp_map(MapLayout& layout, const SeenPart& seen, const MapFitParams& fit, double nearest) {
   const auto* camera = std::get_if<PerspectiveProjection>(&seen.view.camera.projection);
   if (camera == nullptr) return;
   const dmat4 light_from_camera = layout.light_from_world * seen.view.camera.world_from_camera;
@@ -61,17 +61,22 @@ void warp_map(MapLayout& layout, const SeenPart& seen, const MapFitParams& fit) 
   Range depths;
   Range along;
   Range across;
+  Range heights;
   for_each_surfel(turned, seen, [&](const dvec3& p, double depth) {
     depths.include(depth);
     along.include(p.y);
     across.include(p.x);
+    heights.include(p.z);
   });
-  if (!(depths.length() > 0.0) || !(along.length() > 0.0) || !(across.length() > 0.0)) return;
+  const double farthest = -heights.low;
+  if (!(depths.length() > 0.0) || !(farthest > nearest) || !(along.length() > 0.0) || !(across.length() > 0.0)) return;
   const std::optional<double> near = optimal_near(*camera, fit, depths, along.length(), sine);
   if (!near) return;
   const double far = *near + along.length();
   MapWarp warp;
   warp.center = {(turn * light_from_camera[3]).x, along.low - *near};
+  warp.middle_depth = 0.5 * (nearest + farthest);
+  warp.depth_scale = *near / (farthest - nearest);
   Range u;
   for_each_surfel(turned, seen,
                   [&](const dvec3& p, double) { u.include((p.x - warp.center.x) / (p.y - warp.center.y)); });

@@ -9,7 +9,8 @@ namespace umbrameter {
 /// around the surfels. (M. Wimmer, D. Scherzer and W. Purgathofer, Light Space Perspective Shadow Maps, EGSR 2004, with
 /// the near plane of Filament's applyLISPSM(), ShadowMap.cpp at 0362f36.) The layout stays as it is if the camera is
 /// orthographic, if it looks within about a degree along the light, or if fit.warp_near is two thirds of the range of
-/// depths or more.
-void warp_map(MapLayout& layout, const SeenPart& seen, const MapFitParams& fit);
+/// depths or more. `nearest`: the depth at which those start that the map may store over w, metres; the farthest surfel
+/// ends them.
+void warp_map(MapLayout& layout, const SeenPart& seen, const MapFitParams& fit, double nearest);
 
 }  // namespace umbrameter

@@ -10,7 +10,7 @@
 namespace umbrameter {
 namespace {
 
-constexpr std::array<std::string_view, 3> depth_format_names{"32f", "24", "16"};
+constexpr std::array<std::string_view, 4> depth_format_names{"32f", "16f", "24", "16"};
 constexpr std::array<std::string_view, 3> encoding_names{"linear", "perspective", "reversed"};
 constexpr std::array<std::string_view, 3> face_names{"all", "front", "back"};
 constexpr std::array<std::string_view, 2> point_map_names{"cube", "paraboloid"};
@@ -20,6 +20,10 @@ bool is_perspective(int mapping) {
   return mapping == shared::DEPTH_PERSPECTIVE || mapping == shared::DEPTH_REVERSED_PERSPECTIVE;
 }
 
+double step_of_float(double stored, int digits, int min_exponent) {
+  return std::ldexp(1.0, std::max(std::ilogb(stored) + 1, min_exponent) - digits);
+}
+
 // The difference between neighbouring numbers of the format.
 double step_of_stored(MapDepthFormat format, double stored) {
   switch (format) {
@@ -27,11 +31,12 @@ double step_of_stored(MapDepthFormat format, double stored) {
       return 1.0 / 65535.0;
     case MapDepthFormat::fixed24:
       return 1.0 / 16777215.0;
+    case MapDepthFormat::f16:
+      return step_of_float(stored, 11, -13);
     case MapDepthFormat::f32:
       break;
   }
-  constexpr int digits = std::numeric_limits<float>::digits;
-  return std::ldexp(1.0, std::max(std::ilogb(stored) + 1, std::numeric_limits<float>::min_exponent) - digits);
+  return step_of_float(stored, std::numeric_limits<float>::digits, std::numeric_limits<float>::min_exponent);
 }
 
 }  // namespace
@@ -39,7 +44,7 @@ double step_of_stored(MapDepthFormat format, double stored) {
 Parameters describe(MapDepthParams& params) {
   return Description("shadow")
       .choice("depth-format", params.format, depth_format_names,
-              {.unit = {}, .meaning = "format of the shadow map: 32-bit float, 24- or 16-bit fixed point"})
+              {.unit = {}, .meaning = "format of the shadow map: 32- or 16-bit float, 24- or 16-bit fixed point"})
       .choice("depth-encoding", params.encoding, encoding_names,
               {.unit = {}, .meaning = "depth that the map stores: linear, of a projection matrix, or that reversed"})
       .field("depth-near", params.near_depth,
@@ -83,21 +88,25 @@ MapLayout with_point_map(MapLayout layout, PointMap point_map) {
   return layout;
 }
 
-int depth_mapping(const MapDepthParams& params, MapKind kind) {
+int depth_mapping(const MapDepthParams& params, const MapLayout& layout) {
   const bool is_reversed = params.encoding == DepthEncoding::reversed;
-  if (params.encoding == DepthEncoding::linear || !is_projective(kind)) {
+  if (params.encoding != DepthEncoding::linear && layout.warp) {
+    return is_reversed ? shared::DEPTH_REVERSED_OVER_W : shared::DEPTH_OVER_W;
+  }
+  if (params.encoding == DepthEncoding::linear || !is_projective(layout.kind)) {
     return is_reversed ? shared::DEPTH_REVERSED_LINEAR : shared::DEPTH_LINEAR;
   }
   return is_reversed ? shared::DEPTH_REVERSED_PERSPECTIVE : shared::DEPTH_PERSPECTIVE;
 }
 
 MapLayout with_depth_encoding(MapLayout layout, const MapDepthParams& params) {
-  layout.encoded_near = is_perspective(depth_mapping(params, layout.kind)) ? params.near_depth : 0.0;
+  layout.encoded_near = is_perspective(depth_mapping(params, layout)) ? params.near_depth : 0.0;
+  if (layout.warp) layout.warp->stores_over_w = params.encoding != DepthEncoding::linear;
   return layout;
 }
 
-bool stores_linear_floats(const MapDepthParams& params, MapKind kind) {
-  return params.format == MapDepthFormat::f32 && depth_mapping(params, kind) == shared::DEPTH_LINEAR;
+bool stores_linear_floats(const MapDepthParams& params, const MapLayout& layout) {
+  return params.format == MapDepthFormat::f32 && depth_mapping(params, layout) == shared::DEPTH_LINEAR;
 }
 
 bool has_polygon_offset(const MapDepthParams& params) {
@@ -105,14 +114,20 @@ bool has_polygon_offset(const MapDepthParams& params) {
 }
 
 double depth_step(const MapDepthParams& params, const MapLayout& layout, double depth) {
-  const double stored =
-      shared::encode_depth(depth_mapping(params, layout.kind), depth, params.near_depth, layout.far_depth);
+  const int mapping = depth_mapping(params, layout);
   const MapLayout encoded = with_depth_encoding(layout, params);
+  if (encoded.warp && encoded.warp->stores_over_w) {
+    const MapWarp& warp = *encoded.warp;
+    const double w = warp_w(warp, 0.0);
+    const double over_w = shared::encode_over_w(mapping, depth, w, {warp.middle_depth, warp.depth_scale});
+    return step_of_stored(params.format, over_w) * w / warp.depth_scale;
+  }
+  const double stored = shared::encode_depth(mapping, depth, params.near_depth, layout.far_depth);
   return step_of_stored(params.format, stored) * metres_per_map_depth(encoded, std::max(depth, encoded.encoded_near));
 }
 
 void require_sense(const MapDepthParams& params, const MapLayout& layout) {
-  if (is_perspective(depth_mapping(params, layout.kind)) && !(params.near_depth < layout.far_depth)) {
+  if (is_perspective(depth_mapping(params, layout)) && !(params.near_depth < layout.far_depth)) {
     throw Error(ExitCode::usage, "shadow.depth-near",
                 to_string(Value(params.near_depth)) + " m is beyond the farthest surface, at " +
                     to_string(Value(layout.far_depth)) + " m",

@@ -11,6 +11,26 @@ SHARED double encode_depth(int mapping, double depth, double near_depth, double 
   return near_depth * (far_depth - z) / (z * (far_depth - near_depth));
 }
 
+/// The same of a warped map, whose matrix divides the depth by w: MapWarp of map_warp.h. warp_depths: its middle_depth
+/// and depth_scale.
+SHARED double encode_over_w(int mapping, double depth, double w, dvec2 warp_depths) {
+  double from_middle = warp_depths.y * (depth - warp_depths.x) / w;
+  return mapping == DEPTH_REVERSED_OVER_W ? 0.5 - from_middle : 0.5 + from_middle;
+}
+
+SHARED double decode_over_w(int mapping, double stored, double w, dvec2 warp_depths) {
+  double from_middle = mapping == DEPTH_REVERSED_OVER_W ? 0.5 - stored : stored - 0.5;
+  return warp_depths.x + from_middle * w / warp_depths.y;
+}
+
+/// The nearest 16-bit float, ties to even, of a number from 0 to 1: 11 significant binary digits, and none below 2^-24.
+SHARED float nearest_half(float stored) {
+  int exponent;
+  frexp(stored, exponent);
+  int last_digit = max(exponent, -13) - 11;
+  return ldexp(roundEven(ldexp(stored, -last_digit)), last_digit);
+}
+
 /// The depth of a stored number.
 SHARED double decode_depth(int mapping, double stored, double near_depth, double far_depth) {
   if (mapping == DEPTH_LINEAR) return stored * far_depth;

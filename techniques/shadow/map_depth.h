@@ -10,13 +10,19 @@
 namespace umbrameter {
 namespace shared {
 
+using glm::frexp;
+using glm::ldexp;
 using glm::max;
+using glm::roundEven;
 
 // Which number stands for a depth. The first two are linear.
 inline constexpr int DEPTH_LINEAR = 0;
 inline constexpr int DEPTH_REVERSED_LINEAR = 1;
 inline constexpr int DEPTH_PERSPECTIVE = 2;
 inline constexpr int DEPTH_REVERSED_PERSPECTIVE = 3;
+// Of a warped map.
+inline constexpr int DEPTH_OVER_W = 4;
+inline constexpr int DEPTH_REVERSED_OVER_W = 5;
 
 #define SHARED inline
 #include "techniques/shadow/map_depth.glsl"
@@ -24,8 +30,10 @@ inline constexpr int DEPTH_REVERSED_PERSPECTIVE = 3;
 
 }  // namespace shared
 
-enum class MapDepthFormat : int { f32, fixed24, fixed16 };
-/// perspective and reversed are those of a projection matrix: of an orthographic one, perspective is linear, too.
+/// OpenGL has no depth texture of 16-bit floats: f16 is drawn as f32 and rounded by nearest_half() when it is read.
+enum class MapDepthFormat : int { f32, f16, fixed24, fixed16 };
+/// perspective and reversed are those of a projection matrix: of an orthographic one, perspective is linear, too, and
+/// of a warped one the depth over w.
 enum class DepthEncoding : int { linear, perspective, reversed };
 /// The faces that cast, seen from the light. Both faces of double-sided materials always cast.
 enum class CasterFaces : int { all, front, back };
@@ -68,15 +76,15 @@ MapLayout with_depth_encoding(MapLayout layout, const MapDepthParams& params);
 inline bool is_projective(MapKind kind) { return kind == MapKind::perspective || kind == MapKind::cube; }
 
 /// One of the constants in `shared`.
-int depth_mapping(const MapDepthParams& params, MapKind kind);
+int depth_mapping(const MapDepthParams& params, const MapLayout& layout);
 
 /// Whether the map stores the depth as look-ups read it: linear, in 32-bit floats.
-bool stores_linear_floats(const MapDepthParams& params, MapKind kind);
+bool stores_linear_floats(const MapDepthParams& params, const MapLayout& layout);
 
 bool has_polygon_offset(const MapDepthParams& params);
 
 /// The difference between neighbouring depths that the map can store at this depth, metres; in cube maps that store a
-/// perspective depth, at the centre of a face.
+/// perspective depth, at the centre of a face, and in warped maps that store it over w, in the middle row.
 double depth_step(const MapDepthParams& params, const MapLayout& layout, double depth);
 
 /// Throws Error (usage) naming a parameter if the parameters do not fit the map or one another.

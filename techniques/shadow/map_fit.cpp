@@ -58,6 +58,8 @@ Parameters describe(MapFitParams& params) {
       .field("fit-z", params.fit_z, {.unit = "m", .meaning = "centre of the area bounds, in the world"})
       .field("fit-size", params.fit_size,
              {.unit = "m", .meaning = "side of the area bounds, perpendicular to the light", .min = 1e-6, .max = 1e12})
+      .field("fit-depth", params.fit_depth,
+             {.unit = "m", .meaning = "depth range of the area bounds about its centre; 0: the scene's", .min = 0})
       .choice("cascade-fit", params.cascade_fit, cascade_fit_names,
               {.unit = {},
                .meaning = "area of a cascade: around what is seen, the frustum in whole texels, or the frustum within "

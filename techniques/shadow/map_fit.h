@@ -42,6 +42,7 @@ struct MapFitParams {
   double fit_y = 0.0;
   double fit_z = 0.0;
   double fit_size = 10.0;
+  double fit_depth = 0.0;  ///< metres, half of it on either side of the centre; 0: the scene's
   CascadeFit cascade_fit = CascadeFit::tight;
   CascadeSelection selection = CascadeSelection::map;
   double blend = 0.0;

@@ -150,6 +150,11 @@ bool compares_encoded(const MapLayout& layout, LengthUnit bias_unit) {
 }
 
 void require_bias_unit(const MapLayout& layout, LengthUnit unit) {
+  if (unit == LengthUnit::map_depth && layout.warp && layout.warp->stores_over_w) {
+    throw Error(ExitCode::usage, "shadow.constant-bias",
+                "a warped map with this shadow.depth-encoding stores depths that are divided by w",
+                "give the bias in metres or texels, or use the linear encoding");
+  }
   if (!compares_encoded(layout, unit) || layout.kind == MapKind::perspective) return;
   throw Error(ExitCode::usage, "shadow.constant-bias",
               "a cube map with this shadow.depth-encoding stores a depth along each face's axis, not from the light",
@@ -165,6 +170,14 @@ double texel_at(const MapLayout& layout, const dvec3& position) {
   // The projection keeps angles: along both axes the tangent of half the angle grows by 1 / (1 + cos θ).
   if (layout.kind == MapKind::paraboloid) return texel * (glm::length(local) + std::abs(local.z));
   return texel * std::max({std::abs(local.x), std::abs(local.y), std::abs(local.z)});
+}
+
+NormalOffset placed_offset(const MapLayout& layout, NormalOffset offset, OffsetTexel texel) {
+  if (texel == OffsetTexel::receiver || !layout.warp) return offset;
+  const dvec2 middle = from_warped(*layout.warp, dvec2(0.0));
+  offset.metres += offset.texels * warped_texel(*layout.warp, layout.resolution, middle);
+  offset.texels = 0.0;
+  return offset;
 }
 
 bool is_inside(const MapLayout& layout, const dvec3& position) {

@@ -12,6 +12,7 @@
 #include "core/parameters.h"
 #include "scenes/light.h"
 #include "techniques/shadow/map_warp.h"
+#include "techniques/shadow/normal_offset.h"
 
 namespace umbrameter {
 
@@ -141,6 +142,9 @@ inline bool has_equal_texels(const MapLayout& layout) { return layout.kind == Ma
 
 /// Side length of a texel at a world position, metres, without blending; of a warped map its longer side.
 double texel_at(const MapLayout& layout, const dvec3& position);
+
+/// The offset with the texels of OffsetTexel::middle in metres, where a map has texels of several sizes by its warp.
+NormalOffset placed_offset(const MapLayout& layout, NormalOffset offset, OffsetTexel texel);
 
 /// Whether the position falls on the map.
 bool is_inside(const MapLayout& layout, const dvec3& position);

@@ -15,6 +15,11 @@ struct MapWarp {
   dvec2 center{0.0};  ///< light space, metres
   dvec2 scale{1.0};   ///< x: 1, above 0; y: metres, below 0, so that v rises with y
   dvec2 shift{0.0};
+  /// What the projection's matrix makes of a depth z, from 0 to 1 over the warped volume:
+  /// ½ + depth_scale · (z − middle_depth) / w.
+  double middle_depth = 0.0;   ///< metres
+  double depth_scale = 1.0;    ///< the smallest w of the volume over its range of depths
+  bool stores_over_w = false;  ///< the map stores that number, and look-ups compare it; otherwise metres
 };
 
 /// (u, v) of a position in light space, whose w is above 0.
@@ -23,9 +28,12 @@ inline dvec2 on_warped(const MapWarp& warp, const dvec2& local) {
   return {warp.scale.x * (local.x - warp.center.x) / w + warp.shift.x, warp.scale.y / w + warp.shift.y};
 }
 
-/// Its inverse. Beyond the horizon, v = shift.y, no position has such a v.
+/// w of a row of the map, at v.
+inline double warp_w(const MapWarp& warp, double v) { return warp.scale.y / (v - warp.shift.y); }
+
+/// The inverse of on_warped(). Beyond the horizon, v = shift.y, no position has such a v.
 inline dvec2 from_warped(const MapWarp& warp, const dvec2& place) {
-  const double w = warp.scale.y / (place.y - warp.shift.y);
+  const double w = warp_w(warp, place.y);
   return {(place.x - warp.shift.x) * w / warp.scale.x + warp.center.x, w + warp.center.y};
 }
 

@@ -18,6 +18,9 @@ inline constexpr double eevee_share = 0.16785171781851177;
 /// normal: along the normal; across: only the part of that which is perpendicular to the direction to the light.
 enum class OffsetDirection : int { normal, across };
 
+/// The texel that a normal offset in texels means: at the receiver, or in the middle of a warped map for all receivers.
+enum class OffsetTexel : int { receiver, middle };
+
 inline constexpr std::array<std::string_view, 4> offset_profile_names{"sine", "constant", "one-minus-cosine", "eevee"};
 
 /// (texels · texel size + metres) · profile, in metres.

@@ -17,7 +17,9 @@ Parameters read_by_fit(MapFitParams& params, int cascades) {
     read = concatenate({std::move(read), select(all, keys)});
   };
   if (params.pancaking || params.cascade_bias == own_range) add({"shadow.near-offset"});
-  if (params.fit == MapFit::bounds) add({"shadow.fit-x", "shadow.fit-y", "shadow.fit-z", "shadow.fit-size"});
+  if (params.fit == MapFit::bounds) {
+    add({"shadow.fit-x", "shadow.fit-y", "shadow.fit-z", "shadow.fit-size", "shadow.fit-depth"});
+  }
   if (can_warp(cascades, params)) {
     add({"shadow.warp"});
     if (params.warp != Warp::none) add({"shadow.warp-near", "shadow.warp-far"});
@@ -33,6 +35,12 @@ Parameters read_by_fit(MapFitParams& params, int cascades) {
   return read;
 }
 
+Parameters read_offset_texel(ShadowParams& params) {
+  const bool is_warped = params.fit.warp != Warp::none && can_warp(params.map.cascades, params.fit);
+  if (!is_warped || params.bias.normal_offset.texels == 0.0) return {};
+  return select(describe(params.bias), {"shadow.normal-offset-texel"});
+}
+
 // What a technique reads besides the size of the map and its fit.
 template <class T>
 Parameters read_by_technique(ShadowParams& params) {
@@ -42,7 +50,7 @@ Parameters read_by_technique(ShadowParams& params) {
          select(describe(params.bias),
                 {"shadow.constant-bias", "shadow.slope-bias", "shadow.normal-offset", "shadow.normal-offset-metres",
                  "shadow.normal-offset-profile", "shadow.normal-offset-direction"}),
-         T::map_parameters(params), T::lookup_parameters(params)});
+         read_offset_texel(params), T::map_parameters(params), T::lookup_parameters(params)});
   } else {
     return T::reads(params);
   }

@@ -115,6 +115,14 @@ TEST_F(BiasResponseGl, Warped_maps_agree_too) {
   grid.map_depth.format = MapDepthFormat::fixed16;
   grid.map_depth.caster_offset.texels = 1.5;
   expect_agreement(lights_[0], grid);
+  // Depths over w.
+  grid.axes = {{0.0f, 0.05f, 0.3f}, {0.0f, 1.5f}};
+  grid.filters = {all[2]};
+  grid.filters.front().params.bias.offset_texel = OffsetTexel::middle;
+  for (const DepthEncoding encoding : {DepthEncoding::perspective, DepthEncoding::reversed}) {
+    grid.map_depth.encoding = encoding;
+    expect_agreement(lights_[0], grid);
+  }
 }
 
 TEST_F(BiasResponseGl, Maps_with_other_depths_agree_too) {
@@ -126,6 +134,7 @@ TEST_F(BiasResponseGl, Maps_with_other_depths_agree_too) {
   BiasGrid grid{{{-0.2f, 0.0f, 0.05f}, {0.0f, 1.5f}}, {96}, {usual_filters()[2]}};
   grid.judged_filters = 1;
   for (const MapDepthParams& params : {set([](MapDepthParams& p) { p.format = MapDepthFormat::fixed16; }),
+                                       set([](MapDepthParams& p) { p.format = MapDepthFormat::f16; }),
                                        set([](MapDepthParams& p) { p.encoding = DepthEncoding::reversed; }),
                                        set([](MapDepthParams& p) { p.faces = CasterFaces::back; }),
                                        set([](MapDepthParams& p) { p.surface = StoredSurface::midpoint; }),

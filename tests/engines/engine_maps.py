@@ -46,13 +46,15 @@ def threejs(kind):
     return setting
 
 
-def babylon(share, *more):
+def babylon(share, *more, depth_format="16f"):
     """A square of shadow-frustum-size around the light, which the adapter puts one radius before the bounds' centre."""
     def setting(scene):
         size = f"{2 * scene.radius:.8g}"
         flags = ["--engine.map-size", "2048", "--engine.shadow-frustum-size", size, "--engine.shadow-min-z", "0.001",
-                 "--engine.shadow-max-z", size, *more]
-        return flags, area(scene.center, 2 * scene.radius, 2048), lambda bias: f"{share * bias * 2 * scene.radius:.6g}"
+                 "--engine.shadow-max-z", size]
+        ours = area(scene.center, 2 * scene.radius, 2048)
+        return ([*flags, *more], [*ours, "--shadow.fit-depth", size, "--shadow.depth-format", depth_format],
+                lambda bias: f"{share * bias * 2 * scene.radius:.6g}")
     return setting
 
 

@@ -51,6 +51,7 @@ sun_of_three = {"courtyard": [-0.0005, -0.001, 0, -0.00025, -0.002], "city": [0,
                 "room": [0.0005, 0, -0.0005, -0.001, -0.002]}
 unfiltered = {"courtyard": [0.001, 0.002, 0.0005, 0.0015, 0.004], "city": [0.0003, 0.0005, 0.0007, 0.001, 0.002],
               "room": [0.0005, 0.001, 0.0015, 0.002, 0.004]}
+half_floats = {**unfiltered, "courtyard": [0.0005, 0.001, 0.0015, 0.002, 0.004]}  # the first is as small as their steps
 filtered = dict.fromkeys(["courtyard", "city", "room"], [0.004, 0.008, 0.002, 0.006, 0.012])
 sloped = dict.fromkeys(["courtyard", "city", "room"], [0.1, 0.2, 0.05, 0.15, 0.4])
 lights = {"sun": dict.fromkeys(["courtyard", "city", "room"], "sun"), "spot": {"courtyard": "spot"},
@@ -66,6 +67,13 @@ def omni(scene):
     """Its bias is a share of the range, which reaches the farthest corner where the file has none."""
     reach = {"courtyard": 12.0, "room": 4.511}[scene.name]
     return [*lamp_of_playcanvas, "pcf1-32f"], [], lambda bias: f"{0.01 * bias * reach:.6g}"
+
+
+def clustered_omni(scene):
+    """Faces are a third of the atlas, which has to be whole: the engine draws to whole texels and looks up at thirds."""
+    _, ours, convert = omni(scene)
+    flags = ["--engine.clustered-lighting", "true", "--engine.shadow-atlas-resolution", "2046", "--engine.shadow-type", "pcf1-32f"]
+    return flags, [*ours, "--shadow.resolution", "682"], convert
 
 
 def spot_of_playcanvas(kind):
@@ -87,11 +95,10 @@ cases = [
     Case("three.js, type basic", "threejs", "threejs-basic", "bias", constant, sun_of_three, threejs("basic")),
     Case("three.js, type pcf", "threejs", "threejs-pcf", "bias", constant, sun_of_three, threejs("pcf")),
     Case("Babylon.js, filter none, 32-bit map", "babylon", "babylon-none", "bias", constant, unfiltered,
-         babylon(1.0, "--engine.use-float32-texture-type", "true")),
-    # By default the map has 16-bit floats, which our formats are not: biases as small as their steps are off by more.
-    Case("Babylon.js, filter none, 16-bit map", "babylon", "babylon-none", "bias", constant, unfiltered, babylon(1.0)),
+         babylon(1.0, "--engine.use-float32-texture-type", "true", depth_format="32f")),
+    Case("Babylon.js, filter none, 16-bit map", "babylon", "babylon-none", "bias", constant, half_floats, babylon(1.0)),
     Case("Babylon.js, filter pcf, high quality", "babylon", "babylon-pcf", "bias", constant, filtered,
-         babylon(0.5, "--engine.filter", "pcf")),
+         babylon(0.5, "--engine.filter", "pcf", depth_format="32f")),
     Case("PlayCanvas, pcf1-32f", "playcanvas", "playcanvas-pcf1", "shadow-bias", factor, sloped, playcanvas("pcf1-32f")),
     Case("PlayCanvas, pcf3-32f", "playcanvas", "playcanvas-pcf3", "shadow-bias", factor, sloped, playcanvas("pcf3-32f")),
     Case("Filament, PCF, stable", "filament", "filament-stable", "constant-bias", constant, metres, filament),
@@ -99,7 +106,7 @@ cases = [
     Case("three.js, type basic, normalBias", "threejs", "threejs-basic", "normal-bias", receiver, normal,
          at_bias(threejs("basic"), "bias", -0.00005, constant)),
     Case("Babylon.js, filter pcf, high quality, normalBias", "babylon", "babylon-pcf", "normal-bias", caster, normal,
-         at_bias(babylon(0.5, "--engine.filter", "pcf"), "bias", 0.002, constant)),
+         at_bias(babylon(0.5, "--engine.filter", "pcf", depth_format="32f"), "bias", 0.002, constant)),
     Case("PlayCanvas, pcf1-32f, normalOffsetBias", "playcanvas", "playcanvas-pcf1", "normal-offset-bias", receiver, normal,
          at_bias(playcanvas("pcf1-32f"), "shadow-bias", 0.05, factor, units)),
     *(Case(f"three.js, type {kind}, spot light", "threejs", f"threejs-{kind}-spot", "bias", constant, spot_of_three,
@@ -123,6 +130,8 @@ cases = [
          "spot"),
     Case("PlayCanvas, pcf1-32f, point light", "playcanvas", "playcanvas-pcf1-point", "shadow-bias", constant,
          dict.fromkeys(["courtyard", "room"], [0.05, 0.2, 0.1, 0.15, 0.4]), omni, "point"),
+    Case("PlayCanvas, pcf1-32f, point light, clustered, atlas of 2046²", "playcanvas", "playcanvas-pcf1-point", "shadow-bias",
+         constant, dict.fromkeys(["courtyard", "room"], [0.05, 0.2, 0.1, 0.15, 0.4]), clustered_omni, "point"),
 ]
 
 

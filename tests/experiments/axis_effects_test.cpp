@@ -88,7 +88,7 @@ TEST(AxisEffects, Every_parameter_of_a_technique_is_read_with_some_settings) {
                                                     "shadow.filter=box",         "shadow.contact-shadows=true"};
   // What a single map reads that is fitted to the view.
   const std::vector<std::string> view_settings = {"shadow.fit=view", "shadow.warp=lispsm", "shadow.split-range=camera",
-                                                  "shadow.cascade-selection=depth"};
+                                                  "shadow.cascade-selection=depth", "shadow.normal-offset=1"};
   const std::vector<std::string> ao_settings = {"ao.blur=bilateral", "ao.resolution=half", "ao.multi-bounce=true",
                                                 "ao.alchemy-mip-chain=true"};
   const std::vector<std::string> shading_settings = {"shading.path=deferred", "shading.attenuation=polynomial"};

@@ -15,7 +15,8 @@ namespace {
 using namespace testing_scenes;
 using test::to_metres;
 
-constexpr MapDepthFormat formats[] = {MapDepthFormat::f32, MapDepthFormat::fixed24, MapDepthFormat::fixed16};
+constexpr MapDepthFormat formats[] = {MapDepthFormat::f32, MapDepthFormat::f16, MapDepthFormat::fixed24,
+                                      MapDepthFormat::fixed16};
 constexpr DepthEncoding encodings[] = {DepthEncoding::linear, DepthEncoding::perspective, DepthEncoding::reversed};
 
 TEST_F(MapDepthGl, Every_format_and_encoding_rounds_to_its_step) {
@@ -29,6 +30,11 @@ TEST_F(MapDepthGl, Every_format_and_encoding_rounds_to_its_step) {
     const double along_axis = layout.kind == MapKind::cube ? std::sqrt(3.0) : 1.0;
     for (const MapDepthFormat format : formats) {
       for (const DepthEncoding encoding : encodings) {
+        // Steps of half a metre are no small part of a depth, and at the far end of a cube the number of the depth
+        // along the face's axis has another exponent than that of the radial depth.
+        const bool is_coarse = encoding == DepthEncoding::perspective && is_projective(layout.kind);
+        const bool is_uneven = encoding == DepthEncoding::reversed && layout.kind == MapKind::cube;
+        if (format == MapDepthFormat::f16 && (is_coarse || is_uneven)) continue;
         const MapDepthParams params = stored_as(format, encoding, 0.05);
         const ShadowMapImages map = draw(scene, light, layout, params);
         double largest = 0.0;
@@ -50,7 +56,7 @@ TEST_F(MapDepthGl, Every_format_and_encoding_rounds_to_its_step) {
             largest = std::max(largest, std::abs(found - expected) / step);
           }
         }
-        if (format == MapDepthFormat::fixed16) {
+        if (format == MapDepthFormat::fixed16 || format == MapDepthFormat::f16) {
           EXPECT_GT(largest, 0.4 / along_axis);
         }
       }
@@ -92,6 +98,38 @@ TEST_F(MapDepthGl, Neighbouring_stored_depths_are_one_step_apart) {
   }
 }
 
+// 11 significant digits and exponents down to −14 (IEEE 754, binary16), ties to even.
+TEST(MapDepth, A_16_bit_float_is_the_nearest_one) {
+  EXPECT_EQ(shared::nearest_half(0.1f), 0x1.998p-4f);         // 0x1.99999ap-4
+  EXPECT_EQ(shared::nearest_half(1.0f / 3.0f), 0x1.554p-2f);  // 0x1.555556p-2
+  EXPECT_EQ(shared::nearest_half(0.75f), 0.75f);
+  EXPECT_EQ(shared::nearest_half(0x1.002p-1f), 0.5f);         // between 0x1.000p-1 and 0x1.004p-1
+  EXPECT_EQ(shared::nearest_half(0x1.006p-1f), 0x1.008p-1f);  // between 0x1.004p-1 and 0x1.008p-1
+  EXPECT_EQ(shared::nearest_half(0x1.00201p-1f), 0x1.004p-1f);
+  EXPECT_EQ(shared::nearest_half(0x1.ffep-1f), 1.0f);     // between 0x1.ffcp-1 and 1
+  EXPECT_EQ(shared::nearest_half(0x1.8p-24f), 0x1p-23f);  // below 2^-14 in steps of 2^-24
+  EXPECT_EQ(shared::nearest_half(0x1p-25f), 0.0f);
+  EXPECT_EQ(shared::nearest_half(0.0f), 0.0f);
+  EXPECT_EQ(shared::nearest_half(1.0f), 1.0f);
+}
+
+TEST_F(MapDepthGl, A_map_of_16_bit_floats_is_that_of_32_bit_ones_rounded) {
+  const Scene scene = make_floor();
+  for (const Light& light : lights()) {
+    const MapLayout layout = fit_light(light, bounds_of(scene), 64);
+    const ShadowMapImages exact = draw(scene, light, layout);
+    const ShadowMapImages map = draw(scene, light, layout, stored_as(MapDepthFormat::f16, DepthEncoding::linear));
+    std::size_t rounded = 0;
+    for (std::size_t view = 0; view < map.depth.size(); ++view) {
+      for (std::size_t i = 0; i < map.depth[view].size(); ++i) {
+        ASSERT_EQ(map.depth[view][i], shared::nearest_half(exact.depth[view][i])) << exact.depth[view][i];
+        if (map.depth[view][i] != exact.depth[view][i]) ++rounded;
+      }
+    }
+    EXPECT_GT(rounded, 1000u);
+  }
+}
+
 // 16 bits of a spot light of range 10 m, near plane 0.1 m: z² (f − n) / (n f 65535).
 TEST(MapDepth, The_step_follows_its_formula) {
   MapLayout layout;
@@ -101,6 +139,9 @@ TEST(MapDepth, The_step_follows_its_formula) {
   EXPECT_NEAR(depth_step(stored_as(MapDepthFormat::fixed16, DepthEncoding::perspective), layout, 5.0), 3.777e-3, 1e-6);
   EXPECT_NEAR(depth_step(stored_as(MapDepthFormat::fixed16, DepthEncoding::reversed), layout, 5.0), 3.777e-3, 1e-6);
   EXPECT_NEAR(depth_step(stored_as(MapDepthFormat::fixed24, DepthEncoding::perspective), layout, 5.0), 1.475e-5, 1e-8);
+  // A 16-bit float between ½ and 1 has steps of 2^-11; the reversed depth at 9 m has steps of 2^-20.
+  EXPECT_NEAR(depth_step(stored_as(MapDepthFormat::f16, DepthEncoding::linear), layout, 6.0), 4.883e-3, 1e-6);
+  EXPECT_NEAR(depth_step(stored_as(MapDepthFormat::f16, DepthEncoding::reversed), layout, 9.0), 7.648e-4, 1e-6);
   // A float between ½ and 1 has steps of 2^-24; the reversed depth at 9 m, 0.00112, has steps of 2^-33.
   EXPECT_NEAR(depth_step(stored_as(MapDepthFormat::f32, DepthEncoding::linear), layout, 6.0), 5.96e-7, 1e-9);
   EXPECT_NEAR(depth_step(stored_as(MapDepthFormat::f32, DepthEncoding::perspective), layout, 9.0), 4.78e-5, 1e-7);
@@ -150,9 +191,10 @@ TEST_F(MapDepthGl, The_measured_unit_of_the_polygon_offset_is_the_shift_that_is_
         // Enough that the linear 32-bit float, in which the depth is read back, resolves it.
         params.polygon_offset_units = format == MapDepthFormat::fixed16 ? 200.0 : 20000.0;
         const double shifted = depth_at_middle();
-        const int mapping = depth_mapping(params, layout.kind);
+        const int mapping = depth_mapping(params, layout);
         const double stored = shared::encode_depth(mapping, depth, 0.5, 5.0);
-        const double scale = format == MapDepthFormat::f32 ? std::exp2(std::ilogb(stored) + 1) : 1.0;
+        const bool is_float = format == MapDepthFormat::f32 || format == MapDepthFormat::f16;
+        const double scale = is_float ? std::exp2(std::ilogb(stored) + 1) : 1.0;
         const double shift = params.polygon_offset_units * unit * scale;
         const bool is_reversed = encoding == DepthEncoding::reversed;
         const double expected =

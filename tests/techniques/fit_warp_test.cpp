@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "core/error.h"
+#include "techniques/shadow/map_depth.h"
 #include "techniques/shadow/reference/lookup.h"
 
 namespace umbrameter {
@@ -147,6 +148,54 @@ TEST(MapWarp, Only_a_single_map_that_is_fitted_tightly_to_the_view_is_warped) {
     change(fit);
     EXPECT_THROW(require_sense({warp_resolution, 1}, fit, {&light, 1}), Error);
   }
+}
+
+// From the top of the bounds, at y = 1, to the ground: 1 m; n = 11 m. ½ + 11 (z − z_m) / w is 0 and 1 at w = 11 m.
+TEST(MapWarp, The_depth_over_w_fills_the_range_at_the_near_end_of_the_volume) {
+  const MapLayout layout = fitted_warp(warped_fit());
+  const MapWarp& warp = layout.warp.value();
+  const dvec2 depths(warp.middle_depth, warp.depth_scale);
+  EXPECT_NEAR(warp.depth_scale, 11.0, 1e-6);
+  struct Case {
+    double y;
+    double w;
+    double stored;
+  };
+  for (const auto& [y, w, stored] : {Case{1, 11, 0}, Case{0, 11, 1}, Case{0, 110, 0.55}, Case{0.5, 110, 0.5}}) {
+    const double depth = depth_of(layout, {0, y, -1});
+    EXPECT_NEAR(shared::encode_over_w(shared::DEPTH_OVER_W, depth, w, depths), stored, 1e-6);
+    const double reversed = shared::encode_over_w(shared::DEPTH_REVERSED_OVER_W, depth, w, depths);
+    EXPECT_NEAR(reversed, 1.0 - stored, 1e-6);
+    EXPECT_NEAR(shared::decode_over_w(shared::DEPTH_REVERSED_OVER_W, reversed, w, depths), depth, 1e-9);
+  }
+}
+
+TEST(MapWarp, A_normal_offset_of_the_middle_texel_is_a_length) {
+  const MapLayout layout = fitted_warp(warped_fit());
+  const dvec2 middle = from_warped(layout.warp.value(), dvec2(0.0));
+  const NormalOffset offset{2.0, 0.5, OffsetProfile::constant};
+  const NormalOffset placed = placed_offset(layout, offset, OffsetTexel::middle);
+  EXPECT_EQ(placed.texels, 0.0);
+  EXPECT_NEAR(placed.metres, 0.5 + 2.0 * warped_texel(*layout.warp, warp_resolution, middle), 1e-12);
+  EXPECT_EQ(placed_offset(layout, offset, OffsetTexel::receiver).texels, 2.0);
+}
+
+TEST(MapFit, A_given_area_has_its_own_depths_where_they_hold_the_scene) {
+  Bounds bounds;
+  bounds.include({-60, -1, -110});
+  bounds.include({60, 1, 10});
+  const dvec3 center = bounds.center();
+  MapFitParams fit;
+  fit.fit = MapFit::bounds;
+  fit.fit_z = center.z;
+  const auto fitted = [&](double depth) {
+    fit.fit_depth = depth;
+    return fit_map(turned_sun(), bounds, {256, 1}, {seen_ground(), wide_camera()}, fit);
+  };
+  EXPECT_NEAR(fitted(1e4).far_depth, 1e4, 1e-9);
+  EXPECT_NEAR(depth_of(fitted(1e4), center), 5e3, 1e-9);
+  EXPECT_EQ(fitted(1e-3).far_depth, fitted(0.0).far_depth) << "the scene is deeper";
+  EXPECT_EQ(depth_of(fitted(1e-3), center), depth_of(fitted(0.0), center));
 }
 
 }  // namespace

@@ -84,7 +84,13 @@ Tap fetch_tap(const MapLookup& lookup, const Receiver& receiver, const ivec2& of
   tap.has_blocker = stored < 1.0f;
   if (tap.has_blocker) {
     const double compared = compared_depth(lookup, receiver, tap.texel, tap.view);
-    const double blocker = static_cast<double>(stored) * layout.far_depth;
+    double blocker = static_cast<double>(stored) * layout.far_depth;
+    if (layout.warp && layout.warp->stores_over_w && !lookup.bias.receiver_plane) {
+      // The depth that has this texel's number at the receiver's w.
+      const MapWarp& warp = *layout.warp;
+      const double w = warp_w(warp, (tap.texel.y + 0.5) / static_cast<double>(resolution) * 2.0 - 1.0);
+      blocker = warp.middle_depth + (blocker - warp.middle_depth) * ((receiver.in_light.y - warp.center.y) / w);
+    }
     double above = compared - blocker;
     if (compares_encoded(layout, lookup.bias.constant.unit)) {
       const double near = layout.encoded_near;
@@ -277,7 +283,8 @@ SurfelLookup look_up(const MapLookup& lookup, std::size_t pixel) {
   const double sine = length_of(cross_of(normal, to_light));
   const float texel = texel_side(lookup.layout, result.receiver);
   result.slope = texel * static_cast<float>(sine / cosine);
-  if (const NormalOffset& offset = lookup.bias.normal_offset; !is_none(offset)) {
+  const NormalOffset offset = placed_offset(lookup.layout, lookup.bias.normal_offset, lookup.bias.offset_texel);
+  if (!is_none(offset)) {
     const double distance = length_of(to_light);
     const double scale = offset.profile == OffsetProfile::sine       ? sine / distance
                          : offset.profile == OffsetProfile::constant ? 1.0
