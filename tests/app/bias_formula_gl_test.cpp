@@ -54,7 +54,8 @@ TEST_F(BiasFormulaRun, Warns_of_optima_at_the_end_of_the_axis_and_of_extrapolati
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.out.find("formula (normal-offset 0, no acne): bias ≈ 0 + ("), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("2 of 6 combinations are left out"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("extrapolated for 2 combinations, one of them filter-size 5, resolution 256"), std::string::npos)
+  EXPECT_NE(result.out.find("extrapolated for 2 combinations, one of them filter-size 5, resolution 256"),
+            std::string::npos)
       << result.out;
   EXPECT_NE(result.out.find("the filter radius takes only 2 values"), std::string::npos) << result.out;
   // The normal offset changes no length of the formula, so that each value of it has one.
