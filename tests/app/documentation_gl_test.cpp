@@ -94,7 +94,9 @@ class ReaderFolder {
         folder_.write("block.sh", "set -euo pipefail\nexport UMBRAMETER_TESTED=\"$1\"\ncd '" + folder_.path().string() +
                                       "'\nexport PATH=\"" + (folder_ / "path").string() + ":$PATH\"\n" + block);
     ProgramOptions options;
-    options.environment = {"UMBRAMETER_CALLS=" + (folder_ / "calls").string()};
+    // One reader has one cache.
+    options.environment = {"UMBRAMETER_CALLS=" + (folder_ / "calls").string(),
+                           "XDG_CACHE_HOME=" + (folder_ / "cache").string()};
     options.wrapper = {"bash", script.string()};
     return run_program({}, options);
   }

@@ -20,7 +20,7 @@ TEST_F(Presets, Those_of_spot_and_point_lights_draw_the_map_of_such_a_light) {
     const std::string name = preset.at("name");
     const ProgramResult run =
         run_program({"raster", "courtyard", "--light", kind == "spot" ? "spot" : "lantern", "--size", "16x9",
-                     "--preset", name, "--no-figures", "--quiet", "-o", folder_ / name});
+                     "--measure", "visibility", "--preset", name, "--no-figures", "--quiet", "-o", folder_ / name});
     EXPECT_EQ(run.exit_code, 0) << name << ": " << run.err;
     ++drawn;
   }

@@ -15,7 +15,7 @@ if not (root / "engines" / engine / "node_modules").is_dir():
     print(f"not set up: run engines/{engine}/setup")
     sys.exit(77)
 # From no bias, which gives acne, to one that loses the shadows.
-cells = 12
+cells = 6
 axis = {"threejs": "engine.bias=-0.2:0", "babylon": "engine.bias=0:1", "playcanvas": "engine.shadow-bias=0:1",
         "filament": "engine.constant-bias=0:1"}[engine] + f":{cells}"
 
@@ -39,8 +39,8 @@ def children(pid):
 
 def kill_browser(pid, folder, killed):
     """Once the first cell has been drawn."""
-    for _ in range(4000):
-        time.sleep(0.05)
+    for _ in range(20000):
+        time.sleep(0.01)
         if not any(any(Path(folder).glob(f"umbrameter-engine-*/frames/*-{output}.pfm")) for output in ("visibility", "lit")):
             continue
         for child in children(pid):
@@ -55,7 +55,7 @@ def kill_browser(pid, folder, killed):
 
 with tempfile.TemporaryDirectory() as folder:
     command = [program, "sweep", "two-occluders", "--engine", adapter, "--light", "sun", "--size",
-               "320x180", "--vary", axis, "--no-figures", "--no-cache", "-o", folder + "/out"]
+               "192x108", "--vary", axis, "--no-figures", "--no-cache", "-o", folder + "/out"]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                env={**os.environ, "TMPDIR": folder})
     killed = threading.Event()

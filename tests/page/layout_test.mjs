@@ -35,7 +35,7 @@ test('the five numbers of a shadow share a row at 900 pixels, and a choice of er
     const shown = each.offsetWidth;
     each.style.maxWidth = 'none';
     const whole = each.offsetWidth;
-    each.style.maxWidth = '';
+    each.removeAttribute('style');
     return whole - shown;
   }), 0);
   await close();
@@ -65,7 +65,10 @@ test('no control moves the images', async () => {
     for (const group of groups) {
       for (const mode of ['grid', 'single', 'wipe', 'difference', 'side']) {
         await go(page, `view=${mode}&group=${group}`);
-        await expect_fragment(page, {view: mode, group});
+        await page.waitForFunction((wanted) => {
+          const has = new URLSearchParams(document.querySelector('.stage').dataset.painted);
+          return has.get('view') === wanted.mode && has.get('group') === wanted.group;
+        }, {mode, group});
         tops.add(await page.locator('.stage').evaluate((each) => Math.round(each.getBoundingClientRect().top + scrollY)));
       }
     }
@@ -102,8 +105,10 @@ test('the panels of a figure, which the plot drawer calls cells, are printed', a
   await page.emulateMedia({media: 'print'});
   assert.equal(await page.evaluate(() => {
     const panel = document.querySelector('figure .picture svg g');
-    panel.classList.add('cell');
-    return getComputedStyle(panel).display;
+    panel.setAttribute('class', 'cell');
+    const {display} = getComputedStyle(panel);
+    panel.removeAttribute('class');
+    return display;
   }), 'inline');
   await close();
 });

@@ -80,10 +80,21 @@ async function show_all(page) {
   await page.locator('aside.cell').waitFor();
 }
 
+// The page of a run with all of it shown: the same for all tests that only look at it.
+const shown = new Map();
+async function open_shown(out, width) {
+  if (!shown.has(out)) {
+    shown.set(out, await open_page(out, {width}));
+    await show_all(shown.get(out).page);
+  }
+  const {page, problems} = shown.get(out);
+  await page.setViewportSize({width, height: 700});
+  return {page, problems};
+}
+
 test('texts and controls have contrast and nothing is cut off, at three widths, light and dark, and in print', async () => {
   for (const out of [plain_run(), sweep_run()]) {
-    const {page, problems, close} = await open_page(out, {width: 1280});
-    await show_all(page);
+    const {page, problems} = await open_shown(out, 1280);
     for (const width of [1280, 800, 400]) {
       await page.setViewportSize({width, height: 900});
       await page.waitForTimeout(100);
@@ -110,21 +121,19 @@ test('texts and controls have contrast and nothing is cut off, at three widths, 
       .map((each) => getComputedStyle(each).display))]), ['contents']);
     const pdf = await page.pdf({format: 'A4'});
     assert.equal(pdf.subarray(0, 5).toString(), '%PDF-');
+    await page.emulateMedia({media: null, colorScheme: null});
     assert.deepEqual(problems, []);
-    await close();
   }
 });
 
 test('a tablet shows the columns of every table, and a number is not parted from its unit', async () => {
   for (const out of [plain_run(), sweep_run()]) {
-    const {page, close} = await open_page(out, {width: 900});
-    await show_all(page);
+    const {page} = await open_shown(out, 900);
     assert.deepEqual(await page.evaluate(() => [...document.querySelectorAll('.scroll, .cells .rows')]
       .filter((each) => each.scrollWidth > each.clientWidth + 1).map((each) => each.getAttribute('aria-label'))
       .filter((label) => !/Formulas of the bias/.test(label))), [], 'formulas are as long as they are');
     assert.deepEqual(await page.evaluate(() => [...document.querySelectorAll('thead th')]
       .map((each) => each.textContent).filter((text) => /\d %/.test(text))), []);
-    await close();
   }
 });
 
@@ -154,13 +163,13 @@ test('the Tab key reaches every control in the order of the page, and shows wher
   }
   assert.deepEqual(seen.map(({order}) => order), [...Array(expected).keys()]);
   assert.deepEqual(seen.filter(({is_shown}) => !is_shown), []);
+  await page.evaluate(() => document.querySelectorAll('[data-order]').forEach((each) => each.removeAttribute('data-order')));
   await close();
 });
 
 test('pictures have texts and controls have names', async () => {
   for (const out of [plain_run(), sweep_run(), large_run()]) {
-    const {page, close} = await open_page(out);
-    await show_all(page);
+    const {page} = await open_shown(out, 700);
     const nameless = await page.evaluate(() => [...document.querySelectorAll('button, select, input, [role=img], img, [role=region], [role=grid]')]
       .filter((each) => each.offsetParent !== null || each.tagName === 'svg')
       .filter((each) => !(each.getAttribute('aria-label') || each.getAttribute('alt') || each.textContent.trim() ||
@@ -169,6 +178,5 @@ test('pictures have texts and controls have names', async () => {
     const pictures = await page.locator('figure .picture').evaluateAll((all) => all.map((each) =>
       each.getAttribute('aria-label') ?? each.querySelector('img')?.alt ?? ''));
     assert.ok(pictures.length > 2 && pictures.every((text) => text.length > 20));
-    await close();
   }
 });
