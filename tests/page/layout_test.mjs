@@ -35,7 +35,7 @@ test('the five numbers of a shadow share a row at 900 pixels, and a choice of er
     const shown = each.offsetWidth;
     each.style.maxWidth = 'none';
     const whole = each.offsetWidth;
-    each.removeAttribute('style');
+    each.style.maxWidth = '';
     return whole - shown;
   }), 0);
   await close();
@@ -105,10 +105,8 @@ test('the panels of a figure, which the plot drawer calls cells, are printed', a
   await page.emulateMedia({media: 'print'});
   assert.equal(await page.evaluate(() => {
     const panel = document.querySelector('figure .picture svg g');
-    panel.setAttribute('class', 'cell');
-    const {display} = getComputedStyle(panel);
-    panel.removeAttribute('class');
-    return display;
+    panel.classList.add('cell');
+    return getComputedStyle(panel).display;
   }), 'inline');
   await close();
 });

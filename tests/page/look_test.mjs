@@ -163,7 +163,6 @@ test('the Tab key reaches every control in the order of the page, and shows wher
   }
   assert.deepEqual(seen.map(({order}) => order), [...Array(expected).keys()]);
   assert.deepEqual(seen.filter(({is_shown}) => !is_shown), []);
-  await page.evaluate(() => document.querySelectorAll('[data-order]').forEach((each) => each.removeAttribute('data-order')));
   await close();
 });
 
@@ -178,5 +177,6 @@ test('pictures have texts and controls have names', async () => {
     const pictures = await page.locator('figure .picture').evaluateAll((all) => all.map((each) =>
       each.getAttribute('aria-label') ?? each.querySelector('img')?.alt ?? ''));
     assert.ok(pictures.length > 2 && pictures.every((text) => text.length > 20));
+    await shown.get(out).close();
   }
 });

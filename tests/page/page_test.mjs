@@ -123,7 +123,7 @@ test('the inspector shows the values of images.exr within half precision', async
 });
 
 test('WebGL2 and the 2D canvas paint the same colours', async () => {
-  const {page, problems, close} = await open_page(out);
+  const {page, problems, close} = await open_page(out, {fragment: single('class_sun')});
   const {page: plain, close: close_plain} = await open_page(out, {fragment: single('class_sun', '&painter=plain')});
   assert.equal(await plain.locator('#viewer').getAttribute('data-painter'), '2D canvas');
   for (const layer of ['class_sun', 'error_ao', 'truth_ao', 'picture', 'gbuffer_normal', 'Z']) {
@@ -143,7 +143,7 @@ test('WebGL2 and the 2D canvas paint the same colours', async () => {
 });
 
 test('the causes at a bias chosen by the slider are those of a fresh run at that bias, in every pixel', async () => {
-  const {page, problems, close} = await open_page(out);
+  const {page, problems, close} = await open_page(out, {fragment: single('class_sun')});
   const slider = page.getByRole('slider', {name: 'Constant bias of sun'});
   const seen = new Set();
   for (const [k, index] of [0, 150, 190].entries()) {
@@ -202,8 +202,7 @@ test('a bias in the depth of the map is read in its own unit, in texels and as a
 });
 
 test('wrong pixels of a small picture are enlarged where they stand among right ones', async () => {
-  const {page, close} = await open_page(out);
-  await go(page, '#view=single&group=sun&a=error_visibility_sun&zoom=1&at=48,27');
+  const {page, close} = await open_page(out, {fragment: '#view=single&group=sun&a=error_visibility_sun&zoom=1&at=48,27'});
   await page.getByText('Each wrong pixel covers at least 2×2 pixels of the screen.').waitFor();
   for (const fragment of ['group=ambient occlusion&a=error_ao&zoom=1', 'group=sun&a=error_visibility_sun&zoom=2',
                           'group=sun&a=error_visibility_sun&zoom=1&errors=plain']) {
@@ -216,8 +215,7 @@ test('wrong pixels of a small picture are enlarged where they stand among right 
 
 test('keys go to the largest error and through connected regions', async () => {
   const {channels} = read_exr(path.join(out, 'images.exr'));
-  const {page, close} = await open_page(out);
-  await go(page, '#view=grid&group=ambient occlusion');
+  const {page, close} = await open_page(out, {fragment: '#view=grid&group=ambient occlusion'});
   await page.locator('.stage').press('e');
   const [x, y] = (await expect_fragment(page, {pixel: /,/})).pixel.split(',').map(Number);
   const errors = channels['error_ao.Y'].map(Math.abs);
@@ -261,8 +259,7 @@ test('the list, a button and keys go through objects, whose errors are those of 
 
 test('the inspector shows the interval of a sampled reference and what blocks a pixel', async () => {
   const {channels} = read_exr(path.join(out, 'images.exr'));
-  const {page, close} = await open_page(out);
-  await go(page, '#view=grid&group=ambient occlusion&pixel=40,30');
+  const {page, close} = await open_page(out, {fragment: '#view=grid&group=ambient occlusion&pixel=40,30'});
   const text = await page.locator('.inspector tr', {hasText: '95 % interval'}).locator('td').innerText();
   const [low, high] = text.split(' to ').map(Number);
   const i = 30 * size.width + 40;

@@ -150,8 +150,7 @@ async function start_browser() {
 const is_of_composing = (text) => text.endsWith('GPU stall due to ReadPixels') ||
                                   text.endsWith('GPU stall due to ReadPixels (this message will no longer repeat)');
 
-// Pages that no test has open, and how each was loaded. To load one again takes half the time of a new context, which
-// has processes of its own; one that its test left as it was loaded serves the next test of that run at once.
+// Pages that no test has open. To load one again takes half the time of a new context, which has processes of its own.
 const idle_pages = [];
 
 async function new_page(options) {
@@ -161,53 +160,14 @@ async function new_page(options) {
   return page;
 }
 
-// All that a test can change: elements, what is entered, what is scrolled, and in data-painted the viewer's state.
-const traces_of = (page) => page.evaluate(() => {
-  const entered = [...document.querySelectorAll('input, select')].map((each) => each.value);
-  const scrolled = [...document.querySelectorAll('.scroll, .rows')].map((each) => each.scrollLeft + each.scrollTop);
-  return JSON.stringify([document.body.innerHTML.replaceAll(/hatch-\d+/g, ''), entered, scrolled, scrollY]);
-});
-const state_of = (page) => page.evaluate(() => document.querySelector('.stage')?.dataset.painted);
-
-async function load(page, address, fragment, width) {
-  await page.goto(address + fragment);
-  await page.locator('html[data-ready="yes"]').waitFor({state: 'attached'});
-  if (fragment || !await page.locator('.stage').count()) return undefined;
-  await page.waitForFunction(() => document.querySelector('.stage').dataset.painted);
-  return {address, width, state: await state_of(page), traces: await traces_of(page)};
-}
-
-async function is_restored(page, {width, state, traces}) {
-  await page.setViewportSize({width, height: 700});
-  await page.evaluate((fragment) => {
-    document.activeElement?.blur();
-    location.hash = fragment;
-    scrollTo(0, 0);
-  }, state);
-  for (let i = 0; i < 5; ++i) {
-    await page.waitForTimeout(50);
-    if (await traces_of(page) === traces) return true;
-  }
-  return false;
-}
-
-// One that shows the address, else an empty one.
-function idle_page(address) {
-  const found = idle_pages.findIndex(({loaded}) => loaded?.address === address);
-  const index = found >= 0 ? found : idle_pages.findIndex(({loaded}) => !loaded);
-  return index >= 0 ? idle_pages.splice(index, 1)[0] : undefined;
-}
-
 // Opens a run's page and waits until its script is done. `problems` collects what no page may do: write to the console,
-// throw, or ask for another file. Without further options of a context the page is one that an earlier test has closed;
-// with a fragment it is loaded in any case.
+// throw, or ask for another file. Without further options of a context the page is one that an earlier test has closed.
 export async function open_page(out, {fragment = '', width = 700, ...options} = {}) {
   const is_special = Object.keys(options).length > 0;
-  const address = pathToFileURL(path.join(out, 'index.html')).href;
-  const idle = is_special ? undefined : idle_page(fragment ? '' : address);
-  const page = idle?.page ?? await new_page(options);
+  const page = (is_special ? undefined : idle_pages.pop()) ?? await new_page(options);
   await page.setViewportSize({width, height: 700});
   const problems = [];
+  const address = pathToFileURL(path.join(out, 'index.html')).href;
   page.on('console', (message) => {
     if (!is_of_composing(message.text())) problems.push(`console: ${message.text()}`);
   });
@@ -220,19 +180,15 @@ export async function open_page(out, {fragment = '', width = 700, ...options} = 
     const url = request.url();
     if (url.split('#')[0] !== address && !url.startsWith('data:') && !url.startsWith('blob:')) problems.push(`request: ${url}`);
   });
-  let {loaded} = idle ?? {};
-  if (options.javaScriptEnabled === false) await page.goto(address + fragment);
-  else loaded ??= await load(page, address, fragment, width);
+  await page.goto(address + fragment);
+  if (options.javaScriptEnabled !== false) await page.locator('html[data-ready="yes"]').waitFor({state: 'attached'});
   const close = async () => {
     for (const event of ['console', 'pageerror', 'dialog', 'request']) page.removeAllListeners(event);
     if (is_special) return page.context().close();
     await page.emulateMedia({media: null, colorScheme: null});
     await page.mouse.move(0, 0);
-    if (!loaded || !await is_restored(page, loaded)) {
-      await page.goto('about:blank');
-      loaded = undefined;
-    }
-    idle_pages.push({page, loaded});
+    await page.goto('about:blank');
+    idle_pages.push(page);
   };
   return {page, problems, close};
 }

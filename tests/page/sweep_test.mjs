@@ -4,7 +4,7 @@ import {readFileSync, statSync} from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
 import {read_exr} from './exr.mjs';
-import {class_colors, expect_fragment, fragment_of, go, large_run, open_page, painted, run_in, single, sweep_run} from './runs.mjs';
+import {class_colors, expect_fragment, fragment_of, large_run, open_page, painted, run_in, single, sweep_run} from './runs.mjs';
 
 const sweep = sweep_run();
 const csv_of = (out) => readFileSync(path.join(out, 'sweep.csv'), 'utf8').trim().split('\r\n').map((line) => line.split(','));
@@ -30,8 +30,7 @@ async function repeat(page, name) {
 
 test('a selected cell shows its images and numbers, which are those of the command that repeats it', async () => {
   const rows = csv_of(sweep);
-  const {page, problems, close} = await open_page(sweep);
-  await go(page, single('class_sun'));
+  const {page, problems, close} = await open_page(sweep, {fragment: single('class_sun')});
   const images = await page.locator('.field.cells select').locator('option').allInnerTexts();
   assert.equal(images.length, 4);
   assert.match(images[0], /^least error: /);
