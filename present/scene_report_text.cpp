@@ -92,8 +92,8 @@ std::vector<std::string> light_row(const Light& light) {
   }
   std::string where = "at " + vector_of(light.position()) + " m";
   if (const auto* spot = std::get_if<SpotLight>(&light.shape)) {
-    where += fmt::format(", cone {} to {} from its axis", degrees_of(spot->inner_cone_angle),
-                         degrees_of(spot->outer_cone_angle));
+    where +=
+        fmt::format(", half cone {} to {}", degrees_of(spot->inner_cone_angle), degrees_of(spot->outer_cone_angle));
     where += range_text(spot->range);
   } else {
     where += range_text(std::get<PointLight>(light.shape).range);

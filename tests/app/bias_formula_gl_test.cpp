@@ -72,9 +72,9 @@ TEST_F(BiasFormulaRun, Two_resolutions_have_no_formula_and_no_empty_table) {
                    "shadow.constant-bias=0.05texels:4texels:20", "--vary", "shadow.filter-size=3,5", "--vary",
                    "shadow.resolution=256,512", "--shadow.filter", "box"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.out.find("no formula of the bias over "), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("no formula for the bias over "), std::string::npos) << result.out;
   const std::string page = text_of(out / "index.html");
-  EXPECT_NE(page.find("There is no formula of the bias over "), std::string::npos);
+  EXPECT_NE(page.find("There is no formula for the bias over "), std::string::npos);
   EXPECT_EQ(page.find("Formulas of the bias"), std::string::npos);
 }
 

@@ -150,7 +150,7 @@ TEST(Info, A_scene_of_30000_m_is_told_to_be_in_millimetres) {
 TEST(Info, Text_tells_cameras_lights_materials_and_memory) {
   expect_words(info_text("courtyard"),
                {"overview", "vertical field of view 42°", "0.05 m to infinity", "sun", "directional", "lx",
-                "cone 14° to 24° from its axis", "cd", "range 12 m", "[-12, -0.4, -10] to [8.9, 8.37, 8.6] m",
+                "half cone 14° to 24°", "cd", "range 12 m", "[-12, -0.4, -10] to [8.9, 8.37, 8.6] m",
                 "20.9 × 8.774 × 18.6 m", "opaque", "texture", "computed", "measured", "more (--json lists all)"});
 }
 
