@@ -158,7 +158,7 @@ void add_number_notes(const ConvertedTarget& target, std::vector<std::string>& n
     if (is_one_for_all && chosen->excess > 1.005) {
       add(
           fmt::format("{} {}: chosen for the {}, which needs the largest number; elsewhere it acts as up to {} times "
-                      "the bias asked for",
+                      "the bias that is needed",
                       engine.name, number.name, target.places[chosen->place].name, digits_text(chosen->excess, 2)));
     }
     if (std::abs(value - chosen->value) > 1e-9 * std::abs(chosen->value)) {

@@ -50,7 +50,7 @@ std::string comparison(const TuneSummary& summary, const std::string& what, cons
   const TuneGoal& goal = summary.goal;
   std::string verdict = judged(goal, difference, best.score.cost - other.score.cost);
   if (best.score.is_kept() && !other.score.is_kept()) {
-    verdict += "; the other breaks a constraint, which the best point keeps";
+    verdict += fmt::format("; the {} breaks a constraint that the best point keeps", what);
   }
   return fmt::format("{}: {}; {}", what, cost_text(goal, other.score.cost), verdict);
 }

@@ -107,6 +107,7 @@ std::optional<Experiment> with_terms(Experiment experiment, const MapLayout& lay
   experiment.shadow.map_depth.caster_offset = moves_caster ? offset : NormalOffset{};
   experiment.shadow.bias.offset_direction = terms[0].offset.direction;
   experiment.shadow.map_depth.polygon_offset_factor = terms[0].slope;
+  experiment.shadow.bias.slope = 0.0;  // no term
   return experiment;
 }
 

@@ -17,8 +17,8 @@ namespace umbrameter {
 std::vector<BiasTerms> terms_of(const Experiment& experiment, const MapLayout& layout,
                                 const std::vector<MapPlace>& places);
 
-/// The experiment with these terms instead of its own. Empty if no parameter can express one of them; `reason` then
-/// says which.
+/// The experiment with these terms in place of its biases, and with no shadow.slope-bias. Empty if no parameter can
+/// state one of the terms; `reason` then says which.
 std::optional<Experiment> with_terms(Experiment experiment, const MapLayout& layout,
                                      const std::vector<MapPlace>& places, const std::vector<BiasTerms>& terms,
                                      std::string& reason);

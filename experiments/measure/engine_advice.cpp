@@ -54,7 +54,10 @@ class EnginesOfLight {
     const std::optional<Experiment> experiment = with_terms(experiment_, layout_, places_, terms, reason);
     if (!experiment) return {};
     const VisibilityStatistics s =
-        measure_biases(stages_, *experiment, light_, {experiment->shadow.bias.constant.number}, {0.0}).front().front();
+        measure_biases(stages_, *experiment, light_, {experiment->shadow.bias.constant.number},
+                       {experiment->shadow.bias.slope})
+            .front()
+            .front();
     return BiasCell{0.0, 0.0, s.mae, s.acne, s.false_occlusion, s.peter_panning, s.leak};
   }
 

@@ -125,8 +125,7 @@ PageCells choose_page_cells(Stages& stages, const SweepResults& sweep, const Exp
   const std::vector<SweepAxis>& axes = sweep.plan.axes;
   const std::vector<std::size_t> least = choice.indices_of(least_row(sweep)).value();
   choice.add(least, "least error");
-  if (const auto indices = choice.indices_without_axes())
-    choice.add(*indices, "nearest to the settings without the axes");
+  if (const auto indices = choice.indices_without_axes()) choice.add(*indices, "nearest to the given settings");
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const std::size_t last = axes[a].values.size() - 1;
     const bool has_words = is_word(axes[a].values.front());
