@@ -85,9 +85,16 @@ ExitCode show_image_plan(const CommandLine& line, const Console& console, Stages
 
 SweepCosts measure_costs(Stages& stages, const PlannedSweep& sweep, double budget) {
   const EvaluateGroup evaluate = make_evaluator(stages, sweep.experiment, sweep.axes, sweep.statistics);
-  return measure_costs(sweep.plan, budget, [&](const CellGroup& group) {
+  const WorkClock work = stages.work_clock();
+  const double begin = clock_seconds();
+  const double work_begin = work();
+  SweepCosts costs = measure_costs(sweep.plan, budget, [&](const CellGroup& group) {
     return stages.time_stages([&] { evaluate(group, [](std::size_t, std::span<const Value>) {}); });
   });
+  const double scale = (clock_seconds() - begin) / (work() - work_begin);
+  costs.start_seconds *= scale;
+  for (SweepCosts::Part& part : costs.parts) part.seconds *= scale;
+  return costs;
 }
 
 ExitCode show_sweep_plan(const Console& console, Stages& stages, const PlannedSweep& sweep) {

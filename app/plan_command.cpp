@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +11,7 @@
 #include "app/tune_job.h"
 #include "core/standard_streams.h"
 #include "experiments/settings/shard_cuts.h"
+#include "experiments/stages/work_clock.h"
 #include "present/run_output.h"
 #include "reports/files/output.h"
 #include "reports/files/text_layout.h"
@@ -52,10 +52,10 @@ std::size_t count_shards(const PlanOptions& options, const SweepCosts& costs, co
 // Loads the sweep as a shard does, and measures what that and its groups take. References are traced, as on a machine
 // that has not traced them yet.
 SweepCosts costs_of(SweepRun& sweep, StoreDescription& description, const Console& console) {
-  const auto start = std::chrono::steady_clock::now();
+  const double start = clock_seconds();
   sweep.load(console);
   description = sweep.description();
-  const double loading = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double loading = clock_seconds() - start;
   SweepCosts costs =
       measure_costs(*sweep.stages, {sweep.experiment, sweep.axes, sweep.plan, sweep.statistics}, cost_budget);
   costs.start_seconds += loading;

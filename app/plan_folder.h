@@ -10,8 +10,8 @@
 
 namespace umbrameter {
 
-/// Planning measures what shards take for so long, seconds.
-inline constexpr double cost_budget = 20.0;
+/// Planning begins no measurement of what shards take after so many seconds of work.
+inline constexpr double cost_budget = 25.0;
 
 /// Throws Error (usage) unless the folder is missing or empty, or holds a plan and `force` is given.
 void require_free(const std::filesystem::path& folder, bool force);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -12,6 +11,7 @@
 #include "app/plan_folder.h"
 #include "app/planned_tune.h"
 #include "core/standard_streams.h"
+#include "experiments/stages/work_clock.h"
 #include "present/run_output.h"
 #include "reports/files/text_layout.h"
 
@@ -32,10 +32,6 @@ void require_options_of_tune(const CommandLine& line) {
   }
 }
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 // What the parts of a point take, at the first value of each axis. Those that there is no time for take as long as the
 // others on average. The first evaluation of a process takes longer; that is part of its start.
 void measure_costs(PlannedTuning& tuning, TuneRun& run, const PointMeasurer& points) {
@@ -43,36 +39,39 @@ void measure_costs(PlannedTuning& tuning, TuneRun& run, const PointMeasurer& poi
   const TuneGoal goal = not_relative(run.job.goal);
   TuneQuery query;
   for (const TuneAxis& axis : run.job.axes) query.values.push_back(axis.axis.values.front());
-  const auto begin = std::chrono::steady_clock::now();
+  const WorkClock work = run.cases.front().stages->work_clock();
+  const double begin = clock_seconds();
+  const double work_begin = work();
+  const auto work_of = [&](const auto& task) {
+    const double start = work();
+    task();
+    return work() - start;
+  };
+  const auto evaluate = [&](std::size_t part) { points.measure_part(query, part, goal); };
   PlannedTuning::Cost sum;
-  for (std::size_t part = 0; part < layout.parts(); ++part) {
-    if (part > 0 && seconds_since(begin) > cost_budget) {
-      const auto measured = static_cast<double>(part);
-      tuning.costs.resize(layout.parts(), {sum.reference / measured, sum.evaluation / measured});
-      return;
-    }
+  double start = 0.0;
+  for (std::size_t part = 0; part < layout.parts() && (part == 0 || work() - work_begin < cost_budget); ++part) {
     PlannedTuning::Cost cost;
-    auto start = std::chrono::steady_clock::now();
-    if (layout.exact) {
-      for (const TuneCase& each : run.cases) prepare(each);
-    } else {
-      prepare(run.cases[part]);
-    }
-    cost.reference = seconds_since(start);
-    start = std::chrono::steady_clock::now();
-    points.measure_part(query, part, goal);
-    cost.evaluation = seconds_since(start);
+    cost.reference = work_of([&] {
+      for (std::size_t i = 0; i < run.cases.size(); ++i) {
+        if (layout.exact || i == part) prepare(run.cases[i]);
+      }
+    });
+    cost.evaluation = work_of([&] { evaluate(part); });
     if (part == 0) {
-      start = std::chrono::steady_clock::now();
-      points.measure_part(query, part, goal);
-      const double again = seconds_since(start);
-      tuning.start_seconds += std::max(0.0, cost.evaluation - again);
+      const double again = work_of([&] { evaluate(part); });
+      start = std::max(0.0, cost.evaluation - again);
       cost.evaluation = again;
     }
     tuning.costs.push_back(cost);
     sum.reference += cost.reference;
     sum.evaluation += cost.evaluation;
   }
+  const auto measured = static_cast<double>(tuning.costs.size());
+  tuning.costs.resize(layout.parts(), {sum.reference / measured, sum.evaluation / measured});
+  const double scale = (clock_seconds() - begin) / (work() - work_begin);
+  tuning.start_seconds += scale * start;
+  for (PlannedTuning::Cost& cost : tuning.costs) cost = {scale * cost.reference, scale * cost.evaluation};
 }
 
 // The options with the scenes as the plan calls them; each file is stored once.
@@ -122,13 +121,13 @@ ExitCode plan_tune(const CommandLine& line, const Console& console) {
   require_options_of_tune(line);
   const std::vector<Experiment> given = tuned_experiments(line);
   TuneRun run(line, given);
-  const auto start = std::chrono::steady_clock::now();
+  const double start = clock_seconds();
   run.load(console);
   ShardPlan plan;
   plan.presets = line.presets;
   plan.identity = portable_identity(run);
   PlannedTuning& tuning = plan.tuning.emplace();
-  tuning.start_seconds = seconds_since(start);
+  tuning.start_seconds = clock_seconds() - start;
   for (const TuneCase& each : run.cases) each.stages->report_tracing([](double) {});
   const PointMeasurer points(run.job.axes, run.cases, run.job.goal);
   measure_costs(tuning, run, points);

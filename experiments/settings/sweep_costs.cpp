@@ -191,6 +191,7 @@ class GroupSampler {
     if (has_time() && samples_.piece < 1.0) samples_.of_whole = sample(whole_);
     // The innermost axis first: its changes are the most frequent ones.
     for (std::size_t a = steps_.size(); a-- > 0;) measure_axis(a);
+    measure_first();  // now what depends on the last axis runs there too
     choose_corner();
     if (has_time()) samples_.at_corner = sample(group_at(plan_, corner_));
     for (std::size_t i = 0; i < most_values; ++i) {
@@ -221,10 +222,15 @@ class GroupSampler {
       if (!has_time()) break;
       const Times times = sample_at(a, place);
       Times& ran = samples_.ran[a];
-      for (std::size_t part = 0; part <= rest; ++part) ran[part] = std::max(ran[part], times[part]);
+      // A stage that does not depend on the axis runs if the axis before it is at its first value again.
+      Times& again = samples_.at_first.emplace_back(times);
+      for (std::size_t part = 0; part <= rest; ++part) {
+        if (!runs_with(part, axis(a).key)) continue;
+        ran[part] = std::max(ran[part], times[part]);
+        again[part] = -1.0;
+      }
       samples_.along[a][place] = times;
     }
-    measure_first();  // all that depends on the axis runs again
   }
 
   double seconds_within(const Times& times) const {

@@ -5,11 +5,12 @@
 
 namespace umbrameter {
 
-void StageClock::begin(std::function<void()> wait) {
+void StageClock::begin(WorkClock clock, std::function<void()> wait) {
+  seconds_ = clock;
   wait_ = std::move(wait);
   times_ = {};
   running_.clear();
-  last_ = std::chrono::steady_clock::now();
+  last_ = seconds_();
 }
 
 GroupTime StageClock::end() {
@@ -21,8 +22,8 @@ GroupTime StageClock::end() {
 // To the innermost stage that runs.
 void StageClock::charge() {
   wait_();
-  const Time now = std::chrono::steady_clock::now();
-  const double seconds = std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+  const double now = seconds_();
+  const double seconds = now - std::exchange(last_, now);
   if (running_.empty()) {
     times_.rest += seconds;
   } else {

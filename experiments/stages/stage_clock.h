@@ -2,21 +2,19 @@
 // for the device after each stage, so that no stage is charged with the queued work of another.
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <vector>
 
 #include "experiments/settings/sweep_costs.h"
+#include "experiments/stages/work_clock.h"
 
 namespace umbrameter {
 
 class StageClock {
  public:
-  using Time = std::chrono::steady_clock::time_point;
-
   /// Measures from now on; `wait` returns when the device is idle.
-  void begin(std::function<void()> wait);
+  void begin(WorkClock clock, std::function<void()> wait);
   /// The times since begin(); the clock is off again.
   GroupTime end();
 
@@ -35,10 +33,11 @@ class StageClock {
  private:
   void charge();
 
+  WorkClock seconds_ = clock_seconds;
   std::function<void()> wait_;
   GroupTime times_;
   std::vector<std::size_t> running_;  // the innermost stage last
-  Time last_{};
+  double last_ = 0.0;
 };
 
 }  // namespace umbrameter

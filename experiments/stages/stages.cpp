@@ -77,8 +77,12 @@ void Stages::keep_cases(std::size_t cases, bool with_maps) {
   if (with_maps) keep(map_, stored_depths_, filtered_map_);
 }
 
+WorkClock Stages::work_clock() {
+  return has_engine() || !context().device().software ? clock_seconds : processor_seconds;
+}
+
 GroupTime Stages::time_stages(const std::function<void()>& work) {
-  clock_->begin([this] {
+  clock_->begin(work_clock(), [this] {
     if (context_) gl::wait_for_device();
   });
   work();

@@ -241,7 +241,9 @@ class Stages {
   /// `to` is empty, each stage shows its bar again.
   void report_tracing(Progress to) { tracing_ = std::move(to); }
 
-  /// What the stages take while `work` runs, which is `rest` otherwise.
+  /// Tells how long the stages work: processor time, unless a GPU or an engine does some of it.
+  WorkClock work_clock();
+  /// What the stages take by work_clock() while `work` runs, which is `rest` otherwise.
   GroupTime time_stages(const std::function<void()>& work);
   /// Costs of tracing so far.
   const Costs& costs() const { return costs_; }

@@ -70,6 +70,25 @@ TEST(SweepCosts, A_few_groups_give_the_time_of_any_run_of_groups) {
   }
 }
 
+TEST(SweepCosts, Six_groups_are_enough_to_know_what_each_axis_costs) {
+  const SweepPlan all = whole_sweep();
+  std::size_t measured = 0;
+  Machine machine;
+  // The clock says that the time is over after six.
+  const SweepCosts costs = measure_costs(all, 1.0, [&](const CellGroup& group) {
+    GroupTime time = machine(group);
+    time.rest *= 1e-9;
+    for (double& of_stage : time.of_stage) of_stage *= 1e-9;
+    if (++measured == 6) time.rest += 1.0;
+    return time;
+  });
+  EXPECT_EQ(costs.measured, 6u) << "a process's first group, again, the ends of three axes, and the first again";
+  const GroupCosts groups(costs, all);
+  const auto at = [&](std::size_t group) { return 1e9 * (groups.seconds(0, group + 1) - groups.seconds(0, group)); };
+  EXPECT_NEAR(at(24), 200.0 + 1.0 + 0.3, 0.1) << "the other angle";
+  EXPECT_NEAR(at(16), 16.0 + 0.3, 0.1) << "the largest map";
+}
+
 TEST(SweepCosts, A_time_between_measured_values_follows_a_power_of_the_parameter) {
   // Ten resolutions, of which at most five are measured; a map takes their square.
   const SweepPlan all = sweep_of({"shadow.filter-size=3,5", "shadow.resolution=128:1280:10", "light.angle=1"});
