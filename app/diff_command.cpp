@@ -148,13 +148,16 @@ constexpr const char* weighted_meaning =
     "quartiles)";
 
 constexpr const char* few_edges =
-    "note: few edges of REFERENCE are found in TEST: edge metrics compare shadow masks, whose values pass from below "
+    "note: few edge points of REFERENCE are found in TEST: edge metrics compare shadow masks, whose values pass from "
+    "below "
     "0.1 to above 0.9 at an edge";
+
+constexpr const char* squared_maps = "map of rmse, psnr and edge-roughness: squares, in the square of the unit";
 
 bool finds_few_edges(const std::vector<Measured>& all) {
   constexpr double few = 0.05;  // of the reference's edge points
   return std::ranges::any_of(
-      all, [](const Measured& each) { return each.metric->name == "edges-found" && each.result.score < few; });
+      all, [](const Measured& each) { return each.metric->name == "edges-found" && !(each.result.score >= few); });
 }
 
 // The statistics are those of the map; the JSON has more of them, and all digits.
@@ -164,7 +167,8 @@ std::vector<std::string> table_lines(const std::vector<Measured>& all) {
   for (const Measured& each : all) {
     const PooledMap& p = each.pooled;
     const std::string unit = each.metric->unit == "1" ? "" : " " + std::string(each.metric->unit);
-    rows.push_back({std::string(each.metric->name), cell(each.result.score, 6) + unit, cell(p.min, 4),
+    rows.push_back({std::string(each.metric->name),
+                    cell(each.result.score, 6) + (std::isnan(each.result.score) ? "" : unit), cell(p.min, 4),
                     cell(p.weighted_quartile_1, 4), cell(p.weighted_median, 4), cell(p.weighted_quartile_3, 4),
                     cell(p.percentile_99, 4), cell(p.max, 4),
                     std::isnan(p.max) ? "-" : fmt::format("{},{}", p.max_at.x, p.max_at.y)});
@@ -287,6 +291,11 @@ ExitCode run_diff(const CommandLine& line, const Console& console) {
                          pair.content == ImageContent::scene ? fmt::format(", shown at {:+g} EV", params.exposure) : "",
                          chose_layer ? "; channels R, G, B: --layer selects another layer" : ""));
   for (const std::string& text : table_lines(all)) print_line(console, text);
+  if (std::ranges::any_of(all, [](const Measured& each) {
+        return each.metric->name == "rmse" || each.metric->name == "psnr" || each.metric->name == "edge-roughness";
+      })) {
+    print_line(console, squared_maps);
+  }
   add_line(console, weighted_meaning);
   if (misaligned) print_line(console, to_text(*misaligned));
   if (finds_few_edges(all)) add_line(console, few_edges);

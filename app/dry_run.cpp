@@ -66,7 +66,8 @@ ExitCode show_image_plan(const CommandLine& line, const Console& console, Stages
     const std::string maps =
         fmt::format("shadow maps of {}² texels, {}, {} filter", experiment.shadow.map.resolution,
                     value_of(experiment, "shadow.technique"), value_of(experiment, "shadow.filter"));
-    const std::string samples = fmt::format("AO with {} samples per pixel", experiment.ao.sampling.samples);
+    const std::string samples = fmt::format("{}, {} per pixel", title_of(make_technique(experiment.ao)),
+                                            sampling_text(make_technique(experiment.ao)));
     rows.emplace_back("technique", !ao ? maps : !shadows ? samples : maps + "; " + samples);
   }
   if (line.command != "raster") {

@@ -289,6 +289,8 @@ ExitCode run_image_command(const CommandLine& line, const Console& console) {
     }
     if (!experiment.run.for_engines.empty() && !shadow.advice) {
       stages.add_notes({no_engines_text(stages.title(light))});
+    } else if (shadow.advice && shadow.advice->withheld && !experiment.run.for_engines.empty()) {
+      stages.add_notes({"--for: " + stages.title(light) + ": nothing to convert, as no bias is recommended"});
     }
     if (shadow.shape && experiment.run.shimmer) shadow.shape->shimmer = measure_shimmer(stages, shadow);
     measurement.shadows.push_back(std::move(shadow));

@@ -29,10 +29,13 @@ std::string short_bias_text(const BiasAdvice& advice, const BiasCell& cell) {
 std::string bias_text(const BiasAdvice& advice, const BiasCell& cell) {
   const BiasInUnits bias = in_units(advice, cell);
   const std::string texels = with_unit(with_minus(fmt::format("{:.3g}", bias.texels)), "texels");
-  if (advice.unit == LengthUnit::texels) return fmt::format("{} ({})", texels, metres_text(bias.metres));
+  const char* average = advice.texels_differ ? " on average" : "";
+  if (advice.unit == LengthUnit::texels) {
+    return fmt::format("{} ({}{})", texels, metres_text(bias.metres), average);
+  }
   const std::string own =
       advice.unit == LengthUnit::map_depth ? short_bias_text(advice, cell) : metres_text(bias.metres);
-  return fmt::format("{} ({})", own, texels);
+  return fmt::format("{} ({}{})", own, texels, average);
 }
 
 }  // namespace
@@ -52,7 +55,10 @@ std::string advice_text(const BiasAdvice& advice) {
     return cell.acne > little_acne_share ? fmt::format("; acne of {} remains", percent(cell.acne)) : "";
   };
   if (keeps_bias(advice)) {
-    return fmt::format("keep {}: error {}; {}{}", bias_text(advice, used), percent(used.mae), range, acne_left(used));
+    const bool is_in_range =
+        used.constant >= advice.plateau.first.constant && used.constant <= advice.plateau.last.constant;
+    return fmt::format("keep {}: error {}; {}{}{}", bias_text(advice, used), percent(used.mae),
+                       is_in_range ? "" : "as good as ", range, acne_left(used));
   }
   // A bias with as little error changes for its acne alone.
   const bool is_for_acne = used.mae <= advice.plateau.limit;

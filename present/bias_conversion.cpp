@@ -52,7 +52,8 @@ std::string numbers_text(const BiasSpec& spec) {
   for (std::size_t i = 0; i < spec.numbers.size(); ++i) {
     const BiasNumber& number = spec.engine->numbers[i];
     const std::string unit = number.unit == "1" ? "" : fmt::format(" ({})", number.unit);
-    text += fmt::format("{}{} = {:.6g}{}", text.empty() ? "" : ", ", number.name, spec.numbers[i], unit);
+    const char* usual = spec.numbers[i] == number.value ? ", its default" : "";
+    text += fmt::format("{}{} = {:.6g}{}{}", text.empty() ? "" : "; ", number.name, spec.numbers[i], unit, usual);
   }
   return text;
 }
@@ -68,12 +69,18 @@ std::vector<std::string> unit_lines(const ConvertedBias& bias) {
   for (std::size_t i = 0; i < engine.numbers.size(); ++i) {
     const BiasNumber& number = engine.numbers[i];
     if (engine.is_unit || number.term == BiasTerm::slope || bias.source.numbers[i] == 0.0) continue;
-    std::string text;
+    std::vector<std::string> metres;
     for (const MapPlace& place : bias.source_places) {
-      const double metres = std::abs(number.per_unit(place, bias.source.settings).value_or(0.0));
-      text += fmt::format("{}{}", text.empty() ? "" : ", ", table_number(metres));
+      metres.push_back(table_number(number.per_unit(place, bias.source.settings).value_or(0.0)) + " m");
     }
-    lines.push_back(fmt::format("one unit of {} is {} m: {}", number.name, text, number.formula));
+    std::string text = metres.front();
+    if (std::ranges::count(metres, text) < std::ssize(metres)) {
+      text.clear();
+      for (std::size_t p = 0; p < metres.size(); ++p) {
+        text += fmt::format("{}{} at the {}", text.empty() ? "" : ", ", metres[p], bias.source_places[p].name);
+      }
+    }
+    lines.push_back(fmt::format("one unit of {} is {}: {}", number.name, text, number.formula));
   }
   return lines;
 }
@@ -110,6 +117,14 @@ bool is_idle(const ConvertedTarget& target, std::size_t number) {
          });
 }
 
+// Our own offset is one of two parameters.
+std::string number_name(const ConvertedTarget& target, std::size_t number) {
+  const std::string& code = target.conversions.front().numbers[number].code;
+  return code.find("--shadow.caster-offset") == std::string::npos
+             ? std::string(target.spec.engine->numbers[number].name)
+             : "caster-offset";
+}
+
 // A row for each number, a column for each place: as many engines as there are fit on a terminal.
 std::vector<std::vector<std::string>> number_rows(const ConvertedBias& bias) {
   std::vector<std::vector<std::string>> rows{{"engine", "number", "unit"}};
@@ -119,7 +134,7 @@ std::vector<std::vector<std::string>> number_rows(const ConvertedBias& bias) {
     for (std::size_t n = 0; n < engine.numbers.size(); ++n) {
       if (is_idle(target, n)) continue;
       std::vector<std::string>& row = rows.emplace_back(std::vector<std::string>{
-          std::string(engine.name), std::string(engine.numbers[n].name), std::string(engine.numbers[n].unit)});
+          std::string(engine.name), number_name(target, n), std::string(engine.numbers[n].unit)});
       for (const BiasConversion& each : target.conversions) {
         row.push_back(each.numbers[n].value ? table_number(*each.numbers[n].value) : "none");
       }
@@ -128,13 +143,19 @@ std::vector<std::vector<std::string>> number_rows(const ConvertedBias& bias) {
   return rows;
 }
 
-void add_engine_notes(const BiasSpec& spec, std::vector<std::string>& notes) {
+void add_engine_notes(const BiasSpec& spec, bool of_lamp, std::vector<std::string>& notes) {
   const BiasEngine& engine = *spec.engine;
   if (!engine.note.empty()) notes.push_back(fmt::format("{}: {}", engine.name, engine.note));
   if (!engine.unverified.empty()) notes.push_back(fmt::format("{}, not verified: {}", engine.name, engine.unverified));
+  if (of_lamp && !engine.note_of_lamps.empty()) {
+    notes.push_back(fmt::format("{}: {}", engine.name, engine.note_of_lamps));
+  }
 }
 
-void add_number_notes(const ConvertedTarget& target, std::vector<std::string>& notes) {
+bool is_lamp(const MapPlace& place) { return place.light != LightKind::directional; }
+
+// `is_chosen`: one number of each unit is shown as well, not one for each place.
+void add_number_notes(const ConvertedTarget& target, bool is_chosen, std::vector<std::string>& notes) {
   const BiasEngine& engine = *target.spec.engine;
   const auto add = [&](const std::string& text) {
     if (std::ranges::find(notes, text) == notes.end()) notes.push_back(text);
@@ -142,7 +163,7 @@ void add_number_notes(const ConvertedTarget& target, std::vector<std::string>& n
   for (const BiasConversion& each : target.conversions) {
     for (std::size_t n = 0; n < each.numbers.size(); ++n) {
       if (!each.numbers[n].value) {
-        add(fmt::format("{} {}: no equivalent: {}", engine.name, engine.numbers[n].name, each.numbers[n].reason));
+        add(fmt::format("{} {}: no equivalent: {}", engine.name, number_name(target, n), each.numbers[n].reason));
       }
     }
     // Of a unit, the table of places has the other parts in metres.
@@ -154,12 +175,13 @@ void add_number_notes(const ConvertedTarget& target, std::vector<std::string>& n
     const std::optional<ChosenValue> chosen = choose_value(target, n);
     if (!chosen) continue;
     const double value = std::clamp(chosen->value, number.min, number.max);
-    const bool is_one_for_all = target.conversions.size() > 1 && !number.code.empty() && !sets_each_place(target);
+    const bool is_one_for_all =
+        target.conversions.size() > 1 && (is_chosen || !number.code.empty()) && !sets_each_place(target);
     if (is_one_for_all && chosen->excess > 1.005) {
-      add(
-          fmt::format("{} {}: chosen for the {}, which needs the largest number; elsewhere it acts as up to {} times "
-                      "the bias that is needed",
-                      engine.name, number.name, target.places[chosen->place].name, digits_text(chosen->excess, 2)));
+      add(fmt::format(
+          "{} {}: chosen for the {}, which needs the largest number; elsewhere it acts as up to {} times "
+          "the bias that is needed",
+          engine.name, number_name(target, n), target.places[chosen->place].name, digits_text(chosen->excess, 2)));
     }
     if (std::abs(value - chosen->value) > 1e-9 * std::abs(chosen->value)) {
       add(fmt::format("{} {}: {} is outside its limits {} to {}", engine.name, number.name, table_number(chosen->value),
@@ -214,9 +236,21 @@ std::vector<std::string> code_lines(const ConvertedTarget& target) {
     const bool is_each = sets_each_place(target);
     const bool has_equivalent = std::ranges::all_of(
         target.conversions, [&](const BiasConversion& each) { return each.numbers[n].value.has_value(); });
-    const std::string remark = has_equivalent ? "" : code.ends_with(';') ? "  // no equivalent" : "  # no equivalent";
+    const std::optional<ChosenValue> chosen = choose_value(target, n);
+    const BiasNumber& number = engine.numbers[n];
+    std::string remark = has_equivalent ? "" : "no equivalent";
+    if (chosen && (chosen->value < number.min || chosen->value > number.max)) {
+      remark = fmt::format("its limit; {} is needed", code_number(chosen->value));
+    }
+    if (!remark.empty()) remark = fmt::format("  {} {}", engine.comment, remark);
     for (std::size_t i = 0; i < (is_each ? values->size() : 1); ++i) {
       lines.push_back(code_line(code, (*values)[i], i, is_each) + remark);
+    }
+  }
+  // Zeros alone would look like an answer.
+  if (!lines.empty()) {
+    for (const std::string& missing : target.conversions.front().missing) {
+      lines.push_back(fmt::format("{} {}: it is lost", engine.comment, missing));
     }
   }
   return lines;
@@ -224,8 +258,8 @@ std::vector<std::string> code_lines(const ConvertedTarget& target) {
 
 std::vector<std::string> notes_of(const ConvertedTarget& target) {
   std::vector<std::string> notes;
-  add_engine_notes(target.spec, notes);
-  add_number_notes(target, notes);
+  add_engine_notes(target.spec, is_lamp(target.places.front()), notes);
+  add_number_notes(target, true, notes);
   return notes;
 }
 
@@ -270,7 +304,7 @@ std::vector<std::string> to_lines(const ConvertedBias& bias) {
     const std::vector<std::string> code = code_lines(target);
     if (code.empty()) continue;
     lines.emplace_back();
-    lines.push_back(title_of(target.spec) + ":");
+    lines.push_back(title_of(target.spec) + ", rounded up:");
     for (const std::string& line : code) lines.push_back("  " + line);
   }
   return lines;
@@ -278,9 +312,10 @@ std::vector<std::string> to_lines(const ConvertedBias& bias) {
 
 std::vector<std::string> conversion_notes(const ConvertedBias& bias) {
   std::vector<std::string> notes;
+  std::string left_out;
   const auto add_engine = [&](const BiasSpec& spec, const std::vector<MapPlace>& places) {
     const BiasEngine& engine = *spec.engine;
-    add_engine_notes(spec, notes);
+    add_engine_notes(spec, is_lamp(places.front()), notes);
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (places[i].texel == bias.places[i].texel && places[i].range == bias.places[i].range) continue;
       notes.push_back(fmt::format("{}, {}: with t = {} m and R = {} m as given", engine.name, places[i].name,
@@ -290,8 +325,16 @@ std::vector<std::string> conversion_notes(const ConvertedBias& bias) {
   add_engine(bias.source, bias.source_places);
   for (const ConvertedTarget& target : bias.targets) {
     if (target.spec.engine != bias.source.engine) add_engine(target.spec, target.places);
-    add_number_notes(target, notes);
+    add_number_notes(target, false, notes);
   }
+  for (const BiasEngine& engine : bias_engines()) {
+    const bool is_left_out = bias.takes_all && engine.no_numbers.empty() && &engine != bias.source.engine &&
+                             std::ranges::none_of(bias.targets, [&](const ConvertedTarget& target) {
+                               return target.spec.engine == &engine;
+                             });
+    if (is_left_out) left_out += (left_out.empty() ? "" : ", ") + std::string(engine.name);
+  }
+  if (!left_out.empty()) notes.push_back("no number for any part of this bias: " + left_out);
   return notes;
 }
 
@@ -341,7 +384,9 @@ std::string bias_engines_markdown() {
     for (const BiasSetting& setting : engine.settings) {
       settings += fmt::format("{}`{}`: {}", settings.empty() ? "" : "; ", setting.name, setting.meaning);
     }
-    text += fmt::format("| `{}`: {} | {} | {} | {} | {} |\n", engine.name, engine.title, settings, engine.note,
+    const std::string besides = fmt::format(
+        "{}{}{}", engine.note, engine.note.empty() || engine.note_of_lamps.empty() ? "" : "; ", engine.note_of_lamps);
+    text += fmt::format("| `{}`: {} | {} | {} | {} | {} |\n", engine.name, engine.title, settings, besides,
                         engine.source, engine.unverified);
   }
   return text;

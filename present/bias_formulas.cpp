@@ -38,17 +38,22 @@ std::string formula_text(const BiasFormula& formula) {
   const std::optional<Fitted> slope = printed_term(formula, FormulaTerm::slope);
   const std::optional<Fitted> radius = printed_term(formula, FormulaTerm::slope_radius);
   const std::optional<Fitted> step = printed_term(formula, FormulaTerm::depth_step);
-  std::string text = "bias ≈ " + (constant ? metres_text(constant->value, digits_of(*constant)) : "0");
+  std::string text;
+  const auto add = [&](bool is_negative, const std::string& term) {
+    text += text.empty() ? (is_negative ? "−" : "") : is_negative ? " − " : " + ";
+    text += term;
+  };
+  if (constant) add(false, metres_text(constant->value, digits_of(*constant)));
   if (slope && radius) {
-    text += fmt::format(" + ({}{}{}{}·r)·Δz", slope->value < 0.0 ? "−" : "", factor_text(*slope), sign_of(*radius),
-                        factor_text(*radius));
+    add(false, fmt::format("({}{}{}{}·r)·Δz", slope->value < 0.0 ? "−" : "", factor_text(*slope), sign_of(*radius),
+                           factor_text(*radius)));
   } else if (slope) {
-    text += fmt::format("{}{}·Δz", sign_of(*slope), factor_text(*slope));
+    add(slope->value < 0.0, factor_text(*slope) + "·Δz");
   } else if (radius) {
-    text += fmt::format("{}{}·r·Δz", sign_of(*radius), factor_text(*radius));
+    add(radius->value < 0.0, factor_text(*radius) + "·r·Δz");
   }
-  if (step) text += fmt::format("{}{}·δ", sign_of(*step), factor_text(*step));
-  return text;
+  if (step) add(step->value < 0.0, factor_text(*step) + "·δ");
+  return "bias ≈ " + (text.empty() ? "0" : text);
 }
 
 std::string symbols_text(std::span<const CurveFormula* const> formulas) {

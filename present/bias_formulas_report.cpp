@@ -36,8 +36,11 @@ std::string texel_range(const FormulaRange& range) {
   return range_text(range, [](double texels) { return fmt::format("{:.3g}", texels); });
 }
 
+// What is below it is rounding.
+bool has_no_residual(const BiasFormula& formula) { return formula.residual < formula_rounding * formula.axis_step; }
+
 std::string residual_text(const BiasFormula& formula) {
-  if (formula.residual < formula_rounding * formula.axis_step) return "exact through its points";
+  if (has_no_residual(formula)) return "no residual";
   return fmt::format("RMS residual {} ({:.2g} texels), largest {}", metres_text(formula.residual, 2),
                      formula.residual_texels, metres_text(formula.worst_residual, 2));
 }
@@ -105,10 +108,11 @@ Table formulas_table(const BiasCurves& curves) {
           row.insert(row.end(), 2, empty_cell);
         }
       }
-      row.insert(row.end(), {digits_text(formula.residual, 2), digits_text(formula.residual_texels, 2),
-                             digits_text(formula.worst_residual, 2), length_range(formula.texel),
-                             length_range(formula.depth_per_texel), texel_range(formula.radius),
-                             length_range(formula.depth_step)});
+      const auto residual = [&](double value) { return has_no_residual(formula) ? "0" : digits_text(value, 2); };
+      row.insert(row.end(),
+                 {residual(formula.residual), residual(formula.residual_texels), residual(formula.worst_residual),
+                  length_range(formula.texel), length_range(formula.depth_per_texel), texel_range(formula.radius),
+                  length_range(formula.depth_step)});
     }
     row.resize(table.columns.size(), empty_cell);
     table.rows.push_back(std::move(row));

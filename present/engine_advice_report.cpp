@@ -43,12 +43,22 @@ std::vector<std::string> shown_numbers(const EngineAdvice& advice) {
   return lines;
 }
 
+std::vector<std::string> notes_with_offset(const EngineAdvice& advice) {
+  std::vector<std::string> notes = notes_of(advice.target);
+  const BiasEngine& engine = *advice.target.spec.engine;
+  if (engine.polygon_factor > 0.0 || engine.polygon_units > 0.0) {
+    notes.push_back(
+        fmt::format("{}: its errors, and the bias that is converted, are those with that polygon offset", engine.name));
+  }
+  return notes;
+}
+
 std::vector<std::string> engine_lines(const std::vector<EngineAdvice>& engines, const std::string& what) {
   std::vector<std::string> lines;
   for (const EngineAdvice& each : engines) {
     lines.push_back(fmt::format("  {} in {}: {}", what, title_of(each.target.spec), engine_error_text(each)));
     for (const std::string& code : shown_numbers(each)) lines.push_back("    " + code);
-    for (const std::string& note : notes_of(each.target)) lines.push_back(note_mark + note);
+    for (const std::string& note : notes_with_offset(each)) lines.push_back(note_mark + note);
   }
   return lines;
 }
@@ -80,9 +90,10 @@ std::string engine_notes(const std::vector<EngineAdvice>& engines) {
   std::string text;
   for (const EngineAdvice& each : engines) {
     if (!each.why_not_measured.empty()) {
-      text += fmt::format("{}{}: {}.", text.empty() ? "" : " ", each.target.spec.engine->name, each.why_not_measured);
+      text +=
+          fmt::format("{}{}: {}.", text.empty() ? "" : "\n\n", each.target.spec.engine->name, each.why_not_measured);
     }
-    for (const std::string& note : notes_of(each.target)) text += (text.empty() ? "" : " ") + note + ".";
+    for (const std::string& note : notes_with_offset(each)) text += (text.empty() ? "" : "\n\n") + note + ".";
   }
   return text;
 }

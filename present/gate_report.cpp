@@ -112,10 +112,22 @@ std::size_t count_failed(const std::vector<GateCheck>& checks) {
 
 std::string gate_answer(const std::vector<GateCheck>& checks) {
   const std::size_t failed = count_failed(checks);
-  if (failed == 0)
-    return checks.size() == 1 ? "the bound is kept" : fmt::format("all {} bounds are kept", checks.size());
+  if (failed == 0) {
+    if (checks.size() > 1) return fmt::format("all {} bounds are kept", checks.size());
+    const GateCheck& check = checks.front();
+    return fmt::format("the bound is kept: {} {}, {}", statistic_text(check), measured_text(check), bound_text(check));
+  }
+  const auto unmeasured = static_cast<std::size_t>(
+      std::count_if(checks.begin(), checks.end(), [](const GateCheck& check) { return !check.measured; }));
+  const std::string missing = unmeasured == 0 ? ""
+                              : unmeasured == 1
+                                  ? "1 of the bounds was measured by no run"
+                                  : fmt::format("{} of {} bounds were measured by no run", unmeasured, checks.size());
+  if (failed == unmeasured) return checks.size() == 1 ? "no run measured what is bounded" : missing;
   if (checks.size() == 1) return "the bound is broken";
-  return fmt::format("{} of {} bounds {} broken", failed, checks.size(), failed == 1 ? "is" : "are");
+  const std::size_t broken = failed - unmeasured;
+  return fmt::format("{} of {} bounds {} broken{}{}", broken, checks.size(), broken == 1 ? "is" : "are",
+                     missing.empty() ? "" : ", ", missing);
 }
 
 std::vector<std::string> gate_lines(const std::vector<GateCheck>& checks, bool all) {

@@ -19,7 +19,7 @@ std::string ao_technique_text(const AoParams& params) {
   const bool has_bias = find(describe(technique), "ao.bias") != nullptr;
   AoBlurParams blur = blur_of(params);
   const std::string kind = to_string(require(describe(blur), "ao.blur").value());
-  return fmt::format("{} samples, radius {}{}{}.", params.sampling.samples, metres_text(params.sampling.radius.number),
+  return fmt::format("{}, radius {}{}{}.", sampling_text(technique), metres_text(params.sampling.radius.number),
                      has_bias ? fmt::format(", bias {}", metres_text(params.bias.depth.number)) : "",
                      blur.kind == AoBlur::none ? "" : fmt::format(", {0}×{0} {1} blur", taps_of(blur).count, kind));
 }
@@ -255,6 +255,13 @@ std::string nothing_counted_text(const CountedPixels& counted) {
   return fmt::format("nothing to measure: of {} pixels, {}", all, text);
 }
 
+std::string without_ao_text(double error, double mean_truth) {
+  const double without = 1.0 - mean_truth;
+  if (error < without) return "without AO it would be " + percent(without);
+  return fmt::format("no AO at all is as good, with {}: choose a view or a distance with more occlusion",
+                     percent(without));
+}
+
 Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
   const Experiment& experiment = ao.experiment;
   Presentation presentation;
@@ -308,8 +315,9 @@ Presentation present_ao(const LayeredImage& layers, const AoMeasurement& ao) {
   section.tables = {statistics_table("Ambient occlusion error", *ao.statistics)};
   add_metrics_table(section, ao.metrics);
   const std::string of = renderer.empty() ? technique + " radius " + radius : renderer;
-  presentation.answers.push_back(fmt::format("AO: mean absolute error {}, mean signed error {} ({}, reference rays {})",
-                                             text.absolute, text.with_sign, of, limit));
+  presentation.answers.push_back(
+      fmt::format("AO: mean absolute error {}, mean signed error {} ({}, reference rays {}); {}", text.absolute,
+                  text.with_sign, of, limit, without_ao_text(s.mae.value, s.mean_truth.value)));
   return presentation;
 }
 

@@ -93,19 +93,26 @@ std::string printed_difference(const ComparedValue& value) {
   return value.verdict == Verdict::significant ? text + "*" : text;
 }
 
+// Of two shares the difference is in percentage points.
+std::string unit_in_table(const ComparedStatistic& each, bool is_difference) {
+  const std::string unit = shown_unit(each.unit);
+  return is_difference && unit == "%" ? "percentage points" : unit;
+}
+
 // One row for each error, one column for each run. A unit common to all rows is in the head.
 template <class Text>
 Table rows_of_errors(const std::vector<StoredRun>& runs, const std::vector<const ComparedStatistic*>& errors,
                      std::size_t first_run, const Text& text) {
-  std::string unit = errors.empty() ? "" : shown_unit(errors.front()->unit);
+  const auto unit_of = [&](const ComparedStatistic& each) { return unit_in_table(each, first_run > 0); };
+  std::string unit = errors.empty() ? "" : unit_of(*errors.front());
   for (const ComparedStatistic* each : errors) {
-    if (shown_unit(each->unit) != unit) unit.clear();
+    if (unit_of(*each) != unit) unit.clear();
   }
-  Table table{{{head_with_unit("Error", unit), "", ""}}, {}};
+  Table table{{{head_with_unit(first_run > 0 ? "Difference" : "Error", unit), "", ""}}, {}};
   for (std::size_t run = first_run; run < runs.size(); ++run) table.columns.push_back({runs[run].name, "", ""});
   for (const ComparedStatistic* each : errors) {
     std::vector<Value> row(table.columns.size(), std::string("—"));
-    row.front() = unit.empty() ? head_with_unit(title_text(*each), shown_unit(each->unit)) : title_text(*each);
+    row.front() = unit.empty() ? head_with_unit(title_text(*each), unit_of(*each)) : title_text(*each);
     for (const ComparedValue& value : each->values) {
       if (value.run >= first_run) row[value.run - first_run + 1] = text(value);
     }
@@ -121,7 +128,7 @@ Table rows_of_runs(const std::vector<StoredRun>& runs, const std::vector<const C
                    std::size_t first_run, const Text& text) {
   Table table{{{"run", "", ""}}, {}};
   for (const ComparedStatistic* each : errors)
-    table.columns.push_back({statistic_words(each->name, each->kind), shown_unit(each->unit), ""});
+    table.columns.push_back({statistic_words(each->name, each->kind), unit_in_table(*each, first_run > 0), ""});
   for (std::size_t run = first_run; run < runs.size(); ++run) {
     std::vector<Value> row = {runs[run].name};
     for (const ComparedStatistic* each : errors) {
@@ -151,8 +158,12 @@ std::vector<PartTables> part_tables(const std::vector<StoredRun>& runs,
                                    [&](const ComparedStatistic& each) { return !are_of_one_part(*first, each); });
     std::vector<const ComparedStatistic*> errors;
     PartTables part{file_stem(runs, *first), part_title(*first), {}, {}, {}, {}, {}};
-    part.all.columns = {{"statistic", "", ""}, {"unit", "", ""},       {"run", "", ""},
-                        {"value", "", ""},     {"difference", "", ""}, {"verdict", "", ""}};
+    part.all.columns = {{"statistic", "", ""},
+                        {"unit", "", ""},
+                        {"run", "", ""},
+                        {"value", "", ""},
+                        {"difference", "", "of shares in percentage points"},
+                        {"verdict", "", ""}};
     for (auto each = first; each != last; ++each) {
       if (each->is_error) errors.push_back(&*each);
       for (const ComparedValue& value : each->values) {

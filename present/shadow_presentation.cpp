@@ -275,7 +275,10 @@ Presentation present_shadow_error(const SceneFacts& scene, const LayeredImage& l
                                         percent(s.false_occlusion), percent(s.peter_panning), percent(s.leak));
   if (shadow.advice) {
     presentation.answers.push_back(title + ": " + advice_text(*shadow.advice));
-    presentation.lines.push_back(fmt::format("  {}: {}", title, parts));
+    // Before the lines for engines, which are about another bias.
+    presentation.lines.insert(
+        presentation.lines.begin(),
+        fmt::format("  {} at {}: {}", title, length_text(experiment.shadow.bias.constant), parts));
   } else {
     const std::string by = renderer.empty() ? "" : ", " + renderer;
     const std::string at = renderer.empty() ? " at a bias of " + length_text(experiment.shadow.bias.constant) : "";

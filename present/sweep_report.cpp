@@ -276,6 +276,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     section.text = "Nothing to measure: no cell of the sweep has counted pixels.";
     return presentation;
   }
+  const bool is_ao = sweep.quantity() == SweptQuantity::ao;
   const bool is_flat = sweep.plan.cells > 1 && are_all_equal(sweep);
   if (is_flat) presentation.answers.push_back(equal_cells_text(sweep, error));
   const char* headline = open_ends.empty() ? "least mean absolute error" : "lowest mean absolute error tested";
@@ -313,6 +314,11 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     presentation.answers.push_back(
         fmt::format("least error {} at {}{}", error, row_text(sweep.plan.axes, least),
                     sweep.ao_limit.empty() ? "" : " (reference rays " + sweep.ao_limit + ")"));
+    if (is_ao) {
+      const double mean_truth = to_number(least[column_index(best, "mean_truth")]);
+      presentation.answers.push_back(without_ao_text(to_number(least[mae]), mean_truth));
+      section.text += "\n\n" + presentation.answers.back() + ".";
+    }
   }
   if (ranks_filters) presentation.answers.push_back("warning: " + std::string(filter_warning));
   for (const std::string& warning : warnings) presentation.answers.push_back("warning: " + warning);
@@ -321,7 +327,7 @@ Presentation present_sweep(const SweepResults& sweep, const Table& best, const s
     if (presentation.lines.size() > 8) break;
     if (std::equal(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(axes), least.begin())) continue;
     presentation.lines.push_back(
-        fmt::format("  {} at {}", percent(to_number(row[mae])), row_text(sweep.plan.axes, row)));
+        fmt::format("  least error {} at {}", percent(to_number(row[mae])), row_text(sweep.plan.axes, row)));
   }
   return presentation;
 }

@@ -242,7 +242,7 @@ bool are_all_equal(const TuneResult& result) {
 
 std::optional<std::pair<Value, Value>> range_within(const TuneSummary& summary, const AxisScan& scan) {
   const TuneAxis& axis = summary.axes[scan.axis];
-  if (axis.is_word() || scan.points.empty()) return std::nullopt;
+  if (axis.is_word() || scan.points.empty() || !summary.result.best.score.is_kept()) return std::nullopt;
   const std::optional<BiasPlateau>& plateau = summary.result.plateau;
   if (plateau && axis.key() == constant_bias_key)
     return std::pair<Value, Value>{plateau->first.constant, plateau->last.constant};
@@ -306,8 +306,11 @@ std::vector<std::string> end_warnings(const TuneSummary& summary) {
     const double end = to_number(position < 0.5 ? axis.axis.values.front() : axis.axis.values.back());
     const AxisEnd at = end_of(ends, end, require(parameters, axis.key()).description);
     if (at == AxisEnd::none) continue;
-    warnings.push_back(fmt::format("{}: the best value {} is the {} end of the axis; extend it", axis.key(),
-                                   value_text(axis, value), at == AxisEnd::lower ? "lower" : "upper"));
+    const std::string best = value_text(axis, value);
+    const std::string last = value_text(axis, position < 0.5 ? axis.axis.values.front() : axis.axis.values.back());
+    warnings.push_back(fmt::format("{}: the best value {} is the {} end of the axis{}; extend it", axis.key(), best,
+                                   at == AxisEnd::lower ? "lower" : "upper",
+                                   best == last ? "" : ", " + last + ", or next to it"));
   }
   return warnings;
 }

@@ -22,6 +22,7 @@ struct BiasAdvice {
   std::vector<BiasCell> cells{};        ///< the measured biases thinned for a slider, with those above, ascending
   std::optional<TapFlips> flips{};      ///< on the axis of `cells`, if the technique has one tap per pixel
   double mean_texel = 0.0;              ///< metres
+  bool texels_differ = false;           ///< from pixel to pixel: texels are metres only on average
   double depth_unit = 0.0;              ///< mean_depth_unit()
   std::vector<EngineAdvice> engines{};  ///< for named_bias(), in the numbers of the engines that run.for names
 };

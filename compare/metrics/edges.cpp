@@ -106,9 +106,16 @@ MetricResult measure_width(const MetricInput& input) {
   });
 }
 
+// Of the points that the reference shows so clearly that they would be found in itself.
 MetricResult measure_found(const MetricInput& input) {
   Image<float> map(input.reference.width, input.reference.height, std::numeric_limits<float>::quiet_NaN());
-  for (const EdgePoint& point : find_edge_points(input)) map[point.pixel] = point.is_found ? 1.0f : 0.0f;
+  const MetricInput itself{input.reference, input.reference, input.is_counted};
+  for (const EdgePoint& point : find_edge_points(itself)) {
+    if (point.is_found) map[point.pixel] = 0.0f;
+  }
+  for (const EdgePoint& point : find_edge_points(input)) {
+    if (point.is_found && !std::isnan(map[point.pixel])) map[point.pixel] = 1.0f;
+  }
   return mean_of_map(std::move(map), [](std::size_t) { return true; });
 }
 
@@ -156,10 +163,12 @@ const Metric edge_width_metric = {"edge-width",
                                   edge_units};
 
 const Metric edges_found_metric = {.name = "edges-found",
-                                   .title = "share of the reference's edges that were found",
+                                   .title = "share of the reference's edge points that were found",
                                    .unit = "1",
                                    .range = "0 to 1, 1 is all of them",
-                                   .formula = "edge points at which both images have an edge, of all of the reference",
+                                   .formula =
+                                       "edge points at which both images have an edge, of those that the "
+                                       "reference shows clearly enough to be found in itself",
                                    .source = "what the other metrics of edges are means over",
                                    .is_higher_better = true,
                                    .measure = measure_found,

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "experiments/measure/bias_advice.h"
 #include "experiments/measure/bias_terms.h"
 #include "experiments/measure/measure_biases.h"
 
@@ -15,13 +18,14 @@ class EnginesOfLight {
         experiment_(experiment),
         light_(light),
         layout_(with_depth_encoding(*stages.layout(experiment, light), experiment.shadow.map_depth)),
-        places_(places_of(stages.light(experiment, light), layout_, stages.surfels(experiment)->gbuffer)),
-        terms_(terms_of(experiment, layout_, places_)) {}
+        places_(places_of(stages.light(experiment, light), layout_, stages.surfels(experiment)->gbuffer)) {}
 
   EngineAdvice advise(const BiasSpec& target) {
     EngineAdvice advice;
     advice.left_out_slope = experiment_.shadow.bias.slope;
-    advice.target = convert_terms(terms_, target, places_);
+    std::vector<BiasTerms> terms = terms_of(drawn_by(target), layout_, places_);
+    for (BiasTerms& each : terms) each.slope = std::max(0.0, each.slope - target.engine->polygon_factor);
+    advice.target = convert_terms(terms, target, places_);
     if (is_complete(advice.target)) {
       advice.measured = measure(advice.target.spec, set_at_places(advice.target), advice.why_not_measured);
     }
@@ -31,6 +35,27 @@ class EnginesOfLight {
   }
 
  private:
+  static void add_polygon_offset(MapDepthParams& depth, const BiasEngine& engine) {
+    depth.polygon_offset_factor = std::max(depth.polygon_offset_factor, engine.polygon_factor);
+    depth.polygon_offset_units = std::max(depth.polygon_offset_units, engine.polygon_units);
+  }
+
+  // With the polygon offset that the engine always has, and the best constant bias beside it.
+  Experiment drawn_by(const BiasSpec& target) {
+    Experiment drawn = experiment_;
+    MapDepthParams& depth = drawn.shadow.map_depth;
+    const MapDepthParams& own = experiment_.shadow.map_depth;
+    add_polygon_offset(depth, *target.engine);
+    if (depth.polygon_offset_factor == own.polygon_offset_factor &&
+        depth.polygon_offset_units == own.polygon_offset_units) {
+      return drawn;
+    }
+    drawn.run.for_engines.clear();
+    const BiasAdvice advice = advise_bias(stages_, drawn, light_);
+    if (!advice.withheld) drawn.shadow.bias.constant.number = named_bias(advice).constant;
+    return drawn;
+  }
+
   // set_values() of all numbers, at each place; 0 where there is none.
   std::vector<std::vector<double>> set_at_places(const ConvertedTarget& target) const {
     const std::size_t count = target.spec.engine->numbers.size();
@@ -51,8 +76,9 @@ class EnginesOfLight {
       if (!has_terms(spec, own[i])) return {};
       terms.push_back(umbrameter::terms_of(spec, own[i]));
     }
-    const std::optional<Experiment> experiment = with_terms(experiment_, layout_, places_, terms, reason);
+    std::optional<Experiment> experiment = with_terms(experiment_, layout_, places_, terms, reason);
     if (!experiment) return {};
+    add_polygon_offset(experiment->shadow.map_depth, *spec.engine);
     const VisibilityStatistics s =
         measure_biases(stages_, *experiment, light_, {experiment->shadow.bias.constant.number},
                        {experiment->shadow.bias.slope})
@@ -66,7 +92,6 @@ class EnginesOfLight {
   std::uint32_t light_;
   MapLayout layout_;
   std::vector<MapPlace> places_;
-  std::vector<BiasTerms> terms_;
 };
 
 }  // namespace

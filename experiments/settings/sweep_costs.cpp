@@ -5,12 +5,17 @@
 #include <map>
 #include <optional>
 
+#include "experiments/settings/shard_cuts.h"
+
 namespace umbrameter {
 namespace {
 
 constexpr std::size_t rest = stage_count;  // behind the stages
 constexpr std::size_t most_values = 5;     // of an axis of numbers
 constexpr std::size_t parts_of_samples = 8;
+// A longer budget is so much of the time of the sweep, and at most so many times as long.
+constexpr double share_of_all = 0.03;
+constexpr double most_budgets = 6.0;
 
 // The times of stages and rest; negative where one did not run.
 using Times = std::vector<double>;
@@ -165,11 +170,38 @@ double sum_of(const Times& times) {
   return sum;
 }
 
+// What the samples say; of an axis that none varies as its declared inputs say.
+SweepCosts costs_from(const SweepPlan& plan, const Samples& samples) {
+  SweepCosts costs;
+  costs.measured = samples.count;
+  double within = 0.0;
+  double within_piece = 0.0;
+  for (std::size_t part = 0; part <= rest; ++part) {
+    std::optional<SweepCosts::Part> made = part_of(plan, samples, part);
+    if (!made) continue;
+    const double first = std::max(at_first(samples, part), 0.0);
+    costs.start_seconds += std::max(samples.first[part] - first, 0.0);
+    if (made->is_within && samples.piece < 1.0 && first > 0.0) {
+      // Without a measurement as if each cell took as long.
+      const double whole = samples.of_whole.empty() ? first / samples.piece : std::max(samples.of_whole[part], first);
+      made->seconds *= whole / first;
+      within_piece += first;
+      within += whole;
+    }
+    costs.parts.push_back(std::move(*made));
+  }
+  if (within > 0.0) {
+    costs.piece = samples.piece;
+    costs.share_of_piece = std::clamp(within_piece / within, costs.piece, 1.0);
+  }
+  return costs;
+}
+
 // Measures groups until its time is spent.
 class GroupSampler {
  public:
   GroupSampler(SweepPlan plan, double budget, const MeasureGroup& measure)
-      : whole_(group_at(plan, 0)), plan_(std::move(plan)), budget_(budget), measure_(measure) {
+      : given_(plan), whole_(group_at(plan, 0)), plan_(std::move(plan)), budget_(budget), measure_(measure) {
     // Parts of groups take less time, and stages as long as for the whole.
     cut_groups(plan_, parts_of_group(plan_) * parts_of_samples);
     first_ = group_at(plan_, 0);
@@ -193,6 +225,9 @@ class GroupSampler {
     for (std::size_t a = steps_.size(); a-- > 0;) measure_axis(a);
     measure_first();  // now what depends on the last axis runs there too
     choose_corner();
+    // What is left is for how the axes act on each other.
+    const double all = GroupCosts(costs_from(given_, samples_), given_).seconds(0, count_groups(given_));
+    budget_ = std::clamp(share_of_all * all, budget_, most_budgets * budget_);
     if (has_time()) samples_.at_corner = sample(group_at(plan_, corner_));
     for (std::size_t i = 0; i < most_values; ++i) {
       for (std::size_t a = steps_.size(); a-- > 0;) measure_from_corner(a, i);
@@ -267,6 +302,7 @@ class GroupSampler {
     samples_.from_corner[a][places[i]] = sample(group_at(plan_, group));
   }
 
+  SweepPlan given_;
   CellGroup whole_;
   SweepPlan plan_;
   double budget_;
@@ -281,30 +317,7 @@ class GroupSampler {
 }  // namespace
 
 SweepCosts measure_costs(const SweepPlan& plan, double budget, const MeasureGroup& measure) {
-  const Samples samples = GroupSampler(plan, budget, measure).take();
-  SweepCosts costs;
-  costs.measured = samples.count;
-  double within = 0.0;
-  double within_piece = 0.0;
-  for (std::size_t part = 0; part <= rest; ++part) {
-    std::optional<SweepCosts::Part> made = part_of(plan, samples, part);
-    if (!made) continue;
-    const double first = std::max(at_first(samples, part), 0.0);
-    costs.start_seconds += std::max(samples.first[part] - first, 0.0);
-    if (made->is_within && samples.piece < 1.0 && first > 0.0) {
-      // Without a measurement as if each cell took as long.
-      const double whole = samples.of_whole.empty() ? first / samples.piece : std::max(samples.of_whole[part], first);
-      made->seconds *= whole / first;
-      within_piece += first;
-      within += whole;
-    }
-    costs.parts.push_back(std::move(*made));
-  }
-  if (within > 0.0) {
-    costs.piece = samples.piece;
-    costs.share_of_piece = std::clamp(within_piece / within, costs.piece, 1.0);
-  }
-  return costs;
+  return costs_from(plan, GroupSampler(plan, budget, measure).take());
 }
 
 }  // namespace umbrameter

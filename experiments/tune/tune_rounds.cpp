@@ -50,7 +50,7 @@ class Guesser {
     std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), near.end());
     near.resize(count);
     if (!near.empty()) sample.number = plane_at(sample.position, near);
-    sample.number += chance * (near.size() < sample.position.size() ? unknown_spread : spread_of(near));
+    sample.number += chance * (near.empty() || near.size() < sample.position.size() ? unknown_spread : spread_of(near));
     sample.number = std::clamp(sample.number, 0.001, 1.999);
     samples_.push_back(sample);
     return sample.number;

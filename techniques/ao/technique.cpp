@@ -1,5 +1,7 @@
 #include "techniques/ao/technique.h"
 
+#include <fmt/format.h>
+
 namespace umbrameter {
 namespace {
 
@@ -69,6 +71,19 @@ std::vector<vec4> noise_of(const AoTechnique& technique, std::uint32_t seed) {
   const AoNoiseParams& noise =
       std::visit([](const auto& each) -> const AoNoiseParams& { return each.noise; }, technique);
   return std::holds_alternative<Ssao>(technique) ? rotation_tile(noise, seed) : stratified_tile(noise, seed);
+}
+
+std::string sampling_text(AoTechnique technique) {
+  const Parameters parameters = describe(technique);
+  std::string text;
+  for (const auto& [key, format] : {std::pair("ao.samples", "{} samples"), std::pair("ao.slices", "{} slices × 2"),
+                                    std::pair("ao.hbao-directions", "{} directions"), std::pair("ao.steps", "{} steps"),
+                                    std::pair("ao.hbao-steps", "{} steps")}) {
+    const Parameter* parameter = find(parameters, key);
+    if (parameter == nullptr) continue;
+    text += (text.empty() ? "" : " × ") + fmt::format(fmt::runtime(format), to_string(parameter->value()));
+  }
+  return text;
 }
 
 std::string_view title_of(const AoTechnique& technique) {

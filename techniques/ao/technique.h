@@ -90,6 +90,9 @@ std::vector<vec4> kernel_of(const AoTechnique& technique, std::uint32_t seed);
 /// hemisphere SSAO, else pairs of numbers from 0 to 1 (noise.h).
 std::vector<vec4> noise_of(const AoTechnique& technique, std::uint32_t seed);
 
+/// What it samples in each pixel: "64 samples", "3 slices × 2 × 3 steps".
+std::string sampling_text(AoTechnique technique);
+
 /// The technique's name in titles.
 std::string_view title_of(const AoTechnique& technique);
 

@@ -1,5 +1,7 @@
 #include "techniques/engine_bias/conversion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <variant>
@@ -27,6 +29,17 @@ std::string why_unknown(const BiasSpec& spec, const BiasNumber& number, const Ma
     return "it needs " + std::string(setting.name) + "=, " + std::string(setting.meaning);
   }
   return "the " + place.name + " lies outside its depth range, or its settings leave the number without effect";
+}
+
+// An engine's planes that hold a lamp's receiver, as in "three:near=0.1".
+std::string nearer_plane(const BiasSpec& spec, const MapPlace& place) {
+  for (std::size_t i = 0; i < spec.settings.values.size(); ++i) {
+    const std::string name(spec.engine->settings[i].name);
+    if ((name != "near" && name != "minZ") || !(place.depth > 0.0) || place.depth >= spec.settings.values[i]) continue;
+    return fmt::format("{}:{}={:g}", spec.engine->name, name,
+                       std::pow(10.0, std::floor(std::log10(place.depth) - 1e-9)));
+  }
+  return {};
 }
 
 // Our own flags for an offset.
@@ -144,8 +157,11 @@ BiasTerms terms_of(const BiasSpec& source, const MapPlace& place) {
       const bool has_rest = std::ranges::any_of(source.engine->numbers, [&](const BiasNumber& other) {
         return per_unit_of(source, other, place).has_value();
       });
+      const std::string plane = nearer_plane(source, place);
       throw Error(ExitCode::usage, std::string(source.engine->name) + " " + name, why_unknown(source, number, place),
-                  has_rest ? "set " + name + "=0 to convert the rest" : "give the bias in metres or texels");
+                  !plane.empty() ? fmt::format("it is {:.3g} m away: set the plane before it, {}", place.depth, plane)
+                  : has_rest     ? "set " + name + "=0 to convert the rest"
+                                 : "give the bias in metres or texels");
     }
     double& term = number.term == BiasTerm::constant ? terms.constant
                    : number.term == BiasTerm::normal ? terms.normal
@@ -208,17 +224,17 @@ bool is_complete(const ConvertedTarget& target) {
 }
 
 ConvertedBias convert_bias(BiasSpec source, std::vector<BiasSpec> targets, const std::vector<MapPlace>& places) {
-  ConvertedBias result{std::move(source), places, {}, {}, {}};
+  ConvertedBias result{std::move(source), places, {}, {}, {}, false};
   result.source_places = places_for(result.source, places);
   for (const MapPlace& place : result.source_places) result.terms.push_back(terms_of(result.source, place));
-  const bool takes_all = targets.empty();
+  result.takes_all = targets.empty();
   for (const BiasEngine& engine : bias_engines()) {
-    if (takes_all && engine.no_numbers.empty()) targets.push_back(default_target(engine));
+    if (result.takes_all && engine.no_numbers.empty()) targets.push_back(default_target(engine));
   }
   for (BiasSpec& spec : targets) {
     ConvertedTarget target = convert_terms(result.terms, std::move(spec), places);
     const bool has_equivalent = std::ranges::any_of(target.conversions, &BiasConversion::has_equivalent);
-    if (!takes_all || (has_equivalent && target.spec.engine != result.source.engine)) {
+    if (!result.takes_all || (has_equivalent && target.spec.engine != result.source.engine)) {
       result.targets.push_back(std::move(target));
     }
   }

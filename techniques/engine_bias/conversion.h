@@ -62,6 +62,7 @@ struct ConvertedBias {
   std::vector<MapPlace> source_places;
   std::vector<BiasTerms> terms;
   std::vector<ConvertedTarget> targets;
+  bool takes_all = false;  ///< no target was named
 };
 
 /// Terms at each place, in the target's numbers.

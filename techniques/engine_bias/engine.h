@@ -88,12 +88,16 @@ struct BiasEngine {
   std::string_view source;
   std::vector<BiasNumber> numbers{};
   std::vector<BiasSetting> settings{};
-  std::string_view note{};        ///< what no number changes
-  std::string_view unverified{};  ///< what is second-hand or not verified
-  std::string_view no_numbers{};  ///< why it has no numbers
-  bool is_unit = false;           ///< a neutral unit
+  std::string_view note{};           ///< what no number changes
+  std::string_view unverified{};     ///< what is second-hand or not verified
+  std::string_view note_of_lamps{};  ///< what holds for spot and point lights only
+  std::string_view no_numbers{};     ///< why it has no numbers
+  bool is_unit = false;              ///< a neutral unit
   bool sets_each_cascade = false;
-  std::string_view adapter{};  ///< another name of the engine: that of its adapter and presets
+  double polygon_factor = 0.0;  ///< polygon offset with which every caster is drawn besides the numbers
+  double polygon_units = 0.0;
+  std::string_view comment = "//";  ///< begins a comment in its code
+  std::string_view adapter{};       ///< another name of the engine: that of its adapter and presets
 };
 
 /// All of them, neutral units first.

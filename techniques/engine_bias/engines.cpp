@@ -74,7 +74,8 @@ std::vector<BiasEngine> neutral_units() {
                    {"polygon-offset-factor", "texels × slope", 0.0, BiasTerm::slope,
                     [](const Place&, const Settings&) -> Result { return 1.0; }, "1",
                     "--shadow.polygon-offset-factor {}"}},
-       .is_unit = true},
+       .is_unit = true,
+       .comment = "#"},
   };
 }
 
@@ -119,7 +120,9 @@ BiasEngine godot() {
                    {"pancake", 20.0, "m", "directional_shadow_pancake_size; 0: R is that of our map"}},
       .unverified =
           "Godot has not been run against these formulas; the values of high and ultra quality are from a copy "
-          "of its source; a point light's shadow_normal_bias and spot lights have no formula here"};
+          "of its source",
+      .note_of_lamps = "a point light's shadow_normal_bias and spot lights have no formula here",
+      .comment = "#"};
 }
 
 BiasEngine three() {
@@ -217,8 +220,17 @@ std::vector<BiasEngine> unity() {
   return {
       {.name = "unity-urp",
        .title = "Unity URP",
-       .source = "ShadowUtils.cs @0070610 (GetShadowBias, RenderShadowSlice)",
-       .numbers = {{"shadowBias", "texels", 1.0, BiasTerm::constant, urp_texel, urp_formula, "light.shadowBias = {}f;"},
+       .source =
+           "ShadowUtils.cs @0070610 (GetShadowBias, RenderShadowSlice); limits: ValidateShadowBias of the pipeline "
+           "asset",
+       .numbers = {{.name = "shadowBias",
+                    .unit = "texels",
+                    .value = 1.0,
+                    .per_unit = urp_texel,
+                    .formula = urp_formula,
+                    .code = "light.shadowBias = {}f;",
+                    .min = 0.0,
+                    .max = 10.0},
                    {"shadowNormalBias",
                     "texels × (1 − cos θ)",
                     1.0,
@@ -226,7 +238,9 @@ std::vector<BiasEngine> unity() {
                     urp_texel,
                     urp_formula,
                     "light.shadowNormalBias = {}f;",
-                    {OffsetProfile::one_minus_cosine, OffsetSide::caster}}},
+                    {OffsetProfile::one_minus_cosine, OffsetSide::caster},
+                    0.0,
+                    10.0}},
        .settings = {{"soft",
                      1.0,
                      "1",
@@ -236,20 +250,23 @@ std::vector<BiasEngine> unity() {
        .note =
            "in addition every caster is drawn with polygon offset factor 2.5, units 1. The light's numbers are read "
            "only if its bias is set to Custom, else those of the pipeline asset",
-       .unverified = "(1 − cos θ), from ApplyShadowBias in Shadows.hlsl, was read in copies"},
+       .unverified = "(1 − cos θ), from ApplyShadowBias in Shadows.hlsl, was read in copies",
+       .polygon_factor = 2.5,
+       .polygon_units = 1.0},
       {.name = "unity-hdrp",
        .title = "Unity HDRP",
        .source = "HDShadowAlgorithms.hlsl (EvalShadow_NormalBias), HDAdditionalLightData.cs "
                  "(SetCommonShadowRequestSettings), HDShadowUtils.cs (GetSlopeBias)",
-       .numbers = {{"normalBias", "texels", 0.75, BiasTerm::normal,
+       .numbers = {{"normalBias", "√2 texels", 0.75, BiasTerm::normal,
                     [](const Place& p, const Settings&) -> Result { return sqrt_2 * p.texel; }, "√2 t",
                     "hdLight.normalBias = {}f;"},
-                   {"slopeBias", "texels × slope", 0.5, BiasTerm::slope,
+                   {"slopeBias", "5 texels × slope", 0.5, BiasTerm::slope,
                     [](const Place&, const Settings&) -> Result { return 5.0; }, "5 texels × slope",
                     "hdLight.slopeBias = {}f;"}},
        .note =
            "in addition every caster is drawn with polygon offset units 1, and receivers are compared with a bias of "
-           "1/65536 of the depth; with filtering quality High the 5 grows with the light's size, up to 18"},
+           "1/65536 of the depth; with filtering quality High the 5 grows with the light's size, up to 18",
+       .polygon_units = 1.0},
   };
 }
 
@@ -270,10 +287,10 @@ std::vector<BiasEngine> other_engines() {
        .title = "Bevy 0.20-dev",
        .source = "shadows.wesl @3f1f861, light.rs (factor √2), directional_light.rs",
        .numbers = {{"shadow_depth_bias", "m", 0.02, BiasTerm::constant, one_metre, "1 m", "shadow_depth_bias: {},"},
-                   {"shadow_normal_bias", "texels", 1.8, BiasTerm::normal,
+                   {"shadow_normal_bias", "√2 texels", 1.8, BiasTerm::normal,
                     [](const Place& p, const Settings&) -> Result { return sqrt_2 * p.texel; }, "√2 t",
                     "shadow_normal_bias: {},"}},
-       .note = "the defaults of a point light are 0.08 and 0.6"},
+       .note_of_lamps = "the defaults of a point light are 0.08 and 0.6"},
       {.name = "filament",
        .title = "Filament",
        .source =
@@ -306,8 +323,9 @@ std::vector<BiasEngine> other_engines() {
            "in addition every caster is drawn with polygon offset units 0.5; a VSM map ignores the first two numbers; "
            "the texels of a map that is not `stable` are warped; 1.53.4 gives every sun the default normalBias of 1, "
            "whatever is set",
-       .unverified = "a spot light's normalBias has no formula here: 1 acts as 1.2 to 1.3 texels in 1.53.4; the newest "
-                     "sources scale it differently along the two axes of the map"},
+       .unverified = "the newest sources scale normalBias differently along the two axes of the map",
+       .note_of_lamps = "a spot light's normalBias has no formula here: 1 acts as 1.2 to 1.3 texels in 1.53.4",
+       .polygon_units = 0.5},
       {.name = "stride",
        .title = "Stride",
        .source = "ShadowMapReceiverBase.sdsl @3e83da5, LightShadowMap.cs (defaults)",
