@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/command_help.h"
+#include "core/lists.h"
 #include "scenes/builtin.h"
 
 namespace umbrameter {
@@ -22,23 +23,9 @@ Completes completes(const OptionHelp& option) {
   return Completes::nothing;
 }
 
-std::string spaced(const std::vector<std::string>& words, const std::string& separator = " ") {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
-  return text;
-}
+std::string scene_names() { return joined(builtin_scenes(), " ", &BuiltinScene::name); }
 
-std::string scene_names() {
-  std::vector<std::string> names;
-  for (const BuiltinScene& scene : builtin_scenes()) names.emplace_back(scene.name);
-  return spaced(names);
-}
-
-std::string command_names(const ProgramHelp& program) {
-  std::vector<std::string> names;
-  for (const CommandHelp& command : program.commands) names.push_back(command.name);
-  return spaced(names);
-}
+std::string command_names(const ProgramHelp& program) { return joined(program.commands, " ", &CommandHelp::name); }
 
 // Full names, each once; they have a dot.
 std::vector<std::string> parameter_names(const ProgramHelp& program) {
@@ -83,7 +70,7 @@ std::string shell_quoted(const std::string& text) {
 }
 
 std::string bash_values(const OptionHelp& option) {
-  if (!option.choices.empty()) return "_umbrameter_words " + shell_quoted(spaced(option.choices));
+  if (!option.choices.empty()) return "_umbrameter_words " + shell_quoted(joined(option.choices, " "));
   switch (completes(option)) {
     case Completes::files:
       return "_umbrameter_files -f";
@@ -138,7 +125,7 @@ std::string zsh_escaped(const std::string& text) {
 }
 
 std::string zsh_action(const OptionHelp& option) {
-  if (!option.choices.empty()) return fmt::format("({})", spaced(option.choices));
+  if (!option.choices.empty()) return fmt::format("({})", joined(option.choices, " "));
   switch (completes(option)) {
     case Completes::files:
       return "_files";
@@ -166,7 +153,7 @@ std::vector<std::string> zsh_specifications(const OptionHelp& option) {
   const std::vector<std::string> flags = flags_of(option);
   const bool repeats = completes(option) == Completes::axes;
   for (const std::string& flag : flags) {
-    std::string text = repeats ? "*" : flags.size() > 1 ? fmt::format("({})", spaced(flags)) : "";
+    std::string text = repeats ? "*" : flags.size() > 1 ? fmt::format("({})", joined(flags, " ")) : "";
     text += flag;
     if (!option.value.empty()) text += flag.starts_with("--") ? "=" : "+";
     text += fmt::format("[{}]", zsh_escaped(option.meaning));
@@ -196,7 +183,7 @@ std::string fish_quoted(const std::string& text) {
 // "-x": takes a value that is no file; "-r": a file.
 std::string fish_values(const OptionHelp& option, const ProgramHelp& program) {
   const auto words = [](const std::string& list) { return " -x -a " + fish_quoted(list); };
-  if (!option.choices.empty()) return words(spaced(option.choices));
+  if (!option.choices.empty()) return words(joined(option.choices, " "));
   switch (completes(option)) {
     case Completes::files:
       return " -r -F";
@@ -207,7 +194,7 @@ std::string fish_values(const OptionHelp& option, const ProgramHelp& program) {
     case Completes::built_in_scenes:
       return words(scene_names());
     case Completes::axes:
-      return words(spaced(parameter_names(program), "= ") + "=");
+      return words(joined(parameter_names(program), "= ") + "=");
     case Completes::commands:
       return words(command_names(program));
     case Completes::nothing:
@@ -232,22 +219,18 @@ std::string bash_completion(const ProgramHelp& program) {
   std::string text = bash_start;
   text += "  local commands=" + shell_quoted(command_names(program)) + "\n";
   text += "  local scenes=" + shell_quoted(scene_names()) + "\n";
-  text += "  local parameters=" + shell_quoted(spaced(parameter_names(program), "= ") + "=") + "\n";
-  text += "  local options=" + shell_quoted(spaced(flags_of(program.options))) + "\n";
+  text += "  local parameters=" + shell_quoted(joined(parameter_names(program), "= ") + "=") + "\n";
+  text += "  local options=" + shell_quoted(joined(flags_of(program.options), " ")) + "\n";
   text += "  for ((i = 1; i < COMP_CWORD; i++)); do\n    case ${COMP_WORDS[i]} in\n";
-  std::string cases = command_names(program);
-  std::replace(cases.begin(), cases.end(), ' ', '|');
-  text += "      " + cases + ") command=${COMP_WORDS[i]}; break ;;\n    esac\n  done\n\n";
+  text += "      " + joined(program.commands, "|", &CommandHelp::name);
+  text += ") command=${COMP_WORDS[i]}; break ;;\n    esac\n  done\n\n";
 
   text += "  case \"$command $previous\" in\n";
   for (const CommandHelp& command : program.commands) {
     for (const OptionHelp& option : command.options) {
       if (option.is_positional || option.value.empty()) continue;
-      std::string patterns;
-      for (const std::string& flag : flags_of(option)) {
-        if (!patterns.empty()) patterns += "|";
-        patterns += shell_quoted(command.name + " " + flag);
-      }
+      const std::string patterns = joined(
+          flags_of(option), "|", [&](const std::string& flag) { return shell_quoted(command.name + " " + flag); });
       text += fmt::format("    {}) {}; return ;;\n", patterns, bash_values(option));
     }
   }
@@ -257,7 +240,7 @@ std::string bash_completion(const ProgramHelp& program) {
     if (const OptionHelp* positional = positional_of(command)) {
       text += "      if [[ $word != -* ]]; then " + bash_values(*positional) + "; return; fi\n";
     }
-    text += "      options=" + shell_quoted(spaced(flags_of(command.options))) + "\n      ;;\n";
+    text += "      options=" + shell_quoted(joined(flags_of(command.options), " ")) + "\n      ;;\n";
   }
   text += "    *) [[ $word == -* ]] || options=$commands ;;\n  esac\n  _umbrameter_words \"$options\"\n}\n\n";
   return text + "complete -F _umbrameter umbrameter\n";
@@ -267,7 +250,7 @@ std::string zsh_completion(const ProgramHelp& program) {
   std::string text = "#compdef umbrameter\n# Completion for umbrameter in zsh, made by 'umbrameter generate zsh'.\n\n";
   text += "_umbrameter_built_in() {\n  compadd -- " + scene_names() + "\n}\n\n";
   text += "_umbrameter_scenes() {\n  _umbrameter_built_in\n  _files\n}\n\n";
-  text += "_umbrameter_axes() {\n  compadd -S '' -- " + spaced(parameter_names(program), "= ") + "=\n}\n\n";
+  text += "_umbrameter_axes() {\n  compadd -S '' -- " + joined(parameter_names(program), "= ") + "=\n}\n\n";
   text += "_umbrameter_commands() {\n  local -a commands=(\n";
   for (const CommandHelp& command : program.commands) {
     text += "    " + shell_quoted(command.name + ":" + zsh_escaped(command.summary)) + "\n";

@@ -2,6 +2,7 @@
 #include <string_view>
 
 #include "app/command_help.h"
+#include "core/lists.h"
 #include "reports/files/markup.h"
 #include "reports/files/text_layout.h"
 
@@ -16,11 +17,7 @@ std::string spaces(std::size_t count) { return std::string(count, ' '); }
 
 // Lines from a column on; all but the first are indented by `hanging`, too.
 std::string wrapped(std::string_view text, std::size_t column, std::size_t hanging = 0) {
-  std::string result;
-  for (const std::string& line : wrap_lines(text, help_width - column, hanging)) {
-    result += (result.empty() ? "" : "\n" + spaces(column)) + line;
-  }
-  return result + "\n";
+  return joined(wrap_lines(text, help_width - column, hanging), "\n" + spaces(column)) + "\n";
 }
 
 std::string row(const std::string& left, const std::string& right, std::size_t column = meaning_column) {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/lists.h"
 #include "core/suggestion.h"
 
 namespace umbrameter {
@@ -28,11 +29,7 @@ std::string number_text(double number) {
 
 template <class Number>
 std::optional<Number> parse_number(std::string_view text) {
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  Number number{};
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (result.ec != std::errc{} || result.ptr != text.data() + text.size()) return std::nullopt;
-  return number;
+  return parsed<Number>(text.starts_with('+') ? text.substr(1) : text);
 }
 
 std::optional<Size> parse_size(std::string_view text) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/lists.h"
 #include "results/number_text.h"
 
 namespace umbrameter {
@@ -16,9 +17,7 @@ namespace {
 constexpr std::size_t max_rows = 200;
 
 std::vector<double> numbers_of(const SweepAxis& axis) {
-  std::vector<double> numbers;
-  for (const Value& value : axis.values) numbers.push_back(to_number(value));
-  return numbers;
+  return mapped(axis.values, [](const Value& value) { return to_number(value); });
 }
 
 std::size_t index_in(const SweepAxis& axis, const Value& value) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/lists.h"
 #include "reports/files/text_layout.h"
 #include "results/number_text.h"
 
@@ -68,11 +69,9 @@ std::vector<std::string> unit_lines(const ConvertedBias& bias) {
   for (std::size_t i = 0; i < engine.numbers.size(); ++i) {
     const BiasNumber& number = engine.numbers[i];
     if (engine.is_unit || number.term == BiasTerm::slope || bias.source.numbers[i] == 0.0) continue;
-    std::string text;
-    for (const MapPlace& place : bias.source_places) {
-      const double metres = std::abs(number.per_unit(place, bias.source.settings).value_or(0.0));
-      text += fmt::format("{}{}", text.empty() ? "" : ", ", table_number(metres));
-    }
+    const std::string text = joined(bias.source_places, ", ", [&](const MapPlace& place) {
+      return table_number(std::abs(number.per_unit(place, bias.source.settings).value_or(0.0)));
+    });
     lines.push_back(fmt::format("one unit of {} is {} m: {}", number.name, text, number.formula));
   }
   return lines;
@@ -337,10 +336,9 @@ std::string bias_engines_markdown() {
   text += "\n| engine | settings | besides | source | not verified |\n| --- | --- | --- | --- | --- |\n";
   for (const BiasEngine& engine : bias_engines()) {
     if (engine.source.empty()) continue;
-    std::string settings;
-    for (const BiasSetting& setting : engine.settings) {
-      settings += fmt::format("{}`{}`: {}", settings.empty() ? "" : "; ", setting.name, setting.meaning);
-    }
+    const std::string settings = joined(engine.settings, "; ", [](const BiasSetting& setting) {
+      return fmt::format("`{}`: {}", setting.name, setting.meaning);
+    });
     text += fmt::format("| `{}`: {} | {} | {} | {} | {} |\n", engine.name, engine.title, settings, engine.note,
                         engine.source, engine.unverified);
   }

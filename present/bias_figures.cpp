@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/lists.h"
 #include "present/plot_axes.h"
 #include "present/presentation_parts.h"
 
@@ -52,10 +53,9 @@ struct Drawing {
 };
 
 const BiasCurve* curve_at(const Drawing& drawing, std::size_t line) {
-  std::vector<Value> wanted;
-  for (const std::size_t a : outer_axes_as_given(drawing.plan())) {
-    wanted.push_back(a == drawing.part.line_axis ? drawing.line_value(line) : drawing.part.values[a]);
-  }
+  const std::vector<Value> wanted = mapped(outer_axes_as_given(drawing.plan()), [&](const std::size_t a) {
+    return a == drawing.part.line_axis ? drawing.line_value(line) : drawing.part.values[a];
+  });
   for (const BiasCurve& curve : drawing.curves.curves) {
     if (curve.others == wanted) return &curve;
   }
@@ -63,9 +63,7 @@ const BiasCurve* curve_at(const Drawing& drawing, std::size_t line) {
 }
 
 std::vector<Column> plain_columns(std::initializer_list<const char*> names) {
-  std::vector<Column> columns;
-  for (const char* name : names) columns.push_back({name, "", ""});
-  return columns;
+  return mapped(names, [](const char* name) { return Column{name, "", ""}; });
 }
 
 PlotFigure make_plot(const Drawing& drawing, const char* stem, const char* title, Axis x, Axis y) {

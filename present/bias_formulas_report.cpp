@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/lists.h"
 #include "present/bias_formulas.h"
 #include "present/summary.h"
 #include "reports/files/value_json.h"
@@ -48,11 +49,7 @@ std::string points_text(const CurveFormula& of) {
   return fmt::format("{} points, of which {} are independent", of.points.size(), independent);
 }
 
-std::string names_of(const std::vector<Column>& columns) {
-  std::string names;
-  for (const Column& column : columns) names += (names.empty() ? "" : ", ") + column.name;
-  return names;
-}
+std::string names_of(const std::vector<Column>& columns) { return joined(columns, ", ", &Column::name); }
 
 // Of terms that no formula has.
 void drop_empty_columns(Table& table) {
@@ -282,8 +279,7 @@ void present_formulas(Presentation& presentation, const BiasCurves& curves) {
                             formulas_table(curves),
                             {"left out", "error of c0", "error for Δz", "error for r·Δz", "error for δ",
                              "residual in texels", "largest residual"}});
-  std::vector<const CurveFormula*> all;
-  for (const CurveFormula& of : curves.formulas) all.push_back(&of);
+  const std::vector<const CurveFormula*> all = mapped(curves.formulas, [](const CurveFormula& of) { return &of; });
   const std::string symbols = symbols_text(all);
   section.text += fmt::format(
       "\n\nThe table 'Formulas of the bias' fits the bias over {} by {}. {}{}Use a formula only within the range that "

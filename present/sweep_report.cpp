@@ -7,6 +7,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/lists.h"
 #include "present/plot_axes.h"
 #include "present/presentation_parts.h"
 #include "results/known_statistics.h"
@@ -239,8 +240,7 @@ bool are_all_equal(const SweepResults& sweep) {
 }
 
 std::string equal_cells_text(const SweepResults& sweep, const std::string& error) {
-  std::string keys;
-  for (const SweepAxis& axis : sweep.plan.axes) keys += (keys.empty() ? "" : ", ") + axis.key;
+  const std::string keys = joined(sweep.plan.axes, ", ", &SweepAxis::key);
   return fmt::format("all {} cells are equal: error {}; {} {} nothing here", sweep.plan.cells, error, keys,
                      sweep.plan.axes.size() > 1 ? "change" : "changes");
 }
@@ -248,8 +248,8 @@ std::string equal_cells_text(const SweepResults& sweep, const std::string& error
 }  // namespace
 
 Table best_rows(const SweepResults& sweep) {
-  std::vector<std::string> keys;
-  for (const std::size_t a : listed_axes(sweep)) keys.push_back(sweep.plan.axes[a].key);
+  const std::vector<std::string> keys =
+      mapped(listed_axes(sweep), [&](const std::size_t a) { return sweep.plan.axes[a].key; });
   return sweep.store.least(std::string(error_statistic), keys, max_best_rows);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/lists.h"
 #include "present/axis_ends.h"
 #include "present/plateau_text.h"
 #include "present/plot_axes.h"
@@ -163,11 +164,8 @@ std::string bias_range_text(const TuneSummary& summary) {
 
 std::string method_text(const TuneSummary& summary) {
   const TuneResult& result = summary.result;
-  const auto counted = [](std::size_t count, const char* what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-  };
-  return fmt::format("Search: {}; {} of {}{}.", result.method, counted(result.evaluations, "evaluation"),
-                     counted(summary.cases.size(), "case"),
+  return fmt::format("Search: {}; {} of {}{}.", result.method, count_text(result.evaluations, "evaluation"),
+                     count_text(summary.cases.size(), "case"),
                      result.stopped_by.empty() ? "" : ", stopped after " + result.stopped_by);
 }
 
@@ -177,8 +175,7 @@ bool have_equal_scores(const TunePoint& a, const TunePoint& b) {
 
 std::string equal_points_text(const TuneSummary& summary) {
   const TuneResult& result = summary.result;
-  std::string keys;
-  for (const TuneAxis& axis : summary.axes) keys += (keys.empty() ? "" : ", ") + axis.key();
+  const std::string keys = joined(summary.axes, ", ", &TuneAxis::key);
   return fmt::format("all {} evaluated points are equal: {} {}; {} {} nothing here",
                      std::max(result.points.size(), result.curve.size()), cost_words(summary.goal),
                      cost_text(summary.goal, result.best.score.cost), keys,
@@ -278,9 +275,7 @@ std::vector<TunePoint> pareto_front(const TuneGoal& goal, const std::vector<Tune
     if (!is_dominated) kept.push_back(i);
   }
   std::sort(kept.begin(), kept.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-  std::vector<TunePoint> front;
-  for (const std::size_t i : kept) front.push_back(points[i]);
-  return front;
+  return mapped(kept, [&](const std::size_t i) { return points[i]; });
 }
 
 std::vector<std::string> end_warnings(const TuneSummary& summary) {
@@ -301,8 +296,7 @@ std::vector<std::string> end_warnings(const TuneSummary& summary) {
       return is_better(summary.result.best.score, point.score);
     });
     if (!matters) continue;
-    std::vector<double> ends;
-    for (const Value& each : axis.axis.values) ends.push_back(to_number(each));
+    const std::vector<double> ends = mapped(axis.axis.values, [](const Value& each) { return to_number(each); });
     const double end = to_number(position < 0.5 ? axis.axis.values.front() : axis.axis.values.back());
     const AxisEnd at = end_of(ends, end, require(parameters, axis.key()).description);
     if (at == AxisEnd::none) continue;

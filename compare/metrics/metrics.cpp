@@ -4,6 +4,7 @@
 
 #include "compare/metrics/color_metric.h"
 #include "core/error.h"
+#include "core/lists.h"
 
 namespace umbrameter {
 
@@ -22,11 +23,7 @@ std::string name_in_unit(const Metric& metric, std::string_view unit) {
   return std::string(metric.name) + "-" + std::string(unit);
 }
 
-std::string metric_names(std::span<const Metric> all) {
-  std::string names;
-  for (const Metric& metric : all) names += (names.empty() ? "" : ", ") + std::string(metric.name);
-  return names;
-}
+std::string metric_names(std::span<const Metric> all) { return joined(all, ", ", &Metric::name); }
 
 std::vector<const Metric*> select_metrics(std::string_view names, std::span<const Metric> all,
                                           const std::string& option) {

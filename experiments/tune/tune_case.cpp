@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/lists.h"
 #include "experiments/measure/compared_case.h"
 #include "experiments/measure/measure_biases.h"
 #include "raster/gl/timer.h"
@@ -15,11 +16,7 @@
 namespace umbrameter {
 namespace {
 
-std::vector<SweepAxis> sweep_axes(const std::vector<TuneAxis>& axes) {
-  std::vector<SweepAxis> result;
-  for (const TuneAxis& axis : axes) result.push_back(axis.axis);
-  return result;
-}
+std::vector<SweepAxis> sweep_axes(const std::vector<TuneAxis>& axes) { return mapped(axes, &TuneAxis::axis); }
 
 double value_of(const Statistic& statistic) {
   if (const auto* const* estimate = std::get_if<Estimate*>(&statistic.field)) return (*estimate)->value;
@@ -113,8 +110,7 @@ void require_columns(const GoalReader& reader, const TuneCase& tuned, const Tune
   for (std::size_t c = 0; c < goal.columns.size(); ++c) {
     const std::string& name = goal.columns[c].name;
     if (reader.has(c) || name == pass_time_statistic || find_metric(name, tuned.quantity)) continue;
-    std::string names;
-    for (const Statistic& each : reader.statistics()) names += (names.empty() ? "" : ", ") + each.name;
+    const std::string names = joined(reader.statistics(), ", ", &Statistic::name);
     const bool needs_binary = tuned.quantity == SweptQuantity::visibility && is_of_causes(name) &&
                               tuned.stages->is_sampled(tuned.experiment, tuned.light);
     throw Error(ExitCode::usage, tuned.title,
@@ -150,11 +146,7 @@ void set_time(CaseValues& values, const TuneGoal& goal, double time) {
 
 }  // namespace
 
-std::vector<std::string> titles_of(const std::vector<TuneCase>& cases) {
-  std::vector<std::string> titles;
-  for (const TuneCase& each : cases) titles.push_back(each.title);
-  return titles;
-}
+std::vector<std::string> titles_of(const std::vector<TuneCase>& cases) { return mapped(cases, &TuneCase::title); }
 
 void require_statistics(const TuneCase& tuned, const TuneGoal& goal) {
   CellStatistics statistics = choose_statistics(*tuned.stages, tuned.experiment, {}, tuned.quantity);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/lists.h"
 #include "reports/files/text_layout.h"
 
 namespace umbrameter {
@@ -124,9 +125,7 @@ std::vector<std::string> different_values(const Table& table, std::size_t column
   if (is_numeric(table, column)) {
     std::sort(values.begin(), values.end(), [](const Value& a, const Value& b) { return *number(a) < *number(b); });
   }
-  std::vector<std::string> texts;
-  for (const Value& value : values) texts.push_back(to_string(value));
-  return texts;
+  return mapped(values, [](const Value& value) { return to_string(value); });
 }
 
 Json plot_fields(const std::vector<PlotField>& fields, std::size_t keys) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/lists.h"
 #include "reports/files/markup.h"
 
 namespace umbrameter {
@@ -41,11 +42,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 27> replacem
     {"\xEF\xBF\xBD", "?"},
 }};
 
-std::string row_text(const std::vector<std::string>& cells) {
-  std::string text = "  ";
-  for (std::size_t i = 0; i < cells.size(); ++i) text += (i > 0 ? " & " : "") + cells[i];
-  return text + " \\\\\n";
-}
+std::string row_text(const std::vector<std::string>& cells) { return "  " + joined(cells, " & ") + " \\\\\n"; }
 
 // A column whose texts begin like numbers is aligned as numbers.
 bool is_number_text(const Value& value) {
@@ -117,8 +114,8 @@ std::string to_latex(const Table& table, std::string_view note) {
   if (has_units) text += row_text(units);
   text += "  \\midrule\n";
   for (const std::vector<Value>& row : table.rows) {
-    std::vector<std::string> cells;
-    for (const Value& value : row) cells.push_back(escape_latex(to_string(value)));
+    const std::vector<std::string> cells =
+        mapped(row, [](const Value& value) { return escape_latex(to_string(value)); });
     text += row_text(cells);
   }
   text += "  \\bottomrule\n";

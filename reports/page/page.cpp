@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
@@ -12,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/lists.h"
 #include "reports/files/markup.h"
 #include "reports/files/output.h"
 #include "reports/page/page_figure.h"
@@ -54,9 +54,7 @@ bool is_number(const Value& value) {
   std::istringstream words(text);
   int count = 0;
   for (std::string word; words >> word; ++count) {
-    double number = 0.0;
-    const auto result = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (result.ec != std::errc{} || result.ptr != word.data() + word.size()) return false;
+    if (!parsed<double>(word)) return false;
   }
   return count > 0;
 }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/lists.h"
 #include "reports/files/deflate.h"
 #include "reports/files/markup.h"
 #include "reports/page/plane_words.h"
@@ -47,9 +48,7 @@ std::string split_bytes(const std::vector<std::uint16_t>& words) {
 }
 
 std::vector<std::uint16_t> halves_of(const Image<float>& image, int stride) {
-  std::vector<std::uint16_t> halves;
-  for (const float value : sampled(image, stride)) halves.push_back(glm::packHalf1x16(value));
-  return halves;
+  return mapped(sampled(image, stride), [](const float value) { return glm::packHalf1x16(value); });
 }
 
 // The bytes of at most 256 different half floats, otherwise nothing.

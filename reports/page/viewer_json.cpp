@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/lists.h"
 #include "core/parallel.h"
 #include "reports/figures/color_table.h"
 #include "reports/files/markup.h"
@@ -130,12 +131,6 @@ Json parts_json(ViewerPack& pack, const ViewerParts& parts, int stride) {
   return place_of(pack, {{"names", parts.names}, {"plane", plane_json(parts.index, stride)}});
 }
 
-std::string joined(const std::vector<std::string>& texts) {
-  std::string list;
-  for (const std::string& text : texts) list += (list.empty() ? "" : ",") + text;
-  return list;
-}
-
 }  // namespace
 
 void add_set(ViewerPack& pack, const ViewerData& data) {
@@ -163,7 +158,7 @@ void add_set(ViewerPack& pack, const ViewerData& data) {
 std::string viewer_text(const ViewerPack& pack) {
   const Json maps = {{"sequential", table_text(ColorMap::visibility)}, {"diverging", table_text(ColorMap::error)}};
   return "{\"title\":" + script_text(pack.title) + ",\"maps\":" + script_text(maps) + ",\"sets\":[" +
-         joined(pack.sets) + "],\"items\":[" + joined(pack.items) + "]}";
+         joined(pack.sets, ",") + "],\"items\":[" + joined(pack.items, ",") + "]}";
 }
 
 }  // namespace umbrameter
