@@ -93,7 +93,8 @@ gl::Pass lookup_pass(const gl::Context& context, const ShadowLookup& lookup, Len
   block.cone_bias = static_cast<float>(lookup.bias.cone);
   block.bias_unit = static_cast<int>(bias_unit);
   for (std::size_t v = 0; v < lookup.map.layout.views.size(); ++v) {
-    block.bias_factors[v] = static_cast<float>(bias_factor(lookup.map.layout.views[v], bias_unit));
+    block.bias_factors[v / 4][static_cast<int>(v % 4)] =
+        static_cast<float>(bias_factor(lookup.map.layout.views[v], bias_unit));
   }
   std::string defines = map_defines(lookup.map.layout) + source.defines +
                         define("RECEIVER_PLANE", lookup.bias.receiver_plane ? 1 : 0) +
