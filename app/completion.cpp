@@ -20,7 +20,7 @@ std::string parameter_names(const ProgramHelp& program) {
   std::vector<std::string> names;
   for (const CommandHelp& command : program.commands) {
     for (const OptionHelp& option : command.options) {
-      if (option.is_parameter && std::find(names.begin(), names.end(), option.names.front()) == names.end()) {
+      if (option.is_parameter && std::ranges::find(names, option.names.front()) == names.end()) {
         names.push_back(option.names.front());
       }
     }
@@ -45,8 +45,8 @@ std::vector<std::string> flags_of(const std::vector<OptionHelp>& options) {
 }
 
 const OptionHelp* positional_of(const CommandHelp& command) {
-  const auto found = std::find_if(command.options.begin(), command.options.end(),
-                                  [](const OptionHelp& option) { return option.is_positional; });
+  const auto found =
+      std::ranges::find_if(command.options, [](const OptionHelp& option) { return option.is_positional; });
   return found == command.options.end() ? nullptr : &*found;
 }
 

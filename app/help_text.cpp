@@ -51,7 +51,7 @@ std::string right_of(const OptionHelp& option, bool with_range) {
 std::string options_text(const std::vector<OptionHelp>& options, bool all, const auto& is_listed) {
   std::vector<std::string> groups;
   for (const OptionHelp& option : options) {
-    if (is_listed(option) && std::find(groups.begin(), groups.end(), option.group) == groups.end()) {
+    if (is_listed(option) && std::ranges::find(groups, option.group) == groups.end()) {
       groups.push_back(option.group);
     }
   }
@@ -109,8 +109,7 @@ std::string help_text(const CommandHelp& command, bool all) {
   std::string text =
       wrapped(command.summary, 0) + "\n" + wrapped("Usage: umbrameter " + command.name + " " + command.usage, 0, 4);
   text += options_text(command.options, all, [&](const OptionHelp& option) { return all || option.is_basic; });
-  const auto hidden = std::count_if(command.options.begin(), command.options.end(),
-                                    [](const OptionHelp& option) { return !option.is_basic; });
+  const auto hidden = std::ranges::count_if(command.options, [](const OptionHelp& option) { return !option.is_basic; });
   if (!all && hidden > 0) {
     text +=
         "\n'umbrameter " + command.name + " --help-all' lists all parameters (" + std::to_string(hidden) + " more).\n";

@@ -47,7 +47,7 @@ void sort_by_content(std::vector<Figure>& figures) {
   std::vector<Figure> sorted;
   for (const Figure& first : figures) {
     const auto is_same = [&](const Figure& figure) { return content_of(figure) == content_of(first); };
-    if (std::any_of(sorted.begin(), sorted.end(), is_same)) continue;
+    if (std::ranges::any_of(sorted, is_same)) continue;
     std::copy_if(figures.begin(), figures.end(), std::back_inserter(sorted), is_same);
   }
   figures = std::move(sorted);

@@ -221,7 +221,7 @@ void Parameter::set(const Value& value) const {
                               const auto* given = std::get_if<std::string>(&value);
                               if (given == nullptr) return false;
                               const std::string name = name_of_choice(description, *given);
-                              const auto found = std::find(choice.names.begin(), choice.names.end(), name);
+                              const auto found = std::ranges::find(choice.names, name);
                               if (found == choice.names.end()) return false;
                               *choice.value = static_cast<int>(found - choice.names.begin());
                               return true;
@@ -298,8 +298,7 @@ bool Parameter::is_number() const {
 }
 
 const Parameter* find(const Parameters& parameters, std::string_view key) {
-  const auto found = std::find_if(parameters.begin(), parameters.end(),
-                                  [&](const Parameter& parameter) { return parameter.key == key; });
+  const auto found = std::ranges::find(parameters, key, &Parameter::key);
   return found == parameters.end() ? nullptr : &*found;
 }
 

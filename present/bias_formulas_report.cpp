@@ -55,7 +55,7 @@ std::string names_of(const std::vector<Column>& columns) { return joined(columns
 void drop_empty_columns(Table& table) {
   for (std::size_t c = table.columns.size(); c-- > 0;) {
     const auto is_empty = [&](const std::vector<Value>& row) { return row[c] == empty_cell; };
-    if (!std::all_of(table.rows.begin(), table.rows.end(), is_empty)) continue;
+    if (!std::ranges::all_of(table.rows, is_empty)) continue;
     const auto place = static_cast<std::ptrdiff_t>(c);
     table.columns.erase(table.columns.begin() + place);
     for (std::vector<Value>& row : table.rows) row.erase(row.begin() + place);
@@ -125,8 +125,7 @@ std::vector<std::string> remarks_on(std::span<const CurveFormula* const> formula
   std::vector<std::pair<std::string, std::string>> lines;  // remark, names
   for (const CurveFormula* of : formulas) {
     for (const std::string& warning : remarks_of(*of)) {
-      const auto found =
-          std::find_if(lines.begin(), lines.end(), [&](const auto& line) { return line.first == warning; });
+      const auto found = std::ranges::find_if(lines, [&](const auto& line) { return line.first == warning; });
       if (found == lines.end()) {
         lines.emplace_back(warning, name_of(*of));
       } else {

@@ -153,8 +153,7 @@ std::string constraint_line(const TuneSummary& summary) {
 // The plateau of the constant bias, by the rule of every command.
 std::string bias_range_text(const TuneSummary& summary) {
   const BiasPlateau& plateau = *summary.result.plateau;
-  const auto axis = std::find_if(summary.axes.begin(), summary.axes.end(),
-                                 [](const TuneAxis& each) { return each.key() == constant_bias_key; });
+  const auto axis = std::ranges::find(summary.axes, constant_bias_key, &TuneAxis::key);
   std::string text = "constant-bias: " +
                      range_text(plateau, axis->axis.length_unit, "cost", cost_text(summary.goal, plateau.least.mae));
   if (!plateau.has_little_acne()) return text + "; each leaves acne of more than 0.1 %";
@@ -270,11 +269,11 @@ std::vector<TunePoint> pareto_front(const TuneGoal& goal, const std::vector<Tune
   };
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    bool is_dominated = std::any_of(values[i].begin(), values[i].end(), [](double v) { return std::isnan(v); });
+    bool is_dominated = std::ranges::any_of(values[i], [](double v) { return std::isnan(v); });
     for (std::size_t j = 0; j < points.size() && !is_dominated; ++j) is_dominated = j != i && dominates(j, i);
     if (!is_dominated) kept.push_back(i);
   }
-  std::sort(kept.begin(), kept.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::ranges::sort(kept, [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
   return mapped(kept, [&](const std::size_t i) { return points[i]; });
 }
 
@@ -292,9 +291,8 @@ std::vector<std::string> end_warnings(const TuneSummary& summary) {
       continue;
     // Where the cost does not depend on the parameter, any value is as good.
     const std::vector<TunePoint>& scanned = summary.result.scans[a].points;
-    const bool matters = std::any_of(scanned.begin(), scanned.end(), [&](const TunePoint& point) {
-      return is_better(summary.result.best.score, point.score);
-    });
+    const bool matters = std::ranges::any_of(
+        scanned, [&](const TunePoint& point) { return is_better(summary.result.best.score, point.score); });
     if (!matters) continue;
     const std::vector<double> ends = mapped(axis.axis.values, [](const Value& each) { return to_number(each); });
     const double end = to_number(position < 0.5 ? axis.axis.values.front() : axis.axis.values.back());

@@ -373,8 +373,8 @@ std::vector<unsigned char> to_glb(const Scene& scene) {
     if (is_used) extensions.push_back(to_json(name));
   };
   declare(lights_name, !lights.empty());
-  declare(specular_name, std::any_of(scene.materials.begin(), scene.materials.end(), has_specular));
-  declare(transmission_name, std::any_of(scene.materials.begin(), scene.materials.end(), transmits));
+  declare(specular_name, std::ranges::any_of(scene.materials, has_specular));
+  declare(transmission_name, std::ranges::any_of(scene.materials, transmits));
   add_array(root, "extensionsUsed", extensions);
   if (!lights.empty()) {
     root.emplace_back("extensions", object({{lights_name, object({{"lights", array(lights)}})}}));

@@ -216,7 +216,7 @@ std::vector<std::size_t> parse_shards(const std::string& text, std::size_t count
     for (std::size_t shard = *first; shard <= *last; ++shard) shards.push_back(shard);
     begin = end + 1;
   }
-  std::sort(shards.begin(), shards.end());
+  std::ranges::sort(shards);
   shards.erase(std::unique(shards.begin(), shards.end()), shards.end());
   return shards;
 }

@@ -58,7 +58,7 @@ ExposureRange exposure_range(const Image<vec3>& reference, const ColorMetricPara
   ExposureRange range;
   if (!params.start_exposure || !params.stop_exposure) {
     std::vector<double> luminances = mapped(reference.pixels, [](const vec3& color) { return luminance(color); });
-    const double brightest = luminances.empty() ? 0.0 : *std::max_element(luminances.begin(), luminances.end());
+    const double brightest = luminances.empty() ? 0.0 : *std::ranges::max_element(luminances);
     if (brightest > 0.0) {
       double median = upper_median(luminances);
       if (median <= 0.0) {

@@ -31,7 +31,7 @@ std::vector<const Metric*> select_metrics(std::string_view names, std::span<cons
   while (!names.empty()) {
     const std::string name(names.substr(0, names.find(',')));
     names.remove_prefix(std::min(names.size(), name.size() + 1));
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Metric& m) { return m.name == name; });
+    const auto found = std::ranges::find(all, name, &Metric::name);
     if (found == all.end()) {
       throw Error(ExitCode::usage, option, "there is no metric '" + name + "'", "choose from: " + metric_names(all));
     }

@@ -58,8 +58,7 @@ std::vector<Wanted> parse(const Stages& stages, const Experiment& experiment) {
     }
     const std::size_t colon = name.find(':');
     const std::string kind = name.substr(0, colon);
-    if (std::find(view_kinds.begin(), view_kinds.end(), kind) == view_kinds.end() ||
-        (colon != std::string::npos && !is_of_light(kind))) {
+    if (std::ranges::find(view_kinds, kind) == view_kinds.end() || (colon != std::string::npos && !is_of_light(kind))) {
       const std::vector<std::string> names(view_kinds.begin(), view_kinds.end());
       const std::string similar = suggestion(similar_names(kind, names));
       throw Error(ExitCode::usage, fmt::format("--overlay {}", name), "there is no such view",
@@ -249,8 +248,7 @@ class Views {
 
   // A view that is listed twice is shown once.
   void add(DebugView view) {
-    const bool is_new =
-        std::none_of(views_.begin(), views_.end(), [&](const DebugView& other) { return other.stem == view.stem; });
+    const bool is_new = std::ranges::none_of(views_, [&](const DebugView& other) { return other.stem == view.stem; });
     if (is_new) views_.push_back(std::move(view));
   }
 

@@ -92,8 +92,7 @@ struct LengthReader {
 std::vector<std::string> parts_of(const Parameter& parameter, std::string_view text) {
   const auto* choice = std::get_if<ChoiceRef>(&parameter.field);
   if (choice == nullptr || text != "all") return split(text, ',');
-  return std::find(choice->names.begin(), choice->names.end(), "all") == choice->names.end() ? choice->names
-                                                                                             : split(text, ',');
+  return std::ranges::find(choice->names, "all") == choice->names.end() ? choice->names : split(text, ',');
 }
 
 }  // namespace

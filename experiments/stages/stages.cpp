@@ -55,7 +55,7 @@ Stages::Stages(Scene scene, StageOptions options, const Console& console)
 
 void Stages::add_notes(const std::vector<std::string>& notes) {
   for (const std::string& text : notes) {
-    if (std::find(notes_.begin(), notes_.end(), text) != notes_.end()) continue;
+    if (std::ranges::find(notes_, text) != notes_.end()) continue;
     notes_.push_back(text);
     note(console_, text);
   }

@@ -32,8 +32,7 @@ class GoalReader {
       if (each.name == pixels_statistic) pixels_ = &each;
     }
     for (const Column& column : goal.columns) {
-      const auto found = std::find_if(statistics_.begin(), statistics_.end(),
-                                      [&](const Statistic& each) { return each.name == column.name; });
+      const auto found = std::ranges::find(statistics_, column.name, &Statistic::name);
       columns_.push_back(found == statistics_.end() ? nullptr : &*found);
     }
   }
@@ -102,7 +101,7 @@ std::optional<MetricColumn> find_metric(const std::string& name, SweptQuantity q
 bool is_of_causes(const std::string& name) {
   VisibilityStatistics statistics;
   const Statistics described = describe(statistics);
-  return std::any_of(described.begin(), described.end(), [&](const Statistic& each) { return each.name == name; });
+  return std::ranges::any_of(described, [&](const Statistic& each) { return each.name == name; });
 }
 
 // Image metrics are computed from the images; all else must be described.
@@ -221,7 +220,7 @@ BlocksOfCase measure_without_blocks(const TuneCase& tuned, const Experiment& exp
   for (std::size_t i = 0; i < pixels; ++i) {
     if (drawn.images.is_counted(i)) is_used[static_cast<std::size_t>(block_of(i))] = true;
   }
-  if (std::count(is_used.begin(), is_used.end(), true) < 2) return blocks;
+  if (std::ranges::count(is_used, true) < 2) return blocks;
   for (int block = 0; block < block_grid * block_grid; ++block) {
     if (!is_used[static_cast<std::size_t>(block)]) continue;
     blocks.without.push_back(values_of(drawn, tuned, goal, [&](std::size_t i) { return block_of(i) == block; }));

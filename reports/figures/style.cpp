@@ -53,9 +53,8 @@ Inset parse_inset(const std::string& text) {
 
 // A family becomes part of SVG and of CSS.
 bool is_font_name(std::string_view name) {
-  return std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == ' ' || c == '-' || c == '_' || c >= 0x80;
-  });
+  return std::ranges::all_of(
+      name, [](unsigned char c) { return std::isalnum(c) != 0 || c == ' ' || c == '-' || c == '_' || c >= 0x80; });
 }
 
 }  // namespace
@@ -63,8 +62,7 @@ bool is_font_name(std::string_view name) {
 FigureStyle make_figure_style(const FigureOptions& options) {
   FigureStyle style;
   if (!options.style.empty()) {
-    const auto named =
-        std::find_if(styles.begin(), styles.end(), [&](const NamedStyle& each) { return each.name == options.style; });
+    const auto named = std::ranges::find(styles, options.style, &NamedStyle::name);
     if (named == styles.end()) {
       throw Error(ExitCode::usage, "--figure-style " + options.style, "unknown style", "use column, page or slide");
     }

@@ -32,8 +32,7 @@ std::string layer_of(const std::string& channel) {
 }
 
 const Image<float>* channel(const LayeredImage& file, const std::string& name) {
-  const auto found = std::find_if(file.channels.begin(), file.channels.end(),
-                                  [&](const Channel& candidate) { return candidate.name == name; });
+  const auto found = std::ranges::find(file.channels, name, &Channel::name);
   return found == file.channels.end() ? nullptr : &found->values;
 }
 

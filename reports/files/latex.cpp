@@ -81,7 +81,7 @@ std::string escape_latex(std::string_view text) {
     const auto starts_here = [&](const auto& pair) {
       return std::string_view(plain).substr(i).starts_with(pair.first);
     };
-    const auto found = std::find_if(replacements.begin(), replacements.end(), starts_here);
+    const auto found = std::ranges::find_if(replacements, starts_here);
     if (found == replacements.end()) {
       result += plain[i++];
     } else {
@@ -98,8 +98,8 @@ std::string to_latex(const Table& table, std::string_view note) {
   std::vector<std::string> units;
   bool has_units = false;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    const bool is_number = !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(),
-                                                              [&](const auto& row) { return is_number_text(row[c]); });
+    const bool is_number =
+        !table.rows.empty() && std::ranges::all_of(table.rows, [&](const auto& row) { return is_number_text(row[c]); });
     alignment += is_number ? 'r' : 'l';
     const Column& column = table.columns[c];
     names.push_back(escape_latex(column.name));

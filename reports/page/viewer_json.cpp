@@ -55,7 +55,7 @@ double six_digits(double value) {
 // The index of an item; equal ones have the same.
 std::size_t place_of(ViewerPack& pack, const Json& item) {
   std::string text = script_text(item);
-  const auto known = std::find(pack.items.begin(), pack.items.end(), text);
+  const auto known = std::ranges::find(pack.items, text);
   const std::ptrdiff_t place = known - pack.items.begin();
   if (known == pack.items.end()) pack.items.push_back(std::move(text));
   return static_cast<std::size_t>(place);
@@ -64,7 +64,7 @@ std::size_t place_of(ViewerPack& pack, const Json& item) {
 // The share of this role in the layer's group, if the layer is an error.
 const ViewerLayer* share_of(const ViewerData& data, const ViewerLayer& error, ViewerRole role) {
   if (error.role != ViewerRole::error) return nullptr;
-  const auto found = std::find_if(data.layers.begin(), data.layers.end(), [&](const ViewerLayer& each) {
+  const auto found = std::ranges::find_if(data.layers, [&](const ViewerLayer& each) {
     return each.group == error.group && each.role == role && each.kind == ViewerKind::share;
   });
   return found != data.layers.end() ? &*found : nullptr;

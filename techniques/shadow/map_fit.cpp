@@ -90,9 +90,8 @@ bool can_warp(int cascades, const MapFitParams& fit) {
 }
 
 void require_sense(const ShadowMapParams& map, const MapFitParams& fit, std::span<const Light> lights) {
-  const bool any_directional = std::any_of(lights.begin(), lights.end(), [](const Light& light) {
-    return std::holds_alternative<DirectionalLight>(light.shape);
-  });
+  const bool any_directional = std::ranges::any_of(
+      lights, [](const Light& light) { return std::holds_alternative<DirectionalLight>(light.shape); });
   if (any_directional && fit.warp != Warp::none && !can_warp(map.cascades, fit)) {
     throw Error(ExitCode::usage, "shadow.warp", "only a single map that is fitted to the view is warped",
                 "use --shadow.cascades 1 --shadow.fit view --shadow.cascade-fit tight or boxes");
